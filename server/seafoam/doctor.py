@@ -140,7 +140,14 @@ def _version_of(program: str) -> tuple[Path, str] | None:
     if path is None:
         return None
     try:
-        shown = subprocess.run([path, "--version"], capture_output=True, text=True, timeout=TOOL_SECONDS, check=True)
+        shown = subprocess.run(
+            [path, "--version"],
+            capture_output=True,
+            encoding="utf-8",
+            errors="replace",
+            timeout=TOOL_SECONDS,
+            check=True,
+        )
     except (OSError, subprocess.SubprocessError):
         return None
     return Path(path), shown.stdout.strip()

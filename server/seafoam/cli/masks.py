@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from seafoam.cli.consoles import say
 from seafoam.cli.support import CommandError, Output, extension_of, write
 from seafoam.extras import require_reports
 
@@ -82,7 +83,7 @@ def make_mask(
     content = encoder(ranks)
     write(output, content)
     height, width = ranks.shape
-    typer.echo(f"{output}: {family}, {width} × {height}, {len(content):,} bytes")
+    say(f"{output}: {family}, {width} × {height}, {len(content):,} bytes")
 
 
 @masks.command("spectrum")
@@ -96,14 +97,14 @@ def mask_spectrum(
         raise CommandError("--output or --json: exactly one is required")
     mask = mask_of(name)
     if output is None:
-        typer.echo(json.dumps(mask.spectrum.to_json()))
+        say(json.dumps(mask.spectrum.to_json()))
         return
     require_reports()
     from seafoam.masks.plots import plot_spectrum
 
     extension_of(output, ("png",))
     write(output, plot_spectrum(mask.spectrum, mask.entry.title))
-    typer.echo(f"{output}: spectrum of {mask.entry.title}")
+    say(f"{output}: spectrum of {mask.entry.title}")
 
 
 @masks.command("shapes")
@@ -114,7 +115,7 @@ def mask_shapes(
     """Measure the foam shapes of a mask by saturation: connected components, holes and chord lengths, in texels."""
     mask = mask_of(name)
     if as_json:
-        typer.echo(json.dumps(mask.morphology.to_json()))
+        say(json.dumps(mask.morphology.to_json()))
         return
     from rich.console import Console
     from rich.table import Table
@@ -132,9 +133,7 @@ def mask_shapes(
             f"{entry.water_chord:.1f}",
         )
     Console().print(table)
-    typer.echo(
-        f"At saturation {mask.morphology.joined_from:g} and above, one component holds more than half of the foam."
-    )
+    say(f"At saturation {mask.morphology.joined_from:g} and above, one component holds more than half of the foam.")
 
 
 def mask_of(name: str) -> "Mask":

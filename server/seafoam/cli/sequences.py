@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from seafoam.cli.consoles import say
 from seafoam.cli.support import UNABLE, CommandError, size_of
 
 if TYPE_CHECKING:
@@ -64,11 +65,11 @@ def sequence(
     pixels = None if size is None else size_of(size)
     spec = _spec(preset, start, stop, fps, {"size": pixels, "quality": quality, "look": look, "mask": mask})
     try:
-        typer.echo(_make(spec, wanted, _Fleet(workers, scheduler, mixed), again=again))
+        say(_make(spec, wanted, _Fleet(workers, scheduler, mixed), again=again))
     except PlanError as error:
         raise CommandError(f"scene{error.pointer}: {error.message}") from error
     except KeyboardInterrupt:
-        typer.echo("seafoam: interrupted; the same command goes on from here", err=True)
+        say("seafoam: interrupted; the same command goes on from here", err=True)
         raise typer.Abort from None
 
 

@@ -35,9 +35,13 @@ class Connection(Source):
     def __init__(
         self, url: str, *, key: str | None = None, timeout: float = 60.0, sleep: Callable[[float], None] = time.sleep
     ) -> None:
-        parts = urlsplit(url)
-        if parts.scheme not in ("http", "https") or not parts.netloc:
-            raise InvalidRequestError(f"url: must begin with http:// or https://, not {url!r}")
+        try:
+            parts = urlsplit(url)
+            fits = parts.scheme in ("http", "https") and bool(parts.hostname) and parts.port != 0
+        except ValueError:  # half a bracket, or no port
+            fits = False
+        if not fits:
+            raise InvalidRequestError(f"url: must begin with http:// or https:// and a host, not {url!r}")
         self.url = url.rstrip("/")
         self._headers = {} if key is None else {"Authorization": f"Bearer {key}"}
         self._timeout = timeout

@@ -1,0 +1,47 @@
+"""Where ``seafoam serve`` listens: names and addresses of both versions of IP, and advice that fits what goes wrong."""
+
+import errno
+import os
+import socket
+
+from seafoam.cli.support import UNABLE, CommandError
+
+BACKLOG = 2048
+_ADVICE = {
+    errno.EADDRINUSE: "choose another port with --port",
+    errno.EACCES: "ports below 1024 need more rights: choose another with --port",
+    errno.EADDRNOTAVAIL: "this machine has no such address: choose one of its own with --host",
+    errno.EAFNOSUPPORT: "this machine has no IPv6: choose an IPv4 address with --host, such as 127.0.0.1",
+}
+
+
+def listen(host: str, port: int) -> tuple[socket.socket, str]:
+    """Return a socket that listens, and the URL under which this machine reaches it.
+
+    host: a name, an IPv4 or IPv6 address, with brackets or without; empty, ``0.0.0.0`` and ``::`` stand for every
+    address. port: 0 selects a free one. Raises :class:`CommandError`.
+    """
+    bare = host.removeprefix("[").removesuffix("]")
+    try:
+        found = socket.getaddrinfo(bare or "0.0.0.0", port, type=socket.SOCK_STREAM)
+    except (socket.gaierror, UnicodeError) as error:
+        detail = f"--host: {host!r} is neither an address nor a name that this machine knows"
+        raise CommandError(detail, UNABLE) from error
+    # `localhost` is both: who types 127.0.0.1 for it must find the server.
+    family, *_, address = min(found, key=lambda each: each[0] != socket.AF_INET)
+    every = bare == "::" and socket.has_dualstack_ipv6()
+    try:
+        listening = socket.create_server(address, family=family, backlog=BACKLOG, dualstack_ipv6=every)
+    except OSError as error:
+        advice = _ADVICE.get(error.errno or 0, "choose another address with --host or port with --port")
+        detail = f"cannot listen on {_authority(bare, port)}: {os.strerror(error.errno or 0)}; {advice}"
+        raise CommandError(detail, UNABLE) from error
+    # asyncio sets this only on sockets that name their protocol; without it every answer waits 40 ms for an ACK.
+    listening.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+    shown = {"": "127.0.0.1", "0.0.0.0": "127.0.0.1", "::": "127.0.0.1" if every else "::1"}.get(bare, bare)
+    return listening, f"http://{_authority(shown, listening.getsockname()[1])}"
+
+
+def _authority(host: str, port: int) -> str:
+    """Host and port as a URL has them: IPv6 addresses in brackets, the zone's sign encoded (RFC 6874)."""
+    return f"[{host.replace('%', '%25')}]:{port}" if ":" in host else f"{host}:{port}"
