@@ -1,7 +1,10 @@
-"""How the server's process keeps its memory."""
+"""How the server's processes keep memory and compiled programs."""
 
 import ctypes
+import os
 import sys
+from contextlib import suppress
+from pathlib import Path
 
 _M_ARENA_MAX = -8
 """Option of ``mallopt`` (glibc, ``malloc.h``)."""
@@ -17,3 +20,12 @@ def share_one_arena() -> None:
         mallopt = getattr(ctypes.CDLL(None), "mallopt", None)
         if mallopt is not None:
             mallopt(_M_ARENA_MAX, 1)
+
+
+def keep_programs(folder: Path) -> None:
+    """Have Mesa keep what it compiles in a folder, unless the environment names one; workers inherit it."""
+    if "MESA_SHADER_CACHE_DIR" not in os.environ:
+        # Mesa makes the last folder of the path alone, and without it keeps nothing.
+        with suppress(OSError):
+            folder.mkdir(parents=True, exist_ok=True)
+            os.environ["MESA_SHADER_CACHE_DIR"] = str(folder)

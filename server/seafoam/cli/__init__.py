@@ -46,9 +46,10 @@ def serve(
     import uvicorn
     from pydantic import ValidationError
 
+    from seafoam.accuracy.cache import cache_dir
     from seafoam.api import logs
     from seafoam.api.app import create_app
-    from seafoam.api.memory import share_one_arena
+    from seafoam.api.memory import keep_programs, share_one_arena
     from seafoam.api.settings import Settings
     from seafoam.api.telemetry import UnsupportedTelemetryError
 
@@ -58,6 +59,7 @@ def serve(
         settings = Settings(**given).served
     except ValidationError as error:
         refuse(error, Settings, lambda field: f"--{field}" if field in given else f"SEAFOAM_{field.upper()}")
+    keep_programs((settings.cache or cache_dir()) / "mesa")
     try:
         application = create_app(settings)
     except UnsupportedTelemetryError as error:

@@ -76,5 +76,27 @@ def test_frames_in_flight_are_told_that_the_server_stops(tmp_path: Path, form: s
         assert response.headers["content-type"] == "application/problem+json"
         assert int(response.headers["retry-after"]) > 0
         assert response.json()["type"] == "urn:seafoam:problem:stopping"
-    assert "Traceback" not in log and "Exception" not in log, log
+    assert "Traceback" not in log, log
+    assert "Exception" not in log, log
     assert sum("/api/frames/default.png" in line for line in log.splitlines()) == 6, log
+
+
+def test_the_driver_keeps_its_programs_where_the_server_keeps_its_frames(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv("MESA_SHADER_CACHE_DIR", raising=False)
+    cache = tmp_path / "not" / "yet"
+    with served(tmp_path, SEAFOAM_CACHE=str(cache)) as (_, process):
+        assert f"MESA_SHADER_CACHE_DIR={cache / 'mesa'}" in environments(process.pid)
+        assert (cache / "mesa").is_dir()
+    with served(tmp_path, SEAFOAM_CACHE=str(cache), MESA_SHADER_CACHE_DIR="/elsewhere") as (_, process):
+        assert "MESA_SHADER_CACHE_DIR=/elsewhere" in environments(process.pid)
+
+
+def environments(parent: int) -> set[str]:
+    """Variables that every render worker of a server has."""
+    children = Path(f"/proc/{parent}/task/{parent}/children").read_text().split()
+    commands = {child: Path(f"/proc/{child}/cmdline").read_text() for child in children}
+    workers = [child for child, command in commands.items() if "spawn_main" in command]
+    assert workers
+    return set.intersection(*(set(Path(f"/proc/{each}/environ").read_text().split("\0")) for each in workers))

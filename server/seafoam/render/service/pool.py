@@ -61,7 +61,7 @@ START_SECONDS = 180.0
 """Timeout of the default picture, s, by which the server is ready; then the renderer is unavailable."""
 
 COMPILE_SECONDS = 120.0
-"""Time after its frame's deadline for which a worker may compile, s. Nobody waits, but the next request finds it done."""
+"""Time after its frame's deadline for which a worker may compile, s: the next request finds it done."""
 
 STUCK_SECONDS = 10.0
 """Grace period after its deadline, s; if Pebble has not killed a worker by then, the whole pool is replaced."""

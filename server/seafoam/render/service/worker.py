@@ -92,7 +92,7 @@ def start_worker(factory: Callable[[], Renderer], threads: int) -> None:
 
 
 def work_canary() -> Answer[dict[str, str]]:
-    """Draw the default picture, small, and report the renderer: its programs are compiled before the server is ready."""
+    """Draw the default picture, small, so that its programs are compiled, and report the renderer."""
     if isinstance(_renderer, Unavailable):
         return Answer(os.getpid(), _renderer)
     try:
@@ -135,7 +135,7 @@ _compiled: set[tuple[str, str]] = set()
 
 
 def _compile(renderer: Renderer, job: FrameJob) -> None:
-    """Draw a frame small first, where it has programs that this process has not drawn: drivers compile at the first draw.
+    """Draw a frame small, where it has programs that this process has not drawn: drivers compile at the first draw.
 
     On a slow machine that takes longer than a frame may. A process that is stopped while it compiles leaves nothing to
     the next one.
