@@ -87,7 +87,8 @@ Water with halftoned foam, after Yingst, Alford and Parberry (2011).
 A **scene** describes the water, its foam, the light and the camera; a **quality** says how exactly to compute them.
 Both are compiled into a **frame plan**, which the server and the browser execute alike. A frame depends only on scene,
 quality, camera, size and time, so the same request returns the same bytes. Units are SI units and radians; +y points
-up. Errors are `application/problem+json` (RFC 9457) and name the field and its allowed values.
+up. Numbers in addresses are written as `12`, `-0.5` or `1e3`: no spaces, underscores or other digits.
+Errors are `application/problem+json` (RFC 9457) and name the field and its allowed values.
 """
 
 
@@ -189,6 +190,7 @@ def _context(
         traces,
         plans=ThreadPool(2, 64),
         masks=ThreadPool(1, 8),
+        slow_masks=ThreadPool(1, 2),
         sweeps=sweep_service(settings, pool, asyncio.get_running_loop()),
         sequences=sequence_service(settings, pool, asyncio.get_running_loop()),
         streams=Streams(settings.streams),

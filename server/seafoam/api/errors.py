@@ -189,9 +189,12 @@ def _field_error(item: Mapping[str, Any], body: Any, openapi: Schema, operation:
         allowed = allowed_at(declared["schema"], openapi, ())
         return FieldProblem(parameter=name, detail=f"{name}: {message}", allowed=allowed)
     if item["type"] == "json_invalid":
-        return FieldProblem(pointer="", detail=f"invalid JSON: {item['ctx']['error']} at character {location[0]}")
+        at = f" at character {location[0]}" if location else ""
+        return FieldProblem(pointer="", detail=f"invalid JSON: {item['ctx']['error']}{at}")
     path = pointer_of(location, body, item["type"] == "missing")
     pointer = "".join("/" + str(step).replace("~", "~0").replace("/", "~1") for step in path)
+    # What is no text cannot be written; it is shown as it was spelt.
+    pointer = pointer.encode(errors="backslashreplace").decode()
     schema = operation.get("requestBody", {}).get("content", {}).get("application/json", {}).get("schema", {})
     unknown = item["type"] == "extra_forbidden"
     allowed = allowed_at(schema, openapi, path[:-1] if unknown else path, body)
@@ -254,6 +257,16 @@ async def _http(request: Request, error: Exception) -> JSONResponse:
         path = getattr(request.scope.get("route"), "path_format", "")
         methods = request.app.openapi()["paths"].get(path, {})
         headers = {"Allow": ", ".join(sorted(method.upper() for method in methods))} if methods else headers
+    elif error.status_code == HTTPStatus.BAD_REQUEST and error.__cause__ is not None:
+        # Of what reading a body may raise, FastAPI knows errors of JSON's grammar alone.
+        match error.__cause__:
+            case UnicodeDecodeError(start=byte):
+                said = f"the body is not UTF-8 at byte {byte}"
+            case RecursionError():
+                said = "the body has too many levels"
+            case _:
+                said = "the body has a number of too many digits"
+        return await _known(request, BadRequestError(FieldProblem(pointer="", detail=said)))
     elif error.status_code == HTTPStatus.NOT_FOUND:
         detail = f"{request.url.path} was not found"
     return problem(request.url.path, error.status_code, detail, headers=headers)

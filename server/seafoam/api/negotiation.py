@@ -10,6 +10,7 @@ OFFERED = ("br", "gzip")
 """Codings that answers may have, the better one first: Brotli of files that the build packed, gzip of all text."""
 _ALIASES = {"x-gzip": "gzip"}
 _ELEMENT = re.compile(r"([!#$%&'*+.^_`|~0-9A-Za-z-]+)\s*(?:;\s*[qQ]=(0(?:\.\d{0,3})?|1(?:\.0{0,3})?)\s*)?")
+_SPAN = re.compile(r"(?=.*[0-9])([0-9]{0,18})-([0-9]{0,18})")
 
 
 def accepted(fields: Sequence[str]) -> list[str]:
@@ -32,8 +33,18 @@ def accepted(fields: Sequence[str]) -> list[str]:
     )
 
 
+def _is_range(text: str) -> bool:
+    """Whether a Range is of bytes and in order; another must be ignored (RFC 9110, section 14.2)."""
+    unit, _, parts = text.partition("=")
+    found = [_SPAN.fullmatch(part.strip()) for part in parts.split(",")]
+    return unit.strip().lower() == "bytes" and all(
+        one and (not (one[1] and one[2]) or int(one[1]) <= int(one[2])) for one in found
+    )
+
+
 class Negotiate:
-    """ASGI middleware: what lies within finds Accept-Encoding reduced to :func:`accepted`, and lists on one line.
+    """ASGI middleware: what lies within finds Accept-Encoding reduced to :func:`accepted`, lists on one line, and no
+    malformed Range.
 
     A tag of what was compressed is made weak, since the same bytes without a coding have it too; 304 has the tag that
     the client has, and Vary as its 200.
@@ -50,6 +61,8 @@ class Negotiate:
         known = ", ".join(headers.getlist("if-none-match"))
         joined = {"accept-encoding": ", ".join(accepted(headers.getlist("accept-encoding"))), "if-none-match": known}
         others = [(name, value) for name, value in scope["headers"] if name.decode("latin-1").lower() not in joined]
+        if not _is_range(headers.get("range", "")):
+            others = [(name, value) for name, value in others if name.lower() != b"range"]
         scope["headers"] = others + [
             (name.encode(), value.encode("latin-1")) for name, value in joined.items() if value
         ]

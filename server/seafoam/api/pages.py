@@ -2,6 +2,7 @@
 resources."""
 
 import mimetypes
+import os
 from pathlib import Path
 
 from fastapi import FastAPI
@@ -66,7 +67,7 @@ class WebClient(StaticFiles):
             return PlainTextResponse(NOT_BUILT, headers={"Cache-Control": "no-store"})
         # Browsers ask for it beside answers that are no page.
         path = "icon.svg" if path == "favicon.ico" else path
-        packed = (self.folder / f"{path}.br").is_file()
+        packed = os.path.isfile(self.folder / f"{path}.br")  # False, too, for a name that no file can have
         chosen = f"{path}.br" if packed and Headers(scope=scope).get("accept-encoding", "").startswith("br") else path
         response = await super().get_response(chosen, scope)
         if packed:

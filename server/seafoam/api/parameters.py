@@ -2,10 +2,11 @@
 
 from typing import Annotated, Any, Literal, get_args
 
-from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag
+from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag, field_validator
 from pydantic.fields import FieldInfo
 
 from seafoam.api.problems import BadRequestError, FieldProblem
+from seafoam.numerals import numeral_fields
 from seafoam.quality import TIERS, Quality, Tier
 from seafoam.render.encode import FrameFormat, Precision
 from seafoam.scene.camera import Camera
@@ -23,6 +24,7 @@ class Parameters(BaseModel):
     """Base class of query parameters; unknown ones are rejected. This class itself has none."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+    _numerals = field_validator("*", mode="before")(numeral_fields)
 
 
 def _same(info: FieldInfo, description: str = "", *, required: bool = False, **override: Any) -> Any:

@@ -10,6 +10,7 @@ from pydantic import Field, SecretStr, field_validator, model_validator
 from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
 
 from seafoam.api.access import Access, Signing, api_keys_of
+from seafoam.numerals import numeral_fields
 from seafoam.render.service.limits import FrameLimits
 
 
@@ -124,6 +125,8 @@ class Settings(BaseSettings):
     log_format: Literal["text", "json"] = Field(
         default="text", description="Form of the log: text, or json with an object for each line and request"
     )
+
+    _numerals = field_validator("*", mode="before")(numeral_fields)
 
     @field_validator("trusted_proxies", "cors_origins", mode="before")
     @classmethod

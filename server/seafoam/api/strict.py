@@ -1,6 +1,7 @@
 """Requests are read strictly: a parameter is given once, and nothing in a body is converted."""
 
 import json
+import re
 from typing import Annotated, Any, TypeVar
 
 from fastapi import Request
@@ -10,6 +11,7 @@ from pydantic import BaseModel, BeforeValidator, ValidationError
 from seafoam.api.problems import BadRequestError, FieldProblem, UnsupportedMediaError
 
 M = TypeVar("M", bound=BaseModel)
+_SURROGATE = re.compile("[\ud800-\udfff]")
 
 
 def one_value_each(request: Request) -> None:
@@ -27,6 +29,11 @@ def strictly(model: type[M]) -> Any:
     def validate(body: Any) -> Any:
         if isinstance(body, bytes):
             raise UnsupportedMediaError("send JSON, with the header Content-Type: application/json")
+        if (path := _no_text(body)) is not None:
+            message = "must be Unicode text, without half of a surrogate pair"
+            raise RequestValidationError(
+                [{"type": "string_unicode", "loc": ("body", *path), "msg": message}], body=body
+            )
         try:
             return model.model_validate_json(json.dumps(body), strict=True)
         except ValidationError as error:
@@ -34,3 +41,18 @@ def strictly(model: type[M]) -> Any:
             raise RequestValidationError(items, body=body) from error
 
     return Annotated[model, BeforeValidator(validate)]
+
+
+def _no_text(body: Any) -> tuple[str | int, ...] | None:
+    """Return the path to a string or key that has no UTF-8, which JSON's escapes can spell, or None."""
+    waiting: list[tuple[tuple[str | int, ...], Any]] = [((), body)]
+    while waiting:
+        path, value = waiting.pop()
+        match value:
+            case str() if _SURROGATE.search(value):
+                return path
+            case dict():
+                waiting += [((*path, key), part) for key, inner in value.items() for part in (inner, key)]
+            case list():
+                waiting += [((*path, index), inner) for index, inner in enumerate(value)]
+    return None

@@ -19,7 +19,7 @@ from typer.exceptions import TyperException
 from seafoam.cli import options
 from seafoam.cli.masks import masks
 from seafoam.cli.sequences import sequence
-from seafoam.cli.support import UNABLE, CommandError, refuse, size_of
+from seafoam.cli.support import UNABLE, Command, CommandError, refuse, size_of
 from seafoam.extras import MissingExtraError, require_reports
 from seafoam.processes import SCHEDULER
 
@@ -236,6 +236,10 @@ def sign(
         typer.echo(signing.link(address))
     except ValueError as error:
         raise CommandError(f"ADDRESS: {error}") from error
+
+
+for each in (*app.registered_commands, *masks.registered_commands):
+    each.cls = Command
 
 
 def main(arguments: Sequence[str] | None = None) -> NoReturn:

@@ -97,7 +97,7 @@ def draw_again(source: Path, output: Path | None) -> tuple[bool, list[str]]:
 
 def _read(source: Path, content: bytes) -> _Recipe:
     try:
-        recipe = _Recipe.model_validate_json(read_recipe(content))
+        recipe = _Recipe.model_validate_json(read_recipe(content), strict=True)
     except NoRecipeError as error:
         raise CommandError(f"--again: {source}: {error}") from error
     except ValidationError as error:

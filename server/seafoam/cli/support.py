@@ -1,14 +1,17 @@
 """Errors, options and files that commands share."""
 
+import math
 import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, NoReturn, TypeVar
 
 import typer
+from typer.core import TyperCommand
 from typer.exceptions import TyperException
 
 from seafoam.files import write_whole
+from seafoam.numerals import numeral
 
 if TYPE_CHECKING:
     from pydantic import BaseModel, ValidationError
@@ -26,6 +29,24 @@ class CommandError(TyperException):
     def __init__(self, message: str, exit_code: int = BAD_INPUT) -> None:
         super().__init__(message)
         self.exit_code = exit_code
+
+
+class Command(TyperCommand):
+    """A command whose options take numbers as the API's parameters do."""
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Parse the arguments. Raises :class:`CommandError` for a number that is written in another way."""
+        given = self.make_parser(ctx).parse_args(args=list(args))[0]
+        rest = super().parse_args(ctx, args)
+        for name, value in ctx.params.items():
+            # What is not finite is refused with the allowed range.
+            if isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value):
+                try:
+                    numeral(given.get(name))
+                except ValueError as error:
+                    option = f"--{name.replace('_', '-')}"
+                    raise CommandError(f"{option}: {error}, not {given[name]!r}") from error
+        return rest
 
 
 def refuse(error: "ValidationError", model: "type[BaseModel]", option: Any) -> NoReturn:
@@ -58,7 +79,7 @@ def extension_of(path: Path, known: Sequence[E]) -> E:
 
 
 def size_of(text: str) -> tuple[int, int]:
-    match = re.fullmatch(r"(\d{1,6})[x×](\d{1,6})", text)
+    match = re.fullmatch(r"([0-9]{1,6})[x×]([0-9]{1,6})", text)
     if match is None:
         raise CommandError(f"--size: must be WIDTHxHEIGHT in pixels, such as 1280x720, not {text!r}")
     return int(match[1]), int(match[2])

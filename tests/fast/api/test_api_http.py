@@ -154,3 +154,94 @@ def test_a_tag_goes_before_a_date(built: TestClient) -> None:
     assert built.get("/", headers=old).status_code == 200
     assert built.get("/", headers=old | {"If-None-Match": first.headers["ETag"]}).status_code == 304
     assert built.get("/", headers={"If-Modified-Since": "yesterday"}).status_code == 200
+
+
+SURROGATES = [
+    ('{"\\ud800": 1}', r"/\ud800"), ('{"foam": {"a\\udfff/b": 1}}', r"/foam/a\udfff~1b"), ('"\\udc00"', ""),
+    ('{"foam": {"mask": "\\ud800"}}', "/foam/mask"), ('{"waves": [{}, {"model": "x\\ud83dy"}]}', "/waves/1/model"),
+    ('{"extensions": {"a": [["\\ud800"]]}}', "/extensions/a/0/0"), (b'{"foam": "\xed\xa0\x80"}', "/foam"),
+]  # fmt: skip
+UNREADABLE = [
+    (b'{"foam": "\xff"}', "byte 10"), (b'{"\xc3(": 1}', "byte 2"), ("[" * 100_000, "levels"),
+    ("[" * 900 + "]" * 900, "invalid JSON"), ('{"a":' * 900 + "1" + "}" * 900, "invalid JSON"),
+    ('{"a": ' + "9" * 5000 + "}", "digits"), ("{,}", "character 1"),
+]  # fmt: skip
+
+
+def posted(client: TestClient, content: str | bytes, path: str = "/api/scenes") -> dict[str, object]:
+    """The one error of a body that is refused."""
+    response = client.post(path, content=content, headers={"Content-Type": "application/json"})
+    assert response.status_code == 422, response.text[:500]
+    assert response.headers["Content-Type"] == "application/problem+json"
+    (error,) = response.json()["errors"]
+    return error
+
+
+@pytest.mark.parametrize(("body", "pointer"), SURROGATES)
+def test_half_a_surrogate_pair_is_refused_with_its_place(client: TestClient, body: str | bytes, pointer: str) -> None:
+    error = posted(client, body)
+    assert error["pointer"] == pointer
+    assert "surrogate" in str(error["detail"])
+
+
+@pytest.mark.parametrize("path", ["plans", "frames", "export", "sequences", "streams"])
+def test_every_body_must_be_text(client: TestClient, path: str) -> None:
+    assert posted(client, '{"scene": {}, "preset": "\\ud800"}', f"/api/{path}")["pointer"] == "/preset"
+
+
+def test_a_whole_pair_is_text(client: TestClient) -> None:
+    assert posted(client, '{"\\ud83c\\udf0a": 1}')["pointer"] == "/🌊"
+
+
+@pytest.mark.parametrize(("body", "said"), UNREADABLE)
+def test_a_body_that_cannot_be_read_is_told_why(client: TestClient, body: str | bytes, said: str) -> None:
+    assert said in str(posted(client, body)["detail"])
+
+
+@pytest.mark.parametrize(
+    "name", ["%00", "%ff", "%ed%a0%80", "%0d%0a", "%1b%5b31m", "a" * 5000, "..%5c", "%f0%9f%8c%8a"]
+)
+@pytest.mark.parametrize(
+    "path", ["/{}", "/assets/{}.js", "/water/{}", "/water/{}.jpg", "/api/presets/{}", "/api/textures/mask/{}/ranks"]
+)
+def test_a_name_of_any_bytes_is_not_found(client: TestClient, path: str, name: str) -> None:
+    response = client.get(path.format(name))
+    assert response.status_code in (404, 422)
+    assert not any(ord(each) < 32 for each in "".join(response.headers.values()))
+
+
+@pytest.mark.parametrize(
+    "text", ["1_0", "１２", "٣", "%205", "5%20", "+5", "1e3_0", "0x10", "1,5", "1e", ".", "--1", "5%00"]
+)
+@pytest.mark.parametrize(
+    ("url", "parameter"),
+    [
+        ("/api/frames/default.png?time={}", "time"), ("/api/frames/default.png?width={}", "width"),
+        ("/api/frames/default.png?quality=auto&budget_ms={}", "budget_ms"), ("/api/frames/default.png?fov={}", "fov"),
+        ("/api/masks/custom?family=vac&size={}", "size"), ("/api/masks/custom?family=vac&sigma={}", "sigma"),
+        ("/api/presets/default/thumbnail.png?width={}", "width"),
+        (f"/api/plans/{'0' * 64}/frames/{{}}.png?width=8&height=8&x=0&y=1&z=0&yaw=0&pitch=0&roll=0&fov=1", "time"),
+    ],
+)  # fmt: skip
+def test_a_number_is_written_in_one_way(client: TestClient, url: str, parameter: str, text: str) -> None:
+    in_path = "/frames/{}" in url
+    if in_path and text == "+5":
+        pytest.skip("a plus sign in a path is a plus sign")
+    response = client.get(url.format(text))
+    assert response.status_code == 422
+    (error,) = response.json()["errors"]
+    assert error["parameter"] == parameter
+
+
+def test_usual_ways_of_writing_a_number_are_taken(client: TestClient) -> None:
+    tags = {
+        client.get("/api/frames/default.png", params=SMALL | {"time": text}).headers["ETag"]
+        for text in ("10", "10.0", "1e1", "1E+1", "+10", "10.", "010", "100e-1")
+    }
+    assert len(tags) == 1
+
+
+@pytest.mark.parametrize("sent", ["lines=0-1", "bytes=5-1", "bytes=", "bytes=-", "bytes=a-b", "bytes=1_0-", "bytes"])
+def test_a_malformed_range_is_ignored(built: TestClient, sent: str) -> None:
+    assert built.get("/assets/a.js", headers={"Range": sent, "Accept-Encoding": "identity"}).status_code == 200
+    assert built.get("/assets/a.js", headers={"Range": "bytes=0-5", "Accept-Encoding": ""}).text == "export"

@@ -111,6 +111,8 @@ def test_a_picture_of_another_size_than_its_recipe(seafoam, tmp_path):
     [
         ({"recipe": 2}, "/recipe"),
         ({"time": 2e9}, "/time"),
+        ({"time": "1_0"}, "/time"),
+        ({"width": "48"}, "/width"),
         ({"scene": {"water": {"chop": 1}}}, "/scene/water/chop"),
         ({"width": 9000}, "width must be 1 to 8192"),
         ({"split": {"at": 0.5}}, "two looks side by side"),

@@ -56,6 +56,22 @@ class Recorder:
         return SimpleNamespace(pixels=pixels, timings={"render": 0.0, "read": 0.0})
 
 
+@pytest.mark.parametrize("text", ["1_0", "１２", " 5", "5 ", "0x10"])
+@pytest.mark.parametrize(
+    ("command", "option"),
+    [
+        ("render default -o a.png", "--time"), ("render default -o a.png", "--budget-ms"), ("serve", "--port"),
+        ("sequence default -o a.zip", "--stop"), ("masks make -o a.png --family vac", "--seed"),
+        ("masks make -o a.png --family vac", "--sigma"), ("accuracy default", "--rounds"),
+    ],
+)  # fmt: skip
+def test_a_number_is_written_in_one_way(seafoam, command, option, text):
+    code, out, err = seafoam(*command.split(), option, text)
+    assert (code, out, err.count("\n")) == (2, "", 1)
+    assert option in err
+    assert "number" in err or "integer" in err
+
+
 @pytest.mark.parametrize(("name", "format"), [("a.png", "PNG"), ("a.WEBP", "WEBP"), ("a.npy", None), ("a.exr", None)])
 def test_render_writes_the_format_of_the_extension(seafoam, monkeypatch, tmp_path, name, format):
     monkeypatch.setattr("seafoam.render.gl.executor.Executor", Recorder)

@@ -3,6 +3,7 @@
 from typing import Annotated
 
 from fastapi import APIRouter, Path, Query, Request
+from pydantic import BeforeValidator
 from starlette.responses import Response
 
 from seafoam.api.answering import FRAME_RESPONSES, NOT_MODIFIED, answer, asked_before, identify
@@ -13,6 +14,7 @@ from seafoam.api.known import Identified
 from seafoam.api.parameters import FORMATS, TIME_LIMIT, PlanFrameParameters
 from seafoam.api.planning import compile_scene
 from seafoam.api.problems import NotFoundError
+from seafoam.numerals import numeral
 from seafoam.render.encode import FrameFormat
 from seafoam.render.service.jobs import FrameJob
 
@@ -29,7 +31,9 @@ async def get_plan_frame(
         str, Path(pattern="^[0-9a-f]{64}$", description="SHA-256 of a plan that this server has made: Seafoam-Plan")
     ],
     time: Annotated[
-        float, Path(ge=-TIME_LIMIT, le=TIME_LIMIT, allow_inf_nan=False, description="Time, s", examples=[12.5])
+        float,
+        BeforeValidator(numeral),
+        Path(ge=-TIME_LIMIT, le=TIME_LIMIT, allow_inf_nan=False, description="Time, s", examples=[12.5]),
     ],
     format: Annotated[FrameFormat, Path(description=FORMATS)],
     asked: Annotated[PlanFrameParameters, Query()],
