@@ -15,6 +15,9 @@ from numpy.typing import NDArray
 from seafoam.masks.torus import Ranks
 
 DXGI_FORMAT_R16_UNORM = 56
+"""Numbers from 0 to 1. No format of 16 bits is sRGB, so readers take it as it is."""
+_LINEAR = struct.pack(">I", 100_000)
+"""Gamma 1 in PNG's unit (ISO 15948, 11.3.2.2)."""
 RANK_BITS = 18
 """Bits of a rank in a ``.ranks`` file: enough for 512 x 512."""
 
@@ -31,12 +34,12 @@ def to_u16(ranks: Ranks) -> bytes:
 
 
 def to_png16(ranks: Ranks) -> bytes:
-    """16-bit greyscale PNG of the values of :func:`to_u16`, without gamma or colour space chunks."""
+    """16-bit greyscale PNG of the values of :func:`to_u16`, tagged as linear (gamma 1)."""
     return _png(quantised(ranks, 16).astype(np.uint16))
 
 
 def to_png8(ranks: Ranks) -> bytes:
-    """8-bit greyscale PNG of floor(rank 256 / N), for quick use: N / 256 texels share each value."""
+    """8-bit greyscale PNG of floor(rank 256 / N), for quick use: N / 256 texels share each value. Tagged as linear."""
     return _png(quantised(ranks, 8).astype(np.uint8))
 
 
@@ -88,8 +91,10 @@ def decode_ranks(content: bytes, size: int) -> Ranks:
 
 def _png(values: NDArray[np.uint8 | np.uint16]) -> bytes:
     # Here, because masks are read and drawn without it.
-    from PIL import Image
+    from PIL import Image, PngImagePlugin
 
+    info = PngImagePlugin.PngInfo()
+    info.add(b"gAMA", _LINEAR)
     buffer = io.BytesIO()
-    Image.fromarray(values).save(buffer, "PNG")
+    Image.fromarray(values).save(buffer, "PNG", pnginfo=info)
     return buffer.getvalue()

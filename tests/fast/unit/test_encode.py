@@ -36,7 +36,7 @@ def test_pixels_come_back(format: str, size: tuple[int, int]) -> None:
     np.testing.assert_array_equal(np.asarray(upside_down), pixels[::-1, :, :3])
 
 
-def test_a_png_holds_the_picture_and_nothing_else() -> None:
+def test_a_png_holds_the_picture_tagged_as_srgb_and_nothing_else() -> None:
     content = encode(drawn(5, 6), "png")
     assert content[:8] == b"\x89PNG\r\n\x1a\n"
     kinds, at = [], 8
@@ -44,8 +44,8 @@ def test_a_png_holds_the_picture_and_nothing_else() -> None:
         (length,) = struct.unpack(">I", content[at : at + 4])
         kinds.append(content[at + 4 : at + 8])
         at += 12 + length
-    assert kinds == [b"IHDR", b"IDAT", b"IEND"]
-    assert Image.open(io.BytesIO(content)).info == {}
+    assert kinds == [b"IHDR", b"sRGB", b"IDAT", b"IEND"]
+    assert Image.open(io.BytesIO(content)).info == {"srgb": 0}
 
 
 def test_a_recipe_is_beside_the_picture() -> None:
@@ -55,8 +55,8 @@ def test_a_recipe_is_beside_the_picture() -> None:
     assert read.text == {"seafoam": recipe}
     np.testing.assert_array_equal(np.asarray(read), pixels[..., :3])
     bare = encode(pixels, "png")
-    # Signature and IHDR, the chunk, the rest.
-    assert (content[:33], content[-(len(bare) - 33) :]) == (bare[:33], bare[33:])
+    # Signature, IHDR and sRGB, the chunk, the rest.
+    assert (content[:46], content[-(len(bare) - 46) :]) == (bare[:46], bare[46:])
 
 
 @pytest.mark.parametrize("format", ["png", "webp", "exr"])
@@ -95,6 +95,7 @@ def test_open_exr_holds_linear_light_and_coverage(precision: str, type: type) ->
     np.testing.assert_array_equal(channels["coverage"].pixels, want[..., 3])
     assert channels["coverage"].pixels.dtype == type
     assert file.header()["chromaticities"][:2] == pytest.approx((0.64, 0.33))
+    assert file.header()["colorInteropID"] == "lin_rec709_scene"
     assert encode(pixels, "exr", precision=precision) == content
 
 

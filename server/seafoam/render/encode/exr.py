@@ -21,6 +21,8 @@ DISTANCE = "distance"
 _MAGIC = b"v/1\x01"
 _REC709 = (0.64, 0.33, 0.30, 0.60, 0.15, 0.06, 0.3127, 0.3290)
 """CIE x, y of the primaries and of white (ITU-R BT.709): those of sRGB."""
+_LINEAR = "lin_rec709_scene"
+"""Name of linear light with these primaries by the Color Interop Forum."""
 
 
 def encode_exr(pixels: NDArray[np.float32], precision: Precision, recipe: str | None) -> bytes:
@@ -39,6 +41,7 @@ def encode_exr(pixels: NDArray[np.float32], precision: Precision, recipe: str | 
         "compression": OpenEXR.ZIP_COMPRESSION,
         "type": OpenEXR.scanlineimage,
         "chromaticities": _REC709,
+        "colorInteropID": _LINEAR,
         **({} if recipe is None else {KEYWORD: recipe}),
     }
     channels = {"RGB": np.ascontiguousarray(values[..., :3]), COVERAGE: np.ascontiguousarray(values[..., 3])}

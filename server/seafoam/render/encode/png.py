@@ -24,6 +24,8 @@ _ZLIB_HEADER = b"\x78\x01"
 """Deflate with a window of 32 KiB, least effort (RFC 1950, 2.2)."""
 _SUB = 1
 """The PNG filter of every row: each byte less the same channel of the pixel to its left."""
+_SRGB = b"\0"
+"""Content of the chunk that says that the picture is sRGB, to be shown as a photograph is (ISO 15948, 11.3.2.5)."""
 _NOTE = KEYWORD.encode("latin-1") + b"\0\0\0\0\0"
 """Start of the chunk with a frame's recipe: not compressed, without language (ISO 15948, 11.3.3.4)."""
 
@@ -35,7 +37,7 @@ def _threads() -> ThreadPoolExecutor:
 
 
 def encode_png(pixels: NDArray[np.uint8 | np.uint16], recipe: str | None) -> bytes:
-    """Encode RGB of (height, width, 4): one IDAT chunk, and the recipe, if any, in an ``iTXt`` chunk.
+    """Encode RGB of (height, width, 4): one IDAT chunk, tagged as sRGB, and the recipe, if any, in an ``iTXt`` chunk.
 
     16 bits are dithered to 8.
     """
@@ -51,7 +53,8 @@ def encode_png(pixels: NDArray[np.uint8 | np.uint16], recipe: str | None) -> byt
     header = struct.pack(">2I5B", width, height, 8, 2, 0, 0, 0)
     body = b"".join((_ZLIB_HEADER, *(deflated for _, deflated in stripes), struct.pack(">I", checksum)))
     note = b"" if recipe is None else _chunk(b"iTXt", _NOTE + recipe.encode())
-    return b"".join((_SIGNATURE, _chunk(b"IHDR", header), note, _chunk(b"IDAT", body), _chunk(b"IEND", b"")))
+    head = _chunk(b"IHDR", header) + _chunk(b"sRGB", _SRGB) + note
+    return b"".join((_SIGNATURE, head, _chunk(b"IDAT", body), _chunk(b"IEND", b"")))
 
 
 def _stripe(pixels: NDArray[np.uint8 | np.uint16], top: int, bottom: int) -> tuple[NDArray[np.uint8], bytes]:
