@@ -1,19 +1,21 @@
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
 import { describe, expect, it } from "vitest";
 import { linearAxis } from "../src/charts/axis";
 import { choiceText, decodeState, encodeState, type LabState, maskPath, parseChoice, START } from "../src/masklab/choice";
 import { coverage, shades, threshold, viewOf } from "../src/masklab/pattern";
-import { FORMATS, snippets } from "../src/masklab/snippets";
+import { FORMATS, snippets, spreads } from "../src/masklab/snippets";
 import { nearestGrey, resample } from "../src/masklab/spectra";
 
-const LACE = { family: "lace", sigma: 8, size: 128, seed: 7, aspect: 2, age: 0.5 } as const;
+const LACE = { family: "lace", sigma: 8, width: 128, height: 128, seed: 7, aspect: 2, age: 0.5 } as const;
 
 describe("a mask's text", () => {
-  it.each(["vac-24", "vac:3:256:7", "lace:8:128:7:2:0.5", "blur:0.5:32:4294967295"])("%s is read and written", (text) => {
+  it.each(["vac-24", "vac:3:256:7", "vac:3:96x40:7", "lace:8:128:7:2:0.5", "blur:0.5:32:4294967295"])("%s is read and written", (text) => {
     const choice = parseChoice(text);
     expect(choice === null ? null : choiceText(choice)).toBe(text);
   });
 
-  it.each(["", "vac:3:256", "vac:3:256:7:1:0", "vac:99:256:7", "vac:3:100:7", "vac:3:64:-1", "vac:3:64:1.5", "vac:x:64:1", "nope:3:64:1", "lace:8:128:7:9:0", "../etc"])(
+  it.each(["", "vac:3:256", "vac:3:256:7:1:0", "vac:99:256:7", "vac:3:31:7", "vac:3:64x1025:7", "vac:3:64x:7", "vac:3:64:-1", "vac:3:64:1.5", "vac:x:64:1", "nope:3:64:1", "lace:8:128:7:9:0", "../etc"])(
     "%s is none",
     (text) => expect(parseChoice(text)).toBeNull(),
   );
@@ -21,8 +23,8 @@ describe("a mask's text", () => {
   it("has its paths in the API", () => {
     expect(maskPath("vac-24")).toBe("api/masks/vac-24");
     expect(maskPath("vac-24", "data.u16")).toBe("api/masks/vac-24/data.u16");
-    expect(maskPath(LACE, "spectrum")).toBe("api/masks/custom/spectrum?family=lace&sigma=8&size=128&seed=7&aspect=2&age=0.5");
-    expect(maskPath({ ...LACE, family: "vac" })).toBe("api/masks/custom?family=vac&sigma=8&size=128&seed=7");
+    expect(maskPath(LACE, "spectrum")).toBe("api/masks/custom/spectrum?family=lace&sigma=8&width=128&height=128&seed=7&aspect=2&age=0.5");
+    expect(maskPath({ ...LACE, family: "vac" })).toBe("api/masks/custom?family=vac&sigma=8&width=128&height=128&seed=7");
   });
 });
 
@@ -39,7 +41,7 @@ describe("the laboratory's address", () => {
 });
 
 /** Ranks 0 to 15 in order. */
-const mask = { size: 4, values: Uint16Array.from({ length: 16 }, (_, rank) => Math.floor((rank * 65536) / 16)) };
+const mask = { width: 4, height: 4, values: Uint16Array.from({ length: 16 }, (_, rank) => Math.floor((rank * 65536) / 16)) };
 
 describe("a pattern", () => {
   it.each([[0, 0], [0.25, 0.25], [0.5, 0.5], [1, 1]])("of grey %d has foam on %d", (grey, share) => {
@@ -57,10 +59,16 @@ describe("a pattern", () => {
   });
 
   it("is enlarged around the corner of the tiles", () => {
-    expect(viewOf(512, "detail")).toEqual({ side: 64, first: 480 });
-    expect(viewOf(4, "detail")).toEqual({ side: 4, first: 2 });
+    expect(viewOf(512, "detail")).toEqual({ shown: 64, first: 480 });
+    expect(viewOf(4, "detail")).toEqual({ shown: 4, first: 2 });
     // Rows 2, 3, 0, 1: the foam of row 0 is in the third.
     expect([...shades(mask, 0.25, "detail")].map((shade) => shade / 255)).toEqual([0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 0]);
+  });
+
+  it("of an oblong mask is as oblong", () => {
+    const oblong = { width: 8, height: 2, values: mask.values };
+    expect([...shades(oblong, 0.25, "tiled").slice(0, 16)].map((shade) => shade / 255)).toEqual([1, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 0]);
+    expect(shades(oblong, 0.25, "tiled")).toHaveLength(64);
   });
 
   it("is the mask itself without a grey", () => expect([...shades(mask, null, "tile").slice(0, 3)]).toEqual([0, 16, 32]));
@@ -87,16 +95,31 @@ describe("spectra", () => {
 });
 
 describe("snippets", () => {
-  const list = snippets('http://host/api/masks/a"b/data.u16', 64);
+  const folder = join(import.meta.dirname, "../../docs/snippets");
+  const bytes = readFileSync(join(folder, "mask.u16"));
+  const own = { width: 256, height: 256, values: new Uint16Array(bytes.buffer, bytes.byteOffset, bytes.length / 2) };
 
-  it("say what was run", () => {
-    expect(list.map(({ name, tested }) => [name, tested])).toEqual([["three.js", true], ["Godot", false], ["Unity", false], ["Unreal", false], ["GLSL", false]]);
-    for (const { tested, note } of list) expect(note.includes("not run here")).toBe(!tested);
+  it("are the files of docs/snippets, for the mask there", () => {
+    const files = ["three.js", "godot.gdshader", "unity.hlsl", "unreal.usf", "shadertoy.glsl", "foam.glsl"];
+    expect(snippets("mask.u16", own).map(({ code }) => code)).toEqual(files.map((file) => readFileSync(join(folder, file), "utf8")));
+    for (const file of files) expect(readFileSync(join(folder, file), "utf8").trimEnd().split("\n").length).toBeLessThanOrEqual(40);
   });
 
-  it("quote the address, and download what they read", () => {
-    expect(list[0]?.code).toContain('const MASK = "http://host/api/masks/a\\"b/data.u16";');
+  it("have the numbers of another mask", () => {
+    const oblong = { width: 8, height: 2, values: mask.values };
+    expect(spreads(mask).map((value) => Math.round(1000 * value) / 1000)).toEqual([0, 0.223, 0.499, ...Array<number>(8).fill(0.499)]);
+    for (const { name, code } of snippets('http://host/a"b/data.u16', oblong)) {
+      if (name === "three.js") expect(code).toContain('url = "http://host/a\\"b/data.u16", width = 8, height = 2');
+      if (name === "Godot" || name === "Unity") expect(code).toContain("(8, 2, ");
+      if (name !== "Shadertoy") expect(code).toContain("0.0, 0.436, 0.45, 0.499, ");
+    }
+  });
+
+  it("say what was run, and download what they read", () => {
     const files = FORMATS.map(({ resource }) => resource as string);
-    for (const { file } of list) expect(files).toContain(file);
+    for (const { file, tested, note } of snippets("x", own)) {
+      expect(note.includes("not run here")).toBe(!tested);
+      if (file !== null) expect(files).toContain(file);
+    }
   });
 });

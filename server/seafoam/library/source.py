@@ -23,7 +23,7 @@ class MaskRequest:
 
     name: str
     sigma: float | None = None
-    size: int | None = None
+    size: int | tuple[int, int] | None = None
     seed: int | None = None
     aspect: float | None = None
     age: float | None = None
@@ -31,7 +31,15 @@ class MaskRequest:
     @property
     def given(self) -> dict[str, float]:
         """What is given beside the name."""
-        options = {"sigma": self.sigma, "size": self.size, "seed": self.seed, "aspect": self.aspect, "age": self.age}
+        width, height = self.size if isinstance(self.size, tuple) else (self.size, self.size)
+        options = {
+            "sigma": self.sigma,
+            "width": width,
+            "height": height,
+            "seed": self.seed,
+            "aspect": self.aspect,
+            "age": self.age,
+        }
         return {name: value for name, value in options.items() if value is not None}
 
 
@@ -111,16 +119,17 @@ class Source(ABC):
         name: str,
         *,
         sigma: float | None = None,
-        size: int | None = None,
+        size: int | tuple[int, int] | None = None,
         seed: int | None = None,
         aspect: float | None = None,
         age: float | None = None,
     ) -> NDArray[np.float32]:
-        """Return a mask's thresholds u, (size, size) float32 in (0, 1): foam shows where its saturation exceeds u.
+        """Return a mask's thresholds u, (height, width) float32 in (0, 1): foam shows where its saturation exceeds u.
 
         name: a shipped mask such as ``vac-24``, or with any option a family such as ``vac``, which is made. sigma:
-        characteristic length, texels; absent: the family's. size: side, texels: 32, 64, 128, 256 (absent) or 512. seed:
-        0 (absent) to 2³² - 1. aspect: 1 (absent) to 6, and age: 0 (absent) to 1, of ``lace``. Ranges: docs/masks.md.
+        characteristic length, texels; absent: the family's. size: the side, or width and height, texels: 32 to 1024,
+        256 if absent. seed: 0 (absent) to 2³² - 1. aspect: 1 (absent) to 6, and age: 0 (absent) to 1, of ``lace``. Ranges:
+        docs/masks.md.
         """
         asked = MaskRequest(name, sigma, size, seed, aspect, age)
         return _array(self._mask(asked).result())
@@ -180,7 +189,7 @@ class Source(ABC):
         name: str,
         *,
         sigma: float | None = None,
-        size: int | None = None,
+        size: int | tuple[int, int] | None = None,
         seed: int | None = None,
         aspect: float | None = None,
         age: float | None = None,

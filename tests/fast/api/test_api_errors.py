@@ -39,7 +39,7 @@ FRAME = "/api/frames/default.png"
         (f"{FRAME}?y=-2000", "y", {"minimum": -1000.0, "maximum": 1e5}),
         (f"{FRAME}?fov=3", "fov", {"minimum": 0.01, "maximum": 2.6}),
         ("/api/frames/default.gif", "format", {"enum": ["png", "webp", "exr", "npy"]}),
-        ("/api/masks/custom?family=vac&size=100", "size", {"enum": [32, 64, 128, 256, 512]}),
+        ("/api/masks/custom?family=vac&size=31", "size", {"minimum": 32, "maximum": 1024}),
         ("/api/masks/custom?family=vac&size=64&sigma=9", "sigma", {"minimum": 0.5, "maximum": 8.0}),
         ("/api/masks/custom?family=bubble&size=64&sigma=1", "sigma", {"minimum": 2.0, "maximum": 8.0}),
         ("/api/masks/custom?family=veil", "family", {"enum": ["vac", "blur", "clump", "bubble", "mix", "lace"]}),

@@ -2,18 +2,20 @@
 
 export const FAMILIES = ["vac", "blur", "clump", "bubble", "mix", "lace"] as const;
 export type Family = (typeof FAMILIES)[number];
-export const SIZES = [32, 64, 128, 256, 512] as const;
+/** Of the width and of the height, texels. */
+export const SIDE_RANGE = [32, 1024] as const;
 
 /** Least and greatest σ of any family, texels; the server says what a family and a size allow. */
 export const SIGMA_RANGE = [0.5, 24] as const;
 export const ASPECT_RANGE = [1, 6] as const;
-const SEED_MAX = 2 ** 32 - 1;
+export const SEED_RANGE = [0, 2 ** 32 - 1] as const;
 
 export interface CustomMask {
   family: Family;
   /** Texels. */
   sigma: number;
-  size: number;
+  width: number;
+  height: number;
   seed: number;
   /** Of lace: length of its cells along x over their width, and the age of its foam. */
   aspect: number;
@@ -23,11 +25,11 @@ export interface CustomMask {
 /** The name of a shipped mask, or parameters. */
 export type MaskChoice = string | CustomMask;
 
-/** `family:sigma:size:seed`, for lace with `:aspect:age`, as in scenes. */
+/** `family:sigma:size:seed`, for lace with `:aspect:age`, as in scenes; a size is a side or WIDTHxHEIGHT. */
 export function choiceText(choice: MaskChoice): string {
   if (typeof choice === "string") return choice;
-  const { family, sigma, size, seed, aspect, age } = choice;
-  return [family, sigma, size, seed, ...(family === "lace" ? [aspect, age] : [])].join(":");
+  const { family, sigma, width, height, seed, aspect, age } = choice;
+  return [family, sigma, width === height ? width : `${width}x${height}`, seed, ...(family === "lace" ? [aspect, age] : [])].join(":");
 }
 
 /** Null for what is no mask. */
@@ -35,28 +37,29 @@ export function parseChoice(text: string): MaskChoice | null {
   if (/^[a-z][a-z\d.-]{0,39}$/.test(text)) return text;
   const [name, ...rest] = text.split(":");
   const family = FAMILIES.find((one) => one === name);
-  const numbers = rest.map(Number);
-  const [sigma = NaN, size = NaN, seed = NaN, aspect = 1, age = 0] = numbers;
+  const [sigma = NaN, , seed = NaN, aspect = 1, age = 0] = rest.map(Number);
+  const [width = NaN, height = width] = (rest[1] ?? "").split("x").map(Number);
   const within = (value: number, [low, high]: readonly [number, number]) => value >= low && value <= high;
   const valid =
     family !== undefined &&
     rest.length === (family === "lace" ? 5 : 3) &&
     within(sigma, SIGMA_RANGE) &&
-    SIZES.some((one) => one === size) &&
-    Number.isInteger(seed) &&
-    within(seed, [0, SEED_MAX]) &&
+    [width, height, seed].every(Number.isInteger) &&
+    within(width, SIDE_RANGE) &&
+    within(height, SIDE_RANGE) &&
+    within(seed, SEED_RANGE) &&
     within(aspect, ASPECT_RANGE) &&
     within(age, [0, 1]);
-  return valid ? { family, sigma, size, seed, aspect, age } : null;
+  return valid ? { family, sigma, width, height, seed, aspect, age } : null;
 }
 
 /** Path of a resource of the mask, below the server's address. */
 export function maskPath(choice: MaskChoice, resource = ""): string {
   const rest = resource === "" ? "" : `/${resource}`;
   if (typeof choice === "string") return `api/masks/${encodeURIComponent(choice)}${rest}`;
-  const { family, sigma, size, seed, aspect, age } = choice;
+  const { family, sigma, width, height, seed, aspect, age } = choice;
   const lace: Record<string, string> = family === "lace" ? { aspect: String(aspect), age: String(age) } : {};
-  const query = new URLSearchParams({ family, sigma: String(sigma), size: String(size), seed: String(seed), ...lace });
+  const query = new URLSearchParams({ family, sigma: String(sigma), width: String(width), height: String(height), seed: String(seed), ...lace });
   return `api/masks/custom${rest}?${query.toString()}`;
 }
 

@@ -1,6 +1,6 @@
 /** Choice of one mask: shipped, or a family with its parameters. */
 import type { ComponentChildren } from "preact";
-import { ASPECT_RANGE, type CustomMask, FAMILIES, type MaskChoice, SIGMA_RANGE, SIZES } from "./choice";
+import { ASPECT_RANGE, type CustomMask, FAMILIES, type MaskChoice, SEED_RANGE, SIDE_RANGE, SIGMA_RANGE } from "./choice";
 import type { MaskInfo } from "./data";
 
 const TITLES: Record<(typeof FAMILIES)[number], string> = {
@@ -15,7 +15,7 @@ export const FIELD = "flex min-h-11 min-w-0 items-center gap-2.5 text-soft";
 /** Below its name where two masks share a phone. */
 export const PICK = "min-h-11 max-w-full min-w-0 rounded-md bg-hover px-2.5 text-ink phone:flex-1 paired:w-full paired:flex-[1_1_100%]";
 const CUSTOM = ":custom";
-const FIRST: CustomMask = { family: "vac", sigma: 3, size: 128, seed: 1, aspect: 1, age: 0 };
+const FIRST: CustomMask = { family: "vac", sigma: 3, width: 128, height: 128, seed: 1, aspect: 1, age: 0 };
 
 interface ControlsProps {
   name: string;
@@ -69,26 +69,9 @@ export function Controls({ name, choice, shipped, info, change }: ControlsProps)
               <Slider label="age" name={`${name}: age`} value={custom.age} range={[0, 1]} step={0.05} change={(age) => set({ age })} />
             </>
           )}
-          <Field label="Size">
-            <select class={PICK} aria-label={`${name}: size, texels`} value={custom.size} onChange={(event) => set({ size: Number(event.currentTarget.value) })}>
-              {SIZES.map((size) => (
-                <option value={size} key={size}>
-                  {size}
-                </option>
-              ))}
-            </select>
-          </Field>
-          <Field label="Seed">
-            <input
-              type="number"
-              class={`${PICK} w-[13ch]`}
-              aria-label={`${name}: seed`}
-              min={0}
-              step={1}
-              value={custom.seed}
-              onChange={(event) => set({ seed: Math.min(2 ** 32 - 1, Math.max(0, Math.round(event.currentTarget.valueAsNumber) || 0)) })}
-            />
-          </Field>
+          <Whole label="Width" name={`${name}: width, texels`} value={custom.width} range={SIDE_RANGE} change={(width) => set({ width })} />
+          <Whole label="Height" name={`${name}: height, texels`} value={custom.height} range={SIDE_RANGE} change={(height) => set({ height })} />
+          <Whole label="Seed" name={`${name}: seed`} value={custom.seed} range={SEED_RANGE} change={(seed) => set({ seed })} />
         </>
       )}
     </div>
@@ -102,6 +85,32 @@ export function Field({ label, children }: { label: string; children: ComponentC
       <span aria-hidden="true">{label}</span>
       {children}
     </div>
+  );
+}
+
+interface WholeProps {
+  label: string;
+  name: string;
+  value: number;
+  range: readonly [number, number];
+  change: (value: number) => void;
+}
+
+/** A whole number, held to its range. */
+function Whole({ label, name, value, range: [low, high], change }: WholeProps) {
+  return (
+    <Field label={label}>
+      <input
+        type="number"
+        class={`${PICK} w-[13ch]`}
+        aria-label={name}
+        min={low}
+        max={high}
+        step={1}
+        value={value}
+        onChange={(event) => change(Math.min(high, Math.max(low, Math.round(event.currentTarget.valueAsNumber) || low)))}
+      />
+    </Field>
   );
 }
 

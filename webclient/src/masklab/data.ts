@@ -10,7 +10,7 @@ export interface MaskInfo {
   title: string;
   summary: string;
   family: string;
-  parameters: { sigma: number; size: number; seed: number; aspect: number | null; age: number | null };
+  parameters: { sigma: number; width: number; height: number; seed: number; aspect: number | null; age: number | null };
   sha256: string;
   license: string;
 }
@@ -47,7 +47,7 @@ async function load(api: Api, choice: MaskChoice, abort: AbortSignal): Promise<L
     get("data.u16").then((response) => response.arrayBuffer()),
     get("spectrum").then((response) => response.json() as Promise<Spectrum>),
   ]);
-  return { info, spectrum, mask: { size: info.parameters.size, values: new Uint16Array(values) } };
+  return { info, spectrum, mask: { width: info.parameters.width, height: info.parameters.height, values: new Uint16Array(values) } };
 }
 
 /** The mask of a choice, null of none; the mask before it stays until it is here. */

@@ -6,7 +6,7 @@ import { Canvas } from "../charts/canvas";
 import { choiceText, decodeState, encodeState, type LabState, type MaskChoice, type Show, SHOWS } from "./choice";
 import { Controls, Field, FIELD, PICK, Slider } from "./controls";
 import { type LoadedMask, type MaskInfo, type MaskState, useMask } from "./data";
-import { coverage, drawShades, shades, threshold } from "./pattern";
+import { coverage, drawShades, shades, threshold, viewOf } from "./pattern";
 import { Spectra } from "./spectra";
 import { TakeHome } from "./takehome";
 
@@ -58,7 +58,7 @@ export function Lab({ api, base, shipped }: LabProps) {
         )}
       </div>
       {masks.length > 0 && <Spectra masks={masks} grey={grey ?? GREY} />}
-      {first.loaded && <TakeHome choice={left} info={first.loaded.info} base={base} />}
+      {first.loaded && <TakeHome choice={left} loaded={first.loaded} base={base} />}
     </>
   );
 }
@@ -117,16 +117,16 @@ function Side({ name, choice, mask: { loaded, busy, error }, shipped, grey, show
 }
 
 function Picture({ loaded: { info, mask }, grey, show }: { loaded: LoadedMask; grey: number | null; show: Show }) {
-  const paint = useCallback((canvas: HTMLCanvasElement) => drawShades(canvas, shades(mask, grey, show)), [mask, grey, show]);
+  const paint = useCallback((canvas: HTMLCanvasElement) => drawShades(canvas, shades(mask, grey, show), viewOf(mask.width, show).shown), [mask, grey, show]);
   return (
     <div class="picture aspect-square w-[min(100%,72vh)]">
-      <Canvas class={`size-full rounded-sm ${show === "detail" ? "[image-rendering:pixelated]" : ""}`} label={`${info.title}, ${grey === null ? "the mask" : `pattern at grey ${grey}`}, ${SHOW_TITLES[show]}`} paint={paint} />
+      <Canvas class={`size-full rounded-sm object-contain ${show === "detail" ? "[image-rendering:pixelated]" : ""}`} label={`${info.title}, ${grey === null ? "the mask" : `pattern at grey ${grey}`}, ${SHOW_TITLES[show]}`} paint={paint} />
     </div>
   );
 }
 
 function told({ info, mask }: LoadedMask, grey: number | null): string {
-  const { sigma, size, seed }: MaskInfo["parameters"] = info.parameters;
+  const { sigma, width, height, seed }: MaskInfo["parameters"] = info.parameters;
   const foam = grey === null ? "" : `; foam on ${(100 * coverage(threshold(mask, grey))).toFixed(2)} %`;
-  return `${info.family}, σ ${sigma}, ${size} × ${size} texels, seed ${seed}${foam}`;
+  return `${info.family}, σ ${sigma}, ${width} × ${height} texels, seed ${seed}${foam}`;
 }

@@ -2,8 +2,9 @@
 import type { Show } from "./choice";
 
 export interface Mask {
-  /** Texels along each side. */
-  size: number;
+  /** Texels. */
+  width: number;
+  height: number;
   /** floor(rank 65536 / N), row by row. */
   values: Uint16Array;
 }
@@ -21,30 +22,30 @@ export function coverage(pattern: Uint8Array): number {
   return pattern.reduce((sum, foam) => sum + foam, 0) / pattern.length;
 }
 
-/** Side of a view, texels, and its first texel; masks repeat beyond their border. */
-export function viewOf(size: number, show: Show): { side: number; first: number } {
-  if (show === "tiled") return { side: 2 * size, first: 0 };
-  return show === "detail" ? { side: Math.min(DETAIL, size), first: size - Math.min(DETAIL, size) / 2 } : { side: size, first: 0 };
+/** How much of one side of a mask a view shows, texels, and its first texel; masks repeat beyond their border. */
+export function viewOf(side: number, show: Show): { shown: number; first: number } {
+  if (show === "tiled") return { shown: 2 * side, first: 0 };
+  const shown = Math.min(DETAIL, side);
+  return show === "detail" ? { shown, first: side - Math.floor(shown / 2) } : { shown: side, first: 0 };
 }
 
 /** Grey of every pixel of a view, 0 to 255. `grey`: saturation of the pattern; null: the mask itself. */
 export function shades(mask: Mask, grey: number | null, show: Show): Uint8ClampedArray {
-  const { side, first } = viewOf(mask.size, show);
+  const [across, down] = [viewOf(mask.width, show), viewOf(mask.height, show)];
   const foam = grey === null ? null : threshold(mask, grey);
-  return Uint8ClampedArray.from({ length: side * side }, (_, i) => {
-    const [x, y] = [(first + (i % side)) % mask.size, (first + Math.floor(i / side)) % mask.size];
-    const at = y * mask.size + x;
+  return Uint8ClampedArray.from({ length: across.shown * down.shown }, (_, i) => {
+    const [x, y] = [(across.first + (i % across.shown)) % mask.width, (down.first + Math.floor(i / across.shown)) % mask.height];
+    const at = y * mask.width + x;
     return foam === null ? (mask.values[at] ?? 0) >> 8 : 255 * (foam[at] ?? 0);
   });
 }
 
-export function drawShades(canvas: HTMLCanvasElement, values: Uint8ClampedArray): void {
-  const side = Math.sqrt(values.length);
-  canvas.width = side;
-  canvas.height = side;
+export function drawShades(canvas: HTMLCanvasElement, values: Uint8ClampedArray, width: number): void {
+  canvas.width = width;
+  canvas.height = values.length / width;
   const context = canvas.getContext("2d");
   if (context === null) return;
-  const image = context.createImageData(side, side);
+  const image = context.createImageData(canvas.width, canvas.height);
   values.forEach((value, i) => image.data.set([value, value, value, 255], 4 * i));
   context.putImageData(image, 0, 0);
 }

@@ -1,125 +1,62 @@
-/** Code that samples a mask as it must be sampled: linear data, 16 bits, nearest, repeating. */
+/** Code that thresholds a mask, antialiased: the files of docs/snippets, for any mask. */
+import glsl from "../../../docs/snippets/foam.glsl?raw";
+import godot from "../../../docs/snippets/godot.gdshader?raw";
+import shadertoy from "../../../docs/snippets/shadertoy.glsl?raw";
+import three from "../../../docs/snippets/three.js?raw";
+import unity from "../../../docs/snippets/unity.hlsl?raw";
+import unreal from "../../../docs/snippets/unreal.usf?raw";
+import type { Mask } from "./pattern";
 
 export interface Snippet {
   name: string;
-  /** File to download for it. */
-  file: string;
+  /** File to download for it; null where it needs none. */
+  file: string | null;
   /** Whether a test of this project runs it. */
   tested: boolean;
   note: string;
   code: string;
 }
 
-const THREE = (url: string, size: number) => `import { DataTexture, FloatType, GLSL3, NearestFilter, RawShaderMaterial, RedFormat, RepeatWrapping } from "three";
+/** Levels of the largest mask. */
+const LEVELS = 11;
+/** The same of the mask of docs/snippets, as its files have them. */
+const SPREADS = "0.0, 0.404, 0.471, 0.493, 0.499, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5";
 
-const MASK = ${JSON.stringify(url)};
-const SIZE = ${size};
-
-// One threshold a texel, as float32: WebGL2 has no 16-bit normalised format, and 8 bits would band.
-export async function loadMask() {
-  const values = new Uint16Array(await (await fetch(MASK)).arrayBuffer());
-  const thresholds = Float32Array.from(values, (value) => (value + 0.5) / 65536);
-  const texture = new DataTexture(thresholds, SIZE, SIZE, RedFormat, FloatType);
-  texture.minFilter = texture.magFilter = NearestFilter;
-  texture.wrapS = texture.wrapT = RepeatWrapping;
-  texture.generateMipmaps = false;
-  texture.needsUpdate = true;
-  return texture;
-}
-
-// u_tiles: how often the mask repeats over the surface.
-export function foamMaterial(mask, saturation = 0.25, tiles = 1) {
-  return new RawShaderMaterial({
-    glslVersion: GLSL3,
-    uniforms: { u_mask: { value: mask }, u_saturation: { value: saturation }, u_tiles: { value: tiles } },
-    vertexShader: \`
-      in vec3 position;
-      in vec2 uv;
-      uniform mat4 modelViewMatrix, projectionMatrix;
-      out vec2 v_uv;
-      void main() {
-        v_uv = uv;
-        gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
-      }\`,
-    fragmentShader: \`
-      precision highp float;
-      uniform highp sampler2D u_mask;
-      uniform float u_saturation, u_tiles;
-      in vec2 v_uv;
-      out vec4 o_color;
-      void main() {
-        float foam = u_saturation > texture(u_mask, v_uv * u_tiles).r ? 1.0 : 0.0;
-        o_color = vec4(vec3(foam), 1.0);
-      }\`,
+/** √3 times the root mean square deviation of the thresholds in a texel of each level; of the whole mask, 1/2. */
+export function spreads({ width, height, values }: Mask): number[] {
+  let level = Float64Array.from(values, (value) => (value + 0.5) / 65536);
+  let [w, h] = [width, height];
+  const square = () => level.reduce((sum, value) => sum + value * value, 0) / level.length;
+  const whole = square();
+  return Array.from({ length: LEVELS }, (_, number) => {
+    if (number > 0) {
+      const [from, before, rows] = [level, w, h];
+      [w, h] = [Math.max(w >> 1, 1), Math.max(h >> 1, 1)];
+      const at = (x: number, y: number) => from[Math.min(y, rows - 1) * before + Math.min(x, before - 1)] ?? 0;
+      level = Float64Array.from({ length: w * h }, (_value, i) => {
+        const [x, y] = [2 * (i % w), 2 * Math.floor(i / w)];
+        return (at(x, y) + at(x + 1, y) + at(x, y + 1) + at(x + 1, y + 1)) / 4;
+      });
+    }
+    return Math.sqrt(3 * Math.max(whole - square(), 0));
   });
 }
-`;
 
-const GODOT = `// Godot 4, spatial shader. Image.load of the 16-bit PNG keeps 8 bits only, so load the raw file:
-//   var data := FileAccess.get_file_as_bytes("res://mask.u16")
-//   var floats := PackedFloat32Array()
-//   for i in data.size() / 2: floats.append((data.decode_u16(2 * i) + 0.5) / 65536.0)
-//   var side := int(sqrt(floats.size()))
-//   var image := Image.create_from_data(side, side, false, Image.FORMAT_RF, floats.to_byte_array())
-//   material.set_shader_parameter("mask", ImageTexture.create_from_image(image))
-shader_type spatial;
-uniform sampler2D mask : filter_nearest, repeat_enable; // no source_color: thresholds are data
-uniform float saturation : hint_range(0.0, 1.0) = 0.25;
-uniform float tiles = 8.0;
-
-void fragment() {
-    float foam = saturation > texture(mask, UV * tiles).r ? 1.0 : 0.0;
-    ALBEDO = vec3(foam);
-}
-`;
-
-const UNITY = (size: number) => `// Unity. Load the raw file once:
-//   var texture = new Texture2D(${size}, ${size}, TextureFormat.R16, false, true); // linear, no mipmaps
-//   texture.filterMode = FilterMode.Point;
-//   texture.wrapMode = TextureWrapMode.Repeat;
-//   texture.LoadRawTextureData(File.ReadAllBytes(path));
-//   texture.Apply(false, true);
-// HLSL, in the shader:
-Texture2D _Mask;
-SamplerState sampler_Mask; // the texture's own: point, repeat
-float _Saturation, _Tiles;
-
-float Foam(float2 uv)
-{
-    // A normalised texel is v / 65535; its threshold is (v + 0.5) / 65536.
-    float threshold = (_Mask.Sample(sampler_Mask, uv * _Tiles).r * 65535.0 + 0.5) / 65536.0;
-    return _Saturation > threshold ? 1.0 : 0.0;
-}
-`;
-
-const UNREAL = `// Unreal Engine: import the 16-bit PNG as a texture with
-//   Compression: Grayscale (G16) · sRGB: off · Filter: Nearest · Mip Gen: NoMipmaps · Tiling: Wrap
-// Then a Custom node, output CMOT Float 1, inputs Mask (Texture Object), UV, Saturation, Tiles:
-float threshold = (Texture2DSample(Mask, MaskSampler, UV * Tiles).r * 65535.0 + 0.5) / 65536.0;
-return Saturation > threshold ? 1.0 : 0.0;
-`;
-
-const GLSL = (size: number) => `// GLSL 3.30 and later. The raw file as GL_R16: glTexImage2D(GL_TEXTURE_2D, 0, GL_R16, ${size}, ${size}, 0, GL_RED,
-// GL_UNSIGNED_SHORT, data) with GL_NEAREST and GL_REPEAT. GLSL ES 3.00: GL_R32F with thresholds as float32.
-uniform sampler2D u_mask;
-
-// saturation: 0 to 1; at: texels.
-float foam(float saturation, vec2 at) {
-    ivec2 texel = ivec2(floor(at)) & ${size - 1};
-    float threshold = (texelFetch(u_mask, texel, 0).r * 65535.0 + 0.5) / 65536.0;
-    return saturation > threshold ? 1.0 : 0.0;
-}
-`;
-
-/** `url`: of the raw mask; `size`: its side, texels. */
-export function snippets(url: string, size: number): Snippet[] {
+/** `url`: of the raw mask. */
+export function snippets(url: string, mask: Mask): Snippet[] {
+  const own = spreads(mask).map((value) => String(Math.round(1000 * value) / 1000).replace(/^\d+$/, "$&.0"));
+  const sides = `${mask.width}, ${mask.height}`;
+  const here = (text: string) => text.replace(SPREADS, own.join(", ")).replace("256, 256", sides);
+  const loaded = `url = ${JSON.stringify(url)}, width = ${mask.width}, height = ${mask.height}`;
+  const tested = { tested: true, note: "Run in this project's tests, its pixels compared with 256 samples a pixel." };
   const untested = { tested: false, note: "Written for the engine's published interface; not run here." };
   return [
-    { name: "three.js", file: "data.u16", tested: true, note: "Run in this project's tests, with three.js 0.187.", code: THREE(url, size) },
-    { name: "Godot", file: "data.u16", ...untested, code: GODOT },
-    { name: "Unity", file: "data.u16", ...untested, code: UNITY(size) },
-    { name: "Unreal", file: "data.png", ...untested, code: UNREAL },
-    { name: "GLSL", file: "data.u16", tested: false, note: "Plain GLSL; not run here.", code: GLSL(size) },
+    { name: "three.js", file: "data.u16", ...tested, code: here(three).replace('url = "mask.u16", width = 256, height = 256', () => loaded) },
+    { name: "Godot", file: "data.u16", ...untested, code: here(godot) },
+    { name: "Unity", file: "data.u16", ...untested, code: here(unity) },
+    { name: "Unreal", file: "data.png", ...untested, code: here(unreal) },
+    { name: "Shadertoy", file: null, ...tested, code: shadertoy },
+    { name: "GLSL", file: "data.u16", ...tested, code: here(glsl) },
   ];
 }
 

@@ -28,7 +28,7 @@ export function resample(frequency: readonly number[], values: readonly (number 
 export function Spectra({ masks, grey }: { masks: readonly LoadedMask[]; grey: number }) {
   const charts = useMemo(() => {
     // The finest spectrum's rings; the other mask's are between them.
-    const finest = masks.reduce<LoadedMask | null>((best, mask) => (mask.mask.size > (best?.mask.size ?? 0) ? mask : best), null);
+    const finest = masks.reduce<LoadedMask | null>((best, mask) => (mask.spectrum.frequency.length > (best?.spectrum.frequency.length ?? 0) ? mask : best), null);
     const x = finest?.spectrum.frequency ?? [];
     const lines = (pick: (mask: LoadedMask, level: number) => (number | null)[]): Line[] =>
       masks.map((mask, i) => {

@@ -1,7 +1,7 @@
 /** Downloads of a mask, and the code that samples it. */
 import { useState } from "preact/hooks";
 import { type MaskChoice, maskPath } from "./choice";
-import type { MaskInfo } from "./data";
+import type { LoadedMask } from "./data";
 import { FORMATS, snippets } from "./snippets";
 
 const UNTESTED = "untested before:content-['⚠_']";
@@ -9,14 +9,14 @@ const BUTTON = "block min-h-11 rounded-lg bg-hover px-3.5 py-[11px]";
 
 interface TakeHomeProps {
   choice: MaskChoice;
-  info: MaskInfo;
+  loaded: LoadedMask;
   /** The server's address. */
   base: string;
 }
 
-export function TakeHome({ choice, info, base }: TakeHomeProps) {
+export function TakeHome({ choice, loaded: { info, mask }, base }: TakeHomeProps) {
   const url = (resource: string) => new URL(maskPath(choice, resource), base).href;
-  const list = snippets(url("data.u16"), info.parameters.size);
+  const list = snippets(url("data.u16"), mask);
   const [name, setName] = useState("three.js");
   const [copied, setCopied] = useState("");
   const shown = list.find((one) => one.name === name) ?? list[0];
@@ -62,7 +62,7 @@ export function TakeHome({ choice, info, base }: TakeHomeProps) {
         <span role="status">{copied}</span>
       </div>
       <p class={`mt-1 mb-2.5 max-w-[74ch] text-soft ${shown.tested ? "tested" : UNTESTED}`}>
-        {shown.note} File: {shown.file}. Licence: {info.license}.
+        {shown.note} {shown.file !== null && `File: ${shown.file}. Licence: ${info.license}.`}
       </p>
       <pre class="max-h-[460px] overflow-auto rounded-lg bg-[#0b151e] px-4.5 py-4 text-fine/[1.55]" tabIndex={0} aria-label={`Code for ${shown.name}`}>
         <code>{shown.code}</code>
