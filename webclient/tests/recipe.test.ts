@@ -59,6 +59,16 @@ describe("recipe in a PNG", () => {
   });
 
   test.each([
+    ["none", PNG, 1],
+    ["some", new Blob([PNG.slice(0, 33), chunk("sRGB", new Uint8Array(1)), PNG.slice(33)]), 1],
+    ["a profile", new Blob([PNG.slice(0, 33), chunk("iCCP", new Uint8Array(9)), PNG.slice(33)]), 0],
+  ])("is tagged as sRGB where it says %s of its colours", async (_, file, count) => {
+    const text = new TextDecoder("latin1").decode(await (await withRecipe(file, RECIPE)).arrayBuffer());
+    expect(text.split("sRGB")).toHaveLength(count + 1);
+    expect(text.indexOf("sRGB")).toBeLessThan(text.indexOf("IDAT"));
+  });
+
+  test.each([
     ["a text", new Blob(["not a picture"]), "not a PNG, WebP or OpenEXR"],
     ["a picture without", PNG, "no recipe"],
     ["a picture that is cut off", PNG.slice(0, 40), "no recipe"],

@@ -17,6 +17,7 @@ import typer
 from typer.exceptions import TyperException
 
 from seafoam.cli import options
+from seafoam.cli.consoles import prepare, say
 from seafoam.cli.masks import masks
 from seafoam.cli.sequences import sequence
 from seafoam.cli.support import UNABLE, Command, CommandError, refuse, size_of
@@ -52,6 +53,7 @@ def serve(
     from seafoam.api.memory import keep_programs, share_one_arena
     from seafoam.api.settings import Settings
     from seafoam.api.telemetry import UnsupportedTelemetryError
+    from seafoam.cli.listening import listen
 
     share_one_arena()
     given: dict[str, Any] = {name: value for name, value in (("host", host), ("port", port)) if value is not None}
@@ -64,15 +66,7 @@ def serve(
         application = create_app(settings)
     except UnsupportedTelemetryError as error:
         raise CommandError(str(error), UNABLE) from error
-    try:
-        listening = socket.create_server((settings.host, settings.port), backlog=2048)
-    except OSError as error:
-        detail = f"cannot listen on {settings.host}:{settings.port}: {error.strerror}; choose another port with --port"
-        raise CommandError(detail, UNABLE) from error
-    # asyncio sets this only on sockets that name their protocol; without it every answer waits 40 ms for an ACK.
-    listening.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-    shown = "127.0.0.1" if settings.host in ("", "0.0.0.0", "::") else settings.host
-    address = f"http://{shown}:{listening.getsockname()[1]}"
+    listening, address = listen(settings.host, settings.port)
     # The application itself heeds what trusted proxies say.
     config = uvicorn.Config(
         application,
@@ -85,7 +79,7 @@ def serve(
     class Server(uvicorn.Server):
         async def startup(self, sockets: list[socket.socket] | None = None) -> None:
             await super().startup(sockets)
-            typer.echo(f"Seafoam is at {address}  (API: {address}/docs)")
+            say(f"Seafoam is at {address}  (API: {address}/docs)")
             if open_browser:
                 webbrowser.open(address)
 
@@ -128,7 +122,7 @@ def render(
     from seafoam.cli.frames import render_to_file
 
     for line in render_to_file(preset, output, size, given):
-        typer.echo(line)
+        say(line)
 
 
 @app.command()
@@ -214,7 +208,7 @@ def openapi() -> None:
     """Print the API's OpenAPI document."""
     from seafoam.api.app import create_app
 
-    typer.echo(json.dumps(create_app().openapi(), indent=1, ensure_ascii=False))
+    typer.echo(json.dumps(create_app().openapi(), indent=1, ensure_ascii=False).encode())
 
 
 @app.command()
@@ -233,7 +227,7 @@ def sign(
     if signing is None:
         raise CommandError("SEAFOAM_SIGNING_KEY and SEAFOAM_SIGNING_SALT: required, in hexadecimal digits")
     try:
-        typer.echo(signing.link(address))
+        say(signing.link(address))
     except ValueError as error:
         raise CommandError(f"ADDRESS: {error}") from error
 
@@ -244,15 +238,16 @@ for each in (*app.registered_commands, *masks.registered_commands):
 
 def main(arguments: Sequence[str] | None = None) -> NoReturn:
     """Run the command and exit with 0, 1 if the machine lacks something, 2 for invalid input, 130 if interrupted."""
+    prepare()
     try:
         code = app(arguments, standalone_mode=False)
     except TyperException as error:
         message = error.format_message()
         if message:  # empty where no arguments at all were given and the help has been shown
-            typer.echo(f"seafoam: {message}", err=True)
+            say(f"seafoam: {message}", err=True)
         sys.exit(error.exit_code)
     except MissingExtraError as error:
-        typer.echo(f"seafoam: {error}", err=True)
+        say(f"seafoam: {error}", err=True)
         sys.exit(UNABLE)
     except typer.Abort:
         sys.exit(130)
@@ -267,7 +262,7 @@ def _draw_again(picture: Path, output: Path | None, others: Mapping[str, Any]) -
 
     same, lines = draw_again(picture, output)
     for line in lines:
-        typer.echo(line)
+        say(line)
     if not same:
         raise typer.Exit(UNABLE)
 

@@ -189,6 +189,8 @@ def test_without_blocking_the_event_loop(here: Embedded) -> None:
 def test_masks(here: Embedded) -> None:
     shipped = load_mask("vac-24").ranks
     assert np.array_equal(here.mask("vac-24"), ((shipped + 0.5) / shipped.size).astype(np.float32))
+    oblong = here.mask("vac", sigma=3, size=(64, 40), seed=7)
+    assert np.array_equal(oblong, ((make_mask("vac", sigma=3.0, size=(64, 40), seed=7) + 0.5) / 2560).astype(np.float32))
     made = make_mask("vac", sigma=3.0, size=64, seed=7, method="batched")
     assert np.array_equal(here.mask("vac", sigma=3, size=64, seed=7), ((made + 0.5) / made.size).astype(np.float32))
     with pytest.raises(seafoam.InvalidRequestError, match=r"sigma 300.0 is outside 0\.5\.\.24"):
@@ -305,8 +307,10 @@ def test_a_servers_refusal_is_its_own_words(served, status: int, kind: type[Exce
 
 
 def test_no_server_and_no_address() -> None:
-    with pytest.raises(seafoam.InvalidRequestError, match="http://"):
-        seafoam.connect("localhost:8000")
+    for url in ("localhost:8000", "http://", "http://[::1", "http://:80", "http://a:port", "http://a:99999"):
+        with pytest.raises(seafoam.InvalidRequestError, match="must begin with http://"):
+            seafoam.connect(url)
+    seafoam.connect("http://[::1]:8000").close()
     with HTTPServer(("127.0.0.1", 0), BaseHTTPRequestHandler) as taken:
         port = taken.server_port
     with (

@@ -15,7 +15,10 @@ import numpy as np
 import pytest
 from PIL import Image
 
+import seafoam
 from support.command import COMMAND, free_port, imported, run
+
+WITH_IPV6 = pytest.mark.skipif(not os.path.exists("/proc/net/if_inet6"), reason="this machine has no IPv6")
 
 
 def test_render_with_gl_without_a_server(tmp_path):
@@ -49,9 +52,10 @@ def test_a_picture_is_drawn_again_to_the_byte(tmp_path, format):
     assert (tmp_path / "b").read_bytes() == path.read_bytes()
 
 
-def test_serve_answers_without_delay_and_stops_when_told():
+@pytest.mark.parametrize("host", ["127.0.0.1", pytest.param("::1", marks=WITH_IPV6)])
+def test_serve_answers_without_delay_and_stops_when_told(host):
     process = subprocess.Popen(
-        [*COMMAND, "serve", "--port", "0"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
+        [*COMMAND, "serve", "--host", host, "--port", "0"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
     )
     try:
         address = process.stdout.readline().split()[3]
@@ -59,6 +63,8 @@ def test_serve_answers_without_delay_and_stops_when_told():
             assert json.load(response) == {"status": "alive"}
         with urllib.request.urlopen(f"{address}/api/presets", timeout=60) as response:
             assert response.status == 200
+        with seafoam.connect(address) as source:
+            assert source.mask("vac-24").shape == (512, 512)
     finally:
         process.send_signal(signal.SIGTERM)
         process.stdout.close()

@@ -14,6 +14,8 @@ import { AFTER, BEFORE, KEYWORD, recipeText } from "./recipetext";
 
 /** Bytes of a PNG's signature and of IHDR, which comes first. */
 const HEADER = 33;
+/** What says before a PNG's pixels which colours they are; of some browsers' pictures nothing does. */
+const COLOURS = /sRGB|iCCP|cICP/;
 /** Version of the format. */
 const RECIPE = 1;
 /** Greatest |time|, s. */
@@ -48,21 +50,24 @@ export function recipeOf(parts: Omit<Recipe, "recipe" | "seafoam">): Recipe {
   return { ...parts, recipe: RECIPE, seafoam: version };
 }
 
-/** The PNG with the recipe in a chunk after its header. */
+/** The PNG with the recipe in a chunk after its header, tagged as sRGB. */
 export async function withRecipe(png: Blob, recipe: Recipe): Promise<Blob> {
   const bytes = new Uint8Array(await png.arrayBuffer());
-  const encoder = new TextEncoder();
+  const before = new TextDecoder("latin1").decode(bytes).split("IDAT", 1)[0] ?? "";
+  const colours = COLOURS.test(before) ? [] : [chunkOf("sRGB", "\0")];
   // Keyword, not compressed, no language, no translated keyword.
-  const data = [...encoder.encode(KEYWORD), 0, 0, 0, 0, 0];
-  const text = encoder.encode(JSON.stringify(recipe));
-  const chunk = new Uint8Array(BEFORE + data.length + text.length + AFTER);
+  const note = chunkOf("iTXt", `${KEYWORD}\0\0\0\0\0${JSON.stringify(recipe)}`);
+  return new Blob([bytes.slice(0, HEADER), ...colours, note, bytes.slice(HEADER)], { type: "image/png" });
+}
+
+function chunkOf(type: string, content: string): Uint8Array<ArrayBuffer> {
+  const data = new TextEncoder().encode(type + content);
+  const chunk = new Uint8Array(BEFORE - type.length + data.length + AFTER);
   const view = new DataView(chunk.buffer);
-  view.setUint32(0, data.length + text.length);
-  chunk.set(encoder.encode("iTXt"), 4);
-  chunk.set(data, BEFORE);
-  chunk.set(text, BEFORE + data.length);
-  view.setUint32(chunk.length - AFTER, crc32(chunk.subarray(4, chunk.length - AFTER)));
-  return new Blob([bytes.slice(0, HEADER), chunk, bytes.slice(HEADER)], { type: "image/png" });
+  view.setUint32(0, data.length - type.length);
+  chunk.set(data, BEFORE - type.length);
+  view.setUint32(chunk.length - AFTER, crc32(data));
+  return chunk;
 }
 
 /** The recipe in a PNG, WebP or OpenEXR file; throws a `RecipeError` if there is none. */
