@@ -52,8 +52,8 @@ def encode(
     that the file carries; ``npy`` has no place for it. precision: of ``exr``.
 
     ``png`` and ``webp`` hold RGB, sRGB-encoded, lossless; PNG says so, and WebP is sRGB without a profile. ``exr``
-    holds R, G, B, coverage, normal and distance, ``npy`` the first four, linear, little-endian. The same pixels give the
-    same bytes. Raises ``ValueError`` for another shape or type.
+    holds R, G, B, coverage, normal and distance, ``npy`` the first four, linear, little-endian. The same pixels give
+    the same bytes. Raises ``ValueError`` for another shape or type.
     """
     allowed = [_TYPES[output_of(format, dither)] for dither in (False, True)]
     channels = (4, 8) if format == "exr" else (4,)
