@@ -1,8 +1,14 @@
 """The API in this process, with renderers that only pretend to draw or with GL, and what tests ask of it."""
 
 import io
+import os
+import subprocess
+import sys
+import time
+import urllib.request
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from types import SimpleNamespace
 
 from PIL import Image
@@ -14,8 +20,18 @@ from seafoam.api.settings import Settings
 from seafoam.api.streams import Streams
 from seafoam.api.threads import ThreadPool
 from support.api_fakes import FakeRenderer
+from support.command import free_port
 
 SMALL = {"width": 24, "height": 16}
+SERVER = """
+from functools import partial
+from seafoam.api import app
+from support.api_fakes import FakeRenderer
+app.create_app = partial(app.create_app, renderer=FakeRenderer)
+if __name__ == "__main__":
+    from seafoam.cli import main
+    main()
+"""
 
 
 @contextmanager
@@ -47,3 +63,30 @@ def answering(**settings) -> TestClient:
         streams=Streams(2),
     )
     return TestClient(app, raise_server_exceptions=False)
+
+
+@contextmanager
+def served(folder: Path, **environment: str) -> Iterator[tuple[str, "subprocess.Popen[str]"]]:
+    """`seafoam serve` with a renderer that only pretends to draw: its address and its process, once it is ready."""
+    script = folder / "served.py"
+    script.write_text(SERVER)
+    address = f"http://127.0.0.1:{(port := free_port())}"
+    process = subprocess.Popen(
+        [sys.executable, script, "serve", "--port", str(port)],
+        env={**os.environ, "PYTHONPATH": str(Path(__file__).parents[1]), "SEAFOAM_WORKERS": "1", **environment},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+    )
+    try:
+        for _ in range(600):
+            assert process.poll() is None
+            try:
+                urllib.request.urlopen(f"{address}/readyz", timeout=60).close()
+                break
+            except OSError:
+                time.sleep(0.1)
+        yield address, process
+    finally:
+        process.kill()
+        process.communicate()

@@ -12,7 +12,6 @@ from fastapi.openapi.utils import get_openapi
 from starlette.middleware import Middleware
 from starlette.middleware.errors import ServerErrorMiddleware
 from starlette.middleware.gzip import DEFAULT_EXCLUDED_CONTENT_TYPES, GZipMiddleware
-from uvicorn.middleware.proxy_headers import ProxyHeadersMiddleware
 
 from seafoam.accuracy.cache import cache_dir
 from seafoam.api import errors, pages
@@ -28,6 +27,7 @@ from seafoam.api.middleware import HeadAsGet, LimitBody, SecurityHeaders
 from seafoam.api.negotiation import Negotiate
 from seafoam.api.origins import OtherOrigins
 from seafoam.api.problems import BusyError
+from seafoam.api.proxied import Proxied
 from seafoam.api.rates import TokenBuckets
 from seafoam.api.routers import (
     accuracy,
@@ -133,6 +133,8 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
         title="Seafoam",
         version=version("seafoam"),
         description=_DESCRIPTION,
+        # Relative to the document, wherever a proxy serves it.
+        servers=[{"url": "."}],
         docs_url=None,
         redoc_url=None,
         lifespan=lifespan,
@@ -151,12 +153,9 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
 
 def _middleware(settings: Settings, metrics: Metrics) -> list[Middleware]:
     """Return what a request passes, from the outside in."""
-    outside = []
-    if settings.trusted_proxies:
-        outside.append(Middleware(ProxyHeadersMiddleware, trusted_hosts=list(settings.trusted_proxies)))
-    outside.append(Middleware(LogRequests, written=settings.log_format == "json"))
     return [
-        *outside,
+        Middleware(Proxied, trusted=settings.trusted_proxies, root_path=settings.root_path.rstrip("/")),
+        Middleware(LogRequests, written=settings.log_format == "json"),
         Middleware(OtherOrigins, public=() if settings.access.restricted else _PUBLIC, origins=settings.cors_origins),
         Middleware(HeadAsGet),
         Middleware(SecurityHeaders),
@@ -207,6 +206,7 @@ def _describe(app: FastAPI, settings: Settings) -> None:
                 version=app.version,
                 description=app.description,
                 routes=app.routes,
+                servers=app.servers,
                 # A scene is one type in the clients' code, whichever way it travels.
                 separate_input_output_schemas=False,
             )

@@ -5,9 +5,9 @@ import mimetypes
 import os
 from pathlib import Path
 
-from fastapi import FastAPI
+from fastapi import FastAPI, Request
 from starlette.datastructures import Headers
-from starlette.responses import HTMLResponse, PlainTextResponse, Response
+from starlette.responses import HTMLResponse, JSONResponse, PlainTextResponse, RedirectResponse, Response
 from starlette.staticfiles import StaticFiles
 from starlette.types import Scope
 
@@ -27,13 +27,13 @@ _MANUAL = """<!doctype html>
     <meta charset="utf-8" />
     <meta name="viewport" content="width=device-width, initial-scale=1" />
     <title>Seafoam: API</title>
-    <link rel="icon" href="/icon.svg" type="image/svg+xml" />
-    <link rel="stylesheet" href="/docs/swagger-ui.css" />
+    <link rel="icon" href="icon.svg" type="image/svg+xml" />
+    <link rel="stylesheet" href="docs/swagger-ui.css" />
   </head>
   <body>
-    <div id="manual" data-description="/openapi.json"></div>
-    <script src="/docs/swagger-ui-bundle.js"></script>
-    <script src="/docs/manual.js"></script>
+    <div id="manual" data-description="openapi.json"></div>
+    <script src="docs/swagger-ui-bundle.js"></script>
+    <script src="docs/manual.js"></script>
   </body>
 </html>
 """
@@ -83,9 +83,23 @@ def install(app: FastAPI) -> None:
     """Serve the pages on paths that no route of the application matches."""
     waters.install(app, NOT_BUILT)
     app.add_api_route("/docs", _manual, include_in_schema=False)
+    app.add_api_route("/api/", _operations, include_in_schema=False)
     # The stills' type, which Python 3.11 knows only where the system tells it.
     mimetypes.add_type("image/avif", ".avif")
     app.router.default = WebClient(data_dir("webclient"))
+
+
+async def _operations(request: Request) -> Response:
+    """Return what the API can do, a line each; a browser is led to the API reference."""
+    if "text/html" in request.headers.get("accept", ""):
+        return RedirectResponse("../docs", headers={"Vary": "Accept"})
+    operations = [
+        {"method": method.upper(), "path": path, "summary": operation["description"].partition("\n")[0]}
+        for path, methods in request.app.openapi()["paths"].items()
+        for method, operation in methods.items()
+    ]
+    content = {"reference": "../docs", "description": "../openapi.json", "operations": operations}
+    return JSONResponse(content, headers={"Vary": "Accept", "Cache-Control": REVALIDATE})
 
 
 async def _manual() -> Response:

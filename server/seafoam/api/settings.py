@@ -10,6 +10,7 @@ from pydantic import Field, SecretStr, field_validator, model_validator
 from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
 
 from seafoam.api.access import Access, Signing, api_keys_of
+from seafoam.api.proxied import ROOT_PATH
 from seafoam.numerals import numeral_fields
 from seafoam.render.service.limits import FrameLimits
 
@@ -112,10 +113,15 @@ class Settings(BaseSettings):
     rate_burst: int = Field(
         default=200, ge=1, le=1_000_000, description="Requests to the API that a client may make at once after a pause"
     )
+    root_path: str = Field(
+        default="",
+        pattern=f"^{ROOT_PATH}/?$",
+        description="Path below which a proxy, which strips it, serves this server, such as /water; absent: the root",
+    )
     trusted_proxies: Annotated[tuple[str, ...], NoDecode] = Field(
         default=("127.0.0.1",),
-        description="Addresses and networks of proxies whose X-Forwarded-For and X-Forwarded-Proto are believed, with "
-        "commas between; empty: none",
+        description="Addresses and networks of proxies whose X-Forwarded-For, X-Forwarded-Proto and X-Forwarded-Prefix "
+        "are believed, with commas between; empty: none",
     )
     cors_origins: Annotated[tuple[str, ...], NoDecode] = Field(
         default=(),

@@ -1,4 +1,4 @@
-"""``/water/NAME``: the page opened at a preset, with title, description and picture for link previews."""
+"""``/water/NAME``: the page opened at a preset, with what link previews show; ``/water/``: a list."""
 
 import io
 from functools import lru_cache
@@ -12,7 +12,7 @@ from starlette.responses import HTMLResponse, PlainTextResponse, RedirectRespons
 
 from seafoam.api.caching import REVALIDATE
 from seafoam.resources import data_dir
-from seafoam.scene.presets import Preset, load_preset
+from seafoam.scene.presets import Preset, load_preset, preset_names
 
 PREVIEW = (1200, 630)
 """Width and height of a preview, pixels: the format that link previews show uncut."""
@@ -40,6 +40,29 @@ _UNKNOWN = """<!doctype html>
 """
 
 
+_LIST = """<!doctype html>
+<html lang="en">
+  <head>
+    <meta charset="utf-8" />
+    <meta name="viewport" content="width=device-width, initial-scale=1" />
+    <meta name="color-scheme" content="dark" />
+    <title>Waters · Seafoam</title>
+    <link rel="icon" href="../icon.svg" type="image/svg+xml" />
+    <link rel="stylesheet" href="../message.css" />
+  </head>
+  <body>
+    <main>
+      <h1>Waters</h1>
+      <ul>
+{items}
+      </ul>
+      <p><a href="../">Open Seafoam</a></p>
+    </main>
+  </body>
+</html>
+"""
+
+
 def install(app: FastAPI, not_built: str) -> None:
     """Serve the pages and their previews; ``not_built`` is the text that stands for a page without a built client."""
 
@@ -54,6 +77,11 @@ def install(app: FastAPI, not_built: str) -> None:
         text = _opened_at(preset, index.read_text(encoding="utf-8"), str(request.base_url))
         return HTMLResponse(text, headers={"Cache-Control": REVALIDATE})
 
+    async def every() -> HTMLResponse:
+        presets = [load_preset(name) for name in preset_names()]
+        items = [f'        <li><a href="./{each.name}">{escape(each.title)}</a></li>' for each in presets]
+        return HTMLResponse(_LIST.format(items="\n".join(items)), headers={"Cache-Control": REVALIDATE})
+
     # A plain function: FastAPI runs it in a thread, so that decoding delays no other request.
     def preview(name: str) -> Response:
         try:
@@ -66,6 +94,7 @@ def install(app: FastAPI, not_built: str) -> None:
             return RedirectResponse(f"../api/frames/{preset.name}.png?width={width}&height={height}")
         return Response(_preview(still), media_type="image/jpeg", headers={"Cache-Control": REVALIDATE})
 
+    app.add_api_route("/water/", every, include_in_schema=False)
     app.add_api_route("/water/{name}.jpg", preview, include_in_schema=False)
     app.add_api_route("/water/{name}", page, include_in_schema=False)
 

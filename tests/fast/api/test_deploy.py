@@ -16,7 +16,7 @@ from seafoam.api.settings import Settings
 from seafoam.render.service.pool import BACKGROUND_SECONDS
 
 DEPLOY = Path(__file__).parents[3] / "scripts" / "deploy"
-FORWARDED = {"Connection", "Host", "X-Forwarded-For", "X-Forwarded-Proto"}
+FORWARDED = {"Connection", "Host", "X-Forwarded-For", "X-Forwarded-Prefix", "X-Forwarded-Proto"}
 
 
 def text(name: str) -> str:

@@ -1,58 +1,15 @@
-"""What an operator sees of a running server: how it stops."""
+"""What an operator sees of a running server: how it stops, and what it leaves on disk."""
 
-import os
 import signal
-import subprocess
-import sys
 import time
-import urllib.request
-from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager
 from pathlib import Path
 
 import httpx2
 import pytest
 
 from support.api_fakes import HANG
-from support.command import free_port
-
-SERVER = """
-from functools import partial
-from seafoam.api import app
-from support.api_fakes import FakeRenderer
-app.create_app = partial(app.create_app, renderer=FakeRenderer)
-if __name__ == "__main__":
-    from seafoam.cli import main
-    main()
-"""
-
-
-@contextmanager
-def served(folder: Path, **environment: str) -> Iterator[tuple[str, "subprocess.Popen[str]"]]:
-    """`seafoam serve` with a renderer that only pretends to draw: its address and its process, once it is ready."""
-    script = folder / "served.py"
-    script.write_text(SERVER)
-    address = f"http://127.0.0.1:{(port := free_port())}"
-    process = subprocess.Popen(
-        [sys.executable, script, "serve", "--port", str(port)],
-        env={**os.environ, "PYTHONPATH": str(Path(__file__).parents[2]), "SEAFOAM_WORKERS": "1", **environment},
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        text=True,
-    )
-    try:
-        for _ in range(600):
-            assert process.poll() is None
-            try:
-                urllib.request.urlopen(f"{address}/readyz", timeout=60).close()
-                break
-            except OSError:
-                time.sleep(0.1)
-        yield address, process
-    finally:
-        process.kill()
-        process.communicate()
+from support.serving import served
 
 
 @pytest.mark.parametrize("form", ["text", "json"])

@@ -1,0 +1,156 @@
+"""The server below a path of a proxy: no answer leads out of it. What is there is listed."""
+
+import re
+import shutil
+import subprocess
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from urllib.parse import urljoin
+
+import httpx2
+import pytest
+from pydantic import ValidationError
+from starlette.testclient import TestClient
+
+import seafoam
+from seafoam.api.proxied import relative
+from seafoam.api.settings import Settings
+from seafoam.scene.presets import preset_names
+from support.command import free_port
+from support.proxy import proxied
+from support.serving import answering, served
+
+PREFIX = "/water"
+"""The hardest one, since addresses of the server begin so."""
+PAGES = ("", "learn", "learn/laboratory", "masks", "docs", "docs/", "water", "water/default", "water/nothing")
+
+
+OPERATIONS = Path(__file__).parents[3] / "docs" / "operations.md"
+NGINX = shutil.which("nginx")
+
+
+@contextmanager
+def documented(address: str, folder: Path) -> Iterator[str]:
+    """nginx as docs/operations.md sets it up."""
+    assert NGINX
+    (locations,) = re.findall(r"```nginx\n(.+?)```", OPERATIONS.read_text(), re.DOTALL)
+    locations = locations.replace("http://127.0.0.1:8000", address)
+    outside = f"127.0.0.1:{free_port()}"
+    kinds = ("client_body", "proxy", "fastcgi", "uwsgi", "scgi")
+    temporary = " ".join(f"{kind}_temp_path {folder / kind};" for kind in kinds)
+    server = f"access_log off; server {{ listen {outside}; {locations} }}"
+    (folder / "nginx.conf").write_text(f"pid {folder}/pid; events {{}} http {{ {temporary} {server} }}")
+    command = [NGINX, "-c", folder / "nginx.conf", "-e", folder / "errors", "-g", "daemon off;"]
+    process = subprocess.Popen(command, stderr=subprocess.DEVNULL)
+    try:
+        yield f"http://{outside}{PREFIX}"
+    finally:
+        process.terminate()
+        process.wait(20)
+
+
+@pytest.fixture(
+    scope="module",
+    params=["here", pytest.param("nginx", marks=pytest.mark.skipif(NGINX is None, reason="nginx is not installed"))],
+)
+def behind(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    """Address of a server behind a proxy."""
+    folder = tmp_path_factory.mktemp("served")
+    with served(folder) as (address, _):
+        proxy = documented(address, folder) if request.param == "nginx" else proxied(address, PREFIX)
+        with proxy as outside:
+            yield f"{outside}/"
+
+
+def addresses(page: httpx2.Response) -> set[str]:
+    """What a page loads and links to on its server."""
+    base = re.search(r'<base href="([^"]+)"', page.text)
+    start = urljoin(str(page.url), base[1]) if base else str(page.url)
+    named = re.findall(r'<(?!base).*(?:src|href|data-description)="([^"#]+)"', page.text)
+    found = {urljoin(start, each) for each in named}
+    return {each for each in found if each.startswith("http://127.0.0.1")}
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_pages_lead_nowhere_else(behind: str, name: str) -> None:
+    page = httpx2.get(behind + name, follow_redirects=True, timeout=60)
+    assert page.status_code == (404 if name.endswith("nothing") else 200)
+    assert str(page.url).startswith(behind)
+    linked = addresses(page)
+    assert len(linked) > 2
+    for address in linked:
+        assert address.startswith(behind), address
+        assert httpx2.get(address, follow_redirects=True, timeout=60).status_code == 200, address
+
+
+def test_previews_of_links_have_the_proxys_address(behind: str) -> None:
+    page = httpx2.get(f"{behind}water/coastline").text
+    assert f'property="og:url" content="{behind}water/coastline"' in page
+    assert f'rel="canonical" href="{behind}water/coastline"' in page
+    assert f'property="og:image" content="{behind}water/coastline.jpg"' in page
+    assert httpx2.get(f"{behind}water/coastline.jpg", timeout=60).headers["content-type"] == "image/jpeg"
+
+
+def test_the_references_operations_are_there(behind: str) -> None:
+    document = httpx2.get(f"{behind}openapi.json")
+    (server,) = document.json()["servers"]
+    assert urljoin(str(document.url), server["url"]) == behind
+
+
+def test_programs_draw_by_the_proxys_address(behind: str) -> None:
+    frame = httpx2.get(f"{behind}api/frames/default.png?width=16&height=16", timeout=60)
+    where = re.search("<(.+)>", frame.headers["link"])
+    assert where
+    assert httpx2.get(urljoin(str(frame.url), where[1]), timeout=60).headers["link"]
+    with seafoam.connect(behind) as connection:
+        assert connection.frame("default", size=(16, 16)).size == (16, 16)
+    opened = httpx2.post(f"{behind}api/streams", json={"scene": {}, "quality": "draft"}, timeout=60)
+    stream = urljoin(str(opened.url), opened.headers["location"])
+    query = "time=1&width=16&height=16&x=0&y=3&z=0&yaw=0&pitch=0&roll=0&fov=1"
+    assert httpx2.get(f"{stream}/frame.webp?{query}", timeout=60).headers["content-type"] == "image/webp"
+
+
+@pytest.mark.parametrize(
+    ("peer", "sent", "base"),
+    [
+        ("127.0.0.1", {}, "/set/"),
+        ("127.0.0.1", {"X-Forwarded-Prefix": "/told/"}, "/told/"),
+        ("127.0.0.1", {"X-Forwarded-Prefix": '/"><script>'}, "/set/"),
+        ("203.0.113.9", {"X-Forwarded-Prefix": "/told"}, "/set/"),
+    ],
+)
+def test_a_prefix_is_set_or_told_by_who_is_trusted(peer: str, sent: dict[str, str], base: str) -> None:
+    client = TestClient(answering(root_path="/set/").app, client=(peer, 1))
+    page = client.get("/water/default", headers=sent).text
+    assert f'property="og:url" content="http://testserver{base}water/default"' in page
+
+
+@pytest.mark.parametrize("value", ["water", "/water?", "//", '/"'])
+def test_a_root_path_is_a_path(value: str) -> None:
+    with pytest.raises(ValidationError):
+        Settings(root_path=value)
+
+
+@pytest.mark.parametrize("path", ["/learn", "/docs/", "/a/b", "/a/b/"])
+@pytest.mark.parametrize("target", ["/learn/", "/docs", "/a/b/", "/a:b/c?d=e", "/"])
+def test_relative_addresses_lead_where_absolute_ones_do(path: str, target: str) -> None:
+    here = "http://testserver" + path
+    assert urljoin(here, relative(path, "http://testserver" + target)) == "http://testserver" + target
+
+
+def test_waters_are_listed(behind: str) -> None:
+    page = httpx2.get(f"{behind}water/").text
+    assert re.findall(r'<a href="\./([^"]+)"', page) == list(preset_names())
+
+
+@pytest.mark.parametrize("path", ["/api", "/api/"])
+def test_the_api_lists_its_operations(path: str) -> None:
+    client = answering()
+    listed = client.get(path).json()["operations"]
+    paths = client.get("/openapi.json").json()["paths"]
+    assert {(each["method"].lower(), each["path"]) for each in listed} == {
+        (method, route) for route, methods in paths.items() for method in methods
+    }
+    assert all(each["summary"].endswith(".") for each in listed)
+    assert client.get(path, headers={"Accept": "text/html,*/*;q=0.8"}).url.path == "/docs"
