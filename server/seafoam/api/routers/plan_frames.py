@@ -32,8 +32,8 @@ async def get_plan_frame(
     ],
     time: Annotated[
         float,
-        BeforeValidator(numeral),
         Path(ge=-TIME_LIMIT, le=TIME_LIMIT, allow_inf_nan=False, description="Time, s", examples=[12.5]),
+        BeforeValidator(numeral),  # after the bounds, which the schema then names
     ],
     format: Annotated[FrameFormat, Path(description=FORMATS)],
     asked: Annotated[PlanFrameParameters, Query()],
