@@ -30,7 +30,7 @@ if TYPE_CHECKING:
         presets,
     )
     from seafoam.notebook import Water
-    from seafoam.quality import Quality
+    from seafoam.quality import EXACT, Quality
     from seafoam.render.gl.context import NoRendererError
     from seafoam.scene.camera import Camera
     from seafoam.scene.models import Scene
@@ -38,6 +38,7 @@ if TYPE_CHECKING:
     __version__: str
 
 __all__ = [
+    "EXACT",
     "Camera",
     "InvalidRequestError",
     "NoRendererError",
@@ -59,7 +60,12 @@ __all__ = [
     "presets",
 ]
 
+# A star import, help() and completion read every name that is listed: not the one that raises without its extra.
+if _find_spec("anywidget") is None:
+    __all__.remove("Water")
+
 _ELSEWHERE = {
+    "EXACT": "seafoam.quality",
     "Camera": "seafoam.scene.camera",
     "NoRendererError": "seafoam.render.gl.context",
     "Quality": "seafoam.quality",
@@ -71,7 +77,7 @@ _ELSEWHERE = {
 def __getattr__(name: str) -> _Any:
     if name == "__version__":
         value = _import_module("importlib.metadata").version("seafoam")
-    elif name in __all__:
+    elif name in __all__ or name in _ELSEWHERE:
         value = getattr(_import_module(_ELSEWHERE.get(name, "seafoam.library")), name)
     else:
         raise AttributeError(f"module 'seafoam' has no attribute {name!r}")
@@ -80,6 +86,4 @@ def __getattr__(name: str) -> _Any:
 
 
 def __dir__() -> list[str]:
-    # help() and completion read every name that is listed: not the one that raises without its extra.
-    here = {name for name in __all__ if name != "Water" or _find_spec("anywidget")}
-    return sorted({*here, *(name for name in globals() if name.startswith("__")), "__version__"})
+    return sorted({*__all__, *(name for name in globals() if name.startswith("__")), "__version__"})

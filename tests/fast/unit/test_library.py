@@ -318,3 +318,21 @@ def test_no_server_and_no_address() -> None:
         pytest.raises(seafoam.ServerError, match=urlsplit(source.url).netloc),
     ):
         source.frame("default", size=SMALL)
+
+
+def test_a_star_import_needs_no_extra() -> None:
+    program = """
+import importlib.util
+found = importlib.util.find_spec
+importlib.util.find_spec = lambda name, *package: None if name == "anywidget" else found(name, *package)
+from seafoam import *
+assert frame and "Water" not in globals()
+import seafoam
+try:
+    seafoam.Water
+except RuntimeError as error:
+    assert "seafoam[notebook]" in str(error)
+else:
+    raise AssertionError
+"""
+    subprocess.run([sys.executable, "-c", program], check=True, timeout=60)

@@ -1,6 +1,7 @@
 """The wheel carries shaders, masks and the built web client; what the documents say works where there is nothing else.
 
-Its environments are outside the repository, with the packages that it declares: without extras, and with each alone.
+Its environments are outside the repository, with the packages that it declares: without extras, on the oldest and the
+newest Python of this machine that the metadata admits, and with each extra alone.
 """
 
 import os
@@ -12,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from support.installed import environment
+from support.installed import OWN, PROJECT, environment, interpreters
 from support.snippets import blocks, commands
 
 ROOT = Path(__file__).parents[3]
@@ -48,9 +49,21 @@ EXTRAS = {"sequence": "video", "masks spectrum": "reports", "accuracy": "reports
 """Beginnings of README's commands -> the extra that they need."""
 
 
-@pytest.fixture(scope="module")
-def bare(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return environment(tmp_path_factory.mktemp("bare") / "venv", wheel)
+@pytest.fixture(scope="module", params=["oldest", "newest"])
+def bare(request: pytest.FixtureRequest, wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    found = interpreters()
+    if request.param == "newest" and len(found) == 1:
+        pytest.skip(f"of the Pythons that the metadata admits this machine has {OWN[0]}.{OWN[1]} alone")
+    python = found[min(found) if request.param == "oldest" else max(found)]
+    return environment(tmp_path_factory.mktemp("bare") / "venv", wheel, python=python)
+
+
+def test_the_metadata_names_the_pythons_that_are_tested() -> None:
+    prefix = "Programming Language :: Python :: 3."
+    minors = sorted(int(each.removeprefix(prefix)) for each in PROJECT["classifiers"] if each.startswith(prefix))
+    assert PROJECT["requires-python"] == f">=3.{minors[0]}"
+    assert minors == list(range(minors[0], minors[-1] + 1))
+    assert (3, minors[0]) <= OWN <= (3, minors[-1])
 
 
 def run(command: Path, *arguments: str | Path, within: Path, **variables: str) -> subprocess.CompletedProcess[str]:
@@ -136,6 +149,7 @@ assert inspect.signature(seafoam.frame).parameters.keys() == {
     "what", "time", "size", "quality", "camera", "look", "mask"
 }
 assert "ServerError" in pydoc.render_doc(seafoam)
+exec("from seafoam import *")
 seafoam.close()
 try:
     seafoam.Water
@@ -148,18 +162,23 @@ except RuntimeError as error:
     assert done.stdout.splitlines()[-1] == "True"
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize(
     ("extra", "arguments"),
     [
         ("reports", "masks spectrum vac-24 -o spectrum.png"),
         ("video", "sequence default --start 2 --stop 2.1 --size 64x36 -o sea.mp4"),
+        ("cluster", "sequence default --stop 2.05 --start 2 --size 64x36 --quality draft --workers 2 -o frames"),
+        ("telemetry", "openapi"),
         ("notebook", ""),
     ],
 )
 def test_an_extra_alone_is_enough(wheel: Path, tmp_path: Path, extra: str, arguments: str) -> None:
     programs = environment(tmp_path / "venv", wheel, extra)
     if extra == "notebook":
-        done = run(programs / "python", "-c", "import seafoam; seafoam.Water('default')", within=tmp_path)
+        code = "from seafoam import *; Water('default')"
+        done = run(programs / "python", "-c", code, within=tmp_path)
     else:
-        done = run(programs / "seafoam", *arguments.split(), within=tmp_path)
+        collector = {"OTEL_EXPORTER_OTLP_ENDPOINT": "http://127.0.0.1:9"} if extra == "telemetry" else {}
+        done = run(programs / "seafoam", *arguments.split(), within=tmp_path, **collector)
     assert done.returncode == 0, done.stderr
