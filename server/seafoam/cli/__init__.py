@@ -14,13 +14,14 @@ from pathlib import Path
 from typing import Annotated, Any, NoReturn
 
 import typer
+from typer.core import TyperCommand
 from typer.exceptions import TyperException
 
 from seafoam.cli import options
 from seafoam.cli.consoles import prepare, say
 from seafoam.cli.masks import masks
 from seafoam.cli.sequences import sequence
-from seafoam.cli.support import UNABLE, Command, CommandError, refuse, size_of
+from seafoam.cli.support import UNABLE, Command, CommandError, Serve, refuse, size_of
 from seafoam.extras import MissingExtraError, require_reports
 from seafoam.processes import SCHEDULER
 
@@ -37,13 +38,13 @@ OPEN_CONNECTIONS = 256
 """Connections beyond which the server answers 503 at once: a page uses a dozen; the render queue has its own limit."""
 
 
-@app.command()
+@app.command(cls=Serve)
 def serve(
-    host: Annotated[str | None, typer.Option(help="Address to listen on [default: 127.0.0.1].")] = None,
-    port: Annotated[int | None, typer.Option(help="Port to listen on; 0 selects a free one [default: 8000].")] = None,
+    host: Annotated[str | None, typer.Option(help="Address to listen on (SEAFOAM_HOST).")] = None,
+    port: Annotated[int | None, typer.Option(help="Port to listen on; 0 selects a free one (SEAFOAM_PORT).")] = None,
     open_browser: Annotated[bool, typer.Option("--open", help="Open the web client in a browser.")] = False,
 ) -> None:
-    """Serve the web client and the API. Environment variables that begin with SEAFOAM_ set its options."""
+    """Serve the web client and the API. Environment variables set what the options do not."""
     import uvicorn
     from pydantic import ValidationError
 
@@ -233,7 +234,7 @@ def sign(
 
 
 for each in (*app.registered_commands, *masks.registered_commands):
-    each.cls = Command
+    each.cls = Command if each.cls is TyperCommand else each.cls
 
 
 def main(arguments: Sequence[str] | None = None) -> NoReturn:

@@ -37,7 +37,7 @@ def make_mask(
     output: Output,
     family: Annotated[str, typer.Option(help="vac, blur, clump, bubble, mix or lace.")] = "vac",
     sigma: Annotated[
-        float | None, typer.Option(help="Characteristic length, texels [default: depends on the family].")
+        float | None, typer.Option(help="Characteristic length, texels (default: depends on the family).")
     ] = None,
     size: Annotated[str, typer.Option(help="Side of the tile, or WIDTHxHEIGHT: 32 to 1024 texels each.")] = "512",
     seed: Annotated[int, typer.Option(help="Random seed.")] = 0,

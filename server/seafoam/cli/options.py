@@ -11,24 +11,24 @@ Again = Annotated[
     Path | None,
     typer.Option(help="Draw this picture from its recipe, and say what differs. Exit code 0: the same bytes."),
 ]
-Time = Annotated[float | None, typer.Option(help="Time, s [default: the preset's].")]
-Size = Annotated[str | None, typer.Option(help="WIDTHxHEIGHT in pixels [default: the preset's].")]
+Time = Annotated[float | None, typer.Option(help="Time, s (default: the preset's).")]
+Size = Annotated[str | None, typer.Option(help="WIDTHxHEIGHT in pixels (default: the preset's).")]
 QualityName = Annotated[
     str | None,
     typer.Option(
-        help="draft, standard, high, reference, or auto: the most exact that fits --budget-ms [default: standard]."
+        help="draft, standard, high, reference, or auto: the most exact that fits --budget-ms (default: standard)."
     ),
 ]
 Budget = Annotated[
     float | None, typer.Option(help="With auto: maximum frame time, ms. The first use measures, which takes minutes.")
 ]
-LookName = Annotated[str | None, typer.Option(help="Foam look [default: the preset's].")]
+LookName = Annotated[str | None, typer.Option(help="Foam look (default: the preset's).")]
 MaskName = Annotated[
     str | None,
-    typer.Option(help="Foam mask: a shipped one, or family:sigma:size:seed[:aspect:age] [default: the preset's]."),
+    typer.Option(help="Foam mask: a shipped one, or family:sigma:size:seed[:aspect:age] (default: the preset's)."),
 ]
 X = Annotated[
-    float | None, typer.Option(help="Camera position along +x, m [default: the preset's, as for all camera options].")
+    float | None, typer.Option(help="Camera position along +x, m (default: the preset's, as for all camera options).")
 ]
 Y = Annotated[float | None, typer.Option(help="Camera height above still water, m.")]
 Z = Annotated[float | None, typer.Option(help="Camera position along +z, m.")]
@@ -40,7 +40,7 @@ Dither = Annotated[
     bool | None,
     typer.Option(
         "--dither/--no-dither",
-        help="Of .png and .webp: dither 8 bits from 16, or round as the page does [default: dither].",
+        help="Of .png and .webp: dither 8 bits from 16, or round as the page does (default: dither).",
     ),
 ]
-Numbers = Annotated[str | None, typer.Option(help="Of .exr: half or float [default: half].")]
+Numbers = Annotated[str | None, typer.Option(help="Of .exr: half or float (default: half).")]

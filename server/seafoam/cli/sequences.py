@@ -33,16 +33,16 @@ def sequence(
         Path, typer.Option("--output", "-o", help="Directory for frames, or a .mp4, .webp (lossless) or .zip file.")
     ],
     stop: Annotated[float, typer.Option(help="Time before which the last frame is, s.")],
-    start: Annotated[float | None, typer.Option(help="Time of the first frame, s [default: the preset's].")] = None,
+    start: Annotated[float | None, typer.Option(help="Time of the first frame, s (default: the preset's).")] = None,
     fps: Annotated[
         str, typer.Option(help="Frames per second, such as 29.97 or 30000/1001, which are the same.")
     ] = "24",
-    size: Annotated[str | None, typer.Option(help="WIDTHxHEIGHT in pixels [default: the preset's].")] = None,
+    size: Annotated[str | None, typer.Option(help="WIDTHxHEIGHT in pixels (default: the preset's).")] = None,
     quality: Annotated[str, typer.Option(help="draft, standard, high or reference.")] = "standard",
-    look: Annotated[str | None, typer.Option(help="Foam look [default: the preset's].")] = None,
+    look: Annotated[str | None, typer.Option(help="Foam look (default: the preset's).")] = None,
     mask: Annotated[
         str | None,
-        typer.Option(help="Foam mask: a shipped one, or family:sigma:size:seed[:aspect:age] [default: the preset's]."),
+        typer.Option(help="Foam mask: a shipped one, or family:sigma:size:seed[:aspect:age] (default: the preset's)."),
     ] = None,
     codec: Annotated[str, typer.Option(help="Of a .mp4 file: h264 or av1.")] = "h264",
     workers: Annotated[

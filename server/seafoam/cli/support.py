@@ -49,6 +49,30 @@ class Command(TyperCommand):
         return rest
 
 
+class Serve(Command):
+    """``seafoam serve``, whose help lists every setting with its variable and its default."""
+
+    def format_help(self, ctx: Any, formatter: Any) -> None:
+        """Write the usual help, then the settings."""
+        super().format_help(ctx, formatter)
+        from rich.console import Console
+        from rich.table import Column, Table
+
+        from seafoam.api.settings import SERVED, Settings
+
+        table = Table(Column("variable", no_wrap=True), "default", "setting", box=None, pad_edge=False)
+        for name, field in Settings.model_fields.items():
+            value = SERVED.get(name, field.get_default(call_default_factory=True))
+            table.add_row(f"SEAFOAM_{name.upper()}", _shown(value), field.description)
+        Console(markup=False, emoji=False, highlight=False).print(table)
+
+
+def _shown(value: Any) -> str:
+    if isinstance(value, tuple):
+        return ",".join(value)
+    return "" if value is None else f"{value:g}" if isinstance(value, float) else str(value)
+
+
 def refuse(error: "ValidationError", model: "type[BaseModel]", option: Any) -> NoReturn:
     from seafoam.api.allowed import allowed_at, describe_allowed
 

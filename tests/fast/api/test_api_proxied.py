@@ -26,20 +26,20 @@ PREFIX = "/water"
 PAGES = ("", "learn", "learn/laboratory", "masks", "docs", "docs/", "water", "water/default", "water/nothing")
 
 
-OPERATIONS = Path(__file__).parents[3] / "docs" / "operations.md"
+LOCATIONS = Path(__file__).parents[3] / "scripts" / "deploy" / "nginx-path.conf"
 NGINX = shutil.which("nginx")
 
 
 @contextmanager
 def documented(address: str, folder: Path) -> Iterator[str]:
-    """nginx as docs/operations.md sets it up."""
+    """nginx with the file for it."""
     assert NGINX
-    (locations,) = re.findall(r"```nginx\n(.+?)```", OPERATIONS.read_text(), re.DOTALL)
-    locations = locations.replace("http://127.0.0.1:8000", address)
+    locations = LOCATIONS.read_text().replace("http://127.0.0.1:8000", address)
     outside = f"127.0.0.1:{free_port()}"
     kinds = ("client_body", "proxy", "fastcgi", "uwsgi", "scgi")
     temporary = " ".join(f"{kind}_temp_path {folder / kind};" for kind in kinds)
-    server = f"access_log off; server {{ listen {outside}; {locations} }}"
+    server = f"access_log off; server {{ listen {outside}; include {folder}/locations; }}"
+    (folder / "locations").write_text(locations)
     (folder / "nginx.conf").write_text(f"pid {folder}/pid; events {{}} http {{ {temporary} {server} }}")
     command = [NGINX, "-c", folder / "nginx.conf", "-e", folder / "errors", "-g", "daemon off;"]
     process = subprocess.Popen(command, stderr=subprocess.DEVNULL)

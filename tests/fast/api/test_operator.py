@@ -8,7 +8,9 @@ from pathlib import Path
 import httpx2
 import pytest
 
+from seafoam.api.settings import Settings
 from support.api_fakes import HANG
+from support.command import run
 from support.serving import served
 
 
@@ -57,3 +59,14 @@ def environments(parent: int) -> set[str]:
     workers = [child for child, command in commands.items() if "spawn_main" in command]
     assert workers
     return set.intersection(*(set(Path(f"/proc/{each}/environ").read_text().split("\0")) for each in workers))
+
+
+def test_the_help_of_serve_has_every_setting_with_its_default() -> None:
+    done = run("serve", "--help", COLUMNS="400")
+    lines = {line.split()[0]: line for line in done.stdout.splitlines() if line.startswith("SEAFOAM_")}
+    assert set(lines) == {f"SEAFOAM_{name.upper()}" for name in Settings.model_fields}
+    for name, field in Settings.model_fields.items():
+        assert lines[f"SEAFOAM_{name.upper()}"].rstrip().endswith(field.description)
+    defaults = {"HOST": "127.0.0.1", "DEADLINE": "10", "CACHE_SIZE": "1073741824", "TRUSTED_PROXIES": "127.0.0.1"}
+    for name, value in defaults.items():
+        assert lines[f"SEAFOAM_{name}"].split()[1] == value
