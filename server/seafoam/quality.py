@@ -65,6 +65,11 @@ class Quality(Extensible, QualityParameters):
     foam_octaves: Annotated[Literal[1, 2, 3, 4], BeforeValidator(_no_truth_value)] = Field(
         default=4, description="Maximum number of octaves of the foam mask; more show finer foam near the camera"
     )
+    foam_texture: Literal["sampler", "texels"] = Field(
+        default="sampler",
+        description="How the foam texture is filtered. sampler: by the GL, from 8 bits, with weights of some 8 bits; "
+        "texels: in float32",
+    )
     foam_relief: bool = Field(
         default=False, description="Shade the water and the foam edges around foam that has a thickness"
     )
@@ -285,3 +290,32 @@ TIERS: dict[Tier, Quality] = {
 }
 
 assert set(TIERS) == set(get_args(Tier))
+
+EXACT = Quality(
+    surface=SurfaceQuality(steps=512, tolerance=2e-4, refine=4, filter=False),
+    foam_texture="texels",
+    foam_relief=True,
+    ripples="exact",
+    rings="exact",
+    sea_size=512,
+    sea_digits="float",
+    shore_floor=512,
+    shore_profile=256,
+    shadow_steps=256,
+    cloud_shadow_octaves=4,
+    cube="exact",
+    cube_size=512,
+    slope_places=5,
+    refraction_steps=16,
+    drift="exact",
+    drift_step=0.2,
+    spray_count=16384,
+    caustics="photons",
+    caustics_photons=1024,
+    wake="exact",
+    reflection="traced",
+    boat_samples=1,
+    target="RGBA32F",
+)
+"""The formulas alone: nothing from maps, no footprints, one sample a pixel, float32 throughout. It aliases, and agrees
+with :func:`seafoam.reference.render` of the same samples; for formulas to be checked, not for pictures."""

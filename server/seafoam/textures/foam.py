@@ -2,7 +2,7 @@
 
 from functools import lru_cache
 from itertools import product
-from typing import ClassVar
+from typing import ClassVar, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,9 +18,10 @@ _STEPS = 1024
 
 
 class FoamTexture(TextureSpec):
-    """The foam texture, R8, all levels: means of 2 × 2 texels."""
+    """The foam texture, R8 or R32F, all levels: means of 2 × 2 texels."""
 
     kind: ClassVar[str] = "foam"
+    format: Literal["R8", "R32F"] = "R8"
 
     def image(self) -> Image:
         """Return :func:`foam_texture` and its mip levels."""
@@ -28,6 +29,8 @@ class FoamTexture(TextureSpec):
         while len(levels[-1]) > 1:
             fine = levels[-1]
             levels.append(0.25 * (fine[0::2, 0::2] + fine[1::2, 0::2] + fine[0::2, 1::2] + fine[1::2, 1::2]))
+        if self.format == "R32F":
+            return Image("R32F", tuple(level.astype("<f4") for level in levels))
         return Image("R8", tuple(np.round(255.0 * level).astype(np.uint8) for level in levels))
 
 

@@ -51,7 +51,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if masks and foam.look != "filtered":
         parts.append(_exact_mask(foam, quality))
     if _textured(foam):
-        parts.append(_texture(foam))
+        parts.append(_texture(foam, quality))
     elif foam.look == "filtered":
         parts.append(_Part(needs=(_NO_TEXTURE,)))
     if foam.look == "filtered":
@@ -199,17 +199,22 @@ def _textured(foam: Foam) -> bool:
     return foam.look in ("textured", "halftone_textured", "listing") or (foam.look == "filtered" and foam.texture > 0)
 
 
-def _texture(foam: Foam) -> _Part:
+def _texture(foam: Foam, quality: Quality) -> _Part:
     """The foam texture, laid once or twice at two scales."""
     file, uniforms = "foam/texture.glsl", _texture_place("", foam.texture_tile)
     if foam.texture_second is not None:
         file, uniforms = "foam/texture_pair.glsl", uniforms | _texture_place("_second", foam.texture_second)
+    files: tuple[Piece, ...] = (file,)
+    use = TextureUse(FoamTexture(), filter="linear_mipmap_linear")
+    if quality.foam_texture == "texels":
+        files = ("foam/texels.glsl", Source(file, (("textureLod", "trilinear"),)))
+        use = TextureUse(FoamTexture(format="R32F"))
     return _Part(
-        needs=(file,),
+        needs=files,
         consts={"FOAM_TEXTURE_SIZE": foam_texture().shape[0]},
         uniforms=uniforms,
         inputs={"u_foam_texture": TextureInput(texture="foam_texture")},
-        textures={"foam_texture": TextureUse(FoamTexture(), filter="linear_mipmap_linear")},
+        textures={"foam_texture": use},
     )
 
 
@@ -276,6 +281,7 @@ EFFECT = Effect(
     parameters=(
         QualityParameter("/mask", "format of the mask's thresholds", ("u8", "half", "u16"), "precision"),
         QualityParameter("/foam_taps", "mask texels averaged under minification", (4, 16), "filtering"),
+        QualityParameter("/foam_texture", "filter of the foam texture", ("sampler", "texels"), "precision"),
         QualityParameter("/foam_octaves", "maximum octaves of the mask", (1, 2, 3, 4), "filtering"),
     ),
 )
