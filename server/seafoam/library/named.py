@@ -3,10 +3,12 @@
 import inspect
 from collections.abc import Callable
 from functools import wraps
-from typing import ParamSpec, TypeVar
+from typing import Any, Concatenate, ParamSpec, TypeVar, cast
 
 P = ParamSpec("P")
+Q = TypeVar("Q")
 R = TypeVar("R")
+S = TypeVar("S")
 
 
 def named(function: Callable[P, R]) -> Callable[P, R]:
@@ -25,3 +27,25 @@ def named(function: Callable[P, R]) -> Callable[P, R]:
         return function(*args, **options)
 
     return checked
+
+
+def asking(request: Callable[P, Q]) -> Callable[[Callable[[S, Q], R]], Callable[Concatenate[S, P], R]]:
+    """Make of a method that takes a request one with the parameters of the function that makes it, checked by name.
+
+    Editors and ``help()`` show these parameters, which are written once.
+    """
+
+    def decorate(method: Callable[[S, Q], R]) -> Callable[Concatenate[S, P], R]:
+        own = inspect.signature(method)
+        parameters = [own.parameters["self"], *inspect.signature(request).parameters.values()]
+        shown = own.replace(parameters=parameters)
+
+        @wraps(method)
+        def asked(self: S, /, *args: P.args, **options: P.kwargs) -> R:
+            shown.bind(self, *args, **options)  # else the error would name the request's function
+            return method(self, request(*args, **options))
+
+        cast(Any, asked).__signature__ = shown
+        return named(asked)
+
+    return decorate

@@ -34,7 +34,8 @@ LIMITS = FrameLimits(side=8192, sampled_side=16384, samples=16384 * 8192)
 
 
 def job_of(
-    what: SceneLike,
+    what: SceneLike = "default",
+    format: FrameFormat = "png",
     *,
     time: float | None = None,
     size: Size | None = None,
@@ -42,7 +43,6 @@ def job_of(
     camera: CameraLike | None = None,
     look: str | None = None,
     mask: str | None = None,
-    format: FrameFormat = "png",
 ) -> FrameJob:
     """Return the job of a frame; what is absent is the preset's, or of a scene 0 s and 1280 × 720.
 

@@ -4,16 +4,15 @@ import asyncio
 import io
 from abc import ABC, abstractmethod
 from concurrent.futures import Future
-from dataclasses import dataclass
+from dataclasses import KW_ONLY, dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from seafoam.library.named import named
+from seafoam.library.named import asking
 from seafoam.library.request import CameraLike, QualityLike, SceneLike, Size, job_of
-from seafoam.render.encode import FrameFormat
 from seafoam.render.service.jobs import FrameJob
 
 
@@ -22,6 +21,7 @@ class MaskRequest:
     """A mask by name or, where anything is given, by family."""
 
     name: str
+    _: KW_ONLY
     sigma: float | None = None
     size: int | tuple[int, int] | None = None
     seed: int | None = None
@@ -43,6 +43,20 @@ class MaskRequest:
         return {name: value for name, value in options.items() if value is not None}
 
 
+def _picture(
+    what: SceneLike = "default",
+    *,
+    time: float | None = None,
+    size: Size | None = None,
+    quality: QualityLike = "standard",
+    camera: CameraLike | None = None,
+    look: str | None = None,
+    mask: str | None = None,
+) -> FrameJob:
+    """:func:`job_of` for methods that give no file."""
+    return job_of(what, time=time, size=size, quality=quality, camera=camera, look=look, mask=mask)
+
+
 class Source(ABC):
     """Draws frames and makes masks. Every method can be called from any thread; a source is a context manager.
 
@@ -51,18 +65,8 @@ class Source(ABC):
     :class:`seafoam.library.errors.ServerError` there.
     """
 
-    @named
-    def frame(
-        self,
-        what: SceneLike = "default",
-        *,
-        time: float | None = None,
-        size: Size | None = None,
-        quality: QualityLike = "standard",
-        camera: CameraLike | None = None,
-        look: str | None = None,
-        mask: str | None = None,
-    ) -> Image.Image:
+    @asking(_picture)
+    def frame(self, job: FrameJob) -> Image.Image:
         """Return a frame as an RGB image, sRGB; ``info["seafoam"]`` is its recipe (JSON).
 
         what: a preset's name, a :class:`seafoam.Scene`, or a scene's fields as JSON has them. What is absent is the
@@ -71,131 +75,53 @@ class Source(ABC):
         a :class:`seafoam.Camera`, or the fields that differ from the scene's. look, mask: of the foam; a mask is a
         shipped one, or ``family:sigma:size:seed[:aspect:age]``.
         """
-        job = job_of(what, time=time, size=size, quality=quality, camera=camera, look=look, mask=mask)
         return _image(self._draw(job).result())
 
-    @named
-    def linear(
-        self,
-        what: SceneLike = "default",
-        *,
-        time: float | None = None,
-        size: Size | None = None,
-        quality: QualityLike = "standard",
-        camera: CameraLike | None = None,
-        look: str | None = None,
-        mask: str | None = None,
-    ) -> NDArray[np.float32]:
+    @asking(_picture)
+    def linear(self, job: FrameJob) -> NDArray[np.float32]:
         """Return a frame as (height, width, 4) float32, top row first: linear RGB, and the coverage of foam, 0..1.
 
         Options: see :meth:`frame`.
         """
-        job = job_of(what, time=time, size=size, quality=quality, camera=camera, look=look, mask=mask, format="npy")
-        return _array(self._draw(job).result())
+        return _array(self._draw(replace(job, format="npy")).result())
 
-    @named
-    def encoded(
-        self,
-        what: SceneLike = "default",
-        format: FrameFormat = "png",
-        *,
-        time: float | None = None,
-        size: Size | None = None,
-        quality: QualityLike = "standard",
-        camera: CameraLike | None = None,
-        look: str | None = None,
-        mask: str | None = None,
-    ) -> bytes:
+    @asking(job_of)
+    def encoded(self, job: FrameJob) -> bytes:
         """Return a frame as a file: the bytes that ``seafoam render`` writes.
 
         format: ``png``, ``webp``, ``exr`` or ``npy``. Other options: see :meth:`frame`.
         """
-        job = job_of(what, time=time, size=size, quality=quality, camera=camera, look=look, mask=mask, format=format)
         return self._draw(job).result()
 
-    @named
-    def mask(
-        self,
-        name: str,
-        *,
-        sigma: float | None = None,
-        size: int | tuple[int, int] | None = None,
-        seed: int | None = None,
-        aspect: float | None = None,
-        age: float | None = None,
-    ) -> NDArray[np.float32]:
+    @asking(MaskRequest)
+    def mask(self, asked: MaskRequest) -> NDArray[np.float32]:
         """Return a mask's thresholds u, (height, width) float32 in (0, 1): foam shows where its saturation exceeds u.
 
         name: a shipped mask such as ``vac-24``, or with any option a family such as ``vac``, which is made. sigma:
         characteristic length, texels; absent: the family's. size: the side, or width and height, texels: 32 to 1024,
-        256 if absent. seed: 0 (absent) to 2³² - 1. aspect: 1 (absent) to 6, and age: 0 (absent) to 1, of ``lace``. Ranges:
-        docs/masks.md.
+        256 if absent. seed: 0 (absent) to 2³² - 1. aspect: 1 (absent) to 6, and age: 0 (absent) to 1, of ``lace``.
+        Ranges: docs/masks.md.
         """
-        asked = MaskRequest(name, sigma, size, seed, aspect, age)
         return _array(self._mask(asked).result())
 
-    @named
-    async def frame_async(
-        self,
-        what: SceneLike = "default",
-        *,
-        time: float | None = None,
-        size: Size | None = None,
-        quality: QualityLike = "standard",
-        camera: CameraLike | None = None,
-        look: str | None = None,
-        mask: str | None = None,
-    ) -> Image.Image:
+    @asking(_picture)
+    async def frame_async(self, job: FrameJob) -> Image.Image:
         """:meth:`frame`, without blocking the event loop."""
-        job = job_of(what, time=time, size=size, quality=quality, camera=camera, look=look, mask=mask)
         return _image(await asyncio.wrap_future(self._draw(job)))
 
-    @named
-    async def linear_async(
-        self,
-        what: SceneLike = "default",
-        *,
-        time: float | None = None,
-        size: Size | None = None,
-        quality: QualityLike = "standard",
-        camera: CameraLike | None = None,
-        look: str | None = None,
-        mask: str | None = None,
-    ) -> NDArray[np.float32]:
+    @asking(_picture)
+    async def linear_async(self, job: FrameJob) -> NDArray[np.float32]:
         """:meth:`linear`, without blocking the event loop."""
-        job = job_of(what, time=time, size=size, quality=quality, camera=camera, look=look, mask=mask, format="npy")
-        return _array(await asyncio.wrap_future(self._draw(job)))
+        return _array(await asyncio.wrap_future(self._draw(replace(job, format="npy"))))
 
-    @named
-    async def encoded_async(
-        self,
-        what: SceneLike = "default",
-        format: FrameFormat = "png",
-        *,
-        time: float | None = None,
-        size: Size | None = None,
-        quality: QualityLike = "standard",
-        camera: CameraLike | None = None,
-        look: str | None = None,
-        mask: str | None = None,
-    ) -> bytes:
+    @asking(job_of)
+    async def encoded_async(self, job: FrameJob) -> bytes:
         """:meth:`encoded`, without blocking the event loop."""
-        job = job_of(what, time=time, size=size, quality=quality, camera=camera, look=look, mask=mask, format=format)
         return await asyncio.wrap_future(self._draw(job))
 
-    @named
-    async def mask_async(
-        self,
-        name: str,
-        *,
-        sigma: float | None = None,
-        size: int | tuple[int, int] | None = None,
-        seed: int | None = None,
-        aspect: float | None = None,
-        age: float | None = None,
-    ) -> NDArray[np.float32]:
+    @asking(MaskRequest)
+    async def mask_async(self, asked: MaskRequest) -> NDArray[np.float32]:
         """:meth:`mask`, without blocking the event loop."""
-        asked = MaskRequest(name, sigma, size, seed, aspect, age)
         return _array(await asyncio.wrap_future(self._mask(asked)))
 
     @abstractmethod

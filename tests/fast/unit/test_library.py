@@ -105,6 +105,13 @@ def test_an_unknown_option_is_refused_with_the_known_ones(name: str) -> None:
         getattr(seafoam, name)("default", width=64)
 
 
+def test_the_wrong_number_of_arguments_is_refused_in_the_functions_own_words() -> None:
+    with pytest.raises(TypeError, match="missing a required argument: 'name'"):
+        seafoam.mask()  # type: ignore[call-arg]
+    with pytest.raises(TypeError, match="too many positional arguments"):
+        seafoam.frame("default", 3)  # type: ignore[call-arg]
+
+
 def test_an_unknown_option_of_masks_and_of_the_widget() -> None:
     with pytest.raises(TypeError, match="'side'; it has name, sigma, size, seed, aspect, age"):
         seafoam.mask("vac", side=64)
