@@ -39,8 +39,9 @@ class Proxied:
         async def marking(message: Message) -> None:
             if message["type"] == "http.response.start":
                 headers = MutableHeaders(scope=message)
-                if urlsplit(headers.get("location", "")).netloc == asked.netloc:
-                    headers["Location"] = relative(asked.path, headers["location"])
+                location = headers.get("location")
+                if location and urlsplit(location).netloc == asked.netloc:
+                    headers["Location"] = relative(asked.path, location)
             await send(message)
 
         await self.app(scope, receive, marking)  # type: ignore[arg-type]

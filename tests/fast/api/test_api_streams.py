@@ -480,9 +480,9 @@ def test_single_frames_go_before_those_of_streams(monkeypatch: pytest.MonkeyPatc
         begun: list[str] = []
         run = pool._run
 
-        async def noting(work: Any, args: Any, expires: float) -> Any:
+        async def noting(work: Any, args: Any, expires: float, grace: float = 0.0) -> Any:
             begun.append("stream" if args[0].lossy else "single")
-            return await run(work, args, expires)
+            return await run(work, args, expires, grace)
 
         monkeypatch.setattr(pool, "_run", noting)
         client.portal.call(pool._slots.acquire)
