@@ -3,6 +3,7 @@
 import contextlib
 import os
 import secrets
+import zlib
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -12,17 +13,19 @@ PART = ".seafoam-part-"
 
 
 @contextmanager
-def whole(path: Path) -> Iterator[Path]:
+def whole(path: Path, *, alone: bool = False) -> Iterator[Path]:
     """Give a file to write, which replaces ``path`` when the block ends without an error.
 
     It is absolute, in the same directory, and another one for every writer: of several at once the last one's file is
-    there, whole. A link stays, and what it leads to is replaced. Raises ``OSError``.
+    there, whole. A link stays, and what it leads to is replaced. alone: the caller sees to it that there is one writer,
+    who then goes over what a killed one has left. Raises ``OSError``.
     """
     target = Path(os.path.realpath(path))
     if target.exists() and not target.is_file():  # a pipe or a device, whose place no file can take
         yield target
         return
-    part = target.with_name(f"{PART}{secrets.token_hex(8)}")
+    own = f"{zlib.crc32(os.fsencode(target.name)):08x}" if alone else secrets.token_hex(8)
+    part = target.with_name(f"{PART}{own}")
     try:
         yield part
         os.replace(part, target)

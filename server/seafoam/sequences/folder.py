@@ -36,6 +36,8 @@ class SequenceFolder:
         self.path = path
         path.mkdir(parents=True, exist_ok=True)
         manifest = {"sequence": MANIFEST_VERSION, **identity}
+        for left in path.glob(f"{PART}*"):  # by a process that was killed
+            left.unlink()
         found = self._manifest()
         if found is None and any(_FRAME.fullmatch(each.name) for each in path.iterdir()):
             raise OtherSequenceError(f"{path} holds frames without {MANIFEST}: choose another directory")
@@ -74,7 +76,7 @@ class SequenceFolder:
 
     def _empty(self) -> None:
         for each in list(self.path.iterdir()):
-            if each.name in (MANIFEST, HASHES) or each.name.startswith(PART) or _FRAME.fullmatch(each.name):
+            if each.name in (MANIFEST, HASHES) or _FRAME.fullmatch(each.name):
                 each.unlink()
 
     def _manifest(self) -> dict[str, Any] | None:

@@ -131,7 +131,7 @@ def check_output(spec: SequenceSpec, output: Output) -> None:
 
 def _write_file(spec: SequenceSpec, output: Output, folder: SequenceFolder, meter: _Meter) -> None:
     frames = [folder.frame(index) for index in range(spec.count)]
-    with files.whole(output.path) as part:
+    with files.whole(output.path, alone=True) as part:
         if output.kind == "mp4":
             job = spec.job
             write_video(part, frames, job.width, job.height, spec.fps, output.codec, meter.step)

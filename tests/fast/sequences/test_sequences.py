@@ -3,7 +3,10 @@
 import hashlib
 import io
 import json
+import os
+import signal
 import subprocess
+import sys
 import zipfile
 from collections.abc import Iterable
 from fractions import Fraction
@@ -390,3 +393,33 @@ def test_names_that_other_programs_read(tmp_path: Path, monkeypatch: pytest.Monk
     make(Output(Path(f"{name}.{kind}"), kind))
     assert [each.name for each in folder.iterdir()] == [f"{name}.{kind}"]
     assert [each.name for each in tmp_path.iterdir()] == [folder.name]
+
+
+KILLED = """
+import os, signal, sys
+from pathlib import Path
+import seafoam.files
+from seafoam.sequences.making import Output, make_sequence
+from test_sequences import Counting, spec
+path, at = Path(sys.argv[1]), int(sys.argv[2])
+replace, count = os.replace, []
+def killing(source, target):
+    count.append(target)
+    if len(count) == at:
+        os.kill(os.getpid(), signal.SIGKILL)
+    replace(source, target)
+os.replace = killing
+make_sequence(spec(), Output(path, "zip"), Counting())
+"""
+
+
+@pytest.mark.parametrize("at", [1, 4, 8], ids=["manifest", "frame", "file"])
+def test_what_a_killed_run_leaves_is_gone_after_the_next(tmp_path: Path, at: int) -> None:
+    output = Output(tmp_path / "sea.zip", "zip")
+    places = [str(Path(__file__).parent), str(Path(__file__).parents[2])]
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(places)}
+    killed = subprocess.run([sys.executable, "-c", KILLED, output.path, str(at)], env=environment)
+    assert killed.returncode == -signal.SIGKILL
+    assert not output.path.exists()
+    make(output)
+    assert [each.name for each in tmp_path.iterdir()] == ["sea.zip"]
