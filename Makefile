@@ -10,7 +10,7 @@ NODE := scripts/node.sh
 WEB := webclient
 PORT ?= 8000
 
-WEB_SOURCES := $(shell find $(addprefix $(WEB)/,src public masks learn build) -type f 2>/dev/null) $(WEB)/index.html docs/formulae.md \
+WEB_SOURCES := $(shell find $(addprefix $(WEB)/,src public masks learn build) -type f 2>/dev/null) $(WEB)/index.html docs/formulae.md $(wildcard docs/snippets/*) \
 	$(WEB)/package-lock.json $(WEB)/vite.config.ts $(WEB)/vite.library.config.ts $(WEB)/tsconfig.json
 
 # Three groups of tests at once, each under 2 GB: browsers and the pool of workers, what draws, and all else.

@@ -2,30 +2,30 @@
  * Builds what leaves the page: the player of exported scenes (`--mode player`), the element's package (`--mode element`) and the
  * widget for notebooks (`--mode notebook`).
  */
-import { copyFileSync, mkdirSync } from "node:fs";
+import { cpSync } from "node:fs";
 import { join } from "node:path";
 import { defineConfig, type Plugin } from "vitest/config";
 
 const folder = import.meta.dirname;
 
-/** Copies the licence beside the built file. */
-const licence = (target: string): Plugin => ({
-  name: "licence",
+/** Copies the licence beside the built file, and the shader snippets where they belong to it. */
+const beside = (target: string, snippets: string | null): Plugin => ({
+  name: "beside",
   writeBundle() {
-    mkdirSync(join(folder, target), { recursive: true });
-    copyFileSync(join(folder, "../LICENSE"), join(folder, target, "LICENSE"));
+    cpSync(join(folder, "../LICENSE"), join(folder, target, "LICENSE"));
+    if (snippets !== null) cpSync(join(folder, "../docs/snippets"), join(folder, snippets), { recursive: true });
   },
 });
 
 const LIBRARIES = {
   // A classic script: pages opened from the file system may not load modules.
-  player: { entry: "src/export/player.ts", format: "iife", fileName: "player.js", outDir: "dist/export", licenceIn: "dist/export" },
-  notebook: { entry: "src/notebook/widget.ts", format: "es", fileName: "seafoam-widget.js", outDir: "dist/notebook", licenceIn: "dist/notebook" },
-  element: { entry: "src/element/index.ts", format: "es", fileName: "seafoam-water.js", outDir: "element/dist", licenceIn: "element/dist" },
+  player: { entry: "src/export/player.ts", format: "iife", fileName: "player.js", outDir: "dist/export", snippets: "dist/export/snippets" },
+  notebook: { entry: "src/notebook/widget.ts", format: "es", fileName: "seafoam-widget.js", outDir: "dist/notebook", snippets: null },
+  element: { entry: "src/element/index.ts", format: "es", fileName: "seafoam-water.js", outDir: "element/dist", snippets: "element/snippets" },
 } as const;
 
 export default defineConfig(({ mode }) => {
-  const { entry, format, fileName, outDir, licenceIn } = LIBRARIES[mode as keyof typeof LIBRARIES];
+  const { entry, format, fileName, outDir, snippets } = LIBRARIES[mode as keyof typeof LIBRARIES];
   return {
     publicDir: false,
     build: {
@@ -34,6 +34,6 @@ export default defineConfig(({ mode }) => {
       emptyOutDir: false,
       lib: { entry: join(folder, entry), formats: [format], name: "seafoam", fileName: () => fileName },
     },
-    plugins: [licence(licenceIn)],
+    plugins: [beside(outDir, snippets)],
   };
 });

@@ -7,14 +7,15 @@ float foam(float saturation, vec2 at) { // at: texels
     vec2 dx = dFdx(at), dy = dFdy(at);
     float side = 0.25 * sqrt(abs(dx.x * dy.y - dx.y * dy.x));
     int level = int(clamp(floor(log2(max(side, 1e-6)) + 0.5), 0.0, 10.0));
-    float covered = 0.0;
+    float tilt = clamp(6.0 * (level > 0 ? SPREAD : 0.0) - 1.5, 0.0, 1.0), bend = 6.0 * saturation * (1.0 - saturation), covered = 0.0;
     for (int i = 0; i < 16; i++) {
         vec2 place = at + dx * (float(i & 3) - 1.5) / 4.0 + dy * (float(i >> 2) - 1.5) / 4.0;
         ivec2 size = textureSize(iChannel0, level);
         ivec2 texel = ivec2(floor(mod(place / exp2(float(level)), vec2(size))));
-        float mean = texelFetch(iChannel0, min(texel, size - 1), level).r;
-        float spread = max(min(level > 0 ? SPREAD : 0.0, min(mean, 1.0 - mean)), 1e-4);
-        covered += clamp(0.5 + 0.5 * (saturation - mean) / spread, 0.0, 1.0);
+        float mean = texelFetch(iChannel0, min(texel, size - 1), level).r * (255.0 / 256.0) + 0.5 / 256.0;
+        float spread = max(min((level > 0 ? SPREAD : 0.0), min(mean, 1.0 - mean)), 1e-6);
+        float even = clamp(0.5 + 0.5 * (saturation - mean) / spread, 0.0, 1.0);
+        covered += mix(even, clamp(saturation - bend * (mean - 0.5), 0.0, 1.0), tilt);
     }
     return covered / 16.0;
 }

@@ -3,12 +3,11 @@ import { DataTexture, DataUtils, HalfFloatType, NearestFilter, NearestMipmapNear
 
 export async function loadMask(url = "mask.u16", width = 256, height = 256) {
   const values = new Uint16Array(await (await fetch(url)).arrayBuffer());
-  const halves = Uint16Array.from(values, (value) => DataUtils.toHalfFloat((value + 0.5) / 65536));
+  const halves = Uint16Array.from(values, (value) => DataUtils.toHalfFloat(value / 65535));
   const mask = new DataTexture(halves, width, height, RedFormat, HalfFloatType);
   mask.wrapS = mask.wrapT = RepeatWrapping;
-  [mask.magFilter, mask.minFilter] = [NearestFilter, NearestMipmapNearestFilter];
   mask.generateMipmaps = mask.needsUpdate = true;
-  return mask;
+  return Object.assign(mask, { magFilter: NearestFilter, minFilter: NearestMipmapNearestFilter });
 }
 
 const FOAM = `uniform highp sampler2D u_mask;
@@ -17,12 +16,13 @@ float foam(float saturation, vec2 uv) {
   vec2 dx = dFdx(uv), dy = dFdy(uv), size = vec2(textureSize(u_mask, 0));
   float side = 0.25 * sqrt(abs(dx.x * dy.y - dx.y * dy.x) * size.x * size.y);
   int level = int(clamp(floor(log2(max(side, 1e-6)) + 0.5), 0.0, 10.0));
-  float covered = 0.0;
+  float tilt = clamp(6.0 * SPREAD[level] - 1.5, 0.0, 1.0), bend = 6.0 * saturation * (1.0 - saturation), covered = 0.0;
   for (int i = 0; i < 16; i++) {
     vec2 at = uv + dx * (float(i & 3) - 1.5) / 4.0 + dy * (float(i >> 2) - 1.5) / 4.0;
-    float mean = textureLod(u_mask, at, float(level)).r;
-    float spread = max(min(SPREAD[level], min(mean, 1.0 - mean)), 1e-4);
-    covered += clamp(0.5 + 0.5 * (saturation - mean) / spread, 0.0, 1.0);
+    float mean = textureLod(u_mask, at, float(level)).r * (65535.0 / 65536.0) + 0.5 / 65536.0;
+    float spread = max(min(SPREAD[level], min(mean, 1.0 - mean)), 1e-6);
+    float even = clamp(0.5 + 0.5 * (saturation - mean) / spread, 0.0, 1.0);
+    covered += mix(even, clamp(saturation - bend * (mean - 0.5), 0.0, 1.0), tilt);
   }
   return covered / 16.0;
 }`;

@@ -12,9 +12,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PIL import Image
-from playwright.sync_api import Page
+from playwright.sync_api import Page, expect
 
 from support.browsers import Lane
+from support.command import free_port
+from support.proxy import proxied
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "webclient" / "element"
@@ -74,7 +76,10 @@ def frames(page: Page) -> int:
 
 def test_the_package_has_what_it_names(package: Path) -> None:
     files = {str(path.relative_to(package)) for path in package.rglob("*") if path.is_file()}
-    assert files == {"package.json", "README.md", "index.d.ts", "dist/seafoam-water.js", "dist/LICENSE"}
+    snippets = {f"snippets/{path.name}" for path in (ROOT / "docs/snippets").iterdir()}
+    assert files == {"package.json", "README.md", "index.d.ts", "dist/seafoam-water.js", "dist/LICENSE"} | snippets
+    for name in snippets:
+        assert (package / name).read_bytes() == (ROOT / "docs" / name).read_bytes()
 
 
 def test_it_draws_moves_and_rests_out_of_view(llvmpipe: Lane, server: str, package: Path) -> None:
@@ -117,7 +122,8 @@ def test_without_webgl_it_shows_the_servers_picture(llvmpipe: Lane, server: str,
     script = "HTMLCanvasElement.prototype.getContext = () => null"
     with opened(llvmpipe, server, package, attributes, script) as (page, complaints):
         page.wait_for_function(
-            "() => document.querySelector('seafoam-water')?.shadowRoot?.querySelector('img')?.complete", timeout=60_000
+            "() => document.querySelector('seafoam-water')?.shadowRoot?.querySelector('img[src*=\"/api/\"]')?.complete",
+            timeout=60_000,
         )
         query = "time=4&quality=draft&width=320&height=180"
         answer = page.request.get(f"{server}/api/frames/paper-halftone.png?{query}")
@@ -135,3 +141,33 @@ def test_an_unknown_preset_is_an_error_event(llvmpipe: Lane, server: str, packag
             " water.setAttribute('preset', 'atlantis'); })"
         )
         assert "atlantis" in message
+
+
+def test_another_sites_page_shows_the_still_and_then_the_water(llvmpipe: Lane, server: str, package: Path) -> None:
+    elsewhere = server.replace("127.0.0.1", "localhost")
+    attributes = f'preset="paper-halftone" quality="draft" server="{server}"'
+    with opened(llvmpipe, elsewhere, package, attributes) as (page, complaints):
+        page.wait_for_function(
+            "() => document.querySelector('seafoam-water').shadowRoot.querySelector('img')?.complete"
+        )
+        page.wait_for_function("() => document.querySelector('seafoam-water').frames > 3", timeout=60_000)
+        assert page.locator("seafoam-water img").count() == 0
+        assert shown(page).std() > 5.0
+        assert complaints == []
+
+
+def test_a_server_that_does_not_allow_the_page_is_told_from_one_that_is_gone(
+    llvmpipe: Lane, server: str, package: Path
+) -> None:
+    elsewhere = server.replace("127.0.0.1", "localhost")
+    with proxied(server, "/water", frozenset({"access-control-allow-origin"})) as closed:
+        attributes = f'preset="paper-halftone" server="{closed}"'
+        with opened(llvmpipe, elsewhere, package, attributes) as (page, _):
+            said = page.locator("seafoam-water [role=alert]")
+            expect(said).to_contain_text(f"SEAFOAM_CORS_ORIGINS={elsewhere}")
+            page.wait_for_function(
+                "() => document.querySelector('seafoam-water').shadowRoot.querySelector('img')?.naturalWidth > 0"
+            )
+            assert shown(page).std() > 5.0
+    with opened(llvmpipe, elsewhere, package, f'server="http://127.0.0.1:{free_port()}"') as (page, _):
+        expect(page.locator("seafoam-water [role=alert]")).to_have_text("The server does not respond.")

@@ -157,7 +157,7 @@ def test_every_format_downloads(lab: Opened) -> None:
         sizes[re.findall(r"/(data8?\.\w+|sidecar)\?", url)[0]] = len(answer.body())
     assert set(sizes) == {"data.png", "data.u16", "data.npy", "data.dds", "data8.png", "sidecar"}
     assert sizes["data.u16"] == 2 * 64 * 64
-    for engine in ("Godot", "Unity", "Unreal", "GLSL"):
+    for engine in ("Godot", "Unity", "Unreal"):
         page.get_by_role("button", name=engine, exact=True).click()
         expect(page.locator(".take-home .untested")).to_contain_text("not run here")
         assert "aturation" in (page.locator("pre").text_content() or "")
@@ -186,22 +186,32 @@ def test_it_fits_fingers_and_keys(lab: Opened) -> None:
 PAGE = """<!doctype html><html><head>
 <script type="importmap">{"imports": {"three": "./three.module.js"}}</script></head><body><script type="module">
 import * as THREE from "three";
-import { foamMaterial, loadMask } from "./mask.js";
-const SIZE = 64, TILES = 2;
+import { addFoam, loadMask } from "./mask.js";
 const renderer = new THREE.WebGLRenderer();
 const mask = await loadMask();
-const target = new THREE.WebGLRenderTarget(TILES * SIZE, TILES * SIZE);
-const scene = new THREE.Scene();
-scene.add(new THREE.Mesh(new THREE.PlaneGeometry(2, 2), foamMaterial(mask, 0.3, TILES)));
-renderer.setRenderTarget(target);
-renderer.render(scene, new THREE.OrthographicCamera(-1, 1, 1, -1, -1, 1));
-const pixels = new Uint8Array(4 * (TILES * SIZE) ** 2);
-renderer.readRenderTargetPixels(target, 0, 0, TILES * SIZE, TILES * SIZE, pixels);
-window.foam = Array.from(pixels.filter((_, i) => i % 4 === 0));
+window.draw = (material, tiles, lit, camera, width, height) => {
+  const target = new THREE.WebGLRenderTarget(width, height);
+  const scene = new THREE.Scene();
+  const made = new THREE[material]({ color: 0 });
+  addFoam(made, mask, "0.3", tiles);
+  const plane = new THREE.Mesh(new THREE.PlaneGeometry(2, 2), made);
+  scene.add(plane, new THREE.DirectionalLight(0xffffff, lit));
+  const above = new THREE.OrthographicCamera(-1, 1, 1, -1, -1, 1);
+  const eye = camera === "above" ? above : new THREE.PerspectiveCamera(50, 16 / 9, 0.01, 10);
+  if (camera === "low") {
+    plane.rotation.x = -1.2;
+    eye.position.set(0.1, 0, 1.1);
+  }
+  renderer.setRenderTarget(target);
+  renderer.render(scene, eye);
+  const pixels = new Uint8Array(4 * width * height);
+  renderer.readRenderTargetPixels(target, 0, 0, width, height, pixels);
+  return Array.from(pixels.filter((_, i) => i % 4 === 0));
+};
 </script></body></html>"""
 
 
-def test_the_three_snippet_draws_the_pattern(llvmpipe: Lane, server: str) -> None:
+def test_the_three_snippet_draws_lit_antialiased_foam(llvmpipe: Lane, server: str) -> None:
     page = llvmpipe.browser.new_page()
     made = Opened(page)
     try:
@@ -217,10 +227,26 @@ def test_the_three_snippet_draws_the_pattern(llvmpipe: Lane, server: str) -> Non
 
         page.route("**/snippet/*", answer)
         page.goto(f"{server}/snippet/index.html")
-        page.wait_for_function("() => window.foam !== undefined", timeout=60_000)
-        drawn = np.array(page.evaluate("() => window.foam")).reshape(128, 128)
-        # The target's first row is the mask's first: v = 0.
-        assert (drawn == np.tile(np.where(small() + 0.5 < 0.3 * 65536, 255, 0), (2, 2))).all()
+        page.wait_for_function("() => window.draw !== undefined", timeout=60_000)
+
+        def drawn(*asked: object, width: int, height: int) -> NDArray[np.float64]:
+            values = page.evaluate("(asked) => window.draw(...asked)", [*asked, width, height])
+            return np.array(values, np.float64).reshape(height, width)
+
+        # A pixel a texel, unlit: the pattern itself. The target's first row is the mask's first: v = 0.
+        pattern = np.tile(small() + 0.5 < 0.3 * 65536, (2, 2))
+        # Half floats may move the one threshold that is next to the saturation.
+        wrong = np.abs(drawn("MeshBasicMaterial", 2, 0, "above", width=128, height=128) - 229.5 * pattern) > 1.0
+        assert wrong.sum() <= 4
+        # A standard material in perspective, against 256 samples a pixel; and it is the scene's light that shows it.
+        lit = ("MeshStandardMaterial", 6, 3, "low")
+        once = drawn(*lit, width=96, height=54)
+        truth = drawn(*lit, width=96 * 16, height=54 * 16).reshape(54, 16, 96, 16).mean(axis=(1, 3))
+        assert truth.max() > 60.0
+        assert truth.std() > 15.0
+        error = float(np.sqrt(((once - truth) ** 2).mean()))
+        assert error < 12.0, error
+        assert drawn("MeshStandardMaterial", 6, 0, "low", width=96, height=54).max() == 0.0
         assert made.complaints == []
     finally:
         page.close()

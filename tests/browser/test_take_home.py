@@ -125,6 +125,8 @@ def test_the_zip_draws_what_the_server_draws(llvmpipe: Lane, server: str, tmp_pa
         served, _ = downloaded(made.page, "PNG, drawn by the server")
         assert made.complaints == []
     zipfile.ZipFile(io.BytesIO(content)).extractall(tmp_path)
+    for snippet in (ROOT / "docs/snippets").iterdir():
+        assert (tmp_path / "snippets" / snippet.name).read_bytes() == snippet.read_bytes()
     context = llvmpipe.browser.new_context(viewport={"width": SIZE[0], "height": SIZE[1]})
     page = context.new_page()
     complaints: list[str] = []

@@ -18,7 +18,7 @@ from seafoam.scene.presets import load_preset
 from support.serving import picture
 
 PATHS = re.compile(
-    r"index\.html|README\.md|LICENSE|player\.js|uniforms\.json|data/(plan|recipe|texture-\d\d-[a-z0-9-]+)\.js"
+    r"index\.html|README\.md|LICENSE|player\.js|snippets/three\.js|uniforms\.json|data/(plan|recipe|texture-\d\d-[a-z0-9-]+)\.js"
     r"|programs/\d\d-[a-z0-9-]+\.(vert|frag)\.glsl"
 )
 PRESET = "paper-halftone"
@@ -29,6 +29,8 @@ def player(monkeypatch, tmp_path):
     """A player of four short files, so that no build is needed."""
     for name in bundle.PLAYER:
         (tmp_path / name).write_text("{{title}} {{plan}}\n    <!-- data -->\n")
+    (tmp_path / "snippets").mkdir()
+    (tmp_path / "snippets" / "three.js").write_text("// {{title}}")
     monkeypatch.setattr(bundle, "data_dir", lambda _: tmp_path.parent)
     folder = tmp_path.parent / "export"
     if not folder.exists():
@@ -66,6 +68,7 @@ def test_the_archive_holds_the_plan_the_programs_and_the_textures(client):
         for stage, shader in (("vert", program.vertex), ("frag", program.fragment)):
             content = found[f"programs/{index:02d}-{slug(name)}.{stage}.glsl"]
             assert hashlib.sha256(content).hexdigest() == shader.sha256
+    assert found["snippets/three.js"] == b"// {{title}}"
     html = found["index.html"].decode()
     assert load_preset(PRESET).title in html
     textures = [name for name in found if name.startswith("data/texture-")]

@@ -41,10 +41,14 @@ class Export:
 
 
 def player_files() -> dict[str, bytes]:
-    """Return the player's files by name, from the built web client. Raises :class:`NotBuiltError`."""
+    """Return the player's files and the shader snippets by path, from the built web client.
+
+    Raises :class:`NotBuiltError`.
+    """
     folder = data_dir("webclient") / "export"
+    snippets = (f"snippets/{path.name}" for path in sorted((folder / "snippets").glob("*")))
     try:
-        return {name: (folder / name).read_bytes() for name in PLAYER}
+        return {name: (folder / name).read_bytes() for name in (*PLAYER, *snippets)}
     except FileNotFoundError as error:
         raise NotBuiltError(f"the player is not built: {Path(error.filename).name} is missing") from None
 
@@ -75,6 +79,8 @@ def entries(export: Export, textures: dict[str, bytes], player: dict[str, bytes]
     yield "README.md", _filled(player["README.md"], export).encode()
     yield "LICENSE", player["LICENSE"]
     yield "player.js", player["player.js"]
+    for name in sorted(set(player) - set(PLAYER)):
+        yield name, player[name]
     yield "data/plan.js", (_GLOBAL + "seafoamData.plan = ").encode() + export.plan_json + b";\n"
     yield "data/recipe.js", f"{_GLOBAL}seafoamData.recipe = {export.recipe};\n".encode()
     for sha256, path in names.items():
