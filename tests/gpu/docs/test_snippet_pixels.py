@@ -161,3 +161,22 @@ def test_shadertoy_draws_as_pasted(executor: Executor) -> None:
     assert truth.std() > 0.1
     found = error(picture(1), truth)
     assert found < 16.0, found
+
+
+def test_the_saturation_has_no_pole(probe: Probe) -> None:
+    """README's saturation is that of the snippet: 1 behind a crest, nothing before it, finite where 1 / tan is not."""
+    lines = re.findall(r"float (?:theta|saturation) = .*;", (SNIPPETS / "shadertoy.glsl").read_text())
+    readme = (SNIPPETS.parents[1] / "README.md").read_text().replace("\n", " ")
+    for line in lines:
+        quoted = line.partition(" = ")[2].removesuffix(";").removeprefix("clamp(exp").removesuffix(", 0.0, 1.0)")
+        assert quoted in readme
+    turns = np.float32([0.0, 1.0, -1.0, 7.0, 1e5])[:, None]
+    phases = np.concatenate([turns * np.float32(2.0 * math.pi) + at for at in np.float32([-0.05, 0.0, 0.05])])
+    before, at, behind = probe([], f"float phase = x.x; {' '.join(lines)} y.x = saturation;", phases)[:, 0].reshape(
+        3, -1
+    )
+    for values in (before, at, behind):
+        assert np.isfinite(values).all()
+        assert ((values >= 0.0) & (values <= 1.0)).all()
+    assert (before[:4] < 1e-6).all()
+    assert (behind[:4] == 1.0).all()
