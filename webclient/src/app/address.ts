@@ -6,6 +6,7 @@ import { diff } from "../scene/json";
 import { withoutTouches } from "../touch/touches";
 import type { AccuracyTool } from "./accuracytool";
 import type { Surfaces } from "../surfaces/surfaces";
+import { copyText } from "../ui/clipboard";
 import type { Clock } from "./clock";
 import type { ChosenDisplay } from "./drawing";
 import type { Store } from "./store";
@@ -64,7 +65,7 @@ export class Address {
   /** Copies the exact link to the clipboard; rejects if access is denied. */
   async copy(): Promise<void> {
     this.write(true);
-    await navigator.clipboard.writeText(location.href);
+    await copyText(location.href);
   }
 
   /** Called with the link when the visitor goes to another address of the page: by hand, back or forward. */

@@ -5,6 +5,7 @@ import { type Api, ApiError } from "../api";
 import { validSplit } from "../app/comparison";
 import type { Selection, Store } from "../app/store";
 import { apply, diff, get, isObject, type JsonObject } from "../scene/json";
+import { copyText } from "../ui/clipboard";
 import { EditHistory } from "./history";
 import { PasteForm } from "./paste";
 import { shortText } from "./pasted";
@@ -79,7 +80,7 @@ export class SceneEdits {
 
   private async copy(): Promise<void> {
     try {
-      await navigator.clipboard.writeText(JSON.stringify(this.store.now.scene, null, 2));
+      await copyText(JSON.stringify(this.store.now.scene, null, 2));
       this.events.note("Scene copied as JSON.");
     } catch {
       this.events.note("Clipboard access denied.");

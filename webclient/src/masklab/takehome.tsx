@@ -3,6 +3,7 @@ import { useState } from "preact/hooks";
 import { type MaskChoice, maskPath } from "./choice";
 import type { LoadedMask } from "./data";
 import { FORMATS, snippets } from "./snippets";
+import { copyText } from "../ui/clipboard";
 
 const UNTESTED = "untested before:content-['⚠_']";
 const BUTTON = "block min-h-11 rounded-lg bg-hover px-3.5 py-[11px]";
@@ -23,7 +24,7 @@ export function TakeHome({ choice, loaded: { info, mask }, base }: TakeHomeProps
   if (shown === undefined) return null;
   const copy = async () => {
     try {
-      await navigator.clipboard.writeText(shown.code);
+      await copyText(shown.code);
       setCopied("Copied.");
     } catch {
       setCopied("Clipboard access denied. Select the code to copy it.");

@@ -25,7 +25,7 @@ export interface Answer {
 /** Requests of one view; answers to other views of the same model are ignored. */
 export class Kernel {
   private readonly waiting = new Map<string, { resolve: (answer: Answer) => void; reject: (error: Error) => void }>();
-  private readonly name = crypto.randomUUID();
+  private readonly name = crypto.getRandomValues(new Uint32Array(4)).join("-");
   private count = 0;
 
   constructor(private readonly model: Model) {

@@ -2,6 +2,7 @@
 import type { ComponentChildren } from "preact";
 import { useLayoutEffect, useState } from "preact/hooks";
 import type { SurfaceContext } from "./context";
+import { copyText } from "../ui/clipboard";
 import "./surface.css";
 
 /** Listens to the page from the first rendering on: an effect would wait for a paint, and miss what comes before it. */
@@ -42,7 +43,7 @@ export function TaskButton({ run, children, failed }: { run: () => Promise<void>
 export function CodeBlock({ label, text, failed }: { label: string; text: string; failed: (error: unknown) => void }) {
   const [copied, setCopied] = useState(false);
   const copy = async () => {
-    await navigator.clipboard.writeText(text);
+    await copyText(text);
     setCopied(true);
     setTimeout(() => setCopied(false), 2000);
   };
