@@ -2,8 +2,8 @@
 import * as THREE from "three";
 import { Water } from "./water.js";
 
-/** A running Seafoam server behind the same origin. */
-const SERVER = new URL("/", location.href);
+/** A running Seafoam server, as the address names it (?server=https://example.org/): by default that of this origin. */
+const SERVER = new URL(new URLSearchParams(location.search).get("server") ?? "/", location.href);
 const preset = location.hash.slice(1) || "default";
 
 async function get(path) {

@@ -29,7 +29,7 @@ const sampling = ({ filter, wrap }) => ({
 
 /** The bytes hold all levels, the finest first. */
 async function loadTexture(spec, server) {
-  const response = await fetch(new URL(`${spec.url}?sha256=${spec.sha256}`, server));
+  const response = await fetch(new URL(`${spec.url.slice(1)}?sha256=${spec.sha256}`, server));
   const bytes = await response.arrayBuffer();
   const [Pixels, format, type, channels] = TEXTURES[spec.format];
   const mipmaps = [];
@@ -84,7 +84,10 @@ export class Water {
   #scene = new THREE.Scene();
   #camera = new THREE.Camera();
 
-  /** Loads plan and textures. `renderer`: a WebGLRenderer; the plan of a preset comes from `/api/plans/NAME`. */
+  /**
+   * Loads plan and textures. `renderer`: a WebGLRenderer; `server`: its address, with a slash at the end; the plan of a preset comes from
+   * `api/plans/NAME` there.
+   */
   static async load(renderer, plan, server) {
     const textures = new Map();
     for (const [name, spec] of Object.entries(plan.textures)) textures.set(name, await loadTexture(spec, server));

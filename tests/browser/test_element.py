@@ -16,7 +16,7 @@ from playwright.sync_api import Page, expect
 
 from support.browsers import Lane
 from support.command import free_port
-from support.proxy import proxied
+from support.proxy import proxied, site
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "webclient" / "element"
@@ -143,13 +143,25 @@ def test_an_unknown_preset_is_an_error_event(llvmpipe: Lane, server: str, packag
         assert "atlantis" in message
 
 
+@contextmanager
+def elsewhere(lane: Lane, package: Path, attributes: str) -> Iterator[tuple[Page, list[str], str]]:
+    """A page of another site, its complaints and its origin."""
+    html = HTML.format(module="dist/seafoam-water.js", attributes=attributes)
+    (package.parent / "page.html").write_text(html)
+    with site(package.parent) as origin:
+        page = lane.browser.new_page(viewport={"width": 400, "height": 300})
+        complaints: list[str] = []
+        page.on("console", lambda said: complaints.append(said.text) if said.type == "error" else None)
+        page.on("pageerror", lambda error: complaints.append(str(error)))
+        page.goto(f"{origin}/page.html")
+        yield page, complaints, origin
+        page.close()
+
+
 def test_another_sites_page_shows_the_still_and_then_the_water(llvmpipe: Lane, server: str, package: Path) -> None:
-    elsewhere = server.replace("127.0.0.1", "localhost")
     attributes = f'preset="paper-halftone" quality="draft" server="{server}"'
-    with opened(llvmpipe, elsewhere, package, attributes) as (page, complaints):
-        page.wait_for_function(
-            "() => document.querySelector('seafoam-water').shadowRoot.querySelector('img')?.complete"
-        )
+    with elsewhere(llvmpipe, package, attributes) as (page, complaints, _):
+        expect(page.locator("seafoam-water img")).to_have_attribute("src", f"{server}/stills/paper-halftone.avif")
         page.wait_for_function("() => document.querySelector('seafoam-water').frames > 3", timeout=60_000)
         assert page.locator("seafoam-water img").count() == 0
         assert shown(page).std() > 5.0
@@ -159,15 +171,13 @@ def test_another_sites_page_shows_the_still_and_then_the_water(llvmpipe: Lane, s
 def test_a_server_that_does_not_allow_the_page_is_told_from_one_that_is_gone(
     llvmpipe: Lane, server: str, package: Path
 ) -> None:
-    elsewhere = server.replace("127.0.0.1", "localhost")
     with proxied(server, "/water", frozenset({"access-control-allow-origin"})) as closed:
         attributes = f'preset="paper-halftone" server="{closed}"'
-        with opened(llvmpipe, elsewhere, package, attributes) as (page, _):
-            said = page.locator("seafoam-water [role=alert]")
-            expect(said).to_contain_text(f"SEAFOAM_CORS_ORIGINS={elsewhere}")
+        with elsewhere(llvmpipe, package, attributes) as (page, _, origin):
+            expect(page.locator("seafoam-water [role=alert]")).to_contain_text(f"SEAFOAM_CORS_ORIGINS={origin}")
             page.wait_for_function(
                 "() => document.querySelector('seafoam-water').shadowRoot.querySelector('img')?.naturalWidth > 0"
             )
             assert shown(page).std() > 5.0
-    with opened(llvmpipe, elsewhere, package, f'server="http://127.0.0.1:{free_port()}"') as (page, _):
+    with elsewhere(llvmpipe, package, f'server="http://127.0.0.1:{free_port()}"') as (page, _, _):
         expect(page.locator("seafoam-water [role=alert]")).to_have_text("The server does not respond.")

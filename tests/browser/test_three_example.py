@@ -2,6 +2,7 @@
 
 import base64
 import io
+import shutil
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +11,7 @@ from PIL import Image
 from playwright.sync_api import Route
 
 from support.browsers import Lane
+from support.proxy import proxied, site
 from support.visits import differs, visit
 
 ROOT = Path(__file__).parents[2]
@@ -25,7 +27,7 @@ window.frame = async (preset, time, width, height) => {
   const { scene } = await get(`/api/presets/${preset}`);
   const renderer = new THREE.WebGLRenderer({ antialias: false, depth: false, preserveDrawingBuffer: true });
   renderer.setSize(width, height, false);
-  const water = await Water.load(renderer, plan, location.href);
+  const water = await Water.load(renderer, plan, location.origin);
   for (const earlier of [time - 1, time]) water.draw({ time: earlier, camera: scene.camera });
   const gl = renderer.getContext();
   const sources = ({ program }) => gl.getAttachedShaders(program).map((shader) => gl.getShaderSource(shader));
@@ -72,3 +74,21 @@ def test_three_draws_the_servers_frame(llvmpipe: Lane, server: str, preset: str)
         assert truth.std() > 5.0
         assert differs(ours, truth) < 1e-4
         assert made.complaints == []
+
+
+def test_the_page_takes_a_server_of_another_site(llvmpipe: Lane, server: str, tmp_path: Path) -> None:
+    folder = shutil.copytree(ROOT / "docs" / "three", tmp_path / "three-example")
+    (folder / "three").symlink_to(ROOT / "webclient" / "node_modules" / "three")
+    with proxied(server, "/water") as behind, site(folder) as origin:
+        page = llvmpipe.browser.new_page(viewport={"width": WIDTH, "height": HEIGHT})
+        complaints: list[str] = []
+        page.on("pageerror", lambda error: complaints.append(str(error)))
+        page.goto(f"{origin}/index.html?server={behind}/#paper-halftone")
+        page.wait_for_function("() => document.querySelector('canvas') !== null", timeout=60_000)
+        for _ in range(60):
+            if np.asarray(Image.open(io.BytesIO(page.screenshot())).convert("RGB")).std() > 5.0:
+                break
+            page.wait_for_timeout(500)
+        else:
+            raise AssertionError(f"no water: {complaints}")
+        page.close()

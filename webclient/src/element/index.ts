@@ -4,9 +4,10 @@ import { CameraControls } from "../camera/controls";
 import { cameraFromScene } from "../camera/state";
 import { CapabilityError } from "../gl/capabilities";
 import { Stage } from "../export/stage";
+import { stillUrl } from "../ui/still";
 
 const CLEARANCE = 0.3;
-const STYLE = ":host { display: block; position: relative; aspect-ratio: 16 / 9; overflow: hidden; } canvas, img { position: absolute; inset: 0; width: 100%; height: 100%; border: 0; } img { object-fit: cover; } canvas { touch-action: pan-y; }";
+const STYLE = ":host { display: block; position: relative; aspect-ratio: 16 / 9; overflow: hidden; } canvas, img { position: absolute; inset: 0; width: 100%; height: 100%; border: 0; } img { object-fit: cover; } canvas { touch-action: pan-y; } p { position: absolute; inset: auto 0 0; margin: 0; padding: 8px 12px; font: 14px/1.4 system-ui, sans-serif; color: #fff; background: rgb(0 0 0 / 0.75); }";
 
 export class SeafoamWater extends HTMLElement {
   static readonly observedAttributes = ["preset", "time", "quality", "server", "paused"];
@@ -83,7 +84,9 @@ export class SeafoamWater extends HTMLElement {
     const base = new URL(this.getAttribute("server") ?? ".", document.baseURI).href.replace(/\/?$/, "/");
     const style = document.createElement("style");
     style.textContent = STYLE;
-    this.root.append(style);
+    const poster = this.picture(new URL(stillUrl(preset), base).href, preset);
+    poster.addEventListener("error", () => poster.remove());
+    this.root.append(style, poster);
     try {
       const api = new Api(base);
       const [{ scene, title, time }, plan] = await Promise.all([api.preset(preset), api.presetPlan(preset, quality)]);
@@ -92,7 +95,8 @@ export class SeafoamWater extends HTMLElement {
       canvas.tabIndex = 0;
       canvas.setAttribute("role", "application");
       canvas.setAttribute("aria-label", this.getAttribute("aria-label") ?? title);
-      this.root.append(canvas);
+      // Below the still, until it is drawn.
+      poster.before(canvas);
       // The wheel scrolls the page unless the canvas has the focus.
       canvas.addEventListener("wheel", (event) => this.root.activeElement === canvas || event.stopImmediatePropagation());
       const camera = cameraFromScene(scene);
@@ -109,22 +113,30 @@ export class SeafoamWater extends HTMLElement {
       const controls = new CameraControls(canvas, camera, !still);
       controls.surface = controls.bottom = plan.top + CLEARANCE;
       stage.beforeFrame = (seconds) => {
+        if (stage.frames > 0) poster.remove();
         const moved = controls.step(seconds);
         stage.camera = controls.camera;
         return moved;
       };
-      stage.failed = (error) => this.failed(error);
+      stage.failed = (error) => void this.failed(error, base);
       await stage.load();
       if (run === this.run) this.dispatchEvent(new Event("load"));
     } catch (error) {
       if (run !== this.run) return;
-      if (error instanceof CapabilityError) this.showStill(base, preset, quality);
-      else this.failed(error);
+      if (error instanceof CapabilityError) this.showFrame(base, preset, quality, poster);
+      else await this.failed(error, base);
     }
   }
 
-  /** The server's picture, where the browser cannot draw. */
-  private showStill(base: string, preset: string, quality: string): void {
+  private picture(address: string, preset: string): HTMLImageElement {
+    const image = document.createElement("img");
+    image.alt = this.getAttribute("aria-label") ?? `Water: ${preset}`;
+    image.src = address;
+    return image;
+  }
+
+  /** The server's frame, where the browser cannot draw. */
+  private showFrame(base: string, preset: string, quality: string, poster: HTMLImageElement): void {
     this.root.querySelector("canvas")?.remove();
     this.stage = null;
     const address = new URL(`api/frames/${encodeURIComponent(preset)}.png`, base);
@@ -133,19 +145,41 @@ export class SeafoamWater extends HTMLElement {
     address.searchParams.set("width", String(Math.max(1, Math.round(width))));
     address.searchParams.set("height", String(Math.max(1, Math.round(height))));
     if (this.startTime !== null) address.searchParams.set("time", String(this.startTime));
-    const image = document.createElement("img");
-    image.alt = this.getAttribute("aria-label") ?? `Water: ${preset}`;
-    image.addEventListener("load", () => this.dispatchEvent(new Event("load")));
-    image.addEventListener("error", () => this.failed(new Error("The server's picture could not be loaded.")));
-    image.src = address.href;
+    const image = this.picture(address.href, preset);
+    image.addEventListener("load", () => {
+      poster.remove();
+      this.dispatchEvent(new Event("load"));
+    });
+    image.addEventListener("error", () => void this.failed(new Error("The server's picture could not be loaded."), base));
     this.root.append(image);
   }
 
-  private failed(error: unknown): void {
-    const details = error instanceof ApiError ? error.details.map((detail) => `: ${detail}`).join("") : "";
-    const message = error instanceof Error ? error.message : String(error);
-    this.dispatchEvent(new ErrorEvent("error", { error, message: message + details }));
+  /** Says what is wrong over what is shown, and to the page. */
+  private async failed(error: unknown, base: string): Promise<void> {
+    const { run } = this;
+    const message = await reason(error, base);
+    if (run !== this.run) return;
+    const note = document.createElement("p");
+    note.setAttribute("role", "alert");
+    note.textContent = message;
+    this.root.append(note);
+    this.dispatchEvent(new ErrorEvent("error", { error, message }));
   }
+}
+
+/** What went wrong, and the remedy where the server answers but lets no page of this site read that. */
+async function reason(error: unknown, base: string): Promise<string> {
+  if (!(error instanceof ApiError)) return error instanceof Error ? error.message : String(error);
+  const server = new URL(base).origin;
+  if (error.status === 0 && server !== location.origin) {
+    // What it answers cannot be read, but whether it answers can be told.
+    const answers = await fetch(base, { mode: "no-cors" }).then(
+      () => true,
+      () => false,
+    );
+    if (answers) return `${server} does not allow pages of ${location.origin} to read its data. Its operator allows them with SEAFOAM_CORS_ORIGINS=${location.origin}.`;
+  }
+  return error.message + error.details.map((detail) => `: ${detail}`).join("");
 }
 
 if (customElements.get("seafoam-water") === undefined) customElements.define("seafoam-water", SeafoamWater);
