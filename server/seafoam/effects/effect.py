@@ -320,7 +320,8 @@ class Effect:
     that are places or phases of water, which a current moves. ``parameters``: its fields of a quality. ``saturation``:
     the source of foam that it draws. ``extension``: for effects outside the package, instead of ``fields``; effects of
     the package have their models in :mod:`seafoam.scene` and :mod:`seafoam.quality` and their float64 form in
-    :mod:`seafoam.reference`.
+    :mod:`seafoam.reference`. ``without``: the scene without what the effect draws, for an effect whose files others
+    use: where it is left out of a plan, all others see that scene.
     """
 
     name: str
@@ -330,6 +331,7 @@ class Effect:
     saturation: SaturationSource | None = None
     extension: Extension | None = None
     afloat: tuple[str, ...] = ()
+    without: Callable[[Scene], Scene] | None = None
 
     @property
     def cases(self) -> Cases:

@@ -39,7 +39,7 @@ LOWEST = -100.0
 class Collection:
     """The joined contributions of a scene's effects.
 
-    ``economy``: leave out effects whose bound is below :data:`NEGLIGIBLE`.
+    ``economy``: leave out effects whose bound is below :data:`NEGLIGIBLE`. ``scene``: without the parts of those.
     """
 
     def __init__(self, effects: Sequence[Effect], scene: Scene, quality: Quality, *, economy: bool) -> None:
@@ -64,20 +64,28 @@ class Collection:
         self.bound_fields: set[str] = set()
         self.readers: dict[str, str] = {}
         """Sampler -> name of the effect that adds it."""
+        self.scene = scene
+        if economy:
+            for effect in effects:
+                if effect.without is not None and self._skip(effect, effect.contribute(self.scene, quality)):
+                    self.scene = effect.without(self.scene)
         for effect in effects:
-            contribution = effect.contribute(scene, quality)
-            if contribution is None:
-                continue
-            bound = contribution.bound
-            if economy and bound is not None and bound.value < NEGLIGIBLE:
-                self.skipped.append(EffectNote(name=effect.name, why=bound.why, bound=bound.value))
-                self.bound_fields.update(bound.fields)
-            else:
+            contribution = effect.contribute(self.scene, quality)
+            if contribution is not None and not (economy and self._skip(effect, contribution)):
                 self._add(effect.name, _afloat(contribution, effect, scene))
 
     def fills(self, slot: str) -> bool:
         """Whether an effect fills the slot."""
         return any(file.slot == slot for file in self.slots)
+
+    def _skip(self, effect: Effect, contribution: Contribution | None) -> bool:
+        """Whether an effect changes too little to be drawn, which is then noted."""
+        bound = None if contribution is None else contribution.bound
+        if bound is None or bound.value >= NEGLIGIBLE:
+            return False
+        self.skipped.append(EffectNote(name=effect.name, why=bound.why, bound=bound.value))
+        self.bound_fields.update(bound.fields)
+        return True
 
     def _add(self, name: str, contribution: Contribution) -> None:
         pieces = [piece for file in contribution.slots for piece in (*file.needs, file.path)]

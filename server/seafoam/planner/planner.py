@@ -42,7 +42,7 @@ def linked_plan(scene: Scene, quality: Quality, builder: type[FrameBuilder], *, 
     """Return the plan of the passes that a builder makes of a scene's contributions."""
     scene = _steepest_waves(scene, quality.waves)
     collection = Collection((*EFFECTS, *outside()), scene, quality, economy=economy)
-    frame = builder(collection, scene, quality)
+    frame = builder(collection, collection.scene, quality)
     passes = frame.passes()
     for program in frame.programs.values():
         refuse_too_many_samplers(program, collection.readers)

@@ -6,6 +6,7 @@ docs/formulae.md, section 5.
 import math
 
 from seafoam.effects.effect import Contribution, Effect, Piece, SlotFile, Source, constant_function
+from seafoam.effects.foam.surf import surf_limit
 from seafoam.effects.noise import CELLS, PERLIN_2
 from seafoam.framegraph.rules import Phase, Uniform, array, number, vector
 from seafoam.ocean.stokes import foam_drift, foam_life
@@ -47,8 +48,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         return None
     slots = [SlotFile("carry", "foam/carry/still.glsl", prefix="still")]
     if scene.shore is not None:
-        surf = scene.foam is not None and scene.foam.source(SurfSaturation) is not None
-        carry = f"foam/carry/{'surf' if surf else 'shore'}.glsl" if life.carried else _AT_REST
+        surf = None if scene.foam is None else scene.foam.source(SurfSaturation)
+        breaks = surf is not None and surf_limit(surf, scene) > 0.0
+        carry = f"foam/carry/{'surf' if breaks else 'shore'}.glsl" if life.carried else _AT_REST
         slots.append(SlotFile("shore carry", carry))
     drift = foam_drift(scene)
     uniforms: dict[str, Uniform] = {}

@@ -90,10 +90,17 @@ def _streak(of: Cirrus, heading: tuple[float, float], along: bool, share: float)
     return Phase(offset=0.0, rate=-k * of.wind if along else 0.0, k=(k * axis[0], k * axis[1]))
 
 
+def _clear(scene: Scene) -> Scene:
+    assert scene.light is not None and scene.light.sky is not None
+    sky = scene.light.sky.model_copy(update={"clouds": None})
+    return scene.model_copy(update={"light": scene.light.model_copy(update={"sky": sky})})
+
+
 CIRRUS = Effect("high clouds", cirrus, fields=("/light/sky/cirrus",))
 EFFECT = Effect(
     "clouds",
     contribute,
     fields=("/light/sky/clouds",),
     parameters=(QualityParameter("/cloud_octaves", "octaves of the cloud noise", (2, 3, 4, 5, 6), "geometry"),),
+    without=_clear,
 )

@@ -70,6 +70,11 @@ def _bound(shore: Shore, light: Light, quality: Quality) -> Bound | None:
     return Bound(0.0, "no land is above the water") if limits(shore, quality).land_top <= -0.6 * shore.deep else None
 
 
+def _unshadowed(scene: Scene) -> Scene:
+    assert scene.shore is not None
+    return scene.model_copy(update={"shore": scene.shore.model_copy(update={"shadows": False})})
+
+
 EFFECT = Effect(
     "shadows of land",
     contribute,
@@ -77,4 +82,5 @@ EFFECT = Effect(
     parameters=(
         QualityParameter("/shadow_steps", "steps toward the sun over the land", (32, 64, 128, 256), "geometry"),
     ),
+    without=_unshadowed,
 )

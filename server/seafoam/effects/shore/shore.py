@@ -210,4 +210,5 @@ EFFECT = Effect(
         QualityParameter("/refraction_steps", "steps of the refracted ray", (1, 2, 4, 8, 16), "geometry"),
         QualityParameter("/shore_profile", "nodes of the wave profile table", (32, 64, 128, 256), "geometry"),
     ),
+    without=lambda scene: scene.model_copy(update={"shore": None}),
 )

@@ -140,4 +140,5 @@ EFFECT = Effect(
     fields=("/waves", "/wave_groups"),
     afloat=("u_parametric_phase", PLACE),
     parameters=(QualityParameter("/waves", "maximum number of waves", (2, 4, 8, 16), "geometry"),),
+    without=lambda scene: scene.model_copy(update={"waves": ()}),
 )

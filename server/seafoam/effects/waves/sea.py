@@ -338,4 +338,5 @@ EFFECT = Effect(
         QualityParameter("/sea_tiles", "sea tiles", (2, 3, 4), "geometry"),
         QualityParameter("/sea_digits", "number format of the sea tiles", ("half", "float"), "precision"),
     ),
+    without=lambda scene: scene.model_copy(update={"sea": None}),
 )

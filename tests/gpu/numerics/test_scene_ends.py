@@ -1,0 +1,88 @@
+"""Every scene that is accepted compiles and draws finite pixels: fields at their ends, alone and in pairs, and every
+effect left out."""
+
+from dataclasses import replace
+from random import Random
+
+import numpy as np
+import pytest
+
+from seafoam.effects import EFFECTS
+from seafoam.effects.effect import Bound, Contribution, Effect
+from seafoam.framegraph.plan import FramePlan
+from seafoam.planner import PlanError, make_plan, planner
+from seafoam.quality import TIERS, Quality
+from seafoam.render.gl.executor import Executor
+from seafoam.scene.models import Scene
+from seafoam.scene.presets import load_preset, preset_names
+from support.edges import changed, edges
+from support.pictures import draw
+from support.report import Report
+from support.sweep import crossed, spread
+
+PARTS = 24
+"""Of a preset's scenes, each tried by itself."""
+DRAWN = 8
+"""One in so many is drawn too: a driver compiles for a second or two."""
+QUALITY = TIERS["draft"].model_copy(update={"target": "RGBA32F", "samples": 1})
+
+
+def compiles(executor: Executor, plan: FramePlan) -> None:
+    """Compile and link every program of a plan. Raises ``ShaderError``."""
+    for program in plan.programs.values():
+        executor._program(program)
+
+
+@pytest.mark.parametrize(("preset", "part"), crossed(preset_names(), range(PARTS), PARTS, 6, 4))
+def test_fields_at_their_ends(executor: Executor, report: Report, preset: str, part: int) -> None:
+    scene, random = load_preset(preset).scene, Random(part)
+    found = list(edges(scene))
+    tried = [(one,) for one in found[part::PARTS]]
+    tried += [tuple(random.sample(found, 2)) for _ in range(len(tried) // 2)]
+    refused = 0
+    for index, changes in enumerate(tried):
+        try:
+            plan = make_plan(changed(scene, *changes), QUALITY)
+        except (ValueError, PlanError):
+            refused += 1
+            continue
+        compiles(executor, plan)
+        if index % DRAWN == part % DRAWN:
+            pixels = draw(executor, plan, scene.camera, time=2.7, size=(16, 9), output="samples")
+            assert np.isfinite(pixels).all(), changes
+    assert refused < 0.5 * len(tried)
+    report.add("Fields at their ends", preset=preset, part=f"{part}", scenes=f"{len(tried)}", refused=f"{refused}")
+
+
+def test_a_drowned_shore(executor: Executor) -> None:
+    """Foam of the surf where the shore itself is left out."""
+    scene = changed(load_preset("beach").scene, (("shore", "level"), -100.0))
+    plan = make_plan(scene, QUALITY)
+    assert {"shore", "surf foam"} <= {effect.name for effect in plan.skipped}
+    compiles(executor, plan)
+
+
+@pytest.mark.parametrize("preset", spread(preset_names(), 8))
+def test_what_is_left_out_is_not_missed(executor: Executor, monkeypatch: pytest.MonkeyPatch, preset: str) -> None:
+    """Effects that can be left out, one at a time and all: no other needs their files, maps or uniforms."""
+    scene, quality = load_preset(preset).scene, TIERS["standard"]
+
+    def may_go(effect: Effect) -> bool:
+        made = effect.contribute(scene, quality)
+        return made is not None and (made.bound is not None or effect.without is not None)
+
+    def gone(effect: Effect) -> Effect:
+        def contribute(scene: Scene, quality: Quality) -> Contribution | None:
+            made = effect.contribute(scene, quality)
+            return None if made is None else Contribution(why="", bound=Bound(0.0, "left out by a test"))
+
+        return replace(effect, contribute=contribute)
+
+    names = [effect.name for effect in EFFECTS if may_go(effect)]
+    assert names
+    for left_out in [{name} for name in names] + [set(names)]:
+        effects = tuple(gone(effect) if effect.name in left_out else effect for effect in EFFECTS)
+        monkeypatch.setattr(planner, "EFFECTS", effects)
+        make_plan.cache_clear()
+        compiles(executor, make_plan(scene, quality))
+    make_plan.cache_clear()
