@@ -190,6 +190,9 @@ def test_masks_are_made_in_every_format(seafoam, tmp_path):
         assert "64 × 64" in out
     assert (tmp_path / "a.u16").read_bytes() == to_u16(ranks)
     assert picture(tmp_path / "a.png").mode == "I;16"
+    code, out, _ = seafoam("masks", "make", "--family", "clump", "--size", "96x40", "-o", tmp_path / "c.png")
+    assert (code, picture(tmp_path / "c.png").size) == (0, (96, 40))
+    assert "96 × 40" in out
     seafoam("masks", "make", "--family", "clump", "--size", "64", "--bits", "8", "-o", tmp_path / "b.png")
     assert picture(tmp_path / "b.png").mode == "L"
 
@@ -198,8 +201,10 @@ def test_masks_are_made_in_every_format(seafoam, tmp_path):
     ("arguments", "said"),
     [
         (["make", "--family", "zac", "-o", "a.png"], ["--family", "vac, blur"]),
+        (["make", "--size", "64x", "-o", "a.png"], ["--size", "WIDTHxHEIGHT, 32..1024"]),
+        (["make", "--size", "1025", "-o", "a.png"], ["--size", "32..1024"]),
         (["make", "--sigma", "99", "--size", "64", "-o", "a.png"], ["--sigma", "0.5..8"]),
-        (["make", "--size", "65", "-o", "a.png"], ["--size", "64"]),
+        (["make", "--size", "31", "-o", "a.png"], ["--size", "32..1024"]),
         (["make", "--seed", "-1", "-o", "a.png"], ["--seed", "0.."]),
         (["make", "--method", "fast", "-o", "a.png"], ["--method", "exact"]),
         (["make", "--bits", "12", "-o", "a.png"], ["--bits", "8, 16"]),
