@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from seafoam.masks import bubble, filtered, lace, void_cluster
@@ -84,4 +86,4 @@ def _batched_seconds(sigma: float, tile: float) -> float:
     """Passes grow as sigma^2, and the cost of one as the tile area over a fixed overhead."""
     passes = sigma**2 / void_cluster.batch_share(sigma) + 1.5
     # Larger tiles do not fit the caches.
-    return passes * (0.12 * tile * max(tile, 1.0) ** 0.5 + 0.004)
+    return passes * (0.12 * tile * math.sqrt(max(tile, 1.0)) + 0.004)
