@@ -16,6 +16,8 @@ NOT_RUN = {
     ".venv/bin/python -m bench": "minutes to half an hour; that its options exist is tested here",
     ".venv/bin/pytest": "the tests themselves; that the files exist is tested here",
     ".venv/bin/python docs/make_stability.py": "needs what browsers measured; test_generated.py has its own",
+    ".venv/bin/python docs/make_paper.py": "tests/fast/unit/test_citation.py makes the same tables",
+    ".venv/bin/python docs/make_reports.py": "an hour and a half; tests/fast/accuracy/test_reports.py reads what it wrote",
     "python docs/make_whitecaps.py": "minutes",
     ".venv/bin/seafoam serve": "the server that the other snippets ask",
     ".venv/bin/seafoam accuracy": "minutes; tests/gpu/accuracy measures small ones",
