@@ -48,6 +48,7 @@ from seafoam.render.service.errors import (
     QueueFullError,
     RendererUnavailableError,
     RenderFailedError,
+    StartingError,
 )
 from seafoam.sequences.service import NotFinishedError
 
@@ -99,6 +100,7 @@ KINDS: dict[type[Exception], Kind] = {
     StreamsFullError: Kind(503, "streams-full", "All streams are taken"),
     QueueFullError: Kind(503, "queue-full", "The render queue is full"),
     RendererUnavailableError: Kind(503, "no-renderer", "No renderer is available"),
+    StartingError: Kind(503, "starting", "The renderer is starting"),
     DeadlineError: Kind(504, "deadline", "The request timed out"),
 }
 """Maps exceptions to HTTP errors."""
@@ -217,7 +219,7 @@ async def _known(request: Request, error: Exception) -> JSONResponse:
             posted = request.method == "POST"
             pointer, parameter = (f"/{error.field}", None) if posted else (None, error.field)
             errors = [FieldProblem(pointer=pointer, parameter=parameter, detail=str(error), allowed=bounds)]
-        case QueueFullError() | BusyError():
+        case QueueFullError() | BusyError() | StartingError():
             headers = {"Retry-After": str(error.retry_after)}
         case RendererUnavailableError():
             headers = {"Retry-After": str(UNAVAILABLE_RETRY)}

@@ -123,6 +123,10 @@ def test_a_worker_does_not_compile_for_ever(monkeypatch):
 def test_a_server_is_ready_when_it_has_drawn_the_default_picture(serve):
     with serve(CompilingRenderer) as client:
         pool = client.app.state.context.pool
+        pool.deadline = 0.1
+        early = client.get("/api/frames/default.png?width=8&height=8")
+        assert (early.status_code, early.json()["type"]) == (503, "urn:seafoam:problem:starting")
+        assert early.headers["Retry-After"]
         while (answer := client.get("/readyz")).status_code == 503:
             assert answer.headers["Retry-After"]
             time.sleep(0.05)

@@ -29,6 +29,12 @@ class DeadlineError(RenderError):
     """A frame was not finished before its deadline, waiting included."""
 
 
+class StartingError(DeadlineError):
+    """The renderer does not draw yet; retry after ``retry_after`` seconds."""
+
+    retry_after = 5
+
+
 class RendererUnavailableError(RenderError):
     """No usable GL. The text gives the remedy."""
 

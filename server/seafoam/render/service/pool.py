@@ -10,6 +10,7 @@ Errors::
     ├── FrameTooLargeError        the frame exceeds the size limits
     ├── QueueFullError            the render queue is full
     ├── DeadlineError             timeout, waiting included
+    │   └── StartingError         the first picture is not drawn yet
     ├── RendererUnavailableError  no usable GL, with the remedy
     └── RenderFailedError         the worker raised an error, or crashed twice
 """
@@ -40,6 +41,7 @@ from seafoam.render.service.errors import (
     RenderError,
     RendererUnavailableError,
     RenderFailedError,
+    StartingError,
 )
 from seafoam.render.service.jobs import Drawn, Frame, FrameJob, MeasureJob, Picture, Renderer, encode_frame
 from seafoam.render.service.slots import Slots, Turn
@@ -244,7 +246,7 @@ class RenderPool:
             async with asyncio.timeout(self.deadline):
                 await self._settled.wait()
         if self.state == "starting":
-            raise DeadlineError(f"timeout: the renderer did not start within {self.deadline:g} s")
+            raise StartingError("the renderer is starting: it compiles the default picture")
         if self.state != "ready":
             raise RendererUnavailableError(self.remedy or "the renderer is stopped")
 
