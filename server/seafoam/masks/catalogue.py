@@ -364,14 +364,13 @@ def custom_mask(
     return made_on_request(check_parameters(family, sigma, size, seed, aspect, age))
 
 
-def made_on_request(
-    parameters: MaskParameters, limit: float = ON_REQUEST_SECONDS, progress: Progress = no_progress
-) -> Mask:
+def made_on_request(parameters: MaskParameters, limit: float | None = None, progress: Progress = no_progress) -> Mask:
     """The mask of checked parameters; ``vac`` is ordered in batches.
 
     The latest :data:`CUSTOM_MASKS_KEPT` are kept. Raises :class:`MaskTooSlowError` for one that is not kept and would
-    take longer than ``limit``, s.
+    take longer than ``limit``, s; absent: :data:`ON_REQUEST_SECONDS`.
     """
+    limit = ON_REQUEST_SECONDS if limit is None else limit
     with _kept_lock:
         if (kept := _kept.pop(parameters, None)) is not None:
             _kept[parameters] = kept

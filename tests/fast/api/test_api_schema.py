@@ -43,6 +43,7 @@ def address() -> Iterator[str]:
 @pytest.fixture(autouse=True)
 def _quick_masks(monkeypatch):
     monkeypatch.setattr("seafoam.api.routers.masks.ON_REQUEST_SECONDS", 0.05)
+    monkeypatch.setattr("seafoam.api.routers.masks.BACKGROUND_SECONDS", 0.05)
     monkeypatch.setattr("seafoam.masks.catalogue.ON_REQUEST_SECONDS", 0.05)
 
 

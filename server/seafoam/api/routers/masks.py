@@ -63,6 +63,8 @@ ENCODERS: dict[MaskFormat, tuple[str, Callable[[Ranks], bytes]]] = {
     "u16": ("application/octet-stream", to_u16),
     "dds": ("image/vnd-ms.dds", to_dds),
 }
+BACKGROUND_SECONDS = 900.0
+"""Expected construction time above which masks are refused in the background, s: more than any takes."""
 SIGMA_STEPS = 200
 """Number of steps of sigma that are tried to find those that are fast enough."""
 
@@ -199,16 +201,15 @@ def check_custom(asked: CustomMask, *, slow: bool = False) -> Made:
             raise BadRequestError(*refused)
     made = check_parameters(asked.family, asked.sigma, (width, height), asked.seed, asked.aspect, asked.age)
     seconds = estimated_seconds(made.family, made.sigma, (width, height))
-    if not slow and seconds > ON_REQUEST_SECONDS and not is_kept(made):
+    limit = BACKGROUND_SECONDS if slow else ON_REQUEST_SECONDS
+    if seconds > limit and not is_kept(made):
         steps = (least + (greatest - least) * step / SIGMA_STEPS for step in range(SIGMA_STEPS + 1))
-        quick = [
-            sigma for sigma in steps if estimated_seconds(made.family, sigma, (width, height)) <= ON_REQUEST_SECONDS
-        ]
+        quick = [sigma for sigma in steps if estimated_seconds(made.family, sigma, (width, height)) <= limit]
         allowed = {"minimum": round(quick[0], 2), "maximum": round(quick[-1], 2)} if quick else None
         within = f"allowed here: sigma {quick[0]:g} to {quick[-1]:g}" if quick else "use a smaller size"
         detail = (
             f"sigma: this mask of {tile} takes about {seconds:.0f} s to generate; the limit of a request is "
-            f"{ON_REQUEST_SECONDS:g} s; {within}. GET /api/masks/custom/events generates it in the background"
+            f"{limit:g} s; {within}. GET /api/masks/custom/events generates it in the background"
         )
         raise BadRequestError(FieldProblem(parameter="sigma", detail=detail, allowed=allowed))
     return made
