@@ -145,7 +145,7 @@ _EVENTS: dict[int | str, dict[str, Any]] = {
     200: {
         "description": "Server-sent events: `progress`, whose data is the share that is done, 0 to 1, every second; at "
         "the end `done`, whose data is the description of the mask as JSON",
-        "content": {"text/event-stream": {"schema": {"type": "string"}}},
+        "content": {"text/event-stream": {"schema": {"type": "object", "required": ["event", "data"]}}},
     }
 }
 
