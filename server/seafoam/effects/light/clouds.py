@@ -91,7 +91,8 @@ def _streak(of: Cirrus, heading: tuple[float, float], along: bool, share: float)
 
 
 def _clear(scene: Scene) -> Scene:
-    assert scene.light is not None and scene.light.sky is not None
+    assert scene.light is not None
+    assert scene.light.sky is not None
     sky = scene.light.sky.model_copy(update={"clouds": None})
     return scene.model_copy(update={"light": scene.light.model_copy(update={"sky": sky})})
 
