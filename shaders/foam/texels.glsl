@@ -12,9 +12,14 @@ vec4 bilinear(sampler2D from, vec2 uv, int level) {
     return mix(below, above, part.y);
 }
 
+vec4 part_of(sampler2D from, vec2 uv, float wanted, int level) {
+    return max(1.0 - abs(wanted - float(level)), 0.0) * bilinear(from, uv, level);
+}
+
 // Levels are numbers here: drivers that read one level for four pixels at a time take that of pixels which lie elsewhere.
-#define LEVEL(i) max(1.0 - abs(wanted - float(i)), 0.0) * bilinear(from, uv, i)
 vec4 trilinear(sampler2D from, vec2 uv, float level) {
     float wanted = min(level, 8.0);
-    return LEVEL(0) + LEVEL(1) + LEVEL(2) + LEVEL(3) + LEVEL(4) + LEVEL(5) + LEVEL(6) + LEVEL(7) + LEVEL(8);
+    vec4 fine = part_of(from, uv, wanted, 0) + part_of(from, uv, wanted, 1) + part_of(from, uv, wanted, 2);
+    vec4 middle = part_of(from, uv, wanted, 3) + part_of(from, uv, wanted, 4) + part_of(from, uv, wanted, 5);
+    return fine + middle + part_of(from, uv, wanted, 6) + part_of(from, uv, wanted, 7) + part_of(from, uv, wanted, 8);
 }
