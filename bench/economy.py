@@ -25,6 +25,7 @@ from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
+from support.cases import cases_of
 
 QUALITY = TIERS["standard"]
 SIZE = (640, 360)
@@ -185,7 +186,7 @@ def _left_out_table(rows: list[Row]) -> Table:
 def _bounds(executor: Executor, watch: Watch) -> Table:
     rows = []
     for effect in EFFECTS:
-        for scene in effect.cases.invisible[:1]:
+        for scene in cases_of(effect).invisible[:1]:
             plans = {"plan": make_plan(scene, QUALITY), "full": make_plan(scene, QUALITY, economy=False)}
             notes = plans["plan"].skipped
             rounds = watch.rounds(f"without {effect.name}", 40, 4.0)

@@ -1,8 +1,6 @@
 """Moving water in Chromium without a GPU, by the way of starting it: what is seen from outside."""
 
-import sys
 from dataclasses import dataclass
-from pathlib import Path
 from statistics import median
 
 from playwright.sync_api import Playwright, sync_playwright
@@ -10,9 +8,6 @@ from playwright.sync_api import Playwright, sync_playwright
 from bench.report import Column, Table, count, ms
 from bench.server import HOST
 from bench.watch import Watch
-
-sys.path.append(str(Path(__file__).resolve().parents[1] / "tests"))
-
 from support.starts import STARTS, WINDOWS, Motion, browser_started, opened
 
 FIRST_SECONDS, SETTLED_SECONDS, END_SECONDS = 5.0, 10.0, 13.0

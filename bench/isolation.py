@@ -16,6 +16,7 @@ from seafoam.planner.collect import NEGLIGIBLE
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
+from support.cases import cases_of
 
 Json = dict[str, Any]
 Path = tuple[str, ...]
@@ -56,7 +57,7 @@ def switch(effect: Effect, scene: Scene, quality: Quality) -> Switch | None:
     base = _json(scene)
     best: Switch | None = None
     presets = (load_preset(name).scene for name in preset_names())
-    for other in (*presets, *(case.scene for case in effect.cases.hard)):
+    for other in (*presets, *(case.scene for case in cases_of(effect).hard)):
         if best is not None and not best.others and not best.needs:
             # One field adds the effect alone: no scene is nearer.
             break

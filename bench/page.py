@@ -1,10 +1,8 @@
 """The page: time and bytes until its first picture and live water, its frame rate, and the cost of overlays."""
 
 import os
-import sys
 import time
 from dataclasses import dataclass
-from pathlib import Path
 from statistics import median
 from typing import Any
 
@@ -13,9 +11,6 @@ from playwright.sync_api import Browser, Page, Playwright, sync_playwright
 from bench.report import Column, Table, count, ms
 from bench.server import HOST
 from bench.watch import Watch
-
-sys.path.append(str(Path(__file__).resolve().parents[1] / "tests"))
-
 from support.browsers import COMMON, LANES, chromium, launched
 
 __all__ = ["launched", "measure"]

@@ -11,12 +11,16 @@ What is measured stands in docs/stability.json; a run of some cases leaves the o
 import argparse
 import hashlib
 import json
+import sys
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 from seafoam.effects import EFFECTS
-from seafoam.effects.effect import HardCase
+
+sys.path.append(str(Path(__file__).resolve().parents[1] / "tests"))
+
+from support.cases import HardCase, cases_of
 
 PAGE = Path(__file__).parent / "stability.md"
 FIGURES = Path(__file__).parent / "stability.json"
@@ -39,7 +43,7 @@ def drawn(case: HardCase) -> str:
 def merged(figures: Mapping[str, Mapping[str, Any]], tables: Mapping[str, list[dict[str, str]]]) -> Figures:
     """The figures updated by those of a run, for existing cases; without those of cases that have changed since."""
     result: Figures = {}
-    for case in (case for effect in EFFECTS for case in effect.cases.hard):
+    for case in (case for effect in EFFECTS for case in cases_of(effect).hard):
         of = drawn(case)
         known = figures.get(case.name, {})
         figure = dict(known) if known.get("of") == of else {"of": of}
@@ -60,7 +64,7 @@ def table(figures: Mapping[str, Mapping[str, Any]]) -> str:
     """A row for each case, in Markdown. Raises ``KeyError`` for a case without figures."""
     rows = ["| case | guard, and where | without it | now | SwiftShader |", "|---|---|---|---|---|"]
     for effect in EFFECTS:
-        for case in effect.cases.hard:
+        for case in cases_of(effect).hard:
             figure = figures[case.name]
             now = (
                 f"{figure['mean']:.4f} levels, {figure['over_2']:.2f} % over 2" if figure["mean"] is not None else None

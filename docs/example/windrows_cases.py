@@ -2,11 +2,11 @@
 
 from windrows import Windrows
 
-from seafoam.effects.effect import Cases, HardCase
 from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Foam
 from seafoam.scene.models import Scene, SceneExtensions
 from seafoam.scene.waves import ParametricWave
+from support.cases import Cases, HardCase
 
 LINES = SceneExtensions(windrows=Windrows())
 NONE = SceneExtensions(windrows=Windrows(strength=0.0))

@@ -10,21 +10,21 @@ from numpy.typing import NDArray
 from playwright.sync_api import Error, Page
 
 from seafoam.effects import EFFECTS
-from seafoam.effects.effect import HardCase
 from seafoam.planner import FramePlan, make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
 from seafoam.scene.presets import load_preset
 from support.browsers import Lane, opened
+from support.cases import HardCase, cases_of
 from support.exact import UNFILTERED
 from support.pictures import draw
 from support.report import REPORT
 from support.sweep import rested
 
 SIZE = (48, 27)
-CASES = [pytest.param(case, id=f"{effect.name}: {case.name}") for effect in EFFECTS for case in effect.cases.hard]
-FIRST = [pytest.param(effect.cases.hard[0], id=effect.name) for effect in EFFECTS]
+CASES = [pytest.param(case, id=f"{effect.name}: {case.name}") for effect in EFFECTS for case in cases_of(effect).hard]
+FIRST = [pytest.param(cases_of(effect).hard[0], id=effect.name) for effect in EFFECTS]
 HARD = {"mean": 3.0, "share_over_2": 0.06}
 SOFT = {"mean": 1.5, "share_over_2": 0.04}
 """What SwiftShader may differ by, as for the presets (test_parity.py); but soft

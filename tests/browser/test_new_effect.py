@@ -22,6 +22,7 @@ from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Foam, HeightSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
+from support.cases import cases_of
 from support.pictures import draw
 
 ROOT = Path(__file__).parents[2]
@@ -80,7 +81,7 @@ def test_the_example_draws_on_both_sides(page: Page, executor: Executor, example
 
 
 def test_the_example_holds_where_it_is_hard(executor: Executor, example: Effect) -> None:
-    (case,) = example.cases.hard
+    (case,) = cases_of(example).hard
     plan = make_plan(case.scene, TIERS["reference"])
     for time in case.times:
         drawn = draw(executor, plan, case.camera, time=time, size=(48, 27), output="linear")
@@ -89,7 +90,7 @@ def test_the_example_holds_where_it_is_hard(executor: Executor, example: Effect)
 
 
 def test_the_example_is_left_out_where_it_cannot_show(executor: Executor, example: Effect) -> None:
-    (scene,) = example.cases.invisible
+    (scene,) = cases_of(example).invisible
     lean, full = (make_plan(scene, TIERS["standard"], economy=economy) for economy in (True, False))
     assert example.name in {note.name for note in lean.skipped}
     assert example.name in {note.name for note in full.effects}

@@ -4,6 +4,7 @@ import pytest
 
 from seafoam.effects import EFFECTS
 from seafoam.quality import TIERS, SurfaceQuality
+from support.cases import cases_of
 from support.exact import EXACT
 
 QUALITIES = {
@@ -14,5 +15,5 @@ QUALITIES = {
     ),
 }
 CASES = [
-    pytest.param(effect, case, id=f"{effect.name}: {case.name}") for effect in EFFECTS for case in effect.cases.hard
+    pytest.param(effect, case, id=f"{effect.name}: {case.name}") for effect in EFFECTS for case in cases_of(effect).hard
 ]

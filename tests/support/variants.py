@@ -32,6 +32,7 @@ from seafoam.scene.sky import Clouds, Gusts, Moon, Sky
 from seafoam.scene.spray import Burst, Spray
 from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave, Sea
+from support.cases import cases_of
 from support.exact import UNFILTERED
 
 SATURATIONS: tuple[tuple[Saturation, ...], ...] = (
@@ -76,7 +77,7 @@ def scenes() -> Iterator[Scene]:
     Scenes that only one effect needs are in its cases; here are those that need several together.
     """
     for effect in EFFECTS:
-        yield from effect.cases.variants
+        yield from cases_of(effect).variants
     sea = load_preset("default").scene
     assert sea.foam is not None
     yield from foams(sea)

@@ -1,9 +1,8 @@
-"""The contribution of an effect to a frame plan: slot files, constants, textures, targets, passes, bounds, hard cases.
+"""The contribution of an effect to a frame plan: slot files, constants, textures, targets, passes, bounds.
 
 Effects describe; the planner assembles.
 """
 
-import importlib
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal, Self, TypeVar
@@ -15,7 +14,6 @@ from seafoam.framegraph.resources import Filter, Target, TargetInput, TextureInp
 from seafoam.framegraph.rules import Uniform
 from seafoam.quality import Quality, QualityParameters
 from seafoam.scene.base import Part as ScenePart
-from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
 from seafoam.textures import TextureSpec
 
@@ -230,58 +228,6 @@ class QualityParameter:
 
 
 @dataclass(frozen=True)
-class Bounds:
-    """How far a picture may be from another.
-
-    ``mean``: of the pixels' largest differences, levels of linear light, display white = 255. ``share``: of pixels that
-    are off by more than 2 levels, in [0, 1].
-    """
-
-    mean: float
-    share: float
-
-
-@dataclass(frozen=True)
-class HardCase:
-    """A scene, a time and a camera that provoke a failure, the guard against it, and the failure without it.
-
-    Its pictures are compared, and need be no more than sound (finite, not negative) where the case says why not.
-    """
-
-    name: str
-    scene: Scene
-    guard: str
-    without: str
-    """Result of the frame or function without the guard, measured once: a number and its unit."""
-    times: tuple[float, ...] = (0.0,)
-    camera: Camera | None = None
-    bounds: Bounds = Bounds(mean=0.5, share=0.01)
-    """Against the float64 reference, at the tests' exact quality."""
-    apart: str = ""
-    """Why the reference's picture is another one; empty: it is the same within ``bounds``."""
-    coarse_share: float | None = None
-    """Of pixels off by more than 2 levels of the display where sines are good to 2e-4 (SwiftShader), in [0, 1]; None:
-    as of presets with such a look."""
-    coarse_apart: str = ""
-    """Why the picture is another one there; empty: it is the same within ``coarse_share``."""
-
-
-@dataclass(frozen=True)
-class Cases:
-    """Test scenes of an effect. ``hard``: scenes that provoke a numerical failure.
-
-    ``invisible``: scenes that contain the effect but cannot show it. ``always_visible``: why there are no such scenes.
-    ``variants``: scenes that between them need every file and every compile-time switch of the effect; browsers compile
-    them.
-    """
-
-    hard: tuple[HardCase, ...] = ()
-    invisible: tuple[Scene, ...] = ()
-    always_visible: str = ""
-    variants: tuple[Scene, ...] = ()
-
-
-@dataclass(frozen=True)
 class SaturationSource:
     """A kind of foam saturation, declared by the effect that draws it.
 
@@ -314,9 +260,8 @@ class Extension:
 class Effect:
     """An effect: its name, the function that returns its contribution to the plan of a scene, and its declarations.
 
-    ``contribute`` returns ``None`` if the scene does not contain the effect. The effect's :class:`Cases` are the entry
-    under its name in ``CASES`` of the module ``NAME_cases`` beside its own, which servers do not load. ``fields``: JSON
-    pointers of the parts and fields of a scene that belong to the effect, without list indices. ``afloat``: uniforms
+    ``contribute`` returns ``None`` if the scene does not contain the effect. ``fields``: JSON pointers of the parts and
+    fields of a scene that belong to the effect, without list indices. ``afloat``: uniforms
     that are places or phases of water, which a current moves. ``parameters``: its fields of a quality. ``saturation``:
     the source of foam that it draws. ``extension``: for effects outside the package, instead of ``fields``; effects of
     the package have their models in :mod:`seafoam.scene` and :mod:`seafoam.quality` and their float64 form in
@@ -332,13 +277,6 @@ class Effect:
     extension: Extension | None = None
     afloat: tuple[str, ...] = ()
     without: Callable[[Scene], Scene] | None = None
-
-    @property
-    def cases(self) -> Cases:
-        """The effect's cases. Raises ``ImportError`` if their module does not exist."""
-        beside = importlib.import_module(f"{self.contribute.__module__}_cases")
-        cases: Cases = beside.CASES[self.name]
-        return cases
 
 
 class AssemblyError(RuntimeError):

@@ -13,6 +13,7 @@ from seafoam.planner import make_plan, planner
 from seafoam.quality import TIERS, Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
+from support.cases import cases_of
 
 STANDARD = TIERS["standard"].model_copy(update={"foam_relief": True})
 """Draws all effects: shades of foam are of the finer tiers."""
@@ -73,7 +74,7 @@ def test_what_a_bound_leaves_out_leaves_a_note_alone(monkeypatch: pytest.MonkeyP
     """Scenes that name an effect and cannot show it: but for the note, the plan of a planner without it."""
     compared = 0
     for effect in EFFECTS:
-        for scene in effect.cases.invisible:
+        for scene in cases_of(effect).invisible:
             lean = make_plan(scene, STANDARD)
             if {note.name for note in lean.skipped} == {effect.name}:
                 other = without(monkeypatch, scene, effect)

@@ -9,11 +9,12 @@ from seafoam.quality import TIERS
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 from seafoam.scene.water import Water
+from support.cases import cases_of
 
 
 @pytest.mark.parametrize("effect", EFFECTS, ids=lambda effect: effect.name)
 def test_every_effect_says_when_it_cannot_be_seen(effect: Effect) -> None:
-    assert bool(effect.cases.invisible) != bool(effect.cases.always_visible)
+    assert bool(cases_of(effect).invisible) != bool(cases_of(effect).always_visible)
 
 
 @pytest.mark.parametrize("effect", EFFECTS, ids=lambda effect: effect.name)
@@ -23,7 +24,7 @@ def test_a_bound_that_is_not_small_keeps_the_effect(effect: Effect) -> None:
     scenes = [load_preset(name).scene for name in preset_names()]
     if effect.fields == ("/touches",):
         assert not any(scene.touches for scene in scenes)
-        scenes = list(effect.cases.variants)
+        scenes = list(cases_of(effect).variants)
     plans = [make_plan(scene, finer) for scene in scenes]
     assert any(effect.name in {note.name for note in plan.effects} for plan in plans)
 

@@ -8,6 +8,7 @@ from docs import make_stability
 
 from seafoam.api.app import create_app
 from seafoam.effects import EFFECTS
+from support.cases import cases_of
 
 WEB = Path(__file__).parents[3] / "webclient"
 
@@ -28,7 +29,7 @@ def test_the_clients_types_are_of_that_document(tmp_path: Path) -> None:
 
 def test_the_table_of_hard_cases_is_the_effects() -> None:
     figures = json.loads(make_stability.FIGURES.read_text(encoding="utf-8"))
-    cases = [case for effect in EFFECTS for case in effect.cases.hard]
+    cases = [case for effect in EFFECTS for case in cases_of(effect).hard]
     stale = [case.name for case in cases if figures.get(case.name, {}).get("of") != make_stability.drawn(case)]
     assert not stale, "measure them: docs/make_stability.py says how"
     assert set(figures) == {case.name for case in cases}
@@ -38,7 +39,7 @@ def test_the_table_of_hard_cases_is_the_effects() -> None:
 
 def test_figures_are_of_the_case_as_it_is() -> None:
     """A run's figures replace a case's own and no others; what was measured of another scene is forgotten."""
-    first, second, third = EFFECTS[0].cases.hard[:3]
+    first, second, third = cases_of(EFFECTS[0]).hard[:3]
     known = {
         first.name: {"of": make_stability.drawn(first), "mean": 0.5, "over_2": 1.0, "swiftshader": 0.1},
         second.name: {"of": "another scene", "mean": 0.5, "over_2": 1.0, "swiftshader": 0.1},

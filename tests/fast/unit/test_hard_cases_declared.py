@@ -7,17 +7,18 @@ import pytest
 
 import seafoam
 from seafoam.effects import EFFECTS
-from seafoam.effects.effect import Effect, HardCase
+from seafoam.effects.effect import Effect
 from seafoam.planner import make_plan
 from seafoam.resources import data_dir
+from support.cases import HardCase, cases_of
 from support.exact import EXACT
 from support.hard_cases import CASES, QUALITIES
 
 
 @pytest.mark.parametrize("effect", EFFECTS, ids=lambda effect: effect.name)
 def test_every_effect_has_hard_cases(effect: Effect) -> None:
-    assert effect.cases.hard, f"{effect.name} declares no hard case"
-    for case in effect.cases.hard:
+    assert cases_of(effect).hard, f"{effect.name} declares no hard case"
+    for case in cases_of(effect).hard:
         assert case.guard
         assert case.without
         assert case.times
@@ -38,5 +39,5 @@ def test_guards_stand_where_they_are_said_to(effect: Effect, case: HardCase) -> 
 
 
 def test_names_tell_cases_apart() -> None:
-    names = [case.name for effect in EFFECTS for case in effect.cases.hard]
+    names = [case.name for effect in EFFECTS for case in cases_of(effect).hard]
     assert len(set(names)) == len(names)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from seafoam.effects.effect import Effect, HardCase
+from seafoam.effects.effect import Effect
 from seafoam.quality import TIERS
 from seafoam.reference import render as reference
 from seafoam.reference.foam import front
@@ -16,6 +16,7 @@ from seafoam.scene.foam import Foam
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 from seafoam.scene.waves import ParametricWave
+from support.cases import HardCase
 from support.exact import EXACT
 from support.hard_cases import CASES, QUALITIES
 from support.pictures import levels, samples

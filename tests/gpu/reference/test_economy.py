@@ -15,6 +15,7 @@ from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
+from support.cases import cases_of
 from support.exact import EXACT
 from support.pictures import draw
 from support.report import Report
@@ -32,7 +33,7 @@ ROUNDING = 2e-6
 CASES = [
     pytest.param(effect, scene, id=f"{effect.name} {i}")
     for effect in EFFECTS
-    for i, scene in enumerate(effect.cases.invisible)
+    for i, scene in enumerate(cases_of(effect).invisible)
 ]
 
 

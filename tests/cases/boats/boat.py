@@ -1,0 +1,68 @@
+"""Hard cases of boats.boat, and scenes that name it but in which it is invisible."""
+
+from seafoam.scene.boats import Boat
+from seafoam.scene.camera import Camera
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
+from seafoam.scene.shore import Shore, Surf
+from seafoam.scene.water import Water
+from seafoam.scene.waves import ParametricWave
+from support.cases import Cases, HardCase
+
+_NEAR = Boat(centre=(0.0, -14.0), radius=15.0, bearing=1.6, speed=0.0)
+
+_BEACH = Shore(size=160.0, radius=25.0, depth=6.0, slope=0.1, smoothing=3.0, surf=Surf(height=1.5))
+
+_HARD = (
+    HardCase(
+        name="a boat on a breaking crest",
+        scene=Scene(
+            waves=(ParametricWave(amplitude=6.0, wavelength=12.0, exponent=6.0, direction=1.2),),
+            boats=(_NEAR.model_copy(update={"smoothing": 0.0, "length": 4.0, "bearing": 1.45}),),
+        ),
+        guard="a boat tilts by at most 45 degrees (boats/hull/pose_pass.glsl)",
+        without="mean error 2.5 levels, greatest 252: a boat lies on its side",
+        times=(0.0, 0.7, 1.4),
+        camera=Camera(position=(0.0, 9.0, 16.0), pitch=-0.2),
+    ),
+    HardCase(
+        name="a boat on dry land",
+        scene=Scene(
+            shore=_BEACH,
+            boats=(Boat(centre=(-10.0, 0.0), radius=9.0, bearing=0.5, speed=0.0, length=6.0),),
+            light=Light(sun_elevation=0.7, sun_azimuth=2.0, exposure=-2.0),
+            water=Water(scattering=0.01),
+        ),
+        guard="ground above the keel supports the boat (boats/hull/aground.glsl)",
+        without="the boat sinks into the hill: 1.7 % of samples off by more than 2 levels, the worst by 163",
+        camera=Camera(position=(-30.0, 7.0, 9.0), yaw=1.4, pitch=-0.2),
+    ),
+    HardCase(
+        name="a boat ten thousand kilometres away, after thirty years",
+        scene=Scene(
+            waves=(ParametricWave(amplitude=0.3, wavelength=9.0),),
+            boats=(_NEAR.model_copy(update={"centre": (-9999990.0, 9999980.0), "speed": 3.0}),),
+        ),
+        guard="bearing and vector from the centre of the course reduced in float64 (framegraph/evaluation.py)",
+        without="in float32 at 1e9 s bearings have steps of 16 rad, and positions steps of 1 m: the boat is anywhere "
+        "on its circle",
+        times=(-1e9, 1e9),
+        camera=Camera(position=(-9999990.0, 9.0, 10000000.0), pitch=-0.2),
+    ),
+    HardCase(
+        name="eye in a boat",
+        scene=Scene(boats=(Boat(centre=(0.0, -50.0), radius=50.0, length=30.0, bearing=1.57, speed=0.0),)),
+        guard="intersections behind the camera are discarded (boats/hull/hull.glsl)",
+        without="10 % of samples off by more than 2 levels: parts behind the camera are drawn in front of it",
+        camera=Camera(position=(0.0, 1.0, 1.0), pitch=-0.2),
+    ),
+    HardCase(
+        name="rays along a boat's own axes",
+        scene=Scene(boats=(_NEAR.model_copy(update={"bearing": 0.0, "centre": (-15.0, -12.0)}),), light=Light()),
+        guard="quadratic coefficients of at least 1e-7, cosines to planes of at least 1e-9 (boats/hull/hull.glsl)",
+        without="no change on llvmpipe: no ray of the frame is exactly parallel to an axis",
+        camera=Camera(position=(0.0, 0.7, 0.0), pitch=0.0, fov=0.6),
+    ),
+)
+
+CASES = {"boats": Cases(always_visible="a boat stands over the water and before it", hard=_HARD)}

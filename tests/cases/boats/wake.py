@@ -1,0 +1,46 @@
+"""Hard cases of boats.wake, and scenes that name it but in which it is invisible."""
+
+import math
+
+from seafoam.scene.boats import Boat
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, SlopeSaturation
+from seafoam.scene.models import Scene
+from support.cases import Cases, HardCase
+
+_FAST = Boat(centre=(0.0, -30.0), radius=30.0, bearing=1.2, speed=4.0, wake=0.3)
+
+_ABOVE = Camera(position=(0.0, 30.0, -20.0), pitch=-math.pi / 2)
+
+_INVISIBLE = (
+    Scene(boats=(_FAST.model_copy(update={"speed": 0.0}),)),
+    Scene(boats=(_FAST.model_copy(update={"wake": 0.0}),)),
+)
+
+_HARD = (
+    HardCase(
+        name="the edge of a wake, where both systems meet",
+        scene=Scene(boats=(_FAST,), foam=Foam(saturation=(SlopeSaturation(),), look="textured")),
+        guard="a wake has height only where the square root in its phase exceeds 0 (boats/wake/pattern.glsl)",
+        without="2.6 % of samples off by more than 2 levels, the worst by 213: a vertical step at the wake's edge",
+        camera=_ABOVE,
+    ),
+    HardCase(
+        name="the centre of a boat's circle, and straight behind it",
+        scene=Scene(boats=(_FAST.model_copy(update={"radius": 13.5}),)),
+        guard="distance from the centre at least a tenth of the radius, tangent at most 5000 (boats/wake/way.glsl, "
+        "boats/wake/pattern.glsl)",
+        without="no change on llvmpipe: no sample of the frame is exactly there",
+        camera=_ABOVE.model_copy(update={"position": (0.0, 20.0, -30.0)}),
+    ),
+    HardCase(
+        name="a wake from thirty years ago",
+        scene=Scene(boats=(_FAST,)),
+        guard="the bearing on the course reduced in float64 (framegraph/evaluation.py)",
+        without="in float32 at 1e9 s bearings have steps of 8 rad: the wake is anywhere on the circle",
+        times=(-1e9, 1e9),
+        camera=_ABOVE,
+    ),
+)
+
+CASES = {"wakes": Cases(invisible=_INVISIBLE, hard=_HARD)}

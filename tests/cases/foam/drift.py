@@ -1,0 +1,128 @@
+"""Hard cases of foam.drift, and scenes that name it but in which it is invisible."""
+
+import math
+
+from seafoam.scene.camera import Camera
+from seafoam.scene.drift import Drift, Vortex
+from seafoam.scene.foam import DriftSaturation, Foam, HeightSaturation
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
+from seafoam.scene.waves import ParametricWave
+from support.cases import Cases, HardCase
+
+_LIGHT = Light(sun_elevation=0.7, sun_azimuth=2.0, exposure=-1.0)
+
+_VIEW = Camera(position=(0.0, 9.0, 8.0), pitch=-0.5)
+
+_FOAM = Foam(saturation=(DriftSaturation(),), mask="clump", mask_tile=4.0)
+
+_EDDY = Drift(place=(0.0, -10.0), size=40.0, vortices=(Vortex(place=(0.0, -10.0)),))
+
+
+def _with(**fields: object) -> Drift:
+    return _EDDY.model_copy(update=fields)
+
+
+_INVISIBLE = (
+    Scene(foam=_FOAM),
+    Scene(drift=_EDDY, foam=Foam(saturation=(DriftSaturation(amount=0.0),))),
+)
+
+_HARD = (
+    HardCase(
+        name="the centre of a vortex in the middle of a pixel",
+        scene=Scene(light=_LIGHT, drift=_EDDY, foam=_FOAM),
+        guard="a series for (1 - e^-y)/y at small y, where the difference cancels (foam/drift/flow.glsl)",
+        without="NaN at the centre, and 147 000 m/s close to it, where y is subnormal",
+        times=(0.0, 17.0),
+        camera=Camera(position=(0.0, 4.0, -10.0), pitch=-math.pi / 2),
+        # SwiftShader's sine, good to 2e-4, moves threads of foam round a vortex, a pixel wide.
+        coarse_share=0.12,
+    ),
+    HardCase(
+        name="a hundred texels a step",
+        scene=Scene(light=_LIGHT, drift=_with(current=(17.0, -5.0)), foam=_FOAM),
+        guard="texels are traced back along the flow, so that each has a value for any step "
+        "(foam/drift/backward_pass.glsl)",
+        without="points that are moved forward have all left the map: no foam instead of 38 %",
+        times=(3.0,),
+        camera=_VIEW,
+    ),
+    HardCase(
+        name="a vortex that turns twice a second",
+        scene=Scene(
+            light=_LIGHT,
+            drift=_with(vortices=(Vortex(place=(0.0, -6.0), radius=0.28, speed=2.0),)),
+            foam=Foam(saturation=(DriftSaturation(life=12.0),), mask="clump", mask_tile=4.0),
+        ),
+        guard="steps in which the fastest vortex turns by at most 1 rad (effects/foam/drift.py)",
+        without="2.5 rad per step of 0.2 s: root mean square error of the foam 0.06",
+        times=(5.0,),
+        camera=Camera(position=(0.0, 3.0, -6.0), pitch=-math.pi / 2),
+    ),
+    HardCase(
+        name="a vortex that has ground its foam finer than texels",
+        scene=Scene(
+            light=_LIGHT,
+            drift=_with(current=(0.0, 0.0), vortices=(Vortex(place=(0.0, -6.0), radius=1.2, speed=2.0),)),
+            foam=Foam(saturation=(DriftSaturation(life=60.0, patch=1.0),), mask="clump", mask_tile=4.0),
+        ),
+        guard="patches blend to their mean where a texel is larger than a patch (foam/drift/backward_pass.glsl)",
+        without="flickering spots of one texel: foam changes by 1.1 % in 1/60 s instead of 0.2 %",
+        times=(50.0,),
+        camera=Camera(position=(0.0, 6.0, -6.0), pitch=-math.pi / 2),
+    ),
+    HardCase(
+        name="drifting foam a thousand million seconds from now",
+        scene=Scene(light=_LIGHT, drift=_EDDY, foam=_FOAM),
+        guard="ages and the number of the generation reduced in float64 (framegraph/evaluation.py)",
+        without="in float32 the time is a multiple of 64 s: ages are off by up to a lifetime",
+        times=(-1e9, 1e9 + 3.1),
+        camera=_VIEW,
+    ),
+    HardCase(
+        name="drifting foam ten thousand kilometres away",
+        scene=Scene(
+            light=_LIGHT,
+            drift=_with(
+                place=(9.99e6, -9.99e6), vortices=(Vortex(place=(9.99e6 + 1.3, -9.99e6 + 3.7)),), current=(0.3, 0.1)
+            ),
+            foam=_FOAM,
+        ),
+        guard="the vector from the square's centre to the camera reduced in float64 (framegraph/evaluation.py)",
+        without="in float32: positions off by up to 0.8 m",
+        times=(12.0,),
+        camera=Camera(position=(9.99e6, 9.0, -9.99e6 + 18.0), pitch=-0.5),
+    ),
+    HardCase(
+        name="more drifting foam than the water holds, times foam by height",
+        scene=Scene(
+            light=_LIGHT,
+            waves=(ParametricWave(amplitude=0.2, wavelength=5.0),),
+            drift=_EDDY,
+            foam=Foam(
+                saturation=(
+                    DriftSaturation(amount=4.0, coverage=0.95),
+                    HeightSaturation(base=-0.2, full=0.4),
+                ),
+                combine="product",
+                mask="clump",
+                mask_tile=4.0,
+            ),
+        ),
+        guard="the filtered look clamps each saturation to 1 before the product (foam/saturation/drift.glsl)",
+        without="foam on 76 % of the picture instead of 35 %",
+        times=(12.0,),
+        camera=_VIEW,
+    ),
+    HardCase(
+        name="no current and no vortex",
+        scene=Scene(light=_LIGHT, drift=_with(current=(0.0, 0.0), vortices=()), foam=_FOAM),
+        guard="without vortices the shader's array holds one of speed 0 (effects/foam/drift.py)",
+        without="an array of length 0, which GLSL ES does not compile",
+        times=(12.0,),
+        camera=_VIEW,
+    ),
+)
+
+CASES = {"drifting foam": Cases(invisible=_INVISIBLE, hard=_HARD)}

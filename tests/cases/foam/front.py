@@ -1,0 +1,117 @@
+"""Hard cases of foam.front, and scenes that name it but in which it is invisible."""
+
+import math
+
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, FrontSaturation, HeightSaturation
+from seafoam.scene.models import Scene
+from seafoam.scene.waves import ParametricWave
+from support.cases import Cases, HardCase
+
+_INVISIBLE = (
+    Scene(foam=Foam()),
+    Scene(waves=(ParametricWave(),), foam=Foam(saturation=(FrontSaturation(group=(1.0, 1.0)),), look="halftone")),
+)
+
+_HARD = (
+    HardCase(
+        name="the pole of every crest, C 0.25",
+        scene=Scene(
+            waves=(ParametricWave(amplitude=0.0, wavelength=2.0),),
+            foam=Foam(saturation=(FrontSaturation(intensity=0.25),), look="halftone"),
+        ),
+        guard="f = 4 where the phase is exactly 0, the pole; exponent clamped to [-80, 80] "
+        "(foam/saturation/front_profile.glsl)",
+        without="no change on llvmpipe; f = 0 instead of 4 where the signal is (1, -0)",
+        camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
+    ),
+    HardCase(
+        name="the pole of the listing, C 100",
+        scene=Scene(
+            waves=(ParametricWave(amplitude=0.0, wavelength=2.0),),
+            foam=Foam(saturation=(FrontSaturation(intensity=100.0, constants="listing"),), look="listing"),
+        ),
+        guard="the cotangent of half the phase instead of the published tangent (foam/saturation/front_profile.glsl)",
+        without="with the tangent: f infinite at 2 pi, and 0 instead of 4 at the pole",
+        camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
+    ),
+    HardCase(
+        name="no phase at all: waves in antiphase",
+        scene=Scene(
+            waves=(ParametricWave(amplitude=0.0), ParametricWave(amplitude=0.0, phase=math.pi)),
+            foam=Foam(look="textured"),
+        ),
+        guard="exponent 0 where it would be 0/0 (foam/saturation/front_profile.glsl)",
+        without="6 % of samples off by more than 2 levels, by up to 133",
+        camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
+        apart="the phase of a sum that is 0 is rounding",
+        coarse_apart="what is drawn is rounding",
+    ),
+    HardCase(
+        name="filtered, where the phase turns endlessly fast",
+        scene=Scene(waves=(ParametricWave(amplitude=0.0), ParametricWave(amplitude=0.0, phase=math.pi)), foam=Foam()),
+        guard="rho² at least 1e-4 in the phase's gradient, phase width at most 1e4 rad "
+        "(foam/saturation/front_filtered.glsl)",
+        without="4 % of samples on the wrong side of the threshold, up to 237 levels off",
+        camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
+        apart="the phase of a sum that is 0 is rounding",
+        coarse_apart="what is drawn is rounding",
+    ),
+    HardCase(
+        name="patches anywhere, at any time",
+        scene=Scene(
+            waves=(ParametricWave(amplitude=0.3), ParametricWave(amplitude=0.3, direction=0.5)),
+            foam=Foam(saturation=(FrontSaturation(group=(0.3, 0.9), decay=3.0, variation=0.3, variation_size=5.0),)),
+        ),
+        guard="the camera's position in the noise is reduced in float64 (framegraph/evaluation.py)",
+        without="in float32 patches jump by whole cells at 1e9 s and 1e7 m",
+        times=(-1e9, 1e9),
+        camera=Camera(position=(-1e7, 3.0, 1e7), yaw=1.0, pitch=-0.3),
+    ),
+    HardCase(
+        name="a gate without width",
+        scene=Scene(
+            waves=(ParametricWave(amplitude=0.3), ParametricWave(amplitude=0.3, direction=0.5)),
+            foam=Foam(
+                saturation=(FrontSaturation(group=(0.5, 0.5)), HeightSaturation(base=-0.5, full=2.0)),
+                look="halftone",
+                combine="max",
+            ),
+        ),
+        guard="upper group threshold at least 1e-4 above the lower one (effects/foam/front.py)",
+        without="smoothstep(a, a): undefined in GLSL, a step function on llvmpipe",
+        camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
+    ),
+    HardCase(
+        name="footprints from a hair to the horizon",
+        scene=Scene(
+            waves=(
+                ParametricWave(amplitude=0.01, wavelength=0.05),
+                ParametricWave(amplitude=0.3, wavelength=2000.0),
+            ),
+            foam=Foam(),
+        ),
+        guard="whole periods counted separately, Gauss quadrature over short intervals "
+        "(foam/saturation/front_filtered.glsl)",
+        without="differences of table values over short intervals: up to 19 levels off",
+        times=(0.0, 1e9),
+        camera=Camera(position=(0.0, 0.8, 0.0), pitch=-0.2),
+    ),
+    HardCase(
+        name="waves that hide their backs, an eye as high as their crests",
+        scene=Scene(
+            waves=(
+                ParametricWave(amplitude=0.5, wavelength=8.0, exponent=2.0),
+                ParametricWave(amplitude=0.2, wavelength=5.0, direction=0.6),
+            ),
+            foam=Foam(),
+        ),
+        guard="divisor of a ray's fall over the waves' slope at least 1e-20, phase intervals at least 1e-5 rad "
+        "(foam/saturation/front_filtered.glsl)",
+        without="no change on llvmpipe; 0/0 where neither the ray falls nor the waves have slope",
+        times=(0.0, 1e9),
+        camera=Camera(position=(0.37, 0.4375, -0.21), yaw=1.2, pitch=-0.05),
+    ),
+)
+
+CASES = {"front foam": Cases(invisible=_INVISIBLE, hard=_HARD)}

@@ -1,0 +1,67 @@
+"""Hard cases of foam.height, and scenes that name it but in which it is invisible."""
+
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, FrontSaturation, HeightSaturation
+from seafoam.scene.models import Scene
+from seafoam.scene.waves import ParametricWave
+from support.cases import Cases, HardCase
+
+_INVISIBLE = (
+    Scene(
+        waves=(ParametricWave(amplitude=0.5),),
+        foam=Foam(saturation=(FrontSaturation(), HeightSaturation(base=0.5, full=1.0)), look="halftone"),
+    ),
+)
+
+_HARD = (
+    HardCase(
+        name="foam over a millimetre, a hundred metres up",
+        scene=Scene(
+            waves=(
+                ParametricWave(amplitude=50.0, wavelength=400.0),
+                ParametricWave(amplitude=50.0, wavelength=400.0),
+                ParametricWave(amplitude=1.0, wavelength=300.0),
+            ),
+            foam=Foam(saturation=(HeightSaturation(base=100.0, full=100.001),), look="halftone"),
+        ),
+        guard="divisor at least 1e-3 m (foam/saturation/height.glsl)",
+        without="0/0 at the base height once a live edit sets full equal to base; llvmpipe's clamp makes it 0",
+        camera=Camera(position=(0.0, 140.0, 0.0), pitch=-0.4),
+    ),
+    HardCase(
+        name="foam from far below to far above",
+        scene=Scene(
+            waves=(ParametricWave(amplitude=0.0),),
+            foam=Foam(saturation=(HeightSaturation(base=-100.0, full=200.0),), look="fading"),
+        ),
+        guard="f clamped to [0, 4] (foam/saturation/height.glsl)",
+        without="no change: f is 1/3, and the fading look clamps its result",
+        camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
+    ),
+    HardCase(
+        name="saturation a thousandfold over the cap",
+        scene=Scene(foam=Foam(saturation=(HeightSaturation(base=-100.0, full=-99.999),), look="listing")),
+        guard="f clamped to [0, 4] (foam/saturation/height.glsl)",
+        without="no change in the frame, since the listing clamps f - m to 3; f itself is 100 000",
+        camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
+    ),
+    HardCase(
+        name="heights that the eye sees, from between the crests and along them",
+        scene=Scene(
+            waves=(
+                ParametricWave(amplitude=1.0, wavelength=9.0, exponent=3.0),
+                ParametricWave(amplitude=1e-12, wavelength=0.05, exponent=0.3),
+            ),
+            foam=Foam(saturation=(HeightSaturation(base=0.2, full=0.201),)),
+        ),
+        guard="water above the camera is averaged as if seen vertically; lengths divided by at least 1e-6, deviation "
+        "of heights at least a thousandth of the ramp (foam/saturation/height_seen.glsl, "
+        "foam/saturation/level.glsl)",
+        without="square root of a negative number: at quality standard 44 % of samples off by more than 2 levels "
+        "instead of 9 %, mean 60 instead of 6.9; the divisors: no change on llvmpipe, 0/0 straight below the "
+        "camera and where no height is filtered out",
+        camera=Camera(position=(4.5, -0.1125, 0.0), yaw=1.5707963, pitch=-0.05),
+    ),
+)
+
+CASES = {"height foam": Cases(invisible=_INVISIBLE, hard=_HARD)}

@@ -1,0 +1,56 @@
+"""Hard cases of foam.living, and scenes that name it but in which it is invisible."""
+
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, HeightSaturation
+from seafoam.scene.living import FoamLife
+from seafoam.scene.models import Scene
+from seafoam.scene.shore import Shore
+from seafoam.scene.waves import ParametricWave
+from support.cases import Cases, HardCase
+
+_LIFE = FoamLife(wind_drift=0.3, windrows=1.0, windrow_spacing=4.0)
+
+_FOAM = Foam(saturation=(HeightSaturation(base=-0.4, full=0.6),), mask="lace", octaves=4, life=_LIFE)
+
+_HARD = (
+    HardCase(
+        name="foam that has drifted for thirty years",
+        scene=Scene(waves=(ParametricWave(amplitude=0.2, wavelength=6.0),), foam=_FOAM),
+        guard="displacement by the drift reduced in float64 to a phase of the mask (effects/foam/look.py)",
+        without="in float32 at 1e9 s: 29 % of samples off by more than 2 levels, mean 29",
+        times=(-1e9, 1e9),
+        camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.3),
+    ),
+    HardCase(
+        name="foam of any age, ten thousand kilometres away",
+        scene=Scene(waves=(ParametricWave(amplitude=0.2, wavelength=6.0),), foam=_FOAM),
+        guard="camera position in the windrows' noise reduced in float64 (effects/foam/living.py)",
+        without="in float32: 14 % of samples off by more than 2 levels, mean 4.2: the windrows are in other places",
+        camera=Camera(position=(9.99e6, 1.4, -9.99e6), yaw=1.0, pitch=-0.3),
+    ),
+    HardCase(
+        name="foam next to none and next to whole, of all ages",
+        scene=Scene(
+            waves=(ParametricWave(amplitude=1.0, wavelength=6.0, exponent=2.0),),
+            foam=_FOAM.model_copy(update={"saturation": (HeightSaturation(base=0.0, full=1.0),)}),
+        ),
+        guard="ridges of the windrows at least -1, so that they take no more foam than there is "
+        "(foam/windrows.glsl); saturation at least 1e-6 in its logarithm (foam/living.glsl)",
+        without="ridges not limited: 7 % of samples off by more than 2 levels, mean 1.3; logarithm of 0: no change "
+        "on llvmpipe, where it is -infinity and there is no foam of that age",
+        camera=Camera(position=(0.37, 12.0, -0.21), yaw=1.0, pitch=-0.6),
+    ),
+    HardCase(
+        name="foam on a coast without surf",
+        scene=Scene(
+            light=None,
+            shore=Shore(size=160.0, depth=6.0, slope=0.1, smoothing=3.0),
+            foam=_FOAM,
+        ),
+        guard="gradient of the waves' phase divided by a length of at least 1e-6 (foam/carry/shore.glsl)",
+        without="0/0 where the phase has gradient 0: 1.9 % of samples off by more than 2 levels, the worst by 162",
+        camera=Camera(position=(-42.0, 7.0, 9.0), yaw=1.4, pitch=-0.2),
+    ),
+)
+
+CASES = {"foam that lives": Cases(always_visible="a mask that is moved is another everywhere", hard=_HARD)}

@@ -1,0 +1,57 @@
+"""Hard cases of foam.slope, and scenes that name it but in which it is invisible."""
+
+import math
+
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, HeightSaturation, SlopeSaturation
+from seafoam.scene.models import Scene
+from seafoam.scene.rings import Ring
+from seafoam.scene.waves import ParametricWave
+from support.cases import Cases, HardCase
+
+_INVISIBLE = (
+    Scene(foam=Foam(saturation=(SlopeSaturation(),), look="halftone")),
+    Scene(
+        waves=(ParametricWave(amplitude=0.0),),
+        foam=Foam(saturation=(HeightSaturation(base=-0.2, full=1.0), SlopeSaturation(blur=1.0)), look="filtered"),
+    ),
+)
+
+_HARD = (
+    HardCase(
+        name="foam on walls",
+        scene=Scene(
+            waves=(ParametricWave(amplitude=3.0, wavelength=4.0, exponent=6.0),),
+            foam=Foam(saturation=(SlopeSaturation(gain=1000.0),), look="fading"),
+        ),
+        guard="f clamped to [0, 4] (foam/saturation/slope_lack.glsl)",
+        without="f = 806 on a slope of 5.1; the fading look clamps its result",
+        camera=Camera(position=(0.0, 6.0, 0.0), pitch=-0.5),
+    ),
+    HardCase(
+        name="foam on a cusp",
+        scene=Scene(
+            waves=(ParametricWave(amplitude=0.4, wavelength=3.0, exponent=0.3),),
+            foam=Foam(saturation=(SlopeSaturation(blur=0.3), HeightSaturation()), look="textured"),
+        ),
+        guard="1 - n.y computed from 1 + slope², not from a quotient of slopes (foam/saturation/slope_lack.glsl)",
+        without="no change here: slopes are limited at the trough (waves/parametric.glsl)",
+        camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
+    ),
+    HardCase(
+        name="foam on the steepest of many rings",
+        scene=Scene(
+            rings=tuple(
+                Ring(place=(0.4 * i, -8.0), birth=-0.1 * i, amplitude=0.05, decay=0.3, wavelength=0.8 + 0.2 * i)
+                for i in range(8)
+            ),
+            foam=Foam(saturation=(SlopeSaturation(gain=12.0, base=0.02),), look="filtered"),
+        ),
+        guard="the slope variance that the footprint filters out is added (foam/saturation/slope_lack.glsl)",
+        without="from 60 m above: foam on 4e-6 of the picture instead of 7.5e-4 (64 samples per pixel: 2.0e-3)",
+        times=(2.0, 4.0),
+        camera=Camera(position=(0.0, 4.0, 0.0), pitch=-0.4),
+    ),
+)
+
+CASES = {"slope foam": Cases(invisible=_INVISIBLE, hard=_HARD)}

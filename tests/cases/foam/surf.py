@@ -1,0 +1,76 @@
+"""Hard cases of foam.surf, and scenes that name it but in which it is invisible."""
+
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, HeightSaturation, SurfSaturation
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
+from seafoam.scene.shore import Shore, Surf
+from support.cases import Cases, HardCase
+
+_BEACH = Shore(size=160.0, depth=6.0, slope=0.1, smoothing=3.0)
+
+_FOAM = Foam(saturation=(SurfSaturation(),), mask="clump")
+
+_LIGHT = Light(sun_elevation=0.7, sun_azimuth=2.0, exposure=-2.0)
+
+_VIEW = Camera(position=(-42.0, 7.0, 9.0), yaw=1.4, pitch=-0.2)
+
+_INVISIBLE = (
+    Scene(foam=_FOAM),
+    Scene(shore=_BEACH.model_copy(update={"surf": Surf(height=0.0)}), foam=_FOAM),
+)
+
+_HARD = (
+    HardCase(
+        name="foam that is gone in a fiftieth of a period",
+        scene=Scene(
+            light=_LIGHT,
+            shore=_BEACH,
+            foam=Foam(saturation=(SurfSaturation(amount=4.0, life=0.02, veil=1.0),), look="halftone"),
+        ),
+        guard="f at most 4 (foam/saturation/surf.glsl)",
+        without="no change in the frame, since thresholds end at 1; f itself reaches 11.6",
+        times=(0.0, 2.3),
+        camera=_VIEW,
+    ),
+    HardCase(
+        name="surf foam and height foam multiplied",
+        scene=Scene(
+            light=_LIGHT,
+            shore=_BEACH,
+            foam=Foam(
+                saturation=(SurfSaturation(), HeightSaturation(base=-0.5, full=0.5)),
+                combine="product",
+                mask="clump",
+            ),
+        ),
+        guard="the filtered look clamps each saturation to 1 before the product (foam/saturation/surf.glsl)",
+        without="no change here: the product is below 1 wherever the surf's saturation is above 1",
+        camera=_VIEW,
+    ),
+    HardCase(
+        name="surf foam on water as level as its ground",
+        scene=Scene(
+            light=_LIGHT,
+            shore=_BEACH.model_copy(update={"slope": 0.01, "surf": Surf(height=0.05)}),
+            foam=_FOAM,
+        ),
+        guard="change of depth over a footprint at least 1 mm (foam/saturation/surf_front_filtered.glsl)",
+        without="no change on llvmpipe: no footprint is exactly horizontal",
+        times=(0.0, 2.3),
+        camera=_VIEW,
+    ),
+    HardCase(
+        name="foam where no way leads to the shore",
+        scene=Scene(
+            light=_LIGHT,
+            shore=_BEACH.model_copy(update={"kind": "islands", "radius": 12.0, "smoothing": 0.0}),
+            foam=_FOAM,
+        ),
+        guard="the gradient toward the shore divided by a length of at least 1e-6 (foam/saturation/surf.glsl)",
+        without="no change on llvmpipe: the gradient is nowhere exactly 0",
+        camera=_VIEW,
+    ),
+)
+
+CASES = {"surf foam": Cases(invisible=_INVISIBLE, hard=_HARD)}

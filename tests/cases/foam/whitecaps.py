@@ -1,0 +1,46 @@
+"""Hard cases of foam.whitecaps, and scenes that name it but in which it is invisible."""
+
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, HeightSaturation, WhitecapSaturation
+from seafoam.scene.models import Scene
+from seafoam.scene.waves import ParametricWave, Sea
+from support.cases import Cases, HardCase
+
+_NEAR = Camera(position=(0.37, 6.0, -0.21), yaw=1.0, pitch=-0.2)
+
+_INVISIBLE = (
+    Scene(waves=(ParametricWave(),), foam=Foam(saturation=(WhitecapSaturation(), HeightSaturation()), look="halftone")),
+    Scene(sea=Sea(choppiness=0.0), foam=Foam(saturation=(WhitecapSaturation(), HeightSaturation()), look="halftone")),
+)
+
+_HARD = (
+    HardCase(
+        name="foam of an hour's gale, from near to the horizon",
+        scene=Scene(sea=Sea(wind=20.0), foam=Foam(saturation=(WhitecapSaturation(),), look="fading")),
+        guard="no average over a normal distribution where the footprint filters nothing out "
+        "(foam/saturation/whitecap.glsl)",
+        without="no change on llvmpipe: t/0 is clamped to 6 standard deviations; 0/0 is undefined",
+        camera=Camera(position=(0.37, 30.0, -0.21), yaw=1.0, pitch=-0.3),
+        times=(3600.0,),
+    ),
+    HardCase(
+        name="more foam than there is sea",
+        scene=Scene(
+            sea=Sea(wind=60.0, model="gerstner"),
+            foam=Foam(saturation=(WhitecapSaturation(coverage=10.0, softness=0.01, decay=60.0),), look="textured"),
+        ),
+        guard="f at most 1 (foam/saturation/whitecap.glsl), threshold found by bisection (ocean/whitecaps.py)",
+        without="f up to 8.5, the sum of nine times; the look clamps it here",
+        camera=Camera(position=(0.37, 90.0, -0.21), yaw=1.0, pitch=-0.3),
+        times=(1e9,),
+    ),
+    HardCase(
+        name="a sea too flat to fold",
+        scene=Scene(sea=Sea(wind=0.2, fetch=100.0), foam=Foam(saturation=(WhitecapSaturation(),))),
+        guard="no foam where the mean square of J - 1, J the Jacobian, is below 1e-8 (ocean/whitecaps.py)",
+        without="rounding of the Fourier transform makes whitecaps: foam on 0.06 % of a draft frame instead of none",
+        camera=_NEAR,
+    ),
+)
+
+CASES = {"whitecaps": Cases(invisible=_INVISIBLE, hard=_HARD)}

@@ -1,0 +1,28 @@
+"""Hard cases of light.glare."""
+
+import math
+
+from seafoam.scene.camera import Camera
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
+from seafoam.scene.sky import Sky
+from support.cases import Cases, HardCase
+
+_HARD = (
+    HardCase(
+        name="glare of the brightest sun",
+        scene=Scene(light=Light(sun_elevation=0.3, exposure=10.0, glare=0.5, sky=Sky())),
+        guard="what spreads is at most 4096 a pixel (output/glare/first_pass.glsl)",
+        without="no difference in the linear frame, which is without glare: on the screen six levels of half floats "
+        "overflow",
+        camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 2, pitch=0.2, fov=0.3),
+    ),
+)
+
+CASES = {
+    "glare": Cases(
+        hard=_HARD,
+        always_visible="any share that is not 0 spreads some light",
+        variants=(Scene(light=Light(glare=0.1)), Scene(light=Light(tone="photographic"))),
+    )
+}

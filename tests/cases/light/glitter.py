@@ -1,0 +1,62 @@
+"""Hard cases of light.glitter, and scenes that call for it and cannot show it."""
+
+import math
+
+from seafoam.scene.camera import Camera
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
+from seafoam.scene.water import Ripples, Water
+from seafoam.scene.waves import ParametricWave
+from support.cases import Cases, HardCase
+
+_DOWN = Light(sun_elevation=-0.1)
+
+_INVISIBLE = (Scene(light=_DOWN), Scene(light=Light(sun_elevation=-math.pi / 2)))
+
+_HARD = (
+    HardCase(
+        name="into the sun on the horizon",
+        scene=Scene(light=Light(sun_elevation=0.0, exposure=10.0), water=Water(roughness=0.01)),
+        guard="the half vector h is divided by at least 1e-6 (light/glitter/beckmann.glsl)",
+        without="no difference on llvmpipe, whose max(0/0, x) is x: only h is NaN",
+        camera=Camera(position=(0.0, 1.0, 0.0), yaw=math.pi / 2, pitch=0.0, fov=0.01),
+    ),
+    HardCase(
+        name="facets seen edge-on",
+        scene=Scene(
+            waves=(ParametricWave(amplitude=2.0, wavelength=3.0, exponent=8.0),),
+            light=Light(sun_elevation=0.02, sun_azimuth=math.pi),
+            water=Water(roughness=0.01),
+        ),
+        guard="n·h is at least 1e-3 (light/glitter/beckmann.glsl)",
+        without="facets that face away reflect the sun: 10 000, the limit, instead of 0 at n·h = -1",
+        camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 2, pitch=-0.3),
+    ),
+    HardCase(
+        name="the brightest path of the sun",
+        scene=Scene(
+            light=Light(sun_elevation=0.05, exposure=10.0), water=Water(roughness=0.01, ripples=Ripples(slope=0.05))
+        ),
+        guard="glitter is at most 1e4 (light/glitter/beckmann.glsl), the frame at most 65504 (surface/main.glsl)",
+        without="5.9e6, ninety times the greatest half float",
+        camera=Camera(position=(0.0, 2.0, 0.0), yaw=math.pi / 2, pitch=-0.05, fov=0.3),
+    ),
+    HardCase(
+        name="the lake's highlight at its sharpest",
+        scene=Scene(
+            light=Light(
+                sun_elevation=0.1,
+                sun_azimuth=math.pi,
+                specular="blinn_phong",
+                specular_power=2000.0,
+                specular_perturb=0.0,
+            ),
+            water=Water(ripples=Ripples(slope=0.6)),
+        ),
+        guard="n·h is clamped to [0, 1] before the power (light/glitter/blinn_phong.glsl)",
+        without="powers of negative numbers: 65504 in a fifth of the samples, a mean error of 28 levels",
+        camera=Camera(position=(0.0, 2.0, 0.0), yaw=math.pi / 2, pitch=-0.1),
+    ),
+)
+
+CASES = {"sun glitter": Cases(invisible=_INVISIBLE, hard=_HARD)}

@@ -1,0 +1,91 @@
+"""Hard cases of light.light, and scenes that call for it and cannot show it."""
+
+import math
+
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, HeightSaturation
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
+from seafoam.scene.sky import Moon, Sky
+from seafoam.scene.water import Ripples, Water
+from seafoam.scene.waves import ParametricWave
+from support.cases import Cases, HardCase
+
+_HARD = (
+    HardCase(
+        name="sun at the horizon",
+        scene=Scene(light=Light(sun_elevation=0.0, turbidity=10.0), water=Water(ripples=Ripples())),
+        guard="offsets of 0.03 and 0.09 in the air masses (docs/formulae.md, section 6)",
+        without="the sky is off by up to 0.8 levels at the horizon",
+        camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 2, pitch=0.0),
+    ),
+    HardCase(
+        name="sun under the horizon",
+        scene=Scene(light=Light(sun_elevation=-0.3, turbidity=10.0), water=Water(ripples=Ripples())),
+        guard="offsets of 0.03 and 0.09 in the air masses (docs/formulae.md, section 6)",
+        without="the sky is off by up to 0.03 levels at the horizon",
+        camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 2, pitch=0.0),
+    ),
+    HardCase(
+        name="sun at the zenith",
+        scene=Scene(light=Light(sun_elevation=math.pi / 2, turbidity=10.0), water=Water(ripples=Ripples())),
+        guard="offsets of 0.03 and 0.09 in the air masses (docs/formulae.md, section 6)",
+        without="1/0 at the horizon; the sky's mean error is 15 levels",
+        camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 2, pitch=0.0),
+    ),
+    HardCase(
+        name="straight up and straight down, no heading",
+        scene=Scene(
+            light=Light(sun_elevation=math.pi / 2),
+            foam=Foam(saturation=(HeightSaturation(base=-1.0, full=1.0),), look="textured"),
+        ),
+        guard="horizontal directions are divided by at least 1e-6 (light/sky/analytic.glsl)",
+        without="NaN straight down; no sample of the frame is exactly there, since cos(pi/2) is 6e-17",
+        camera=Camera(position=(0.0, 3.0, 0.0), pitch=-math.pi / 2, roll=1.0, fov=0.01),
+    ),
+    HardCase(
+        name="the brightest disc, ten stops up",
+        scene=Scene(light=Light(sun_elevation=0.1, exposure=10.0)),
+        guard="light is at most 65504, the greatest half float (light/sky/main.glsl, surface/main.glsl)",
+        without="a black sun: SwiftShader stores NaN for values that exceed half floats; llvmpipe stores 65504",
+        camera=Camera(position=(0.0, 5.0, 0.0), yaw=math.pi / 2, pitch=0.1, fov=0.1),
+    ),
+    HardCase(
+        name="ten stops down at night",
+        scene=Scene(light=Light(sun_elevation=-math.pi / 2, exposure=-10.0), water=Water(ripples=Ripples())),
+        guard="the air's light is at least 0.002 (effects/light/atmosphere.py)",
+        without="67 % of samples are below the smallest half float and become 0: 2e-5 levels",
+        camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
+    ),
+    HardCase(
+        name="sun setting through 0 degrees under a layered sky",
+        scene=Scene(light=Light(sun_elevation=0.0, exposure=-1.0, sky=Sky(haze=20.0)), water=Water(ripples=Ripples())),
+        guard="an offset of 0.02 in the haze's air mass (light/sky/layered.glsl)",
+        without="0/0 along the horizon: 85 % of samples are off by more than 2 levels",
+        camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 2, pitch=0.0),
+    ),
+    HardCase(
+        name="no lamp at all: the sun down, the moon not yet counted",
+        scene=Scene(
+            light=Light(sun_elevation=-0.06, exposure=2.0, sky=Sky(moon=Moon(), stars=1.0)),
+            water=Water(ripples=Ripples()),
+        ),
+        guard="moonlight starts at 0 at the elevation where sunlight reaches 0 (effects/light/atmosphere.py)",
+        without="water and sky change by 16 levels in the mean as the sun sinks by a hundredth of a degree",
+        camera=Camera(position=(0.0, 3.0, 0.0), yaw=0.4, pitch=0.0),
+    ),
+    HardCase(
+        name="fog on the eye",
+        scene=Scene(light=Light(visibility=50.0), waves=(ParametricWave(),)),
+        guard="Newton steps never leave the slab of the waves (surface/march.glsl)",
+        without="Newton steps return to the camera in 0.2 % of samples: errors of 233 levels",
+        camera=Camera(position=(0.0, 1e5, 0.0), pitch=-0.5, fov=2.6),
+    ),
+)
+
+CASES = {
+    "sun and sky": Cases(
+        always_visible="all other effects are seen by it; without it a scene is drawn in white on black",
+        hard=_HARD,
+    )
+}

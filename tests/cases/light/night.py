@@ -1,0 +1,62 @@
+"""Hard cases of light.night, and scenes that call for it and cannot show it."""
+
+import math
+
+from seafoam.scene.camera import Camera
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
+from seafoam.scene.sky import Moon, Sky
+from seafoam.scene.water import Ripples, Water
+from support.cases import Cases, HardCase
+
+_OPPOSITE = Moon(azimuth=0.3 - math.pi, elevation=0.4, size=5.0)
+
+_BEFORE = Moon(azimuth=0.3, elevation=0.4, size=5.0)
+
+_MOON_INVISIBLE = (Scene(light=Light(sun_elevation=-0.3, sky=Sky(moon=Moon(elevation=-0.2)))),)
+
+_MOON_HARD = (
+    HardCase(
+        name="moon and sun opposite",
+        scene=Scene(
+            light=Light(sun_azimuth=0.3, sun_elevation=-0.4, exposure=1.0, sky=Sky(moon=_OPPOSITE)),
+            water=Water(ripples=Ripples()),
+        ),
+        guard="the depth of the sphere at its rim is the root of at least 0 (light/sky/moon_disc.glsl)",
+        without="no difference on llvmpipe, whose max(NaN, 0) is 0: NaN in a ring of a twentieth of the disc",
+        camera=Camera(position=(0.0, 3.0, 0.0), yaw=0.3 - math.pi / 2, pitch=0.35, fov=0.2),
+    ),
+    HardCase(
+        name="the moon before the sun",
+        scene=Scene(
+            light=Light(sun_azimuth=0.3, sun_elevation=0.4, exposure=-6.0, sky=Sky(moon=_BEFORE)),
+        ),
+        guard="the irradiance of points that face away from the sun is at least 0 (light/sky/moon_disc.glsl)",
+        without="the root of a negative number: the disc is 65504, an error of 229 levels",
+        camera=Camera(position=(0.0, 3.0, 0.0), yaw=0.3 + math.pi / 2, pitch=0.4, fov=0.3),
+    ),
+)
+
+_STARS_INVISIBLE = (Scene(light=Light(sun_elevation=0.1, sky=Sky(stars=1.0))),)
+
+_STARS_HARD = (
+    HardCase(
+        name="stars at the corner of the cube",
+        scene=Scene(light=Light(sun_elevation=-1.0, exposure=6.0, sky=Sky(stars=10.0))),
+        guard="cell indices are limited to the last of a face (light/sky/stars.glsl)",
+        without="no visible difference: only a sample exactly on the edge of a face needs a cell beyond it",
+        camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 4, pitch=0.6154797, fov=0.6),
+    ),
+    HardCase(
+        name="stars in the widest view",
+        scene=Scene(light=Light(sun_elevation=-1.0, exposure=6.0, sky=Sky(stars=10.0))),
+        guard="a star is at most 3e-3 rad wide (light/sky/stars.glsl)",
+        without="stars are cut off at the edges of their cells: 7 % of samples are off by more than 2 levels",
+        camera=Camera(position=(0.0, 3.0, 0.0), yaw=0.5, pitch=0.8, fov=2.6),
+    ),
+)
+
+CASES = {
+    "moon": Cases(invisible=_MOON_INVISIBLE, hard=_MOON_HARD),
+    "stars": Cases(invisible=_STARS_INVISIBLE, hard=_STARS_HARD),
+}

@@ -1,0 +1,46 @@
+"""Hard cases of reflection.cubemap, and scenes that call for it and cannot show it."""
+
+import math
+
+from seafoam.scene.camera import Camera
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
+from seafoam.scene.shore import Shore
+from seafoam.scene.sky import Clouds, Sky
+from seafoam.scene.waves import ParametricWave
+from support.cases import Cases, HardCase
+
+_INVISIBLE = (Scene(light=Light(sun_elevation=-1.2, exposure=-3.0, reflection="cubemap")),)
+
+_HARD = (
+    HardCase(
+        name="a mirror with nothing to mirror",
+        scene=Scene(light=Light(sun_elevation=-math.pi / 2, exposure=8.0, reflection="cubemap")),
+        guard="the search for land is left out of scenes without a shore (reflection/open.glsl)",
+        without="no plan can be made: the pass reads a floor that the scene does not have",
+        camera=Camera(position=(0.0, 2.0, 0.0), pitch=-0.2),
+    ),
+    HardCase(
+        name="the cube map's own corners and edges",
+        scene=Scene(
+            waves=(ParametricWave(amplitude=1.0, wavelength=3.0, exponent=3.0),),
+            light=Light(exposure=-2.0, sun_elevation=0.3, reflection="cubemap", sky=Sky(clouds=Clouds(cover=0.5))),
+        ),
+        guard="interpolation at the edge of a face uses its last two texels (reflection/cubemap.glsl)",
+        without="no visible difference: the weight of the next texel is 0, but reading outside the texture is "
+        "undefined",
+        camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 4, pitch=-0.6),
+    ),
+    HardCase(
+        name="the middle of the cube map inside a hill",
+        scene=Scene(
+            shore=Shore(kind="island", size=240.0, radius=40.0, height=30.0, slope=0.4, smoothing=3.0),
+            light=Light(exposure=-2.0, reflection="cubemap"),
+        ),
+        guard="the centre of the cube map is at least a metre above the ground (reflection/land_around.glsl)",
+        without="57 % of samples are off by more than 2 levels: water reflects the inside of the hill",
+        camera=Camera(position=(0.0, 60.0, 0.0), pitch=-0.5),
+    ),
+)
+
+CASES = {"cube map": Cases(invisible=_INVISIBLE, hard=_HARD)}

@@ -1,0 +1,50 @@
+"""Hard cases of reflection.planar, and scenes that call for it and cannot show it."""
+
+from seafoam.scene.boats import Boat
+from seafoam.scene.camera import Camera
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
+from seafoam.scene.water import Ripples, Water
+from seafoam.scene.waves import ParametricWave
+from support.cases import Cases, HardCase
+
+_BOAT = Boat(centre=(0.0, -14.0), radius=15.0, bearing=1.6, speed=0.0)
+
+_MIRROR = Light(reflection="planar")
+
+_INVISIBLE = (Scene(light=_MIRROR), Scene(light=_MIRROR, waves=(ParametricWave(),)))
+
+_HARD = (
+    HardCase(
+        name="a mirror under the eye and straight down",
+        scene=Scene(light=_MIRROR, boats=(_BOAT,), water=Water(ripples=Ripples())),
+        guard="only points in front of the mirrored camera are read (reflection/planar.glsl)",
+        without="no difference on llvmpipe: the boats that are searched for are in front of the camera",
+        camera=Camera(position=(0.0, 4.0, -2.0), pitch=-1.5708),
+    ),
+    HardCase(
+        name="a mirror at grazing, eye among crests",
+        scene=Scene(
+            light=_MIRROR,
+            boats=(_BOAT,),
+            waves=(ParametricWave(amplitude=0.8, wavelength=7.0, direction=1.2),),
+        ),
+        guard="reflected rays start where the camera's ray meets the water, not at the still-water level "
+        "(surface/main.glsl)",
+        without="4 % of samples are off by more than 2 levels, the worst by 113",
+        camera=Camera(position=(0.0, 0.4, 12.0), pitch=0.0),
+    ),
+    HardCase(
+        name="eye under the mirror",
+        scene=Scene(
+            light=_MIRROR,
+            boats=(_BOAT,),
+            waves=(ParametricWave(amplitude=0.8, wavelength=40.0, phase=-1.5708),),
+        ),
+        guard="a mirrored ray starts above the water and in front of the mirrored camera (reflection/map_pass.glsl)",
+        without="no difference here: no boat is between the mirrored camera and the water above it",
+        camera=Camera(position=(0.0, -0.1, 12.0), pitch=-0.05),
+    ),
+)
+
+CASES = {"planar reflection": Cases(invisible=_INVISIBLE, hard=_HARD)}

@@ -1,0 +1,140 @@
+"""Hard cases of spray.spray, and scenes that name it but in which it is invisible."""
+
+import math
+
+from seafoam.scene.camera import Camera
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
+from seafoam.scene.shore import Shore, Surf
+from seafoam.scene.spray import Burst, Spray
+from seafoam.scene.waves import ParametricWave, Sea
+from support.cases import Cases, HardCase
+
+_ROCK = Shore(
+    kind="island",
+    size=120.0,
+    radius=11.0,
+    depth=9.0,
+    height=7.0,
+    slope=0.9,
+    smoothing=3.0,
+    surf=Surf(height=2.6, period=8.0),
+)
+
+_LIGHT = Light(sun_elevation=0.5, sun_azimuth=-1.5, exposure=-2.0)
+
+_WAVES = (
+    ParametricWave(amplitude=1.5, wavelength=20.0, direction=1.6, exponent=2.0),
+    ParametricWave(amplitude=0.6, wavelength=9.0, direction=2.1, exponent=1.5),
+)
+
+_VIEW = Camera(position=(-33.0, 4.6, 15.0), yaw=1.12, pitch=0.03, fov=0.62)
+
+_SEA = Sea(wind=22.0, fetch=250000.0, wind_direction=1.45, seed=9)
+
+_DECK = Camera(position=(0.0, 18.0, 0.0), yaw=-0.25, pitch=-0.13)
+
+_INVISIBLE = (
+    Scene(spray=Spray()),
+    Scene(waves=(ParametricWave(amplitude=0.1),), spray=Spray()),
+    Scene(sea=Sea(wind=0.0), spray=Spray()),
+    Scene(sea=Sea(), spray=Spray(crests=0.0)),
+    Scene(shore=_ROCK.model_copy(update={"surf": Surf(height=0.0)}), spray=Spray(), light=None),
+)
+
+_HARD = (
+    HardCase(
+        name="spray under the camera",
+        scene=Scene(shore=_ROCK, spray=Spray(size=0.1, mist=0.5), light=_LIGHT),
+        guard="drops fade out from 1 m to 0.3 m from the camera (spray/vertex.glsl)",
+        without="drops cover the whole picture: mean error 34 levels",
+        times=(0.9, 1.6),
+        camera=Camera(position=(-13.3, 2.5, 2.1), pitch=-math.pi / 2, fov=2.0),
+    ),
+    HardCase(
+        name="spray of waves ten thousand kilometres away, after thirty years",
+        scene=Scene(waves=_WAVES, spray=Spray(threshold=0.5), light=_LIGHT),
+        guard="drop ages and the camera position reduced in float64 (framegraph/evaluation.py)",
+        without="in float32: drops start in time steps of 64 s and at positions in steps of 1 m",
+        times=(-1e9, 1e9),
+        camera=Camera(position=(1e7, 5.0, -1e7), pitch=-0.15),
+    ),
+    HardCase(
+        name="spray of a storm ten thousand kilometres away, after ten days",
+        scene=Scene(sea=_SEA, spray=Spray(reach=300.0, wind=14.0, wind_direction=1.45), light=_LIGHT),
+        guard="the time in the sea's loop, the batches and the cells reduced in float64 (framegraph/evaluation.py)",
+        without="in float32: batches in time steps of 1/16 s and cells in steps of 1 m",
+        times=(1e6,),
+        camera=_DECK.model_copy(update={"position": (1e7, 18.0, -1e7)}),
+    ),
+    HardCase(
+        name="spray on rocks ten thousand kilometres away, after thirty years",
+        scene=Scene(
+            shore=_ROCK.model_copy(update={"place": (-9999900.0, 9999900.0)}), spray=Spray(life=6.0), light=_LIGHT
+        ),
+        guard="periods and the camera position reduced in float64 (framegraph/evaluation.py)",
+        without="in float32: bursts in time steps of 64 s, eight periods of the surf",
+        times=(-1e9, 1e9),
+        camera=_VIEW.model_copy(update={"position": (-9999933.0, 4.6, 9999915.0)}),
+    ),
+    HardCase(
+        name="spray from crests and troughs, where waves have no slope",
+        scene=Scene(waves=_WAVES, spray=Spray(threshold=0.1, life=0.2, size=0.1), light=_LIGHT),
+        guard="squared slope of at least 0.02 (spray/breaking.glsl)",
+        without="drops leave crests at unlimited speed: 3.1 % of the pixels more than 2 levels off",
+        camera=Camera(position=(0.0, 5.0, 0.0), pitch=-0.15),
+    ),
+    HardCase(
+        name="spray against the strongest drag and wind",
+        scene=Scene(shore=_ROCK, spray=Spray(drag=0.05, wind=40.0, speed=10.0, life=8.0), light=_LIGHT),
+        guard="none needed: exp(-433) is 0 (spray/flight.glsl)",
+        without="there is no guard to remove",
+        times=(1.2,),
+        camera=_VIEW,
+    ),
+    HardCase(
+        name="drops of a thousandth of a sample",
+        scene=Scene(shore=_ROCK, spray=Spray(size=0.002, mist=0.0), light=_LIGHT),
+        guard="a drop is at least 1.5 samples wide, and hides as much of them (spray/vertex.glsl)",
+        without="drops are visible only where a sample hits them: 0.69 % of the pixels more than 2 levels off",
+        times=(1.2,),
+        camera=_VIEW,
+    ),
+    HardCase(
+        name="spray before the brightest sun, ten stops up",
+        scene=Scene(shore=_ROCK, spray=Spray(), light=_LIGHT.model_copy(update={"exposure": 10.0})),
+        guard="the light of a drop is at most 64, so that half floats hold sums of a thousand (spray/lit.glsl)",
+        without="sums reach 65504, the greatest half float",
+        times=(1.2,),
+        camera=_VIEW,
+    ),
+    HardCase(
+        name="spray of surf on a beach ten thousand kilometres away, after thirty years",
+        scene=Scene(
+            shore=Shore(
+                size=160.0, depth=6.0, slope=0.1, smoothing=3.0, place=(9999950.0, -9999950.0), surf=Surf(height=1.5)
+            ),
+            waves=(ParametricWave(amplitude=0.3),),
+            spray=Spray(threshold=0.5),
+            light=_LIGHT,
+        ),
+        guard="periods, batches and the camera position reduced in float64 (framegraph/evaluation.py)",
+        without="in float32: batches in time steps of 64 s and cells in steps of 1 m",
+        times=(-1e9, 1e9),
+        camera=Camera(position=(9999950.0, 4.0, -9999930.0), pitch=-0.1),
+    ),
+    HardCase(
+        name="a burst upon a burst, and a sea that throws drops beside them",
+        scene=Scene(
+            sea=Sea(model="gerstner", wind=12.0),
+            spray=Spray(bursts=(Burst(height=150.0, radius=0.1), Burst(every=3.0), Burst(birth=-1.0)), reach=100.0),
+            light=_LIGHT,
+        ),
+        guard="optical depths add up; light is their mean, divided where there is any (spray/thick_pass.glsl)",
+        without="0 over 0 beside the drops: mean error 90 levels",
+        times=(1.4,),
+        camera=_DECK,
+    ),
+)
+
+CASES = {"spray": Cases(invisible=_INVISIBLE, hard=_HARD)}

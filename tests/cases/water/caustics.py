@@ -1,0 +1,99 @@
+"""Hard cases of water.caustics, and scenes that call for it and cannot show it."""
+
+from dataclasses import replace
+from itertools import product
+
+from seafoam.scene.camera import Camera
+from seafoam.scene.light import Caustics, Light
+from seafoam.scene.models import Scene
+from seafoam.scene.water import Ripples, Water
+from support.cases import Bounds, Cases, HardCase
+
+_PLAIN = Caustics(dispersion=0.0)
+
+_DEEP = Water(depth=900.0, ripples=Ripples())
+
+_DOWN = Camera(position=(0.0, 2.0, 0.0), pitch=-1.2)
+
+
+def _case(
+    name: str,
+    guard: str,
+    without: str,
+    water: Water,
+    light: Light | None = None,
+    camera: Camera = _DOWN,
+    times: tuple[float, ...] = (2.0,),
+) -> HardCase:
+    scene = Scene(water=water, light=light or Light(sun_elevation=1.0, exposure=-2.5, caustics=_PLAIN))
+    return HardCase(name=name, scene=scene, guard=guard, without=without, camera=camera, times=times)
+
+
+_INVISIBLE = (
+    Scene(water=_DEEP, light=Light(caustics=Caustics())),
+    Scene(water=Water(depth=2.0, ripples=Ripples()), light=Light(sun_elevation=-0.3, caustics=Caustics())),
+)
+
+_HARD = (
+    replace(
+        _case(
+            "the floor in the focus",
+            "a triangle is at most 12 times as bright as under level water (water/caustics/grid_vertex.glsl)",
+            "single texels have 71 instead of 24 times the light: 9.7 % of samples are off by more than 2 levels",
+            Water(depth=4.0, scattering=0.0, ripples=Ripples(slope=0.08)),
+        ),
+        # Half floats add up a hundred photons a texel, each sum rounded.
+        bounds=Bounds(mean=0.5, share=0.03),
+        # SwiftShader's sine, good to 2e-4, moves lines of light in a focus, a pixel wide.
+        coarse_share=0.15,
+    ),
+    _case(
+        "a floor at the surface",
+        "none is needed: light does not converge over so short a distance (water/caustics/landing.glsl)",
+        "no guard to remove",
+        Water(depth=0.05, floor_tile=0.1, ripples=Ripples(slope=0.3)),
+    ),
+    _case(
+        "caustics of a sun on the horizon",
+        "the sine of the sun's elevation is at least 0.05 (water/caustics/landing.glsl)",
+        "light is divided by 0: every sample is 65504, the frame's limit",
+        Water(depth=1.0, ripples=Ripples(slope=0.1)),
+        Light(sun_elevation=0.0, caustics=_PLAIN),
+    ),
+    _case(
+        "caustics of the steepest ripples",
+        "the cosine between a refracted ray and the vertical is at least 0.25 (water/caustics/landing.glsl)",
+        "errors of up to 24 levels; 2 % of samples are off by more than 2",
+        Water(depth=3.0, ripples=Ripples(slope=0.6)),
+        Light(sun_elevation=0.1, exposure=-1.0, caustics=_PLAIN),
+    ),
+    _case(
+        "caustics after thirty years, ten thousand kilometres away",
+        "phases and the camera's position in the tile are reduced in float64 (framegraph/evaluation.py)",
+        "in float32 98 % of samples are off by more than 2 levels, the mean error is 57",
+        Water(depth=2.0, floor_tile=0.3, ripples=Ripples(slope=0.06)),
+        camera=Camera(position=(-1e7, 2.0, 1e7), pitch=-1.2),
+        times=(1e9,),
+    ),
+    replace(
+        _case(
+            "colours as far apart as they go",
+            "the grid extends beyond the tile as far as light of any colour is displaced (effects/water/caustics.py)",
+            "with a grid as large as the tile, its edges are dark: 18 % of samples are off by more than 2 levels",
+            Water(depth=6.0, absorption_length=(50.0, 50.0, 50.0), ripples=Ripples(slope=0.06)),
+            Light(sun_elevation=0.3, exposure=-1.0, caustics=Caustics(dispersion=10.0)),
+        ),
+        # SwiftShader's sine, good to 2e-4, moves lines of light in a focus, a pixel wide.
+        coarse_share=0.2,
+    ),
+)
+
+_VARIANTS = tuple(
+    Scene(
+        water=Water(depth=2.0, floor_tile=tile, view_below=below, ripples=Ripples()),
+        light=Light(caustics=Caustics(dispersion=dispersion)),
+    )
+    for dispersion, tile, below in product((0.0, 1.0), (None, 0.3), (False, True))
+)
+
+CASES = {"caustics": Cases(invisible=_INVISIBLE, hard=_HARD, variants=_VARIANTS)}

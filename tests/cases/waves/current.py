@@ -1,0 +1,32 @@
+"""Hard cases of waves.current, and scenes that name it but in which it is invisible."""
+
+from seafoam.scene.current import Current
+from seafoam.scene.foam import Foam, HeightSaturation
+from seafoam.scene.models import Scene
+from seafoam.scene.water import Ripples, Water
+from seafoam.scene.waves import ParametricWave
+from support.cases import Cases, HardCase
+
+_WAVES = (
+    ParametricWave(amplitude=0.4, wavelength=5.0, direction=1.2),
+    ParametricWave(amplitude=0.2, wavelength=2.3, direction=-0.8),
+)
+
+_FLOWS = Scene(
+    waves=_WAVES,
+    foam=Foam(saturation=(HeightSaturation(base=0.1, full=0.5),), look="fading", mask="clump"),
+    water=Water(ripples=Ripples(slope=0.1)),
+    current=Current(speed=3.7, direction=0.4),
+)
+
+_HARD = (
+    HardCase(
+        name="a current for thirty years",
+        scene=_FLOWS,
+        guard="the way of the water, reduced in float64 together with each place and phase (framegraph/rules.py)",
+        without="in float32 at 1e9 s places on the water have steps of 256 m: waves and foam are anywhere",
+        times=(-1e9, 1e9),
+    ),
+)
+
+CASES = {"current": Cases(invisible=(Scene(waves=_WAVES, current=Current(speed=0.0)),), hard=_HARD)}

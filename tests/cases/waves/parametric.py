@@ -1,0 +1,192 @@
+"""Hard cases of waves.parametric, and scenes that call for it and cannot show it."""
+
+import math
+
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, FrontSaturation, SlopeSaturation
+from seafoam.scene.living import FoamLife
+from seafoam.scene.models import Scene
+from seafoam.scene.spray import Spray
+from seafoam.scene.water import Ripples, Water
+from seafoam.scene.waves import ParametricWave, WaveGroups
+from support.cases import Bounds, Cases, HardCase
+
+_INVISIBLE = (
+    Scene(waves=(ParametricWave(amplitude=1e-6, wavelength=10.0),), water=Water(translucency=0.0)),
+    Scene(waves=(ParametricWave(),), light=None),
+)
+
+_HARD = (
+    HardCase(
+        name="a cusp in every trough, K 0.1",
+        scene=Scene(waves=(ParametricWave(amplitude=0.4, wavelength=3.0, exponent=0.1),), foam=Foam(look="halftone")),
+        guard="|p| is at least 1e-4 in the derivative (waves/parametric.glsl)",
+        without="slope of 60 225 instead of 158 next to a trough, infinite in the trough, where pow(0, -0.8) is; "
+        "the frame changes by 0.001 levels",
+        camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
+        # A cusp's slope bound is 158 A k: rays run out of steps before they reach the surface.
+        bounds=Bounds(mean=12.0, share=0.08),
+    ),
+    HardCase(
+        name="0^K, K 100, and kinks, K 0.5 and 0.7",
+        scene=Scene(
+            waves=tuple(
+                ParametricWave(amplitude=0.3, wavelength=4.0 + k / 50.0, exponent=k, direction=0.06 * k)
+                for k in (0.5, 0.7, 100.0)
+            ),
+            foam=Foam(look="textured"),
+        ),
+        guard="powers are taken of |p| = sqrt(u), which is at least 1e-30; height and slope come from one power "
+        "(waves/parametric.glsl)",
+        without="no difference on llvmpipe, whose pow(0, x) is 0; GLSL leaves it undefined",
+        camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
+    ),
+    HardCase(
+        name="any time, waves of 5 cm",
+        scene=Scene(
+            waves=(ParametricWave(amplitude=0.005, wavelength=0.05), ParametricWave()), foam=Foam(look="halftone")
+        ),
+        guard="phases are reduced in float64 (framegraph/evaluation.py)",
+        without="with float32 phases 63 % of samples flip, the mean error is 158 levels",
+        times=(-1e9, 0.0, 1e9, 1e9 + 1e-6),
+        camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
+    ),
+    HardCase(
+        name="ten thousand kilometres from the origin",
+        scene=Scene(
+            waves=(ParametricWave(amplitude=0.005, wavelength=0.05), ParametricWave()), foam=Foam(look="halftone")
+        ),
+        guard="positions are relative to the camera, whose own position is reduced in float64 "
+        "(framegraph/evaluation.py)",
+        without="with float32 positions 25 % of samples flip, the mean error is 87 levels",
+        camera=Camera(position=(1e7, 3.0, -1e7), pitch=-math.pi / 2),
+    ),
+    HardCase(
+        name="opposite waves that cancel",
+        scene=Scene(
+            waves=(ParametricWave(), ParametricWave(direction=math.pi), ParametricWave(phase=math.pi)),
+            foam=Foam(saturation=(FrontSaturation(group=(0.1, 0.4)),), look="halftone"),
+        ),
+        guard="nothing is divided by the sum of the waves, and the group threshold suppresses foam where the sum "
+        "is rounding noise (foam/saturation/front_gate.glsl)",
+        without="rounding errors of a zero sum appear as foam: 1.2 % of samples flip",
+        times=(0.0, 1.3863),
+        camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
+    ),
+    HardCase(
+        name="sixteen equal waves",
+        scene=Scene(waves=(ParametricWave(amplitude=0.06, wavelength=9.0),) * 16, foam=Foam(look="fading")),
+        guard="the slope bound of ray marching is the sum over all waves (effects/waves/parametric.py, "
+        "surface/march.glsl)",
+        without="with the bound of a single wave, ray marching steps through crests: 21 % of samples are off by "
+        "more than 2 levels",
+        times=(0.0, 1e9),
+        camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
+    ),
+    HardCase(
+        name="a wall of water, 50 m high and 5 cm long",
+        scene=Scene(waves=(ParametricWave(amplitude=50.0, wavelength=0.05, exponent=4.0),), foam=Foam()),
+        guard="N·D is at most -1e-3 |N||D| in the footprint (lib/camera.glsl)",
+        without="the footprint is NaN or infinite where N·D = 0; one sample in 500 is off by up to 215 levels",
+        camera=Camera(position=(0.0, 60.0, 0.0), pitch=-0.6),
+        coarse_apart="slopes of 6000 magnify the error of SwiftShader's sine, 2e-4",
+    ),
+    HardCase(
+        name="as good as flat",
+        scene=Scene(
+            waves=(ParametricWave(amplitude=1e-30), ParametricWave(amplitude=0.0)),
+            foam=Foam(look="halftone"),
+            water=Water(ripples=Ripples()),
+        ),
+        guard="steps are divided by at least 1e-6 |D| (surface/march.glsl)",
+        without="no difference on llvmpipe, where ray marching ends by its tolerance; a ray along flat water would "
+        "divide 0 by 0",
+        camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
+    ),
+    HardCase(
+        name="two kilometres long in 5 cm of water",
+        scene=Scene(
+            waves=(
+                ParametricWave(amplitude=0.02, wavelength=2000.0),
+                ParametricWave(amplitude=50.0, wavelength=2000.0, speed=200.0),
+            ),
+            foam=Foam(look="textured"),
+            water=Water(depth=0.05),
+        ),
+        guard="the dispersion relation is solved by Newton's method from Eckart's estimate, in float64 "
+        "(ocean/dispersion.py)",
+        without="starting from the deep-water wavenumber, the same root takes 12 steps instead of 3",
+        camera=Camera(position=(0.0, 60.0, 0.0), pitch=-0.3),
+    ),
+    HardCase(
+        name="a grazing ray over steep crests",
+        scene=Scene(
+            waves=(
+                ParametricWave(amplitude=1.0, wavelength=5.0, exponent=8.0),
+                ParametricWave(amplitude=0.6, wavelength=3.1, direction=0.7, exponent=6.0),
+            ),
+            foam=Foam(look="halftone"),
+        ),
+        guard="a Newton step is taken only where the gap shrinks at a rate above 1e-3, and its length is limited "
+        "by the last gap of ray marching (surface/march.glsl, newton.glsl)",
+        without="one sample in 5000 is off by 46 levels",
+        times=(0.0, 2.7),
+        camera=Camera(position=(0.0, 1.29, 0.0), yaw=1.571, pitch=0.0),
+    ),
+    HardCase(
+        name="rays that double back on the mesh",
+        scene=Scene(waves=(ParametricWave(amplitude=3.0, wavelength=8.0, exponent=8.0),), foam=Foam()),
+        guard="Newton steps are at most a twentieth of the distance, and only where the ray approaches the "
+        "surface (surface/newton.glsl)",
+        without="1.8 % of samples are off by more than 2 levels, the worst by 221",
+        camera=Camera(position=(0.0, 4.0, 0.0), yaw=1.571, pitch=-0.2),
+    ),
+    HardCase(
+        name="eye inside a crest",
+        scene=Scene(waves=(ParametricWave(amplitude=1.0, wavelength=6.0, phase=math.pi / 2),), foam=Foam()),
+        guard="the distance along the ray is never negative (surface/march.glsl)",
+        without="26 % of samples are off by more than 2 levels: hits behind the camera",
+        camera=Camera(position=(0.0, 0.025, 0.0), pitch=-0.2),
+        apart="the reference looks for the surface from below, the march takes the eye's own place",
+    ),
+    HardCase(
+        name="eye far below the water",
+        scene=Scene(waves=(ParametricWave(),), foam=Foam(), water=Water(ripples=Ripples())),
+        guard="the distance at which the ray leaves the slab of the waves is never negative (surface/march.glsl)",
+        without="that distance is infinite in 0.14 % of samples and negative in 0.29 %",
+        camera=Camera(position=(0.0, -1000.0, 0.0), pitch=0.4),
+        apart="the reference looks for the surface from below, the march takes the eye's own place",
+    ),
+)
+
+_IN_GROUPS = (
+    HardCase(
+        name="groups, thirty years later and ten thousand kilometres away",
+        scene=Scene(
+            waves=(ParametricWave(amplitude=0.8, wavelength=9.0, direction=0.7), ParametricWave(direction=-0.4)),
+            wave_groups=WaveGroups(size=30.0, contrast=1.0),
+            foam=Foam(saturation=(FrontSaturation(group=(0.1, 0.6), decay=3.0),)),
+        ),
+        guard="the place in the period is reduced in float64, past the way that groups have travelled "
+        "(framegraph/evaluation.py)",
+        without="in float32 at 1e9 s the place in the noise has steps of 16 cells: 72 to 73 % of samples are off by "
+        "more than 2 levels",
+        times=(-1e9, 1e9),
+        camera=Camera(position=(1e7, 3.0, -1e7), pitch=-0.3),
+    ),
+)
+
+_GROUPED = (
+    ParametricWave(amplitude=0.6, wavelength=11.0, direction=0.4, exponent=1.6),
+    ParametricWave(amplitude=0.3, wavelength=7.3, direction=-0.3, exponent=1.4),
+)
+_SHARED = FrontSaturation(intensity=7.0, group=(0.2, 1.2), decay=3.0, variation=0.2)
+_VARIANTS = (
+    Scene(waves=_GROUPED, wave_groups=WaveGroups(), foam=Foam(saturation=(_SHARED,), life=FoamLife())),
+    Scene(
+        waves=_GROUPED, wave_groups=WaveGroups(), foam=Foam(saturation=(_SHARED, SlopeSaturation()), life=FoamLife())
+    ),
+    Scene(waves=_GROUPED, wave_groups=WaveGroups(), foam=Foam(), spray=Spray(threshold=0.5)),
+)
+
+CASES = {"parametric waves": Cases(invisible=_INVISIBLE, hard=(*_HARD, *_IN_GROUPS), variants=_VARIANTS)}

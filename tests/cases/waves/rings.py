@@ -1,0 +1,93 @@
+"""Hard cases of waves.rings, and scenes that call for it and cannot show it."""
+
+import math
+
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, HeightSaturation, SlopeSaturation
+from seafoam.scene.models import Scene
+from seafoam.scene.rings import Ring
+from seafoam.scene.water import Ripples, Water
+from support.cases import Cases, HardCase
+
+_VIEW = Camera(position=(0.0, 3.2, 0.0), pitch=-0.35)
+
+_STONE = Ring(place=(0.3, -7.0), amplitude=0.12, decay=0.4, wavelength=1.6)
+
+
+def _moved(by: tuple[float, float]) -> tuple[Ring, Camera]:
+    """The stone and the view, elsewhere."""
+    x, y, z = _VIEW.position
+    return (
+        _STONE.model_copy(update={"place": (_STONE.place[0] + by[0], _STONE.place[1] + by[1])}),
+        _VIEW.model_copy(update={"position": (x + by[0], y, z + by[1])}),
+    )
+
+
+_AWAY = _moved((9.9e6, -9.9e6))
+
+_INVISIBLE = (
+    Scene(rings=(Ring(amplitude=1e-4), Ring(amplitude=0.0))),
+    Scene(rings=(Ring(amplitude=1e-4),), foam=Foam(saturation=(HeightSaturation(),), look="halftone")),
+    Scene(rings=(Ring(amplitude=1.00001e-4, wavelength=3.0),), water=Water(translucency=0.0)),
+    Scene(rings=(_STONE,), light=None),
+)
+
+_HARD = (
+    HardCase(
+        name="a hundred rings at one point",
+        scene=Scene(rings=(_STONE.model_copy(update={"amplitude": 0.004}),) * 100, water=Water(ripples=Ripples())),
+        guard="height and slope are bounded by the sum over rings that can meet (ocean/rings.py)",
+        without="with the bound of the highest ring alone, crests are 0.39 m high in a slab of 8 mm",
+        times=(2.0,),
+        camera=_VIEW,
+    ),
+    HardCase(
+        name="a ring at its own centre at its birth",
+        scene=Scene(
+            rings=(_STONE, _STONE.model_copy(update={"birth": 2.0})),
+            foam=Foam(saturation=(SlopeSaturation(),), look="textured"),
+        ),
+        guard="r is rounded off at the centre, and there is no wave beyond the front, which is at the centre at "
+        "birth (waves/rings/ring.glsl)",
+        without="0/0 at the centre, and a cone of slope 0.45 around it",
+        times=(0.0, 2.0, 2.4),
+        camera=Camera(position=(0.3, 2.0, -7.0), pitch=-math.pi / 2),
+    ),
+    HardCase(
+        name="a front without width",
+        scene=Scene(
+            rings=(_STONE.model_copy(update={"crests": 0.5}),),
+            foam=Foam(saturation=(HeightSaturation(base=0.05, full=0.25),), look="textured"),
+        ),
+        guard="amplitude rises and falls over a wavelength at front and tail (waves/rings/ring.glsl)",
+        without="slope of 0.60 instead of 0.40 at the worst of 20 000 points, and 1500 in the front itself",
+        times=(1.5,),
+        camera=_VIEW,
+    ),
+    HardCase(
+        name="rings a thousand million seconds from now",
+        scene=Scene(rings=(_STONE.model_copy(update={"birth": 1e9}), _STONE.model_copy(update={"every": 14.0}))),
+        guard="ages are reduced in float64 (framegraph/evaluation.py)",
+        without="in float32 the age stays 0 for 32 s: an error of 0.12 m in a ring of 0.3 m",
+        times=(-1e9, 1e9 + 2.3),
+        camera=_VIEW,
+    ),
+    HardCase(
+        name="rings ten thousand kilometres away",
+        scene=Scene(rings=(_AWAY[0],), water=Water(ripples=Ripples())),
+        guard="the vector from the centre to the camera is reduced in float64 (framegraph/evaluation.py)",
+        without="in float32 an error of 0.14 m in a ring of 0.3 m",
+        times=(2.3,),
+        camera=_AWAY[1],
+    ),
+    HardCase(
+        name="rings long dead",
+        scene=Scene(rings=(_STONE,), foam=Foam(saturation=(HeightSaturation(base=0.0, full=0.5),), look="halftone")),
+        guard="negative amplitudes count as 0 (waves/rings/ring.glsl)",
+        without="waves of 0.4 mm with slope 0.0012 that never end",
+        times=(13.8, 1e9),
+        camera=_VIEW,
+    ),
+)
+
+CASES = {"rings": Cases(invisible=_INVISIBLE, hard=_HARD)}

@@ -1,0 +1,40 @@
+"""Hard cases of waves.standing, and scenes that name it but in which it is invisible."""
+
+import math
+
+from seafoam.scene.camera import Camera
+from seafoam.scene.current import Current, Stone
+from seafoam.scene.foam import Foam, SlopeSaturation, WakeSaturation
+from seafoam.scene.models import Scene
+from support.cases import Cases, HardCase
+
+_STONES = (Stone(place=(0.0, -20.0), radius=0.8, waves=1.0), Stone(place=(4.0, -24.0), radius=10.0, waves=1.0))
+_FLOWS = Scene(current=Current(speed=3.0, direction=0.9, stones=_STONES))
+
+_ABOVE = Camera(position=(0.0, 25.0, -18.0), pitch=-math.pi / 2)
+
+_INVISIBLE = (
+    Scene(current=Current(speed=0.4, stones=_STONES)),
+    Scene(current=Current(stones=(Stone(waves=0.0),))),
+)
+
+_HARD = (
+    HardCase(
+        name="the edge of standing waves, and straight behind a stone",
+        scene=_FLOWS.model_copy(update={"foam": Foam(saturation=(SlopeSaturation(),), look="textured")}),
+        guard="waves only where the square root in their phase exceeds 0 (boats/wake/pattern.glsl)",
+        without="2.6 % of samples off by more than 2 levels, the worst by 234: a vertical step at the waves' edge",
+        camera=_ABOVE,
+    ),
+    HardCase(
+        name="white water at a stone's middle, and far down the current",
+        scene=_FLOWS.model_copy(
+            update={"foam": Foam(saturation=(WakeSaturation(amount=4.0, life=60.0, bow=4.0),), look="textured")}
+        ),
+        guard="exponents at most 80 (foam/saturation/stones.glsl)",
+        without="no change on llvmpipe: exponentials underflow to 0",
+        camera=_ABOVE,
+    ),
+)
+
+CASES = {"standing waves": Cases(invisible=_INVISIBLE, hard=_HARD)}

@@ -1,0 +1,76 @@
+"""Hard cases of waves.touch, and scenes that call for it and cannot show it."""
+
+from seafoam.scene.camera import Camera
+from seafoam.scene.current import Current
+from seafoam.scene.foam import Foam, HeightSaturation
+from seafoam.scene.models import Scene
+from seafoam.scene.touch import TOUCHES_MOST, Touch
+from seafoam.scene.water import Ripples, Water
+from seafoam.scene.waves import ParametricWave, Sea
+from support.cases import Cases, HardCase
+
+_NEAR = Camera(position=(0.0, 2.0, 0.0), pitch=-0.45)
+_TRAIN = tuple(Touch(place=(0.35 * i - 2.0, -4.0 - 0.1 * i), time=0.15 * i - 2.0) for i in range(12))
+
+
+def _moved(touches: tuple[Touch, ...], by: tuple[float, float]) -> tuple[Touch, ...]:
+    return tuple(
+        touch.model_copy(update={"place": (touch.place[0] + by[0], touch.place[1] + by[1])}) for touch in touches
+    )
+
+
+_INVISIBLE = (
+    Scene(touches=(Touch(strength=0.0), Touch(strength=1e-4))),
+    Scene(waves=(ParametricWave(),), foam=Foam(), touches=_TRAIN, light=None),
+)
+
+_HARD = (
+    HardCase(
+        name="as many touches as there may be, at one place",
+        scene=Scene(touches=(Touch(strength=0.004, time=-0.5),) * TOUCHES_MOST),
+        guard="slopes without height, so no ray misses a crest (waves/touch/rings.glsl)",
+        without="with heights, crests of 0.1 m in a slab of 4 mm",
+        camera=_NEAR,
+    ),
+    HardCase(
+        name="touches a thousand million seconds from now",
+        scene=Scene(touches=tuple(touch.model_copy(update={"time": 1e9 + touch.time}) for touch in _TRAIN[-1:])),
+        guard="ages are reduced in float64 (framegraph/evaluation.py)",
+        without="in float32 the age stays 0 for 32 s: no ring",
+        times=(1e9 - 8.0, 1e9, 1e9 + 0.75),
+        camera=_NEAR,
+    ),
+    HardCase(
+        name="touches ten thousand kilometres away",
+        scene=Scene(touches=_moved(_TRAIN, (1e7 - 8.0, -1e7 + 8.0)), water=Water(ripples=Ripples())),
+        guard="the vector from the centre to the camera is reduced in float64 (framegraph/evaluation.py)",
+        without="in float32 places have steps of 1 m: rings lie beside their centres by more than their wavelength",
+        camera=Camera(position=(1e7 - 8.0, 2.0, -1e7 + 8.0), pitch=-0.45),
+    ),
+    HardCase(
+        name="touches long over, and touches of no strength",
+        scene=Scene(touches=(*_TRAIN, Touch(strength=0.0)), foam=Foam(saturation=(HeightSaturation(),))),
+        guard="negative amplitudes count as 0, and strengths of 0 are passed over (waves/rings/ring.glsl)",
+        without="rings with negative amplitudes that never end",
+        times=(12.0, 1e9),
+        camera=_NEAR,
+    ),
+    HardCase(
+        name="touches of a river thirty years after its current set in",
+        scene=Scene(
+            current=Current(speed=2.0, direction=0.6),
+            touches=tuple(touch.model_copy(update={"time": 9e8 + touch.time}) for touch in _TRAIN),
+        ),
+        guard="velocity times the time of the touch and velocity times time cancel in float64 (effects/waves/touch.py)",
+        without="in float32 the centre of each ring is off by up to 128 m",
+        times=(9e8,),
+        camera=_NEAR,
+    ),
+)
+
+_VARIANTS = (
+    Scene(sea=Sea(), touches=_TRAIN),
+    Scene(waves=(ParametricWave(),), water=Water(ripples=Ripples(), depth=2.0), touches=_TRAIN),
+)
+
+CASES = {"touch": Cases(invisible=_INVISIBLE, hard=_HARD, variants=_VARIANTS)}

@@ -1,0 +1,72 @@
+"""Test scenes of the effects: hard cases, scenes that cannot show an effect, variants of its shaders."""
+
+import importlib
+from dataclasses import dataclass
+
+from seafoam.effects.effect import Effect
+from seafoam.scene.camera import Camera
+from seafoam.scene.models import Scene
+
+
+@dataclass(frozen=True)
+class Bounds:
+    """How far a picture may be from another.
+
+    ``mean``: of the pixels' largest differences, levels of linear light, display white = 255. ``share``: of pixels that
+    are off by more than 2 levels, in [0, 1].
+    """
+
+    mean: float
+    share: float
+
+
+@dataclass(frozen=True)
+class HardCase:
+    """A scene, a time and a camera that provoke a failure, the guard against it, and the failure without it.
+
+    Its pictures are compared, and need be no more than sound (finite, not negative) where the case says why not.
+    """
+
+    name: str
+    scene: Scene
+    guard: str
+    without: str
+    """Result of the frame or function without the guard, measured once: a number and its unit."""
+    times: tuple[float, ...] = (0.0,)
+    camera: Camera | None = None
+    bounds: Bounds = Bounds(mean=0.5, share=0.01)
+    """Against the float64 reference, at the tests' exact quality."""
+    apart: str = ""
+    """Why the reference's picture is another one; empty: it is the same within ``bounds``."""
+    coarse_share: float | None = None
+    """Of pixels off by more than 2 levels of the display where sines are good to 2e-4 (SwiftShader), in [0, 1]; None:
+    as of presets with such a look."""
+    coarse_apart: str = ""
+    """Why the picture is another one there; empty: it is the same within ``coarse_share``."""
+
+
+@dataclass(frozen=True)
+class Cases:
+    """Test scenes of an effect. ``hard``: scenes that provoke a numerical failure.
+
+    ``invisible``: scenes that contain the effect but cannot show it. ``always_visible``: why there are no such scenes.
+    ``variants``: scenes that between them need every file and every compile-time switch of the effect; browsers compile
+    them.
+    """
+
+    hard: tuple[HardCase, ...] = ()
+    invisible: tuple[Scene, ...] = ()
+    always_visible: str = ""
+    variants: tuple[Scene, ...] = ()
+
+
+def cases_of(effect: Effect) -> Cases:
+    """The effect's entry in ``CASES`` of ``tests/cases``, or of ``NAME_cases`` beside an effect outside the package.
+
+    Raises ``ImportError`` or ``KeyError`` where it has none.
+    """
+    module = effect.contribute.__module__
+    inside = module.removeprefix("seafoam.effects.")
+    found = importlib.import_module(f"cases.{inside}" if inside != module else f"{module}_cases")
+    cases: Cases = found.CASES[effect.name]
+    return cases
