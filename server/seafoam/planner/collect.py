@@ -71,7 +71,9 @@ class Collection:
                     self.scene = effect.without(self.scene)
         for effect in effects:
             contribution = effect.contribute(self.scene, quality)
-            if contribution is not None and not (economy and self._skip(effect, contribution)):
+            if contribution is None and self.scene is not scene:
+                self._drop(effect, effect.contribute(scene, quality))
+            elif contribution is not None and not (economy and self._skip(effect, contribution)):
                 self._add(effect.name, _afloat(contribution, effect, scene))
 
     def fills(self, slot: str) -> bool:
@@ -86,6 +88,12 @@ class Collection:
         self.skipped.append(EffectNote(name=effect.name, why=bound.why, bound=bound.value))
         self.bound_fields.update(bound.fields)
         return True
+
+    def _drop(self, effect: Effect, contribution: Contribution | None) -> None:
+        """Note an effect that is gone with one that was left out."""
+        known = contribution is None or any(note.name == effect.name for note in self.skipped)
+        if not known and not self._skip(effect, contribution):
+            self.skipped.append(EffectNote(name=effect.name, why="it belongs to what is left out", bound=0.0))
 
     def _add(self, name: str, contribution: Contribution) -> None:
         pieces = [piece for file in contribution.slots for piece in (*file.needs, file.path)]

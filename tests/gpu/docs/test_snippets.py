@@ -67,7 +67,7 @@ def test_readme(server: str, executor: Executor, tmp_path: Path, monkeypatch: py
         if "-o" in arguments:
             file = arguments[arguments.index("-o") + 1]
             written[file] = Path(file).stat().st_size
-    assert {Path(file).suffix for file in written} == {".png", ".exr", ".npy"}
+    assert {Path(file).suffix for file in written} == {".png", ".exr", ".npy", ".u16"}
     assert min(written.values()) > 500
 
 
