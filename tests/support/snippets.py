@@ -17,7 +17,7 @@ NOT_RUN = {
     ".venv/bin/pytest": "the tests themselves; that the files exist is tested here",
     ".venv/bin/python docs/make_stability.py": "needs what browsers measured; test_generated.py has its own",
     ".venv/bin/python docs/make_paper.py": "tests/fast/unit/test_citation.py makes the same tables",
-    ".venv/bin/python docs/make_reports.py": "an hour and a half; tests/fast/accuracy/test_reports.py reads what it wrote",
+    ".venv/bin/python docs/make_tiers.py": "half an hour; tests/fast/accuracy/test_tiers_page.py reads what it wrote",
     "python docs/make_whitecaps.py": "minutes",
     ".venv/bin/seafoam serve": "the server that the other snippets ask",
     ".venv/bin/seafoam accuracy": "minutes; tests/gpu/accuracy measures small ones",
