@@ -25,6 +25,13 @@ ROUNDS_SECONDS = 6.0
 _KIND = re.compile(r"^(?P<kind>[^:,]*?)(?: \d+)?(?:[:,].*)?$")
 
 
+def kind(name: str) -> str:
+    """A pass's name without numbers, so that all passes of one transform have the same."""
+    found = _KIND.match(name)
+    assert found
+    return found["kind"]
+
+
 @dataclass(frozen=True)
 class Taken:
     """A pass and its seconds, the median over frames that drew it; ``kept``: drawn only once."""
@@ -38,10 +45,8 @@ class Taken:
 
     @property
     def kind(self) -> str:
-        """The name without numbers, so that all passes of one transform have the same."""
-        found = _KIND.match(self.name)
-        assert found
-        return found["kind"]
+        """The name without numbers."""
+        return kind(self.name)
 
 
 @dataclass(frozen=True)

@@ -133,7 +133,7 @@ def _measured(asked: argparse.Namespace, device: Device, budget: Budget) -> Repo
         "date": datetime.now(UTC).strftime("%Y-%m-%d %H:%M UTC"),
         **machine.describe(),
     }
-    report = Report(about, device.software, asked.seconds, len(work))
+    report = Report(about, device.software, asked.seconds, len(work), device.note)
     reserved = min(SERVICE_SECONDS, SERVICE_SHARE * asked.seconds)
     # A software renderer draws with all cores at once.
     workers = 1 if device.software else max(1, min(MOST_WORKERS, (os.cpu_count() or 1) - 1))
@@ -249,6 +249,7 @@ def _serve(report: Report, device: Device, size: tuple[int, int], budget: Budget
                 answers, taken = closed_loop(port, _paths(form, size), clients, seconds)
                 rate = answered(answers, taken)
                 stages = {name: median(each.stages[name] for each in answers) for name in answers[0].stages}
+                stages["http"] = median(each.http for each in answers)
                 report.served.append(Served(f"{picture}, {form}", clients, rate, stages))
                 _say(budget, f"service: {picture}, {form}, for {clients} at once: {rate:.2f} frames/s")
     except (OSError, HTTPException, RuntimeError) as error:

@@ -12,6 +12,15 @@ from seafoam.render.service.worker import draw_canary
 
 MOST = 16
 """Devices that are looked at."""
+RASTER = {
+    name: (
+        f"An {name} runs vertex and pixel shaders in two of its 66 texture processing clusters, 4 of its 132\n"
+        "multiprocessors (NVIDIA's white paper on the H100's architecture, 2022), some 2 TFLOP/s: what a processor's\n"
+        "integrated GPU has."
+    )
+    for name in ("H100", "H200")
+}
+"""What has to be known of a device's figures, by a part of its renderer's name."""
 NO_MORE = "requested device index"
 """In what the binding says of an index for which there is no device."""
 
@@ -33,6 +42,11 @@ class Device:
     def software(self) -> bool:
         """Whether it draws on the processor."""
         return any(name in self.renderer.lower() for name in SOFTWARE)
+
+    @property
+    def note(self) -> str:
+        """What has to be known of its figures; empty: nothing."""
+        return next((note for name, note in RASTER.items() if name in self.renderer), "")
 
     def __str__(self) -> str:
         place = "the default device" if self.index is None else f"device {self.index}"

@@ -4,10 +4,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from statistics import median
 
-from bench.gpu.tasks import Drawn, Judged
+from bench.gpu.tasks import FIRST, Drawn, Judged
 from bench.report import Column, Table, count, lines, ms
 from support.parity import FLIPPED, NEAR, TONE, WHOLE
 
+COSTLIEST = 4
 WITHOUT = "**This machine drew without a GPU**: nothing below says what one does.\n\n"
 
 
@@ -31,6 +32,8 @@ class Report:
     budget: float
     wanted: int
     """Pieces of work, without the service."""
+    note: str = ""
+    """What has to be known of the device's figures."""
     distrust: str = ""
     drawn: list[Drawn] = field(default_factory=list)
     judged: list[Judged] = field(default_factory=list)
@@ -58,7 +61,11 @@ class Report:
 
 def page(report: Report, command: str) -> str:
     """The report as Markdown."""
-    tables = [table for table in (tiers(report), frames(report), parities(report), service(report)) if table.rows]
+    tables = [
+        table
+        for table in (tiers(report), passes(report), frames(report), parities(report), service(report))
+        if table.rows
+    ]
     parts = [
         f"""# A GPU's proof
 
@@ -74,6 +81,7 @@ on the machine below. This page is generated:
 {lines(report.about)}
 ```
 """,
+        *([f"{report.note}\n"] if report.note else []),
         clock(report.distrust),
         *(f"## {table.title}\n\n```\n{_body(table)}\n```\n" for table in tables),
         _listed("Wrong", report.wrong, "Nothing: every picture that was drawn is one, and no bound is exceeded."),
@@ -115,6 +123,27 @@ def tiers(report: Report) -> Table:
             Column("most", "its ms", ms),
         ),
         rows,
+    )
+
+
+def passes(report: Report) -> Table:
+    """A row for each preset at the usual tier: its costliest passes."""
+    size = {one.task.size for one in report.drawn}
+    timed = [one for one in report.drawn if one.passes and one.task.tier == FIRST and one.task.size == min(size)]
+    return Table(
+        "Passes",
+        f"The {COSTLIEST} costliest kinds of passes of {FIRST}'s frames and what they take on the GPU, ms.",
+        (Column("preset", "preset"), Column("passes", "passes")),
+        [
+            (
+                one.task.preset,
+                ", ".join(
+                    f"{name} {1e3 * seconds:.2f}"
+                    for name, seconds in sorted(one.passes.items(), key=lambda item: -item[1])[:COSTLIEST]
+                ),
+            )
+            for one in sorted(timed, key=lambda one: one.task.preset)
+        ],
     )
 
 
@@ -186,11 +215,12 @@ def parities(report: Report) -> Table:
 
 def service(report: Report) -> Table:
     """A row for each load."""
-    stages = ("queue", "plan", "render", "read", "encode")
+    stages = ("queue", "plan", "render", "read", "encode", "http")
     return Table(
         "Service",
         "A server as seafoam serve starts it, but without caches of frames and with a longer deadline; each client "
-        "asks for a frame of another time as soon as it is answered. Medians of the server's stages.",
+        "asks for a frame of another time as soon as it is answered. Medians of the server's stages; http: the rest, "
+        "as the client sees it.",
         (
             Column("what", "what"),
             Column("clients", "clients", count),

@@ -75,16 +75,21 @@ Task = Draw | Judge
 class Drawn:
     """Times of a preset's frames, s. ``ready``: plan, programs and textures made; ``first``: the first frame.
 
-    ``query``: the median of the sums of timer queries, None where they are not believed; ``faults``: of the picture.
+    ``passes``: medians of timer queries by kind of pass, empty where they are not believed; ``faults``: of the picture.
     """
 
     task: Draw
     ready: float
     first: float
-    query: float | None
+    passes: dict[str, float]
     wall: float
     rounds: int
     faults: tuple[str, ...]
+
+    @property
+    def query(self) -> float | None:
+        """Of a frame on the GPU, None where that is not known."""
+        return sum(self.passes.values()) or None
 
     @property
     def seconds(self) -> float:
@@ -172,7 +177,7 @@ def _draw(task: Draw) -> Drawn:
     executor = _executor()
     timer = PassTimer(executor)
     walls: list[float] = []
-    queries: list[float] = []
+    queries: list[dict[str, float]] = []
     with _alone():
         began = clock.perf_counter()
         executor.render(plan, time=found.time, camera=camera, width=width, height=height, output="rgba8")
@@ -188,12 +193,15 @@ def _draw(task: Draw) -> Drawn:
     if TIERS[task.tier].samples > 1:
         # Its targets are large, and no later piece of this process may want them.
         executor.forget()
-    believed = _queries and all(plausible(*pair) for pair in zip(queries, walls, strict=True))
+    frames = zip(queries, walls, strict=True)
+    believed = _queries and all(plausible(sum(passes.values()), wall) for passes, wall in frames)
+    # Not every frame draws every pass.
+    kinds = sorted(set().union(*queries))
     return Drawn(
         task,
         ready,
         first,
-        median(queries) if believed else None,
+        {name: median(passes.get(name, 0.0) for passes in queries) for name in kinds} if believed else {},
         median(walls),
         len(walls),
         tuple(faults(light.pixels)),

@@ -8,6 +8,9 @@ from unittest.mock import patch
 
 import moderngl
 
+from bench.passes import kind
+from seafoam.framegraph.passes import Pass
+from seafoam.framegraph.plan import FramePlan
 from seafoam.render.gl.executor import Executor
 
 LEAST, MOST = 0.7, 1.05
@@ -40,29 +43,33 @@ class PassTimer:
     def __init__(self, executor: Executor) -> None:
         self._executor = executor
         self._queries: list[moderngl.Query] = []
-        self._used = 0
+        self._names: list[str] = []
 
     @contextmanager
     def running(self) -> Iterator[None]:
         """A context that times one frame."""
-        self._used = 0
+        self._names.clear()
         draw = self._executor._draw
 
-        def timed(*given: Any, **named: Any) -> None:
-            if self._used == len(self._queries):
+        def timed(plan: FramePlan, step: Pass, *given: Any, **named: Any) -> None:
+            used = len(self._names)
+            if used == len(self._queries):
                 self._queries.append(self._executor._context.query(time=True))
-            with self._queries[self._used]:
-                draw(*given, **named)
-            self._used += 1
+            with self._queries[used]:
+                draw(plan, step, *given, **named)
+            self._names.append(kind(step.name))
 
         with patch.object(self._executor, "_draw", timed):
             yield
 
-    def seconds(self) -> float:
-        """Sum of the last frame's queries. Raises ``RuntimeError`` where it had none."""
-        if not self._used:
+    def seconds(self) -> dict[str, float]:
+        """The last frame's queries, summed by kind of pass. Raises ``RuntimeError`` where it had none."""
+        if not self._names:
             raise RuntimeError("no pass was seen: the executor draws passes in another way, see bench/gpu/timers.py")
-        return sum(1e-9 * query.elapsed for query in self._queries[: self._used])
+        sums: dict[str, float] = {}
+        for name, query in zip(self._names, self._queries, strict=False):
+            sums[name] = sums.get(name, 0.0) + 1e-9 * query.elapsed
+        return sums
 
 
 def loads(executor: Executor) -> list[tuple[float, float]]:

@@ -58,7 +58,8 @@ class Pool:
 
 
 def drawn(task: Draw, query: float | None = 0.002, wall: float = 0.004, faults: tuple[str, ...] = ()) -> Drawn:
-    return Drawn(task, ready=1.0, first=0.1, query=query, wall=wall, rounds=9, faults=faults)
+    passes = {"sky": 0.25 * query, "surface": 0.75 * query} if query else {}
+    return Drawn(task, ready=1.0, first=0.1, passes=passes, wall=wall, rounds=9, faults=faults)
 
 
 def judged(near: float, flipped: float = 0.0, *, hard: bool = False, preset: str = "beach") -> Judged:
@@ -84,6 +85,12 @@ class TestDevice:
         there = {0: LLVMPIPE, 1: GPU, 2: BROKEN, 3: Device(3, problem=NONE)}
         assert survey(None, lambda index: there[index or 0]) == [LLVMPIPE, GPU, BROKEN]
         assert survey(2, lambda index: there[index or 0]) == [BROKEN]
+
+    def test_what_few_units_draw_is_said(self) -> None:
+        assert not GPU.note
+        note = Device(0, renderer="NVIDIA H200/PCIe/SSE2").note
+        assert "two of its 66" in note
+        assert note in page.page(a_report(note=note), "make gpu")
 
     def test_the_default_is_looked_at_where_no_device_draws(self) -> None:
         asked = []
@@ -186,6 +193,7 @@ class TestPage:
         assert beach[:4] == ("beach", "standard, 1280 × 720", 0.002, 0.004)
         assert default[2:4] == (None, 0.004)
         assert (beach[4], default[4]) == (pytest.approx(460.8), pytest.approx(230.4))
+        assert page.passes(report).rows == [("beach", "surface 1.50, sky 0.50")]
         (row,) = page.tiers(report).rows
         assert row == ("standard, 1280 × 720", 2, 0.003, pytest.approx(307.2), "default", 0.004)
 

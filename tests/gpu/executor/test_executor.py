@@ -12,7 +12,7 @@ from seafoam.quality import TIERS, SurfaceQuality
 from seafoam.render.gl import executor as module
 from seafoam.render.gl.executor import Executor, ShaderError
 from seafoam.scene.presets import load_preset
-from support.pictures import draw
+from support.pictures import ROUNDED, draw
 
 
 def test_programs_let_go_and_made_again_draw_the_same(executor: Executor, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -53,8 +53,8 @@ def test_16_bits_are_the_8_bits_before_they_are_rounded(executor: Executor) -> N
     exact = executor.render(plan, output="rgba8", **asked).pixels
     fine = executor.render(plan, output="rgba16", **asked).pixels
     assert fine.dtype == np.uint16
-    # Half a level, and the last of the 16 bits.
-    assert np.abs(fine / 257.0 - exact).max() <= 0.5 + 1 / 257
+    # And the last of the 16 bits.
+    assert np.abs(fine / 257.0 - exact).max() <= ROUNDED + 1 / 257
     assert (executor.render(plan, output="rgba8", **asked).pixels == exact).all()
 
 

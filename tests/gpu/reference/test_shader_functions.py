@@ -19,6 +19,8 @@ from seafoam.textures import FRONT_NODES, FrontIntegral, front_fading, front_ful
 from support.probe import Probe, grid_of
 
 TOLERANCE = 1e-5
+POLE = 2e-6
+"""Phase, rad: the rounding of one of 30 rad, and more than the error of NVIDIA's sine."""
 NUMBERS = "lib/numbers.glsl"
 PHASE = ("foam/saturation/front_own.glsl", "foam/saturation/front_gate.glsl", "foam/saturation/front_profile.glsl")
 FILTERED_FRONT = (
@@ -66,7 +68,11 @@ def test_front_equals_its_float64_form(probe: Probe, constants: str, intensity: 
     want = saturation.front_saturation(np.cos(wide), np.sin(wide), intensity, base)
     want[wide == 0.0] = 4.0
     assert np.isfinite(got).all()
-    assert np.abs(got - want).max() <= TOLERANCE
+    away = np.abs(got - want)
+    # A driver's sine may be 0 so close to the pole: either side's value is right there.
+    beside = (wide > -POLE) & (wide < 0.0)
+    away[beside] = np.minimum(away[beside], np.abs(got[beside] - 4.0))
+    assert away.max() <= TOLERANCE
 
 
 @pytest.mark.parametrize("constants", ["text", "listing"])
