@@ -26,7 +26,6 @@ from rich.progress import Progress
 from scipy import stats
 
 from seafoam.accuracy.metrics import displayed
-from seafoam.accuracy.whitecaps import Patches, Rule, awe_threshold, grey, levelled, patches
 from seafoam.ocean import cascades as sea_tiles
 from seafoam.ocean import whitecaps as foam_of_sea
 from seafoam.planner import make_plan
@@ -39,6 +38,11 @@ from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 from seafoam.scene.waves import Sea
+
+# As a script this file has docs on its path, as a module of tests what docs lies in.
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+
+from docs.whitecaps_measure import Patches, Rule, awe_threshold, grey, levelled, patches
 
 PAGE = Path(__file__).parent / "whitecaps.md"
 PICTURE = Path(__file__).parent / "pictures" / "whitecaps.png"

@@ -4,10 +4,10 @@ import math
 
 import numpy as np
 import pytest
+from docs.whitecaps_measure import Rule, awe_coverage, awe_threshold, grey, levelled, patches, pip_curve
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter
 
-from seafoam.accuracy.whitecaps import Rule, awe_coverage, awe_threshold, grey, levelled, patches, pip_curve
 from support.report import Report
 
 SIZE = (480, 640)
