@@ -173,7 +173,7 @@ def _choose(added: Additions, frame: str) -> None:
     contrast, counts = {"u_contrast": "contrast"}, {"u_counts": "choice counts"}
     added.add("contrast", "contrast", ("adaptive/contrast_pass.glsl",), {"u_frame": frame})
     for k in range(ROUNDS):
-        thresholds = f"adaptive/{'next' if k else 'first'}_limits.glsl"
+        thresholds = "adaptive/next_limits.glsl" if k else "adaptive/first_limits.glsl"
         limits = {"u_limits": f"choice limits {k - 1}"} if k else {}
         added.add(
             f"samples at limits {k}", "choice counts", (thresholds, "adaptive/count_pass.glsl"), contrast | limits

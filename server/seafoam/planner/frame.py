@@ -162,7 +162,7 @@ class FrameBuilder:
         return [*COMMON, *self._waves, *rise, "vertex/horizon.glsl", side]
 
     def _surface_programs(self) -> None:
-        falling, rising = (self._up_to_horizon(f"vertex/{side}.glsl") for side in ("falling", "rising"))
+        falling, rising = (self._up_to_horizon(side) for side in ("vertex/falling.glsl", "vertex/rising.glsl"))
         if self.mesh:
             grid = [*COMMON, *slot_pieces(WAVES, self.chosen), "vertex/polar_grid.glsl"]
             self._program("surface", self.fragments["surface"], grid)

@@ -49,8 +49,10 @@ class Kind:
     still: str
     """Why there are no waves."""
     way: tuple[Piece, ...]
-    bounds: str
-    """Folder of the files of the bounds."""
+    declared: str
+    """File of the bounds that are declared."""
+    measured: str
+    """Of those of the map."""
     bounds_need: tuple[Piece, ...] = ()
     gentler: str = ""
     """File of the rays that meet smaller slopes than the bound, or none; only for wakes with a map."""
@@ -65,7 +67,15 @@ class Kind:
         return dict(self.rename).get(name, name)
 
 
-BOATS = Kind("wake", "wakes", "wakes", "no boat moves, or none makes waves", WAY, "boats/wake")
+BOATS = Kind(
+    "wake",
+    "wakes",
+    "wakes",
+    "no boat moves, or none makes waves",
+    WAY,
+    "boats/wake/declared_bounds.glsl",
+    "boats/wake/bounds.glsl",
+)
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -102,9 +112,9 @@ def wakes_of(kind: Kind, patterns: Sequence[Wake], quality: Quality) -> Contribu
 
 def _slots(kind: Kind, *, mapped: bool) -> tuple[SlotFile, ...]:
     """Waves and bounds. The pattern itself is the same for all kinds."""
-    at = kind.file(f"boats/wake/{'map' if mapped else 'exact'}.glsl")
+    at = kind.file("boats/wake/map.glsl" if mapped else "boats/wake/exact.glsl")
     needs = (*kind.way, at) if mapped else (*kind.way, _PATTERN, at)
-    bounds = f"{kind.bounds}/{'bounds' if mapped else 'declared_bounds'}.glsl"
+    bounds = kind.measured if mapped else kind.declared
     gentler = (SlotFile("gentler", kind.gentler, prefix=kind.prefix, needs=kind.bounds_need),)
     return (
         SlotFile("waves", kind.file("boats/wake/waves.glsl"), prefix=kind.prefix, needs=needs),

@@ -71,7 +71,7 @@ def _at_samples(scene: Scene, front: FrontSaturation, intensity_field: str) -> C
     """Foam of the present fronts at the samples' own places."""
     return Contribution(
         why=_why(scene, front),
-        slots=(_present_slot(scene, "front"),),
+        slots=(_present_slot(scene, "foam/saturation/front.glsl"),),
         consts=_present_consts(scene, front),
         uniforms={**_present_uniforms(scene, front), "u_front_intensity": number(front.intensity, intensity_field)},
     )
@@ -83,7 +83,7 @@ def _averaged(scene: Scene, front: FrontSaturation) -> Contribution:
     integral = FrontIntegral(intensity=front.intensity, log_base=constants.log_base)
     return Contribution(
         why=f"{_why(scene, front)}, averaged over footprints",
-        slots=(_present_slot(scene, "front_filtered", "front_seen"),),
+        slots=(_present_slot(scene, "foam/saturation/front_filtered.glsl", "foam/saturation/front_seen.glsl"),),
         consts={
             **_present_consts(scene, front),
             "FRONT_CREST": 2.0 * constants.delta - math.pi / 2.0,
@@ -118,15 +118,16 @@ def _decaying(scene: Scene, front: FrontSaturation, decay: float, *, filtered: b
     needs: tuple[Piece, ...] = (
         *_phase_files(scene),
         *front_files(scene),
-        *_saturation_files("front_gate", "front_seen"),
+        "foam/saturation/front_gate.glsl",
+        "foam/saturation/front_seen.glsl",
         *_way_files(scene, carry),
     )
-    needs = (*needs, *(PERLIN_3 if patchy else ()), *_saturation_files("front_patches" if patchy else "front_even"))
+    patches = (*PERLIN_3, "foam/saturation/front_patches.glsl") if patchy else ("foam/saturation/front_even.glsl",)
     if patchy:
         uniforms |= _patches(scene, front)
     return Contribution(
         why=f"foam of {_waves(scene)} left by the last three fronts, {decay:g} s to 1/e",
-        slots=(SlotFile("saturation", "foam/saturation/front_living.glsl", prefix="front", needs=needs),),
+        slots=(SlotFile("saturation", "foam/saturation/front_living.glsl", prefix="front", needs=(*needs, *patches)),),
         consts={
             "FRONT_COUNT": len(waves),
             "FRONT_GATED": _gated(front),
@@ -166,21 +167,18 @@ def _why(scene: Scene, front: FrontSaturation) -> str:
     return f"front saturation of {_waves(scene)}, constants of the {front.constants}"
 
 
-def _saturation_files(*names: str) -> tuple[str, ...]:
-    return tuple(f"foam/saturation/{name}.glsl" for name in names)
-
-
 def _phase_files(scene: Scene) -> tuple[Piece, ...]:
     """The files that give the phase of the waves' sum: shared with the surface, or evaluated for the front."""
     if shares_phase(scene):
-        return _saturation_files("front_shared")
-    return signal_files(scene, *_saturation_files("front_own"))
+        return ("foam/saturation/front_shared.glsl",)
+    return signal_files(scene, "foam/saturation/front_own.glsl")
 
 
 def _way_files(scene: Scene, carry: Literal["none", "own", "shared"]) -> tuple[Piece, ...]:
     """The files that give the way to where the water rests."""
-    path = f"foam/saturation/way_{carry}.glsl"
-    return way_files(scene, path) if carry == "own" else (path,)
+    if carry == "own":
+        return way_files(scene, "foam/saturation/way_own.glsl")
+    return ("foam/saturation/way_shared.glsl" if carry == "shared" else "foam/saturation/way_none.glsl",)
 
 
 def _advance(scene: Scene, mean_rate: float) -> dict[str, Uniform]:
@@ -192,8 +190,8 @@ def _advance(scene: Scene, mean_rate: float) -> dict[str, Uniform]:
 
 
 def _present_slot(scene: Scene, file: str, *more: str) -> SlotFile:
-    needs = (*_phase_files(scene), *_saturation_files("front_gate", "front_profile", *more))
-    return SlotFile("saturation", f"foam/saturation/{file}.glsl", prefix="front", needs=needs)
+    needs = (*_phase_files(scene), "foam/saturation/front_gate.glsl", "foam/saturation/front_profile.glsl", *more)
+    return SlotFile("saturation", file, prefix="front", needs=needs)
 
 
 def _present_consts(scene: Scene, front: FrontSaturation) -> dict[str, Const]:

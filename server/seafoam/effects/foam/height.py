@@ -56,7 +56,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if height is None:
         return None
     pointer = scene.foam.pointer(height)
-    name = "height_filtered" if scene.foam.look == "filtered" else "height"
+    file = "foam/saturation/height_filtered.glsl" if scene.foam.look == "filtered" else "foam/saturation/height.glsl"
     consts: dict[str, Const] = {}
     uniforms: dict[str, Uniform] = {}
     needs: tuple[str, ...] = ()
@@ -64,7 +64,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if scene.foam.look == "filtered" and scene.sea is None and scene.shore is None:
         raised = [wave for wave in scene.waves if wave.amplitude > 0.0]
         if raised:
-            name, needs = "height_seen", ("foam/saturation/level.glsl",)
+            file, needs = "foam/saturation/height_seen.glsl", ("foam/saturation/level.glsl",)
             mean, steepest, seen = seen_heights(scene)
             kx, kz = wavevector(max(raised, key=lambda wave: wave.amplitude), scene.water.depth)
             consts["HEIGHT_NODES"] = NODES
@@ -73,7 +73,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             uniforms["u_height_seen"] = array("vec2", pairs, NODES)
     return Contribution(
         why=f"height saturation between {height.base:g} and {height.full:g} m",
-        slots=(SlotFile("saturation", f"foam/saturation/{name}.glsl", prefix="height", needs=needs),),
+        slots=(SlotFile("saturation", file, prefix="height", needs=needs),),
         consts=consts,
         uniforms={
             **uniforms,

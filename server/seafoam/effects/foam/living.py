@@ -50,8 +50,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if scene.shore is not None:
         surf = None if scene.foam is None else scene.foam.source(SurfSaturation)
         breaks = surf is not None and surf_limit(surf, scene) > 0.0
-        carry = f"foam/carry/{'surf' if breaks else 'shore'}.glsl" if life.carried else _AT_REST
-        slots.append(SlotFile("shore carry", carry))
+        carry = "foam/carry/surf.glsl" if breaks else "foam/carry/shore.glsl"
+        slots.append(SlotFile("shore carry", carry if life.carried else _AT_REST))
     drift = foam_drift(scene)
     uniforms: dict[str, Uniform] = {}
     if life.windrows > 0.0:

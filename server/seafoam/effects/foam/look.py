@@ -35,6 +35,19 @@ CELLS = 4096
 """Number of cells along each side of their lattice after which their rotations repeat."""
 
 _MASK_TABLES: dict[str, MaskTable] = {"u8": "ranks-8", "half": "thresholds-half", "u16": "ranks"}
+_MASK_TEXELS = {
+    "u8": "foam/mask_texel_u8.glsl",
+    "half": "foam/mask_texel_half.glsl",
+    "u16": "foam/mask_texel_u16.glsl",
+}
+_LOOKS = {
+    "halftone": "foam/look/halftone.glsl",
+    "halftone_textured": "foam/look/halftone_textured.glsl",
+    "textured": "foam/look/textured.glsl",
+    "fading": "foam/look/fading.glsl",
+    "listing": "foam/look/listing.glsl",
+    "filtered": "foam/look/filtered.glsl",
+}
 
 _NO_TEXTURE = constant_function("float", "foam_texture", "vec2 p, Footprint fp", "1.0")
 
@@ -155,7 +168,7 @@ def _cell_uniforms(foam: Foam) -> dict[str, Uniform]:
 def _exact_mask(foam: Foam, quality: Quality) -> _Part:
     """The mask's threshold at a texel."""
     return _Part(
-        needs=(f"foam/mask_texel_{quality.mask}.glsl", "foam/mask_exact.glsl"),
+        needs=(_MASK_TEXELS[quality.mask], "foam/mask_exact.glsl"),
         inputs={"u_mask_ranks": TextureInput(texture="mask_ranks")},
         textures={"mask_ranks": TextureUse(MaskTexture(masks=(foam.mask,), table=_MASK_TABLES[quality.mask]))},
     )
@@ -228,7 +241,7 @@ def _texture_place(name: str, tile: float) -> dict[str, Uniform]:
 
 def _look_file(scene: Scene, foam: Foam, quality: Quality) -> tuple[str, tuple[Piece, ...]]:
     """The look's file, wrapped by those that rotate, advect or age its mask; and what they need."""
-    look, life = f"foam/look/{foam.look}.glsl", foam_life(scene)
+    look, life = _LOOKS[foam.look], foam_life(scene)
     needs: tuple[Piece, ...] = ()
     if _cells(scene, foam):
         blended = foam.look == "filtered"

@@ -23,9 +23,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         )
     height = scene.shore.surf.height
     filtered = scene.foam.look == "filtered"
-    front, torn = ("surf_front_filtered", "torn") if filtered else ("surf_front", "torn_exact")
-    files = (torn, "surf_patches", "surf_swept", front)
-    needs = tuple(f"foam/saturation/{name}.glsl" for name in files)
+    torn = "foam/saturation/torn.glsl" if filtered else "foam/saturation/torn_exact.glsl"
+    front = "foam/saturation/surf_front_filtered.glsl" if filtered else "foam/saturation/surf_front.glsl"
+    needs = (torn, "foam/saturation/surf_patches.glsl", "foam/saturation/surf_swept.glsl", front)
     return Contribution(
         why=f"foam of the surf, {surf.life:g} periods to 1/e",
         slots=(

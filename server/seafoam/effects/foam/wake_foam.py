@@ -18,6 +18,7 @@ from seafoam.scene.models import Scene
 
 HULL_SPEED = 1.25
 """Speed over the square root of the length, √m/s, at which the bow's foam reaches its full amount."""
+_CONTACT, _NO_CONTACT = "foam/saturation/wake_contact.glsl", "foam/saturation/wake_contact_none.glsl"
 _STILL = "no boat moves, and no stone stands in a current"
 
 
@@ -62,7 +63,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 "saturation",
                 "foam/saturation/wake.glsl",
                 prefix="wake",
-                needs=(*VALUE_NOISE, torn, *WAY, f"foam/saturation/wake_contact{'' if wake.contact else '_none'}.glsl"),
+                needs=(*VALUE_NOISE, torn, *WAY, _CONTACT if wake.contact else _NO_CONTACT),
             ),
         ),
         consts=consts,

@@ -51,6 +51,12 @@ class _Names:
         return path if self.prefix == "age" else Source(path, (("AGE_SIZE", "OLD_SIZE"),))
 
 
+_TIMES = {
+    0: "foam/saturation/whitecap_now.glsl",
+    4: "foam/saturation/whitecap_4.glsl",
+    8: "foam/saturation/whitecap_8.glsl",
+}
+"""Files of the foam, by how many earlier times are read."""
 _RECENT = _Names("age", "folds of earlier waves", "spectrum of earlier folds", "earlier times of folds")
 _OLD = _Names("old", "folds of long ago", "spectrum of folds of long ago", "folds of long ago")
 
@@ -84,9 +90,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 def _slot(model: WhitecapModel, steps: int) -> SlotFile:
     needs: tuple[str, ...] = ("foam/saturation/whitecap.glsl",)
     if steps > 0:
-        needs += (f"foam/saturation/whitecap_{'old' if model.old_shares else 'no_old'}.glsl",)
-    times = str(steps) if steps > 0 else "now"
-    return SlotFile("saturation", f"foam/saturation/whitecap_{times}.glsl", prefix="whitecap", needs=needs)
+        needs += ("foam/saturation/whitecap_old.glsl" if model.old_shares else "foam/saturation/whitecap_no_old.glsl",)
+    return SlotFile("saturation", _TIMES[steps], prefix="whitecap", needs=needs)
 
 
 def _model_uniforms(model: WhitecapModel, raised: tuple[Cascade, ...]) -> dict[str, Uniform]:

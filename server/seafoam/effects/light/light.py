@@ -17,6 +17,10 @@ from seafoam.scene.sky import direction
 
 ILLUMINATION = ("light/shade/irradiance.glsl", "light/shade/haze.glsl")
 """Irradiance of sun and sky, and the haze in front of what they light; after the sky's files."""
+_TONES = {
+    "filmic": "output/tone/filmic.glsl",
+    "photographic": "output/tone/photographic.glsl",
+}
 _DISC_SOLID_ANGLE = 6.8e-5
 """Solid angle of the sun's disc, sr."""
 _MAX_DISC = 3000.0
@@ -156,7 +160,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 "light/shade/lit.glsl",
                 needs=("lib/refraction.glsl", *ILLUMINATION, "light/shade/optics.glsl"),
             ),
-            SlotFile("tone", f"output/tone/{light.tone}.glsl"),
+            SlotFile("tone", _TONES[light.tone]),
         ),
         uniforms={
             "u_sun_direction": vector(_rgb(sun_direction(light))),

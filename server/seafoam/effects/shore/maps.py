@@ -125,10 +125,10 @@ def _blur_passes(shore: Shore, texels: int) -> list[PassSpec]:
 def _wave_pass(shore: Shore) -> PassSpec:
     """Phase, height and skew of the shore's waves at a place, and the share of the open sea's waves there."""
     surf = shore.surf
-    way = "refracted" if surf.refraction else "normal"
+    arrives = "shore/arrives_refracted.glsl" if surf.refraction else "shore/arrives_normal.glsl"
     return _pass(
         "map",
-        ("lib/numbers.glsl", "shore/map_begin.glsl", f"shore/arrives_{way}.glsl", "shore/map_pass.glsl"),
+        ("lib/numbers.glsl", "shore/map_begin.glsl", arrives, "shore/map_pass.glsl"),
         "shore_map",
         {"u_smooth": "shore_smooth"},
         {

@@ -59,29 +59,32 @@ def wave_files(scene: Scene) -> tuple[Piece, ...]:
 def earlier_files(scene: Scene) -> tuple[Piece, ...]:
     """Files of the parametric waves of an earlier time."""
     waves = (*FACTOR, _EVEN_WAVES) if in_groups(scene) else (_WAVES,)
-    return (*waves, *_scaled(scene, "spray/fronts.glsl", "fronts_then", "fronts"))
+    return (
+        *waves,
+        *_scaled(scene, Source("spray/fronts.glsl", (("fronts_then", "even_fronts"),)), "waves/groups/fronts.glsl"),
+    )
 
 
 def carry_files(scene: Scene) -> tuple[Piece, ...]:
     """Files of the way to where the waves' water rests."""
-    return _scaled(scene, "foam/carry/parametric.glsl", "parametric_carry", "carry")
+    return _scaled(
+        scene, Source("foam/carry/parametric.glsl", (("parametric_carry", "even_carry"),)), "waves/groups/carry.glsl"
+    )
 
 
 def signal_files(scene: Scene, path: str) -> tuple[Piece, ...]:
     """Files of the sum of a front's own waves; ``path``: of the sum if all have one height."""
-    return _scaled(scene, path, "front_signal", "signal")
+    return _scaled(scene, Source(path, (("front_signal", "even_signal"),)), "waves/groups/signal.glsl")
 
 
 def way_files(scene: Scene, path: str) -> tuple[Piece, ...]:
     """Files of the way to where the water rests by a front's own waves; ``path``: if all have one height."""
-    return _scaled(scene, path, "front_way", "way")
+    return _scaled(scene, Source(path, (("front_way", "even_way"),)), "waves/groups/way.glsl")
 
 
-def _scaled(scene: Scene, path: str, function: str, name: str) -> tuple[Piece, ...]:
-    """A file, or with groups: it with its function renamed, and the file ``name``, which scales that by the factor."""
-    if not in_groups(scene):
-        return (path,)
-    return (*FACTOR, Source(path, ((function, f"even_{name}"),)), f"waves/groups/{name}.glsl")
+def _scaled(scene: Scene, even: Source, scaled: str) -> tuple[Piece, ...]:
+    """A file under its own names, or with groups: renamed, and the file that scales it by the factor."""
+    return (*FACTOR, even, scaled) if in_groups(scene) else (even.path,)
 
 
 def front_files(scene: Scene) -> tuple[Piece, ...]:

@@ -40,6 +40,7 @@ READ, READ_ALONE = 0.57735, 0.75
 """Side of a trilinear read of slopes over that of the footprint: of the same variance, and of the least error where one
 sample stands for a pixel. Against 256 samples of seas of 4 to 15 m/s, single ones had 1.26 to 1.55 and 0.91 to 1.32
 times the error of 16."""
+_RADICES = {4: "waves/sea/radix_4.glsl", 8: "waves/sea/radix_8.glsl"}
 RESAMPLED = ("lib/cubic_spline.glsl", "waves/sea/resample_pass.glsl")
 """Files that find the rest position of the water at a place, and what moves with it."""
 
@@ -61,7 +62,7 @@ def transform(
                 PassSpec(
                     name=f"{name}: {'columns' if axis else 'rows'}, {span} to {span * radix}",
                     program=f"fft_{radix}",
-                    fragment=(f"waves/sea/radix_{radix}.glsl", "waves/sea/fft_pass.glsl"),
+                    fragment=(_RADICES[radix], "waves/sea/fft_pass.glsl"),
                     target=destination,
                     inputs={
                         "u_fft_from": TargetInput(target=source),
@@ -208,7 +209,7 @@ def _fetch(quality: Quality) -> tuple[str, ...]:
 
 
 def _slots(scene: Scene, quality: Quality, tiles: int) -> tuple[SlotFile, ...]:
-    filtered = f"waves/sea/seen{'' if quality.surface.filter else '_exact'}.glsl"
+    filtered = "waves/sea/seen.glsl" if quality.surface.filter else "waves/sea/seen_exact.glsl"
     needs = (*_fetch(quality), "waves/sea/level.glsl", filtered)
     slots = [
         SlotFile("waves", "waves/sea.glsl", prefix="sea", needs=needs),
@@ -218,8 +219,8 @@ def _slots(scene: Scene, quality: Quality, tiles: int) -> tuple[SlotFile, ...]:
         slots.append(SlotFile("short", "waves/sea/short.glsl"))
         slots.append(SlotFile("short bounds", "waves/sea/short_bounds.glsl", needs=("waves/sea/bounds.glsl",)))
     if tiles > RAISED:
-        name = "detail_two" if tiles == 4 else "detail_one"
-        slots.append(SlotFile("detail", f"waves/sea/{name}.glsl", prefix="sea", needs=needs))
+        detail = "waves/sea/detail_two.glsl" if tiles == 4 else "waves/sea/detail_one.glsl"
+        slots.append(SlotFile("detail", detail, prefix="sea", needs=needs))
     return tuple(slots)
 
 

@@ -24,7 +24,8 @@ STONES = Kind(
     "standing waves",
     "the water flows too slowly, or no stone makes waves",
     WAY,
-    "waves/standing",
+    "waves/standing/declared_bounds.glsl",
+    "waves/standing/bounds.glsl",
     ("waves/standing/within.glsl",),
     "waves/standing/gentler.glsl",
     (
