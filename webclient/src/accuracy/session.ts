@@ -2,7 +2,8 @@
 import { batch, computed, effect, type Signal, signal } from "@preact/signals";
 import { type Api, ApiError, type Preset } from "../api";
 import { parseQuality } from "../app/quality";
-import type { Selection, Store } from "../app/store";
+import type { Selection } from "../app/selection";
+import type { Store } from "../app/store";
 import type { Viewport } from "../app/viewport";
 import { equal } from "../scene/json";
 import { fetchPoints, fetchSweep, fetchTruth, type JobProgress, type Sweep } from "./api";

@@ -23,19 +23,19 @@ import { Transport } from "../ui/transport";
 import { AccuracyTool } from "./accuracytool";
 import { Address } from "./address";
 import { Clock } from "./clock";
-import { planRequest, QUALITY_FIELD, splitAfterEdit, validSplit } from "./comparison";
-import type { DrawerChoice, MakeDisplay } from "./display";
-import type { ChosenDisplay } from "./drawing";
+import { planRequest, splitAfterEdit } from "./comparison";
+import type { DrawerChoice } from "./display";
+import type { ChosenDisplay, MakeDisplay } from "./drawing";
 import { PlanLoader } from "./planloader";
 import { PresetLoader } from "./presetloader";
 import { qualityTitle } from "./quality";
 import { QualityPilot } from "./qualitypilot";
 import { SceneEditor } from "./sceneeditor";
-import { DEFAULT_TIER } from "./schema";
+import { DEFAULT_TIER, QUALITY_FIELD, type Selection, validSplit } from "./selection";
 import { Sharing } from "./sharing";
-import { type Selection, selectionFromLink, Store } from "./store";
+import { Store } from "./store";
 import { addTools, copyLink, type PageParts } from "./tools";
-import type { LinkState } from "./url";
+import { type LinkState, selectionFromLink } from "./url";
 
 const STATS_INTERVAL = 250;
 /** Least distance of the camera from the water's bounds, m. */
@@ -167,7 +167,7 @@ export class App {
 
   private makeLoader(index: 0 | 1): PlanLoader {
     return new PlanLoader(this.api, this.textures, {
-      gpu: () => this.display.viewport?.gpu ?? null,
+      gpu: () => this.display.gpu,
       camera: () => this.controls.camera,
       // A picture that stands, or beside another, can be looked at closely.
       roughUntil: () => (this.moved || !this.clock.playing || this.store.now.split !== null ? null : this.drawn),
@@ -363,7 +363,7 @@ export class App {
 
   /** Plans that were loaded while the server drew have no programs. */
   private drawerChanged(): void {
-    if (this.display.viewport === null) return;
+    if (this.display.gpu === null) return;
     for (const loader of this.loaders) if (loader.loaded?.executor === null) loader.reload();
   }
 
@@ -431,7 +431,7 @@ export class App {
       ...this.address.link(true),
       rough: this.loaders[0].rough,
       pictures: this.loaders.filter(({ loaded }) => loaded !== null).length,
-      lost: this.display.viewport?.gl.isContextLost() ?? false,
+      lost: this.display.gpu?.gl.isContextLost() ?? false,
       timing: this.display.timing(),
       playing: this.clock.playing,
       busy: this.busy.size > 0,

@@ -1,16 +1,9 @@
 /** Split view: two values of one field side by side. The field is a scene pointer, or `QUALITY_FIELD`. */
-import { get, type Json, type JsonObject, steps, withValue } from "../scene/json";
+import { get, type Json, steps, withValue } from "../scene/json";
 import type { ComparableField } from "../ui/splitview";
 import type { PlanRequest } from "./planloader";
 import { parseQuality } from "./quality";
-import type { Selection, Split } from "./store";
-
-export const QUALITY_FIELD = "quality";
-
-/** The split, if the scene has its field. */
-export function validSplit(scene: JsonObject, split: Split | null): Split | null {
-  return split && (split.field === QUALITY_FIELD || typeof get(scene, split.field) === "string") ? split : null;
-}
+import { QUALITY_FIELD, type Selection, type Split } from "./selection";
 
 /** The split after a field was edited: its right side follows the scene. */
 export function splitAfterEdit(split: Split | null, field: string, value: Json): Split | null {

@@ -1,31 +1,7 @@
 /** What shows the picture: a viewport that draws it here, or frames that the server draws. */
 import type { CameraState } from "../camera/state";
+import type { Gpu } from "../gl/gpu";
 import type { RenderLoad } from "./autoquality";
-import type { ChosenDisplay } from "./drawing";
-import type { PlanLoader } from "./planloader";
-import type { Viewport } from "./viewport";
-
-/** Greatest pixels per CSS pixel: more cost time and are not visible. */
-const MAX_PIXEL_RATIO = 2;
-
-export const pixelRatio = (): number => Math.min(window.devicePixelRatio, MAX_PIXEL_RATIO);
-
-/** Pixels of an element at scale 1. */
-export const pixelsOf = ({ clientWidth, clientHeight }: HTMLElement): number => clientWidth * clientHeight * pixelRatio() ** 2;
-
-/** Calls back whenever an element's pixels change: its size, or the device's pixels per CSS pixel, as on another screen. */
-export function onPixelsChange(observed: HTMLElement, changed: () => void): void {
-  new ResizeObserver(changed).observe(observed);
-  const watch = () => {
-    const query = matchMedia(`(resolution: ${window.devicePixelRatio}dppx)`);
-    const moved = () => {
-      changed();
-      watch();
-    };
-    query.addEventListener("change", moved, { once: true });
-  };
-  watch();
-}
 
 /** Times of the frames shown in the last second. */
 export class ShownFrames {
@@ -89,8 +65,8 @@ export interface DisplayEvents {
 export interface Display {
   /** Takes the pointer and the keys. */
   readonly canvas: HTMLCanvasElement;
-  /** The viewport, if this browser draws; null if the server does. */
-  readonly viewport: Viewport | null;
+  /** What draws, if this browser does; null if the server does. */
+  readonly gpu: Gpu | null;
   /** Whether the picture is out of date. */
   dirty: boolean;
   /** Whether there is no picture yet. */
@@ -114,5 +90,3 @@ export interface Display {
   /** Another plan is drawn. `cost`: of its frames, as a multiple of the former plan's. */
   planChanged(cost: number): void;
 }
-
-export type MakeDisplay = (loaders: readonly [PlanLoader, PlanLoader], events: DisplayEvents) => ChosenDisplay;

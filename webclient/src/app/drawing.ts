@@ -1,6 +1,8 @@
 /** Chooses who draws, by what each way was measured to give: this browser, or the server frame by frame. */
+import type { Gpu } from "../gl/gpu";
 import type { RenderLoad } from "./autoquality";
 import type { Display, DisplayEvents, Drawer, DrawerChoice, FrameTiming, Rate, ViewState } from "./display";
+import type { PlanLoader } from "./planloader";
 import type { ServerView } from "./serverview";
 import type { Viewport } from "./viewport";
 
@@ -81,8 +83,13 @@ export class ChosenDisplay implements Display {
     return this.current.canvas;
   }
 
+  /** This browser's canvas, if it draws. */
   get viewport(): Viewport | null {
     return this.chosen === "browser" ? this.browser : null;
+  }
+
+  get gpu(): Gpu | null {
+    return this.current.gpu;
   }
 
   /** The browser's own GPU, whoever draws. */
@@ -210,3 +217,5 @@ export class ChosenDisplay implements Display {
     this.events.drawerChanged();
   }
 }
+
+export type MakeDisplay = (loaders: readonly [PlanLoader, PlanLoader], events: DisplayEvents) => ChosenDisplay;

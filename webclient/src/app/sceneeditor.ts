@@ -4,9 +4,10 @@ import { choiceControls } from "../panel/model";
 import type { ScenePane } from "../panel/pane";
 import { isObject, type Json, withValue } from "../scene/json";
 import { type ComparableField, plainOptions, SplitView } from "../ui/splitview";
-import { preferredField, QUALITY_FIELD, splitAfterEdit, startSplit, validSplit } from "./comparison";
+import { preferredField, splitAfterEdit, startSplit } from "./comparison";
 import { qualityTitle } from "./quality";
 import { sceneControls } from "./schema";
+import { QUALITY_FIELD, validSplit } from "./selection";
 import type { Store } from "./store";
 
 export interface SceneEditorEvents {

@@ -4,8 +4,6 @@ import { controlOf, type GroupControl, schemaNamed } from "../panel/model";
 import { CAMERA_POINTER } from "../plan/live";
 import type { JsonObject } from "../scene/json";
 
-export const DEFAULT_TIER = "standard";
-
 /** Controls of the scene's fields, without the camera's, which is moved in the picture. */
 export function sceneControls(document: SceneSchema, scene: JsonObject): GroupControl | null {
   const schema = schemaNamed(document, "Scene");

@@ -3,8 +3,9 @@ import { type Api, ApiError, type FrameRequest, type StreamView } from "../api";
 import { equal, type Json } from "../scene/json";
 import { element } from "../ui/dom";
 import type { RenderLoad } from "./autoquality";
-import { type Display, type DisplayEvents, type FrameTiming, onPixelsChange, pixelRatio, pixelsOf, type Rate, ShownFrames, type ViewState } from "./display";
+import { type Display, type DisplayEvents, type FrameTiming, type Rate, ShownFrames, type ViewState } from "./display";
 import type { FrameBudget } from "./framebudget";
+import { onPixelsChange, pixelRatio, pixelsOf } from "./pixelratio";
 import type { PlanLoader, PlanView } from "./planloader";
 import { DynamicResolution } from "./resolution";
 import { FrameStream } from "./framestream";
@@ -39,7 +40,7 @@ interface Asked {
 }
 
 export class ServerView implements Display {
-  readonly viewport = null;
+  readonly gpu = null;
   dirty = true;
   fixed: number | null = null;
   /** Why the server gives no moving picture; null if it does. */

@@ -5,7 +5,7 @@ import type { SurfaceContext } from "../surfaces/context";
 import type { Recipe } from "../take/recipe";
 import { download } from "../ui/dom";
 import type { Clock } from "./clock";
-import type { Display } from "./display";
+import type { ChosenDisplay } from "./drawing";
 import type { PlanLoader } from "./planloader";
 import { parseQuality } from "./quality";
 import type { Store } from "./store";
@@ -29,7 +29,7 @@ export class Sharing {
     private readonly store: Store,
     private readonly clock: Clock,
     private readonly controls: CameraControls,
-    private readonly display: Display,
+    private readonly display: ChosenDisplay,
     private readonly loaders: readonly [PlanLoader, PlanLoader],
     private readonly options: SharingOptions,
   ) {
@@ -49,7 +49,7 @@ export class Sharing {
   /** The current view in a size. */
   private view(width: number, height: number): Omit<Recipe, "recipe" | "seafoam"> {
     const { preset, scene, quality, split } = this.store.now;
-    const renderer = this.display.viewport?.gpu.capabilities.renderer ?? "server";
+    const renderer = this.display.gpu?.capabilities.renderer ?? "server";
     const { camera } = this.controls;
     const fit = (side: number) => Math.max(1, Math.min(MAX_SIDE, Math.round(side)));
     const [fittingWidth, fittingHeight] = [fit(width), fit(height)];
@@ -112,7 +112,7 @@ export class Sharing {
     const { recipeOf } = await import("../take/recipe");
     return {
       api: this.api,
-      display: this.display,
+      viewport: () => this.display.viewport,
       selection: () => this.store.now,
       plan: () => this.loaders[0].plan,
       executor: () => this.loaders[0].loaded?.executor ?? null,

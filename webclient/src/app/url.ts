@@ -1,10 +1,11 @@
 /** The page's state as the fragment of a link. */
+import type { Preset } from "../api";
 import type { CameraState } from "../camera/state";
-import { type Change, isObject, type Json } from "../scene/json";
-import { type SurfaceName, surfaceName } from "../surfaces/surfaces";
-import { decodeTouches, encodeTouches, type Touch } from "../touch/touches";
+import { apply, type Change, isObject, type Json } from "../scene/json";
+import { type SurfaceName, surfaceName } from "../surfaces/names";
+import { decodeTouches, encodeTouches, toJson, type Touch, TOUCHES_POINTER } from "../touch/touches";
 import type { Drawer } from "./display";
-import type { Split } from "./store";
+import { DEFAULT_TIER, type Selection, type Split, validSplit } from "./selection";
 
 export interface LinkState {
   preset: string | null;
@@ -109,6 +110,14 @@ export function decode(fragment: string): LinkState {
     accuracy: parts.get("accuracy") === "1" ? true : null,
     surface: surfaceName(parts.get("open")),
   };
+}
+
+/** What a link selects of its preset. */
+export function selectionFromLink(preset: Preset, link: LinkState): Selection {
+  const touches: Change[] = link.touches ? [[TOUCHES_POINTER, toJson(link.touches)]] : [];
+  const edited = apply(preset.scene, [...link.changes, ...touches]);
+  const scene = isObject(edited) ? edited : preset.scene;
+  return { preset, scene, quality: link.quality ?? DEFAULT_TIER, auto: link.quality === null, split: validSplit(scene, link.split) };
 }
 
 function finite(text: string | undefined): number | null {

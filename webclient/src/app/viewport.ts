@@ -3,8 +3,9 @@ import { type Gpu, openContext, openGpu } from "../gl/gpu";
 import { makeScreen, type Screen } from "../gl/target";
 import type { Frame, Rectangle } from "../plan/executor";
 import type { RenderLoad } from "./autoquality";
-import { type Display, type DisplayEvents, type FrameTiming, onPixelsChange, pixelRatio, pixelsOf, type Rate, ShownFrames, type ViewState } from "./display";
+import { type Display, type DisplayEvents, type FrameTiming, type Rate, ShownFrames, type ViewState } from "./display";
 import { MOTION_BUDGET } from "./framebudget";
+import { onPixelsChange, pixelRatio, pixelsOf } from "./pixelratio";
 import type { PlanLoader } from "./planloader";
 import { DynamicResolution } from "./resolution";
 
@@ -38,7 +39,6 @@ interface PendingFrame extends DrawnFrame {
 }
 
 export class Viewport implements Display {
-  readonly viewport = this;
   readonly gl: WebGL2RenderingContext;
   gpu: Gpu;
   /** Whether the canvas is out of date. */

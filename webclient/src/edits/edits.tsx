@@ -2,8 +2,8 @@
 import { type Signal, signal } from "@preact/signals";
 import { render } from "preact";
 import { type Api, ApiError } from "../api";
-import { validSplit } from "../app/comparison";
-import type { Selection, Store } from "../app/store";
+import { type Selection, validSplit } from "../app/selection";
+import type { Store } from "../app/store";
 import { apply, diff, get, isObject, type JsonObject } from "../scene/json";
 import { copyText } from "../ui/clipboard";
 import { EditHistory } from "./history";

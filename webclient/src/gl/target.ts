@@ -1,7 +1,15 @@
 /** Render targets. */
 import type { Target as TargetSpec } from "../generated/api";
-import type { Gpu } from "./gpu";
+import type { Capabilities } from "./capabilities";
 import { sampling } from "./texture";
+
+/** What targets need of a GPU. */
+interface TargetGpu {
+  gl: WebGL2RenderingContext;
+  capabilities: Pick<Capabilities, "largestTarget">;
+  /** Formats of targets that the driver is known to draw into. */
+  formats: Set<string>;
+}
 
 export interface Target {
   framebuffer: WebGLFramebuffer | null;
@@ -27,7 +35,7 @@ export function targetSize(spec: TargetSpec, width: number, height: number): [nu
 }
 
 /** Makes a target of a format that `checkFormats` has accepted: to ask the driver here would wait for all that it draws. */
-export function makeTarget({ gl, capabilities: { largestTarget } }: Gpu, spec: TargetSpec, width: number, height: number): Target {
+export function makeTarget({ gl, capabilities: { largestTarget } }: TargetGpu, spec: TargetSpec, width: number, height: number): Target {
   if (Math.max(width, height) > largestTarget) {
     throw new RangeError(`A target of ${width} × ${height} pixels exceeds the driver's limit of ${largestTarget}.`);
   }
@@ -45,7 +53,7 @@ export function makeTarget({ gl, capabilities: { largestTarget } }: Gpu, spec: T
 }
 
 /** Throws for a format that the driver cannot draw into; each is tried once. */
-export function checkFormats(gpu: Gpu, specs: readonly TargetSpec[]): void {
+export function checkFormats(gpu: TargetGpu, specs: readonly TargetSpec[]): void {
   for (const spec of specs) {
     const format = `${spec.format} target${spec.depth ? " with depth" : ""}`;
     if (gpu.formats.has(format)) continue;

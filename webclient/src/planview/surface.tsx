@@ -81,7 +81,7 @@ function Changes({ context, plan }: { context: SurfaceContext; plan: FramePlan }
 }
 
 function Timing({ context, measure, measured }: { context: SurfaceContext; measure: () => Promise<void>; measured: boolean }) {
-  const reason = reasonForNoTimes(context.display.viewport?.gpu ?? null);
+  const reason = reasonForNoTimes(context.viewport()?.gpu ?? null);
   if (reason !== null) return <p>Time of each pass: {reason}</p>;
   return (
     <div class="pills">
@@ -104,12 +104,11 @@ function Plan({ context }: { context: SurfaceContext }) {
   });
   const current = plan.value;
   if (current === null) return <p>Loading plan…</p>;
-  const { display } = context;
   // Before the first frame the canvas has no size of its own yet.
   const { width, height } = context.recipe();
   const measure = async () => {
     const executor = context.executor();
-    const { viewport } = display;
+    const viewport = context.viewport();
     if (executor === null || viewport === null) return;
     const timed = { time: context.time(), camera: context.camera(), width, height };
     times.value = await viewport.runExclusive(() => passTimes(viewport.gpu, executor, timed));
@@ -142,7 +141,7 @@ function Plan({ context }: { context: SurfaceContext }) {
       )}
       {view.value === "Effects" && <Effects plan={current} />}
       {view.value === "GLSL" && (
-        <Source plan={current} executor={context.executor()} gl={display.viewport?.gl ?? null} program={program} stage={source.value.stage} choose={choose} />
+        <Source plan={current} executor={context.executor()} gl={context.viewport()?.gl ?? null} program={program} stage={source.value.stage} choose={choose} />
       )}
       {view.value === "Changes" && <Changes context={context} plan={current} />}
     </>

@@ -1,7 +1,7 @@
 /** What a surface knows of the page and can do to it. */
 import type { Api } from "../api";
-import type { Display } from "../app/display";
-import type { Selection } from "../app/store";
+import type { Selection } from "../app/selection";
+import type { Viewport } from "../app/viewport";
 import type { CameraState } from "../camera/state";
 import type { FramePlan } from "../generated/api";
 import type { Executor } from "../plan/executor";
@@ -9,7 +9,8 @@ import type { Recipe } from "../take/recipe";
 
 export interface SurfaceContext {
   api: Api;
-  display: Display;
+  /** This browser's canvas; null while the server draws. */
+  viewport: () => Viewport | null;
   selection: () => Selection;
   /** Plan of the picture, or of its left part; null until loaded. */
   plan: () => FramePlan | null;

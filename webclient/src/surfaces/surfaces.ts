@@ -1,17 +1,12 @@
 /** Opens and closes surfaces beside the picture, one at a time; their code is loaded on first use. */
 import { element } from "../ui/dom";
 import type { Mount, SurfaceContext } from "./context";
-
-export type SurfaceName = "take" | "plan";
+import type { SurfaceName } from "./names";
 
 const SURFACES: Record<SurfaceName, { title: string; load: () => Promise<{ mount: Mount }> }> = {
   take: { title: "Take home", load: () => import("../take/surface") },
   plan: { title: "Frame plan", load: () => import("../planview/surface") },
 };
-
-export function surfaceName(text: string | undefined): SurfaceName | null {
-  return text === "take" || text === "plan" ? text : null;
-}
 
 export interface SurfaceEvents {
   toggled(open: SurfaceName | null): void;

@@ -4,7 +4,7 @@
  * The server writes the same members (server/seafoam/render/service/recipe.py).
  */
 import { version } from "../../package.json";
-import type { Split } from "../app/store";
+import type { Split } from "../app/selection";
 import type { LinkState } from "../app/url";
 import { type CameraState, cameraFromScene } from "../camera/state";
 import { CAMERA_POINTER } from "../plan/live";

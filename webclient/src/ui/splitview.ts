@@ -1,5 +1,5 @@
 /** Split view of two values of one field, with a divider that is dragged or moved by the arrow keys. */
-import type { Split } from "../app/store";
+import type { Split } from "../app/selection";
 import { labelOf } from "../panel/model";
 import { element, fillSelect } from "./dom";
 
