@@ -7,7 +7,7 @@ from bench.report import Column, Spread, Table, ms, times
 from bench.watch import Watch
 from seafoam.accuracy.budget import choose
 from seafoam.accuracy.cache import Store
-from seafoam.accuracy.sweep import Rig, Settings, Subject, make_sweep
+from seafoam.accuracy.sweep import Rig, Subject, SweepSettings, make_sweep
 from seafoam.planner import make_plan
 from seafoam.quality import Quality
 from seafoam.render.gl.executor import Executor
@@ -24,7 +24,7 @@ def measure(executor: Executor, watch: Watch) -> list[Table]:
     subject = Subject.of_preset(PRESET)
     threads = int(os.environ.get("LP_NUM_THREADS") or os.cpu_count() or 1)
     with watch.step("cost of accuracy"):
-        sweep = make_sweep(Store(), subject, Settings(), Rig(partial(draw, executor), executor.info, threads))
+        sweep = make_sweep(Store(), subject, SweepSettings(), Rig(partial(draw, executor), executor.info, threads))
     budgets = [(size, share * sweep.point("standard").model.at(*size)) for size in SIZES for share in SHARES]
     choices = [choose(sweep, *size, budget) for size, budget in budgets]
     taken: list[list[float]] = [[] for _ in budgets]

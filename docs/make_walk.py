@@ -16,7 +16,7 @@ from PIL import Image
 
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.reference.renderer.relief import Part, Relief
+from seafoam.reference.renderer.relief import Relief, ReliefPart
 from seafoam.reference.shore.shore import Coast
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.reference.waves.rings import ring_set
@@ -60,7 +60,7 @@ def top(scene: Scene, time: float, x: float, z: float) -> float:
     """Height of water or land at (x, z), m."""
     here = np.zeros(1)
     sea = sea_surface(scene, time, (x, z))
-    parts: tuple[Part, ...] = (wave_set(scene, time, (x, z)), ring_set(scene, time, (x, z)))
+    parts: tuple[ReliefPart, ...] = (wave_set(scene, time, (x, z)), ring_set(scene, time, (x, z)))
     relief = Relief(parts if sea is None else (*parts, sea))
     if scene.shore is None:
         return float(relief.height(here, here)[0])

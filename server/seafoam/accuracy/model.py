@@ -13,13 +13,13 @@ FORMAT = 4
 ParameterValue = bool | int | float | str
 
 
-class Part(BaseModel):
+class SweepPart(BaseModel):
     """Base class of this module's models."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
 
-class ParameterInfo(Part):
+class ParameterInfo(SweepPart):
     """A quality setting and its measured values."""
 
     owner: str = Field(description="Effect that declares the setting, or 'frame'")
@@ -29,7 +29,7 @@ class ParameterInfo(Part):
     steps: tuple[ParameterValue, ...] = Field(description="Measured values, fastest first")
 
 
-class ParameterChoice(Part):
+class ParameterChoice(SweepPart):
     """A value of one setting; all others are as in tier standard."""
 
     owner: str
@@ -39,7 +39,7 @@ class ParameterChoice(Part):
     value: ParameterValue
 
 
-class Point(Part):
+class Point(SweepPart):
     """A measured quality: a tier, or tier standard with one setting changed."""
 
     id: str = Field(
@@ -52,7 +52,7 @@ class Point(Part):
     plan: str = Field(description="SHA-256 of the frame plan")
 
 
-class TruthInfo(Part):
+class TruthInfo(SweepPart):
     """The converged float64 picture against which errors are measured."""
 
     url: str | None = Field(description="float32 (height, width, 4): linear RGB and foam coverage; top row first")
@@ -62,7 +62,7 @@ class TruthInfo(Part):
     samples: int = Field(description="Samples per pixel")
 
 
-class Points(Part):
+class Points(SweepPart):
     """The points of a sweep, before it is measured."""
 
     preset: str
@@ -70,7 +70,7 @@ class Points(Part):
     points: tuple[Point, ...]
 
 
-class TimeSpread(Part):
+class TimeSpread(SweepPart):
     """Time of a frame at the subject's own size, from the first call until it is finished, without readback.
 
     Predicted by a line through the times of two frame sizes in each round.
@@ -82,7 +82,7 @@ class TimeSpread(Part):
     rounds_ms: tuple[float, ...] = Field(description="Times of the single rounds; one round renders all points in turn")
 
 
-class TimeModel(Part):
+class TimeModel(SweepPart):
     """time = fixed_ms + ns_per_pixel · width · height / 10⁶, from frames of two sizes."""
 
     fixed_ms: float
@@ -93,7 +93,7 @@ class TimeModel(Part):
         return self.fixed_ms + 1e-6 * self.ns_per_pixel * width * height
 
 
-class Errors(Part):
+class Errors(SweepPart):
     """Errors against the float64 picture."""
 
     rmse: float = Field(
@@ -112,7 +112,7 @@ class Errors(Part):
     )
 
 
-class Causes(Part):
+class Causes(SweepPart):
     """Reduction of the RMSE, in levels, when only the settings of one cause are as in tier reference.
 
     Negative: the error grows, because that cause masked another. ``rest``: error that remains when all three are.
@@ -138,7 +138,7 @@ class MeasuredPoint(Point):
     causes: Causes | None = Field(description="Error by cause, for tiers; null where a single setting is changed")
 
 
-class Step(Part):
+class Step(SweepPart):
     """Step from one value of a setting to the next more exact one, all other settings as in tier standard."""
 
     owner: str
@@ -158,7 +158,7 @@ class Step(Part):
     sentence: str
 
 
-class Timing(Part):
+class Timing(SweepPart):
     """Conditions of the timing."""
 
     timer: Literal["wall", "gpu"] = Field(
@@ -176,7 +176,7 @@ class Timing(Part):
     rounds: int
 
 
-class Machine(Part):
+class Machine(SweepPart):
     """The machine on which times were measured."""
 
     vendor: str
@@ -187,7 +187,7 @@ class Machine(Part):
     threads: int = Field(description="Number of threads of a software renderer")
 
 
-class Sweep(Part):
+class Sweep(SweepPart):
     """The measured cost of accuracy of a scene."""
 
     format: int = FORMAT
@@ -218,7 +218,7 @@ class Sweep(Part):
         raise KeyError(id)
 
 
-class Running(Part):
+class Running(SweepPart):
     """A measurement in progress."""
 
     status: Literal["queued", "running"]

@@ -35,7 +35,7 @@ from seafoam.accuracy.model import (
 from seafoam.accuracy.parameters import idealised
 from seafoam.accuracy.points import chains, plan_sha256, points_of, shown
 from seafoam.accuracy.times import median_model, spread_of, time_model
-from seafoam.accuracy.truth import StoppedError, make_truth
+from seafoam.accuracy.truth import SweepStoppedError, make_truth
 from seafoam.effects.effect import Cause
 from seafoam.quality import Quality
 from seafoam.reference import scene_sha256
@@ -94,7 +94,7 @@ class Subject:
 
 
 @dataclass(frozen=True)
-class Settings:
+class SweepSettings:
     """Settings of a sweep. Width and height: of the compared pictures."""
 
     width: int = 160
@@ -135,7 +135,7 @@ class Watcher:
     stopped: Callable[[], bool] = lambda: False
 
 
-def truth_info(subject: Subject, settings: Settings) -> TruthInfo:
+def truth_info(subject: Subject, settings: SweepSettings) -> TruthInfo:
     """The float64 picture of a subject, and its path in the API."""
     return TruthInfo(
         url=None if subject.preset is None else f"/api/accuracy/{subject.preset}/truth.npy",
@@ -146,7 +146,7 @@ def truth_info(subject: Subject, settings: Settings) -> TruthInfo:
     )
 
 
-def find_sweep(store: Store, subject: Subject, settings: Settings, machine: Machine) -> Sweep | None:
+def find_sweep(store: Store, subject: Subject, settings: SweepSettings, machine: Machine) -> Sweep | None:
     """Return a stored sweep with the same plans, time, size, machine and versions, if there is one."""
     content = store.get("sweeps", _name(subject, settings, machine))
     if content is None:
@@ -160,11 +160,18 @@ def find_sweep(store: Store, subject: Subject, settings: Settings, machine: Mach
 
 
 def make_sweep(
-    store: Store, subject: Subject, settings: Settings, rig: Rig, watcher: Watcher | None = None, *, again: bool = False
+    store: Store,
+    subject: Subject,
+    settings: SweepSettings,
+    rig: Rig,
+    watcher: Watcher | None = None,
+    *,
+    again: bool = False,
 ) -> Sweep:
     """Measure a scene, or return the stored measurement; ``again``: ignore a stored one.
 
-    Raises :class:`seafoam.planner.PlanError`, what drawing raises, and :class:`StoppedError` if the watcher stops it.
+    Raises :class:`seafoam.planner.PlanError`, what drawing raises, and :class:`SweepStoppedError` if the watcher stops
+    it.
     """
     watcher = watcher or Watcher()
     machine = rig.machine
@@ -188,7 +195,7 @@ def make_sweep(
 class _Sweeping:
     """One run through all points."""
 
-    def __init__(self, subject: Subject, settings: Settings, rig: Rig, watcher: Watcher) -> None:
+    def __init__(self, subject: Subject, settings: SweepSettings, rig: Rig, watcher: Watcher) -> None:
         self.subject = subject
         self.settings = settings
         self.rig = rig
@@ -333,7 +340,7 @@ class _Sweeping:
         self, quality: Quality, frame: int, draws: tuple[Draw, ...], stage: str, weight: float
     ) -> tuple[Drawn, ...]:
         if self.watcher.stopped():
-            raise StoppedError
+            raise SweepStoppedError
         scene = self.subject.scene
         at = self.subject.time + frame * FRAME_SECONDS
         drawn = self.rig.measure(MeasureJob(scene, quality, at, scene.camera, draws))
@@ -383,7 +390,7 @@ class _Sweeping:
         return tuple(steps)
 
 
-def _name(subject: Subject, settings: Settings, machine: Machine) -> str:
+def _name(subject: Subject, settings: SweepSettings, machine: Machine) -> str:
     plans = sorted(point.plan for point in points_of(subject.scene))
     what = [FORMAT, plans, scene_sha256(subject.scene), subject.time, subject.size]
     how = [settings.width, settings.height, settings.samples_along, settings.rounds]

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 
 from seafoam.accuracy.cache import Store, key_of
 from seafoam.accuracy.model import Running, Sweep
-from seafoam.accuracy.sweep import Rig, Settings, Subject, Watcher, find_sweep, make_sweep
-from seafoam.accuracy.truth import StoppedError, Truth, find_truth, make_truth
+from seafoam.accuracy.sweep import Rig, Subject, SweepSettings, Watcher, find_sweep, make_sweep
+from seafoam.accuracy.truth import SweepStoppedError, Truth, find_truth, make_truth
 from seafoam.reference import scene_sha256
 
 log = logging.getLogger(__name__)
@@ -21,7 +21,7 @@ KEPT = 16
 MOST_WAITING = 24
 
 
-class QueueFullError(Exception):
+class SweepQueueFullError(Exception):
     """The queue of measurements is full."""
 
 
@@ -30,7 +30,7 @@ class FailedError(Exception):
 
 
 @dataclass(frozen=True)
-class _Task:
+class _SweepTask:
     """A task: the float64 picture of a subject only, or the whole sweep."""
 
     subject: Subject
@@ -48,11 +48,11 @@ class SweepService:
     so an event loop calls them in a thread.
     """
 
-    def __init__(self, store: Store, settings: Settings, rig: Callable[[], Rig]) -> None:
+    def __init__(self, store: Store, settings: SweepSettings, rig: Callable[[], Rig]) -> None:
         self.settings = settings
         self._store = store
         self._rig = rig
-        self._waiting: OrderedDict[str, _Task] = OrderedDict()
+        self._waiting: OrderedDict[str, _SweepTask] = OrderedDict()
         self._running: tuple[str, Running, float] | None = None
         self._failed: dict[str, Exception] = {}
         self._sweeps: OrderedDict[str, Sweep] = OrderedDict()
@@ -63,16 +63,16 @@ class SweepService:
     def sweep(self, subject: Subject) -> Sweep | Running:
         """Return the sweep if it is finished, else its progress; the first call starts it.
 
-        Raises :class:`QueueFullError`, what ``rig`` raises, and once the error of the last attempt.
+        Raises :class:`SweepQueueFullError`, what ``rig`` raises, and once the error of the last attempt.
         """
         rig = self._rig()
-        key = key_of(_Task(subject, True).key, rig.machine.model_dump())
+        key = key_of(_SweepTask(subject, True).key, rig.machine.model_dump())
         with self._change:
             stored = self._sweeps.get(key)
         if stored is None:
             stored = find_sweep(self._store, subject, self.settings, rig.machine)
         if stored is None:
-            return self._ask(_Task(subject, True))
+            return self._ask(_SweepTask(subject, True))
         with self._change:
             self._sweeps[key] = stored
             while len(self._sweeps) > KEPT:
@@ -87,9 +87,9 @@ class SweepService:
         if picture is not None:
             return picture
         with self._change:
-            if self._running is not None and self._running[0] == _Task(subject, True).key:
+            if self._running is not None and self._running[0] == _SweepTask(subject, True).key:
                 return self._now(self._running)
-        return self._ask(_Task(subject, False))
+        return self._ask(_SweepTask(subject, False))
 
     @property
     def stopped(self) -> bool:
@@ -105,7 +105,7 @@ class SweepService:
         if self._thread is not None:
             self._thread.join()
 
-    def _ask(self, task: _Task) -> Running:
+    def _ask(self, task: _SweepTask) -> Running:
         with self._change:
             key = task.key
             if (error := self._failed.pop(key, None)) is not None:
@@ -114,7 +114,7 @@ class SweepService:
                 return self._now(self._running)
             if key not in self._waiting:
                 if len(self._waiting) >= MOST_WAITING:
-                    raise QueueFullError(f"{len(self._waiting)} measurements are already waiting")
+                    raise SweepQueueFullError(f"{len(self._waiting)} measurements are already waiting")
                 self._waiting[key] = task
                 self._change.notify_all()
             if self._thread is None and not self._stopped.is_set():
@@ -143,7 +143,7 @@ class SweepService:
             failed: Exception | None = None
             try:
                 self._measure(key, task)
-            except StoppedError:
+            except SweepStoppedError:
                 pass
             except Exception as error:
                 log.exception("A measurement of %s failed", task.subject.preset or "a scene")
@@ -153,7 +153,7 @@ class SweepService:
                 if failed is not None and not self._stopped.is_set():
                     self._failed[key] = failed
 
-    def _measure(self, key: str, task: _Task) -> None:
+    def _measure(self, key: str, task: _SweepTask) -> None:
         watcher = Watcher(lambda *report: self._report(key, *report), self._stopped.is_set)
         if task.whole:
             make_sweep(self._store, task.subject, self.settings, self._rig(), watcher)

@@ -28,7 +28,7 @@ Truth = NDArray[np.float32]
 """(height, width, 4): linear RGB and foam coverage, top row first."""
 
 
-class StoppedError(Exception):
+class SweepStoppedError(Exception):
     """The computation was cancelled."""
 
 
@@ -59,7 +59,7 @@ def make_truth(
     """Return the picture, from the store or computed in a spawned process; on a worker of Dask in this one.
 
     ``progress`` receives the fraction done and the remaining seconds, estimated from a coarser picture.
-    Raises :class:`StoppedError` once ``stopped`` returns true.
+    Raises :class:`SweepStoppedError` once ``stopped`` returns true.
     """
     stored = find_truth(store, scene, at, width, height, along)
     if stored is not None:
@@ -109,7 +109,7 @@ def _wait(
             return done
         except NotYet:
             if stopped():
-                raise StoppedError from None
+                raise SweepStoppedError from None
             progress(time.perf_counter() - began)
 
 

@@ -14,7 +14,7 @@ from seafoam.api.context import Context
 from seafoam.api.known import Identified
 from seafoam.api.planning import CompiledPlan
 from seafoam.render.encode import MEDIA_TYPES
-from seafoam.render.service.jobs import Frame, FrameJob
+from seafoam.render.service.jobs import EncodedFrame, FrameJob
 from seafoam.render.service.source import Found
 
 STAGES = ("queue", "plan", "render", "read", "encode")
@@ -128,7 +128,7 @@ def _timing(found: Found) -> str:
     return stages(found.frame)
 
 
-def stages(frame: Frame) -> str:
+def stages(frame: EncodedFrame) -> str:
     """Return the value of ``Server-Timing`` of a frame that was drawn."""
     return ", ".join(f"{stage};dur={1000 * frame.timings[stage]:.2f}" for stage in STAGES)
 

@@ -45,9 +45,9 @@ from seafoam.masks.catalogue import MaskTooSlowError
 from seafoam.render.service.errors import (
     DeadlineError,
     FrameTooLargeError,
-    QueueFullError,
     RendererUnavailableError,
     RenderFailedError,
+    RenderQueueFullError,
     StartingError,
 )
 from seafoam.sequences.service import NotFinishedError
@@ -75,7 +75,7 @@ class Problem(BaseModel):
 
 
 @dataclass(frozen=True, slots=True)
-class Kind:
+class ProblemType:
     """HTTP status, name and title of an error."""
 
     status: int
@@ -83,25 +83,25 @@ class Kind:
     title: str
 
 
-KINDS: dict[type[Exception], Kind] = {
-    ExportTooLargeError: Kind(422, "export-too-large", "The scene is too large to take home"),
-    NotFoundError: Kind(404, "not-found", "Not found"),
-    UnsupportedMediaError: Kind(415, "unsupported-media-type", "The request body must be JSON"),
-    BadRequestError: Kind(422, "bad-request", "Invalid request"),
-    FrameTooLargeError: Kind(422, "frame-too-large", "The frame exceeds the size limit"),
-    MaskTooSlowError: Kind(422, "mask-too-slow", "The mask would take too long to generate"),
-    RenderFailedError: Kind(500, "render-failed", "The frame could not be rendered"),
-    FailedError: Kind(500, "measurement-failed", "The measurement failed"),
-    MissingExtraError: Kind(501, "not-installed", "A package that the answer needs is not installed"),
-    NotBuiltError: Kind(501, "not-built", "A part of the server is not built"),
-    NotFinishedError: Kind(409, "not-finished", "The sequence is not finished"),
-    BusyError: Kind(503, "busy", "The server is busy"),
-    NotMeasuredError: Kind(503, "not-measured", "The cost of accuracy is still being measured"),
-    StreamsFullError: Kind(503, "streams-full", "All streams are taken"),
-    QueueFullError: Kind(503, "queue-full", "The render queue is full"),
-    RendererUnavailableError: Kind(503, "no-renderer", "No renderer is available"),
-    StartingError: Kind(503, "starting", "The renderer is starting"),
-    DeadlineError: Kind(504, "deadline", "The request timed out"),
+KINDS: dict[type[Exception], ProblemType] = {
+    ExportTooLargeError: ProblemType(422, "export-too-large", "The scene is too large to take home"),
+    NotFoundError: ProblemType(404, "not-found", "Not found"),
+    UnsupportedMediaError: ProblemType(415, "unsupported-media-type", "The request body must be JSON"),
+    BadRequestError: ProblemType(422, "bad-request", "Invalid request"),
+    FrameTooLargeError: ProblemType(422, "frame-too-large", "The frame exceeds the size limit"),
+    MaskTooSlowError: ProblemType(422, "mask-too-slow", "The mask would take too long to generate"),
+    RenderFailedError: ProblemType(500, "render-failed", "The frame could not be rendered"),
+    FailedError: ProblemType(500, "measurement-failed", "The measurement failed"),
+    MissingExtraError: ProblemType(501, "not-installed", "A package that the answer needs is not installed"),
+    NotBuiltError: ProblemType(501, "not-built", "A part of the server is not built"),
+    NotFinishedError: ProblemType(409, "not-finished", "The sequence is not finished"),
+    BusyError: ProblemType(503, "busy", "The server is busy"),
+    NotMeasuredError: ProblemType(503, "not-measured", "The cost of accuracy is still being measured"),
+    StreamsFullError: ProblemType(503, "streams-full", "All streams are taken"),
+    RenderQueueFullError: ProblemType(503, "queue-full", "The render queue is full"),
+    RendererUnavailableError: ProblemType(503, "no-renderer", "No renderer is available"),
+    StartingError: ProblemType(503, "starting", "The renderer is starting"),
+    DeadlineError: ProblemType(504, "deadline", "The request timed out"),
 }
 """Maps exceptions to HTTP errors."""
 
@@ -219,7 +219,7 @@ async def _known(request: Request, error: Exception) -> JSONResponse:
             posted = request.method == "POST"
             pointer, parameter = (f"/{error.field}", None) if posted else (None, error.field)
             errors = [FieldProblem(pointer=pointer, parameter=parameter, detail=str(error), allowed=bounds)]
-        case QueueFullError() | BusyError() | StartingError():
+        case RenderQueueFullError() | BusyError() | StartingError():
             headers = {"Retry-After": str(error.retry_after)}
         case RendererUnavailableError():
             headers = {"Retry-After": str(UNAVAILABLE_RETRY)}

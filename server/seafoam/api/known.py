@@ -24,7 +24,7 @@ REQUESTS_KEPT = 4096
 
 
 @dataclass(frozen=True, slots=True)
-class Source:
+class PlanSource:
     """A scene and a quality, from which a plan is made."""
 
     scene: Scene
@@ -39,7 +39,7 @@ class KnownPlans:
 
     def __init__(self, disk: DiskCache | None) -> None:
         self._disk = disk
-        self._held: OrderedDict[str, Source] = OrderedDict()
+        self._held: OrderedDict[str, PlanSource] = OrderedDict()
 
     def holds(self, plan: str) -> bool:
         """Whether a plan is in memory."""
@@ -53,9 +53,9 @@ class KnownPlans:
         if stored is None and self._disk is not None:
             parts = {"scene": scene.model_dump(mode="json"), "quality": quality.model_dump(mode="json")}
             self._disk.put(_key(plan), json.dumps(parts, sort_keys=True).encode())
-        self._hold(plan, stored or Source(scene, quality))
+        self._hold(plan, stored or PlanSource(scene, quality))
 
-    def find(self, plan: str) -> Source | None:
+    def find(self, plan: str) -> PlanSource | None:
         """Return what a plan is made from, or None if this server has not made it."""
         if (held := self._held.get(plan)) is not None:
             return held
@@ -64,19 +64,19 @@ class KnownPlans:
             self._hold(plan, stored)
         return stored
 
-    def _read(self, plan: str) -> Source | None:
+    def _read(self, plan: str) -> PlanSource | None:
         content = None if self._disk is None else self._disk.get(_key(plan))
         if content is None:
             return None
         try:
             parts = json.loads(content)
-            source = Source(Scene.model_validate(parts["scene"]), Quality.model_validate(parts["quality"]))
+            source = PlanSource(Scene.model_validate(parts["scene"]), Quality.model_validate(parts["quality"]))
             # Another version of the program may make another plan of the same scene, or none.
             return source if plan_hash(source.scene, source.quality) == plan else None
         except (ValueError, KeyError, PlanError):
             return None
 
-    def _hold(self, plan: str, source: Source) -> None:
+    def _hold(self, plan: str, source: PlanSource) -> None:
         self._held[plan] = source
         while len(self._held) > KEPT:
             self._held.popitem(last=False)

@@ -4,10 +4,9 @@ import asyncio
 from concurrent.futures import TimeoutError as NotYet
 
 from seafoam.accuracy.cache import Store
-from seafoam.accuracy.sweep import Rig
-from seafoam.accuracy.sweep import Settings as SweepSettings
+from seafoam.accuracy.sweep import Rig, SweepSettings
 from seafoam.accuracy.sweep_service import SweepService
-from seafoam.accuracy.truth import StoppedError
+from seafoam.accuracy.truth import SweepStoppedError
 from seafoam.api.settings import Settings
 from seafoam.render.service.errors import RendererUnavailableError
 from seafoam.render.service.jobs import Drawn, MeasureJob
@@ -30,7 +29,7 @@ def sweep_service(settings: Settings, pool: RenderPool, loop: asyncio.AbstractEv
                     raise
                 if service.stopped:
                     future.cancel()
-                    raise StoppedError from None
+                    raise SweepStoppedError from None
 
     def rig() -> Rig:
         if pool.state != "ready":

@@ -7,7 +7,7 @@ from prometheus_client.core import CounterMetricFamily
 from prometheus_client.registry import Collector
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from seafoam.render.service.jobs import Frame
+from seafoam.render.service.jobs import EncodedFrame
 from seafoam.render.service.pool import RenderPool, State
 from seafoam.render.service.source import FrameSource, Origin
 
@@ -59,7 +59,7 @@ class Metrics:
         self.registry.register(_Restarts(pool))
         self.registry.register(_Origins(source))
 
-    def count_frame(self, frame: Frame, format: str) -> None:
+    def count_frame(self, frame: EncodedFrame, format: str) -> None:
         """Count a rendered frame."""
         self.frames.labels(format).inc()
         for stage, seconds in frame.timings.items():

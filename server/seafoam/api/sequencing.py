@@ -7,7 +7,7 @@ from concurrent.futures import Future
 
 from seafoam.accuracy.cache import cache_dir
 from seafoam.api.settings import Settings
-from seafoam.render.service.errors import DeadlineError, QueueFullError, RenderError, RendererUnavailableError
+from seafoam.render.service.errors import DeadlineError, RenderError, RendererUnavailableError, RenderQueueFullError
 from seafoam.render.service.jobs import FrameJob
 from seafoam.render.service.pool import RenderPool
 from seafoam.render.service.slots import Turn
@@ -54,7 +54,7 @@ class PoolWorkers:
         for attempt in range(1, _ATTEMPTS + 1):
             try:
                 return (await self._pool.render(job, Turn(background=True))).content
-            except (DeadlineError, QueueFullError) as error:
+            except (DeadlineError, RenderQueueFullError) as error:
                 if attempt == _ATTEMPTS:
                     raise SequenceError(f"a frame could not be drawn: {error}") from error
             except RenderError as error:

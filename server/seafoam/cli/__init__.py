@@ -157,13 +157,15 @@ def accuracy(
     width, height = size_of(size)
     if not (16 <= width <= 1280 and 16 <= height <= 720):
         raise CommandError(f"--size: must be 16x16 to 1280x720, not {size!r}")
-    from seafoam.accuracy.sweep import Settings
+    from seafoam.accuracy.sweep import SweepSettings
     from seafoam.cli.sweeps import measure_presets
 
     outputs = {"--output": (".png", output), "--json": (".json", as_json), "--csv": (".csv", as_csv)}
     outputs["--html"] = (".html", as_html)
     files = {(option, extension): path for option, (extension, path) in outputs.items()}
-    measure_presets(preset, size, Settings(width, height, samples, rounds), files, again=again, scheduler=scheduler)
+    measure_presets(
+        preset, size, SweepSettings(width, height, samples, rounds), files, again=again, scheduler=scheduler
+    )
 
 
 @app.command()

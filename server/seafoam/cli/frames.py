@@ -98,12 +98,12 @@ def _quality(executor: gl.Executor, request: _Request) -> tuple[Quality, str]:
     require_reports()
     # Here, because no other frame needs what measurements do.
     from seafoam.accuracy.budget import choose
-    from seafoam.accuracy.sweep import Settings, Subject
+    from seafoam.accuracy.sweep import Subject, SweepSettings
     from seafoam.cli.sweeps import measured
 
     preset = request.preset
     subject = Subject(None if parameters.changed else preset.name, request.scene, preset.time, preset.size)
-    sweep = measured(executor, subject, Settings())
+    sweep = measured(executor, subject, SweepSettings())
     choice = choose(sweep, *request.size, parameters.budget_ms, lambda q: LIMITS.allows(*request.size, q.samples_drawn))
     return choice.point.quality, f"{choice.point.id}: {choice.why}"
 

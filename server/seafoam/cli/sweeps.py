@@ -15,7 +15,7 @@ from seafoam import processes
 from seafoam.accuracy import plots, report
 from seafoam.accuracy.cache import Store
 from seafoam.accuracy.model import Sweep
-from seafoam.accuracy.sweep import Rig, Settings, Subject, Watcher, make_sweep
+from seafoam.accuracy.sweep import Rig, Subject, SweepSettings, Watcher, make_sweep
 from seafoam.cli.support import UNABLE, CommandError, write
 from seafoam.render.gl import executor as gl
 from seafoam.render.service import jobs
@@ -32,7 +32,7 @@ PLAIN: dict[str, Any] = {"highlight": False, "markup": False, "soft_wrap": True}
 
 
 def measure_presets(
-    preset: str | None, size: str, settings: Settings, files: Files, *, again: bool, scheduler: str | None = None
+    preset: str | None, size: str, settings: SweepSettings, files: Files, *, again: bool, scheduler: str | None = None
 ) -> None:
     """Measure a preset, or all if it is None; print their tables, and write reports.
 
@@ -60,7 +60,7 @@ def measure_presets(
 
 
 def _sweeps(
-    names: Sequence[str], settings: Settings, again: bool, scheduler: str | None
+    names: Sequence[str], settings: SweepSettings, again: bool, scheduler: str | None
 ) -> Iterator[tuple[str, Sweep]]:
     """Yield each preset and its sweep: in their order here, on a cluster as they are finished."""
     try:
@@ -77,7 +77,7 @@ def _sweeps(
         raise CommandError(str(error), UNABLE) from error
 
 
-def _measured_there(name: str, settings: Settings, again: bool) -> Sweep:
+def _measured_there(name: str, settings: SweepSettings, again: bool) -> Sweep:
     """Measure a preset in a worker, in a context of its own: the next task may run in another thread."""
     executor = gl.Executor()
     try:
@@ -86,7 +86,7 @@ def _measured_there(name: str, settings: Settings, again: bool) -> Sweep:
         executor.close()
 
 
-def measured(executor: gl.Executor, subject: Subject, settings: Settings, *, again: bool = False) -> Sweep:
+def measured(executor: gl.Executor, subject: Subject, settings: SweepSettings, *, again: bool = False) -> Sweep:
     """The sweep of a subject, from the cache or measured now, with a progress bar."""
     threads = int(os.environ.get("LP_NUM_THREADS") or os.cpu_count() or 1)
     rig = Rig(partial(jobs.measure, executor), executor.info, threads)

@@ -1,6 +1,6 @@
 """The package's interface for Python programs and notebooks; :mod:`seafoam` gives its names.
 
-Pictures come from a :class:`Source`: the renderer of this process (:data:`HERE`) or a server (:func:`connect`).
+Pictures come from a :class:`PictureSource`: the renderer of this process (:data:`HERE`) or a server (:func:`connect`).
 """
 
 from seafoam.library.connection import Connection
@@ -8,7 +8,7 @@ from seafoam.library.embedded import HERE
 from seafoam.library.errors import InvalidRequestError, ServerError
 from seafoam.library.named import named
 from seafoam.library.request import CameraLike, QualityLike, SceneLike, Size
-from seafoam.library.source import Source
+from seafoam.library.source import PictureSource
 from seafoam.scene.presets import Preset, load_preset, preset_names
 
 __all__ = [
@@ -16,11 +16,11 @@ __all__ = [
     "CameraLike",
     "Connection",
     "InvalidRequestError",
+    "PictureSource",
     "QualityLike",
     "SceneLike",
     "ServerError",
     "Size",
-    "Source",
     "close",
     "connect",
     "encoded",

@@ -11,7 +11,7 @@ from urllib.parse import quote, urlencode, urlsplit
 from urllib.request import Request, urlopen
 
 from seafoam.library.errors import InvalidRequestError, ServerError
-from seafoam.library.source import MaskRequest, Source
+from seafoam.library.source import MaskRequest, PictureSource
 from seafoam.render.service.jobs import FrameJob
 from seafoam.render.service.recipe import described
 
@@ -25,7 +25,7 @@ _LATER = (HTTPStatus.TOO_MANY_REQUESTS, HTTPStatus.SERVICE_UNAVAILABLE)
 _REFUSED = (HTTPStatus.NOT_FOUND, HTTPStatus.REQUEST_ENTITY_TOO_LARGE, HTTPStatus.UNPROCESSABLE_ENTITY)
 
 
-class Connection(Source):
+class Connection(PictureSource):
     """Draws on a server; scenes are sent whole, so the server needs no preset of the name.
 
     A busy server (503), or one that is asked too often (429), is asked again after the time that it names. The server's

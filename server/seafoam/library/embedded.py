@@ -6,7 +6,7 @@ from concurrent.futures import Future, ThreadPoolExecutor
 
 from seafoam.effects.effect import PlanError
 from seafoam.library.errors import InvalidRequestError
-from seafoam.library.source import MaskRequest, Source
+from seafoam.library.source import MaskRequest, PictureSource
 from seafoam.masks.catalogue import load_catalogue, load_mask
 from seafoam.masks.construct import make_mask
 from seafoam.masks.formats import to_npy
@@ -17,7 +17,7 @@ CUSTOM_SIZE = 256
 """Side of masks made on request, texels."""
 
 
-class Embedded(Source):
+class Embedded(PictureSource):
     """Draws in this process. A process has one GL context, so there is one instance, :data:`HERE`.
 
     The context is created by the first frame; after :meth:`close` the next frame creates another. While a frame is

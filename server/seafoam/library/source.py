@@ -57,7 +57,7 @@ def _picture(
     return job_of(what, time=time, size=size, quality=quality, camera=camera, look=look, mask=mask)
 
 
-class Source(ABC):
+class PictureSource(ABC):
     """Draws frames and makes masks. Every method can be called from any thread; a source is a context manager.
 
     Methods raise ``TypeError`` for a keyword that they do not have, :class:`seafoam.library.errors.InvalidRequestError`
@@ -136,7 +136,7 @@ class Source(ABC):
     def _mask(self, asked: MaskRequest) -> Future[bytes]:
         """Start to make or fetch a mask, as an NPY file."""
 
-    def __enter__(self) -> "Source":
+    def __enter__(self) -> "PictureSource":
         return self
 
     def __exit__(self, *_: Any) -> None:

@@ -23,7 +23,7 @@ from seafoam.masks.families import (
     SIZES,
     VALUE_RULE,
     Family,
-    MaskParameters,
+    MaskSpec,
     Method,
     check_parameters,
     parse_parameters,
@@ -266,7 +266,7 @@ def rank_sha256(ranks: Ranks) -> str:
     return hashlib.sha256(ranks.astype("<u4").tobytes()).hexdigest()
 
 
-def describe(name: str, made: MaskParameters, method: Method, ranks: Ranks) -> MaskEntry:
+def describe(name: str, made: MaskSpec, method: Method, ranks: Ranks) -> MaskEntry:
     """The entry of a mask just constructed with these arguments."""
     family = made.family
     lace = family == "lace"
@@ -329,7 +329,7 @@ def load_mask(name: str) -> Mask:
     return Mask(entry, ranks, tables, Thresholds.from_bytes(tables_file(directory, name).read_bytes()))
 
 
-_kept: dict[MaskParameters, Mask] = {}
+_kept: dict[MaskSpec, Mask] = {}
 """Masks made on request, the one last asked for at the end."""
 _kept_lock = Lock()
 
@@ -364,7 +364,7 @@ def custom_mask(
     return made_on_request(check_parameters(family, sigma, size, seed, aspect, age))
 
 
-def made_on_request(parameters: MaskParameters, limit: float | None = None, progress: Progress = no_progress) -> Mask:
+def made_on_request(parameters: MaskSpec, limit: float | None = None, progress: Progress = no_progress) -> Mask:
     """The mask of checked parameters; ``vac`` is ordered in batches.
 
     The latest :data:`CUSTOM_MASKS_KEPT` are kept. Raises :class:`MaskTooSlowError` for one that is not kept and would
@@ -391,7 +391,7 @@ def made_on_request(parameters: MaskParameters, limit: float | None = None, prog
     return mask
 
 
-def is_kept(parameters: MaskParameters) -> bool:
+def is_kept(parameters: MaskSpec) -> bool:
     """Whether :func:`made_on_request` has this mask at once."""
     return parameters in _kept
 

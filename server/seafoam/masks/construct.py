@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from seafoam.masks import bubble, filtered, lace, void_cluster
-from seafoam.masks.families import MaskParameters, Method, check_method, check_parameters
+from seafoam.masks.families import MaskSpec, Method, check_method, check_parameters
 from seafoam.masks.torus import Progress, Ranks, no_progress
 
 
@@ -38,7 +38,7 @@ def make_mask(
     return build(check_parameters(family, sigma, size, seed, aspect, age), check_method(method), progress)
 
 
-def build(parameters: MaskParameters, method: Method = "batched", progress: Progress = no_progress) -> Ranks:
+def build(parameters: MaskSpec, method: Method = "batched", progress: Progress = no_progress) -> Ranks:
     """Construct the mask of checked parameters; otherwise as :func:`make_mask`."""
     rng = np.random.Generator(np.random.PCG64(parameters.seed))
     match parameters.family:

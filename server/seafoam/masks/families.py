@@ -54,7 +54,7 @@ DEFAULT_SIGMA: dict[Family, float] = {"vac": 24.0, "blur": 6.0, "clump": 1.5, "b
 
 
 @dataclass(frozen=True, slots=True)
-class MaskParameters:
+class MaskSpec:
     """Determine a mask, with :data:`GENERATOR` and a method. Create them with :func:`check_parameters`."""
 
     family: Family
@@ -92,7 +92,7 @@ def sigma_range(family: Family, side: int) -> tuple[float, float]:
 
 def check_parameters(
     family: str, sigma: float | None, size: int | tuple[int, int], seed: int, aspect: float = 1.0, age: float = 0.0
-) -> MaskParameters:
+) -> MaskSpec:
     """Check a request and return it with its types settled.
 
     ``size`` is the side, or width and height. ``sigma=None`` takes the family's :data:`DEFAULT_SIGMA`, held to what
@@ -120,10 +120,10 @@ def check_parameters(
                 raise ValueError(f"{name} {value!r} is allowed only for lace, not {known}")
         elif not (math.isfinite(value) and low <= value <= high):
             raise ValueError(f"{name} {value!r} is outside {low:g}..{high:g}")
-    return MaskParameters(known, chosen, width, height, seed, float(aspect), float(age))
+    return MaskSpec(known, chosen, width, height, seed, float(aspect), float(age))
 
 
-def parse_parameters(text: str) -> MaskParameters:
+def parse_parameters(text: str) -> MaskSpec:
     """Parameters written ``family:sigma:size:seed``, for ``lace`` also ``family:sigma:size:seed:aspect:age``.
 
     Raises ``ValueError`` as :func:`check_parameters` does, and where the text has another form.

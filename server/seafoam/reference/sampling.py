@@ -76,7 +76,7 @@ def trilinear(chain: list[Floats], u: Floats, v: Floats, level: Floats) -> Float
 
 
 @dataclass(frozen=True)
-class Spline:
+class SplineSample:
     """A B-spline at r places: value, gradient and second derivatives by u and v (a tile); (r,) each."""
 
     value: Floats
@@ -98,7 +98,7 @@ class Spline:
         return result
 
 
-def bspline(image: Floats, u: Floats, v: Floats) -> Spline:
+def bspline(image: Floats, u: Floats, v: Floats) -> SplineSample:
     """Uniform cubic B-spline of texels, no prefilter."""
     size = image.shape[0]
     x, y = u * size - 0.5, v * size - 0.5
@@ -112,7 +112,7 @@ def bspline(image: Floats, u: Floats, v: Floats) -> Spline:
             texel = image[row, _wrapped(i + (b - 1.0), size)]
             for name, (by_u, by_v) in orders.items():
                 sums[name] += down[by_v][a] * across[by_u][b] * texel
-    return Spline(**{name: sums[name] * float(size) ** sum(order) for name, order in orders.items()})
+    return SplineSample(**{name: sums[name] * float(size) ** sum(order) for name, order in orders.items()})
 
 
 def quantile(table: Floats, s: ArrayLike) -> Floats:

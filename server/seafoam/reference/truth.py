@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from seafoam.reference.renderer.frame import Frame
+from seafoam.reference.renderer.frame import ReferenceFrame
 from seafoam.reference.renderer.state import Mode
 from seafoam.reference.types import Bools, Floats
 from seafoam.scene.base import non_defaults
@@ -55,7 +55,7 @@ def scene_sha256(scene: Scene) -> str:
     return hashlib.sha256(text.encode()).hexdigest()
 
 
-def truth_bytes(frame: Frame, *, preset: str, scene: Scene, time: float, mode: Mode, seconds: float) -> bytes:
+def truth_bytes(frame: ReferenceFrame, *, preset: str, scene: Scene, time: float, mode: Mode, seconds: float) -> bytes:
     """Return a frame as the content of its file."""
     rgb = np.rint(LEVELS * np.sqrt(np.clip(frame.rgb, 0.0, BRIGHTEST) / BRIGHTEST)).astype(np.uint16)
     alpha = np.rint(LEVELS * np.clip(frame.alpha, 0.0, 1.0)).astype(np.uint16)

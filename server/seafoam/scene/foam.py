@@ -8,7 +8,7 @@ from seafoam.scene.base import Angle, Part, Share
 from seafoam.scene.living import MASK_NAME, FoamLife
 
 
-class Source(Part):
+class FoamSource(Part):
     """Base class of sources of foam saturation."""
 
     def lying_still(self) -> Self:
@@ -16,7 +16,7 @@ class Source(Part):
         return self
 
 
-class FrontSaturation(Source):
+class FrontSaturation(FoamSource):
     """Foam that appears at the front of a crest and fades behind it: f = exp(−tan(θ/2 + δ))/C (Yingst et al. 2011).
 
     With several waves θ is the phase of their sum (its analytic signal), so one wave gives the paper's formula.
@@ -71,7 +71,7 @@ class FrontSaturation(Source):
         return self.model_copy(update={"decay": None, "variation": 0.0})
 
 
-class HeightSaturation(Source):
+class HeightSaturation(FoamSource):
     """Foam by wave height: f = (H − H0)/(Hmax − H0) (Kryachko 2005)."""
 
     source: Literal["height"] = "height"
@@ -92,7 +92,7 @@ class HeightSaturation(Source):
         return self
 
 
-class SlopeSaturation(Source):
+class SlopeSaturation(FoamSource):
     """Foam on steep water: f = gain (1 − n.y − base), n the normal of the waves (GPU ocean, 2007: base 0)."""
 
     source: Literal["slope"] = "slope"
@@ -116,7 +116,7 @@ class SlopeSaturation(Source):
     )
 
 
-class WhitecapSaturation(Source):
+class WhitecapSaturation(FoamSource):
     """Foam where the sea folds, i.e. the Jacobian of its horizontal displacement is small, and for seconds after."""
 
     source: Literal["whitecap"] = "whitecap"
@@ -145,7 +145,7 @@ class WhitecapSaturation(Source):
         return self.model_copy(update={"lasting": False})
 
 
-class SurfSaturation(Source):
+class SurfSaturation(FoamSource):
     """Foam of the surf: it appears at breaking fronts, remains behind them, and drains down the beach."""
 
     source: Literal["surf"] = "surf"
@@ -168,7 +168,7 @@ class SurfSaturation(Source):
         return self.model_copy(update={"line": 0.0})
 
 
-class DriftSaturation(Source):
+class DriftSaturation(FoamSource):
     """Patches of foam that appear on the scene's ``drift`` square, are carried by its flow, and disappear."""
 
     source: Literal["drift"] = "drift"
@@ -181,7 +181,7 @@ class DriftSaturation(Source):
     seed: int = Field(default=1, ge=0, le=65535, description="Random seed of the patches")
 
 
-class WakeSaturation(Source):
+class WakeSaturation(FoamSource):
     """Foam of boats: the turbulent band behind each boat, and the foam of its bow wave."""
 
     source: Literal["wake"] = "wake"
@@ -208,7 +208,7 @@ Saturation = Annotated[
     Field(discriminator="source"),
 ]
 
-S = TypeVar("S", bound=Source)
+S = TypeVar("S", bound=FoamSource)
 
 
 class FoamScattering(Part):
@@ -320,7 +320,7 @@ class Foam(Part):
         """Return the saturation of a kind; None where there is none."""
         return next((source for source in self.saturation if isinstance(source, kind)), None)
 
-    def pointer(self, source: Source) -> str:
+    def pointer(self, source: FoamSource) -> str:
         """Return the JSON pointer of one of the saturations in a scene. Raises ``ValueError`` for any other."""
         return f"/foam/saturation/{self.saturation.index(source)}"
 

@@ -4,7 +4,7 @@ SequenceError
 ├── OtherSequenceError    the directory holds something else
 ├── OutputError           the output cannot hold the sequence: odd sizes, sizes beyond a format
 ├── MixedFleetError       workers have different renderers
-└── StoppedError          cancelled; what is finished stays
+└── SequenceStoppedError  cancelled; what is finished stays
 """
 
 from typing import Literal
@@ -32,5 +32,5 @@ class MixedFleetError(SequenceError):
     """Workers have different renderers, whose frames differ."""
 
 
-class StoppedError(SequenceError):
+class SequenceStoppedError(SequenceError):
     """The sequence was cancelled."""

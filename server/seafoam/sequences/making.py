@@ -13,7 +13,7 @@ from PIL import Image
 
 from seafoam import files
 from seafoam.render.encode import encode
-from seafoam.sequences.errors import SequenceError, StoppedError
+from seafoam.sequences.errors import SequenceError, SequenceStoppedError
 from seafoam.sequences.folder import SequenceFolder, frame_name
 from seafoam.sequences.spec import SequenceSpec
 from seafoam.sequences.video import Codec, check_video, write_video
@@ -74,7 +74,7 @@ class _Meter:
 
     def _say(self) -> None:
         if self._stopped():
-            raise StoppedError("the sequence was cancelled")
+            raise SequenceStoppedError("the sequence was cancelled")
         now = self._done - self._found
         left = (time.monotonic() - self._began) * (self._total - self._done) / now if now else None
         self._tell(Progress(self._stage, self._done, self._total, left))

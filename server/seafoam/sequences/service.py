@@ -15,7 +15,7 @@ from typing import Any, Literal
 from pydantic import BaseModel, Field
 
 from seafoam.files import write_whole
-from seafoam.sequences.errors import SequenceError, StoppedError
+from seafoam.sequences.errors import SequenceError, SequenceStoppedError
 from seafoam.sequences.making import Kind, Output, Progress, Stage, check_output, make_sequence
 from seafoam.sequences.spec import SequenceSpec
 from seafoam.sequences.video import Codec
@@ -51,7 +51,7 @@ class UnknownSequenceError(Exception):
     """There is no sequence of this name, or no longer."""
 
 
-class QueueFullError(Exception):
+class SequenceQueueFullError(Exception):
     """As many sequences wait as may."""
 
 
@@ -60,7 +60,7 @@ class NotFinishedError(Exception):
 
 
 @dataclass
-class _Task:
+class _SequenceTask:
     spec: SequenceSpec
     output: Output
     status: SequenceStatus
@@ -84,7 +84,7 @@ class SequenceService:
         self._workers = workers
         self._most_waiting = waiting
         self._kept = kept
-        self._tasks: OrderedDict[str, _Task] = OrderedDict()
+        self._tasks: OrderedDict[str, _SequenceTask] = OrderedDict()
         self._change = threading.Condition()
         self._closed = False
         self._thread: threading.Thread | None = None
@@ -92,8 +92,8 @@ class SequenceService:
     def submit(self, spec: SequenceSpec, kind: Kind, codec: Codec = "h264") -> SequenceStatus:
         """Ask for a sequence, and return at once how far it is.
 
-        Raises :class:`QueueFullError`, :class:`seafoam.sequences.errors.OutputError`, what ``workers`` raises, and
-        :class:`seafoam.planner.PlanError`.
+        Raises :class:`SequenceQueueFullError`, :class:`seafoam.sequences.errors.OutputError`, what ``workers`` raises,
+        and :class:`seafoam.planner.PlanError`.
         """
         parts = (spec.identity(self._workers().info), spec.count, kind, codec if kind == "mp4" else "")
         name = hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()[:32]
@@ -103,12 +103,12 @@ class SequenceService:
             if (known := self._known(name)) is not None and known.status not in ("failed", "cancelled"):
                 return known
             if name in self._tasks and self._tasks[name].removed:
-                raise QueueFullError("the same sequence is still being cancelled")
+                raise SequenceQueueFullError("the same sequence is still being cancelled")
             unfinished = sum(task.status.status not in FINISHED for task in self._tasks.values())
             if unfinished >= self._most_waiting:
-                raise QueueFullError(f"{unfinished} sequences are already waiting")
+                raise SequenceQueueFullError(f"{unfinished} sequences are already waiting")
             status = SequenceStatus(id=name, status="queued", frames=spec.count)
-            self._tasks[name] = _Task(spec, output, status, threading.Event())
+            self._tasks[name] = _SequenceTask(spec, output, status, threading.Event())
             self._tasks.move_to_end(name)
             if self._thread is None and not self._closed:
                 self._thread = threading.Thread(target=self._work, name="sequences", daemon=True)
@@ -177,17 +177,17 @@ class SequenceService:
             try:
                 self._make(task)
                 update: dict[str, Any] = {"status": "done", "progress": 1.0, "bytes": task.output.path.stat().st_size}
-            except StoppedError:
+            except SequenceStoppedError:
                 update = {"status": "cancelled"}
             except Exception as error:
                 log.exception("A sequence failed")
                 update = {"status": "failed", "detail": self._reason(error)}
             self._finish(task, update)
 
-    def _queued(self) -> list[_Task]:
+    def _queued(self) -> list[_SequenceTask]:
         return [task for task in self._tasks.values() if task.status.status == "queued"]
 
-    def _make(self, task: _Task) -> None:
+    def _make(self, task: _SequenceTask) -> None:
         def tell(progress: Progress) -> None:
             share = progress.done / progress.total
             frames = progress.stage == "frames"
@@ -204,7 +204,7 @@ class SequenceService:
         task.output.path.parent.mkdir(parents=True, exist_ok=True)
         make_sequence(task.spec, task.output, self._workers(), tell=tell, stopped=task.stopped.is_set)
 
-    def _finish(self, task: _Task, update: dict[str, Any]) -> None:
+    def _finish(self, task: _SequenceTask, update: dict[str, Any]) -> None:
         with self._change:
             if task.removed:
                 self._tasks.pop(task.status.id, None)

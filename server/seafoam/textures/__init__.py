@@ -6,7 +6,7 @@ Nothing here depends on time or camera, and no effect is known by name.
 from seafoam.textures.foam import FoamTexture, foam_texture
 from seafoam.textures.front import FRONT_NODES, FrontIntegral, front_fading, front_full
 from seafoam.textures.masks import MaskTable, MaskTexture
-from seafoam.textures.parts import Part
+from seafoam.textures.parts import TexturePart
 from seafoam.textures.sea import FftTwiddles, SeaSpectrum
 from seafoam.textures.shore import ROWS, ShoreFloor, ShoreProfiles, ShoreTravel, shore_profiles
 from seafoam.textures.spec import TextureSpec, UnknownTextureError
@@ -21,7 +21,6 @@ __all__ = [
     "FrontIntegral",
     "MaskTable",
     "MaskTexture",
-    "Part",
     "SeaSpectrum",
     "ShoreFloor",
     "ShoreProfiles",
@@ -29,6 +28,7 @@ __all__ = [
     "SprayRocks",
     "SprayStrands",
     "TextureData",
+    "TexturePart",
     "TextureSpec",
     "UnknownTextureError",
     "foam_texture",

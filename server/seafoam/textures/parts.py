@@ -10,7 +10,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-Part = Literal["upper", "lower"]
+TexturePart = Literal["upper", "lower"]
 
 UPPER_BITS = 6
 """Bits of a texel in the first part. By these alone pictures of filtered foam differ by less than 0.2 levels root mean

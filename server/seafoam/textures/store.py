@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from seafoam.textures.foam import FoamTexture
 from seafoam.textures.front import FrontIntegral
 from seafoam.textures.masks import MaskTexture
-from seafoam.textures.parts import Part, lower_part, upper_part
+from seafoam.textures.parts import TexturePart, lower_part, upper_part
 from seafoam.textures.sea import FftTwiddles, SeaSpectrum
 from seafoam.textures.shore import ShoreFloor, ShoreProfiles, ShoreTravel
 from seafoam.textures.spec import Format, TextureSpec, UnknownTextureError
@@ -54,7 +54,7 @@ class TextureData:
         packed = gzip.compress(self.data, GZIP_LEVEL, mtime=0)
         return packed if 10 * len(packed) <= 9 * len(self.data) else None
 
-    def part(self, part: Part) -> bytes:
+    def part(self, part: TexturePart) -> bytes:
         """Return a part of texels of 16 bits, see :mod:`seafoam.textures.parts`; the upper one is compressed by gzip.
 
         Raises ``ValueError`` for a texture of another format.

@@ -12,14 +12,14 @@ from seafoam.accuracy.budget import choose
 from seafoam.accuracy.cache import Store, cache_dir
 from seafoam.accuracy.fronts import beating, front
 from seafoam.accuracy.model import Running, Sweep
-from seafoam.accuracy.sweep import Settings, Subject, Watcher, make_sweep
+from seafoam.accuracy.sweep import Subject, SweepSettings, Watcher, make_sweep
 from seafoam.accuracy.sweep_service import FailedError, SweepService
-from seafoam.accuracy.truth import StoppedError, find_truth, make_truth
+from seafoam.accuracy.truth import SweepStoppedError, find_truth, make_truth
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from support.accuracy_rigs import FIXED_MS, NS, grey_truth, noisy
 
-SETTINGS = Settings(32, 18, 2, 3)
+SETTINGS = SweepSettings(32, 18, 2, 3)
 
 
 @pytest.fixture(scope="module")
@@ -124,7 +124,7 @@ def test_a_sweep_survives_json_and_is_found_again(known, kept, monkeypatch):
     assert log
     other = noisy(log).machine.model_copy(update={"renderer": "another"})
     assert sweep.find_sweep(Store(kept), subject, SETTINGS, other) is None
-    assert sweep.find_sweep(Store(kept), subject, Settings(32, 18, 2, 4), noisy().machine) is None
+    assert sweep.find_sweep(Store(kept), subject, SweepSettings(32, 18, 2, 4), noisy().machine) is None
 
 
 def test_a_scene_that_is_a_preset_is_its_preset():
@@ -136,7 +136,7 @@ def test_a_sweep_can_be_called_off(monkeypatch, tmp_path):
     monkeypatch.setattr(sweep, "make_truth", grey_truth)
     shares = []
     watcher = Watcher(lambda stage, share, remaining: shares.append(share), lambda: len(shares) > 10)
-    with pytest.raises(StoppedError):
+    with pytest.raises(SweepStoppedError):
         make_sweep(Store(tmp_path), Subject(None, Scene(), 0.0, (32, 18)), SETTINGS, noisy(), watcher)
     assert shares == sorted(shares)
     assert 0.3 <= shares[0] <= shares[-1] < 1.0
@@ -255,5 +255,5 @@ def test_truth_is_computed_once(tmp_path):
     assert (truth.shape, truth.dtype) == ((16, 16, 4), np.dtype(np.float32))
     assert truth[..., :3].std() > 0.01
     np.testing.assert_array_equal(find_truth(store, scene, 0.0, 16, 16, 2), truth)
-    with pytest.raises(StoppedError):
+    with pytest.raises(SweepStoppedError):
         make_truth(store, scene, 1.0, 640, 640, 16, stopped=lambda: True)

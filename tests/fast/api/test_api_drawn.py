@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from starlette.responses import Response
 from starlette.testclient import TestClient
 
-from seafoam.accuracy.sweep_service import QueueFullError
+from seafoam.accuracy.sweep_service import SweepQueueFullError
 from seafoam.api.app import create_app
 from seafoam.api.settings import Settings
 from support.api_fakes import FakeRenderer
@@ -76,7 +76,7 @@ Draw = Callable[[st.SearchStrategy[Any]], Any]
 @pytest.fixture(scope="module")
 def client() -> Iterator[TestClient]:
     def full(*_: object) -> None:
-        raise QueueFullError("none is measured here")
+        raise SweepQueueFullError("none is measured here")
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("seafoam.api.routers.masks.ON_REQUEST_SECONDS", 0.05)

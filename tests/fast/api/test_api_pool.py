@@ -13,9 +13,9 @@ from seafoam.quality import TIERS
 from seafoam.render.service.errors import (
     DeadlineError,
     FrameTooLargeError,
-    QueueFullError,
     RendererUnavailableError,
     RenderFailedError,
+    RenderQueueFullError,
 )
 from seafoam.render.service.jobs import Draw, FrameJob, MeasureJob
 from seafoam.render.service.limits import FrameLimits
@@ -263,7 +263,7 @@ def test_a_full_queue_refuses_at_once_and_says_when_to_ask_again():
         await pool.wait_until_settled()
         waiting = [asyncio.ensure_future(pool.render(job(SLOW))) for _ in range(3)]
         await eventually(lambda: pool.active == 1 and pool.waiting == 2)
-        with pytest.raises(QueueFullError) as refused:
+        with pytest.raises(RenderQueueFullError) as refused:
             await pool.render(job())
         assert 1 <= refused.value.retry_after <= 10
         assert all(frame.content for frame in await asyncio.gather(*waiting))

@@ -21,7 +21,7 @@ from seafoam.api.known import Identified
 from seafoam.api.telemetry import UnsupportedTelemetryError, configured
 from seafoam.api.traces import Traces
 from seafoam.extras import MissingExtraError
-from seafoam.render.service.jobs import Frame
+from seafoam.render.service.jobs import EncodedFrame
 from seafoam.render.service.source import Found, Origin
 from support.serving import answering
 
@@ -121,7 +121,7 @@ def test_a_drawn_frames_stages_are_spans_within_its_request(recorded: Recorded) 
     timings = {"queue": 0.5, "plan": 0.001, "render": 0.02, "read": 0.001, "encode": 0.004}
 
     async def draw(*_: object, **__: object) -> Found:
-        return Found(Frame(b"", timings), origin)
+        return Found(EncodedFrame(b"", timings), origin)
 
     async def leave() -> None:
         await asyncio.Event().wait()

@@ -18,7 +18,7 @@ from PIL import Image, ImageSequence
 
 from seafoam.extras import MissingExtraError
 from seafoam.library.request import job_of
-from seafoam.sequences.errors import OtherSequenceError, OutputError, SequenceError, StoppedError
+from seafoam.sequences.errors import OtherSequenceError, OutputError, SequenceError, SequenceStoppedError
 from seafoam.sequences.folder import HASHES, MANIFEST, SequenceFolder, frame_name
 from seafoam.sequences.making import Kind, Output, Progress, make_sequence
 from seafoam.sequences.spec import SequenceSpec, frame_count, rate_of
@@ -169,7 +169,7 @@ def test_it_goes_on_where_it_stopped(tmp_path: Path) -> None:
     def tell(progress: Progress) -> None:
         done.append(progress.done)
 
-    with pytest.raises(StoppedError):
+    with pytest.raises(SequenceStoppedError):
         make(output, tell=tell, stopped=lambda: len(done) > 2)
     assert len(frames(output.path)) in (2, 3)
     # A frame that was damaged, one that was lost, and one whose hash was torn by a crash.
@@ -307,7 +307,7 @@ def test_a_video_shows_the_frames(tmp_path: Path, codec: str) -> None:
 
 def test_a_video_that_fails_leaves_the_frames(tmp_path: Path) -> None:
     output = Output(tmp_path / "sea.mp4", "mp4")
-    with pytest.raises(StoppedError):
+    with pytest.raises(SequenceStoppedError):
         make(output, stopped=lambda: len(frames(output.frames)) == 6 if output.frames.is_dir() else False)
     assert [each.name for each in tmp_path.iterdir()] == ["sea.mp4.frames"]
     assert make(output).drawn == []

@@ -4,7 +4,7 @@ from functools import partial
 
 from seafoam.accuracy import sweep
 from seafoam.accuracy.cache import Store
-from seafoam.accuracy.sweep import Rig, Settings, Subject, make_sweep
+from seafoam.accuracy.sweep import Rig, Subject, SweepSettings, make_sweep
 from seafoam.render.service.jobs import measure
 
 
@@ -16,7 +16,7 @@ def test_a_real_sweep_end_to_end(executor, monkeypatch, tmp_path):
     subject = Subject.of_preset("paper-halftone")
     subject = Subject(subject.preset, subject.scene, subject.time, (32, 18))
     rig = Rig(partial(measure, executor), executor.info, 1)
-    settings = Settings(32, 18, 8, 2)
+    settings = SweepSettings(32, 18, 8, 2)
     found = make_sweep(Store(tmp_path), subject, settings, rig)
     assert {point.id for point in found.points} == wanted
     errors = {point.id: point.error.rmse for point in found.points}

@@ -9,7 +9,7 @@ from seafoam.quality import Quality
 from seafoam.reference import render
 from seafoam.reference.renderer import camera as cameras
 from seafoam.reference.renderer import intersect as surfaces
-from seafoam.reference.renderer.shade import Shader
+from seafoam.reference.renderer.shade import SampleShader
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.boats import Boat
 from seafoam.scene.camera import Camera
@@ -99,7 +99,7 @@ def test_a_boat_stands_before_what_is_behind_it_and_behind_what_is_before_it(exe
     )
     bare = scene.model_copy(update={"boats": ()})
     truth = render(scene, time=0.0, width=160, height=90)
-    shader = Shader(scene, 0.0, cameras.view(scene.camera, 160, 90), 160, 90, 1, "same-samples", None)
+    shader = SampleShader(scene, 0.0, cameras.view(scene.camera, 160, 90), 160, 90, 1, "same-samples", None)
     assert shader.fleet is not None
     down, along = np.mgrid[0:90, 0:160]
     X, Y = 2.0 * (along.ravel() + 0.5) / 160 - 1.0, 1.0 - 2.0 * (down.ravel() + 0.5) / 90

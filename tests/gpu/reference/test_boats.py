@@ -17,7 +17,7 @@ from seafoam.reference.boats import boat as reference
 from seafoam.reference.boats import floating
 from seafoam.reference.boats import wake as wakes_of
 from seafoam.reference.renderer import camera as cameras
-from seafoam.reference.renderer.shade import Shader
+from seafoam.reference.renderer.shade import SampleShader
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.boats import Boat
 from seafoam.scene.camera import Camera
@@ -127,7 +127,7 @@ def test_boats_float_as_in_float64(executor: Executor, report: Report, sea: str,
     for time in (1000003.5,) if scene.sea else (0.0, 1000003.5):
         found = poses(executor, plan, time, SKYWARD)
         places, lines = water_lines(scene, found, time, SKYWARD)
-        shader = Shader(scene, time, cameras.view(SKYWARD, 16, 9), 16, 9, 1, "same-samples", None)
+        shader = SampleShader(scene, time, cameras.view(SKYWARD, 16, 9), 16, 9, 1, "same-samples", None)
         want = [floating.felt(shader.relief.height, place, smoothing) for place in places]
         off = max(off, float(np.abs(lines - np.array(want)).max()))
     report.add(

@@ -8,7 +8,7 @@ from seafoam.planner import make_geometry_plan
 from seafoam.quality import TIERS
 from seafoam.reference.renderer import camera as cameras
 from seafoam.reference.renderer import intersect
-from seafoam.reference.renderer.shade import Shader
+from seafoam.reference.renderer.shade import SampleShader
 from seafoam.reference.types import unit
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
@@ -36,7 +36,7 @@ def truth(scene: Scene, camera: Camera) -> NDArray[np.float64]:
     """Normal and distance in float64, (height, width, 4)."""
     width, height = SIZE
     view = cameras.view(camera, width, height)
-    state = Shader(scene, TIME, view, width, height, 1, "same-samples", None)
+    state = SampleShader(scene, TIME, view, width, height, 1, "same-samples", None)
     X, Y = (
         2.0 * (np.arange(width) + 0.5) / width - 1.0,
         1.0 - 2.0 * (np.arange(height) + 0.5) / height,

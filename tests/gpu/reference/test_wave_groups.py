@@ -17,7 +17,7 @@ from seafoam.reference.waves.groups import group_factor
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, FrontSaturation, SlopeSaturation, Source
+from seafoam.scene.foam import Foam, FoamSource, FrontSaturation, SlopeSaturation
 from seafoam.scene.light import Light
 from seafoam.scene.living import FoamLife
 from seafoam.scene.models import Scene
@@ -109,15 +109,15 @@ def test_no_wave_exceeds_its_bounds(seed: int) -> None:
     assert 0.8 * group_bounds(scene).slope <= steepest <= group_bounds(scene).slope
 
 
-SHARED: tuple[Source, ...] = (FrontSaturation(intensity=7.0, group=(0.3, 1.3), decay=3.0, variation=0.2),)
-OWN: tuple[Source, ...] = (*SHARED, SlopeSaturation())
-PRESENT: tuple[Source, ...] = (FrontSaturation(constants="listing", intensity=7.0, group=(0.3, 0.9)),)
+SHARED: tuple[FoamSource, ...] = (FrontSaturation(intensity=7.0, group=(0.3, 1.3), decay=3.0, variation=0.2),)
+OWN: tuple[FoamSource, ...] = (*SHARED, SlopeSaturation())
+PRESENT: tuple[FoamSource, ...] = (FrontSaturation(constants="listing", intensity=7.0, group=(0.3, 0.9)),)
 
 
 @pytest.mark.parametrize("sources", [SHARED, OWN, PRESENT], ids=["shared phases", "own phases", "listing"])
 @pytest.mark.parametrize("carried", [False, True], ids=["still", "carried"])
 def test_frames_are_the_float64_truth(
-    executor: Executor, report: Report, sources: tuple[Source, ...], *, carried: bool
+    executor: Executor, report: Report, sources: tuple[FoamSource, ...], *, carried: bool
 ) -> None:
     life = FoamLife(carried=carried, wind_drift=0.3)
     scene = Scene(

@@ -12,7 +12,7 @@ from starlette.responses import JSONResponse, Response
 from seafoam.accuracy.model import Points, Running, Sweep
 from seafoam.accuracy.points import points_of
 from seafoam.accuracy.sweep import Subject, truth_info
-from seafoam.accuracy.sweep_service import QueueFullError
+from seafoam.accuracy.sweep_service import SweepQueueFullError
 from seafoam.accuracy.truth import Truth
 from seafoam.api.caching import NO_STORE, REVALIDATE, not_modified, tag_of
 from seafoam.api.context import Context, InContext
@@ -53,7 +53,7 @@ async def measured(context: Context, subject: Subject) -> Sweep | Running:
     await context.pool.wait_until_settled()
     try:
         return await context.plans.run(context.sweeps.sweep, subject)
-    except QueueFullError as error:
+    except SweepQueueFullError as error:
         raise BusyError(str(error), FULL_WAIT) from error
 
 
@@ -153,7 +153,7 @@ async def get_truth(
     subject = _subject(preset)
     try:
         found = await context.plans.run(context.sweeps.truth, subject)
-    except QueueFullError as error:
+    except SweepQueueFullError as error:
         raise BusyError(str(error), FULL_WAIT) from error
     if isinstance(found, Running):
         return _wait(found)

@@ -37,11 +37,11 @@ from seafoam.masks.families import (
     SIGMA_MAX,
     SIGMA_MIN,
     Family,
+    MaskSpec,
     Method,
     check_parameters,
     sigma_range,
 )
-from seafoam.masks.families import MaskParameters as Made
 from seafoam.masks.formats import to_dds, to_npy, to_png8, to_png16, to_u16
 from seafoam.masks.torus import Ranks
 
@@ -174,7 +174,7 @@ def _shipped(name: str) -> Mask:
         raise NotFoundError(f"mask {name!r} was not found", "mask", tuple(load_catalogue())) from None
 
 
-def check_custom(asked: CustomMask, *, slow: bool = False) -> Made:
+def check_custom(asked: CustomMask, *, slow: bool = False) -> MaskSpec:
     """Return the mask's parameters; reject what the family does not allow, with the allowed range.
 
     Unless ``slow``, reject also what would take too long. Raises :class:`BadRequestError`.
@@ -222,7 +222,7 @@ def _custom(asked: CustomMask) -> Mask:
 class _Making:
     """A mask on its way; ends early once nobody follows it."""
 
-    def __init__(self, made: Made) -> None:
+    def __init__(self, made: MaskSpec) -> None:
         self._made = made
         self._share = 0.0
         self._followed = True

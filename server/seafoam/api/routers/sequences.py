@@ -28,7 +28,7 @@ from seafoam.api.strict import strictly
 from seafoam.render.service.jobs import FrameJob
 from seafoam.scene.camera import Camera
 from seafoam.sequences.errors import OutputError
-from seafoam.sequences.service import FINISHED, QueueFullError, SequenceStatus, UnknownSequenceError
+from seafoam.sequences.service import FINISHED, SequenceQueueFullError, SequenceStatus, UnknownSequenceError
 from seafoam.sequences.spec import GREATEST_FPS, LEAST_FPS, SequenceSpec, sequence_of
 from seafoam.sequences.video import Codec
 
@@ -116,7 +116,7 @@ async def start_sequence(asked: strictly(SequenceRequest), context: InContext) -
         status = await context.plans.run(context.sequences.submit, spec, body.format, body.codec)
     except OutputError as error:
         raise _refused(error) from error
-    except QueueFullError as error:
+    except SequenceQueueFullError as error:
         raise BusyError(str(error), RETRY_SECONDS) from error
     headers = {"Location": f"/api/sequences/{status.id}", "Cache-Control": NO_STORE}
     return JSONResponse(status.model_dump(mode="json"), 202, headers)  # type: ignore[return-value]

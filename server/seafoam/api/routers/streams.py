@@ -16,7 +16,7 @@ from seafoam.api.problems import NotFoundError, StreamsFullError
 from seafoam.api.streams import LEASE_SECONDS, Stream
 from seafoam.api.strict import strictly
 from seafoam.quality import Quality
-from seafoam.render.service.jobs import Frame, FrameJob
+from seafoam.render.service.jobs import EncodedFrame, FrameJob
 from seafoam.render.service.slots import Turn
 
 router = APIRouter(prefix="/api/streams", tags=["frames"])
@@ -117,7 +117,7 @@ async def get_stream_frame(
     return Response(frame.content, headers=headers, media_type="image/webp")
 
 
-async def _drawn(stream: Stream, job: FrameJob, context: Context) -> Frame:
+async def _drawn(stream: Stream, job: FrameJob, context: Context) -> EncodedFrame:
     """Draw a frame in one of the stream's places; the task that this runs in is cancelled if a later one takes it."""
     turn = Turn(stream=True)
     try:

@@ -12,7 +12,7 @@ from seafoam.api.context import InContext
 from seafoam.api.errors import problem_responses
 from seafoam.api.parameters import Parameters
 from seafoam.api.problems import BadRequestError, FieldProblem, NotFoundError
-from seafoam.textures import Part, TextureData, spec_at, texture
+from seafoam.textures import TextureData, TexturePart, spec_at, texture
 
 router = APIRouter(prefix="/api", tags=["textures"])
 
@@ -26,7 +26,7 @@ class TextureParameters(Parameters):
         description="SHA-256 of the bytes, from the plan; makes the response cacheable without limit. Bytes "
         "with another hash are refused",
     )
-    part: Part | None = Field(
+    part: TexturePart | None = Field(
         default=None,
         description="A part of a texture of format R16UI; absent: all of it. upper: the upper 6 bits of each texel, a "
         "byte each, as what is to be added modulo 64 to the median of the texel before it, the one above it, and their "
@@ -81,7 +81,7 @@ async def get_texture(
     return Response(content, headers={"ETag": tag, **headers}, media_type="application/octet-stream")
 
 
-def _content(found: TextureData, part: Part | None, request: Request) -> tuple[bytes, bool]:
+def _content(found: TextureData, part: TexturePart | None, request: Request) -> tuple[bytes, bool]:
     """Return the bytes asked for, and whether they are compressed by gzip, which the client must accept."""
     accepted = "gzip" in request.headers.get("accept-encoding", "")
     if part == "upper":

@@ -127,7 +127,7 @@ def front_saturation(X: Floats, Y: Floats, intensity: float, base: float = math.
     return result
 
 
-class FrontIntegral:
+class WaveFrontIntegral:
     """I(ψ) = ∫₀^ψ min(f, 1) of the front of one wave, for any ψ, by Gauss–Legendre in cells and cubics between."""
 
     def __init__(self, intensity: float, base: float) -> None:
@@ -163,9 +163,9 @@ class FrontIntegral:
 
 
 @lru_cache(maxsize=16)
-def front_integral(intensity: float, base: float = math.e) -> FrontIntegral:
+def front_integral(intensity: float, base: float = math.e) -> WaveFrontIntegral:
     """The integral of one front, kept for later calls."""
-    return FrontIntegral(intensity, base)
+    return WaveFrontIntegral(intensity, base)
 
 
 def front_saturation_filtered(psi: Floats, width: Floats, intensity: float, base: float = math.e) -> Floats:

@@ -6,7 +6,7 @@ arrays of one shape.
 
 import numpy as np
 
-from seafoam.reference.sampling import Spline, quantile, texel
+from seafoam.reference.sampling import SplineSample, quantile, texel
 from seafoam.reference.types import Floats, smoothstep
 
 LEAST_HALF = 5e-4
@@ -57,7 +57,7 @@ def minification(size: Floats) -> Floats:
     return smoothstep(1.0, 1.5, size.max(axis=1))
 
 
-def spline_over_footprint(spline: Spline, foot_u: Floats, foot_v: Floats) -> tuple[Floats, Floats]:
+def spline_over_footprint(spline: SplineSample, foot_u: Floats, foot_v: Floats) -> tuple[Floats, Floats]:
     """b and e: mean of the B-spline mask over footprints (r, 2), and half the range of its values; (r,) each."""
     mean = spline.value + (spline.bend(foot_u) + spline.bend(foot_v)) / 24.0
     half: Floats = 0.5 * np.hypot(spline.along(foot_u), spline.along(foot_v))

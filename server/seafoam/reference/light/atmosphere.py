@@ -116,7 +116,7 @@ class Lamp:
 
 
 @dataclass(frozen=True, eq=False)
-class Sky:
+class LayeredSky:
     """A layered sky at one time over one camera position."""
 
     light: Light
@@ -314,7 +314,7 @@ class Sky:
 
 
 @lru_cache(maxsize=8)
-def _integrated(of: Sky) -> Floats:
+def _integrated(of: LayeredSky) -> Floats:
     """∫ clear cos over the upper hemisphere: Gauss–Legendre in the root of the height, equal steps in azimuth."""
     nodes, weights = np.polynomial.legendre.leggauss(NODES)
     root, weights = 0.5 * (nodes + 1.0), 0.5 * weights
@@ -339,7 +339,7 @@ def _axes(moon: Moon) -> tuple[Floats, Floats, Floats]:
     return to_moon, toward(moon.azimuth + 0.5 * math.pi, 0.0), toward(moon.azimuth, moon.elevation + 0.5 * math.pi)
 
 
-def layered_sky(light: Light, time: float, eye: tuple[float, float, float]) -> Sky | None:
+def layered_sky(light: Light, time: float, eye: tuple[float, float, float]) -> LayeredSky | None:
     """The layered sky of a light at a time (s) over a camera position (m); None if the scene has the plain sky."""
     sky = light.sky
     if sky is None:
@@ -378,4 +378,4 @@ def layered_sky(light: Light, time: float, eye: tuple[float, float, float]) -> S
         result: Floats = above * np.exp(-depth / (max(height, 0.0) + 0.03))
         return result
 
-    return Sky(light, mie, sky.haze, tuple(lamps), lit_by, direct, up_there, time, eye)
+    return LayeredSky(light, mie, sky.haze, tuple(lamps), lit_by, direct, up_there, time, eye)

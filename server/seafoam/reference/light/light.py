@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from seafoam.reference.light.atmosphere import Sky, layered_sky, sun_angles, two_looks
+from seafoam.reference.light.atmosphere import LayeredSky, layered_sky, sun_angles, two_looks
 from seafoam.reference.types import Floats, dot, smoothstep, unit
 from seafoam.scene.light import Light
 from seafoam.scene.water import Water
@@ -60,7 +60,7 @@ class Air:
     """E_s, (3,)."""
     air_light: Floats
     """E_a, (3,)."""
-    above: Sky | None = None
+    above: LayeredSky | None = None
     """The layered sky of section 9, if the scene has one."""
 
     def sky(self, d: Floats) -> Floats:

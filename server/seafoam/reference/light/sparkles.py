@@ -27,7 +27,7 @@ _LOW = np.uint64(0xFFFFFFFF)
 
 
 @dataclass(frozen=True)
-class Field:
+class SparkleField:
     """The sparkles of a light at a time."""
 
     of: Sparkles
@@ -39,14 +39,14 @@ class Field:
     """Radius of a sparkle (rad) and size of a cell on the octahedron."""
 
     @staticmethod
-    def at(of: Sparkles, time: float, step: float) -> "Field":
+    def at(of: Sparkles, time: float, step: float) -> "SparkleField":
         """The sparkles at a time (s). ``step``: sample spacing at the centre of the picture, rad; 0: no least size."""
         lives = Fraction(time) / Fraction(of.life)
         whole = math.floor(lives)
         radius_set = 0.5 * of.size
         radius = min(max(PIXELS * step, radius_set), MOST)
         doubled = math.ceil(math.log2(radius / radius_set) - 1e-3)
-        return Field(of, whole % EPOCHS, float(lives - whole), radius, 4.0 * radius_set * 2.0**doubled)
+        return SparkleField(of, whole % EPOCHS, float(lives - whole), radius, 4.0 * radius_set * 2.0**doubled)
 
     @property
     def density(self) -> float:
@@ -108,7 +108,7 @@ def sun(of: Light, air: Air, time: float, step: float) -> Glint:
     )
     if of.sparkles is None:
         return smooth
-    field = Field.at(of.sparkles, time, step)
+    field = SparkleField.at(of.sparkles, time, step)
 
     def sparkling(d: Floats, n: Floats, cv: Floats, sigma2: float) -> Floats:
         return field.broken(air, d, smooth(d, n, cv, sigma2))

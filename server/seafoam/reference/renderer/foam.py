@@ -12,7 +12,7 @@ from seafoam.reference.foam.drift import Copy, copies
 from seafoam.reference.light import light
 from seafoam.reference.renderer.assets import Assets
 from seafoam.reference.renderer.sources import saturation
-from seafoam.reference.renderer.state import FrameState
+from seafoam.reference.renderer.state import ReferenceState
 from seafoam.reference.types import Floats, smoothstep
 from seafoam.scene.foam import DriftSaturation, Foam
 
@@ -23,7 +23,7 @@ FOAM_SHADE = 0.6
 TEXTURED_LOOKS = ("textured", "halftone_textured", "listing")
 
 
-class FoamStage(FrameState):
+class FoamStage(ReferenceState):
     """Saturation and amount of foam, for scenes with foam."""
 
     @property

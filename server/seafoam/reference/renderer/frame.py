@@ -9,7 +9,7 @@ import numpy as np
 
 from seafoam.reference.renderer import camera as cameras
 from seafoam.reference.renderer.assets import Assets
-from seafoam.reference.renderer.shade import Shader
+from seafoam.reference.renderer.shade import SampleShader
 from seafoam.reference.renderer.state import Mode
 from seafoam.reference.spray import births, spray
 from seafoam.reference.types import Bools, Floats, Indices
@@ -22,7 +22,7 @@ JITTER_SEED = 20110
 
 
 @dataclass(frozen=True, eq=False)
-class Frame:
+class ReferenceFrame:
     """A picture in linear light, rows from the top."""
 
     rgb: Floats
@@ -49,7 +49,7 @@ def render(
     camera: Camera | None = None,
     mode: Mode = "same-samples",
     assets: Assets | None = None,
-) -> Frame:
+) -> ReferenceFrame:
     """Render a scene at a time (s) with ``samples``² samples per pixel.
 
     ``same-samples`` places them on the grid of section 1 and filters as the shaders do; ``converged`` places one at
@@ -59,7 +59,7 @@ def render(
     if assets is None:
         assets = Assets.for_scene(scene)
     view = cameras.view(scene.camera if camera is None else camera, width, height)
-    shader = Shader(scene, time, view, width, height, samples, mode, assets)
+    shader = SampleShader(scene, time, view, width, height, samples, mode, assets)
     flying = _drops(shader, time, height * samples, width * samples)
     pixels, grid = width * height, (height * samples, width * samples)
     rgb = np.empty((pixels, 3))
@@ -86,7 +86,7 @@ def render(
         sampled = picture.reshape(*grid, 3)
         spray.lay_over(sampled, clip_x.reshape(grid), clip_y.reshape(grid), flying)
         rgb[:] = sampled.reshape(height, samples, width, samples, 3).mean(axis=(1, 3)).reshape(pixels, 3)
-    return Frame(
+    return ReferenceFrame(
         rgb=rgb.reshape(height, width, 3),
         alpha=alpha.reshape(height, width),
         amount=amount.reshape(grid),
@@ -112,7 +112,7 @@ def _samples(
     return (row, cell[:, None], column, cell), X, Y
 
 
-def _drops(state: Shader, time: float, rows: int, columns: int) -> spray.Seen | None:
+def _drops(state: SampleShader, time: float, rows: int, columns: int) -> spray.Seen | None:
     """The spray's drops on a picture of ``rows`` × ``columns`` samples; None without spray or under water."""
     settings, coast = state.scene.spray, state.coast
     if settings is None or state.covered:
@@ -124,7 +124,7 @@ def _drops(state: Shader, time: float, rows: int, columns: int) -> spray.Seen | 
     return spray.seen(settings, flying, every, state.view, rows, columns, state.relief, coast, state.fleet, shown)
 
 
-def _reaching(state: Shader) -> Callable[[Floats], Floats] | None:
+def _reaching(state: SampleShader) -> Callable[[Floats], Floats] | None:
     """Share (n,) of the sun's light that reaches drops at (n, 3), m from the camera."""
     open_sun, eye = state.open_sun, np.array([0.0, state.eye_y, 0.0])
     if open_sun is None:

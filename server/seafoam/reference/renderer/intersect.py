@@ -13,7 +13,7 @@ import math
 
 import numpy as np
 
-from seafoam.reference.renderer.relief import Part
+from seafoam.reference.renderer.relief import ReliefPart
 from seafoam.reference.types import Bools, Floats, Indices, dot
 
 LEVEL = 1e-9
@@ -29,7 +29,7 @@ GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
 GOLDEN_STEPS = 40
 
 
-def first_crossing(relief: Part, eye_y: float, d: Floats) -> Floats:
+def first_crossing(relief: ReliefPart, eye_y: float, d: Floats) -> Floats:
     """Distance along unit rays d (r, 3) from (0, eye_y, 0) to the surface, m; (r,), infinite where they miss it.
 
     Crossings in both directions count: rays of a camera under water meet the surface from below.
@@ -49,7 +49,7 @@ def first_crossing(relief: Part, eye_y: float, d: Floats) -> Floats:
     return distance
 
 
-def land_crossing(land: Part, eye_y: float, d: Floats, low: Floats, high: Floats) -> Floats:
+def land_crossing(land: ReliefPart, eye_y: float, d: Floats, low: Floats, high: Floats) -> Floats:
     """Distance along unit rays d (r, 3) to land above y = 0, m; (r,), infinite where they miss it.
 
     The search is limited to distances from ``low`` to ``high`` (r,) m.
@@ -104,7 +104,7 @@ def _slab(eye_y: float, bottom: float, top: float, rise: Floats) -> tuple[Floats
 class _Search:
     """G along r rays."""
 
-    def __init__(self, relief: Part, eye_y: float, d: Floats) -> None:
+    def __init__(self, relief: ReliefPart, eye_y: float, d: Floats) -> None:
         self.relief = relief
         self.eye_y = eye_y
         self.rise = d[:, 1]

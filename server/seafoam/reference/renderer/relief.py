@@ -11,7 +11,7 @@ import numpy as np
 from seafoam.reference.types import Floats
 
 
-class Part(Protocol):
+class ReliefPart(Protocol):
     """A part of the surface's height, at one time around one origin; heights in [trough, top] m."""
 
     @property
@@ -45,10 +45,10 @@ class Part(Protocol):
 class Relief:
     """The sum of parts, itself a part."""
 
-    parts: tuple[Part, ...]
+    parts: tuple[ReliefPart, ...]
 
     @cached_property
-    def raised(self) -> tuple[Part, ...]:
+    def raised(self) -> tuple[ReliefPart, ...]:
         """The parts that are not flat."""
         return tuple(part for part in self.parts if part.top > 0.0)
 

@@ -18,7 +18,7 @@ from seafoam.reference.types import Bools, Floats, dot, unit
 from seafoam.scene.foam import SurfSaturation
 
 
-class Shader(UnderwaterStage):
+class SampleShader(UnderwaterStage):
     """Colour, foam amount and hit of samples at clip positions."""
 
     def shade(self, X: Floats, Y: Floats) -> tuple[Floats, Floats, Bools]:

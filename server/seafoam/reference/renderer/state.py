@@ -17,7 +17,7 @@ from seafoam.reference.light import light, sparkles
 from seafoam.reference.renderer import camera as cameras
 from seafoam.reference.renderer import intersect
 from seafoam.reference.renderer.assets import Assets
-from seafoam.reference.renderer.relief import Part, Relief
+from seafoam.reference.renderer.relief import Relief, ReliefPart
 from seafoam.reference.renderer.sunlight import open_sun, sunlight
 from seafoam.reference.shore.shore import Coast
 from seafoam.reference.types import Floats
@@ -34,7 +34,7 @@ from seafoam.scene.models import Scene
 Mode = Literal["same-samples", "converged"]
 
 
-class FrameState:
+class ReferenceState:
     """Surface, light, sources of foam and view of a frame at one time, shared by its samples."""
 
     def __init__(
@@ -67,7 +67,7 @@ class FrameState:
         self.waves = wave_set(scene, time, self.afloat)
         self.sea = sea_surface(scene, time, self.afloat)
         self.wakes = wake_set(scene, time, self.origin) if scene.boats else None
-        parts: tuple[Part, ...] = (self.waves, ring_set(scene, time, self.origin))
+        parts: tuple[ReliefPart, ...] = (self.waves, ring_set(scene, time, self.origin))
         if self.wakes is not None:
             parts = (*parts, self.wakes)
         self.stones = None if scene.current is None else stone_set(scene.current, self.origin)
@@ -75,7 +75,7 @@ class FrameState:
             parts = (*parts, self.stones)
         open_sea = Relief(parts if self.sea is None else (*parts, self.sea))
         self.coast = None if scene.shore is None else Coast(scene.shore, time, self.origin, open_sea)
-        self.relief: Part = open_sea if self.coast is None else self.coast
+        self.relief: ReliefPart = open_sea if self.coast is None else self.coast
         coast = self.coast
         ground = None if coast is None else lambda x, z: coast.ground(*coast.place(x, z))[0]
         self.fleet = fleets.fleet(scene, time, self.origin, self.relief.height, ground) if scene.boats else None

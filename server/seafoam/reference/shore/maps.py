@@ -74,7 +74,7 @@ def sobel(values: Floats) -> tuple[Floats, Floats]:
 
 
 @dataclass(frozen=True, eq=False)
-class Spline:
+class QuadraticSpline:
     """A quadratic B-spline of texels (n, n, c) over a square, texel centres at (i + ½)/n."""
 
     texels: Floats
@@ -121,8 +121,8 @@ class Spline:
 
 
 @lru_cache(maxsize=8)
-def floor_spline(shore: Shore) -> Spline:
-    return Spline(floor_grid(shore, FLOOR), shore.size)
+def floor_spline(shore: Shore) -> QuadraticSpline:
+    return QuadraticSpline(floor_grid(shore, FLOOR), shore.size)
 
 
 @lru_cache(maxsize=8)

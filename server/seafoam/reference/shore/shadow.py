@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from seafoam.reference.foam.torn import Feet
-from seafoam.reference.shore.maps import Spline, floor_spline
+from seafoam.reference.shore.maps import QuadraticSpline, floor_spline
 from seafoam.reference.types import Floats, dot
 
 if TYPE_CHECKING:
@@ -43,7 +43,7 @@ class LandShadow:
             max(math.tan(min(elevation + side * SUN_RADIUS, most)), LOWEST_RISE)
             for side, most in ((1.0, STEEPEST), (-1.0, STEEPEST - 0.01))
         )
-        self.seen_from = Spline(_heights(coast.shore.ground, self.way, self.rises), coast.shore.size)
+        self.seen_from = QuadraticSpline(_heights(coast.shore.ground, self.way, self.rises), coast.shore.size)
 
     def sunlight(self, place: Floats, feet: Feet) -> Floats:
         """Share of the sunlight that the land leaves to places (r, 3), m from the origin, with footprints; (r,)."""

@@ -14,8 +14,18 @@ from scipy import ndimage
 from seafoam.reference.foam.torn import Feet, spread, torn, torn_step
 from seafoam.reference.light.light import INDEX
 from seafoam.reference.noise import KEY, value
-from seafoam.reference.renderer.relief import Part
-from seafoam.reference.shore.maps import FLOOR, MAP, NODES, PERIOD, SWASH, Spline, floor_spline, profiles, shore_map
+from seafoam.reference.renderer.relief import ReliefPart
+from seafoam.reference.shore.maps import (
+    FLOOR,
+    MAP,
+    NODES,
+    PERIOD,
+    SWASH,
+    QuadraticSpline,
+    floor_spline,
+    profiles,
+    shore_map,
+)
 from seafoam.reference.shore.soil import Soil, detailed, wetness
 from seafoam.reference.types import Floats, dot, smoothstep, unit
 from seafoam.reference.waves.parametric import reduced
@@ -73,12 +83,12 @@ def _patches(x: Floats, z: Floats) -> Floats:
 class Coast:
     """The shore of a scene at a time, x and z from an origin (m); its sea, with all waves, is a part of the surface."""
 
-    def __init__(self, shore: Shore, time: float, origin: tuple[float, float], open_sea: Part) -> None:
+    def __init__(self, shore: Shore, time: float, origin: tuple[float, float], open_sea: ReliefPart) -> None:
         self.shore = shore
         self.open_sea = open_sea
         self.offset = tuple(math.remainder(a - b, PERIOD) for a, b in zip(origin, shore.place, strict=True))
         self.floor = floor_spline(shore)
-        self.field = Spline(shore_map(shore, time), shore.size)
+        self.field = QuadraticSpline(shore_map(shore, time), shore.size)
         self.profiles = profiles(shore.surf.skew, shore.surf.sharpness)
         self.time = reduced((-2.0 * math.pi / shore.surf.period, time)) / (2.0 * math.pi)
         self.land = Land(self)

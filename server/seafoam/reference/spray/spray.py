@@ -14,7 +14,7 @@ from seafoam.reference.boats.boat import Fleet
 from seafoam.reference.light import light
 from seafoam.reference.renderer import intersect
 from seafoam.reference.renderer.camera import View
-from seafoam.reference.renderer.relief import Part
+from seafoam.reference.renderer.relief import ReliefPart
 from seafoam.reference.sampling import bilinear
 from seafoam.reference.shore.shore import Coast
 from seafoam.reference.spray.drop import COLUMN, DRIFT, MIST, SHEET, Drops, number
@@ -196,7 +196,7 @@ def seen(
     view: View,
     rows: int,
     columns: int,
-    relief: Part,
+    relief: ReliefPart,
     coast: Coast | None,
     fleet: Fleet | None,
     shown: Shown,
@@ -275,7 +275,7 @@ def _faces(velocity: Floats) -> Floats:
 
 
 def _clear(
-    away: Floats, eye_y: float, soft: Floats, relief: Part, coast: Coast | None, fleet: Fleet | None
+    away: Floats, eye_y: float, soft: Floats, relief: ReliefPart, coast: Coast | None, fleet: Fleet | None
 ) -> tuple[Floats, Floats]:
     """What is seen of drops (n, 3): nothing of those below or behind water or ground, or behind a boat; in [0, 1].
 

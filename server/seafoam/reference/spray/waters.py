@@ -26,7 +26,7 @@ from seafoam.ocean.spray import (
     torn_share,
 )
 from seafoam.reference.noise import pcg
-from seafoam.reference.renderer.relief import Part, Relief
+from seafoam.reference.renderer.relief import Relief, ReliefPart
 from seafoam.reference.shore.shore import Coast
 from seafoam.reference.spray.drop import DRIFT, MIST, SHEET, Drops, Words, cycles, number
 from seafoam.reference.spray.rocks import surf_then
@@ -144,7 +144,7 @@ class _Waters:
     def height(self, x: Floats, z: Floats) -> Floats:
         """Height of the surface, m."""
         raised = raised_surface(self.scene, self.time, self.origin)
-        parts: tuple[Part, ...] = (
+        parts: tuple[ReliefPart, ...] = (
             wave_set(self.scene, self.time, self.origin),
             ring_set(self.scene, self.time, self.origin),
             *(() if raised is None else (raised,)),

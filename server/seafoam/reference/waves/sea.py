@@ -24,7 +24,7 @@ NEWTON_STEPS = 12
 
 
 @dataclass(frozen=True)
-class Field:
+class TileSample:
     """A tile at one time, at places (r,) of undisturbed water: height, displacement and their derivatives."""
 
     h: Floats
@@ -50,7 +50,7 @@ def amplitudes(of: Cascade, time: float) -> NDArray[np.complex128]:
     return result
 
 
-def direct(of: Cascade, time: float, x: Floats, z: Floats) -> Field:
+def direct(of: Cascade, time: float, x: Floats, z: Floats) -> TileSample:
     """The field as a sum of all waves at every place (m, (r,)), with which tests compare the grids."""
     step = 2.0 * math.pi / of.size
     rows, columns = np.nonzero(of.h0)
@@ -63,10 +63,10 @@ def direct(of: Cascade, time: float, x: Floats, z: Floats) -> Field:
         wave = np.exp(1j * (kx[:, None] * x[here] + kz[:, None] * z[here]))
         factors = (1.0, 1j * kx, 1j * kz, 1j * kx / k, 1j * kz / k, -kx * kx / k, -kx * kz / k, -kz * kz / k)
         parts.append([np.real((h * factor) @ wave) for factor in factors])
-    return Field(*(np.concatenate(part) for part in zip(*parts, strict=True)))
+    return TileSample(*(np.concatenate(part) for part in zip(*parts, strict=True)))
 
 
-def grids(of: Cascade, time: float, texels: int, moved: tuple[float, float] = (0.0, 0.0)) -> Field:
+def grids(of: Cascade, time: float, texels: int, moved: tuple[float, float] = (0.0, 0.0)) -> TileSample:
     """The field at texel corners x = j·size/texels, (texels, texels), row z, shifted by (x, z) m; by inverse FFT."""
     number = np.fft.fftfreq(texels, 1.0 / texels).round().astype(np.int64)
     spectrum = np.zeros((texels, texels), np.complex128)
@@ -78,7 +78,7 @@ def grids(of: Cascade, time: float, texels: int, moved: tuple[float, float] = (0
     k = np.maximum(np.hypot(kx, kz), 1e-300)
     factors = (np.ones_like(k), 1j * kx, 1j * kz, 1j * kx / k, 1j * kz / k, -kx * kx / k, -kx * kz / k, -kz * kz / k)
     # Each wave is stored once, at +k; the real part gives its half of the conjugate pair.
-    return Field(*(2.0 * np.real(np.fft.ifft2(spectrum * factor)) * texels**2 for factor in factors))
+    return TileSample(*(2.0 * np.real(np.fft.ifft2(spectrum * factor)) * texels**2 for factor in factors))
 
 
 @dataclass(frozen=True, eq=False)
@@ -119,7 +119,7 @@ def tile(of: Cascade, time: float, wanted: float, texels: int = TEXELS) -> Tile:
         x, z = x - (a_zz * e_x - a_xz * e_z) / bounded, z - (a_xx * e_z - a_xz * e_x) / bounded
         if max(np.abs(e_x).max(), np.abs(e_z).max()) < 1e-9:
             break
-    rest = Field(*(at(name, x, z) for name in splines))
+    rest = TileSample(*(at(name, x, z) for name in splines))
     jacobian = rest.jacobian(choppiness)
     bounded = np.maximum(jacobian, LEAST_JACOBIAN)
     a_xx, a_zz, a_xz = 1.0 + choppiness * rest.xx, 1.0 + choppiness * rest.zz, choppiness * rest.xz

@@ -27,7 +27,7 @@ from seafoam.render.gl.formats import READ, TARGET_FORMATS, TEXTURE_FORMATS, Out
 from seafoam.scene.camera import Camera
 from seafoam.textures import spec_of, texture
 
-__all__ = ["Executor", "NoRendererError", "Output", "Rendered", "ShaderError"]
+__all__ = ["Executor", "NoRendererError", "Output", "RenderedPixels", "ShaderError"]
 
 _BLENDS: dict[Blend, tuple[int, int]] = {
     "none": (moderngl.ONE, moderngl.ZERO),
@@ -56,7 +56,7 @@ class ShaderError(RuntimeError):
 
 
 @dataclass(frozen=True)
-class Rendered:
+class RenderedPixels:
     """A frame, top row first.
 
     ``pixels``: (height, width, 4) uint8 sRGB for ``rgba8``, uint16 for ``rgba16``; float32 linear with A = foam
@@ -138,7 +138,7 @@ class Executor:
         width: int,
         height: int,
         output: Output = "rgba8",
-    ) -> Rendered:
+    ) -> RenderedPixels:
         """Draw a frame of ``plan`` at ``time`` (s, up to ±1e9) from ``camera``, ``width`` × ``height`` pixels.
 
         Raises :class:`ShaderError` if a program does not compile, ``RuntimeError`` after any GL error or if called from
@@ -184,7 +184,7 @@ class Executor:
         for cache in self._caches():
             cache.trim()
         timings = {"render": finished - start, "read": clock.perf_counter() - finished}
-        return Rendered(np.ascontiguousarray(pixels), timings)
+        return RenderedPixels(np.ascontiguousarray(pixels), timings)
 
     def compile(self, program: Program) -> None:
         """Compile a program, or raise :class:`ShaderError`."""

@@ -17,7 +17,7 @@ class FrameTooLargeError(RenderError):
         self.greatest = greatest
 
 
-class QueueFullError(RenderError):
+class RenderQueueFullError(RenderError):
     """The render queue is full; retry after ``retry_after`` seconds."""
 
     def __init__(self, waiting: int, retry_after: int) -> None:

@@ -72,7 +72,7 @@ class Picture:
 
 
 @dataclass(frozen=True, slots=True)
-class Frame:
+class EncodedFrame:
     """An encoded frame and its times: seconds by ``queue``, ``plan``, ``render``, ``read``, ``encode``."""
 
     content: bytes
@@ -109,7 +109,7 @@ class Drawn:
     pixels: NDArray[Any] | None
 
 
-class Rendered(Protocol):
+class RendererResult(Protocol):
     """Result of a renderer."""
 
     @property
@@ -137,7 +137,7 @@ class Renderer(Protocol):
         width: int,
         height: int,
         output: Output,
-    ) -> Rendered:
+    ) -> RendererResult:
         """Draw one frame."""
 
 
@@ -167,7 +167,7 @@ def draw_frame(renderer: Renderer, job: FrameJob) -> Picture:
     return Picture(pixels, digest, dict(renderer.info), timings)
 
 
-def encode_frame(picture: Picture, job: FrameJob) -> Frame:
+def encode_frame(picture: Picture, job: FrameJob) -> EncodedFrame:
     """Encode what was drawn for a job; needs no renderer, so that it can run beside the next frame."""
     began = time.perf_counter()
     if job.lossy:
@@ -175,10 +175,10 @@ def encode_frame(picture: Picture, job: FrameJob) -> Frame:
     else:
         recipe = recipe_of(job, picture.info, picture.plan)
         content = encode(picture.pixels, job.format, recipe, precision=job.precision)
-    return Frame(content, {**picture.timings, "encode": time.perf_counter() - began})
+    return EncodedFrame(content, {**picture.timings, "encode": time.perf_counter() - began})
 
 
-def render_frame(renderer: Renderer, job: FrameJob) -> Frame:
+def render_frame(renderer: Renderer, job: FrameJob) -> EncodedFrame:
     """Plan, render and encode one frame in this process. Raises what :func:`draw_frame` raises."""
     return encode_frame(draw_frame(renderer, job), job)
 

@@ -8,7 +8,7 @@ Errors::
 
     RenderError
     ├── FrameTooLargeError        the frame exceeds the size limits
-    ├── QueueFullError            the render queue is full
+    ├── RenderQueueFullError      the render queue is full
     ├── DeadlineError             timeout, waiting included
     │   └── StartingError         the first picture is not drawn yet
     ├── RendererUnavailableError  no usable GL, with the remedy
@@ -37,13 +37,13 @@ from seafoam.render.gl.executor import Executor
 from seafoam.render.service.canvas import Canvas, Canvases
 from seafoam.render.service.errors import (
     DeadlineError,
-    QueueFullError,
     RenderError,
     RendererUnavailableError,
     RenderFailedError,
+    RenderQueueFullError,
     StartingError,
 )
-from seafoam.render.service.jobs import Drawn, Frame, FrameJob, MeasureJob, Picture, Renderer, encode_frame
+from seafoam.render.service.jobs import Drawn, EncodedFrame, FrameJob, MeasureJob, Picture, Renderer, encode_frame
 from seafoam.render.service.slots import Slots, Turn
 from seafoam.render.service.worker import (
     Answer,
@@ -169,14 +169,14 @@ class RenderPool:
         """Whether a frame is in the queue: not yet drawn."""
         return turn in self._turns
 
-    async def render(self, job: FrameJob, turn: Turn | None = None) -> Frame:
+    async def render(self, job: FrameJob, turn: Turn | None = None) -> EncodedFrame:
         """Render one frame in a worker, and encode it here in a thread, while the worker draws the next.
 
         turn: absent: a visitor's. A frame in the background has a queue and a deadline of its own; one of a stream
         takes no place in the queue, since its stream bounds how many wait. The deadline of both is for waiting; once
         begun they have :attr:`deadline`.
 
-        Raises :class:`QueueFullError`, :class:`DeadlineError`, :class:`RendererUnavailableError` or
+        Raises :class:`RenderQueueFullError`, :class:`DeadlineError`, :class:`RendererUnavailableError` or
         :class:`RenderFailedError`. If the call is cancelled while it waits, it leaves the queue; a frame
         that is being rendered is finished, because stopping it would kill the worker.
         """
@@ -214,7 +214,7 @@ class RenderPool:
         self._recent_seconds += 0.2 * (worked - self._recent_seconds)
         return replace(frame, timings={"queue": max(0.0, time.time() - began - worked), **frame.timings})
 
-    async def _encode(self, picture: Picture, job: FrameJob, canvas: Canvas, expires: float) -> Frame:
+    async def _encode(self, picture: Picture, job: FrameJob, canvas: Canvas, expires: float) -> EncodedFrame:
         """Encode in a thread; desk and canvas are free when the thread is, whether or not the caller still waits."""
         assert self._encoders is not None
         loop = asyncio.get_running_loop()
@@ -261,7 +261,7 @@ class RenderPool:
         )
         if waiting >= capacity and (self.state == "starting" or self._slots.locked()):
             ahead = math.ceil(self._recent_seconds * (waiting + 1) / self.workers)
-            raise QueueFullError(waiting, max(EARLIEST_RETRY, ahead))
+            raise RenderQueueFullError(waiting, max(EARLIEST_RETRY, ahead))
 
     async def _take(self, slots: Slots, expires: float, turn: Turn | None = None) -> None:
         try:

@@ -14,7 +14,7 @@ from typing import Any, Literal
 from seafoam.render.encode import ENCODERS
 from seafoam.render.service.disk import DiskCache
 from seafoam.render.service.errors import DeadlineError
-from seafoam.render.service.jobs import Frame, FrameJob
+from seafoam.render.service.jobs import EncodedFrame, FrameJob
 from seafoam.render.service.pool import RenderPool
 from seafoam.render.service.recipe import recipe_of
 from seafoam.render.service.sharing import Sharing
@@ -31,7 +31,7 @@ _DRAWING = ("framegraph", "render", "scene/camera.py", "textures")
 class Found:
     """A frame, and where it came from; ``shared``: drawn once for several requests."""
 
-    frame: Frame
+    frame: EncodedFrame
     origin: Origin
 
 
@@ -96,7 +96,7 @@ class FrameSource:
         leaves the queue.
         """
         if (content := self.at_hand(key)) is not None:
-            return Found(Frame(content, {}), "memory")
+            return Found(EncodedFrame(content, {}), "memory")
         loop = asyncio.get_running_loop()
         expires = loop.time() + self.pool.deadline
         while True:
@@ -124,7 +124,7 @@ class FrameSource:
     async def _make(self, job: FrameJob, key: str, turn: Turn) -> Found:
         if self.disk is not None and (content := await asyncio.to_thread(self.disk.get, key)) is not None:
             self.memory.put(key, content)
-            return Found(Frame(content, {}), "disk")
+            return Found(EncodedFrame(content, {}), "disk")
         frame = await self.pool.render(job, turn)
         self.memory.put(key, frame.content)
         if self.disk is not None:
