@@ -1,11 +1,11 @@
 /** Opens the page: loads what the link in the address needs, and shows errors that prevent it. */
 import "./style.css";
 import { Api, ApiError } from "./api";
-import { App } from "./app/app";
 import { linkOf } from "./app/address";
-import { ChosenDisplay, type MakeDisplay } from "./app/drawing";
-import { ServerView } from "./app/serverview";
-import { Viewport } from "./app/viewport";
+import { App } from "./app/app";
+import { ChosenDisplay, type MakeDisplay } from "./display/chosendisplay";
+import { ServerView } from "./display/serverview";
+import { Viewport } from "./display/viewport";
 import { CapabilityError } from "./gl/capabilities";
 import { openContext, openGpu } from "./gl/gpu";
 import { pinRoot } from "./root";

@@ -1,8 +1,8 @@
 /** `window.seafoam`: lets a test draw what the page draws, and read it back. */
 import type { Api } from "./api";
 import { type CameraState, cameraFromScene } from "./camera/state";
+import type { Viewport } from "./display/viewport";
 import type { FramePlan } from "./generated/api";
-import type { Viewport } from "./app/viewport";
 import type { Gpu } from "./gl/gpu";
 import { makeScreen } from "./gl/target";
 import { Executor } from "./plan/executor";

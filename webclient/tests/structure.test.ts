@@ -5,6 +5,7 @@ import ts from "typescript";
 import { describe, expect, it } from "vitest";
 
 const SOURCES = join(import.meta.dirname, "../src");
+const MOST_FILES = 12;
 
 const files = readdirSync(SOURCES, { recursive: true, withFileTypes: true }).flatMap((entry) => (entry.isFile() ? join(entry.parentPath, entry.name) : []));
 const modules = new Set(files.filter((file) => /\.tsx?$/.test(file)));
@@ -40,5 +41,11 @@ describe("the source tree", () => {
     const graph = new Map([...modules].map((file) => [file, importsOf(file)]));
     expect(graph.get(join(SOURCES, "main.ts"))).toContain(join(SOURCES, "app/app.ts"));
     expect(circle(graph).map((file) => relative(SOURCES, file))).toEqual([]);
+  });
+
+  it(`has at most ${MOST_FILES} files in a folder`, () => {
+    const folders = [...new Set(files.map(dirname))];
+    const counts = folders.map((folder) => [relative(SOURCES, folder), files.filter((file) => dirname(file) === folder).length] as const);
+    expect(counts.filter(([, count]) => count > MOST_FILES)).toEqual([]);
   });
 });

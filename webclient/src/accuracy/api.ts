@@ -1,7 +1,7 @@
 /** The server's accuracy endpoints, as far as the benchmark uses them. */
 import type { Api } from "../api";
 import type { Json, JsonObject } from "../scene/json";
-import type { Errors } from "./errors";
+import type { Errors } from "./measure/errors";
 
 /** One quality setting with its value; all others are those of the standard tier. */
 export interface QualityParameter {

@@ -1,6 +1,6 @@
 /** The shown measurements as CSV and JSON. */
 import type { Json, JsonObject } from "../scene/json";
-import type { Errors } from "./errors";
+import type { Errors } from "./measure/errors";
 
 /** One quality on one machine. */
 export interface Row {

@@ -1,8 +1,8 @@
 /** Accuracy benchmark panel: measures time and error of every quality on this GPU. */
 import { render } from "preact";
 import type { Api } from "../api";
-import type { Store } from "../app/store";
-import type { Viewport } from "../app/viewport";
+import type { Viewport } from "../display/viewport";
+import type { Store } from "../selection/store";
 import { element } from "../ui/dom";
 import { icon } from "../ui/icons";
 import { Session } from "./session";

@@ -2,12 +2,12 @@
 import type { ComponentChildren } from "preact";
 import { TABLE } from "../charts/table";
 import { labelOf } from "../panel/model";
-import { type Benefit, benefits, NEGLIGIBLE } from "./benefit";
-import type { QualityResult } from "./benchmark";
-import { marksOf, measuredHere } from "./diagramdata";
+import { marksOf, measuredHere } from "./diagram/diagramdata";
 import { formatNumber, formatSigned } from "./format";
+import type { QualityResult } from "./measure/benchmark";
+import { type Benefit, benefits, NEGLIGIBLE } from "./measure/benefit";
+import { compare, median, quantile } from "./measure/statistics";
 import type { BenchmarkRun, Session } from "./session";
-import { compare, median, quantile } from "./statistics";
 
 const costOf = ({ point, rounds, errors }: QualityResult) => ({ id: point.id, time: median(rounds), error: errors.rmse });
 const percent = (share: number) => (100 * share).toFixed(1);

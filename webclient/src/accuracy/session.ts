@@ -1,16 +1,16 @@
 /** Measurements of each preset on this GPU and, on demand, on the server; what of them the view shows. */
 import { batch, computed, effect, type Signal, signal } from "@preact/signals";
 import { type Api, ApiError, type Preset } from "../api";
-import { parseQuality } from "../app/quality";
-import type { Selection } from "../app/selection";
-import type { Store } from "../app/store";
-import type { Viewport } from "../app/viewport";
+import type { Viewport } from "../display/viewport";
 import { equal } from "../scene/json";
+import { parseQuality } from "../selection/quality";
+import type { Selection } from "../selection/selection";
+import type { Store } from "../selection/store";
 import { fetchPoints, fetchSweep, fetchTruth, type JobProgress, type Sweep } from "./api";
-import { type BenchmarkInput, type BenchmarkResult, QualityBenchmark, qualityRequest, type QualityResult } from "./benchmark";
-import type { Place } from "./insets";
-import type { MetricKey } from "./metrics";
-import { readPicture } from "./npy";
+import { type BenchmarkInput, type BenchmarkResult, QualityBenchmark, qualityRequest, type QualityResult } from "./measure/benchmark";
+import type { MetricKey } from "./measure/metrics";
+import { readPicture } from "./measure/npy";
+import type { Place } from "./pictures/insets";
 
 /** The tier that other qualities are compared with. */
 const STANDARD_TIER = "standard";

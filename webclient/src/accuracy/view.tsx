@@ -6,16 +6,16 @@ import { equal } from "../scene/json";
 import { download } from "../ui/dom";
 import { BudgetForm } from "./budgetform";
 import { QUIET } from "./classes";
-import { curvesOf } from "./curves";
-import { Diagram } from "./diagram";
-import { marksOf, type Measured, measuredHere, measuredThere, rowsOf } from "./diagramdata";
-import { ErrorView } from "./errorview";
+import { curvesOf } from "./diagram/curves";
+import { Diagram } from "./diagram/diagram";
+import { marksOf, type Measured, measuredHere, measuredThere, rowsOf } from "./diagram/diagramdata";
 import { type Shown, toCsv, toJson } from "./exportdata";
-import { InsetsView } from "./insetsview";
-import { type MetricKey, metricOf, METRICS } from "./metrics";
+import { type MetricKey, metricOf, METRICS } from "./measure/metrics";
+import { ErrorView } from "./pictures/errorview";
+import { InsetsView } from "./pictures/insetsview";
+import { SpectrumView } from "./pictures/spectrumview";
 import { AllQualities, Benefits, Passes, Selected } from "./sections";
 import type { BenchmarkRun, Session } from "./session";
-import { SpectrumView } from "./spectrumview";
 
 const KEY = "mr-1 mb-1 inline-block w-4";
 

@@ -1,16 +1,16 @@
 /** The address bar: keeps the link to the current view, the preset in the path and all else in the fragment. */
 import type { CameraControls } from "../camera/controls";
 import { cameraFromScene } from "../camera/state";
+import type { ChosenDisplay } from "../display/chosendisplay";
 import { presetOfPath, waterUrl } from "../gallery/water";
 import { diff } from "../scene/json";
-import { withoutTouches } from "../touch/touches";
-import type { AccuracyTool } from "./accuracytool";
+import type { Store } from "../selection/store";
+import { decode, drawer, encode, type LinkState } from "../selection/url";
 import type { Surfaces } from "../surfaces/surfaces";
+import { withoutTouches } from "../touch/touches";
 import { copyText } from "../ui/clipboard";
+import type { AccuracyTool } from "./accuracytool";
 import type { Clock } from "./clock";
-import type { ChosenDisplay } from "./drawing";
-import type { Store } from "./store";
-import { decode, drawer, encode, type LinkState } from "./url";
 
 /** Delay between a change and the update of the address, ms. */
 const DELAY = 400;

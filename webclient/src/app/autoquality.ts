@@ -1,5 +1,5 @@
 /** Selects quality tier and scale together: the least error within the frame budget, from costs measured ahead. */
-import { allowedAt, bestScale, costAt, type FrameBudget, type FrameCost } from "./framebudget";
+import { allowedAt, bestScale, costAt, type RenderLoad } from "../display/framebudget";
 
 /** Cost and error of one tier, as `make fronts` measured them. */
 export interface TierCost {
@@ -15,18 +15,6 @@ export interface TierCost {
 export interface TierCosts {
   scales: readonly number[];
   presets: Readonly<Record<string, readonly TierCost[]>>;
-}
-
-/** Measured load of this machine, with the current tier. */
-export interface RenderLoad {
-  /** Null before it is measured. */
-  cost: FrameCost | null;
-  budget: FrameBudget;
-  scale: number;
-  /** Time between two pictures of the display, ms. */
-  displayInterval: number;
-  /** At scale 1. */
-  megapixels: number;
 }
 
 export interface TierChoice {

@@ -1,7 +1,8 @@
 /** Automatic quality: switches the tier by the measured load, from costs that the server measured ahead. */
 import type { Api } from "../api";
-import { AutoQuality, costRatio, type RenderLoad, type TierCosts } from "./autoquality";
-import type { Store } from "./store";
+import type { RenderLoad } from "../display/framebudget";
+import type { Store } from "../selection/store";
+import { AutoQuality, costRatio, type TierCosts } from "./autoquality";
 
 export class QualityPilot {
   private readonly choices = new AutoQuality();

@@ -1,14 +1,13 @@
 /** Editing of the scene's fields: the settings' pane and the split view of one field. What they need is loaded on first use. */
 import type { Api, Choice, SceneSchema } from "../api";
-import { choiceControls } from "../panel/model";
+import { choiceControls, sceneControls } from "../panel/model";
 import type { ScenePane } from "../panel/pane";
 import { isObject, type Json, withValue } from "../scene/json";
+import { preferredField, splitAfterEdit, startSplit } from "../selection/comparison";
+import { qualityTitle } from "../selection/quality";
+import { QUALITY_FIELD, validSplit } from "../selection/selection";
+import type { Store } from "../selection/store";
 import { type ComparableField, plainOptions, SplitView } from "../ui/splitview";
-import { preferredField, splitAfterEdit, startSplit } from "./comparison";
-import { qualityTitle } from "./quality";
-import { sceneControls } from "./schema";
-import { QUALITY_FIELD, validSplit } from "./selection";
-import type { Store } from "./store";
 
 export interface SceneEditorEvents {
   /** Names of the quality tiers, once they are known. */

@@ -1,15 +1,15 @@
 /** What leaves the page and comes back: pictures with recipes, server frames, and what the surfaces need for them. */
 import type { Api } from "../api";
 import type { CameraControls } from "../camera/controls";
+import type { ChosenDisplay } from "../display/chosendisplay";
+import type { PlanLoader } from "../display/planloader";
+import { parseQuality } from "../selection/quality";
+import type { Store } from "../selection/store";
+import { encode } from "../selection/url";
 import type { SurfaceContext } from "../surfaces/context";
 import type { Recipe } from "../take/recipe";
 import { download } from "../ui/dom";
 import type { Clock } from "./clock";
-import type { ChosenDisplay } from "./drawing";
-import type { PlanLoader } from "./planloader";
-import { parseQuality } from "./quality";
-import type { Store } from "./store";
-import { encode } from "./url";
 
 /** Greatest side of a frame that the server draws, pixels. */
 const MAX_SIDE = 4096;

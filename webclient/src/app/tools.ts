@@ -3,7 +3,7 @@ import type { Surfaces } from "../surfaces/surfaces";
 import type { TouchTool } from "../touch/tool";
 import { byId, element } from "../ui/dom";
 import { icon, type IconName } from "../ui/icons";
-import type { SettingsPanel } from "../ui/settings";
+import type { SettingsPanel } from "../ui/settings/settings";
 import type { Toasts } from "../ui/toasts";
 import type { AccuracyTool } from "./accuracytool";
 import type { Address } from "./address";

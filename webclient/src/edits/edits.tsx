@@ -2,9 +2,9 @@
 import { type Signal, signal } from "@preact/signals";
 import { render } from "preact";
 import { type Api, ApiError } from "../api";
-import { type Selection, validSplit } from "../app/selection";
-import type { Store } from "../app/store";
 import { apply, diff, get, isObject, type JsonObject } from "../scene/json";
+import { type Selection, validSplit } from "../selection/selection";
+import type { Store } from "../selection/store";
 import { copyText } from "../ui/clipboard";
 import { EditHistory } from "./history";
 import { PasteForm } from "./paste";

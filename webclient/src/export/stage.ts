@@ -1,6 +1,6 @@
 /** Plays one frame plan on a canvas: clock, camera, dynamic resolution. For pages that are not the whole application. */
-import { DynamicResolution } from "../app/resolution";
 import type { CameraState } from "../camera/state";
+import { DynamicResolution } from "../display/resolution";
 import type { FramePlan } from "../generated/api";
 import { type Gpu, openContext, openGpu } from "../gl/gpu";
 import { Executor, type LoadBytes } from "../plan/executor";

@@ -1,10 +1,10 @@
 /** One view of the widget: the picture, its controls, and the panel with the scene's fields. */
 import type { Choice, SceneSchema } from "../api";
-import { sceneControls } from "../app/schema";
 import { CameraControls } from "../camera/controls";
 import type { CameraState } from "../camera/state";
 import { Stage } from "../export/stage";
 import type { FramePlan } from "../generated/api";
+import { sceneControls } from "../panel/model";
 import { ScenePane } from "../panel/pane";
 import { planCovers } from "../plan/live";
 import { equal, type Json, type JsonObject, withValue } from "../scene/json";

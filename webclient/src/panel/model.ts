@@ -1,4 +1,6 @@
 /** Controls of a panel, derived from a JSON Schema. */
+import type { SceneSchema } from "../api";
+import { CAMERA_POINTER } from "../plan/live";
 import { child, equal, get, isObject, type Json, type JsonObject } from "../scene/json";
 
 interface LabelledField {
@@ -317,4 +319,12 @@ function text(value: Json | undefined): string | undefined {
 /** Whether a panel may keep its widgets and change their values only. */
 export function sameControls(a: Control | null, b: Control | null): boolean {
   return equal(JSON.parse(JSON.stringify(a)) as Json, JSON.parse(JSON.stringify(b)) as Json);
+}
+
+/** Controls of the scene's fields, without the camera's, which is moved in the picture. */
+export function sceneControls(document: SceneSchema, scene: JsonObject): GroupControl | null {
+  const schema = schemaNamed(document, "Scene");
+  const control = schema && controlOf(document, schema, scene, "", "scene");
+  if (control?.kind !== "group") return null;
+  return { ...control, children: control.children.filter(({ pointer }) => pointer !== CAMERA_POINTER) };
 }

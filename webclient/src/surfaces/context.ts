@@ -1,10 +1,10 @@
 /** What a surface knows of the page and can do to it. */
 import type { Api } from "../api";
-import type { Selection } from "../app/selection";
-import type { Viewport } from "../app/viewport";
 import type { CameraState } from "../camera/state";
+import type { Viewport } from "../display/viewport";
 import type { FramePlan } from "../generated/api";
 import type { Executor } from "../plan/executor";
+import type { Selection } from "../selection/selection";
 import type { Recipe } from "../take/recipe";
 
 export interface SurfaceContext {

@@ -4,11 +4,11 @@
  * The server writes the same members (server/seafoam/render/service/recipe.py).
  */
 import { version } from "../../package.json";
-import type { Split } from "../app/selection";
-import type { LinkState } from "../app/url";
 import { type CameraState, cameraFromScene } from "../camera/state";
 import { CAMERA_POINTER } from "../plan/live";
 import { diff, isObject, type Json, type JsonObject, withValue } from "../scene/json";
+import type { Split } from "../selection/selection";
+import type { LinkState } from "../selection/url";
 import { withoutTouches } from "../touch/touches";
 import { AFTER, BEFORE, KEYWORD, recipeText } from "./recipetext";
 

@@ -1,9 +1,9 @@
 /** Touching the water: turns what the main pointer draws into rings of the scene, and says what the pointer does. */
-import type { CameraControls, Stroke, StrokePoint } from "../camera/controls";
 import type { Clock } from "../app/clock";
-import type { Store } from "../app/store";
+import type { CameraControls, Stroke, StrokePoint } from "../camera/controls";
 import type { FramePlan } from "../generated/api";
 import { isObject, withValue } from "../scene/json";
+import type { Store } from "../selection/store";
 import { element } from "../ui/dom";
 import { icon } from "../ui/icons";
 import { pickWater, type WaterPlace } from "./pick";

@@ -1,5 +1,5 @@
 /** Quality, frame time, frame rate and size of the picture. */
-import type { Drawer, FrameTiming } from "../app/display";
+import type { Drawer, FrameTiming } from "../display/display";
 import { element } from "./dom";
 
 /** Frames a second below which the water falls behind the clock. */

@@ -1,6 +1,6 @@
 /** Split view of two values of one field, with a divider that is dragged or moved by the arrow keys. */
-import type { Split } from "../app/selection";
 import { labelOf } from "../panel/model";
+import type { Split } from "../selection/selection";
 import { element, fillSelect } from "./dom";
 
 export interface ComparableField {

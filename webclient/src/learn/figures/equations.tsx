@@ -1,11 +1,11 @@
 /** Figure 5: one wave under the paper's equations, its listing and the filtered look. */
 import { signal } from "@preact/signals";
 import { render } from "preact";
+import { Stack } from "../drawing/stack";
 import { loadMask, WHITE } from "../maths/mask";
 import { CONSTANTS } from "../maths/wave";
 import { PlayButton, Slider } from "../parts/controls";
 import type { FigureContext, LiveFigure } from "../parts/live";
-import { Stack } from "../parts/stack";
 import { loadFoamTexture } from "../parts/texture";
 
 export async function make({ api, plate, controls, playing, redraw }: FigureContext): Promise<LiveFigure> {

@@ -1,8 +1,8 @@
 /** Figure 4: what a mask's spectrum says of its bubbles. */
 import { effect, signal } from "@preact/signals";
 import { render } from "preact";
+import { Comparison } from "../drawing/compare";
 import { loadMask, WHITE } from "../maths/mask";
-import { Comparison } from "../parts/compare";
 import { Select, Slider } from "../parts/controls";
 import type { FigureContext, LiveFigure } from "../parts/live";
 import { maskOptions } from "../parts/masks";

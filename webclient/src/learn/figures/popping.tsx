@@ -1,12 +1,12 @@
 /** Figure 3: the same saturation as a fading texture and as bubbles that pop. */
 import { render } from "preact";
 import { element } from "../../ui/dom";
+import { Patch, PATCHES } from "../drawing/patch";
 import { amount } from "../maths/looks";
 import { loadMask } from "../maths/mask";
 import { PopCounter, PopRate } from "../maths/pops";
 import { PlayButton } from "../parts/controls";
 import type { FigureContext, LiveFigure } from "../parts/live";
-import { Patch, PATCHES } from "../parts/patch";
 import { foamTexture, loadFoamTexture } from "../parts/texture";
 
 /** Sides of a texel on the page, px, and the width from which the greater one holds. */

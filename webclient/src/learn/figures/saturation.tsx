@@ -1,11 +1,11 @@
 /** Figure 1: foam begins at the front of a wave and fades behind it. */
 import { computed, signal } from "@preact/signals";
 import { render } from "preact";
+import { Plot } from "../drawing/canvas";
+import { drawProfile } from "../drawing/profile";
 import { CONSTANTS } from "../maths/wave";
-import { Plot } from "../parts/canvas";
 import { Choice, PlayButton, Slider } from "../parts/controls";
 import type { FigureContext, LiveFigure } from "../parts/live";
-import { drawProfile } from "../parts/profile";
 
 export function make({ plate, controls, playing, redraw }: FigureContext): Promise<LiveFigure> {
   const constants = signal<keyof typeof CONSTANTS>("text");

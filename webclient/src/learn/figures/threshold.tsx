@@ -1,12 +1,12 @@
 /** Figure 2: a row of thresholds under a saturation that moves. */
 import { signal } from "@preact/signals";
 import { render } from "preact";
+import { Plot } from "../drawing/canvas";
+import { drawThresholds } from "../drawing/profile";
 import { loadMask } from "../maths/mask";
 import { CONSTANTS } from "../maths/wave";
-import { Plot } from "../parts/canvas";
 import { PlayButton, Slider } from "../parts/controls";
 import type { FigureContext, LiveFigure } from "../parts/live";
-import { drawThresholds } from "../parts/profile";
 
 export async function make({ api, plate, controls, playing, redraw }: FigureContext): Promise<LiveFigure> {
   const mask = await loadMask(api, "vac-1.5");

@@ -4,13 +4,13 @@ import { effect, type Signal, signal } from "@preact/signals";
 import { render } from "preact";
 import { Api } from "../../api";
 import { byId, element } from "../../ui/dom";
+import { Comparison } from "../drawing/compare";
+import { Stack } from "../drawing/stack";
 import { loadMask, type Mask } from "../maths/mask";
 import { CONSTANTS } from "../maths/wave";
-import { Comparison } from "../parts/compare";
 import { PlayButton, Select, Slider } from "../parts/controls";
 import { reducedMotion } from "../parts/live";
 import { maskOptions } from "../parts/masks";
-import { Stack } from "../parts/stack";
 import { loadFoamTexture } from "../parts/texture";
 import { formatState, type LabState, parseState, RANGES } from "./state";
 

@@ -1,0 +1,58 @@
+/** The best quality for a time budget at the window's size. */
+import { formatNumber } from "../format";
+import type { BenchmarkResult } from "./benchmark";
+import { type BudgetSelection, type Cost, fitModel, median, selectForBudget } from "./statistics";
+
+/** A frame at 60 fps, ms. */
+export const DEFAULT_BUDGET = 16;
+
+export interface Predicted extends Cost {
+  label: string;
+}
+
+/** Times at a size, by the model through the two timed sizes. */
+export function predict({ measured, sizes: { large, small } }: BenchmarkResult, width: number, height: number): Predicted[] {
+  return measured.map(({ point: { id, label }, rounds, small: smallRounds, errors }) => {
+    const { fixed, perPixel } = fitModel(median(rounds), large[0] * large[1], median(smallRounds), small[0] * small[1]);
+    return { id, label, error: errors.rmse, time: fixed + perPixel * width * height };
+  });
+}
+
+export interface Choice {
+  id: string;
+  label: string;
+  reason: string;
+  fitting: ReadonlySet<string>;
+}
+
+export function choose(predicted: readonly Predicted[], budget: number, width: number, height: number): Choice | null {
+  const selection = selectForBudget(predicted, budget);
+  if (selection === null) return null;
+  const { point } = selection;
+  const fitting = new Set(predicted.filter(({ time }) => time <= budget).map(({ id }) => id));
+  const cost = `Predicted at ${width} × ${height}: ${formatNumber(point.time)} of ${formatNumber(budget)} ms a frame, RMSE ${formatNumber(point.error)} levels.`;
+  return { id: point.id, label: point.label, fitting, reason: `${reasonOf(selection, predicted.length)}. ${cost}` };
+}
+
+function reasonOf({ fits, fitting }: BudgetSelection<Predicted>, count: number): string {
+  return fits ? `least error of ${fitting} qualities within the budget (${count} measured)` : `fastest of ${count} qualities; none is within the budget`;
+}
+
+/** Positions of the slider. */
+export const SLIDER_STEPS = 200;
+
+/** The slider's range, ms: a little beyond the fastest and the slowest. */
+export function budgetRange(predicted: readonly Cost[]): [number, number] {
+  const times = predicted.map(({ time }) => Math.max(time, 0.01));
+  return times.length === 0 ? [1, 100] : [0.8 * Math.min(...times), 1.25 * Math.max(...times)];
+}
+
+/** Logarithmic, and rounded to what is shown. */
+export function budgetAt(step: number, [low, high]: readonly [number, number]): number {
+  return Number((low * (high / low) ** (step / SLIDER_STEPS)).toPrecision(3));
+}
+
+export function stepOf(budget: number, [low, high]: readonly [number, number]): number {
+  const share = Math.log(budget / low) / Math.log(high / low);
+  return Math.round(SLIDER_STEPS * Math.min(1, Math.max(0, share)));
+}

@@ -1,0 +1,48 @@
+/** Displayed pictures: linear light under the scene's tone curve, as sRGB. Section 7 of docs/formulae.md. */
+import type { Json } from "../../scene/json";
+import { get } from "../../scene/json";
+import type { Picture } from "./npy";
+
+export type ToneCurve = "filmic" | "photographic";
+type Rgb = [number, number, number];
+
+/** The scene's tone curve; null where it is unlit and light is only clipped. */
+export function toneCurve(scene: Json): ToneCurve | null {
+  if ((get(scene, "/light") ?? null) === null) return null;
+  return get(scene, "/light/tone") === "photographic" ? "photographic" : "filmic";
+}
+
+/** sRGB in [0, 1], three values a pixel, without glare. */
+export function displayed({ pixels }: Picture, curve: ToneCurve | null): Float64Array {
+  const shown = new Float64Array((3 * pixels.length) / 4);
+  for (let i = 0, j = 0; i < pixels.length; i += 4, j += 3) {
+    const light: Rgb = [positive(pixels[i]), positive(pixels[i + 1]), positive(pixels[i + 2])];
+    const mapped = curve === "photographic" ? photographic(light) : curve === "filmic" ? filmic(light) : light;
+    for (let c = 0; c < 3; c++) shown[j + c] = srgb(Math.min(1, Math.max(0, mapped[c] ?? 0)));
+  }
+  return shown;
+}
+
+/** The sRGB curve of linear light in [0, 1]. */
+export function srgb(x: number): number {
+  return x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055;
+}
+
+/** NaN and what is below black are 0. */
+const positive = (x: number | undefined) => (x !== undefined && x > 0 ? x : 0);
+
+function filmic(light: Rgb): Rgb {
+  return light.map((x) => (x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14)) as Rgb;
+}
+
+function photographic(light: Rgb): Rgb {
+  const [r, g, b] = light;
+  const norm = (r ** 3 + g ** 3 + b ** 3) / Math.max(r * r + g * g + b * b, 1e-12);
+  const level = shoulder(norm);
+  return light.map((x) => {
+    const hue = Math.max(1 + 1.2 * (x / Math.max(norm, 1e-6) - 1), 0);
+    return level * hue + level * level * (shoulder(x) - level * hue);
+  }) as Rgb;
+}
+
+const shoulder = (x: number) => Math.min((1.01 * x * (x + 0.02)) / (x * (x + 0.42) + 0.05), 1);

@@ -1,0 +1,221 @@
+/** Chooses who draws, by what each way was measured to give: this browser, or the server frame by frame. */
+import type { Gpu } from "../gl/gpu";
+import type { Display, DisplayEvents, Drawer, DrawerChoice, FrameTiming, Rate, ViewState } from "./display";
+import type { RenderLoad } from "./framebudget";
+import type { PlanLoader } from "./planloader";
+import type { ServerView } from "./serverview";
+import type { Viewport } from "./viewport";
+
+/** Frames a second, and the scale, below which a way counts for less: it stutters, or is a smear. */
+const FLUENT = { fps: 8, scale: 0.4 };
+/** Below these it is no moving picture. */
+const LEAST = { fps: 2.5, scale: 0.2 };
+/** Another way is taken if it gives more than this multiple. */
+const BETTER = 1.2;
+/** Time after which the way that was left is tried again, ms. */
+const AGAIN = 60_000;
+/** Time that this browser has for its first plan before the server draws meanwhile, ms. */
+const HEAD_START = 1500;
+/** Time for which this browser's picture may be less than good before the server is tried, ms. */
+const PATIENCE = 1500;
+
+/** Share of the window's pixels a second; less where it stutters or is a smear, 0 where it is no moving picture. */
+export function worth(rate: Rate | null): number {
+  if (rate === null || rate.fps < LEAST.fps || rate.scale < LEAST.scale) return 0;
+  const [fluent, sharp] = [Math.min(1, rate.fps / FLUENT.fps), Math.min(1, rate.scale / FLUENT.scale)];
+  return rate.scale ** 2 * rate.fps * fluent * sharp;
+}
+
+const isGood = ({ fps, scale }: Rate) => fps >= FLUENT.fps && scale >= FLUENT.scale;
+
+export class ChosenDisplay implements Display {
+  /** Who draws for good; the server may do so meanwhile. */
+  private chosen: Drawer;
+  /** Since when this browser compiles its first plan, ms of performance.now(); null while it does not. */
+  private waitsSince: number | null = null;
+  /** Whether the server draws until this browser is ready. */
+  private meanwhile = false;
+  private rates: Record<Drawer, Rate | null> = { browser: null, server: null };
+  /** When the way that does not draw may be tried, ms of performance.now(). */
+  private tryAt = 0;
+  /** When this browser's picture was good, or not yet measured. */
+  private goodAt = 0;
+  private choice: DrawerChoice = "auto";
+
+  /** `browser`: null, with the reason, where it cannot draw. */
+  constructor(
+    private readonly browser: Viewport | null,
+    private readonly server: ServerView,
+    private readonly cannot: string | null,
+    private readonly events: DisplayEvents,
+  ) {
+    this.chosen = browser === null ? "server" : "browser";
+  }
+
+  get drawer(): Drawer {
+    return this.meanwhile ? "server" : this.chosen;
+  }
+
+  get wish(): DrawerChoice {
+    return this.choice;
+  }
+
+  /** Draws as the user wishes. */
+  choose(choice: DrawerChoice): void {
+    this.choice = choice;
+    this.rates = { browser: null, server: null };
+    this.tryAt = 0;
+    if (choice === "browser" && this.meanwhile) this.endBridge();
+    if (choice !== "auto") this.use(choice);
+  }
+
+  /** Who draws and why, as a sentence. */
+  get why(): string {
+    const { still, cannot, drawer, choice } = this;
+    if (this.meanwhile) return "The server draws the frames until this browser is ready.";
+    if (still !== null) return `The picture stands still: ${still}.`;
+    if (cannot !== null) return `The server draws the frames. ${cannot}`;
+    if (choice !== "auto") return drawer === "server" ? "The server draws the frames, as you chose." : "This browser draws, as you chose.";
+    return drawer === "server" ? "The server draws the frames: this browser would draw fewer pixels a second." : "This browser draws.";
+  }
+
+  get canvas(): HTMLCanvasElement {
+    return this.current.canvas;
+  }
+
+  /** This browser's canvas, if it draws. */
+  get viewport(): Viewport | null {
+    return this.chosen === "browser" ? this.browser : null;
+  }
+
+  get gpu(): Gpu | null {
+    return this.current.gpu;
+  }
+
+  /** The browser's own GPU, whoever draws. */
+  get own(): Viewport | null {
+    return this.browser;
+  }
+
+  get dirty(): boolean {
+    return this.current.dirty;
+  }
+
+  set dirty(dirty: boolean) {
+    this.current.dirty = dirty;
+    if (this.meanwhile) this.server.dirty = dirty;
+  }
+
+  get blank(): boolean {
+    return this.current.blank && this.server.blank;
+  }
+
+  get presentable(): boolean {
+    return (this.current.presentable && !this.leaves) || this.bridged;
+  }
+
+  /** Whether the server's picture stands while this browser compiles. */
+  get bridged(): boolean {
+    return this.meanwhile && this.server.presentable;
+  }
+
+  get atRest(): boolean {
+    return this.current.atRest;
+  }
+
+  get fixed(): number | null {
+    return this.current.fixed;
+  }
+
+  get still(): string | null {
+    return this.current.still;
+  }
+
+  setFixedScale(scale: number | null): void {
+    this.browser?.setFixedScale(scale);
+    this.server.setFixedScale(scale);
+  }
+
+  tick(now: number, view: ViewState, moving: boolean): void {
+    this.reconsider(performance.now());
+    this.current.tick(now, view, moving);
+    this.bridge(now, view, moving);
+    // The server's last picture stays until the first of this browser.
+    if (this.chosen === "browser" && !this.meanwhile && !this.server.blank && this.current.presentable) this.server.hide();
+  }
+
+  timing(): FrameTiming {
+    return this.meanwhile ? this.server.timing() : this.current.timing();
+  }
+
+  rate(): Rate | null {
+    return this.current.rate();
+  }
+
+  load(): RenderLoad | null {
+    return this.current.load();
+  }
+
+  planChanged(cost: number): void {
+    const { browser } = this.rates;
+    // What this browser would give now is not measured again before the server draws less.
+    this.rates = { browser: browser && { ...browser, fps: browser.fps / cost }, server: null };
+    this.current.planChanged(cost);
+  }
+
+  private get current(): Display {
+    return this.chosen === "browser" && this.browser !== null ? this.browser : this.server;
+  }
+
+  /** Has the server draw while this browser takes long to compile its first plan, until its picture is good. */
+  private bridge(now: number, view: ViewState, moving: boolean): void {
+    if (this.chosen !== "browser" || this.choice !== "auto" || this.browser === null) return;
+    if (!this.browser.blank) this.waitsSince = null;
+    else if (moving) {
+      this.waitsSince ??= now;
+      this.meanwhile ||= now - this.waitsSince > HEAD_START;
+    }
+    if (!this.meanwhile) return;
+    if (this.browser.presentable || this.server.still !== null) this.endBridge();
+    else this.server.tick(now, view, moving);
+  }
+
+  private endBridge(): void {
+    this.meanwhile = false;
+    this.server.close();
+  }
+
+  /** Whether this browser gives so little that the server is tried: nothing that moves, or for some time no good picture. */
+  private get leaves(): boolean {
+    const rate = this.chosen === "browser" && this.choice === "auto" ? this.current.rate() : null;
+    const now = performance.now();
+    if (rate === null || isGood(rate)) this.goodAt = now;
+    return rate !== null && now >= this.tryAt && (worth(rate) === 0 || now - this.goodAt > PATIENCE);
+  }
+
+  private reconsider(now: number): void {
+    const { browser, choice, current, chosen, rates, server } = this;
+    if (browser === null || choice !== "auto") return;
+    rates[chosen] = current.rate() ?? rates[chosen];
+    if (chosen === "browser") {
+      if (this.leaves) this.use("server");
+    } else if (server.still !== null) {
+      this.tryAt = server.retryAt;
+      if (worth(rates.browser) > 0) this.use("browser");
+    } else if (current.rate() !== null && worth(rates.browser) > BETTER * worth(rates.server)) {
+      this.tryAt = now + AGAIN;
+      this.use("browser");
+    }
+  }
+
+  private use(drawer: Drawer): void {
+    if (drawer === this.chosen || (drawer === "browser" && this.browser === null)) return;
+    if (this.chosen === "server") this.server.close();
+    this.chosen = drawer;
+    this.meanwhile = false;
+    this.current.planChanged(1);
+    this.events.drawerChanged();
+  }
+}
+
+export type MakeDisplay = (loaders: readonly [PlanLoader, PlanLoader], events: DisplayEvents) => ChosenDisplay;

@@ -1,0 +1,92 @@
+/** What shows the picture: a viewport that draws it here, or frames that the server draws. */
+import type { CameraState } from "../camera/state";
+import type { Gpu } from "../gl/gpu";
+import type { RenderLoad } from "./framebudget";
+
+/** Times of the frames shown in the last second. */
+export class ShownFrames {
+  /** Since the page opened. */
+  total = 0;
+  private readonly recent: number[] = [];
+
+  add(): void {
+    this.total += 1;
+    this.recent.push(performance.now());
+  }
+
+  get fps(): number {
+    const now = performance.now();
+    while (this.recent[0] !== undefined && now - this.recent[0] > 1000) this.recent.shift();
+    return this.recent.length;
+  }
+}
+
+export interface ViewState {
+  time: number;
+  camera: CameraState;
+  /** Where the right picture begins, as a share of the width; 1 if there is only one. */
+  divider: number;
+}
+
+/** Who draws: this browser, or the server, frame by frame. */
+export type Drawer = "browser" | "server";
+
+/** Who draws, as the user wishes; auto: whoever gives more. */
+export type DrawerChoice = Drawer | "auto";
+
+export interface FrameTiming {
+  /** Of a frame, ms; null until measured. */
+  frame: number | null;
+  /** Frames shown in the last second. */
+  fps: number;
+  width: number;
+  height: number;
+  scale: number;
+  /** Frames since the page opened. */
+  frames: number;
+}
+
+/** What a way of drawing gives in motion. */
+export interface Rate {
+  scale: number;
+  fps: number;
+}
+
+export interface DisplayEvents {
+  contextLost(): void;
+  contextRestored(): void;
+  failed(error: unknown): void;
+  /** A frame is shown. */
+  frameDone(): void;
+  /** Another way draws from now on. */
+  drawerChanged(): void;
+}
+
+export interface Display {
+  /** Takes the pointer and the keys. */
+  readonly canvas: HTMLCanvasElement;
+  /** What draws, if this browser does; null if the server does. */
+  readonly gpu: Gpu | null;
+  /** Whether the picture is out of date. */
+  dirty: boolean;
+  /** Whether there is no picture yet. */
+  readonly blank: boolean;
+  /** Whether the picture is good enough to take the place of the still. */
+  readonly presentable: boolean;
+  /** Whether the picture is up to date at its final scale. */
+  readonly atRest: boolean;
+  /** The scale set by the user; null: dynamic. */
+  readonly fixed: number | null;
+  setFixedScale(scale: number | null): void;
+  /** Called on every animation frame. `moving`: more frames will follow. */
+  tick(now: number, view: ViewState, moving: boolean): void;
+  timing(): FrameTiming;
+  /** Measured in motion with the current plan; null until it is, or while the user has set the scale. */
+  rate(): Rate | null;
+  /** The load in motion; null if the page is not to adapt the quality to it. */
+  load(): RenderLoad | null;
+  /** Why the picture does not move; null if it can. */
+  readonly still: string | null;
+  /** Another plan is drawn. `cost`: of its frames, as a multiple of the former plan's. */
+  planChanged(cost: number): void;
+}

@@ -1,0 +1,257 @@
+/** Frames that the server draws: a stream while the picture moves, the exact picture at rest. */
+import { type Api, ApiError, type FrameRequest, type StreamView } from "../api";
+import { equal, type Json } from "../scene/json";
+import { element } from "../ui/dom";
+import { type Display, type DisplayEvents, type FrameTiming, type Rate, ShownFrames, type ViewState } from "./display";
+import type { FrameBudget, RenderLoad } from "./framebudget";
+import { FrameStream } from "./framestream";
+import { onPixelsChange, pixelRatio, pixelsOf } from "./pixelratio";
+import type { PlanLoader, PlanView } from "./planloader";
+import { DynamicResolution } from "./resolution";
+
+/** Time from frame to frame, ms, by scale: it is the server's, and blocks nothing here. */
+const BUDGET: FrameBudget = [[0.5, 240], [0.55, 115], [0.7, 85], [1, 60]];
+/** Below this scale fewer frames a second are better than fewer pixels. */
+const LEAST_SCALE = 0.35;
+/** Share of the pixels of the first frame: a scale of 0.4. */
+const FIRST_SHARE = 0.16;
+/** Greatest size of a frame, pixels. */
+const MAX_PIXELS = 2_000_000;
+/** Frames that are asked for before the first of them has come. */
+const DEPTH = 2;
+/** While the camera moves, a frame that waits at the server gives way to one of the newest view this often, ms. */
+const HASTE = 60;
+/** A picture at rest is sharpened after this long, ms. */
+const SHARPENING_DELAY = 300;
+/** Delay before a failed request is repeated, ms; it doubles with each failure. */
+const RETRY = { first: 1000, longest: 16000 };
+/** Windows that are measured before the rate counts. */
+const SETTLED_WINDOWS = 3;
+
+/** Over the canvas, which takes the pointer. */
+const COVER = "pointer-events-none fixed inset-0 size-full";
+
+interface Asked {
+  number: number;
+  submitted: number;
+  scale: number;
+  moving: boolean;
+}
+
+export class ServerView implements Display {
+  readonly gpu = null;
+  dirty = true;
+  fixed: number | null = null;
+  /** Why the server gives no moving picture; null if it does. */
+  still: string | null = null;
+  /** When to ask for it again, ms of performance.now(). */
+  retryAt = 0;
+  private readonly root = element("div", { class: `served ${COVER}` });
+  private readonly resolution: DynamicResolution;
+  private readonly streams: readonly [FrameStream, FrameStream];
+  private readonly shown = new ShownFrames();
+  /** Frames that were asked for and have not come. */
+  private readonly asked: Asked[] = [];
+  private number = 0;
+  private latest = 0;
+  /** The exact picture that was asked for last, one for each side. */
+  private exact: readonly FrameRequest[] = [];
+  private view: string = "";
+  private hurried = 0;
+  private scale = 0;
+  private failures = 0;
+  private waitUntil = 0;
+  private lastMotion = -Infinity;
+  private size = { width: 0, height: 0 };
+  private frameTime: number | null = null;
+
+  constructor(
+    private readonly api: Api,
+    readonly canvas: HTMLCanvasElement,
+    private readonly loaders: readonly [PlanLoader, PlanLoader],
+    private readonly events: DisplayEvents,
+  ) {
+    canvas.after(this.root);
+    const pixels = pixelsOf(canvas);
+    this.resolution = new DynamicResolution(pixels, BUDGET, FIRST_SHARE * pixels, LEAST_SCALE);
+    this.streams = [new FrameStream(api), new FrameStream(api)];
+    onPixelsChange(canvas, () => (this.dirty = true));
+    window.addEventListener("pagehide", () => this.close());
+  }
+
+  get blank(): boolean {
+    return this.root.childElementCount === 0;
+  }
+
+  get presentable(): boolean {
+    return !this.blank;
+  }
+
+  get atRest(): boolean {
+    return !this.dirty && this.asked.length === 0 && !this.blank && this.scale >= (this.fixed ?? 1);
+  }
+
+  setFixedScale(scale: number | null): void {
+    this.fixed = scale;
+    this.resolution.pause();
+    this.dirty = true;
+  }
+
+  /** Takes the picture away and gives the streams back: something else draws. */
+  close(): void {
+    for (const stream of this.streams) stream.close();
+    this.asked.length = 0;
+    this.latest = this.number + 1;
+    this.still = null;
+  }
+
+  hide(): void {
+    this.root.replaceChildren();
+    this.scale = 0;
+  }
+
+  tick(now: number, view: ViewState, moving: boolean): void {
+    this.root.style.setProperty("--at", `${100 * view.divider}%`);
+    if (moving) this.lastMotion = now;
+    else this.resolution.pause();
+    if (now < this.waitUntil || this.loaders[0].view === null) return;
+    if (moving && now >= this.retryAt) this.stream(now, view);
+    else if (this.asked.length === 0) this.rest(now, view);
+  }
+
+  timing(): FrameTiming {
+    return { frame: this.resolution.measured ?? this.frameTime, fps: this.shown.fps, ...this.size, scale: this.scale, frames: this.shown.total };
+  }
+
+  rate(): Rate | null {
+    const { measured, windows, scale } = this.resolution;
+    return this.fixed !== null || measured === null || windows < SETTLED_WINDOWS ? null : { scale, fps: 1000 / measured };
+  }
+
+  load(): RenderLoad | null {
+    const { cost, scale, displayInterval } = this.resolution;
+    if (this.fixed !== null) return null;
+    return { cost: this.rate() && cost, scale, displayInterval, budget: BUDGET, megapixels: 1e-6 * pixelsOf(this.canvas) };
+  }
+
+  planChanged(cost: number): void {
+    this.resolution.expect(cost);
+    this.exact = [];
+    this.dirty = true;
+  }
+
+  /** Asks for the next frame in motion, if there is a place for it. */
+  private stream(now: number, view: ViewState): void {
+    const camera = JSON.stringify(view.camera);
+    const haste = camera !== this.view && now - this.hurried > HASTE && this.asked.length === DEPTH;
+    if (this.asked.length >= DEPTH && !haste) return;
+    if (haste) this.hurried = now;
+    this.view = camera;
+    this.dirty = false;
+    const scale = this.fixed ?? this.resolution.scale;
+    const frame = this.frame(view, scale);
+    const take = () => Promise.all(this.views.map(({ scene, request }, side) => (this.streams[side] as FrameStream).frame(scene, request.quality, frame)));
+    void this.show(take, { ...frame, scale, moving: true });
+  }
+
+  /** Asks for the exact picture of a view that does not move, small while it changes. */
+  private rest(now: number, view: ViewState): void {
+    const sharpening = !this.dirty;
+    if (sharpening && (this.atRest || now - this.lastMotion < SHARPENING_DELAY)) return;
+    const scale = this.fixed ?? (sharpening ? 1 : this.resolution.scale);
+    const requests = this.requests(view, scale);
+    const finest = this.requests(view, this.fixed ?? 1);
+    this.dirty = false;
+    // Shown already, at this scale or as sharp as it gets.
+    if ([requests, finest].some((same) => equal(same as unknown as Json, this.exact as unknown as Json))) return;
+    this.exact = requests;
+    const take = () => Promise.all(requests.map((request) => this.api.frame(request)));
+    void this.show(take, { ...this.frame(view, scale), scale, moving: false });
+  }
+
+  private get views(): PlanView[] {
+    return this.loaders.flatMap(({ view }) => view ?? []);
+  }
+
+  private requests(view: ViewState, scale: number): FrameRequest[] {
+    const request = ({ scene, request: { quality } }: PlanView) => ({ preset: null, scene, quality, ...this.frame(view, scale) });
+    return this.views.map(request);
+  }
+
+  private frame({ time, camera }: ViewState, scale: number): StreamView {
+    const { clientWidth, clientHeight } = this.canvas;
+    const fitting = Math.sqrt(MAX_PIXELS / Math.max(1, clientWidth * clientHeight));
+    const ratio = scale * Math.min(pixelRatio(), fitting);
+    const [width, height] = [clientWidth, clientHeight].map((side) => Math.max(1, Math.round(side * ratio))) as [number, number];
+    const { position, yaw, pitch, roll, fov } = camera;
+    return { camera: { position: [...position], yaw, pitch, roll, fov }, time, width, height };
+  }
+
+  private async show(take: () => Promise<(Blob | null)[]>, { scale, moving, width, height }: StreamView & Pick<Asked, "scale" | "moving">): Promise<void> {
+    const asked: Asked = { number: ++this.number, submitted: performance.now(), scale, moving };
+    this.asked.push(asked);
+    try {
+      const blobs = (await take()).filter((blob) => blob !== null);
+      // Decoded off the main thread.
+      const pictures = await Promise.all(blobs.map((blob) => createImageBitmap(blob)));
+      // What comes after a later frame, or was given up for one, is not shown.
+      if (asked.number < this.latest || pictures.length < this.views.length) {
+        pictures.forEach((picture) => picture.close());
+        return;
+      }
+      this.latest = asked.number;
+      this.present(pictures);
+      this.size = { width, height };
+      this.measure(asked);
+      this.failures = 0;
+      this.still = null;
+      this.scale = scale;
+      if (moving) this.exact = [];
+      this.events.frameDone();
+    } catch (error) {
+      if (asked.number > this.latest) this.failed(error, moving);
+    } finally {
+      const index = this.asked.indexOf(asked);
+      if (index >= 0) this.asked.splice(index, 1);
+    }
+  }
+
+  private present(pictures: readonly ImageBitmap[]): void {
+    while (this.root.childElementCount > pictures.length) this.root.lastElementChild?.remove();
+    while (this.root.childElementCount < pictures.length) this.root.append(element("canvas", { class: `${COVER} object-cover not-first:[clip-path:inset(0_0_0_var(--at))]` }));
+    pictures.forEach((picture, side) => {
+      const canvas = this.root.children[side] as HTMLCanvasElement;
+      if (canvas.width !== picture.width) canvas.width = picture.width;
+      if (canvas.height !== picture.height) canvas.height = picture.height;
+      canvas.getContext("bitmaprenderer")?.transferFromImageBitmap(picture);
+    });
+  }
+
+  private measure({ submitted, scale, moving }: Asked): void {
+    const done = performance.now();
+    this.shown.add();
+    this.frameTime = done - submitted;
+    if (moving && this.fixed === null) this.resolution.addFrame({ scale, submitted, done });
+  }
+
+  /** What the server refuses is not asked again; else the request is repeated, and only the first failure is told. */
+  private failed(error: unknown, moving: boolean): void {
+    const { status, retryAfter } = error instanceof ApiError ? error : { status: 0, retryAfter: 0 };
+    if (moving) this.resolution.pause();
+    const refused = status >= 400 && status < 500 && !(moving && status === 404);
+    if (!refused) {
+      const delay = Math.min(RETRY.longest, RETRY.first * 2 ** this.failures);
+      this.failures += 1;
+      this.exact = [];
+      this.dirty = true;
+      if (moving && retryAfter > 0) {
+        // All streams are taken: single pictures until one may be free.
+        this.still = error instanceof Error ? error.message : String(error);
+        this.retryAt = performance.now() + 1000 * retryAfter;
+        return;
+      }
+      this.waitUntil = performance.now() + (status === 404 ? 0 : delay);
+    }
+    if (refused || this.failures === 1) this.events.failed(error);
+  }
+}

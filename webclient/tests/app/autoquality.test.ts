@@ -1,0 +1,92 @@
+import { readFileSync } from "node:fs";
+import { describe, expect, it } from "vitest";
+import { AutoQuality, costRatio, tierChoices, errorAt, type TierCosts, type TierCost } from "../../src/app/autoquality";
+import { allowedAt, costAt, MOTION_BUDGET, type RenderLoad } from "../../src/display/framebudget";
+
+const scales = [1, 0.5, 0.25];
+const tierCosts: TierCost[] = [
+  { tier: "fast", fixed: 2, pixels: 30, errors: [20, 26, 32] },
+  { tier: "exact", fixed: 4, pixels: 120, errors: [12, 20, 31] },
+];
+const costsOf = (tiers: TierCost[]): TierCosts => ({ scales, presets: { sea: tiers } });
+const costs = costsOf(tierCosts);
+
+const DISPLAY = 1000 / 60;
+
+/** The load of a machine slower by a factor than the one that measured the costs. */
+function loadOf(tier: string, scale: number, slowdown: number, overhead = 5, tiers = tierCosts): RenderLoad {
+  const { fixed, pixels } = tiers.find((cost) => cost.tier === tier) as (typeof tierCosts)[number];
+  return { cost: { fixed: overhead + slowdown * fixed, pixels: slowdown * pixels }, scale, displayInterval: DISPLAY, budget: MOTION_BUDGET, megapixels: 1 };
+}
+
+describe("automatic quality", () => {
+  it("interpolates errors between the scales and extrapolates below the least", () => {
+    expect(errorAt(scales, [10, 20, 40], 0.75)).toBe(15);
+    expect(errorAt(scales, [10, 20, 40], 0.5)).toBe(20);
+    expect(errorAt(scales, [10, 20, 40], 0.1)).toBeCloseTo(52);
+    expect(errorAt(scales, [10, 20, 40], 1)).toBe(10);
+  });
+
+  it("predicts the greatest scale within budget for every tier", () => {
+    for (const { tier, scale } of tierChoices(tierCosts, scales, "fast", loadOf("fast", 0.4, 2))) {
+      const { fixed, pixels } = tierCosts.find((cost) => cost.tier === tier) as (typeof tierCosts)[number];
+      const cost = { fixed: 5 + 2 * fixed, pixels: 2 * pixels };
+      expect(costAt(cost, scale)).toBeLessThanOrEqual(1.001 * allowedAt(scale, DISPLAY));
+      expect(costAt(cost, scale + 0.05)).toBeGreaterThan(allowedAt(scale + 0.05, DISPLAY));
+    }
+  });
+
+  it("selects the exact tier on a fast machine and the fast tier on a slow one", () => {
+    expect(new AutoQuality().next(costs, "sea", "fast", loadOf("fast", 1, 0.02, 0))).toMatchObject({ tier: "exact", scale: 1 });
+    expect(new AutoQuality().next(costs, "sea", "exact", loadOf("exact", 0.3, 30))?.tier).toBe("fast");
+  });
+
+  it("leaves a tier that exceeds the budget at every scale, and selects the fastest where all do", () => {
+    const tiers = tierCosts.map((cost) => (cost.tier === "exact" ? { ...cost, fixed: 400, errors: [2, 3, 4] } : { ...cost, fixed: 10 }));
+    const slow = costsOf(tiers);
+    const now = (tier: string, slower: number) => loadOf(tier, 0.1, slower, 5, tiers);
+    expect(new AutoQuality().next(slow, "sea", "exact", now("exact", 1))?.tier).toBe("fast");
+    expect(new AutoQuality().next(slow, "sea", "fast", now("fast", 1))).toBeNull();
+    // A machine so slow that no tier is within budget.
+    expect(new AutoQuality().next(slow, "sea", "exact", now("exact", 100))?.tier).toBe("fast");
+    expect(new AutoQuality().next(slow, "sea", "fast", now("fast", 100))).toBeNull();
+  });
+
+  it("keeps the tier where another gains little and where no costs are known", () => {
+    const close = costsOf(tierCosts.map((cost) => ({ ...cost, errors: [10, 10, 10] })));
+    expect(new AutoQuality().next(close, "sea", "fast", loadOf("fast", 1, 0.02))).toBeNull();
+    expect(new AutoQuality().next(costs, "pond", "fast", loadOf("fast", 1, 0.02))).toBeNull();
+    expect(new AutoQuality().next(costs, "sea", '{"samples":4}', loadOf("fast", 1, 0.02))).toBeNull();
+  });
+
+  it("knows how much more one preset costs than another", () => {
+    const presets = { sea: tierCosts, pond: [{ tier: "fast", fixed: 1, pixels: 15, errors: [1, 1, 1] }] };
+    expect(costRatio({ scales, presets }, ["pond", "fast"], ["sea", "exact"])).toBeCloseTo(124 / 16);
+    expect(costRatio({ scales, presets }, ["pond", "exact"], ["sea", "exact"])).toBe(1);
+  });
+
+  it("does not return to a tier that it left", () => {
+    const auto = new AutoQuality();
+    expect(auto.next(costs, "sea", "fast", loadOf("fast", 1, 0.02))?.tier).toBe("exact");
+    expect(auto.next(costs, "sea", "exact", loadOf("exact", 0.3, 30))).toBeNull();
+    auto.reset();
+    expect(auto.next(costs, "sea", "exact", loadOf("exact", 0.3, 30))?.tier).toBe("fast");
+  });
+});
+
+describe("fronts.json", () => {
+  const costs = JSON.parse(readFileSync(new URL("../../public/fronts.json", import.meta.url), "utf8")) as TierCosts;
+
+  it("has valid costs for every preset", () => {
+    expect([...costs.scales].sort((a, b) => b - a)).toEqual(costs.scales);
+    for (const [name, tiers] of Object.entries(costs.presets)) {
+      expect(tiers.length, name).toBeGreaterThan(1);
+      for (const { fixed, pixels, errors } of tiers) {
+        expect(fixed, name).toBeGreaterThanOrEqual(0);
+        expect(pixels, name).toBeGreaterThan(0);
+        expect(errors.length, name).toBe(costs.scales.length);
+        expect(Math.min(...errors), name).toBeGreaterThan(0);
+      }
+    }
+  });
+});

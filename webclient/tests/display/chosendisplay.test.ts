@@ -1,0 +1,161 @@
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { ChosenDisplay, worth } from "../../src/display/chosendisplay";
+import type { DisplayEvents, Rate, ViewState } from "../../src/display/display";
+import type { ServerView } from "../../src/display/serverview";
+import type { Viewport } from "../../src/display/viewport";
+
+const VIEW = {} as ViewState;
+
+function ways() {
+  const way = () => ({
+    given: null as Rate | null,
+    still: null as string | null,
+    retryAt: 0,
+    blank: false,
+    presentable: true,
+    ticks: 0,
+    rate() { return this.given; },
+    tick() { this.ticks += 1; },
+    planChanged: () => undefined,
+    close: () => undefined,
+    hide: () => undefined,
+  });
+  const [browser, server, drawerChanged] = [way(), way(), vi.fn()];
+  const display = (own: boolean) => new ChosenDisplay(own ? (browser as unknown as Viewport) : null, server as unknown as ServerView, own ? null : "No WebGL 2.", { drawerChanged } as unknown as DisplayEvents);
+  return { browser, server, drawerChanged, display };
+}
+
+describe("what a way of drawing is worth", () => {
+  it("is its pixels a second, less where it stutters or is a smear", () => {
+    expect(worth({ fps: 60, scale: 1 })).toBe(60);
+    expect(worth({ fps: 8, scale: 0.5 })).toBe(2);
+    expect(worth({ fps: 4, scale: 0.5 })).toBe(0.5);
+    expect(worth({ fps: 8, scale: 0.2 })).toBeCloseTo(0.16);
+  });
+
+  it("is nothing where it is no moving picture, or not measured", () => {
+    for (const rate of [{ fps: 2, scale: 1 }, { fps: 60, scale: 0.1 }, null]) expect(worth(rate)).toBe(0);
+  });
+});
+
+describe("who draws", () => {
+  beforeEach(() => vi.useFakeTimers({ toFake: ["performance"] }));
+  afterEach(() => vi.useRealTimers());
+
+  const run = (display: ChosenDisplay, milliseconds: number) => {
+    for (let t = 0; t < milliseconds; t += 100) {
+      display.tick(performance.now(), VIEW, true);
+      vi.advanceTimersByTime(100);
+    }
+  };
+
+  it("is the server, with the reason, where the browser cannot", () => {
+    const { display } = ways();
+    expect(display(false)).toMatchObject({ drawer: "server", why: "The server draws the frames. No WebGL 2." });
+  });
+
+  it("is the browser while it is not measured, and where it gives a good picture", () => {
+    const { browser, drawerChanged, display } = ways();
+    const chosen = display(true);
+    run(chosen, 5000);
+    browser.given = { fps: 9, scale: 0.45 };
+    run(chosen, 5000);
+    expect(chosen.drawer).toBe("browser");
+    expect(drawerChanged).not.toHaveBeenCalled();
+  });
+
+  it("is the server at once where the browser gives no moving picture, and after a time where it gives a poor one", () => {
+    const { browser, display } = ways();
+    browser.given = { fps: 1, scale: 0.1 };
+    const chosen = display(true);
+    expect(chosen.presentable).toBe(false);
+    run(chosen, 100);
+    expect(chosen.drawer).toBe("server");
+    const poor = ways();
+    const patient = poor.display(true);
+    run(patient, 2000);
+    poor.browser.given = { fps: 6, scale: 0.3 };
+    run(patient, 1000);
+    expect(patient.drawer).toBe("browser");
+    run(patient, 1500);
+    expect(patient.drawer).toBe("server");
+  });
+
+  it("is the browser again where the server gives less, and the server is not tried at once", () => {
+    const { browser, server, display } = ways();
+    browser.given = { fps: 6, scale: 0.3 };
+    server.given = { fps: 3, scale: 0.35 };
+    const chosen = display(true);
+    vi.advanceTimersByTime(5000);
+    run(chosen, 300);
+    expect(chosen.drawer).toBe("browser");
+    run(chosen, 30_000);
+    expect(chosen.drawer).toBe("browser");
+  });
+
+  it("is the browser where all streams are taken, unless it gives no moving picture", () => {
+    for (const [fps, drawer] of [[6, "browser"], [1, "server"]] as const) {
+      const { browser, server, display } = ways();
+      browser.given = { fps, scale: 0.3 };
+      server.still = "all streams are taken";
+      server.retryAt = 60_000;
+      const chosen = display(true);
+      vi.advanceTimersByTime(5000);
+      run(chosen, 300);
+      expect(chosen.drawer).toBe(drawer);
+    }
+  });
+
+  it("is the server while the browser compiles for long, until its picture is good", () => {
+    const { browser, server, display } = ways();
+    Object.assign(browser, { blank: true, presentable: false });
+    const chosen = display(true);
+    run(chosen, 1000);
+    expect(chosen.drawer).toBe("browser");
+    run(chosen, 1000);
+    expect(chosen).toMatchObject({ drawer: "server", presentable: true, bridged: true });
+    Object.assign(browser, { blank: false });
+    run(chosen, 300);
+    expect(chosen.drawer).toBe("server");
+    Object.assign(browser, { presentable: true, given: { fps: 60, scale: 1 } });
+    const drawn = server.ticks;
+    run(chosen, 300);
+    expect(chosen.drawer).toBe("browser");
+    expect(server.ticks).toBe(drawn);
+  });
+
+  it("is the browser where the user wishes so while it compiles", () => {
+    const { browser, server, display } = ways();
+    Object.assign(browser, { blank: true, presentable: false });
+    const chosen = display(true);
+    run(chosen, 2000);
+    expect(chosen.drawer).toBe("server");
+    const drawn = server.ticks;
+    chosen.choose("browser");
+    run(chosen, 2000);
+    expect(chosen).toMatchObject({ drawer: "browser", why: "This browser draws, as you chose." });
+    expect(server.ticks).toBe(drawn);
+  });
+
+  it("is the browser under its still while nothing moves", () => {
+    const { browser, display } = ways();
+    Object.assign(browser, { blank: true, presentable: false });
+    const chosen = display(true);
+    for (let t = 0; t < 5000; t += 100) {
+      chosen.tick(performance.now(), VIEW, false);
+      vi.advanceTimersByTime(100);
+    }
+    expect(chosen.drawer).toBe("browser");
+  });
+
+  it("is whom the user wishes", () => {
+    const { browser, display } = ways();
+    browser.given = { fps: 1, scale: 0.1 };
+    const chosen = display(true);
+    chosen.choose("browser");
+    run(chosen, 5000);
+    expect(chosen).toMatchObject({ drawer: "browser", why: "This browser draws, as you chose." });
+    chosen.choose("server");
+    expect(chosen).toMatchObject({ drawer: "server", why: "The server draws the frames, as you chose." });
+  });
+});
