@@ -38,7 +38,7 @@ ANSWERED = {
 }
 PLAIN_PAGE = ("plans", "presets", "textures")
 """Routers that give a page the plan, the scene and the textures of a picture."""
-NOT_PLAIN = {("seafoam.accuracy", ""), ("seafoam.api.threads", ""), ("seafoam.render.service.pool", "")}
+NOT_PLAIN = {("seafoam.accuracy", ""), ("seafoam.api.http.thread_pool", ""), ("seafoam.render.service.pool", "")}
 """What those routers' modules name, and a page that draws one picture never runs."""
 BROWSERS = {"playwright", "llvmpipe", "optimised", "swiftshader", "page", "other"}
 SHARED = {"executor", "probe", "report", "server", *BROWSERS}

@@ -15,10 +15,10 @@ from PIL import Image
 from starlette.testclient import TestClient
 
 from seafoam.api.app import create_app
-from seafoam.api.known import Requests
+from seafoam.api.frames.request_cache import RequestCache
+from seafoam.api.frames.streams import Streams
+from seafoam.api.http.thread_pool import ThreadPool
 from seafoam.api.settings import Settings
-from seafoam.api.streams import Streams
-from seafoam.api.threads import ThreadPool
 from support.api_fakes import FakeRenderer
 from support.command import free_port
 
@@ -57,7 +57,7 @@ def answering(**settings) -> TestClient:
     app = create_app(Settings(**settings), renderer=FakeRenderer)
     app.state.context = SimpleNamespace(
         settings=Settings(**settings),
-        requests=Requests(),
+        request_cache=RequestCache(),
         pool=SimpleNamespace(info={}, state="starting"),
         masks=ThreadPool(1, 8),
         streams=Streams(2),

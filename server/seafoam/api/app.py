@@ -14,28 +14,31 @@ from starlette.middleware.errors import ServerErrorMiddleware
 from starlette.middleware.gzip import DEFAULT_EXCLUDED_CONTENT_TYPES, GZipMiddleware
 
 from seafoam.accuracy.cache import cache_dir
-from seafoam.api import errors, pages
-from seafoam.api.answering import Repeats
 from seafoam.api.context import Context
-from seafoam.api.errors import Problem, problem_responses
-from seafoam.api.gate import Gate
-from seafoam.api.known import KnownPlans, Requests
-from seafoam.api.logs import LogRequests
-from seafoam.api.measuring import sweep_service
-from seafoam.api.metrics import MeasureRequests, Metrics
-from seafoam.api.middleware import HeadAsGet, LimitBody, SecurityHeaders
-from seafoam.api.negotiation import Negotiate
-from seafoam.api.origins import OtherOrigins
-from seafoam.api.problems import BusyError
-from seafoam.api.proxied import Proxied
-from seafoam.api.rates import TokenBuckets
+from seafoam.api.frames.plan_index import PlanIndex
+from seafoam.api.frames.request_cache import RequestCache
+from seafoam.api.frames.respond import Repeats
+from seafoam.api.frames.streams import Streams
+from seafoam.api.guard.cors import OtherOrigins
+from seafoam.api.guard.gate import Gate
+from seafoam.api.guard.proxy_headers import Proxied
+from seafoam.api.guard.rates import TokenBuckets
+from seafoam.api.http import errors
+from seafoam.api.http.errors import Problem, problem_responses
+from seafoam.api.http.middleware import HeadAsGet, LimitBody, SecurityHeaders
+from seafoam.api.http.negotiation import Negotiate
+from seafoam.api.http.problems import BusyError
+from seafoam.api.http.shutdown import AnswerWhenStopped
+from seafoam.api.http.thread_pool import ThreadPool
+from seafoam.api.http.validation import one_value_each
+from seafoam.api.jobs.sequences import sequence_service
+from seafoam.api.jobs.sweeps import sweep_service
 from seafoam.api.routers import (
     accuracy,
     export,
     frames,
     health,
     masks,
-    plan_frames,
     plans,
     presets,
     scenes,
@@ -43,14 +46,12 @@ from seafoam.api.routers import (
     streams,
     textures,
 )
-from seafoam.api.sequencing import sequence_service
 from seafoam.api.settings import Settings
-from seafoam.api.stopping import AnswerWhenStopped
-from seafoam.api.streams import Streams
-from seafoam.api.strict import one_value_each
-from seafoam.api.telemetry import NO_TELEMETRY
-from seafoam.api.telemetry import traces as configured_traces
-from seafoam.api.threads import ThreadPool
+from seafoam.api.site import pages
+from seafoam.api.watch.logs import LogRequests
+from seafoam.api.watch.metrics import MeasureRequests, Metrics
+from seafoam.api.watch.telemetry import NO_TELEMETRY
+from seafoam.api.watch.telemetry import traces as configured_traces
 from seafoam.quality import QualityExtensions
 from seafoam.render.gl.executor import Executor
 from seafoam.render.service.disk import DiskCache
@@ -60,7 +61,7 @@ from seafoam.render.service.source import FrameSource
 from seafoam.scene.models import SceneExtensions
 
 if TYPE_CHECKING:
-    from seafoam.api.traces import Traces
+    from seafoam.api.watch.traces import Traces
 
 GZIP_LEVEL = 4
 """Level 4 compresses plans to a tenth; level 9 gains little more."""
@@ -75,8 +76,7 @@ NOT_WORTH_GZIP = (
 )
 
 _ROUTERS = tuple(
-    each.router
-    for each in (presets, scenes, plans, plan_frames, frames, streams, sequences, accuracy, masks, textures, export)
+    each.router for each in (presets, scenes, plans, frames, streams, sequences, accuracy, masks, textures, export)
 )
 _PUBLIC = tuple(route for each in (presets, scenes, plans, masks, textures) for route in each.router.routes)
 """What is data, and no picture or work of the renderer."""
@@ -183,8 +183,8 @@ def _context(
         settings,
         pool,
         source,
-        KnownPlans(source.disk),
-        Requests(),
+        PlanIndex(source.disk),
+        RequestCache(),
         metrics,
         traces,
         plans=ThreadPool(2, 64),

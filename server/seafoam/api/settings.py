@@ -9,8 +9,8 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, SecretStr, field_validator, model_validator
 from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
 
-from seafoam.api.access import Access, Signing, api_keys_of
-from seafoam.api.proxied import ROOT_PATH
+from seafoam.api.guard.keys import Access, Signing, api_keys_of
+from seafoam.api.guard.proxy_headers import ROOT_PATH
 from seafoam.numerals import numeral_fields
 from seafoam.render.service.limits import FrameLimits
 

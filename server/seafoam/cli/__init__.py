@@ -49,11 +49,12 @@ def serve(
     from pydantic import ValidationError
 
     from seafoam.accuracy.cache import cache_dir
-    from seafoam.api import logs
     from seafoam.api.app import create_app
-    from seafoam.api.memory import keep_programs, share_one_arena
     from seafoam.api.settings import Settings
-    from seafoam.api.telemetry import UnsupportedTelemetryError
+    from seafoam.api.watch import logs
+    from seafoam.api.watch.malloc import share_one_arena
+    from seafoam.api.watch.shader_cache import keep_programs
+    from seafoam.api.watch.telemetry import UnsupportedTelemetryError
     from seafoam.cli.listening import listen
 
     share_one_arena()

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from PIL import Image
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
-from seafoam.api.parameters import TIME_LIMIT, TierOrQuality, quality_of
+from seafoam.api.http.parameters import TIME_LIMIT, TierOrQuality, quality_of
 from seafoam.cli.frames import LIMITS
 from seafoam.cli.support import UNABLE, CommandError, write
 from seafoam.planner import PlanError

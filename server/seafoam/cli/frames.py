@@ -6,8 +6,8 @@ from pathlib import Path
 
 from pydantic import ValidationError
 
-from seafoam.api.parameters import FrameParameters
-from seafoam.api.problems import ApiError
+from seafoam.api.http.parameters import FrameParameters
+from seafoam.api.http.problems import ApiError
 from seafoam.cli.support import UNABLE, CommandError, extension_of, refuse, size_of, write
 from seafoam.extras import require_reports
 from seafoam.planner import PlanError

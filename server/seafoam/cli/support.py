@@ -74,7 +74,7 @@ def _shown(value: Any) -> str:
 
 
 def refuse(error: "ValidationError", model: "type[BaseModel]", option: Any) -> NoReturn:
-    from seafoam.api.allowed import allowed_at, describe_allowed
+    from seafoam.api.http.schema_limits import allowed_at, describe_allowed
 
     schema: Mapping[str, Any] = model.model_json_schema()
     lines = []

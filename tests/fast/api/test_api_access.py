@@ -6,7 +6,7 @@ import pytest
 from pydantic import ValidationError
 from starlette.testclient import TestClient
 
-from seafoam.api.access import Access, Signing, api_keys_of
+from seafoam.api.guard.keys import Access, Signing, api_keys_of
 from seafoam.api.settings import Settings
 from support.command import run
 from support.serving import answering

@@ -217,9 +217,9 @@ def test_plans_are_known_by_their_hash_also_after_a_restart(tmp_path):
 def test_a_stored_plan_that_another_version_made_is_not_known(tmp_path, monkeypatch):
     with serving(cache=tmp_path, **CACHED) as client:
         plan = client.get("/api/plans/default").headers["Seafoam-Plan"]
-    monkeypatch.setattr("seafoam.api.known.plan_hash", lambda scene, quality: "0" * 64)
+    monkeypatch.setattr("seafoam.api.frames.plan_index.plan_hash", lambda scene, quality: "0" * 64)
     with serving(cache=tmp_path, **CACHED) as client:
-        assert client.app.state.context.known.find(plan) is None
+        assert client.app.state.context.plan_index.find(plan) is None
 
 
 @pytest.mark.parametrize(

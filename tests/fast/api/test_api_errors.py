@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from seafoam.api.allowed import allowed_at, describe_allowed
+from seafoam.api.http.schema_limits import allowed_at, describe_allowed
 from support.api_fakes import RAISE
 
 

@@ -45,7 +45,7 @@ SCENES = {
 SERVER = """
 import sys, tempfile, uvicorn
 from seafoam.api.app import create_app
-from seafoam.api.memory import share_one_arena
+from seafoam.api.watch.malloc import share_one_arena
 from seafoam.api.settings import Settings
 from support.api_fakes import FakeRenderer
 share_one_arena()

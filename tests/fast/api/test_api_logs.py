@@ -11,8 +11,8 @@ from pydantic import ValidationError
 from starlette.responses import Response
 from starlette.testclient import TestClient
 
-from seafoam.api import logs
 from seafoam.api.settings import Settings
+from seafoam.api.watch import logs
 from support.serving import answering
 
 
@@ -69,9 +69,9 @@ def test_a_line_for_each_request(client: TestClient, logged: Callable[[], list[d
     assert re.fullmatch(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d\.\d{3}\+00:00", str(first.pop("time")))
     assert 0.0 < float(str(first.pop("duration_ms"))) < 60_000.0
     assert first == {
-        "level": "info", "logger": "seafoam.api.logs", "message": "GET /api/presets/{preset} 422", "request_id": "one",
-        "method": "GET", "route": "/api/presets/{preset}", "path": "/api/presets/none", "status": 422,
-        "bytes": len(response.content), "client": "testclient",
+        "level": "info", "logger": "seafoam.api.watch.logs", "message": "GET /api/presets/{preset} 422",
+        "request_id": "one", "method": "GET", "route": "/api/presets/{preset}", "path": "/api/presets/none",
+        "status": 422, "bytes": len(response.content), "client": "testclient",
     }  # fmt: skip
     assert (second["method"], second["route"], second["bytes"]) == ("HEAD", "/api/quality", 0)
     assert third["route"] == "(page)"
@@ -98,7 +98,7 @@ def test_frames_of_streams_are_logged_if_they_are_refused(
     client = answering(log_format="json")
     path = "/api/streams/x/frame.webp"
     client.get(path)
-    monkeypatch.setattr("seafoam.api.gate.Gate.__call__", Response(status_code=204))
+    monkeypatch.setattr("seafoam.api.guard.gate.Gate.__call__", Response(status_code=204))
     client.get(path)
     client.get("/api/streams")
     assert [(line["path"], line["status"]) for line in logged()] == [(path, 422), ("/api/streams", 204)]

@@ -14,7 +14,7 @@ from pydantic import ValidationError
 from starlette.testclient import TestClient
 
 import seafoam
-from seafoam.api.proxied import relative
+from seafoam.api.guard.proxy_headers import relative
 from seafoam.api.settings import Settings
 from seafoam.scene.presets import preset_names
 from support.command import free_port

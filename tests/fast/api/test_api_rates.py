@@ -4,7 +4,7 @@ import pytest
 from pydantic import ValidationError
 from starlette.testclient import TestClient
 
-from seafoam.api.rates import TokenBuckets, bucket_of
+from seafoam.api.guard.rates import TokenBuckets, bucket_of
 from seafoam.api.settings import Settings
 from support.serving import answering
 

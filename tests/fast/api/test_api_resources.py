@@ -12,9 +12,9 @@ import pytest
 from prometheus_client.parser import text_string_to_metric_families
 from pydantic import ValidationError
 
+from seafoam.api.http.thread_pool import ThreadPool
 from seafoam.api.routers.presets import _made_summary, warm
 from seafoam.api.settings import Settings
-from seafoam.api.threads import ThreadPool
 from seafoam.framegraph.plan import FramePlan
 from seafoam.quality import TIERS
 from seafoam.scene.models import Scene
@@ -187,7 +187,7 @@ def test_a_browser_finds_the_icon_beside_answers_that_are_no_page(client):
 
 
 def test_the_page_is_revalidated_and_its_hashed_files_are_kept(serve, tmp_path, monkeypatch):
-    monkeypatch.setattr("seafoam.api.pages.data_dir", lambda kind: tmp_path / kind)
+    monkeypatch.setattr("seafoam.api.site.pages.data_dir", lambda kind: tmp_path / kind)
     with serve() as client:
         text = client.get("/")
         assert text.status_code == 200

@@ -12,8 +12,8 @@ from httpx2 import Response
 from pydantic import ValidationError
 from starlette.testclient import TestClient
 
+from seafoam.api.frames.streams import FRAMES_AT_ONCE, LEASE_SECONDS, Stream, Streams, is_frame
 from seafoam.api.settings import Settings
-from seafoam.api.streams import FRAMES_AT_ONCE, LEASE_SECONDS, Stream, Streams, is_frame
 from seafoam.quality import TIERS
 from seafoam.render.service.errors import DeadlineError
 from seafoam.render.service.slots import Turn

@@ -15,11 +15,11 @@ from opentelemetry.proto.collector.trace.v1.trace_service_pb2 import ExportTrace
 from opentelemetry.sdk.trace import ReadableSpan
 from opentelemetry.sdk.trace.export.in_memory_span_exporter import InMemorySpanExporter
 
-from seafoam.api import telemetry
-from seafoam.api.answering import answer
-from seafoam.api.known import Identified
-from seafoam.api.telemetry import UnsupportedTelemetryError, configured
-from seafoam.api.traces import Traces
+from seafoam.api.frames.request_cache import Identified
+from seafoam.api.frames.respond import answer
+from seafoam.api.watch import telemetry
+from seafoam.api.watch.telemetry import UnsupportedTelemetryError, configured
+from seafoam.api.watch.traces import Traces
 from seafoam.extras import MissingExtraError
 from seafoam.render.service.jobs import EncodedFrame
 from seafoam.render.service.source import Found, Origin

@@ -14,7 +14,7 @@ import pytest
 from PIL import Image
 
 from seafoam import cli, doctor
-from seafoam.api.logs import not_a_probe
+from seafoam.api.watch.logs import not_a_probe
 from seafoam.doctor import Finding
 from seafoam.masks.catalogue import load_mask
 from seafoam.masks.construct import make_mask

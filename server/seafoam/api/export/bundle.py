@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from seafoam.api.problems import ExportTooLargeError, NotBuiltError
+from seafoam.api.http.problems import ExportTooLargeError, NotBuiltError
 from seafoam.framegraph.evaluation import FrameState, evaluate
 from seafoam.framegraph.passes import Pass
 from seafoam.framegraph.plan import FramePlan

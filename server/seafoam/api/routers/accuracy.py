@@ -1,7 +1,6 @@
 """``/api/accuracy``: what accuracy costs in time, measured on this server."""
 
 import io
-import math
 from collections.abc import Callable
 from typing import Annotated, Any
 
@@ -14,19 +13,15 @@ from seafoam.accuracy.points import points_of
 from seafoam.accuracy.sweep import Subject, truth_info
 from seafoam.accuracy.sweep_service import SweepQueueFullError
 from seafoam.accuracy.truth import Truth
-from seafoam.api.caching import NO_STORE, REVALIDATE, not_modified, tag_of
 from seafoam.api.context import Context, InContext
-from seafoam.api.errors import problem_responses
-from seafoam.api.parameters import Parameters
-from seafoam.api.problems import BusyError
-from seafoam.api.routers.presets import PresetName, find_preset
-from seafoam.extras import require_reports
+from seafoam.api.frames.presets import PresetName, find_preset
+from seafoam.api.http.errors import problem_responses
+from seafoam.api.http.etags import NO_STORE, REVALIDATE, not_modified, tag_of
+from seafoam.api.http.parameters import Parameters
+from seafoam.api.http.problems import BusyError
+from seafoam.api.jobs.sweeps import FULL_WAIT, measured, retry_seconds
 
 router = APIRouter(prefix="/api", tags=["accuracy"])
-
-LONGEST_WAIT = 15
-"""Maximum delay between requests for a running measurement, s."""
-FULL_WAIT = 30
 
 _RETRY = {"Retry-After": {"description": "Delay before the next request, s", "schema": {"type": "string"}}}
 _RUNNING: dict[int | str, dict[str, Any]] = {
@@ -42,24 +37,6 @@ _RUNNING: dict[int | str, dict[str, Any]] = {
 def _answers(description: str, media: str) -> dict[int | str, dict[str, Any]]:
     content = {media: {"schema": {"type": "string", "format": "binary"} if media != "text/csv" else {"type": "string"}}}
     return {200: {"description": description, "content": content}}
-
-
-async def measured(context: Context, subject: Subject) -> Sweep | Running:
-    """Return the sweep of a subject, or its progress. Raises the pool's errors if no renderer is available.
-
-    Raises :class:`seafoam.extras.MissingExtraError` without the packages of the extra ``reports``.
-    """
-    require_reports()
-    await context.pool.wait_until_settled()
-    try:
-        return await context.plans.run(context.sweeps.sweep, subject)
-    except SweepQueueFullError as error:
-        raise BusyError(str(error), FULL_WAIT) from error
-
-
-def retry_seconds(running: Running) -> int:
-    """Return the delay before the next request, s."""
-    return max(1, min(LONGEST_WAIT, math.ceil(running.eta_s or 2.0)))
 
 
 def _wait(running: Running) -> Response:

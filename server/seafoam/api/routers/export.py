@@ -5,15 +5,15 @@ from typing import Any
 from fastapi import APIRouter
 from starlette.responses import Response, StreamingResponse
 
-from seafoam.api.caching import NO_STORE
 from seafoam.api.context import InContext
-from seafoam.api.errors import problem_responses
 from seafoam.api.export.archive import zipped
 from seafoam.api.export.bundle import Export, entries, player_files, texture_bytes
-from seafoam.api.parameters import ExportRequest, quality_of
-from seafoam.api.planning import compile_scene
-from seafoam.api.routers.presets import known_preset
-from seafoam.api.strict import strictly
+from seafoam.api.frames.compile import compile_scene
+from seafoam.api.frames.presets import known_preset
+from seafoam.api.http.errors import problem_responses
+from seafoam.api.http.etags import NO_STORE
+from seafoam.api.http.parameters import ExportRequest, quality_of
+from seafoam.api.http.validation import strictly
 from seafoam.render.service.jobs import FrameJob
 from seafoam.render.service.recipe import recipe_of
 from seafoam.scene.presets import load_preset

@@ -8,12 +8,12 @@ from fastapi import APIRouter, Query
 from pydantic import BaseModel, Field
 from starlette.responses import JSONResponse, Response
 
-from seafoam.api.caching import NO_STORE
 from seafoam.api.context import InContext
-from seafoam.api.errors import problem_responses
-from seafoam.api.metrics import CONTENT_TYPE_LATEST
-from seafoam.api.parameters import Parameters
-from seafoam.api.problems import BusyError
+from seafoam.api.http.errors import problem_responses
+from seafoam.api.http.etags import NO_STORE
+from seafoam.api.http.parameters import Parameters
+from seafoam.api.http.problems import BusyError
+from seafoam.api.watch.metrics import CONTENT_TYPE_LATEST
 from seafoam.render.service.errors import RendererUnavailableError
 
 router = APIRouter(tags=["health"])

@@ -11,11 +11,11 @@ from fastapi import APIRouter, Path, Query, Request
 from pydantic import BaseModel, Field
 from starlette.responses import Response, StreamingResponse
 
-from seafoam.api.caching import NO_STORE, REVALIDATE, not_modified, tag_of
 from seafoam.api.context import Context, InContext
-from seafoam.api.errors import problem_responses
-from seafoam.api.parameters import Parameters
-from seafoam.api.problems import BadRequestError, FieldProblem, NotFoundError
+from seafoam.api.http.errors import problem_responses
+from seafoam.api.http.etags import NO_STORE, REVALIDATE, not_modified, tag_of
+from seafoam.api.http.parameters import Parameters
+from seafoam.api.http.problems import BadRequestError, FieldProblem, NotFoundError
 from seafoam.extras import require_reports
 from seafoam.masks.catalogue import (
     ON_REQUEST_SECONDS,

@@ -5,13 +5,13 @@ from typing import Annotated, Any
 from fastapi import APIRouter, Query, Request
 from starlette.responses import Response
 
-from seafoam.api.caching import NO_STORE, REVALIDATE, not_modified
 from seafoam.api.context import Context, InContext
-from seafoam.api.errors import problem_responses
-from seafoam.api.parameters import PlanParameters, PlanRequest, quality_of
-from seafoam.api.planning import CompiledPlan, compile_scene
-from seafoam.api.routers.presets import PresetName, find_preset
-from seafoam.api.strict import strictly
+from seafoam.api.frames.compile import CompiledPlan, compile_scene
+from seafoam.api.frames.presets import PresetName, find_preset
+from seafoam.api.http.errors import problem_responses
+from seafoam.api.http.etags import NO_STORE, REVALIDATE, not_modified
+from seafoam.api.http.parameters import PlanParameters, PlanRequest, quality_of
+from seafoam.api.http.validation import strictly
 from seafoam.framegraph.plan import FramePlan
 from seafoam.quality import TIERS, Quality
 from seafoam.scene.models import Scene
@@ -67,8 +67,8 @@ async def make_plan(asked: strictly(PlanRequest), context: InContext) -> Respons
 
 async def _remember(compiled: CompiledPlan, scene: Scene, quality: Quality, context: Context) -> None:
     """Let the plan's hash be an address of its frames."""
-    if not context.known.holds(compiled.sha256):
-        await context.plans.run(context.known.remember, compiled.sha256, scene, quality)
+    if not context.plan_index.holds(compiled.sha256):
+        await context.plans.run(context.plan_index.remember, compiled.sha256, scene, quality)
 
 
 def _plan(compiled: CompiledPlan, headers: dict[str, str]) -> Response:

@@ -4,26 +4,22 @@ from functools import cache
 from threading import Lock
 from typing import Annotated, Any
 
-from fastapi import APIRouter, Path, Query
+from fastapi import APIRouter, Query
 from pydantic import BaseModel, Field
 
 from seafoam.accuracy.model import ParameterInfo
 from seafoam.accuracy.parameters import every_parameter
 from seafoam.api.context import InContext
-from seafoam.api.errors import problem_responses
-from seafoam.api.parameters import Parameters
-from seafoam.api.planning import compile_scene
-from seafoam.api.problems import BadRequestError, FieldProblem, NotFoundError
-from seafoam.api.threads import ThreadPool
+from seafoam.api.frames.compile import compile_scene
+from seafoam.api.frames.presets import PresetName, find_preset
+from seafoam.api.http.errors import problem_responses
+from seafoam.api.http.parameters import Parameters
+from seafoam.api.http.thread_pool import ThreadPool
 from seafoam.quality import TIERS, Quality, Tier
 from seafoam.scene.models import Scene
-from seafoam.scene.presets import Group, Preset, load_preset, preset_names
+from seafoam.scene.presets import Group, load_preset, preset_names
 
 router = APIRouter(prefix="/api", tags=["presets"])
-
-PresetName = Annotated[
-    str, Path(description="Name of a preset; /api/presets lists them", examples=["default"], max_length=80)
-]
 
 
 class PresetSummary(BaseModel):
@@ -50,23 +46,6 @@ class QualityTiers(BaseModel):
     tiers: dict[Tier, Quality] = Field(description="Settings of each named tier, fastest first")
     parameters: dict[str, Any] = Field(description="JSON schema of the quality settings, with ranges and defaults")
     measured: list[ParameterInfo] = Field(description="Title, owner and measured values of each setting")
-
-
-def find_preset(name: str) -> Preset:
-    """Return a preset by name. Raises :class:`NotFoundError` with the available names."""
-    try:
-        return load_preset(name)
-    except KeyError:
-        raise NotFoundError(f"preset {name!r} was not found", "preset", preset_names()) from None
-
-
-def known_preset(name: str | None) -> None:
-    """Check the name in a body's member ``preset``. Raises :class:`BadRequestError` with the available names."""
-    if name is not None and name not in preset_names():
-        allowed = {"enum": list(preset_names())}
-        raise BadRequestError(
-            FieldProblem(pointer="/preset", detail=f"/preset: preset {name!r} was not found", allowed=allowed)
-        )
 
 
 _one_at_a_time = Lock()

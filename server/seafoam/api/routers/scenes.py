@@ -8,10 +8,10 @@ from fastapi import APIRouter, Query, Request
 from pydantic import BaseModel, Field
 
 from seafoam.api.context import InContext
-from seafoam.api.errors import problem_responses
-from seafoam.api.parameters import Parameters
-from seafoam.api.planning import compile_scene
-from seafoam.api.strict import strictly
+from seafoam.api.frames.compile import compile_scene
+from seafoam.api.http.errors import problem_responses
+from seafoam.api.http.parameters import Parameters
+from seafoam.api.http.validation import strictly
 from seafoam.quality import TIERS, Tier
 from seafoam.scene.models import Scene
 

@@ -8,10 +8,12 @@ from fastapi import APIRouter, Path, Query, Request
 from pydantic import Discriminator, Field, Tag
 from starlette.responses import FileResponse, JSONResponse, Response, StreamingResponse
 
-from seafoam.api.caching import NO_STORE, file_unless_current
 from seafoam.api.context import Context, InContext
-from seafoam.api.errors import problem_responses
-from seafoam.api.parameters import (
+from seafoam.api.frames.compile import compile_scene
+from seafoam.api.frames.presets import known_preset
+from seafoam.api.http.errors import problem_responses
+from seafoam.api.http.etags import NO_STORE, file_unless_current
+from seafoam.api.http.parameters import (
     DEFAULT_HEIGHT,
     DEFAULT_WIDTH,
     TIME_LIMIT,
@@ -21,10 +23,8 @@ from seafoam.api.parameters import (
     preset_of_origin,
     quality_of,
 )
-from seafoam.api.planning import compile_scene
-from seafoam.api.problems import BadRequestError, BusyError, FieldProblem, NotFoundError
-from seafoam.api.routers.presets import known_preset
-from seafoam.api.strict import strictly
+from seafoam.api.http.problems import BadRequestError, BusyError, FieldProblem, NotFoundError
+from seafoam.api.http.validation import strictly
 from seafoam.render.service.jobs import FrameJob
 from seafoam.scene.camera import Camera
 from seafoam.sequences.errors import OutputError

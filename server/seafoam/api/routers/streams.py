@@ -6,15 +6,15 @@ from typing import Annotated, Any
 from fastapi import APIRouter, Path, Query, Request, Response
 from pydantic import BaseModel, Field
 
-from seafoam.api.answering import CLIENT_CLOSED_REQUEST, stages, unless_gone
-from seafoam.api.caching import NO_STORE
 from seafoam.api.context import Context, InContext
-from seafoam.api.errors import problem_responses
-from seafoam.api.parameters import Parameters, PlanRequest, StreamFrameParameters, quality_of
-from seafoam.api.planning import compile_scene
-from seafoam.api.problems import NotFoundError, StreamsFullError
-from seafoam.api.streams import LEASE_SECONDS, Stream
-from seafoam.api.strict import strictly
+from seafoam.api.frames.compile import compile_scene
+from seafoam.api.frames.respond import CLIENT_CLOSED_REQUEST, stages, unless_gone
+from seafoam.api.frames.streams import LEASE_SECONDS, Stream
+from seafoam.api.http.errors import problem_responses
+from seafoam.api.http.etags import NO_STORE
+from seafoam.api.http.parameters import Parameters, PlanRequest, StreamFrameParameters, quality_of
+from seafoam.api.http.problems import NotFoundError, StreamsFullError
+from seafoam.api.http.validation import strictly
 from seafoam.quality import Quality
 from seafoam.render.service.jobs import EncodedFrame, FrameJob
 from seafoam.render.service.slots import Turn

@@ -7,11 +7,11 @@ from fastapi import APIRouter, Path, Query, Request
 from pydantic import Field
 from starlette.responses import Response
 
-from seafoam.api.caching import IMMUTABLE, REVALIDATE, not_modified
 from seafoam.api.context import InContext
-from seafoam.api.errors import problem_responses
-from seafoam.api.parameters import Parameters
-from seafoam.api.problems import BadRequestError, FieldProblem, NotFoundError
+from seafoam.api.http.errors import problem_responses
+from seafoam.api.http.etags import IMMUTABLE, REVALIDATE, not_modified
+from seafoam.api.http.parameters import Parameters
+from seafoam.api.http.problems import BadRequestError, FieldProblem, NotFoundError
 from seafoam.textures import TextureData, TexturePart, spec_at, texture
 
 router = APIRouter(prefix="/api", tags=["textures"])

@@ -7,7 +7,7 @@ from starlette.middleware.cors import CORSMiddleware
 from starlette.routing import BaseRoute, Route
 from starlette.types import ASGIApp, Receive, Scope, Send
 
-from seafoam.api.logs import REQUEST_ID
+from seafoam.api.watch.logs import REQUEST_ID
 
 READABLE_ELSEWHERE = (
     "ETag", "Link", "Server-Timing", "Seafoam-Plan", "Seafoam-Renderer", "Retry-After", "RateLimit", "RateLimit-Policy",

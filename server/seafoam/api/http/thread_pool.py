@@ -6,7 +6,7 @@ from typing import ParamSpec, TypeVar
 import anyio
 import anyio.to_thread
 
-from seafoam.api.problems import BusyError
+from seafoam.api.http.problems import BusyError
 
 P = ParamSpec("P")
 T = TypeVar("T")

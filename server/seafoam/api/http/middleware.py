@@ -6,7 +6,7 @@ from starlette.datastructures import Headers, MutableHeaders
 from starlette.exceptions import HTTPException
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from seafoam.api.errors import problem
+from seafoam.api.http.errors import problem
 
 CONTENT_SECURITY_POLICY = "; ".join(
     (

@@ -7,10 +7,10 @@ from starlette.datastructures import Headers, MutableHeaders
 from starlette.responses import Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from seafoam.api.access import API, CHALLENGE, SIGNED, Access
 from seafoam.api.context import Context
-from seafoam.api.errors import problem
-from seafoam.api.rates import Standing, TokenBuckets, bucket_of, limit_of
+from seafoam.api.guard.keys import API, CHALLENGE, SIGNED, Access
+from seafoam.api.guard.rates import Standing, TokenBuckets, bucket_of, limit_of
+from seafoam.api.http.errors import problem
 
 
 class Gate:

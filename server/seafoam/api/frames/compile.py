@@ -4,7 +4,7 @@ from collections.abc import Collection
 from dataclasses import dataclass
 from functools import lru_cache
 
-from seafoam.api.problems import BadRequestError, FieldProblem
+from seafoam.api.http.problems import BadRequestError, FieldProblem
 from seafoam.framegraph.plan import FramePlan
 from seafoam.planner import PlanError, make_plan
 from seafoam.quality import Quality

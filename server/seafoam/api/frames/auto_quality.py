@@ -7,9 +7,9 @@ from seafoam.accuracy.budget import choose
 from seafoam.accuracy.model import Running
 from seafoam.accuracy.sweep import Subject
 from seafoam.api.context import Context
-from seafoam.api.parameters import TierOrAuto, quality_of
-from seafoam.api.problems import BadRequestError, FieldProblem, NotMeasuredError
-from seafoam.api.routers.accuracy import measured, retry_seconds
+from seafoam.api.http.parameters import TierOrAuto, quality_of
+from seafoam.api.http.problems import BadRequestError, FieldProblem, NotMeasuredError
+from seafoam.api.jobs.sweeps import measured, retry_seconds
 from seafoam.quality import Quality
 
 

@@ -5,7 +5,7 @@ from typing import Annotated, Any, Literal, get_args
 from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag, field_validator
 from pydantic.fields import FieldInfo
 
-from seafoam.api.problems import BadRequestError, FieldProblem
+from seafoam.api.http.problems import BadRequestError, FieldProblem
 from seafoam.numerals import numeral_fields
 from seafoam.quality import TIERS, Quality, Tier
 from seafoam.render.encode import FrameFormat, Precision

@@ -10,7 +10,7 @@ from fastapi import FastAPI, Request
 from PIL import Image, ImageOps
 from starlette.responses import HTMLResponse, PlainTextResponse, RedirectResponse, Response
 
-from seafoam.api.caching import REVALIDATE
+from seafoam.api.http.etags import REVALIDATE
 from seafoam.resources import data_dir
 from seafoam.scene.presets import Preset, load_preset, preset_names
 

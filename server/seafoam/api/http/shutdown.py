@@ -5,7 +5,7 @@ from http import HTTPStatus
 
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from seafoam.api.errors import problem
+from seafoam.api.http.errors import problem
 
 RESTART_SECONDS = 5
 """Retry-After of a server that stops, s: time in which another takes its place."""

@@ -1,4 +1,4 @@
-"""Errors that the API raises, and what they say of a field; :mod:`seafoam.api.errors` makes answers of them.
+"""Errors that the API raises, and what they say of a field; :mod:`seafoam.api.http.errors` makes answers of them.
 
 Nothing here imports the web framework, for commands use the models of parameters too.
 """

@@ -13,7 +13,7 @@ from typing import Any, Literal
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from seafoam.api.streams import is_frame
+from seafoam.api.frames.streams import is_frame
 
 REQUEST_ID = "X-Request-ID"
 PROBES = ("/healthz", "/readyz", "/metrics")

@@ -11,8 +11,8 @@ from starlette.responses import HTMLResponse, JSONResponse, PlainTextResponse, R
 from starlette.staticfiles import StaticFiles
 from starlette.types import Scope
 
-from seafoam.api import waters
-from seafoam.api.caching import IMMUTABLE, REVALIDATE
+from seafoam.api.http.etags import IMMUTABLE, REVALIDATE
+from seafoam.api.site import link_previews
 from seafoam.resources import data_dir
 
 NOT_BUILT = """Seafoam is running, but its web client has not been built.
@@ -81,7 +81,7 @@ class WebClient(StaticFiles):
 
 def install(app: FastAPI) -> None:
     """Serve the pages on paths that no route of the application matches."""
-    waters.install(app, NOT_BUILT)
+    link_previews.install(app, NOT_BUILT)
     app.add_api_route("/docs", _manual, include_in_schema=False)
     app.add_api_route("/api/", _operations, include_in_schema=False)
     # The stills' type, which Python 3.11 knows only where the system tells it.

@@ -1,6 +1,6 @@
 """Spans of a frame's stages within those that FastAPI itself makes of requests, and where all of them go.
 
-Only :mod:`seafoam.api.telemetry` imports this module.
+Only :mod:`seafoam.api.watch.telemetry` imports this module.
 """
 
 import os
@@ -14,8 +14,8 @@ from opentelemetry.sdk.resources import SERVICE_NAME, SERVICE_VERSION, Resource
 from opentelemetry.sdk.trace import TracerProvider
 from opentelemetry.sdk.trace.export import BatchSpanProcessor, SpanExporter
 
-from seafoam.api.logs import PROBES
-from seafoam.api.streams import is_frame
+from seafoam.api.frames.streams import is_frame
+from seafoam.api.watch.logs import PROBES
 
 
 class Traces:

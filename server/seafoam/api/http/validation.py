@@ -8,7 +8,7 @@ from fastapi import Request
 from fastapi.exceptions import RequestValidationError
 from pydantic import BaseModel, BeforeValidator, ValidationError
 
-from seafoam.api.problems import BadRequestError, FieldProblem, UnsupportedMediaError
+from seafoam.api.http.problems import BadRequestError, FieldProblem, UnsupportedMediaError
 
 M = TypeVar("M", bound=BaseModel)
 _SURROGATE = re.compile("[\ud800-\udfff]")

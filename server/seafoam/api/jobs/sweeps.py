@@ -1,17 +1,25 @@
-"""The service that measures sweeps for an application, on its render pool."""
+"""Sweeps of accuracy: the service that measures them on an application's render pool, and requests for them."""
 
 import asyncio
+import math
 from concurrent.futures import TimeoutError as NotYet
 
 from seafoam.accuracy.cache import Store
-from seafoam.accuracy.sweep import Rig, SweepSettings
-from seafoam.accuracy.sweep_service import SweepService
+from seafoam.accuracy.model import Running, Sweep
+from seafoam.accuracy.sweep import Rig, Subject, SweepSettings
+from seafoam.accuracy.sweep_service import SweepQueueFullError, SweepService
 from seafoam.accuracy.truth import SweepStoppedError
+from seafoam.api.context import Context
+from seafoam.api.http.problems import BusyError
 from seafoam.api.settings import Settings
+from seafoam.extras import require_reports
 from seafoam.render.service.errors import RendererUnavailableError
 from seafoam.render.service.jobs import Drawn, MeasureJob
 from seafoam.render.service.pool import RenderPool
 
+LONGEST_WAIT = 15
+"""Maximum delay between requests for a running measurement, s."""
+FULL_WAIT = 30
 _POLL_SECONDS = 0.2
 
 
@@ -39,3 +47,21 @@ def sweep_service(settings: Settings, pool: RenderPool, loop: asyncio.AbstractEv
     sizes = (settings.accuracy_width, settings.accuracy_height, settings.accuracy_samples, settings.accuracy_rounds)
     service = SweepService(Store(settings.cache), SweepSettings(*sizes), rig)
     return service
+
+
+async def measured(context: Context, subject: Subject) -> Sweep | Running:
+    """Return the sweep of a subject, or its progress. Raises the pool's errors if no renderer is available.
+
+    Raises :class:`seafoam.extras.MissingExtraError` without the packages of the extra ``reports``.
+    """
+    require_reports()
+    await context.pool.wait_until_settled()
+    try:
+        return await context.plans.run(context.sweeps.sweep, subject)
+    except SweepQueueFullError as error:
+        raise BusyError(str(error), FULL_WAIT) from error
+
+
+def retry_seconds(running: Running) -> int:
+    """Return the delay before the next request, s."""
+    return max(1, min(LONGEST_WAIT, math.ceil(running.eta_s or 2.0)))

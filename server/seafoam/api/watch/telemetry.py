@@ -9,7 +9,7 @@ from fastapi.telemetry import TelemetryConfig
 from seafoam.extras import require
 
 if TYPE_CHECKING:
-    from seafoam.api.traces import Traces
+    from seafoam.api.watch.traces import Traces
 
 NO_TELEMETRY: TelemetryConfig = {"tracing": False, "metrics": False, "logs": False, "auto_configure": False}
 _ENDPOINTS = ("OTEL_EXPORTER_OTLP_TRACES_ENDPOINT", "OTEL_EXPORTER_OTLP_ENDPOINT")
@@ -46,6 +46,6 @@ def traces() -> "Traces | None":
     if not configured():
         return None
     require("telemetry")
-    from seafoam.api.traces import Traces
+    from seafoam.api.watch.traces import Traces
 
     return Traces()

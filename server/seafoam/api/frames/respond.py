@@ -9,10 +9,10 @@ from fastapi import Request
 from starlette.responses import Response
 from starlette.types import ASGIApp, Receive, Scope, Send
 
-from seafoam.api.caching import not_modified
 from seafoam.api.context import Context
-from seafoam.api.known import Identified
-from seafoam.api.planning import CompiledPlan
+from seafoam.api.frames.compile import CompiledPlan
+from seafoam.api.frames.request_cache import Identified
+from seafoam.api.http.etags import not_modified
 from seafoam.render.encode import MEDIA_TYPES
 from seafoam.render.service.jobs import EncodedFrame, FrameJob
 from seafoam.render.service.source import Found
@@ -50,10 +50,10 @@ NOT_MODIFIED: dict[int | str, dict[str, Any]] = {
 
 async def asked_before(context: Context, request: Request, find: Callable[[], Awaitable[Identified]]) -> Identified:
     """Return what a request asks for: as found before with the same renderer, or else by ``find``."""
-    identified = context.requests.get(request.scope, context.pool.info)
+    identified = context.request_cache.get(request.scope, context.pool.info)
     if identified is None:
         identified = await find()
-        context.requests.put(request.scope, context.pool.info, identified)
+        context.request_cache.put(request.scope, context.pool.info, identified)
     return identified
 
 
@@ -70,7 +70,7 @@ class Repeats:
         response = None
         if scope["type"] == "http" and scope["method"] == "GET":
             context: Context = scope["app"].state.context
-            identified = context.requests.get(scope, context.pool.info)
+            identified = context.request_cache.get(scope, context.pool.info)
             if identified is not None:
                 response = at_hand(identified, Request(scope), context)
                 scope["route"] = identified.route  # by which requests are counted
@@ -92,8 +92,8 @@ async def identify(
     context: Context = request.app.state.context
     await context.pool.wait_until_settled()
     plan = compiled.sha256
-    if not context.known.holds(plan):
-        await context.plans.run(context.known.remember, plan, job.scene, job.quality)
+    if not context.plan_index.holds(plan):
+        await context.plans.run(context.plan_index.remember, plan, job.scene, job.quality)
     own = {
         "Seafoam-Plan": plan,
         "Seafoam-Renderer": context.pool.info["renderer"],

@@ -27,9 +27,7 @@ from starlette.exceptions import HTTPException
 from starlette.responses import JSONResponse
 
 from seafoam.accuracy.sweep_service import FailedError
-from seafoam.api.allowed import Schema, allowed_at
-from seafoam.api.logs import request_id
-from seafoam.api.problems import (
+from seafoam.api.http.problems import (
     BadRequestError,
     BusyError,
     ExportTooLargeError,
@@ -40,6 +38,8 @@ from seafoam.api.problems import (
     StreamsFullError,
     UnsupportedMediaError,
 )
+from seafoam.api.http.schema_limits import Schema, allowed_at
+from seafoam.api.watch.logs import request_id
 from seafoam.extras import MissingExtraError
 from seafoam.masks.catalogue import MaskTooSlowError
 from seafoam.render.service.errors import (

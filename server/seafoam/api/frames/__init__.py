@@ -1,0 +1,1 @@
+"""Plans and frames of requests: compiled, cached, answered, streamed."""

@@ -1,0 +1,1 @@
+"""Requests and answers of every route: parameters, errors, entity tags, encodings."""

@@ -1,0 +1,1 @@
+"""Long work beside requests, on the render pool: sweeps of accuracy, and sequences."""

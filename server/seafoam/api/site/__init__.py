@@ -1,0 +1,1 @@
+"""Pages, and previews of links to them."""
