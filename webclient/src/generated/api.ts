@@ -7,613 +7,266 @@ export type paths = Record<string, never>;
 export type webhooks = Record<string, never>;
 export interface components {
     schemas: {
-        /**
-         * BoundingSphere
-         * @description A bounding sphere of everything that a pass draws, at any time: ``centre`` (x, y, z) and ``radius``, m.
-         */
+        /** @description A bounding sphere of everything that a pass draws, at any time: ``centre`` (x, y, z) and ``radius``, m. */
         BoundingSphere: {
-            /** Centre */
             centre: [
                 number,
                 number,
                 number
             ];
-            /** Radius */
             radius: number;
         };
         /**
-         * CameraRule
          * @description The camera, relative to its own (x, z): of the position, only the height enters.
          *
          *     view_projection: mat4, column-major; ``top`` (m) is the highest point of the surface and sets the near plane.
          *     eye_height: float. ray_x, ray_y, ray_z: vec3 with ray = ray_z + X·ray_x + Y·ray_y for X, Y in clip space [−1, 1].
          */
         CameraRule: {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
             rule: "camera";
-            /**
-             * What
-             * @enum {string}
-             */
             what: "view_projection" | "eye_height" | "ray_x" | "ray_y" | "ray_z";
-            /**
-             * Top
-             * @default 0
-             */
             top: number;
         };
         /**
-         * Clamp
          * @description offset + rate·t + k·origin, clamped to [low, high], in float64: an age, or the vector from a point to the camera.
          *
          *     Exact to the rounding of the sum: t − birth and camera − point keep all digits that float64 has. ``terms``: the
          *     offset is their sum, in this order, if the scene has all of their fields.
          */
         Clamp: {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
             rule: "clamp";
-            /** Offset */
             offset: number;
-            /**
-             * Rate
-             * @default 0
-             */
             rate: number;
-            /**
-             * K
-             * @default [
-             *       0,
-             *       0
-             *     ]
-             */
             k: [
                 number,
                 number
             ];
-            /** Low */
             low: number;
-            /** High */
             high: number;
-            /** Terms */
             terms?: components["schemas"]["Term"][] | null;
         };
         /**
-         * Constant
          * @description Constant numbers. ``field``: JSON pointer of the scene field that they are, if they are one.
          *
          *     ``absent``: the numbers where a scene has no such field. The field is then in an element of a list, and the list can
          *     change without a new plan: nothing else in the plan depends on its elements or on their number.
          */
         Constant: {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
             rule: "constant";
-            /** Value */
             value: number[];
-            /** Field */
             field?: string | null;
-            /** Absent */
             absent?: number[] | null;
         };
-        /**
-         * EffectNote
-         * @description An effect, and why it runs or does not.
-         */
+        /** @description An effect, and why it runs or does not. */
         EffectNote: {
-            /** Name */
             name: string;
-            /** Why */
             why: string;
-            /**
-             * Files
-             * @default []
-             */
             files: string[];
-            /**
-             * Bound
-             * @description For a skipped effect: upper bound of its change to any pixel, display white = 1
-             */
+            /** @description For a skipped effect: upper bound of its change to any pixel, display white = 1 */
             bound?: number | null;
         };
-        /**
-         * FixedSize
-         * @description A fixed size in pixels.
-         */
+        /** @description A fixed size in pixels. */
         FixedSize: {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
             rule: "fixed";
-            /** Width */
             width: number;
-            /** Height */
             height: number;
         };
-        /**
-         * FramePlan
-         * @description A compiled scene. The same scene and quality give the same bytes.
-         */
+        /** @description A compiled scene. The same scene and quality give the same bytes. */
         FramePlan: {
-            /**
-             * Version
-             * @default 1
-             */
             version: number;
-            /** Effects */
             effects: components["schemas"]["EffectNote"][];
-            /** Skipped */
             skipped: components["schemas"]["EffectNote"][];
-            /** Programs */
             programs: {
                 [key: string]: components["schemas"]["Program"];
             };
-            /** Textures */
             textures: {
                 [key: string]: components["schemas"]["Texture"];
             };
-            /** Targets */
             targets: {
                 [key: string]: components["schemas"]["Target"];
             };
-            /** Passes */
             passes: components["schemas"]["Pass"][];
-            /**
-             * Kept
-             * @description Targets of setup passes that other passes read -> SHA-256 of everything that determines their pixels: programs, numbers, textures, meshes, states and formats, including those of their inputs. Plans with the same hash can share the target as long as no live field changes. All other targets of setup passes are intermediate
-             */
+            /** @description Targets of setup passes that other passes read -> SHA-256 of everything that determines their pixels: programs, numbers, textures, meshes, states and formats, including those of their inputs. Plans with the same hash can share the target as long as no live field changes. All other targets of setup passes are intermediate */
             kept: {
                 [key: string]: string;
             };
-            /** Uniforms */
             uniforms: {
                 [key: string]: components["schemas"]["Uniform"];
             };
-            /**
-             * Linear
-             * @description Target that holds the finished linear frame: exposed RGB, A = foam coverage
-             */
+            /** @description Target that holds the finished linear frame: exposed RGB, A = foam coverage */
             linear: string;
-            /**
-             * Samples
-             * @description Samples per pixel
-             */
+            /** @description Samples per pixel */
             samples: number;
-            /**
-             * Top
-             * @description Upper bound of the crests' height, m: a camera at or above it is above the water
-             */
+            /** @description Upper bound of the crests' height, m: a camera at or above it is above the water */
             top: number;
-            /**
-             * Trough
-             * @description Lower bound of the troughs' height, m: a camera below it is under the water
-             */
+            /** @description Lower bound of the troughs' height, m: a camera below it is under the water */
             trough: number;
-            /**
-             * Bottom
-             * @description Lowest camera height from which more than ground is visible, m
-             */
+            /** @description Lowest camera height from which more than ground is visible, m */
             bottom: number;
-            /**
-             * Live
-             * @description JSON pointers of scene fields that can change without a new plan
-             */
+            /** @description JSON pointers of scene fields that can change without a new plan */
             live: string[];
         };
-        /**
-         * Fullscreen
-         * @description A triangle that covers the target; without attributes, from gl_VertexID.
-         */
+        /** @description A triangle that covers the target; without attributes, from gl_VertexID. */
         Fullscreen: {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
             rule: "fullscreen";
         };
-        /**
-         * Grid
-         * @description rows × columns cells, two triangles each; attribute ``a_grid`` (vec2) covers [0, 1]², columns first.
-         */
+        /** @description rows × columns cells, two triangles each; attribute ``a_grid`` (vec2) covers [0, 1]², columns first. */
         Grid: {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
             rule: "grid";
-            /** Rows */
             rows: number;
-            /** Columns */
             columns: number;
         };
-        /**
-         * Loop
-         * @description t + ``offset`` modulo ``period``, in float64: [0, period).
-         */
+        /** @description t + ``offset`` modulo ``period``, in float64: [0, period). */
         Loop: {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
             rule: "loop";
-            /** Period */
             period: number;
-            /**
-             * Offset
-             * @default 0
-             */
             offset: number;
         };
-        /**
-         * Pass
-         * @description One draw call.
-         */
+        /** @description One draw call. */
         Pass: {
-            /** Name */
             name: string;
             /**
-             * When
              * @description When the pass is drawn. setup: neither time, camera nor picture size affects the pass or what it reads; it is drawn when its target is first needed, and again only if a live field among its uniforms, or those of what it reads, changes. frame: in every frame that needs its target. All passes into one target have the same value
              * @enum {string}
              */
             when: "setup" | "frame";
-            /**
-             * Eye
-             * @description Camera heights for which the pass is drawn. over: at the plan's top or higher; under: below its trough; between: neither. Passes for two of them draw nothing from the other side of the water
-             * @default any
-             */
+            /** @description Camera heights for which the pass is drawn. over: at the plan's top or higher; under: below its trough; between: neither. Passes for two of them draw nothing from the other side of the water */
             eye: "any" | ("over" | "between" | "under")[];
-            /**
-             * View
-             * @description Where the pass can be visible, for culling. rising, falling: only if some ray of the picture rises or falls, or the camera is below the plan's top; spheres: only if one of these bounding spheres is in the picture
-             * @default any
-             */
+            /** @description Where the pass can be visible, for culling. rising, falling: only if some ray of the picture rises or falls, or the camera is below the plan's top; spheres: only if one of these bounding spheres is in the picture */
             view: ("any" | "rising" | "falling") | components["schemas"]["BoundingSphere"][];
-            /** Program */
             program: string;
-            /**
-             * Target
-             * @description Name of a target of the plan, or 'screen': the RGBA8 picture itself
-             */
+            /** @description Name of a target of the plan, or 'screen': the RGBA8 picture itself */
             target: string;
-            /** Mesh */
             mesh: components["schemas"]["Fullscreen"] | components["schemas"]["Grid"] | components["schemas"]["seafoam__framegraph__passes__Points"] | components["schemas"]["Quads"];
-            /**
-             * Inputs
-             * @description Sampler name -> source of its data
-             */
+            /** @description Sampler name -> source of its data */
             inputs?: {
                 [key: string]: components["schemas"]["TextureInput"] | components["schemas"]["TargetInput"];
             };
-            /**
-             * Uniforms
-             * @description Uniforms of this pass only; they override the plan's
-             */
+            /** @description Uniforms of this pass only; they override the plan's */
             uniforms?: {
                 [key: string]: components["schemas"]["Uniform"];
             };
-            /**
-             * @default {
-             *       "depth": false,
-             *       "equal": false,
-             *       "clear": false,
-             *       "blend": "none"
-             *     }
-             */
             state: components["schemas"]["State"];
         };
-        /**
-         * PassIndex
-         * @description Index of the pass in the plan, from 0.
-         */
+        /** @description Index of the pass in the plan, from 0. */
         PassIndex: {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
             rule: "pass_index";
         };
-        /**
-         * Phase
-         * @description offset + rate·t + k·origin, reduced to [−π, π] in float64; rad. origin: the camera's (x, z), m.
-         */
+        /** @description offset + rate·t + k·origin, reduced to [−π, π] in float64; rad. origin: the camera's (x, z), m. */
         Phase: {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
             rule: "phase";
-            /** Offset */
             offset: number;
-            /** Rate */
             rate: number;
-            /** K */
             k: [
                 number,
                 number
             ];
         };
-        /**
-         * Program
-         * @description A vertex and a fragment shader.
-         */
+        /** @description A vertex and a fragment shader. */
         Program: {
             vertex: components["schemas"]["Shader"];
             fragment: components["schemas"]["Shader"];
         };
-        /**
-         * Quads
-         * @description ``count`` quadrilaterals of two triangles each, without attributes; gl_VertexID is 6 times the index and more.
-         */
+        /** @description ``count`` quadrilaterals of two triangles each, without attributes; gl_VertexID is 6 times the index and more. */
         Quads: {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
             rule: "quads";
-            /** Count */
             count: number;
         };
-        /**
-         * Shader
-         * @description Assembled GLSL ES 3.00 source. ``sha256``: of the UTF-8 text.
-         */
+        /** @description Assembled GLSL ES 3.00 source. ``sha256``: of the UTF-8 text. */
         Shader: {
-            /** Text */
             text: string;
-            /** Sha256 */
             sha256: string;
-            /** Files */
             files: components["schemas"]["SourceFile"][];
         };
-        /**
-         * SourceFile
-         * @description A file of the assembled source, and the line (from 1) at which it starts.
-         */
+        /** @description A file of the assembled source, and the line (from 1) at which it starts. */
         SourceFile: {
-            /** Path */
             path: string;
-            /** Line */
             line: number;
         };
-        /**
-         * State
-         * @description Fixed-function state of a pass; everything else is disabled.
-         */
+        /** @description Fixed-function state of a pass; everything else is disabled. */
         State: {
-            /**
-             * Depth
-             * @description Draw only before what is drawn already, and write the depth
-             * @default false
-             */
+            /** @description Draw only before what is drawn already, and write the depth */
             depth: boolean;
-            /**
-             * Equal
-             * @description With depth: draw only where the depth is the pass's own, not before it
-             * @default false
-             */
+            /** @description With depth: draw only where the depth is the pass's own, not before it */
             equal: boolean;
-            /**
-             * Clear
-             * @description Clear the target to (0, 0, 0, 0) and depth to 1 first
-             * @default false
-             */
+            /** @description Clear the target to (0, 0, 0, 0) and depth to 1 first */
             clear: boolean;
             /**
-             * Blend
              * @description Blending. none: replace the target's content; add: add to it; over: blend over it, with premultiplied alpha. Never used with 32-bit float targets, whose blending WebGL2 does not guarantee
-             * @default none
              * @enum {string}
              */
             blend: "none" | "add" | "over";
         };
-        /**
-         * Target
-         * @description A render target: passes draw into it, and later passes read it.
-         */
+        /** @description A render target: passes draw into it, and later passes read it. */
         Target: {
-            /** Size */
             size: components["schemas"]["ViewportSize"] | components["schemas"]["FixedSize"];
-            /**
-             * Format
-             * @enum {string}
-             */
             format: "RGBA16F" | "RGBA32F" | "RGBA8" | "RG32UI";
-            /**
-             * Depth
-             * @default false
-             */
             depth: boolean;
-            /**
-             * Filter
-             * @default nearest
-             * @enum {string}
-             */
             filter: "nearest" | "linear" | "linear_mipmap_linear";
-            /**
-             * Wrap
-             * @default clamp_to_edge
-             * @enum {string}
-             */
             wrap: "repeat" | "clamp_to_edge";
         };
-        /**
-         * TargetInput
-         * @description A sampler that reads a target of the plan, drawn by an earlier pass.
-         */
+        /** @description A sampler that reads a target of the plan, drawn by an earlier pass. */
         TargetInput: {
-            /** Target */
             target: string;
         };
-        /**
-         * Term
-         * @description factor × the number of the scene at the JSON pointer ``field``.
-         */
+        /** @description factor × the number of the scene at the JSON pointer ``field``. */
         Term: {
-            /** Field */
             field: string;
-            /** Factor */
             factor: number;
         };
-        /**
-         * Texture
-         * @description Texture data: mip levels, largest first, concatenated; rows from v = 0, tightly packed, little-endian.
-         */
+        /** @description Texture data: mip levels, largest first, concatenated; rows from v = 0, tightly packed, little-endian. */
         Texture: {
-            /**
-             * Url
-             * @description Path of the bytes, relative to the server's address
-             */
+            /** @description Path of the bytes, relative to the server's address */
             url: string;
-            /**
-             * Sha256
-             * @description SHA-256 of the bytes
-             */
+            /** @description SHA-256 of the bytes */
             sha256: string;
-            /**
-             * Format
-             * @enum {string}
-             */
             format: "R8" | "R8UI" | "R16UI" | "RG32UI" | "R16F" | "R32F" | "RG32F" | "RGBA32F";
-            /** Width */
             width: number;
-            /** Height */
             height: number;
-            /** Levels */
             levels: number;
-            /**
-             * Filter
-             * @enum {string}
-             */
             filter: "nearest" | "linear" | "linear_mipmap_linear";
-            /**
-             * Wrap
-             * @enum {string}
-             */
             wrap: "repeat" | "clamp_to_edge";
         };
-        /**
-         * TextureInput
-         * @description A sampler that reads a texture of the plan.
-         */
+        /** @description A sampler that reads a texture of the plan. */
         TextureInput: {
-            /** Texture */
             texture: string;
         };
-        /**
-         * Uniform
-         * @description A uniform or uniform array. The values of ``rules``, concatenated, fill type × count exactly.
-         */
+        /** @description A uniform or uniform array. The values of ``rules``, concatenated, fill type × count exactly. */
         Uniform: {
-            /**
-             * Type
-             * @enum {string}
-             */
             type: "float" | "vec2" | "vec3" | "vec4" | "mat4";
-            /**
-             * Count
-             * @default 1
-             */
             count: number;
-            /** Rules */
             rules: (components["schemas"]["Constant"] | components["schemas"]["Phase"] | components["schemas"]["Wrap"] | components["schemas"]["Loop"] | components["schemas"]["Clamp"] | components["schemas"]["CameraRule"] | components["schemas"]["Viewport"] | components["schemas"]["PassIndex"])[];
         };
-        /**
-         * Viewport
-         * @description Width and height of the pass's target or of the picture, pixels, multiplied by ``times``.
-         */
+        /** @description Width and height of the pass's target or of the picture, pixels, multiplied by ``times``. */
         Viewport: {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
             rule: "viewport";
-            /**
-             * Of
-             * @default target
-             * @enum {string}
-             */
             of: "target" | "picture";
-            /**
-             * Times
-             * @default 1
-             */
             times: number;
         };
         /**
-         * ViewportSize
          * @description The picture's size times ``scale``, divided by ``part`` along each side and by ``narrow`` also along the width,
          *     rounded up.
          */
         ViewportSize: {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
             rule: "viewport";
-            /**
-             * Scale
-             * @default 1
-             */
             scale: number;
-            /**
-             * Part
-             * @default 1
-             */
             part: number;
-            /**
-             * Narrow
-             * @default 1
-             */
             narrow: number;
         };
-        /**
-         * Wrap
-         * @description k·origin + rate·t + offset, modulo ``period``, in float64: [0, period). ``rate``: absent where it is 0.
-         */
+        /** @description k·origin + rate·t + offset, modulo ``period``, in float64: [0, period). ``rate``: absent where it is 0. */
         Wrap: {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
             rule: "wrap";
-            /** K */
             k: [
                 number,
                 number
             ];
-            /**
-             * Offset
-             * @default 0
-             */
             offset: number;
-            /**
-             * Period
-             * @default 1
-             */
             period: number;
-            /** Rate */
             rate?: number | null;
         };
-        /**
-         * Points
-         * @description ``count`` points without attributes; gl_VertexID is the index, gl_PointSize the side in pixels.
-         */
+        /** @description ``count`` points without attributes; gl_VertexID is the index, gl_PointSize the side in pixels. */
         seafoam__framegraph__passes__Points: {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
             rule: "points";
-            /** Count */
             count: number;
         };
     };
