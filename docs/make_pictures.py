@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from io import BytesIO
 from pathlib import Path
 
 from PIL import Image
@@ -21,16 +22,12 @@ from seafoam.scene.sky import Day, Moon
 PICTURES = Path(__file__).parent / "pictures"
 
 
-def frame(executor: Executor, name: str, width: int, height: int, **foam: object) -> Image.Image:
+def frame(executor: Executor, name: str, width: int, height: int) -> Image.Image:
     """A preset at its own time, nine samples per pixel."""
     preset = load_preset(name)
-    scene = preset.scene
-    if foam and scene.foam is not None:
-        scene = scene.model_copy(update={"foam": scene.foam.model_copy(update=foam)})
     quality = TIERS["high"].model_copy(update={"samples": 9})
-    rendered = executor.render(
-        make_plan(scene, quality), time=preset.time, camera=scene.camera, width=width, height=height
-    )
+    plan = make_plan(preset.scene, quality)
+    rendered = executor.render(plan, time=preset.time, camera=preset.scene.camera, width=width, height=height)
     return Image.fromarray(rendered.pixels[..., :3])
 
 
@@ -297,21 +294,6 @@ def boats(executor: Executor) -> None:
     sheet(made, 3).save(PICTURES / "boats.webp", quality=82)
 
 
-def presets(executor: Executor) -> Image.Image:
-    """Every preset but the paper's at its own time, in the order of the page."""
-    quality = TIERS["standard"].model_copy(update={"samples": 4, "foam_relief": True})
-    made = []
-    for name in preset_names():
-        if name.startswith("paper-"):
-            continue
-        preset = load_preset(name)
-        plan = make_plan(preset.scene, quality)
-        drawn = executor.render(plan, time=preset.time, camera=preset.scene.camera, width=480, height=270)
-        made.append(Image.fromarray(drawn.pixels[..., :3]))
-        executor.forget()
-    return sheet(made, 4)
-
-
 def sheet(pictures: list[Image.Image], columns: int, gap: int = 6) -> Image.Image:
     """Pictures of one size in rows."""
     width, height = pictures[0].size
@@ -322,6 +304,12 @@ def sheet(pictures: list[Image.Image], columns: int, gap: int = 6) -> Image.Imag
     return made
 
 
+def write_smaller(name: str, png: bytes) -> None:
+    """Write an opaque PNG's pixels as a lossless WebP: of black and white patterns it has less than half the bytes."""
+    with Image.open(BytesIO(png)) as picture:
+        picture.convert("RGB").save(PICTURES / f"{name}.webp", lossless=True, method=6)
+
+
 def main() -> None:
     """Write every picture."""
     executor = Executor()
@@ -330,10 +318,6 @@ def main() -> None:
     figures = [frame(executor, name, 480, 270 if name != "paper-threshold" else 240) for name in early]
     figures = [picture.resize((480, 270)) if picture.size != (480, 270) else picture for picture in figures]
     sheet(figures, 4).save(PICTURES / "figures.webp", quality=92)
-    looks = ("textured", "halftone", "fading", "halftone_textured", "listing", "filtered")
-    sheet([frame(executor, "paper-wake", 480, 270, look=look) for look in looks], 3).save(
-        PICTURES / "looks.webp", quality=92
-    )
     at_times(executor, ("open-ocean", "swell", "storm", "river")).save(PICTURES / "seas.webp", quality=90)
     at_times(executor, ("lake-calm", "lake-choppy", "explosion")).save(PICTURES / "lakes.webp", quality=90)
     shores(executor)
@@ -344,11 +328,10 @@ def main() -> None:
     below(executor)
     boats(executor)
     foam(executor)
-    presets(executor).save(PICTURES / "presets.webp", quality=82)
     executor.close()
     masks = [(name, load_mask(name)) for name in load_catalogue()]
-    (PICTURES / "masks.png").write_bytes(contact_sheet([(name, m.ranks, m.spectrum) for name, m in masks]))
-    (PICTURES / "masks-magnified.png").write_bytes(magnified_sheet([(name, m.ranks, m.quantile) for name, m in masks]))
+    write_smaller("masks", contact_sheet([(name, m.ranks, m.spectrum) for name, m in masks]))
+    write_smaller("masks-magnified", magnified_sheet([(name, m.ranks, m.quantile) for name, m in masks]))
 
 
 if __name__ == "__main__":
