@@ -34,7 +34,7 @@ KEPT = 4000
 """Number of programs in the cache; the least recently used are dropped."""
 WRITE = ".venv/bin/python -m bench --only compiler --write-table"
 INSTALL = "scripts/system.sh test"
-_TRIANGLES = {"vertex/fullscreen.glsl", "vertex/horizon.glsl"}
+_TRIANGLES = {"vertex/vertex.glsl@fullscreen", "vertex/vertex.glsl@horizon"}
 PACKAGES = {"glslangValidator": "glslang-tools", "spirv-val": "spirv-tools"}
 INSTRUCTIONS = 1.03
 """Maximum ratio of a program's instructions to those in the table."""

@@ -1,8 +1,8 @@
 """Work of the surface's pass per pixel: whether it shows water, and how often the waves are evaluated to find it.
 
 The plan's own program is drawn, with a counter in every function that evaluates the waves, and a ``main`` that finds
-what a ray meets first (``surface/first.glsl``) and writes the counter. ``RuntimeError`` if the text has no place for
-them.
+what a ray meets first (``surface/met.glsl@first``) and writes the counter. ``RuntimeError`` if the text has no place
+for them.
 """
 
 import hashlib

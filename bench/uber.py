@@ -35,16 +35,16 @@ COMBINE = f"{SWITCH}combine"
 """0: the greatest saturation, 1: the product."""
 START = "u_start"
 _MARCH: tuple[Piece, ...] = (
-    "surface/step.glsl",
+    "surface/march.glsl@step",
     refine("refine_water", "waves", "vec3"),
-    "surface/begin.glsl",
-    "surface/now_declared.glsl",
-    *slot_pieces(GENTLER, [SlotFile("marched", "surface/begin.glsl")]),
+    "surface/march.glsl@begin",
+    "surface/bounds.glsl@now_declared",
+    *slot_pieces(GENTLER, [SlotFile("marched", "surface/march.glsl@begin")]),
     defaults.NO_SHORT_WAVES,
     defaults.NO_BEYOND,
     defaults.NO_APPROACH,
     MARCH_AHEAD,
-    "surface/march.glsl",
+    "surface/march.glsl@march",
 )
 _MARCHED = ("u_surface_top", "u_surface_trough", "u_surface_steepest", "u_surface_grain")
 NO_START = Pass(
@@ -196,7 +196,7 @@ def _uber(quality: Quality, exact_ripples: bool) -> _Uber:
     text = _by_uniforms("\n".join(texts), consts)
     fixed = {name: value for name, value in consts.items() if name not in BY_SCENE}
     program = Program(
-        vertex=assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0}),
+        vertex=assemble(["vertex/vertex.glsl@fullscreen"], {"FULLSCREEN_DEPTH": 0.0}),
         fragment=assemble([Inline(text)], fixed),
     )
     return _Uber(program, parts, tuple(plans), switches)
@@ -234,7 +234,7 @@ def _text(piece: Piece) -> str:
 
 def _surface(parts: _Parts) -> tuple[list[str], dict[str, Sequence[Piece]]]:
     """The program's text in pieces, and for each switch the files by number."""
-    texts = [read_file(f"lib/{name}.glsl") for name in ("numbers", "camera", "place")]
+    texts = [read_file(path) for path in ("lib/numbers.glsl", "lib/rays.glsl@camera", "lib/rays.glsl@place")]
     switches: dict[str, Sequence[Piece]] = {}
     helpers: set[Piece] = set()
     for slot in surface_slots("max"):

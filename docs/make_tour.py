@@ -52,7 +52,7 @@ VIEWS = {
     "learn": View("learn/", "document.readyState === 'complete'", pause=4000),
     "laboratory": View("learn/laboratory/", "document.querySelector('#strips[data-live=true]') !== null", pause=4000),
     "masks": View("masks/", "document.querySelector('.side[aria-busy=false]') !== null", pause=2000),
-    "source": View("source/shaders/foam/look/halftone.glsl.html#foam_amount", "document.readyState === 'complete'"),
+    "source": View("source/shaders/foam/look.glsl.html#halftone", "document.readyState === 'complete'"),
     "api": View("docs", "document.querySelector('.opblock') !== null"),
     "server": View("?draw=server#paused=1"),
 }

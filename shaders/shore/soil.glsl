@@ -1,3 +1,14 @@
+// The ground's material: sand, stones and what is wet.
+
+// @part soil_struct
+// What a ray sees of land. normal: unit vector of its relief; film: how much of it a film of water mirrors.
+struct Soil {
+    vec3 normal;
+    vec3 albedo;
+    float film;
+};
+
+// @part soil
 // Land in detail: sand with ripples, rock in layers, plants in clumps, what the sea left. Octaves of noise that the footprint hides go
 // over into their means. docs/formulae.md, section 8.
 uniform float u_land_detail;  // 0 to 1
@@ -164,4 +175,35 @@ Soil land_soil(vec2 q, vec4 ground, Footprint fp, vec2 wet) {
     film = soil_step(0.1, 0.75, film + 0.1 * d * of.pattern * wet.y, 0.01 * spread);
     vec2 leans = ground.yz + d * (1.0 - 0.9 * film) * slope;
     return Soil(normalize(vec3(-leans.x, 1.0, -leans.y)), min(albedo, 0.95), film);
+}
+
+// @part soil_plain
+// Land without detail: smooth, its colours by height and slope.
+const float FILM_ROUGHNESS = 0.02; // mean square slope of the film of water on wet ground
+
+Soil land_soil(vec2 q, vec4 ground, Footprint fp, vec2 wet) {
+    return Soil(normalize(vec3(-ground.y, 1.0, -ground.z)), ground_albedo(ground, shore_grain(q, fp)), wet.y);
+}
+
+// @part wet
+// How wet the ground is: x how dark, y how much of it mirrors. The last swash wetted it, and since then it dries: the film in seconds,
+// the sand in a minute; sand near the water's level stays soaked. docs/formulae.md, section 8.
+uniform vec2 u_land_dries; // periods in which film and sand dry to 1/e
+
+vec2 land_wet(vec2 q, float y) {
+    vec2 still = vec2(shore_wet(y), 1.0 - smoothstep(0.1 * u_shore_swash, 0.6 * u_shore_swash + 0.03, y));
+    if (y > 1.3 * u_shore_swash + 0.2) {
+        return still;
+    }
+    ShoreField f = shore_field(q);
+    // How high the ground is, in heights of the wave that ran up it, and how long ago its crest came by.
+    float reach = y / max(f.here.g, 1e-3);
+    vec2 left = (1.0 - smoothstep(0.8, 1.05, reach)) * exp((shore_turn(f.here.r) - 1.0) / u_land_dries);
+    return max(still, vec2(left.y, left.x));
+}
+
+// @part wet_still
+// How wet the ground is: x how dark, y how much of it mirrors. By its height alone.
+vec2 land_wet(vec2 q, float y) {
+    return vec2(1.0, 0.6) * shore_wet(y);
 }

@@ -1,3 +1,49 @@
+// Waves at a coast: shoaling, refraction and the run-up.
+
+// @part field
+// What shore waves know of a place, and its gradients.
+// r phase (periods), g height (m), b skew (0 to 1), a share of the open sea's waves. q: metres from the middle of the square.
+uniform sampler2D u_shore_map;
+
+struct ShoreField {
+    vec4 here;
+    vec4 along_x; // change a metre
+    vec4 along_z;
+};
+
+ShoreField shore_field(vec2 q) {
+    SplineTaps taps = spline_taps(q, MAP_TEXELS);
+    ShoreField sum = ShoreField(vec4(0.0), vec4(0.0), vec4(0.0));
+    for (int j = 0; j < 3; ++j) {
+        for (int i = 0; i < 3; ++i) {
+            vec4 value = spline_texel(u_shore_map, MAP_TEXELS, taps, i, j);
+            sum.here += taps.wx[i] * taps.wz[j] * value;
+            sum.along_x += taps.sx[i] * taps.wz[j] * value;
+            sum.along_z += taps.wx[i] * taps.sz[j] * value;
+        }
+    }
+    sum.along_x *= taps.scale.x;
+    sum.along_z *= taps.scale.y;
+    return sum;
+}
+
+// @part ahead
+// Land over y = 0 that the ray meets, as if there were no water.
+bool find_land_ahead(vec3 ray, out float land_tau, out vec4 ground) {
+    return find_land(ray, FARTHEST / max(length(ray.xz), 1e-6 * length(ray)), land_tau, ground);
+}
+
+// @part line
+// Foam that the swash leaves on the sand: foam/saturation/surf.glsl@swept. It lies still.
+float land_foam(vec2 p, float ground, Footprint fp) {
+    vec2 q = shore_place(p);
+    Footprint point = Footprint(vec2(0.0), vec2(0.0));
+    float left = surf_swept(shore_field(q), ground, surf_patches(q, point), fp);
+    surf_carried = vec3(0.0);
+    return left > 0.0 ? min(foam_amount(left, p, fp), 1.0) : 0.0;
+}
+
+// @part waves
 // Shore waves over what the floor leaves of the open sea's: skewed trochoids (Outerra 2011) from a table of profiles, each
 // periodic along the way to the shore. Heights in metres, in [0, 2a]; exact to the table's and the map's splines.
 uniform sampler2D u_shore_profiles; // height in [0, 1], and that of the next row; rows: skew

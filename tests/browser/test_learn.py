@@ -113,7 +113,7 @@ def test_every_link_leads_to_what_it_names(llvmpipe: Lane, server: str) -> None:
 
 
 def test_source_pages_show_the_line(llvmpipe: Lane, server: str) -> None:
-    link = f"{server}/source/shaders/foam/look/halftone.glsl.html#foam_amount"
+    link = f"{server}/source/shaders/foam/look.glsl.html#halftone"
     with opened(llvmpipe, link) as page:
         line = page.locator("li:target")
         assert line.inner_text().startswith("float foam_amount(")

@@ -14,6 +14,7 @@ import pytest
 from playwright.sync_api import Page
 
 from seafoam.framegraph.shader import Program, Shader
+from seafoam.planner.glsl import parts_of
 from seafoam.render.gl.executor import Executor, ShaderError
 from seafoam.resources import data_dir
 from support.sweep import REST
@@ -140,7 +141,8 @@ def test_a_broken_program_is_reported(
 
 
 def test_every_shader_file_is_used(programs: dict[str, Program]) -> None:
-    there = {path.relative_to(SHADERS).as_posix() for path in SHADERS.rglob("*.glsl")}
+    files = (path.relative_to(SHADERS).as_posix() for path in SHADERS.rglob("*.glsl"))
+    there = {path for file in files for path in ([f"{file}@{part}" for part in parts_of(file)] or [file])}
     used = {file.path for program in programs.values() for file in (*program.vertex.files, *program.fragment.files)}
     assert there
     assert there - used == set()

@@ -14,7 +14,7 @@ from seafoam.render.gl.executor import TEXTURE_FORMATS, Executor
 from seafoam.scene.camera import Camera
 from seafoam.textures import TextureSpec, spec_at, texture
 
-WHOLE = assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0})
+WHOLE = assemble(["vertex/vertex.glsl@fullscreen"], {"FULLSCREEN_DEPTH": 0.0})
 """The vertex shader over the whole target."""
 
 

@@ -10,10 +10,10 @@ const REPOSITORY = join(import.meta.dirname, "../..");
 const PAGES = join(import.meta.dirname, "../learn");
 const LINK = /source\/([\w./-]+)\.html(?:#([\w-]+))?/g;
 
-/** What a line defines, by the kind of file: a heading, a paragraph's term, a function. */
+/** What a line defines, by the kind of file: a heading, a paragraph's term, a function, a part of a shader's file. */
 const SYMBOLS: Record<string, RegExp> = {
   md: /^(?:#+ |\*\*|- \*)(?:[\d.]+b? )?([^*]+)/,
-  glsl: /^\w+ (\w+)\(/,
+  glsl: /^(?:\/\/ @part |\w+ (?=\w+\())(\w+)/,
   py: /^(?:def|class) (\w+)/,
   ts: /^export (?:async )?(?:function|const|class|interface) (\w+)/,
 };

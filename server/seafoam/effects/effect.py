@@ -29,7 +29,7 @@ FINISHED = "finished frame"
 HALF_FLOAT = 2.0**-11
 """Relative rounding error of a half float."""
 
-MARCH_AHEAD = "surface/ahead.glsl"
+MARCH_AHEAD = "surface/march.glsl@ahead"
 """Steps of ray marching, for files in the slots of its parts."""
 
 UNBOUNDED = 1e9
@@ -53,11 +53,11 @@ class Source:
 
 
 def refine(name: str, field: str, kind: str) -> Source:
-    """Newton's method along a ray to a height field, as a function ``name`` (``lib/newton.glsl``).
+    """Newton's method along a ray to a height field, as a function ``name`` (``lib/rays.glsl@newton``).
 
     ``field``: the GLSL function of the field's height and gradient, which comes before it, and the type it returns.
     """
-    return Source("lib/newton.glsl", (("refine", name), ("field_at", field), ("vec4", kind)))
+    return Source("lib/rays.glsl@newton", (("refine", name), ("field_at", field), ("vec4", kind)))
 
 
 @dataclass(frozen=True)
@@ -118,7 +118,7 @@ class PassSpec:
     program: str
     fragment: tuple[Piece | SlotRef, ...]
     target: str
-    vertex: tuple[Piece | SlotRef, ...] = ("vertex/fullscreen.glsl",)
+    vertex: tuple[Piece | SlotRef, ...] = ("vertex/vertex.glsl@fullscreen",)
     mesh: Mesh = field(default_factory=Fullscreen)
     inputs: dict[str, TextureInput | TargetInput] = field(default_factory=dict)
     uniforms: dict[str, Uniform] = field(default_factory=dict)

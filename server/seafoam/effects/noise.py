@@ -4,11 +4,11 @@ import math
 
 from seafoam.framegraph.rules import Phase, Uniform, array
 
-HASH = "lib/noise/hash.glsl"
-VALUE_NOISE = (HASH, "lib/noise/value.glsl")
-SLOPES = (HASH, "lib/noise/slopes.glsl")
-PERLIN_2 = (HASH, "lib/noise/perlin_2.glsl")
-PERLIN_3 = (HASH, "lib/noise/perlin_3.glsl")
+HASH = "lib/noise.glsl@hash"
+VALUE_NOISE = (HASH, "lib/noise.glsl@value")
+SLOPES = (HASH, "lib/noise.glsl@slopes")
+PERLIN_2 = (HASH, "lib/noise.glsl@perlin_2")
+PERLIN_3 = (HASH, "lib/noise.glsl@perlin_3")
 
 CELLS = 256
 """Period of the gradient noise, cells."""

@@ -17,7 +17,7 @@ from seafoam.planner.glsl import assemble
 from seafoam.planner.sides import one_sided
 from seafoam.quality import Quality
 
-PLACE = "lib/place.glsl"
+PLACE = "lib/rays.glsl@place"
 """The file that maps a fragment to its sample of the picture."""
 
 RATIO = 3.5
@@ -31,11 +31,11 @@ next are between two of the last round."""
 PARTS = 32
 """Number of parts along each side of the picture in which samples are counted."""
 
-_KIND = "adaptive/kind.glsl"
-_BITS = "adaptive/bits.glsl"
-_AT_CHOSEN = (_KIND, "adaptive/place.glsl")
-_ROWS = (_KIND, "adaptive/rows_vertex.glsl")
-_FULL = "vertex/fullscreen.glsl"
+_KIND = "adaptive/choice.glsl@kind"
+_BITS = "adaptive/choice.glsl@bits"
+_AT_CHOSEN = (_KIND, "adaptive/choice.glsl@place")
+_ROWS = (_KIND, "adaptive/list.glsl@rows_vertex")
+_FULL = "vertex/vertex.glsl@fullscreen"
 _SAMPLES, _BENEATH, _ABOVE = "chosen samples", "chosen beneath", "chosen above"
 _LISTS = {"u_chosen_cells": "chosen cells", "u_chosen_groups": "chosen groups", "u_chosen_rows": "chosen rows"}
 
@@ -151,7 +151,7 @@ def additional_samples(
     for count in counts:
         _draw(added, count, ((scene, drawn), (after, _ABOVE)), first=count == counts[0])
     added.targets[linear] = Target(size=ViewportSize(), format="RGBA32F")
-    files = (_BITS, "adaptive/resolve_pass.glsl")
+    files = (_BITS, "adaptive/list.glsl@resolve")
     added.add("means of the samples", linear, files, {"u_frame": frame, "u_samples": _SAMPLES, **_LISTS})
     return added
 
@@ -171,20 +171,20 @@ def _choose(added: Additions, frame: str) -> None:
         "chosen rows": Target(size=rows, format="RGBA32F"),
     }
     contrast, counts = {"u_contrast": "contrast"}, {"u_counts": "choice counts"}
-    added.add("contrast", "contrast", ("adaptive/contrast_pass.glsl",), {"u_frame": frame})
+    added.add("contrast", "contrast", ("adaptive/count.glsl@contrast",), {"u_frame": frame})
     for k in range(ROUNDS):
-        thresholds = "adaptive/next_limits.glsl" if k else "adaptive/first_limits.glsl"
+        thresholds = "adaptive/choice.glsl@next_limits" if k else "adaptive/choice.glsl@first_limits"
         limits = {"u_limits": f"choice limits {k - 1}"} if k else {}
         added.add(
-            f"samples at limits {k}", "choice counts", (thresholds, "adaptive/count_pass.glsl"), contrast | limits
+            f"samples at limits {k}", "choice counts", (thresholds, "adaptive/count.glsl@count"), contrast | limits
         )
-        added.add(f"limits {k}", f"choice limits {k}", (thresholds, "adaptive/limit_pass.glsl"), counts | limits)
-    files = ("adaptive/choice.glsl", "adaptive/cells_pass.glsl")
+        added.add(f"limits {k}", f"choice limits {k}", (thresholds, "adaptive/count.glsl@limit"), counts | limits)
+    files = ("adaptive/choice.glsl@choice", "adaptive/list.glsl@cells")
     added.add("choice of pixels", "choice", files, contrast | {"u_limit": f"choice limits {ROUNDS - 1}"})
-    added.add("chosen by cell", "chosen cells", (_BITS, "adaptive/within_pass.glsl"), {"u_choice": "choice"})
-    files = (_BITS, "adaptive/groups_pass.glsl")
+    added.add("chosen by cell", "chosen cells", (_BITS, "adaptive/list.glsl@within"), {"u_choice": "choice"})
+    files = (_BITS, "adaptive/list.glsl@groups")
     added.add("chosen by group", "chosen groups", files, {"u_chosen_cells": "chosen cells"})
-    added.add("chosen by row", "chosen rows", ("adaptive/rows_pass.glsl",), {"u_chosen_groups": "chosen groups"})
+    added.add("chosen by row", "chosen rows", ("adaptive/list.glsl@rows",), {"u_chosen_groups": "chosen groups"})
 
 
 def _draw(added: Additions, count: int, layers: tuple[tuple[tuple[Redrawn, ...], str], ...], *, first: bool) -> None:
@@ -193,7 +193,7 @@ def _draw(added: Additions, count: int, layers: tuple[tuple[tuple[Redrawn, ...],
     pixels = f"pixels of {count}"
     added.targets[pixels] = Target(size=ViewportSize(part=side // 2), format="RGBA32F")
     listed = {"u_chosen": vector((float(side), 1.0, 1.0))}
-    files = (_KIND, _BITS, "adaptive/pixels_pass.glsl")
+    files = (_KIND, _BITS, "adaptive/list.glsl@pixels")
     added.add(f"list of {pixels} samples", pixels, files, _LISTS, rows=True, uniforms=listed)
 
     # Blocks of 4 samples fill the target's rows from the bottom, blocks of 16 from the top.
@@ -219,7 +219,7 @@ def _draw(added: Additions, count: int, layers: tuple[tuple[tuple[Redrawn, ...],
             }
             added.passes.append(redrawn.original.model_copy(update=changes))
     if layers[1][0]:
-        compose = ("lib/numbers.glsl", "output/compose.glsl")
+        compose = ("lib/numbers.glsl", "output/frame.glsl@compose")
         reads = {"u_beneath": _BENEATH, "u_above": _ABOVE, "u_chosen_rows": "chosen rows"}
         name = f"what stands before the water, {count} samples"
         added.add(name, _SAMPLES, compose, reads, rows=True, uniforms=uniforms)

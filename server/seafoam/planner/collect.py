@@ -135,17 +135,17 @@ class Collection:
         if self.fills("bounds"):
             self.targets["surface_now"] = Target(size=FixedSize.square(1), format="RGBA16F")
             self.inputs["u_surface_now"] = TargetInput(target="surface_now")
-            self.slots.append(SlotFile("now", "surface/now_measured.glsl"))
+            self.slots.append(SlotFile("now", "surface/bounds.glsl@now_measured"))
             self.passes.append(
                 PassSpec(
                     name="bounds of the surface",
                     program="surface_now",
-                    fragment=(*COMMON, waves, bounds, SlotRef("short bounds"), "surface/now_pass.glsl"),
+                    fragment=(*COMMON, waves, bounds, SlotRef("short bounds"), "surface/bounds.glsl@now_pass"),
                     target="surface_now",
                 )
             )
         search = (*COMMON, waves, SlotRef("beyond"), bounds, SlotRef("start"))
-        known: Piece = "surface/start_anew.glsl"
+        known: Piece = "surface/start.glsl@start_anew"
         # Maps that are measured in every frame are steep and searched in many steps: first for wider tiles.
         if self.fills("bounds"):
             wide = Target(size=ViewportSize(scale=side, part=WIDE_TILE), format="RGBA16F")
@@ -154,16 +154,16 @@ class Collection:
                 PassSpec(
                     name="where wide beams of rays begin",
                     program="start, wide",
-                    fragment=(*search, known, "surface/start_pass.glsl"),
+                    fragment=(*search, known, "surface/start.glsl@pass"),
                     target="start, wide",
                 )
             )
-            known = "surface/start_within.glsl"
+            known = "surface/start.glsl@start_within"
         self.passes.append(
             PassSpec(
                 name="where rays begin",
                 program="start",
-                fragment=(*search, known, "surface/start_pass.glsl"),
+                fragment=(*search, known, "surface/start.glsl@pass"),
                 target="start",
                 inputs={"u_start_wide": TargetInput(target="start, wide")} if self.fills("bounds") else {},
             )

@@ -158,13 +158,19 @@ class FrameBuilder:
 
     def _up_to_horizon(self, side: str) -> list[Piece]:
         """Return the vertex shader of a triangle on one side of the line that rays to water do not cross."""
-        rise = ["vertex/rise_level.glsl"] if self.level else [*slot_pieces(NOW, self.marched), "vertex/rise.glsl"]
-        return [*COMMON, *self._waves, *rise, "vertex/horizon.glsl", side]
+        rise = (
+            ["vertex/vertex.glsl@rise_level"]
+            if self.level
+            else [*slot_pieces(NOW, self.marched), "vertex/vertex.glsl@rise"]
+        )
+        return [*COMMON, *self._waves, *rise, "vertex/vertex.glsl@horizon", side]
 
     def _surface_programs(self) -> None:
-        falling, rising = (self._up_to_horizon(side) for side in ("vertex/falling.glsl", "vertex/rising.glsl"))
+        falling, rising = (
+            self._up_to_horizon(side) for side in ("vertex/vertex.glsl@falling", "vertex/vertex.glsl@rising")
+        )
         if self.mesh:
-            grid = [*COMMON, *slot_pieces(WAVES, self.chosen), "vertex/polar_grid.glsl"]
+            grid = [*COMMON, *slot_pieces(WAVES, self.chosen), "vertex/vertex.glsl@polar_grid"]
             self._program("surface", self.fragments["surface"], grid)
             if self.below:
                 self._program(BETWEEN, self.fragments["surface, marched"], falling, over=True)
@@ -175,7 +181,7 @@ class FrameBuilder:
             fragment=assemble(self.fragments["sky"], self.consts),
         )
         self._program(
-            "present", [*slot_pieces(GLARE, self.chosen), *slot_pieces(TONE, self.chosen), "output/present.glsl"]
+            "present", [*slot_pieces(GLARE, self.chosen), *slot_pieces(TONE, self.chosen), "output/frame.glsl@present"]
         )
         if self.below:
             self._program(UNDERWATER, self.fragments[UNDERWATER], over=False)
@@ -185,11 +191,11 @@ class FrameBuilder:
             land = [*_SAMPLED]
             for slot in land_slots(self._combine, self.collection.fills(LAND_FOAM.name)):
                 land += slot_pieces(slot, self.marched)
-            self._program("met", [*met, "surface/met_pass.glsl"], falling, over=True)
-            self._program("met, rising", [*met, "surface/met_rising_pass.glsl"], rising, over=True)
-            shown = [*_SAMPLED, "shore/land_shown_pass.glsl"]
+            self._program("met", [*met, "surface/met.glsl@met_pass"], falling, over=True)
+            self._program("met, rising", [*met, "surface/met.glsl@met_rising_pass"], rising, over=True)
+            shown = [*_SAMPLED, "shore/land.glsl@land_shown_pass"]
             self._program("land, shown", shown, over=True, depth=_LAND_DEPTH)
-            self._program("land", [*land, "shore/land_pass.glsl"], over=True, depth=_LAND_DEPTH)
+            self._program("land", [*land, "shore/land.glsl@land_pass"], over=True, depth=_LAND_DEPTH)
 
     def _effect_programs(self) -> None:
         for spec in self.collection.passes:
@@ -241,7 +247,7 @@ class FrameBuilder:
         self.targets["samples"] = Target(size=ViewportSize(scale=self.side), format=self.quality.target)
         self.programs["compose"] = Program(
             vertex=assemble(FULLSCREEN, {"FULLSCREEN_DEPTH": 0.0}),
-            fragment=assemble(["lib/numbers.glsl", "output/compose.glsl"], {}),
+            fragment=assemble(["lib/numbers.glsl", "output/frame.glsl@compose"], {}),
         )
         return [
             *after,
@@ -337,7 +343,7 @@ class FrameBuilder:
             return []
         self.linear = "linear"
         self.targets[self.linear] = Target(size=ViewportSize(), format="RGBA32F")
-        self._program("resolve", ["output/resolve.glsl"])
+        self._program("resolve", ["output/frame.glsl@resolve"])
         return [self._fullscreen("mean of the samples", "resolve", self.linear, {"u_samples": "samples"})]
 
     def _more_samples(self, scenery: Sequence[Pass]) -> list[Pass]:

@@ -28,15 +28,15 @@ class _GeometryBuilder(FrameBuilder):
         self._effect_programs()
         self.targets[GEOMETRY] = Target(size=ViewportSize(), format="RGBA32F")
         self.linear = GEOMETRY
-        over = (*_SURFACE, SlotRef("find"), SlotRef("land"), SlotRef("first"), "output/geometry.glsl")
+        over = (*_SURFACE, SlotRef("find"), SlotRef("land"), SlotRef("first"), "output/frame.glsl@geometry")
         self._program(GEOMETRY, over, over=True)
         drawn = self._found_over(GEOMETRY, GEOMETRY, GEOMETRY, State())
         passes = [*self._effect_passes("before"), drawn]
         if self.below:
-            floor: Piece = "shore/floor_normal.glsl" if self.shore else _LEVEL_FLOOR
+            floor: Piece = "shore/floor.glsl@floor_normal" if self.shore else _LEVEL_FLOOR
             under = (*_SURFACE, SlotRef("marched"), SlotRef("now"), SlotRef("underside"), SlotRef("reach"), floor)
             low = f"{GEOMETRY}, underwater"
-            self._program(low, (*under, "output/geometry_below.glsl"), over=False)
+            self._program(low, (*under, "output/frame.glsl@geometry_below"), over=False)
             passes += from_under(drawn.model_copy(update={"program": low}), self.level)
         return passes
 

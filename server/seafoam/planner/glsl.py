@@ -19,14 +19,17 @@ PROLOGUE = (
     "precision highp usampler2D;\n"
 )
 
-COMMON = ("lib/numbers.glsl", "lib/camera.glsl")
+COMMON = ("lib/numbers.glsl", "lib/rays.glsl@camera")
 """First files of most fragment shaders."""
-FULLSCREEN = ("vertex/fullscreen.glsl",)
+FULLSCREEN = ("vertex/vertex.glsl@fullscreen",)
 """The vertex shader of a triangle that covers its target."""
 
-TEXEL = "lib/texel.glsl"
+TEXEL = "lib/texels.glsl@texel"
 """Included first where a shader reads single texels."""
 
+PART = re.compile(r"^// @part (\w+)\n", re.MULTILINE)
+"""Begins a part of a file, which goes on to the next or to the end."""
+_OF_PART = re.compile(r"(?P<file>.+\.glsl)@(?P<part>\w+)")
 _WORD = re.compile(r"\b[A-Z][A-Z0-9_]+\b")
 
 Consts = Mapping[str, Const]
@@ -34,8 +37,24 @@ Consts = Mapping[str, Const]
 
 @cache
 def read_file(path: str) -> str:
-    """Return the source of a file of ``shaders/``. Raises ``FileNotFoundError``."""
-    return (data_dir("shaders") / path).read_text(encoding="utf-8")
+    """Return the source of a file of ``shaders/``, or of one of its parts: ``FILE.glsl@PART``.
+
+    Raises ``FileNotFoundError``, also for a part that the file does not have.
+    """
+    named = _OF_PART.fullmatch(path)
+    if not named:
+        return (data_dir("shaders") / path).read_text(encoding="utf-8")
+    parts = parts_of(named["file"])
+    if named["part"] not in parts:
+        raise FileNotFoundError(f"{path}: no such part, there are {', '.join(parts)}")
+    return parts[named["part"]]
+
+
+@cache
+def parts_of(path: str) -> dict[str, str]:
+    """Return the parts of a file of ``shaders/``, by name. What stands before the first is for readers only."""
+    _, *found = PART.split((data_dir("shaders") / path).read_text(encoding="utf-8"))
+    return {part: f"{text.rstrip()}\n" for part, text in zip(found[::2], found[1::2], strict=True)}
 
 
 @lru_cache(maxsize=1024)

@@ -26,7 +26,7 @@ def one_sided(vertex: Sequence[Piece], waves: Sequence[Piece]) -> list[Piece]:
     assert isinstance(source, Source)
     main = replace(source, rename=(*source.rename, ("main", "place_corner")))
     first = (*COMMON, *waves)
-    return [*first, *(piece for piece in before if piece not in first), main, "vertex/side.glsl"]
+    return [*first, *(piece for piece in before if piece not in first), main, "vertex/vertex.glsl@side"]
 
 
 def from_under(drawn: Pass, level: bool) -> list[Pass]:

@@ -81,7 +81,7 @@ DETAIL = Slot("detail", joins=(Join("vec3", "detail", "vec2 p, Footprint fp", "d
 
 MARCHED = Slot("marched")
 """Shared functions of ray marching; filled if any pass marches to the surface."""
-NOW = Slot("now", default="surface/now_declared.glsl", under="marched")
+NOW = Slot("now", default="surface/bounds.glsl@now_declared", under="marched")
 """Bounds of the present surface, for the steps of ray marching."""
 GENTLER = Slot(
     "gentler",
@@ -138,7 +138,7 @@ SHORE_CARRY = Slot("shore carry", under="carry")
 """With a shore, it combines the open sea's orbits with its own."""
 LOOK = Slot("look", default=defaults.NO_FOAM)
 """Foam amount from saturation."""
-OVER = Slot("over", default="foam/over.glsl")
+OVER = Slot("over", default="foam/shading.glsl@over")
 """Composition of foam and water."""
 ALBEDO = Slot("albedo", default=defaults.NO_ALBEDO, under="shade")
 LAYERED = Slot("layered")
@@ -150,7 +150,7 @@ SKY = Slot("sky", default=defaults.BLACK_SKY)
 """Light of the sky; a layered sky is combined from air, moonlight and clouds."""
 MOON_DISC = Slot("moon disc", default=defaults.NO_MOON_DISC, under="layered")
 STARS = Slot("stars", default=defaults.NO_STARS, under="layered")
-SKY_MAIN = Slot("sky main", default="light/sky/main.glsl")
+SKY_MAIN = Slot("sky main", default="light/sky.glsl@main")
 DISC = Slot("disc", default=defaults.NO_SUN_DISC)
 OPEN_SUN = Slot(
     "open sun",
@@ -160,19 +160,19 @@ OPEN_SUN = Slot(
 drops."""
 SUNLIGHT = Slot("sunlight", default=defaults.NO_BOAT_SHADOW)
 """The same past boats too: a factor of the sun's light on water, foam, floor and land."""
-BODY = Slot("body", default="water/body/deep.glsl", under="shade")
+BODY = Slot("body", default="water/body.glsl@deep", under="shade")
 CREST = Slot("crest", default=defaults.NO_CREST_LIGHT, under="shade")
 PLUME = Slot("plume", default=defaults.NO_BUBBLES, under="shade")
 """Bubbles in the water under foam."""
 GLITTER = Slot("glitter", default=defaults.NO_GLITTER, under="shade")
-REFLECTION = Slot("reflection", default="reflection/sky.glsl", under="shade")
+REFLECTION = Slot("reflection", default="reflection/mirror.glsl@sky", under="shade")
 """Light reflected by the water."""
-SHADE = Slot("shade", default="light/shade/flat.glsl")
+SHADE = Slot("shade", default="light/shade.glsl@flat")
 RELIEF = Slot("relief", default=defaults.NO_RELIEF)
 """Called before water and foam are lit: fraction of the sun that foam beside the place blocks."""
 FOAM_LAYER = Slot("foam layer", default=defaults.MATT_FOAM)
 """Light of foam over water, and its opacity."""
-CAUSTICS = Slot("caustics", default="water/seafloor/even.glsl", under="bed")
+CAUSTICS = Slot("caustics", default="water/seafloor.glsl@even", under="bed")
 """Distribution of the sun's light on a level floor."""
 BED = Slot("bed")
 """Light of a level floor, if single points of it are visible from above the surface."""
@@ -189,7 +189,7 @@ LAND_FOAM = Slot("land foam", default=defaults.NO_FOAM_ON_LAND, under="land colo
 """Foam on the land."""
 LAND_COLOR = Slot("land color")
 """Colour of the land; none without land."""
-FIRST = Slot("first", default="surface/first.glsl")
+FIRST = Slot("first", default="surface/met.glsl@first")
 """What a ray meets first, water or land."""
 MAIN = Slot("main", default="surface/main.glsl")
 BELOW = Slot("below")
@@ -213,7 +213,7 @@ ONLY_OVER = (
 UNDER_SLOTS = (UNDERSIDE, REACH, UNDER_BED, BELOW)
 """Slots that it has besides."""
 GLARE = Slot("glare", default=defaults.NO_GLARE)
-TONE = Slot("tone", default="output/tone/clamp.glsl")
+TONE = Slot("tone", default="output/tone.glsl@clamp")
 
 
 SKY_SLOTS = (LAYERED, MOON, CIRRUS, CLOUDS, RAIN, SKY)

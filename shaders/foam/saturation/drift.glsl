@@ -1,3 +1,6 @@
+// Foam from what the flow gathers.
+
+// @part map
 // Foam that drifts, read from its map: f = amount * sum of the generations' patches, in [0, DRIFT_CAP].
 uniform sampler2D u_drift_map;
 uniform sampler2D u_drift_coarse;
@@ -38,4 +41,30 @@ float drift_saturation(vec2 p, float height, Footprint fp) {
         found = drift_read(u_drift_map, 0.5 + 0.5 * q / u_drift_half, DRIFT_SIZE);
     }
     return min(u_drift_foam * rim * dot(found, drift_shares()), DRIFT_CAP);
+}
+
+// @part rim
+// Drifting foam thins out toward the rim of the circle in its square, over the last two fifths of the radius.
+uniform vec2 u_drift_place; // from the square's middle to the eye, m
+uniform float u_drift_foam; // saturation of a patch
+
+float drift_rim(vec2 q) {
+    return 1.0 - smoothstep(0.6, 1.0, length(q) / u_drift_half);
+}
+
+// @part exact
+// Foam that drifts, gone back for at each sample: f = amount * sum of the generations' patches, in [0, DRIFT_CAP].
+float drift_saturation(vec2 p, float height, Footprint fp) {
+    vec2 q = p + u_drift_place;
+    float rim = drift_rim(q);
+    if (rim == 0.0) {
+        return 0.0;
+    }
+    vec4 shares = drift_shares();
+    float sum = 0.0;
+    for (int j = 0; j < DRIFT_GENERATIONS; ++j) {
+        q = drift_origin(q, j);
+        sum += shares[j] * drift_patch(drift_generation(j), q);
+    }
+    return min(u_drift_foam * rim * sum, DRIFT_CAP);
 }

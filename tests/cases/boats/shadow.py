@@ -15,7 +15,7 @@ _HARD = (
             light=Light(sun_elevation=0.25, sun_azimuth=0.6, exposure=-2.0),
             water=Water(depth=1.5, floor_tile=1.0, scattering=0.05, absorption_length=(4.0, 20.0, 30.0)),
         ),
-        guard="quadratic coefficients of at least 1e-7 in rays to the sun (boats/hull/hull.glsl)",
+        guard="quadratic coefficients of at least 1e-7 in rays to the sun (boats/hull.glsl@hull)",
         without="no change on llvmpipe: no ray to the sun is parallel to an axis of the boat",
         camera=Camera(position=(0.0, 3.0, 0.0), pitch=-0.2),
     ),

@@ -21,15 +21,15 @@ _HARD = (
     HardCase(
         name="the edge of a wake, where both systems meet",
         scene=Scene(boats=(_FAST,), foam=Foam(saturation=(SlopeSaturation(),), look="textured")),
-        guard="a wake has height only where the square root in its phase exceeds 0 (boats/wake/pattern.glsl)",
+        guard="a wake has height only where the square root in its phase exceeds 0 (boats/wake.glsl@pattern)",
         without="2.6 % of samples off by more than 2 levels, the worst by 213: a vertical step at the wake's edge",
         camera=_ABOVE,
     ),
     HardCase(
         name="the centre of a boat's circle, and straight behind it",
         scene=Scene(boats=(_FAST.model_copy(update={"radius": 13.5}),)),
-        guard="distance from the centre at least a tenth of the radius, tangent at most 5000 (boats/wake/way.glsl, "
-        "boats/wake/pattern.glsl)",
+        guard="distance from the centre at least a tenth of the radius, tangent at most 5000 (boats/wake.glsl@way, "
+        "boats/wake.glsl@pattern)",
         without="no change on llvmpipe: no sample of the frame is exactly there",
         camera=_ABOVE.model_copy(update={"position": (0.0, 20.0, -30.0)}),
     ),

@@ -27,7 +27,7 @@ _HARD = (
                 aeration=10.0, plume_depth=20.0, scattering=0.0, absorption_length=(0.01, 1000.0, 0.01), depth=0.05
             ),
         ),
-        guard="reflected light at least 0 (water/plume/bubbles.glsl)",
+        guard="reflected light at least 0 (water/body.glsl@bubbles)",
         without="no change on llvmpipe: clear water never reflects more from the layer than in all",
         camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
     ),

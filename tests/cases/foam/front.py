@@ -21,7 +21,7 @@ _HARD = (
             foam=Foam(saturation=(FrontSaturation(intensity=0.25),), look="halftone"),
         ),
         guard="f = 4 where the phase is exactly 0, the pole; exponent clamped to [-80, 80] "
-        "(foam/saturation/front_profile.glsl)",
+        "(foam/saturation/front.glsl@profile)",
         without="no change on llvmpipe; f = 0 instead of 4 where the signal is (1, -0)",
         camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
     ),
@@ -31,7 +31,7 @@ _HARD = (
             waves=(ParametricWave(amplitude=0.0, wavelength=2.0),),
             foam=Foam(saturation=(FrontSaturation(intensity=100.0, constants="listing"),), look="listing"),
         ),
-        guard="the cotangent of half the phase instead of the published tangent (foam/saturation/front_profile.glsl)",
+        guard="the cotangent of half the phase instead of the published tangent (foam/saturation/front.glsl@profile)",
         without="with the tangent: f infinite at 2 pi, and 0 instead of 4 at the pole",
         camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
     ),
@@ -41,7 +41,7 @@ _HARD = (
             waves=(ParametricWave(amplitude=0.0), ParametricWave(amplitude=0.0, phase=math.pi)),
             foam=Foam(look="textured"),
         ),
-        guard="exponent 0 where it would be 0/0 (foam/saturation/front_profile.glsl)",
+        guard="exponent 0 where it would be 0/0 (foam/saturation/front.glsl@profile)",
         without="6 % of samples off by more than 2 levels, by up to 133",
         camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
         apart="the phase of a sum that is 0 is rounding",
@@ -51,7 +51,7 @@ _HARD = (
         name="filtered, where the phase turns endlessly fast",
         scene=Scene(waves=(ParametricWave(amplitude=0.0), ParametricWave(amplitude=0.0, phase=math.pi)), foam=Foam()),
         guard="rho² at least 1e-4 in the phase's gradient, phase width at most 1e4 rad "
-        "(foam/saturation/front_filtered.glsl)",
+        "(foam/saturation/front.glsl@filtered)",
         without="4 % of samples on the wrong side of the threshold, up to 237 levels off",
         camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
         apart="the phase of a sum that is 0 is rounding",
@@ -92,7 +92,7 @@ _HARD = (
             foam=Foam(),
         ),
         guard="whole periods counted separately, Gauss quadrature over short intervals "
-        "(foam/saturation/front_filtered.glsl)",
+        "(foam/saturation/front.glsl@filtered)",
         without="differences of table values over short intervals: up to 19 levels off",
         times=(0.0, 1e9),
         camera=Camera(position=(0.0, 0.8, 0.0), pitch=-0.2),
@@ -107,7 +107,7 @@ _HARD = (
             foam=Foam(),
         ),
         guard="divisor of a ray's fall over the waves' slope at least 1e-20, phase intervals at least 1e-5 rad "
-        "(foam/saturation/front_filtered.glsl)",
+        "(foam/saturation/front.glsl@filtered)",
         without="no change on llvmpipe; 0/0 where neither the ray falls nor the waves have slope",
         times=(0.0, 1e9),
         camera=Camera(position=(0.37, 0.4375, -0.21), yaw=1.2, pitch=-0.05),

@@ -24,7 +24,7 @@ _HARD = (
             ),
             foam=Foam(saturation=(HeightSaturation(base=100.0, full=100.001),), look="halftone"),
         ),
-        guard="divisor at least 1e-3 m (foam/saturation/height.glsl)",
+        guard="divisor at least 1e-3 m (foam/saturation/height.glsl@plain)",
         without="0/0 at the base height once a live edit sets full equal to base; llvmpipe's clamp makes it 0",
         camera=Camera(position=(0.0, 140.0, 0.0), pitch=-0.4),
     ),
@@ -34,14 +34,14 @@ _HARD = (
             waves=(ParametricWave(amplitude=0.0),),
             foam=Foam(saturation=(HeightSaturation(base=-100.0, full=200.0),), look="fading"),
         ),
-        guard="f clamped to [0, 4] (foam/saturation/height.glsl)",
+        guard="f clamped to [0, 4] (foam/saturation/height.glsl@plain)",
         without="no change: f is 1/3, and the fading look clamps its result",
         camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
     ),
     HardCase(
         name="saturation a thousandfold over the cap",
         scene=Scene(foam=Foam(saturation=(HeightSaturation(base=-100.0, full=-99.999),), look="listing")),
-        guard="f clamped to [0, 4] (foam/saturation/height.glsl)",
+        guard="f clamped to [0, 4] (foam/saturation/height.glsl@plain)",
         without="no change in the frame, since the listing clamps f - m to 3; f itself is 100 000",
         camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
     ),
@@ -55,8 +55,8 @@ _HARD = (
             foam=Foam(saturation=(HeightSaturation(base=0.2, full=0.201),)),
         ),
         guard="water above the camera is averaged as if seen vertically; lengths divided by at least 1e-6, deviation "
-        "of heights at least a thousandth of the ramp (foam/saturation/height_seen.glsl, "
-        "foam/saturation/level.glsl)",
+        "of heights at least a thousandth of the ramp (foam/saturation/height.glsl@seen, "
+        "foam/saturation/height.glsl@level)",
         without="square root of a negative number: at quality standard 44 % of samples off by more than 2 levels "
         "instead of 9 %, mean 60 instead of 6.9; the divisors: no change on llvmpipe, 0/0 straight below the "
         "camera and where no height is filtered out",

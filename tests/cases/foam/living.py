@@ -35,7 +35,7 @@ _HARD = (
             foam=_FOAM.model_copy(update={"saturation": (HeightSaturation(base=0.0, full=1.0),)}),
         ),
         guard="ridges of the windrows at least -1, so that they take no more foam than there is "
-        "(foam/windrows.glsl); saturation at least 1e-6 in its logarithm (foam/living.glsl)",
+        "(foam/living.glsl@windrows); saturation at least 1e-6 in its logarithm (foam/living.glsl@living)",
         without="ridges not limited: 7 % of samples off by more than 2 levels, mean 1.3; logarithm of 0: no change "
         "on llvmpipe, where it is -infinity and there is no foam of that age",
         camera=Camera(position=(0.37, 12.0, -0.21), yaw=1.0, pitch=-0.6),
@@ -47,7 +47,7 @@ _HARD = (
             shore=Shore(size=160.0, depth=6.0, slope=0.1, smoothing=3.0),
             foam=_FOAM,
         ),
-        guard="gradient of the waves' phase divided by a length of at least 1e-6 (foam/carry/shore.glsl)",
+        guard="gradient of the waves' phase divided by a length of at least 1e-6 (foam/carry.glsl@shore)",
         without="0/0 where the phase has gradient 0: 1.9 % of samples off by more than 2 levels, the worst by 162",
         camera=Camera(position=(-42.0, 7.0, 9.0), yaw=1.4, pitch=-0.2),
     ),

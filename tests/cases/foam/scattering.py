@@ -34,7 +34,7 @@ _HARD = (
             foam=_foam(FoamScattering(optical_depth=0.5, roughness=0.0, forward=1.0)),
             water=Water(roughness=0.05),
         ),
-        guard="mean cosines of lumps at least 0.001 (foam/scattering.glsl)",
+        guard="mean cosines of lumps at least 0.001 (foam/shading.glsl@scattering)",
         without="0/0 where neither sun nor eye sees the front of smooth foam",
         camera=Camera(position=(0.37, 1.2, -0.21), yaw=math.pi / 2, pitch=-0.01),
     ),

@@ -21,8 +21,8 @@ _HARD = (
             boats=(_BOAT.model_copy(update={"radius": 13.5, "speed": 20.0}),),
             foam=Foam(saturation=(WakeSaturation(amount=4.0, life=60.0, bow=4.0),), look="halftone"),
         ),
-        guard="distance from the centre at least a tenth of the radius, exponents at most 80 (boats/wake/way.glsl, "
-        "foam/saturation/wake.glsl)",
+        guard="distance from the centre at least a tenth of the radius, exponents at most 80 (boats/wake.glsl@way, "
+        "foam/saturation/wake.glsl@wake)",
         without="no change on llvmpipe: exponentials underflow to 0, and no sample is at the centre",
         camera=Camera(position=(0.0, 20.0, -30.0), pitch=-math.pi / 2),
         # An arc tangent that is off by 3e-6 moves the end of the wake, and bubbles at their threshold with it.
@@ -35,7 +35,7 @@ _HARD = (
             foam=Foam(saturation=(WakeSaturation(amount=0.0, bow=0.0, contact=4.0),), look="textured"),
         ),
         guard="distance at least that beyond stem and transom, where the sides go on without a hull "
-        "(foam/saturation/wake_contact.glsl)",
+        "(foam/saturation/wake.glsl@contact)",
         without="0.23 % of samples off by more than 2 levels, the worst by 241: white water far astern and ahead",
         camera=Camera(position=(0.0, 20.0, -20.0), pitch=-math.pi / 2, fov=1.4),
     ),

@@ -18,7 +18,7 @@ _HARD = (
         name="foam of an hour's gale, from near to the horizon",
         scene=Scene(sea=Sea(wind=20.0), foam=Foam(saturation=(WhitecapSaturation(),), look="fading")),
         guard="no average over a normal distribution where the footprint filters nothing out "
-        "(foam/saturation/whitecap.glsl)",
+        "(foam/saturation/whitecap.glsl@whitecap)",
         without="no change on llvmpipe: t/0 is clamped to 6 standard deviations; 0/0 is undefined",
         camera=Camera(position=(0.37, 30.0, -0.21), yaw=1.0, pitch=-0.3),
         times=(3600.0,),
@@ -29,7 +29,7 @@ _HARD = (
             sea=Sea(wind=60.0, model="gerstner"),
             foam=Foam(saturation=(WhitecapSaturation(coverage=10.0, softness=0.01, decay=60.0),), look="textured"),
         ),
-        guard="f at most 1 (foam/saturation/whitecap.glsl), threshold found by bisection (ocean/whitecaps.py)",
+        guard="f at most 1 (foam/saturation/whitecap.glsl@whitecap), threshold found by bisection (ocean/whitecaps.py)",
         without="f up to 8.5, the sum of nine times; the look clamps it here",
         camera=Camera(position=(0.37, 90.0, -0.21), yaw=1.0, pitch=-0.3),
         times=(1e9,),

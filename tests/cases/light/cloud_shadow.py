@@ -46,14 +46,14 @@ _HARD = (
     HardCase(
         name="shadows of clouds out to the horizon",
         scene=_scene(0.5, size=50.0, height=200.0, softness=0.05),
-        guard="noise finer than a footprint is replaced by its mean (light/clouds/shadow.glsl)",
+        guard="noise finer than a footprint is replaced by its mean (light/clouds.glsl@shadow)",
         without="the far sea glitters where it mirrors the sun",
         camera=Camera(position=(0.0, 60.0, 0.0), yaw=0.8, pitch=-0.1),
     ),
     HardCase(
         name="eye above the clouds that throw shadows",
         scene=_scene(0.5),
-        guard="a camera above nine tenths of the clouds' height sees no shadows (light/clouds/shadow.glsl)",
+        guard="a camera above nine tenths of the clouds' height sees no shadows (light/clouds.glsl@shadow)",
         without="shadows of clouds that are not drawn",
         camera=Camera(position=(0.0, 500.0, 0.0), pitch=-0.6),
     ),

@@ -42,21 +42,21 @@ _HARD = (
         name="the layer's way from the horizon to overhead",
         scene=Scene(light=Light(exposure=-2.0, sky=Sky(clouds=Clouds(height=200.0, size=300.0, cover=0.5)))),
         guard="the distance to the layer is computed as a quotient, not as a difference of two large numbers "
-        "(light/clouds/layer.glsl)",
+        "(light/clouds.glsl@layer)",
         without="0.9 % of samples are off by more than 2 levels, the worst by 9",
         camera=Camera(position=(0.0, 2.0, 0.0), pitch=0.7, fov=1.5),
     ),
     HardCase(
         name="eye above the clouds",
         scene=Scene(light=Light(exposure=-2.0, sky=Sky(clouds=Clouds()))),
-        guard="there are no clouds for a camera above nine tenths of their height (light/clouds/layer.glsl)",
+        guard="there are no clouds for a camera above nine tenths of their height (light/clouds.glsl@layer)",
         without="the root of a negative number: 21 % of samples are off by more than 2 levels",
         camera=Camera(position=(0.0, 9e4, 0.0), pitch=0.1),
     ),
     HardCase(
         name="lamp overhead",
         scene=Scene(light=Light(sun_elevation=math.pi / 2, exposure=-2.5, sky=Sky(clouds=Clouds(cover=0.7)))),
-        guard="the lamp's horizontal direction is divided by at least 1e-6 (light/clouds/layer.glsl)",
+        guard="the lamp's horizontal direction is divided by at least 1e-6 (light/clouds.glsl@layer)",
         without="0/0: 42 % of samples are off by more than 2 levels",
         camera=Camera(position=(0.0, 3.0, 0.0), pitch=0.5),
     ),
@@ -67,14 +67,14 @@ _HARD = (
                 exposure=-2.0, sky=Sky(clouds=Clouds(cover=0.95, thickness=20.0, height=400.0, depth=5000.0, rain=10.0))
             )
         ),
-        guard="the level part of a look is at least 0.001 of it (light/clouds/rain.glsl)",
+        guard="the level part of a look is at least 0.001 of it (light/clouds.glsl@rain)",
         without="0/0 straight up",
         camera=Camera(position=(0.0, 3.0, 0.0), pitch=1.4, fov=1.5),
     ),
     HardCase(
         name="a hundred thousand little clouds",
         scene=Scene(light=Light(exposure=-2.0, sky=Sky(clouds=Clouds(height=15000.0, size=500.0, cover=0.5)))),
-        guard="octaves that a sample does not resolve are replaced by their mean (lib/noise/perlin_3.glsl)",
+        guard="octaves that a sample does not resolve are replaced by their mean (lib/noise.glsl@perlin_3)",
         without="noise finer than a sample: 80 % of samples are off by more than 2 levels",
         camera=Camera(position=(0.0, 3.0, 0.0), pitch=0.2),
     ),

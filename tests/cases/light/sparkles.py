@@ -38,7 +38,7 @@ _HARD = (
     HardCase(
         name="sparkles straight down, under the sun at the zenith",
         scene=Scene(light=_light(sun_elevation=math.pi / 2), water=_WATER),
-        guard="cells lie on an octahedron, which has no pole (light/glitter/sparkles.glsl)",
+        guard="cells lie on an octahedron, which has no pole (light/glitter.glsl@sparkles)",
         without="cells in azimuth and elevation are 0.3 by 3.2 mrad a tenth of a radian from straight down",
         camera=Camera(position=(0.0, 4.0, 0.0), pitch=-math.pi / 2),
     ),
@@ -55,7 +55,7 @@ _HARD = (
     HardCase(
         name="sparkles so many that they run together",
         scene=Scene(light=_light(sparkles=Sparkles(size=0.02, rate=10000.0, life=10.0)), water=_WATER),
-        guard="where nearly every cell contains a sparkle, the glint is smooth (light/glitter/sparkles.glsl)",
+        guard="where nearly every cell contains a sparkle, the glint is smooth (light/glitter.glsl@sparkles)",
         without="spots of 22 times the glint's greatest radiance: a mean error of 7.2 levels",
         camera=_VIEW,
     ),
@@ -64,14 +64,14 @@ _HARD = (
         scene=Scene(
             waves=(ParametricWave(amplitude=0.3, wavelength=7.0),), light=_light(sun_elevation=0.0), water=_WATER
         ),
-        guard="the glint is at least 1e-20 of the sun (light/glitter/sparkles.glsl)",
+        guard="the glint is at least 1e-20 of the sun (light/glitter.glsl@sparkles)",
         without="0/0 where no facet reflects the sun: 65504 in 39 % of samples",
         camera=_VIEW,
     ),
     HardCase(
         name="sparkles smaller than a hundredth of a pixel",
         scene=Scene(light=_light(sparkles=Sparkles(size=2e-4)), water=_WATER),
-        guard="a sparkle is at least 1.5 pixels wide, and dimmed in proportion (light/glitter/sparkles.glsl)",
+        guard="a sparkle is at least 1.5 pixels wide, and dimmed in proportion (light/glitter.glsl@sparkles)",
         without="sparkles appear and vanish with the positions of samples: errors of up to 170 levels",
         camera=Camera(position=(0.0, 4.0, 0.0), pitch=-0.5, fov=2.6),
     ),

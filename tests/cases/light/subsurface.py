@@ -36,7 +36,7 @@ _HARD = (
             water=Water(translucency=2.0, absorption_length=(1000.0, 1000.0, 0.01)),
         ),
         guard="absorption lengths are at least 0.01 m (scene/water.py); the square of the relative height is at "
-        "most 1 (light/subsurface/translucent.glsl)",
+        "most 1 (light/shade.glsl@translucent)",
         without="no difference: the light is at most 9, well within half floats",
         camera=Camera(position=(0.0, 210.0, 0.0), yaw=math.pi / 2, pitch=-0.2),
     ),

@@ -16,7 +16,7 @@ _HARD = (
     HardCase(
         name="a mirror with nothing to mirror",
         scene=Scene(light=Light(sun_elevation=-math.pi / 2, exposure=8.0, reflection="cubemap")),
-        guard="the search for land is left out of scenes without a shore (reflection/open.glsl)",
+        guard="the search for land is left out of scenes without a shore (reflection/mirror.glsl@open)",
         without="no plan can be made: the pass reads a floor that the scene does not have",
         camera=Camera(position=(0.0, 2.0, 0.0), pitch=-0.2),
     ),
@@ -26,7 +26,7 @@ _HARD = (
             waves=(ParametricWave(amplitude=1.0, wavelength=3.0, exponent=3.0),),
             light=Light(exposure=-2.0, sun_elevation=0.3, reflection="cubemap", sky=Sky(clouds=Clouds(cover=0.5))),
         ),
-        guard="interpolation at the edge of a face uses its last two texels (reflection/cubemap.glsl)",
+        guard="interpolation at the edge of a face uses its last two texels (reflection/cube.glsl@cubemap)",
         without="no visible difference: the weight of the next texel is 0, but reading outside the texture is "
         "undefined",
         camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 4, pitch=-0.6),
@@ -37,7 +37,7 @@ _HARD = (
             shore=Shore(kind="island", size=240.0, radius=40.0, height=30.0, slope=0.4, smoothing=3.0),
             light=Light(exposure=-2.0, reflection="cubemap"),
         ),
-        guard="the centre of the cube map is at least a metre above the ground (reflection/land_around.glsl)",
+        guard="the centre of the cube map is at least a metre above the ground (reflection/mirror.glsl@land_around)",
         without="57 % of samples are off by more than 2 levels: water reflects the inside of the hill",
         camera=Camera(position=(0.0, 60.0, 0.0), pitch=-0.5),
     ),

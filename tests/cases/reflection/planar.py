@@ -18,7 +18,7 @@ _HARD = (
     HardCase(
         name="a mirror under the eye and straight down",
         scene=Scene(light=_MIRROR, boats=(_BOAT,), water=Water(ripples=Ripples())),
-        guard="only points in front of the mirrored camera are read (reflection/planar.glsl)",
+        guard="only points in front of the mirrored camera are read (reflection/mirror.glsl@planar)",
         without="no difference on llvmpipe: the boats that are searched for are in front of the camera",
         camera=Camera(position=(0.0, 4.0, -2.0), pitch=-1.5708),
     ),
@@ -41,7 +41,7 @@ _HARD = (
             boats=(_BOAT,),
             waves=(ParametricWave(amplitude=0.8, wavelength=40.0, phase=-1.5708),),
         ),
-        guard="a mirrored ray starts above the water and in front of the mirrored camera (reflection/map_pass.glsl)",
+        guard="a mirrored ray starts above the water, before the mirrored camera (reflection/mirror.glsl@map_pass)",
         without="no difference here: no boat is between the mirrored camera and the water above it",
         camera=Camera(position=(0.0, -0.1, 12.0), pitch=-0.05),
     ),

@@ -43,14 +43,14 @@ _HARD = (
     ),
     _case(
         "shadow of an island across the edge of its square",
-        "beyond the square by the place where the way to the sun enters it (shore/sunlit.glsl)",
+        "beyond the square by the place where the way to the sun enters it (shore/sunlit.glsl@sunlit)",
         "the edge's shadow goes on without end",
         0.05,
         camera=Camera(position=(-120.0, 9.0, -40.0), yaw=0.3, pitch=-0.1),
     ),
     _case(
         "shadow along an axis of the square",
-        "level part of the sun's direction along an axis at least 1e-6 (shore/sunlit.glsl)",
+        "level part of the sun's direction along an axis at least 1e-6 (shore/sunlit.glsl@sunlit)",
         "0/0 beside the square",
         0.1,
         azimuth=0.0,

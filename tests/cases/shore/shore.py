@@ -41,21 +41,21 @@ _INVISIBLE = (Scene(shore=Shore(depth=50.0, level=-900.0)), Scene(shore=Shore(le
 _HARD = (
     _case(
         "distances without any smoothing",
-        "standard deviation of the blur at least 0.01 texel (shore/blur_pass.glsl)",
+        "standard deviation of the blur at least 0.01 texel (shore/maps.glsl@blur)",
         "no change on llvmpipe, where 0/0 is not NaN here; GLSL leaves it undefined",
         smoothing=0.0,
     ),
     _case(
         "all land",
         "gradients divided by at least 1e-6; distance to the coast at most the side of the square "
-        "(shore/map_pass.glsl, distance_pass.glsl)",
+        "(shore/maps.glsl@map, shore/maps.glsl@distance)",
         "no change on llvmpipe: where a slope of 0 is divided by a length of 0 there is no wave",
         level=90.0,
         camera=Camera(position=(-42.0, 107.0, 9.0), yaw=1.4, pitch=-0.3),
     ),
     _case(
         "all water, a bank two metres down",
-        "distance to the coast at most the side of the square (shore/distance_pass.glsl)",
+        "distance to the coast at most the side of the square (shore/maps.glsl@distance)",
         "a coast at texel (-1, -1): 33 % of samples off by more than 2 levels, the worst by 61",
         kind="island",
         height=0.0,
@@ -63,7 +63,7 @@ _HARD = (
     ),
     _case(
         "an island of one texel",
-        "wave height 0 on ridges of the distance map (shore/map_pass.glsl)",
+        "wave height 0 on ridges of the distance map (shore/maps.glsl@map)",
         "waves meet at a kink on the island's ridges: up to 80 levels off",
         kind="island",
         radius=1.0,
@@ -73,7 +73,7 @@ _HARD = (
     ),
     _case(
         "water a hand deep and a beach as level",
-        "depths and speeds as for waves of at least 5 cm (shore/map_pass.glsl)",
+        "depths and speeds as for waves of at least 5 cm (shore/maps.glsl@map)",
         "no change on llvmpipe: the waves are 0 m high where their phase is 0/0",
         depth=0.5,
         slope=0.01,
@@ -90,7 +90,7 @@ _HARD = (
     ),
     _case(
         "black water a millimetre deep",
-        "none needed: at the water's edge the path length is 0, and so is the absorption (shore/body.glsl)",
+        "none needed: at the water's edge the path length is 0, and so is the absorption (shore/floor.glsl@body)",
         "there is no guard to remove",
         water=Water(absorption_length=(0.01, 0.01, 0.01), scattering=0.5),
     ),
@@ -102,14 +102,14 @@ _HARD = (
     ),
     _case(
         "ripples that face away",
-        "the refracted ray's direction has y of at most -0.25 (shore/through.glsl)",
+        "the refracted ray's direction has y of at most -0.25 (shore/floor.glsl@through)",
         "up to 0.5 levels off where ripples make the ray almost horizontal",
         water=Water(ripples=Ripples(slope=0.6), scattering=0.01),
         camera=Camera(position=(-42.0, 2.2, 9.0), yaw=1.4, pitch=-0.05),
     ),
     _case(
         "straight down on the water's edge",
-        "horizontal part of the ray at least 1e-9 (shore/march.glsl)",
+        "horizontal part of the ray at least 1e-9 (shore/march.glsl@march)",
         "no change on llvmpipe: the quotient is infinite, and the minimum takes the other side's",
         camera=Camera(position=(-1.0, 30.0, 0.0), pitch=-math.pi / 2, fov=0.5),
     ),
@@ -132,7 +132,7 @@ _HARD = (
     ),
     _case(
         "rugged land of full detail, seen along the ground",
-        "footprints of no width are taken as 1e-9 m wide; octaves under them as whole (shore/soil.glsl)",
+        "footprints of no width are taken as 1e-9 m wide; octaves under them as whole (shore/soil.glsl@soil)",
         "0/0 for a footprint of no width",
         relief=1.0,
         height=60.0,
@@ -149,7 +149,7 @@ _HARD = (
     replace(
         _case(
             "eye inside a hill",
-            "the distance to land is at least 0 (shore/march.glsl)",
+            "the distance to land is at least 0 (shore/march.glsl@march)",
             "mean error 36 levels: land behind the camera is drawn",
             camera=Camera(position=(40.0, 0.5, 0.0), yaw=1.4, pitch=0.1),
         ),
@@ -158,7 +158,7 @@ _HARD = (
     replace(
         _case(
             "eye under water",
-            "a search interval with its end before its start has no intersection (shore/find_land.glsl)",
+            "a search interval with its end before its start has no intersection (shore/land.glsl@find_land)",
             "no change on llvmpipe: the loop ends at its first step, and its result is not used",
             camera=Camera(position=(-30.0, -1.0, 0.0), yaw=1.4, pitch=0.1),
         ),

@@ -46,7 +46,7 @@ _HARD = (
     HardCase(
         name="spray under the camera",
         scene=Scene(shore=_ROCK, spray=Spray(size=0.1, mist=0.5), light=_LIGHT),
-        guard="drops fade out from 1 m to 0.3 m from the camera (spray/vertex.glsl)",
+        guard="drops fade out from 1 m to 0.3 m from the camera (spray/drawn.glsl@vertex)",
         without="drops cover the whole picture: mean error 34 levels",
         times=(0.9, 1.6),
         camera=Camera(position=(-13.3, 2.5, 2.1), pitch=-math.pi / 2, fov=2.0),
@@ -80,14 +80,14 @@ _HARD = (
     HardCase(
         name="spray from crests and troughs, where waves have no slope",
         scene=Scene(waves=_WAVES, spray=Spray(threshold=0.1, life=0.2, size=0.1), light=_LIGHT),
-        guard="squared slope of at least 0.02 (spray/breaking.glsl)",
+        guard="squared slope of at least 0.02 (spray/births.glsl@breaking)",
         without="drops leave crests at unlimited speed: 3.1 % of the pixels more than 2 levels off",
         camera=Camera(position=(0.0, 5.0, 0.0), pitch=-0.15),
     ),
     HardCase(
         name="spray against the strongest drag and wind",
         scene=Scene(shore=_ROCK, spray=Spray(drag=0.05, wind=40.0, speed=10.0, life=8.0), light=_LIGHT),
-        guard="none needed: exp(-433) is 0 (spray/flight.glsl)",
+        guard="none needed: exp(-433) is 0 (spray/drawn.glsl@flight)",
         without="there is no guard to remove",
         times=(1.2,),
         camera=_VIEW,
@@ -95,7 +95,7 @@ _HARD = (
     HardCase(
         name="drops of a thousandth of a sample",
         scene=Scene(shore=_ROCK, spray=Spray(size=0.002, mist=0.0), light=_LIGHT),
-        guard="a drop is at least 1.5 samples wide, and hides as much of them (spray/vertex.glsl)",
+        guard="a drop is at least 1.5 samples wide, and hides as much of them (spray/drawn.glsl@vertex)",
         without="drops are visible only where a sample hits them: 0.69 % of the pixels more than 2 levels off",
         times=(1.2,),
         camera=_VIEW,
@@ -103,7 +103,7 @@ _HARD = (
     HardCase(
         name="spray before the brightest sun, ten stops up",
         scene=Scene(shore=_ROCK, spray=Spray(), light=_LIGHT.model_copy(update={"exposure": 10.0})),
-        guard="the light of a drop is at most 64, so that half floats hold sums of a thousand (spray/lit.glsl)",
+        guard="the light of a drop is at most 64, so that half floats hold sums of a thousand (spray/drawn.glsl@lit)",
         without="sums reach 65504, the greatest half float",
         times=(1.2,),
         camera=_VIEW,
@@ -130,7 +130,7 @@ _HARD = (
             spray=Spray(bursts=(Burst(height=150.0, radius=0.1), Burst(every=3.0), Burst(birth=-1.0)), reach=100.0),
             light=_LIGHT,
         ),
-        guard="optical depths add up; light is their mean, divided where there is any (spray/thick_pass.glsl)",
+        guard="optical depths add up; light is their mean, divided where there is any (spray/air.glsl@thick)",
         without="0 over 0 beside the drops: mean error 90 levels",
         times=(1.4,),
         camera=_DECK,

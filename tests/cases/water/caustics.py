@@ -38,7 +38,7 @@ _HARD = (
     replace(
         _case(
             "the floor in the focus",
-            "a triangle is at most 12 times as bright as under level water (water/caustics/grid_vertex.glsl)",
+            "a triangle is at most 12 times as bright as under level water (water/caustics.glsl@grid_vertex)",
             "single texels have 71 instead of 24 times the light: 9.7 % of samples are off by more than 2 levels",
             Water(depth=4.0, scattering=0.0, ripples=Ripples(slope=0.08)),
         ),
@@ -49,20 +49,20 @@ _HARD = (
     ),
     _case(
         "a floor at the surface",
-        "none is needed: light does not converge over so short a distance (water/caustics/landing.glsl)",
+        "none is needed: light does not converge over so short a distance (water/caustics.glsl@landing)",
         "no guard to remove",
         Water(depth=0.05, floor_tile=0.1, ripples=Ripples(slope=0.3)),
     ),
     _case(
         "caustics of a sun on the horizon",
-        "the sine of the sun's elevation is at least 0.05 (water/caustics/landing.glsl)",
+        "the sine of the sun's elevation is at least 0.05 (water/caustics.glsl@landing)",
         "light is divided by 0: every sample is 65504, the frame's limit",
         Water(depth=1.0, ripples=Ripples(slope=0.1)),
         Light(sun_elevation=0.0, caustics=_PLAIN),
     ),
     _case(
         "caustics of the steepest ripples",
-        "the cosine between a refracted ray and the vertical is at least 0.25 (water/caustics/landing.glsl)",
+        "the cosine between a refracted ray and the vertical is at least 0.25 (water/caustics.glsl@landing)",
         "errors of up to 24 levels; 2 % of samples are off by more than 2",
         Water(depth=3.0, ripples=Ripples(slope=0.6)),
         Light(sun_elevation=0.1, exposure=-1.0, caustics=_PLAIN),

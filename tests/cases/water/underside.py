@@ -33,13 +33,13 @@ def _case(
 _HARD = (
     _case(
         "past the critical angle",
-        "the square of the ray's cosine in air is at least 0 under the root (water/underside/main.glsl)",
+        "the square of the ray's cosine in air is at least 0 under the root (water/underside.glsl@main)",
         "NaN in 83 % of samples, 65504 after the frame's limit: everywhere beyond the critical angle",
         Camera(position=(0.37, -1.2, -0.21), yaw=1.0, pitch=0.35),
     ),
     _case(
         "straight up, where light and sight fade alike",
-        "1 + fall is at least 1e-3 (water/underside/water.glsl)",
+        "1 + fall is at least 1e-3 (water/underside.glsl@water)",
         "0/0 in 0.2 % of samples, 65504 after the frame's limit; where 1 + fall is a rounding error, errors "
         "of up to 236 levels",
         Camera(position=(0.0, -1.0, 0.0), pitch=math.pi / 2, fov=0.01),
@@ -47,19 +47,19 @@ _HARD = (
     ),
     _case(
         "a hair under the surface",
-        "the distance to the surface is at least 1 mm (water/underside/main.glsl)",
+        "the distance to the surface is at least 1 mm (water/underside.glsl@main)",
         "errors of up to 73 levels, 8.9 in the mean: footprints a thousand times too wide",
         Camera(position=(0.0, -1e-7, 0.0), pitch=0.3),
     ),
     _case(
         "an eye under the floor",
-        "the distance to the floor is at least 0 (water/seafloor/reach.glsl)",
+        "the distance to the floor is at least 0 (water/seafloor.glsl@reach)",
         "light grows along rays of negative length: 65504 after the frame's limit, a mean error of 80 levels",
         Camera(position=(0.0, -5.0, 0.0), pitch=-0.2),
     ),
     _case(
         "an eye in a crest, below",
-        "the distance along the ray is at least 0 (water/underside/find.glsl)",
+        "the distance along the ray is at least 0 (water/underside.glsl@find)",
         "no difference on llvmpipe: no Newton step goes so far back",
         Camera(position=(0.0, 0.125, 0.0), pitch=0.1),
         waves=(ParametricWave(amplitude=0.6, wavelength=5.0, phase=math.pi / 2),),
@@ -67,14 +67,14 @@ _HARD = (
     ),
     _case(
         "no floor to mirror, a kilometre down",
-        "distances are at most 1000 km, depths at least 0 (planner/defaults.py, water/underside/water.glsl)",
+        "distances are at most 1000 km, depths at least 0 (planner/defaults.py, water/underside.glsl@water)",
         "no difference: the light is 3e-9 there, and no light passes through 1e38 m of water",
         Camera(position=(1e7, -1000.0, -1e7), pitch=0.4),
         water=Water(ripples=Ripples()),
     ),
     _case(
         "straight up from before a beach",
-        "the rate at which a ray approaches the floor is at least 1e-6 (shore/reach.glsl)",
+        "the rate at which a ray approaches the floor is at least 1e-6 (shore/march.glsl@reach)",
         "a mean error of 28 levels, 70 % of samples off by more than 2: rays step away from the floor and "
         "find one overhead",
         Camera(position=(-42.0, -1.2, 9.0), pitch=math.pi / 2),
@@ -83,7 +83,7 @@ _HARD = (
     ),
     _case(
         "along the slope of a beach, a hand over it",
-        "Newton steps are taken only where the ray approaches the floor (shore/reach.glsl)",
+        "Newton steps are taken only where the ray approaches the floor (shore/march.glsl@reach)",
         "a mean error of 11 levels, 50 % of samples off by more than 2: steps back behind the camera",
         Camera(position=(-60.0, -5.9, 9.0), yaw=1.4, pitch=0.09),
         water=Water(scattering=0.01),

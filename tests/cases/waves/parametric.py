@@ -68,7 +68,7 @@ _HARD = (
             foam=Foam(saturation=(FrontSaturation(group=(0.1, 0.4)),), look="halftone"),
         ),
         guard="nothing is divided by the sum of the waves, and the group threshold suppresses foam where the sum "
-        "is rounding noise (foam/saturation/front_gate.glsl)",
+        "is rounding noise (foam/saturation/front.glsl@gate)",
         without="rounding errors of a zero sum appear as foam: 1.2 % of samples flip",
         times=(0.0, 1.3863),
         camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
@@ -77,7 +77,7 @@ _HARD = (
         name="sixteen equal waves",
         scene=Scene(waves=(ParametricWave(amplitude=0.06, wavelength=9.0),) * 16, foam=Foam(look="fading")),
         guard="the slope bound of ray marching is the sum over all waves (effects/waves/parametric.py, "
-        "surface/march.glsl)",
+        "surface/march.glsl@march)",
         without="with the bound of a single wave, ray marching steps through crests: 21 % of samples are off by "
         "more than 2 levels",
         times=(0.0, 1e9),
@@ -86,7 +86,7 @@ _HARD = (
     HardCase(
         name="a wall of water, 50 m high and 5 cm long",
         scene=Scene(waves=(ParametricWave(amplitude=50.0, wavelength=0.05, exponent=4.0),), foam=Foam()),
-        guard="N·D is at most -1e-3 |N||D| in the footprint (lib/camera.glsl)",
+        guard="N·D is at most -1e-3 |N||D| in the footprint (lib/rays.glsl@camera)",
         without="the footprint is NaN or infinite where N·D = 0; one sample in 500 is off by up to 215 levels",
         camera=Camera(position=(0.0, 60.0, 0.0), pitch=-0.6),
         coarse_apart="slopes of 6000 magnify the error of SwiftShader's sine, 2e-4",
@@ -98,7 +98,7 @@ _HARD = (
             foam=Foam(look="halftone"),
             water=Water(ripples=Ripples()),
         ),
-        guard="steps are divided by at least 1e-6 |D| (surface/march.glsl)",
+        guard="steps are divided by at least 1e-6 |D| (surface/march.glsl@march)",
         without="no difference on llvmpipe, where ray marching ends by its tolerance; a ray along flat water would "
         "divide 0 by 0",
         camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
@@ -128,7 +128,7 @@ _HARD = (
             foam=Foam(look="halftone"),
         ),
         guard="a Newton step is taken only where the gap shrinks at a rate above 1e-3, and its length is limited "
-        "by the last gap of ray marching (surface/march.glsl, newton.glsl)",
+        "by the last gap of ray marching (surface/march.glsl@march, surface/march.glsl@newton)",
         without="one sample in 5000 is off by 46 levels",
         times=(0.0, 2.7),
         camera=Camera(position=(0.0, 1.29, 0.0), yaw=1.571, pitch=0.0),
@@ -137,14 +137,14 @@ _HARD = (
         name="rays that double back on the mesh",
         scene=Scene(waves=(ParametricWave(amplitude=3.0, wavelength=8.0, exponent=8.0),), foam=Foam()),
         guard="Newton steps are at most a twentieth of the distance, and only where the ray approaches the "
-        "surface (surface/newton.glsl)",
+        "surface (surface/march.glsl@newton)",
         without="1.8 % of samples are off by more than 2 levels, the worst by 221",
         camera=Camera(position=(0.0, 4.0, 0.0), yaw=1.571, pitch=-0.2),
     ),
     HardCase(
         name="eye inside a crest",
         scene=Scene(waves=(ParametricWave(amplitude=1.0, wavelength=6.0, phase=math.pi / 2),), foam=Foam()),
-        guard="the distance along the ray is never negative (surface/march.glsl)",
+        guard="the distance along the ray is never negative (surface/march.glsl@march)",
         without="26 % of samples are off by more than 2 levels: hits behind the camera",
         camera=Camera(position=(0.0, 0.025, 0.0), pitch=-0.2),
         apart="the reference looks for the surface from below, the march takes the eye's own place",
@@ -152,7 +152,7 @@ _HARD = (
     HardCase(
         name="eye far below the water",
         scene=Scene(waves=(ParametricWave(),), foam=Foam(), water=Water(ripples=Ripples())),
-        guard="the distance at which the ray leaves the slab of the waves is never negative (surface/march.glsl)",
+        guard="the distance at which the ray leaves the slab of the waves is never negative (surface/march.glsl@march)",
         without="that distance is infinite in 0.14 % of samples and negative in 0.29 %",
         camera=Camera(position=(0.0, -1000.0, 0.0), pitch=0.4),
         apart="the reference looks for the surface from below, the march takes the eye's own place",

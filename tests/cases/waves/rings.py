@@ -48,7 +48,7 @@ _HARD = (
             foam=Foam(saturation=(SlopeSaturation(),), look="textured"),
         ),
         guard="r is rounded off at the centre, and there is no wave beyond the front, which is at the centre at "
-        "birth (waves/rings/ring.glsl)",
+        "birth (waves/rings.glsl@ring)",
         without="0/0 at the centre, and a cone of slope 0.45 around it",
         times=(0.0, 2.0, 2.4),
         camera=Camera(position=(0.3, 2.0, -7.0), pitch=-math.pi / 2),
@@ -59,7 +59,7 @@ _HARD = (
             rings=(_STONE.model_copy(update={"crests": 0.5}),),
             foam=Foam(saturation=(HeightSaturation(base=0.05, full=0.25),), look="textured"),
         ),
-        guard="amplitude rises and falls over a wavelength at front and tail (waves/rings/ring.glsl)",
+        guard="amplitude rises and falls over a wavelength at front and tail (waves/rings.glsl@ring)",
         without="slope of 0.60 instead of 0.40 at the worst of 20 000 points, and 1500 in the front itself",
         times=(1.5,),
         camera=_VIEW,
@@ -83,7 +83,7 @@ _HARD = (
     HardCase(
         name="rings long dead",
         scene=Scene(rings=(_STONE,), foam=Foam(saturation=(HeightSaturation(base=0.0, full=0.5),), look="halftone")),
-        guard="negative amplitudes count as 0 (waves/rings/ring.glsl)",
+        guard="negative amplitudes count as 0 (waves/rings.glsl@ring)",
         without="waves of 0.4 mm with slope 0.0012 that never end",
         times=(13.8, 1e9),
         camera=_VIEW,

@@ -23,7 +23,7 @@ _HARD = (
         name="the open sea at any time",
         scene=Scene(sea=Sea(wind=8.0)),
         guard="every frequency is a multiple of 2π per loop, and the time in the loop is reduced in float64 "
-        "(waves/sea/spectrum.glsl)",
+        "(waves/sea_passes.glsl@spectrum)",
         without="with ωt in float32 at 1e9 s 77 % of samples are off by more than 2 levels, the worst by 219",
         times=(-1e9, 1e9),
         camera=_NEAR,
@@ -45,7 +45,7 @@ _HARD = (
     HardCase(
         name="a breath of wind, and no wave on the largest tile",
         scene=Scene(sea=Sea(wind=0.4, fetch=100.0, spread=100.0, against=0.0), water=Water(ripples=Ripples())),
-        guard="the divisor is at least 1e-30 where slopes are clamped (waves/sea/tile_pass.glsl)",
+        guard="the divisor is at least 1e-30 where slopes are clamped (waves/sea_passes.glsl@tile_pass)",
         without="no difference on llvmpipe, whose min(1, 0/0) is 1; GLSL leaves it undefined",
         camera=_NEAR,
     ),
@@ -53,7 +53,7 @@ _HARD = (
         name="the highest sea there is",
         scene=Scene(sea=Sea(wind=60.0, fetch=1e7, choppiness=1.0), water=Water(depth=11000.0)),
         guard="heights are clamped to 4.5 standard deviations, which bounds the slab that is marched "
-        "(waves/sea/tile_pass.glsl)",
+        "(waves/sea_passes.glsl@tile_pass)",
         without="no difference here: no height of these tiles reaches the limit",
         camera=Camera(position=(0.0, 260.0, 0.0), pitch=-0.5),
     ),

@@ -22,7 +22,7 @@ _HARD = (
     HardCase(
         name="the edge of standing waves, and straight behind a stone",
         scene=_FLOWS.model_copy(update={"foam": Foam(saturation=(SlopeSaturation(),), look="textured")}),
-        guard="waves only where the square root in their phase exceeds 0 (boats/wake/pattern.glsl)",
+        guard="waves only where the square root in their phase exceeds 0 (boats/wake.glsl@pattern)",
         without="2.6 % of samples off by more than 2 levels, the worst by 234: a vertical step at the waves' edge",
         camera=_ABOVE,
     ),
@@ -31,7 +31,7 @@ _HARD = (
         scene=_FLOWS.model_copy(
             update={"foam": Foam(saturation=(WakeSaturation(amount=4.0, life=60.0, bow=4.0),), look="textured")}
         ),
-        guard="exponents at most 80 (foam/saturation/stones.glsl)",
+        guard="exponents at most 80 (foam/saturation/surf.glsl@stones)",
         without="no change on llvmpipe: exponentials underflow to 0",
         camera=_ABOVE,
     ),

@@ -28,7 +28,7 @@ _HARD = (
     HardCase(
         name="as many touches as there may be, at one place",
         scene=Scene(touches=(Touch(strength=0.004, time=-0.5),) * TOUCHES_MOST),
-        guard="slopes without height, so no ray misses a crest (waves/touch/rings.glsl)",
+        guard="slopes without height, so no ray misses a crest (waves/rings.glsl@touch)",
         without="with heights, crests of 0.1 m in a slab of 4 mm",
         camera=_NEAR,
     ),
@@ -50,7 +50,7 @@ _HARD = (
     HardCase(
         name="touches long over, and touches of no strength",
         scene=Scene(touches=(*_TRAIN, Touch(strength=0.0)), foam=Foam(saturation=(HeightSaturation(),))),
-        guard="negative amplitudes count as 0, and strengths of 0 are passed over (waves/rings/ring.glsl)",
+        guard="negative amplitudes count as 0, and strengths of 0 are passed over (waves/rings.glsl@ring)",
         without="rings with negative amplitudes that never end",
         times=(12.0, 1e9),
         camera=_NEAR,

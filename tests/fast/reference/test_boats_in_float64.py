@@ -74,7 +74,7 @@ def test_no_plan_blends_the_surface() -> None:
 def test_boats_bring_nothing_to_a_scene_without_them() -> None:
     plan = make_plan(load_preset("default").scene, TIERS["standard"]).canonical_json().decode()
     assert "u_boat" not in plan
-    assert "boats/hull/hull.glsl" not in plan
+    assert "boats/hull.glsl@hull" not in plan
     assert "wake" not in plan
     assert "mirror_" not in plan
 

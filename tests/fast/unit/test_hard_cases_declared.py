@@ -9,7 +9,7 @@ import seafoam
 from seafoam.effects import EFFECTS
 from seafoam.effects.effect import Effect
 from seafoam.planner import make_plan
-from seafoam.resources import data_dir
+from seafoam.planner.glsl import read_file
 from support.cases import HardCase, cases_of
 from support.exact import EXACT
 from support.hard_cases import CASES, QUALITIES
@@ -28,11 +28,13 @@ def test_every_effect_has_hard_cases(effect: Effect) -> None:
 @pytest.mark.parametrize(("effect", "case"), CASES)
 def test_guards_stand_where_they_are_said_to(effect: Effect, case: HardCase) -> None:
     """Files that a guard names exist, and a shader among them is drawn: a guard in another file guards nothing here."""
-    named = re.findall(r"[\w/]+\.(?:glsl|py)", case.guard)
+    named = re.findall(r"[\w/]+\.(?:glsl(?:@\w+)?|py)", case.guard)
     for name in named:
-        folder = data_dir("shaders") if name.endswith(".glsl") else Path(seafoam.__file__).parent
-        assert any(folder.rglob(name)), f"no file {name}"
-    if named and all(name.endswith(".glsl") for name in named):
+        if name.endswith(".py"):
+            assert any(Path(seafoam.__file__).parent.rglob(name)), f"no file {name}"
+        else:
+            assert read_file(name)
+    if named and not any(name.endswith(".py") for name in named):
         plans = (make_plan(case.scene, quality) for quality in QUALITIES.values())
         shaders = (shader for plan in plans for one in plan.programs.values() for shader in (one.vertex, one.fragment))
         assert any(file.path in named for shader in shaders for file in shader.files), f"none of {named} is drawn"

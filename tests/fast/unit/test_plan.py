@@ -1,17 +1,21 @@
 """Frame plans: same bytes, nothing that the scene does not call for, every uniform ruled, live fields truly live."""
 
+import ast
 import json
 import re
 import subprocess
 import sys
 from functools import cache
+from pathlib import Path
 from typing import Any, get_args
 
 import pytest
 
+import seafoam
 from seafoam.framegraph.rules import COMPONENTS
 from seafoam.framegraph.shader import declared_uniforms
 from seafoam.planner import FramePlan, PlanError, make_plan
+from seafoam.planner.glsl import PART, parts_of, read_file
 from seafoam.quality import TIERS
 from seafoam.resources import data_dir
 from seafoam.scene.camera import Camera
@@ -26,6 +30,8 @@ from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave, Sea
 from support.sweep import spread
 
+MOST_FILES = 80
+"""Of shaders."""
 STANDARD = TIERS["standard"]
 
 
@@ -163,7 +169,30 @@ def test_every_shader_starts_as_webgl_wants_it_and_maps_its_lines() -> None:
             assert shader.text.startswith("#version 300 es\nprecision highp float;\n")
             lines = shader.text.split("\n")
             for file in shader.files:
-                assert lines[file.line - 1] == (data_dir("shaders") / file.path).read_text().split("\n")[0]
+                assert lines[file.line - 1] == read_file(file.path).split("\n")[0]
+
+
+def test_shaders_are_few_files_of_parts_with_names_of_their_own() -> None:
+    files = sorted(data_dir("shaders").rglob("*.glsl"))
+    assert 0 < len(files) <= MOST_FILES
+    for path in files:
+        text = path.read_text(encoding="utf-8")
+        assert text.count("\n") >= 8, f"{path}: part of another file"
+        names = PART.findall(text)
+        assert len(set(names)) == len(names), path
+        assert text.count("// @part") == len(names), (
+            f"{path}: // @part NAME is a line of its own"
+        )
+        assert not names or all(part.startswith("// ") for part in parts_of(str(path)).values()), path
+
+
+def test_paths_of_shaders_are_whole_so_that_they_can_be_searched_for() -> None:
+    for path in Path(seafoam.__file__).parent.rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.JoinedStr):
+                texts = [part.value for part in node.values if isinstance(part, ast.Constant)]
+                made = any(re.search(r"\.glsl\b", str(text)) for text in texts)
+                assert not made or "api/export" in path.as_posix(), f"{path}:{node.lineno}: a path is made of pieces"
 
 
 def test_glsl_never_multiplies_raw_time_nor_hashes_floats() -> None:

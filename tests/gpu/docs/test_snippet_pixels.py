@@ -95,10 +95,10 @@ def filtered(probe: Probe, name: str, saturation: float, samples: int = 1) -> Pi
     got = probe(
         [
             "lib/numbers.glsl",
-            "foam/mask_coordinates.glsl",
+            "foam/mask.glsl@coordinates",
             Inline("float foam_texture(vec2 p, Footprint fp) {\n    return 1.0;\n}\n"),
-            "lib/cubic_spline.glsl",
-            "foam/look/filtered.glsl",
+            "lib/texels.glsl@cubic_spline",
+            "foam/look.glsl@filtered",
             Inline(PLACE),
         ],
         f"vec2 step = vec2({0.5 / samples}, 0.0);\n"

@@ -104,7 +104,7 @@ void main() {
 
 def probing(plan: FramePlan, span: float) -> FramePlan:
     """The plan with its pass of starts drawing what breaks a bound instead: over, steeper, risen (m), bend (1/m)."""
-    told = any("waves/sea/short.glsl" in effect.files for effect in plan.effects)
+    told = any("waves/sea.glsl@short" in effect.files for effect in plan.effects)
     few, fewest = ("sea_short", "short_bounds()") if told else ("vec3(0.0)", "vec3(0.0)")
     # What bounds of standing waves are told for is the ray's own way, not those to its sides.
     stand = any(effect.name == "standing waves" for effect in plan.effects)
@@ -113,8 +113,8 @@ def probing(plan: FramePlan, span: float) -> FramePlan:
     gentler = "stones_gentler(ray, 0.9)" if measured else "0.0"
     main = _MAIN.format(side=float(SIDE), span=span, few=few, fewest=fewest, angle=angle, gentler=gentler)
     # Its texture is declared already.
-    of_stones = read_file("waves/standing/gentler.glsl").replace("uniform sampler2D", "// ") if measured else ""
-    return instead(plan, (read_file("waves/sea/short_bounds.glsl") if told else "") + of_stones + main)
+    of_stones = read_file("waves/standing.glsl@gentler").replace("uniform sampler2D", "// ") if measured else ""
+    return instead(plan, (read_file("waves/sea.glsl@short_bounds") if told else "") + of_stones + main)
 
 
 def instead(plan: FramePlan, main: str) -> FramePlan:

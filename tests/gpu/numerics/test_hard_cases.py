@@ -118,7 +118,7 @@ def test_front_at_its_pole_and_beyond_the_schemas_c(probe: Probe, intensity: flo
         ]
     ).astype(np.float32)
     got = probe(
-        ["lib/numbers.glsl", "foam/saturation/front_profile.glsl"],
+        ["lib/numbers.glsl", "foam/saturation/front.glsl@profile"],
         "y.x = front_profile(x.xy, length(x.xy));",
         signals,
         uniforms={"u_front_intensity": intensity, "u_front_log_base": 1.0},

@@ -21,7 +21,7 @@ def over_the_target(plan: FramePlan) -> FramePlan:
     """The plan with every pass that keeps under the horizon drawn over the whole target."""
     programs = dict(plan.programs)
     for name, program in programs.items():
-        if any(file.path == "vertex/falling.glsl" for file in program.vertex.files):
+        if any(file.path == "vertex/vertex.glsl@falling" for file in program.vertex.files):
             programs[name] = program.model_copy(update={"vertex": WHOLE})
     assert programs != plan.programs
     return plan.model_copy(update={"programs": programs})

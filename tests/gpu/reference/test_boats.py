@@ -165,7 +165,7 @@ def test_hulls_equal_their_float64_form(probe: Probe, report: Report, kind: str)
     for seed in range(12):
         eye, d = rays(seed, 4000)
         got = probe(
-            (Inline("uniform vec3 u_eye;\nuniform vec2 u_rig;\n"), "boats/hull/hull.glsl"),
+            (Inline("uniform vec3 u_eye;\nuniform vec2 u_rig;\n"), "boats/hull.glsl@hull"),
             body,
             d,
             consts={"BOAT_SAILS": True, "BOAT_MOTORS": True},
@@ -203,7 +203,7 @@ def test_wakes_equal_their_float64_form(probe: Probe, report: Report) -> None:
         at = (rng.random((20000, 2)) * (1.05 * wake.length, 1.1 * ASIDE * wake.length)).astype(np.float32)
         at[:100, 1] = 0.0
         got = probe(
-            ("lib/numbers.glsl", Inline("uniform vec4 u_wake;\nuniform vec2 u_form;\n"), "boats/wake/pattern.glsl"),
+            ("lib/numbers.glsl", Inline("uniform vec4 u_wake;\nuniform vec2 u_form;\n"), "boats/wake.glsl@pattern"),
             "y = wake_pattern(x.xy, u_wake, u_form.x, u_form.y);",
             at,
             uniforms={

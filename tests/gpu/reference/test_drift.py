@@ -28,16 +28,16 @@ Floats = NDArray[np.float64]
 
 FILES = (
     "lib/numbers.glsl",
-    "foam/drift/square.glsl",
-    "foam/drift/clock.glsl",
-    "foam/drift/flow.glsl",
-    "lib/noise/hash.glsl",
-    "lib/noise/value.glsl",
-    "foam/drift/patches.glsl",
-    "foam/drift/ago.glsl",
-    "foam/drift/back.glsl",
-    "foam/saturation/drift_rim.glsl",
-    "foam/saturation/drift_exact.glsl",
+    "foam/drift.glsl@square",
+    "foam/drift.glsl@clock",
+    "foam/drift.glsl@flow",
+    "lib/noise.glsl@hash",
+    "lib/noise.glsl@value",
+    "foam/drift.glsl@patches",
+    "foam/drift.glsl@ago",
+    "foam/drift.glsl@back",
+    "foam/saturation/drift.glsl@rim",
+    "foam/saturation/drift.glsl@exact",
 )
 FOOTPRINT = "Footprint(vec2(0.0), vec2(0.0))"
 STANDARD = TIERS["standard"]

@@ -26,7 +26,9 @@ def test_torn_steps_are_means_over_what_was_lost(probe: Probe) -> None:
     x = np.linspace(-0.5, 1.5, 401, dtype=np.float32)
     for variance in (0.0, 0.002, 0.02):
         got = probe(
-            [NUMBERS, "foam/saturation/torn.glsl"], f"y.x = torn_step(0.25, 0.72, x.x, {variance:.9f});", x[:, None]
+            [NUMBERS, "foam/saturation/wake.glsl@torn"],
+            f"y.x = torn_step(0.25, 0.72, x.x, {variance:.9f});",
+            x[:, None],
         )[:, 0]
         spread = np.random.default_rng(1).normal(0.0, math.sqrt(variance), 20000)
         t = np.clip((x[:, None].astype(np.float64) + spread - 0.25) / 0.47, 0.0, 1.0)
@@ -51,7 +53,7 @@ def test_torn_noise_keeps_what_its_mean_keeps(probe: Probe) -> None:
     sides = (0.125, 0.5, 1.0, 2.0)
     x = np.float32([[side, 0.0] for side in sides])
     got = probe(
-        [NUMBERS, "foam/saturation/torn.glsl"],
+        [NUMBERS, "foam/saturation/wake.glsl@torn"],
         "y.xy = torn_noise(vec2(0.5, 0.0), 1.0, 3.0, 1.0, Footprint(vec2(3.0 * x.x, 0.0), vec2(0.0, 3.0 * x.x)));",
         x,
     )
@@ -128,10 +130,10 @@ def test_filtered_coverage_equals_its_float64_form(probe: Probe, mask_name: str,
     got = probe(
         [
             NUMBERS,
-            "foam/mask_coordinates.glsl",
+            "foam/mask.glsl@coordinates",
             Inline("float foam_texture(vec2 p, Footprint fp) {\n    return 1.0;\n}\n"),
-            "lib/cubic_spline.glsl",
-            "foam/look/filtered.glsl",
+            "lib/texels.glsl@cubic_spline",
+            "foam/look.glsl@filtered",
         ],
         "y.x = filtered_coverage(x.x, 1.0, x.yz, vec2(x.w, 0.0), vec2(0.3 * x.w, 0.8 * x.w));",
         inputs,
@@ -174,7 +176,7 @@ def test_octaves_equal_their_float64_form(probe: Probe, octaves: int, fade: floa
     )
     texture = Inline("float foam_texture(vec2 p, Footprint fp) {\n    return 1.0;\n}\n")
     got = probe(
-        [NUMBERS, stand_in, texture, "lib/cubic_spline.glsl", "foam/look/filtered.glsl"],
+        [NUMBERS, stand_in, texture, "lib/texels.glsl@cubic_spline", "foam/look.glsl@filtered"],
         "given = x; y.x = foam_amount(x.x, vec2(0.0), Footprint(vec2(x.w, 0.0), vec2(0.3 * x.w, 0.8 * x.w)));",
         inputs,
         consts=filtered_consts(mask, fade, octaves),

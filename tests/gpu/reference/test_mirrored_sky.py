@@ -118,7 +118,7 @@ def test_the_plain_sky_is_taken_at_two_looks(probe: Probe, elevation: float) -> 
     names = ("u_sun_direction", *(f"u_air_{part}" for part in ("rayleigh", "mie", "even", "depth")))
     uniforms = {name: given[name].rules[0].value for name in names}  # type: ignore[union-attr]
     drawn = probe(
-        ["light/sky/analytic.glsl"],
+        ["light/sky.glsl@analytic"],
         "y.rgb = mirrored_sky(x.xyz, vec3(0.0, 0.0, x.w));",
         np.column_stack((r, deviation)),
         uniforms=uniforms,

@@ -92,7 +92,7 @@ def test_ripples_equal_float64_at_any_time_and_place(
     """Ripples have slopes alone: no height and no displacement to compare."""
     scene = Scene(water=Water(ripples=Ripples(slope=0.2)))
     body = "y.xyz = ripples_detail(x.xy, Footprint(vec2(0.0), vec2(0.0)));"
-    files = ("lib/numbers.glsl", "waves/ripples/bands.glsl", "waves/ripples/exact.glsl")
+    files = ("lib/numbers.glsl", "waves/ripples.glsl@bands", "waves/ripples.glsl@exact")
     made = ripples.EFFECT.contribute(scene, UNFILTERED)
     got = probe.contributed(made, files, body, places(), time=time, origin=origin)[:, :2]
     x, z = places().astype(np.float64).T

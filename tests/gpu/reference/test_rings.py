@@ -25,7 +25,7 @@ from support.pictures import draw, rmse
 from support.probe import Probe
 from support.report import Report
 
-FILES = ("lib/numbers.glsl", "waves/rings/ring.glsl", "waves/rings/exact.glsl")
+FILES = ("lib/numbers.glsl", "waves/rings.glsl@ring", "waves/rings.glsl@exact")
 ORIGINS = ((0.0, 0.0), (1e7, -1e7))
 
 
@@ -273,7 +273,7 @@ def test_rings_are_still_where_the_map_leaves_them_out(probe: Probe, origin: tup
 def test_bits_are_found_one_by_one(probe: Probe) -> None:
     at = np.array([[float(i)] for i in range(32)], np.float32)
     body = "uint bits = 0xffffffffu << uint(int(x.x));\ny.x = float(ring_first(bits));\ny.y = float(ring_first(0u));"
-    got = probe(("lib/numbers.glsl", "waves/rings/ring.glsl"), body, at, consts=given(Scene(rings=(Ring(),))).consts)
+    got = probe(("lib/numbers.glsl", "waves/rings.glsl@ring"), body, at, consts=given(Scene(rings=(Ring(),))).consts)
     assert (got[:, 0] == np.arange(32)).all()
     assert (got[:, 1] == 0.0).all()
 

@@ -22,13 +22,13 @@ TOLERANCE = 1e-5
 POLE = 5e-7
 """Phase, rad: nearer to 0 than 1.9e-7 NVIDIA's sine is 0. The last bit of a phase of 8 rad is as much."""
 NUMBERS = "lib/numbers.glsl"
-PHASE = ("foam/saturation/front_own.glsl", "foam/saturation/front_gate.glsl", "foam/saturation/front_profile.glsl")
+PHASE = ("foam/saturation/front.glsl@own", "foam/saturation/front.glsl@gate", "foam/saturation/front.glsl@profile")
 FILTERED_FRONT = (
     NUMBERS,
     Inline("uniform float u_eye_height;"),
     *PHASE,
-    "foam/saturation/front_seen.glsl",
-    "foam/saturation/front_filtered.glsl",
+    "foam/saturation/front.glsl@seen",
+    "foam/saturation/front.glsl@filtered",
 )
 CONSTANTS = {"text": (math.pi / 2, math.e), "listing": (1.07, 2.718)}
 
@@ -58,7 +58,7 @@ def test_front_equals_its_float64_form(probe: Probe, constants: str, intensity: 
     psi = phases()
     # One wave with k = (1, 0) and phase 0: psi = -p.x, through every line of the shader.
     got = probe(
-        [NUMBERS, *PHASE, "foam/saturation/front.glsl"],
+        [NUMBERS, *PHASE, "foam/saturation/front.glsl@plain"],
         "y.x = front_saturation(vec2(-x.x, 0.0), 0.0, Footprint(vec2(0.0), vec2(0.0)));",
         psi[:, None],
         consts={"FRONT_COUNT": 1, "FRONT_GATED": False},
@@ -205,7 +205,7 @@ def test_seen_height_equals_its_float64_form(probe: Probe, kept: float) -> None:
     sides = f"vec2({0.3 * long:.9g}, {0.1 * long:.9g}), vec2(0.0)"
     level = f"Footprint level_footprint(vec2 p, float height) {{ return Footprint({sides}); }}"
     got = probe(
-        [NUMBERS, Inline("uniform float u_eye_height;"), Inline(level), "foam/saturation/height_seen.glsl"],
+        [NUMBERS, Inline("uniform float u_eye_height;"), Inline(level), "foam/saturation/height.glsl@seen"],
         "y.x = height_saturation(vec2(0.6, 0.8) * x.x, x.y, Footprint(vec2(0.0), vec2(0.0)));",
         x,
         consts={"HEIGHT_NODES": HEIGHT_NODES, "SURFACE_FILTER": True},

@@ -29,8 +29,8 @@ from support.report import Report
 from support.sweep import REST
 
 REFERENCES = Path(__file__).parents[2] / "references"
-HASH = "lib/noise/hash.glsl"
-FILES = {2: "lib/noise/perlin_2.glsl", 3: "lib/noise/perlin_3.glsl"}
+HASH = "lib/noise.glsl@hash"
+FILES = {2: "lib/noise.glsl@perlin_2", 3: "lib/noise.glsl@perlin_3"}
 AXES = {2: "x.xy", 3: "x.xyz"}
 
 
@@ -162,7 +162,7 @@ def test_the_sun_goes_round() -> None:
         assert np.abs(one - other).max() <= 1e-7
 
 
-CUBE = ["lib/bilinear.glsl", "lib/cube_face.glsl", "reflection/cube.glsl"]
+CUBE = ["lib/texels.glsl@bilinear", "lib/texels.glsl@cube_face", "reflection/cube.glsl@cube"]
 SMOOTH = Inline(
     "vec4 cube_texel(int face, ivec2 at) {\n    vec2 side = 2.0 * vec2(at) / float(CUBE_SIZE - 1) - 1.0;\n"
     "    vec3 d = normalize(cube_direction(face, side));\n"
@@ -189,7 +189,9 @@ def test_a_cube_s_faces_meet_without_a_seam(probe: Probe, size: int) -> None:
         near = edge.copy()
         near[rows, other] *= push
         body = "y.rgb = reflected_light(vec3(0.0), normalize(x.xyz), vec3(0.0));"
-        values.append(probe([*CUBE, SMOOTH, "reflection/cubemap.glsl"], body, near, consts={"CUBE_SIZE": size})[:, :3])
+        values.append(
+            probe([*CUBE, SMOOTH, "reflection/cube.glsl@cubemap"], body, near, consts={"CUBE_SIZE": size})[:, :3]
+        )
     assert np.abs(values[0] - values[1]).max() <= 2e-5
 
 
@@ -199,7 +201,7 @@ def test_a_cube_converges_with_its_size(probe: Probe, report: Report) -> None:
     errors = []
     for size in (16, 32, 64, 128):
         got = probe(
-            [*CUBE, SMOOTH, "reflection/cubemap.glsl"],
+            [*CUBE, SMOOTH, "reflection/cube.glsl@cubemap"],
             "y.rgb = reflected_light(vec3(0.0), x.xyz, vec3(0.0));",
             d,
             consts={"CUBE_SIZE": size},

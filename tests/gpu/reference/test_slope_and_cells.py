@@ -50,7 +50,7 @@ def test_slope_saturation_equals_its_float64_form(probe: Probe, cap: float, blur
             "lib/numbers.glsl",
             "waves/parametric.glsl",
             Inline("vec4 waves_shading(vec2 p, Footprint fp) {\n    return parametric_shading(p, fp);\n}\n"),
-            "foam/saturation/slope_lack.glsl",
+            "foam/saturation/slope.glsl@lack",
             f"foam/saturation/{name}.glsl",
         ],
         "y.x = slope_saturation(x.xy, 0.0, Footprint(vec2(0.0), vec2(0.0)));",

@@ -25,12 +25,12 @@ from support.report import Report
 SPARKLES = Sparkles(size=0.004, rate=3.0, life=0.4, share=1.0)
 FILES = (
     "lib/numbers.glsl",
-    "lib/camera.glsl",
+    "lib/rays.glsl@camera",
     Inline(
         "uniform vec3 u_sun_irradiance;\nvec3 smooth_glitter(vec3 d, vec3 n, float s, float c) { return vec3(0.0); }\n"
     ),
-    "lib/noise/hash.glsl",
-    "light/glitter/sparkles.glsl",
+    "lib/noise.glsl@hash",
+    "light/glitter.glsl@sparkles",
 )
 
 
@@ -156,8 +156,8 @@ def test_the_lakes_highlight_equals_its_float64_form(probe: Probe, power: float,
         [
             "lib/numbers.glsl",
             Inline("uniform vec3 u_sun_direction;\n"),
-            "light/shade/irradiance.glsl",
-            "light/glitter/blinn_phong.glsl",
+            "light/shade.glsl@irradiance",
+            "light/glitter.glsl@blinn_phong",
         ],
         "vec3 d = vec3(x.x, -sqrt(max(1.0 - x.x * x.x - x.y * x.y, 0.0)), x.y);\n"
         "y.xyz = glitter_light(d, normalize(vec3(-x.z, 1.0, -x.w)), 0.0, 1.0);",

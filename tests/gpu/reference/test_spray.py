@@ -72,7 +72,7 @@ def flown(values: NDArray[np.float64], weight: float) -> NDArray[np.float64]:
 def test_flight_equals_its_closed_form(probe: Probe, report: Report, weight: float) -> None:
     values = throws(20_000)
     got = probe(
-        ["lib/noise/hash.glsl", "spray/flight.glsl"],
+        ["lib/noise.glsl@hash", "spray/drawn.glsl@flight"],
         f"y.xyz = spray_flight(vec3(0.0), vec3(x.y, x.x, 0.0), x.z, x.w, {weight});",
         values,
         uniforms={"u_spray_wind": WIND},

@@ -23,7 +23,7 @@ from support.pictures import levels, samples
 from support.probe import Probe
 from support.report import Report
 
-FILES = ("lib/numbers.glsl", "waves/rings/ring.glsl", "waves/touch/rings.glsl")
+FILES = ("lib/numbers.glsl", "waves/rings.glsl@ring", "waves/rings.glsl@touch")
 SIZE = (64, 36)
 FULL = "y.xyz = touches_detail(x.xy, Footprint(vec2(0.0), vec2(0.0)));"
 

@@ -42,14 +42,14 @@ DRAUGHT = 0.08
 """Depth of the keel below the water line, in boat lengths."""
 HULLS: dict[str, tuple[float, float, float]] = {"sail": (0.15, 4.63, 0.1), "motor": (0.17, 2.515, 0.15)}
 """Half breadth amidships, its fall with the square of the distance from the height of the greatest breadth, and that
-height, in boat lengths, as in ``boats/hull/hull.glsl``."""
+height, in boat lengths, as in ``boats/hull.glsl@hull``."""
 FAR = 1e8
 """Limit of the distance from a course's centre to the camera, along each axis, m: beyond what any picture shows."""
 
-COURSE = "boats/hull/course.glsl"
-FRAME = "boats/hull/frame.glsl"
-TRACE = (COURSE, "boats/hull/hull.glsl", FRAME, "boats/hull/trace.glsl")
-LIGHT = ("lib/refraction.glsl", *ILLUMINATION, "boats/hull/light.glsl")
+COURSE = "boats/pose.glsl@course"
+FRAME = "boats/hull.glsl@frame"
+TRACE = (COURSE, "boats/hull.glsl@hull", FRAME, "boats/hull.glsl@trace")
+LIGHT = ("lib/refraction.glsl", *ILLUMINATION, "boats/drawn.glsl@light")
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -72,7 +72,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 def shade_files(scene: Scene) -> tuple[Piece | SlotRef, ...]:
     """Files that shade a boat, in a program without water."""
     if scene.light is None:
-        return SlotRef("sky"), "boats/hull/dark.glsl"
+        return SlotRef("sky"), "boats/drawn.glsl@dark"
     return SlotRef("sky"), SlotRef("open sun"), *LIGHT
 
 
@@ -132,11 +132,11 @@ def _per_boat(values: Sequence[tuple[float, ...]]) -> Uniform:
 
 def _pose_pass(scene: Scene) -> PassSpec:
     """Height and slope of each boat's water line, from the drawn surface around its hull points."""
-    support = "boats/hull/afloat.glsl" if scene.shore is None else "boats/hull/aground.glsl"
+    support = "boats/pose.glsl@afloat" if scene.shore is None else "boats/pose.glsl@aground"
     return PassSpec(
         name="how boats float",
         program="boat_pose",
-        fragment=("lib/numbers.glsl", SlotRef("waves"), COURSE, support, "boats/hull/pose_pass.glsl"),
+        fragment=("lib/numbers.glsl", SlotRef("waves"), COURSE, support, "boats/pose.glsl@pass"),
         target="boat_pose",
     )
 
@@ -146,22 +146,29 @@ def _picture_pass(scene: Scene) -> PassSpec:
     no_land = constant_function("bool", "boat_behind_land", "vec3 ray, float farthest", "false")
     common: tuple[Piece | SlotRef, ...] = (
         "lib/numbers.glsl",
-        "lib/camera.glsl",
-        "lib/place.glsl",
+        "lib/rays.glsl@camera",
+        "lib/rays.glsl@place",
         SlotRef("waves"),
         SlotRef("find"),
         *TRACE,
         *shade_files(scene),
-        *((no_land,) if scene.shore is None else (*FIND_LAND, "boats/hull/land.glsl")),
+        *((no_land,) if scene.shore is None else (*FIND_LAND, "boats/drawn.glsl@land")),
     )
-    under = ("light/shade/optics.glsl", SlotRef("underside"), WATER, SlotRef("reach"), "boats/hull/under.glsl")
+    under = ("light/shade.glsl@optics", SlotRef("underside"), WATER, SlotRef("reach"), "boats/drawn.glsl@under")
     swing = max_displacement(scene)
     return PassSpec(
         name="boats",
         program="boat",
-        fragment=(*common, "boats/hull/over.glsl", "boats/hull/main.glsl"),
-        under=() if scene.light is None else (*common, *under, "boats/hull/main.glsl"),
-        vertex=("lib/numbers.glsl", "lib/camera.glsl", COURSE, FRAME, "vertex/quad.glsl", "boats/hull/vertex.glsl"),
+        fragment=(*common, "boats/drawn.glsl@over", "boats/drawn.glsl@main"),
+        under=() if scene.light is None else (*common, *under, "boats/drawn.glsl@main"),
+        vertex=(
+            "lib/numbers.glsl",
+            "lib/rays.glsl@camera",
+            COURSE,
+            FRAME,
+            "vertex/vertex.glsl@quad",
+            "boats/drawn.glsl@vertex",
+        ),
         mesh=Quads(count=1),
         target=ABOVE,
         stage="after",

@@ -16,7 +16,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         return None
     return Contribution(
         why="rays to the sun from the water around boats",
-        slots=(SlotFile("sunlight", "boats/hull/shadow.glsl", needs=TRACE),),
+        slots=(SlotFile("sunlight", "boats/drawn.glsl@shadow", needs=TRACE),),
         consts={"SUN_UNDER_SAIL": UNDER_SAIL},
         bound=Bound(0.0, "no sunlight") if body_limit(scene) == 0.0 else None,
     )

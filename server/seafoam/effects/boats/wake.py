@@ -30,9 +30,9 @@ ASIDE = 0.36
 AWAY = (0, 2, 4, 8)
 """Distances from a boat's middle, in boat lengths, from which on a bound of the wake's curvature is given: the
 curvature is greatest at the bow, where the window fades the wake in."""
-WAY = (COURSE, "boats/wake/way.glsl")
-_PATTERN = "boats/wake/pattern.glsl"
-_PATTERN = "boats/wake/pattern.glsl"
+WAY = (COURSE, "boats/wake.glsl@way")
+_PATTERN = "boats/wake.glsl@pattern"
+_PATTERN = "boats/wake.glsl@pattern"
 
 
 @dataclass(frozen=True)
@@ -73,8 +73,8 @@ BOATS = Kind(
     "wakes",
     "no boat moves, or none makes waves",
     WAY,
-    "boats/wake/declared_bounds.glsl",
-    "boats/wake/bounds.glsl",
+    "boats/wake_bounds.glsl@declared",
+    "boats/wake_bounds.glsl@measured",
 )
 
 
@@ -112,12 +112,12 @@ def wakes_of(kind: Kind, patterns: Sequence[Wake], quality: Quality) -> Contribu
 
 def _slots(kind: Kind, *, mapped: bool) -> tuple[SlotFile, ...]:
     """Waves and bounds. The pattern itself is the same for all kinds."""
-    at = kind.file("boats/wake/map.glsl" if mapped else "boats/wake/exact.glsl")
+    at = kind.file("boats/wake.glsl@map" if mapped else "boats/wake.glsl@exact")
     needs = (*kind.way, at) if mapped else (*kind.way, _PATTERN, at)
     bounds = kind.measured if mapped else kind.declared
     gentler = (SlotFile("gentler", kind.gentler, prefix=kind.prefix, needs=kind.bounds_need),)
     return (
-        SlotFile("waves", kind.file("boats/wake/waves.glsl"), prefix=kind.prefix, needs=needs),
+        SlotFile("waves", kind.file("boats/wake.glsl@waves"), prefix=kind.prefix, needs=needs),
         SlotFile("bounds", bounds, prefix=kind.prefix, needs=kind.bounds_need),
         *(gentler if mapped and kind.gentler else ()),
     )
@@ -147,7 +147,7 @@ def _bound_uniforms(patterns: Sequence[Wake], height: float) -> dict[str, Unifor
 
 def _map_passes(kind: Kind, count: int, size: int) -> tuple[dict[str, Target], tuple[PassSpec, ...]]:
     """Targets and passes of the wakes' map, ``size`` texels long and half as wide per wake, and of its bounds."""
-    name, form = kind.name, kind.file("boats/wake/form.glsl")
+    name, form = kind.name, kind.file("boats/wake.glsl@form")
     blocks = FixedSize(width=size // BLOCK, height=size // 2 // BLOCK * count)
     targets = {
         name: Target(size=FixedSize(width=size, height=size // 2 * count), format="RGBA16F", filter="linear"),
@@ -158,7 +158,7 @@ def _map_passes(kind: Kind, count: int, size: int) -> tuple[dict[str, Target], t
         PassSpec(
             name=f"{kind.title}, {size} texels along",
             program=name,
-            fragment=("lib/numbers.glsl", form, _PATTERN, kind.file("boats/wake/map_pass.glsl")),
+            fragment=("lib/numbers.glsl", form, _PATTERN, kind.file("boats/wake.glsl@map_pass")),
             target=name,
         ),
         PassSpec(
@@ -167,7 +167,7 @@ def _map_passes(kind: Kind, count: int, size: int) -> tuple[dict[str, Target], t
             fragment=(
                 Inline(f"const int BOUNDS_BLOCK = {BLOCK};\n"),
                 form,
-                kind.file("boats/wake/bounds_blocks_pass.glsl"),
+                kind.file("boats/wake_bounds.glsl@blocks"),
             ),
             target=f"{name}_blocks",
             inputs={kind.known("u_wake_map"): TargetInput(target=name)},
@@ -175,7 +175,7 @@ def _map_passes(kind: Kind, count: int, size: int) -> tuple[dict[str, Target], t
         PassSpec(
             name=f"{kind.title}, greatest of all",
             program=f"{name}_bounds",
-            fragment=(form, kind.file("boats/wake/bounds_join_pass.glsl")),
+            fragment=(form, kind.file("boats/wake_bounds.glsl@join")),
             target=f"{name}_bounds",
             inputs={kind.known("u_wake_blocks"): TargetInput(target=f"{name}_blocks")},
         ),

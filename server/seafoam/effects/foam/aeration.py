@@ -25,9 +25,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
     return Contribution(
         why=f"bubbles down to {water.plume_depth:g} m under foam",
-        slots=(
-            SlotFile("plume", "water/plume/bubbles.glsl", needs=("light/shade/optics.glsl", "lib/refraction.glsl")),
-        ),
+        slots=(SlotFile("plume", "water/body.glsl@bubbles", needs=("light/shade.glsl@optics", "lib/refraction.glsl")),),
         uniforms={
             "u_aeration": number(water.aeration, "/water/aeration"),
             "u_plume_depth": number(water.plume_depth, "/water/plume_depth"),

@@ -54,8 +54,8 @@ SOFTNESS = 0.1
 """Of the noise whose threshold makes the patches: its standard deviation, and half the width of the soft threshold."""
 _FAR = 1e8
 """Limit of the distance from a place to the camera, along each axis, m: beyond what any picture shows."""
-_NUMBERS = ("lib/numbers.glsl", "foam/drift/square.glsl")
-_FLOW_MAP = ("lib/bilinear.glsl", "foam/drift/flow_map.glsl")
+_NUMBERS = ("lib/numbers.glsl", "foam/drift.glsl@square")
+_FLOW_MAP = ("lib/texels.glsl@bilinear", "foam/drift.glsl@flow_map")
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -86,31 +86,36 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 def _per_sample(common: Contribution, advection: "_Advection") -> Contribution:
     """Patches traced back along the flow at every sample."""
     files = (
-        "foam/drift/square.glsl",
-        "foam/drift/clock.glsl",
-        "foam/drift/flow.glsl",
+        "foam/drift.glsl@square",
+        "foam/drift.glsl@clock",
+        "foam/drift.glsl@flow",
         *VALUE_NOISE,
-        "foam/drift/patches.glsl",
-        "foam/drift/ago.glsl",
-        "foam/drift/back.glsl",
-        "foam/saturation/drift_rim.glsl",
+        "foam/drift.glsl@patches",
+        "foam/drift.glsl@ago",
+        "foam/drift.glsl@back",
+        "foam/saturation/drift.glsl@rim",
     )
     return replace(
         common,
-        slots=(SlotFile("saturation", "foam/saturation/drift_exact.glsl", prefix="drift", needs=files),),
+        slots=(SlotFile("saturation", "foam/saturation/drift.glsl@exact", prefix="drift", needs=files),),
         uniforms={**common.uniforms, **advection.flow, **advection.patches},
     )
 
 
 def _from_map(common: Contribution, advection: "_Advection") -> Contribution:
     """Patches read from a map that passes draw in every frame."""
-    files = ("lib/bilinear.glsl", "foam/drift/square.glsl", "foam/drift/clock.glsl", "foam/saturation/drift_rim.glsl")
+    files = (
+        "lib/texels.glsl@bilinear",
+        "foam/drift.glsl@square",
+        "foam/drift.glsl@clock",
+        "foam/saturation/drift.glsl@rim",
+    )
     maps = {"u_drift_map": "drift", "u_drift_coarse": "drift_coarse"}
     if not advection.forward:
         maps["u_drift_way"] = "drift_way"
     return replace(
         common,
-        slots=(SlotFile("saturation", "foam/saturation/drift.glsl", prefix="drift", needs=files),),
+        slots=(SlotFile("saturation", "foam/saturation/drift.glsl@map", prefix="drift", needs=files),),
         inputs={sampler: TargetInput(target=target) for sampler, target in maps.items()},
         targets=advection.targets(),
         passes=advection.passes(),
@@ -187,14 +192,14 @@ class _Advection:
         flow = PassSpec(
             name="flow of drift",
             program="drift_flow",
-            fragment=(*_NUMBERS, "foam/drift/flow.glsl", "foam/drift/flow_pass.glsl"),
+            fragment=(*_NUMBERS, "foam/drift.glsl@flow", "foam/drift_passes.glsl@flow"),
             target="drift_flow",
             uniforms={**self.square, **self.flow, **self.texel},
         )
         coarse = PassSpec(
             name="drift, means",
             program="drift_coarse",
-            fragment=("foam/drift/coarse_pass.glsl",),
+            fragment=("foam/drift_passes.glsl@coarse",),
             target="drift_coarse",
             inputs={"u_drift_map": TargetInput(target="drift")},
         )
@@ -205,18 +210,18 @@ class _Advection:
         flow: dict[str, TextureInput | TargetInput] = {"u_drift_flow": TargetInput(target="drift_flow")}
         back = (
             *_NUMBERS,
-            "foam/drift/clock.glsl",
+            "foam/drift.glsl@clock",
             *_FLOW_MAP,
-            "foam/drift/ago.glsl",
-            "foam/drift/back.glsl",
+            "foam/drift.glsl@ago",
+            "foam/drift.glsl@back",
         )
-        # Without clock.glsl, whose time-dependent uniform would have these passes drawn in every frame.
-        still = (*_NUMBERS, *_FLOW_MAP, "foam/drift/ago.glsl")
+        # Without drift.glsl@clock, whose time-dependent uniform would have these passes drawn in every frame.
+        still = (*_NUMBERS, *_FLOW_MAP, "foam/drift.glsl@ago")
         return (
             PassSpec(
                 name="drift, quarters of a generation back",
                 program="drift_still",
-                fragment=(*still, "foam/drift/still_pass.glsl"),
+                fragment=(*still, "foam/drift_passes.glsl@still"),
                 target="drift_still",
                 inputs=flow,
                 uniforms={**self.square, **self.texel},
@@ -224,7 +229,7 @@ class _Advection:
             PassSpec(
                 name="drift, two generations further back",
                 program="drift_still_older",
-                fragment=(*still, "foam/drift/still_older_pass.glsl"),
+                fragment=(*still, "foam/drift_passes.glsl@still_older"),
                 target="drift_older",
                 inputs={**flow, "u_drift_still": TargetInput(target="drift_still")},
                 uniforms=self.square,
@@ -232,7 +237,7 @@ class _Advection:
             PassSpec(
                 name="drift, ways of the youngest",
                 program="drift_way",
-                fragment=(*back, "foam/drift/rest.glsl", "foam/drift/way_pass.glsl"),
+                fragment=(*back, "foam/drift.glsl@rest", "foam/drift_passes.glsl@way"),
                 target="drift_way",
                 inputs={**flow, "u_drift_still": TargetInput(target="drift_still")},
                 uniforms={**self.square, **self.clock, **self.texel},
@@ -242,10 +247,10 @@ class _Advection:
                 program="drift",
                 fragment=(
                     *back,
-                    "foam/drift/rest.glsl",
+                    "foam/drift.glsl@rest",
                     *VALUE_NOISE,
-                    "foam/drift/patches.glsl",
-                    "foam/drift/backward_pass.glsl",
+                    "foam/drift.glsl@patches",
+                    "foam/drift_passes.glsl@backward",
                 ),
                 target="drift",
                 inputs={
@@ -266,10 +271,10 @@ class _Advection:
             program="drift_start",
             fragment=(
                 *_NUMBERS,
-                "foam/drift/clock.glsl",
+                "foam/drift.glsl@clock",
                 *VALUE_NOISE,
-                "foam/drift/patches.glsl",
-                "foam/drift/start_pass.glsl",
+                "foam/drift.glsl@patches",
+                "foam/drift_passes.glsl@start",
             ),
             target=order[0],
             uniforms={**self.square, **self.clock, **self.patches, **self.texel},
@@ -280,11 +285,11 @@ class _Advection:
                 program="drift_move",
                 vertex=(
                     *_NUMBERS,
-                    "foam/drift/clock.glsl",
+                    "foam/drift.glsl@clock",
                     *_FLOW_MAP,
-                    "foam/drift/forward_vertex.glsl",
+                    "foam/drift_passes.glsl@forward_vertex",
                 ),
-                fragment=("foam/drift/forward_pass.glsl",),
+                fragment=("foam/drift_passes.glsl@forward",),
                 target=order[(i + 1) % 2],
                 mesh=Points(count=GENERATIONS * self.size * self.size),
                 inputs={
@@ -311,8 +316,12 @@ def carries(scene: Scene, quality: Quality) -> bool:
 def carried(look: str, quality: Quality) -> tuple[str, tuple[Piece, ...]]:
     """The file that replaces a look's file where the flow advects the mask, and the files that it needs."""
     exact = quality.drift == "exact"
-    paths = ("foam/drift/way_exact.glsl",) if exact else ("lib/bilinear.glsl", "foam/drift/way_map.glsl")
-    return "foam/drift/carried.glsl", (*paths, "foam/cover.glsl", Source(look, (("foam_amount", "still_amount"),)))
+    paths = ("foam/drift.glsl@way_exact",) if exact else ("lib/texels.glsl@bilinear", "foam/drift.glsl@way_map")
+    return "foam/drift.glsl@carried", (
+        *paths,
+        "foam/shading.glsl@cover",
+        Source(look, (("foam_amount", "still_amount"),)),
+    )
 
 
 def turning(vortex: Vortex) -> float:

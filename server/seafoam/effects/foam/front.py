@@ -71,7 +71,7 @@ def _at_samples(scene: Scene, front: FrontSaturation, intensity_field: str) -> C
     """Foam of the present fronts at the samples' own places."""
     return Contribution(
         why=_why(scene, front),
-        slots=(_present_slot(scene, "foam/saturation/front.glsl"),),
+        slots=(_present_slot(scene, "foam/saturation/front.glsl@plain"),),
         consts=_present_consts(scene, front),
         uniforms={**_present_uniforms(scene, front), "u_front_intensity": number(front.intensity, intensity_field)},
     )
@@ -83,7 +83,7 @@ def _averaged(scene: Scene, front: FrontSaturation) -> Contribution:
     integral = FrontIntegral(intensity=front.intensity, log_base=constants.log_base)
     return Contribution(
         why=f"{_why(scene, front)}, averaged over footprints",
-        slots=(_present_slot(scene, "foam/saturation/front_filtered.glsl", "foam/saturation/front_seen.glsl"),),
+        slots=(_present_slot(scene, "foam/saturation/front.glsl@filtered", "foam/saturation/front.glsl@seen"),),
         consts={
             **_present_consts(scene, front),
             "FRONT_CREST": 2.0 * constants.delta - math.pi / 2.0,
@@ -118,16 +118,16 @@ def _decaying(scene: Scene, front: FrontSaturation, decay: float, *, filtered: b
     needs: tuple[Piece, ...] = (
         *_phase_files(scene),
         *front_files(scene),
-        "foam/saturation/front_gate.glsl",
-        "foam/saturation/front_seen.glsl",
+        "foam/saturation/front.glsl@gate",
+        "foam/saturation/front.glsl@seen",
         *_way_files(scene, carry),
     )
-    patches = (*PERLIN_3, "foam/saturation/front_patches.glsl") if patchy else ("foam/saturation/front_even.glsl",)
+    patches = (*PERLIN_3, "foam/saturation/front.glsl@patches") if patchy else ("foam/saturation/front.glsl@even",)
     if patchy:
         uniforms |= _patches(scene, front)
     return Contribution(
         why=f"foam of {_waves(scene)} left by the last three fronts, {decay:g} s to 1/e",
-        slots=(SlotFile("saturation", "foam/saturation/front_living.glsl", prefix="front", needs=(*needs, *patches)),),
+        slots=(SlotFile("saturation", "foam/saturation/front.glsl@living", prefix="front", needs=(*needs, *patches)),),
         consts={
             "FRONT_COUNT": len(waves),
             "FRONT_GATED": _gated(front),
@@ -170,15 +170,15 @@ def _why(scene: Scene, front: FrontSaturation) -> str:
 def _phase_files(scene: Scene) -> tuple[Piece, ...]:
     """The files that give the phase of the waves' sum: shared with the surface, or evaluated for the front."""
     if shares_phase(scene):
-        return ("foam/saturation/front_shared.glsl",)
-    return signal_files(scene, "foam/saturation/front_own.glsl")
+        return ("foam/saturation/front.glsl@shared",)
+    return signal_files(scene, "foam/saturation/front.glsl@own")
 
 
 def _way_files(scene: Scene, carry: Literal["none", "own", "shared"]) -> tuple[Piece, ...]:
     """The files that give the way to where the water rests."""
     if carry == "own":
-        return way_files(scene, "foam/saturation/way_own.glsl")
-    return ("foam/saturation/way_shared.glsl" if carry == "shared" else "foam/saturation/way_none.glsl",)
+        return way_files(scene, "foam/saturation/front.glsl@way_own")
+    return ("foam/saturation/front.glsl@way_shared" if carry == "shared" else "foam/saturation/front.glsl@way_none",)
 
 
 def _advance(scene: Scene, mean_rate: float) -> dict[str, Uniform]:
@@ -190,7 +190,7 @@ def _advance(scene: Scene, mean_rate: float) -> dict[str, Uniform]:
 
 
 def _present_slot(scene: Scene, file: str, *more: str) -> SlotFile:
-    needs = (*_phase_files(scene), "foam/saturation/front_gate.glsl", "foam/saturation/front_profile.glsl", *more)
+    needs = (*_phase_files(scene), "foam/saturation/front.glsl@gate", "foam/saturation/front.glsl@profile", *more)
     return SlotFile("saturation", file, prefix="front", needs=needs)
 
 

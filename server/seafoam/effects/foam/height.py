@@ -56,7 +56,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if height is None:
         return None
     pointer = scene.foam.pointer(height)
-    file = "foam/saturation/height_filtered.glsl" if scene.foam.look == "filtered" else "foam/saturation/height.glsl"
+    file = (
+        "foam/saturation/height.glsl@filtered" if scene.foam.look == "filtered" else "foam/saturation/height.glsl@plain"
+    )
     consts: dict[str, Const] = {}
     uniforms: dict[str, Uniform] = {}
     needs: tuple[str, ...] = ()
@@ -64,7 +66,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if scene.foam.look == "filtered" and scene.sea is None and scene.shore is None:
         raised = [wave for wave in scene.waves if wave.amplitude > 0.0]
         if raised:
-            file, needs = "foam/saturation/height_seen.glsl", ("foam/saturation/level.glsl",)
+            file, needs = "foam/saturation/height.glsl@seen", ("foam/saturation/height.glsl@level",)
             mean, steepest, seen = seen_heights(scene)
             kx, kz = wavevector(max(raised, key=lambda wave: wave.amplitude), scene.water.depth)
             consts["HEIGHT_NODES"] = NODES

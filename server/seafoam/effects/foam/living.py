@@ -37,8 +37,12 @@ def carries(scene: Scene) -> bool:
 
 def living(look: str, life: FoamLife) -> tuple[str, tuple[Piece, ...]]:
     """The file that replaces a look's file for foam with a history, and the files that it needs."""
-    rows: tuple[Piece, ...] = (*PERLIN_2, "foam/windrows.glsl") if life.windrows > 0.0 else (_NO_WINDROWS,)
-    return "foam/living.glsl", (*rows, "foam/cover.glsl", Source(look, (("foam_amount", "young_amount"),)))
+    rows: tuple[Piece, ...] = (*PERLIN_2, "foam/living.glsl@windrows") if life.windrows > 0.0 else (_NO_WINDROWS,)
+    return "foam/living.glsl@living", (
+        *rows,
+        "foam/shading.glsl@cover",
+        Source(look, (("foam_amount", "young_amount"),)),
+    )
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -46,11 +50,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     life = foam_life(scene)
     if life is None:
         return None
-    slots = [SlotFile("carry", "foam/carry/still.glsl", prefix="still")]
+    slots = [SlotFile("carry", "foam/carry.glsl@still", prefix="still")]
     if scene.shore is not None:
         surf = None if scene.foam is None else scene.foam.source(SurfSaturation)
         breaks = surf is not None and surf_limit(surf, scene) > 0.0
-        carry = "foam/carry/surf.glsl" if breaks else "foam/carry/shore.glsl"
+        carry = "foam/carry.glsl@surf" if breaks else "foam/carry.glsl@shore"
         slots.append(SlotFile("shore carry", carry if life.carried else _AT_REST))
     drift = foam_drift(scene)
     uniforms: dict[str, Uniform] = {}

@@ -36,17 +36,17 @@ CELLS = 4096
 
 _MASK_TABLES: dict[str, MaskTable] = {"u8": "ranks-8", "half": "thresholds-half", "u16": "ranks"}
 _MASK_TEXELS = {
-    "u8": "foam/mask_texel_u8.glsl",
-    "half": "foam/mask_texel_half.glsl",
-    "u16": "foam/mask_texel_u16.glsl",
+    "u8": "foam/mask.glsl@texel_u8",
+    "half": "foam/mask.glsl@texel_half",
+    "u16": "foam/mask.glsl@texel_u16",
 }
 _LOOKS = {
-    "halftone": "foam/look/halftone.glsl",
-    "halftone_textured": "foam/look/halftone_textured.glsl",
-    "textured": "foam/look/textured.glsl",
-    "fading": "foam/look/fading.glsl",
-    "listing": "foam/look/listing.glsl",
-    "filtered": "foam/look/filtered.glsl",
+    "halftone": "foam/look.glsl@halftone",
+    "halftone_textured": "foam/look.glsl@halftone_textured",
+    "textured": "foam/look.glsl@textured",
+    "fading": "foam/look.glsl@fading",
+    "listing": "foam/look.glsl@listing",
+    "filtered": "foam/look.glsl@filtered",
 }
 
 _NO_TEXTURE = constant_function("float", "foam_texture", "vec2 p, Footprint fp", "1.0")
@@ -74,8 +74,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         why=_why(scene, foam, quality),
         slots=(
             SlotFile("look", look, needs=(*(file for part in parts for file in part.needs), *needs)),
-            SlotFile("over", "foam/added.glsl" if foam.look == "listing" else "foam/over.glsl"),
-            SlotFile("albedo", "foam/albedo.glsl"),
+            SlotFile("over", "foam/shading.glsl@added" if foam.look == "listing" else "foam/shading.glsl@over"),
+            SlotFile("albedo", "foam/shading.glsl@albedo"),
         ),
         uniforms={"u_foam_albedo": number(foam.albedo, "/foam/albedo")},
         bound=_bound(foam, scene),
@@ -131,11 +131,11 @@ def _mask_place(scene: Scene, foam: Foam, mask: Mask) -> _Part:
     c, s = _turned(foam)
     needs: tuple[Piece, ...]
     if foam_life(scene) is not None:
-        needs, uniforms = ("foam/mask_carried.glsl",), _drifting_mask(foam, foam_drift(scene))
+        needs, uniforms = ("foam/mask.glsl@carried",), _drifting_mask(foam, foam_drift(scene))
     elif foam.cells:
-        needs, uniforms = (HASH, "foam/cell.glsl"), _cell_uniforms(foam)
+        needs, uniforms = (HASH, "foam/cells.glsl@cell"), _cell_uniforms(foam)
     else:
-        needs = ("foam/mask_coordinates.glsl",)
+        needs = ("foam/mask.glsl@coordinates",)
         uniforms = {"u_mask_offset": array("vec2", [Wrap(k=(c, s)), Wrap(k=(-s, c))], 1)}
     uniforms["u_mask_matrix"] = vector((c, s, -s, c))
     return _Part(needs=needs, consts={"MASK_SIZE": mask.ranks.shape[0]}, uniforms=uniforms)
@@ -168,7 +168,7 @@ def _cell_uniforms(foam: Foam) -> dict[str, Uniform]:
 def _exact_mask(foam: Foam, quality: Quality) -> _Part:
     """The mask's threshold at a texel."""
     return _Part(
-        needs=(_MASK_TEXELS[quality.mask], "foam/mask_exact.glsl"),
+        needs=(_MASK_TEXELS[quality.mask], "foam/mask.glsl@exact"),
         inputs={"u_mask_ranks": TextureInput(texture="mask_ranks")},
         textures={"mask_ranks": TextureUse(MaskTexture(masks=(foam.mask,), table=_MASK_TABLES[quality.mask]))},
     )
@@ -197,7 +197,7 @@ def _filtered_mask(scene: Scene, foam: Foam, masks: list[_NamedMask], quality: Q
             **mask_atlas.consts(mask),
         },
         uniforms={"u_foam_fade": number(foam.fade), "u_foam_texture_share": number(foam.texture)},
-        needs=("lib/cubic_spline.glsl",),
+        needs=("lib/texels.glsl@cubic_spline",),
         inputs={
             "u_mask_atlas": TargetInput(target=mask_atlas.ATLAS),
             "u_mask_quantiles": TextureInput(texture=mask_atlas.tables(len(masks), tables)),
@@ -214,13 +214,13 @@ def _textured(foam: Foam) -> bool:
 
 def _texture(foam: Foam, quality: Quality) -> _Part:
     """The foam texture, laid once or twice at two scales."""
-    file, uniforms = "foam/texture.glsl", _texture_place("", foam.texture_tile)
+    file, uniforms = "foam/mask.glsl@texture", _texture_place("", foam.texture_tile)
     if foam.texture_second is not None:
-        file, uniforms = "foam/texture_pair.glsl", uniforms | _texture_place("_second", foam.texture_second)
+        file, uniforms = "foam/mask.glsl@texture_pair", uniforms | _texture_place("_second", foam.texture_second)
     files: tuple[Piece, ...] = (file,)
     use = TextureUse(FoamTexture(), filter="linear_mipmap_linear")
     if quality.foam_texture == "texels":
-        files = ("foam/texels.glsl", Source(file, (("textureLod", "trilinear"),)))
+        files = ("foam/mask.glsl@texels", Source(file, (("textureLod", "trilinear"),)))
         use = TextureUse(FoamTexture(format="R32F"))
     return _Part(
         needs=files,
@@ -245,8 +245,8 @@ def _look_file(scene: Scene, foam: Foam, quality: Quality) -> tuple[str, tuple[P
     needs: tuple[Piece, ...] = ()
     if _cells(scene, foam):
         blended = foam.look == "filtered"
-        needs += (*(("foam/cover.glsl",) if blended else ()), Source(look, (("foam_amount", "cell_amount"),)))
-        look = "foam/cells_blended.glsl" if blended else "foam/cells.glsl"
+        needs += (*(("foam/shading.glsl@cover",) if blended else ()), Source(look, (("foam_amount", "cell_amount"),)))
+        look = "foam/cells.glsl@blended" if blended else "foam/cells.glsl@sharp"
     if drift.carries(scene, quality):
         look, own = drift.carried(look, quality)
         needs += own

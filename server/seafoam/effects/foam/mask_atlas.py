@@ -72,7 +72,7 @@ def passes(masks: Sequence[Mask]) -> tuple[PassSpec, ...]:
         PassSpec(
             name="mask: atlases of all ages",
             program="mask_stack",
-            fragment=("foam/mask/stack_pass.glsl",),
+            fragment=("foam/mask_passes.glsl@stack",),
             target=ATLAS,
             inputs={f"u_mask_atlas_{i}": TargetInput(target=alone[of]) for i, of in enumerate(which)},
         ),
@@ -86,7 +86,7 @@ def _passes(mask: Mask, index: int, atlas: str) -> tuple[PassSpec, ...]:
         PassSpec(
             name="mask: moments",
             program="mask_moments",
-            fragment=("foam/mask/moments_pass.glsl",),
+            fragment=("foam/mask_passes.glsl@moments",),
             target=moments,
             inputs={**ranks, "u_mask_quantiles": TextureInput(texture=f"mask_quantiles{_of(index)}")},
         )
@@ -98,7 +98,7 @@ def _passes(mask: Mask, index: int, atlas: str) -> tuple[PassSpec, ...]:
             PassSpec(
                 name=f"mask: moments, level {level}",
                 program="mask_halve",
-                fragment=("foam/mask/halve_pass.glsl",),
+                fragment=("foam/mask_passes.glsl@halve",),
                 target=_levels(level % 2) + _of(index),
                 inputs={"u_mask_moments": TargetInput(target=source)},
                 uniforms={"u_mask_side": number(float(side)), "u_mask_finer_row": number(float(row))},
@@ -109,7 +109,7 @@ def _passes(mask: Mask, index: int, atlas: str) -> tuple[PassSpec, ...]:
         PassSpec(
             name="mask: atlas",
             program="mask_atlas",
-            fragment=("foam/mask/atlas_pass.glsl",),
+            fragment=("foam/mask_passes.glsl@atlas",),
             target=atlas,
             inputs={
                 **ranks,

@@ -18,12 +18,14 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if foam is None or scene.light is None or foam.thickness == 0.0 or not quality.foam_relief:
         return None
     most = min(greatest_saturation(foam, scene), 1.0)
-    beside = "foam/beside.glsl"
+    beside = "foam/shading.glsl@beside"
     if foam.look == "filtered":
-        beside = "foam/beside_lying.glsl" if foam_life(scene) is not None else "foam/beside_filtered.glsl"
+        beside = (
+            "foam/shading.glsl@beside_lying" if foam_life(scene) is not None else "foam/shading.glsl@beside_filtered"
+        )
     return Contribution(
         why=f"foam {foam.thickness:g} m thick casts shadows",
-        slots=(SlotFile("relief", "foam/relief.glsl", needs=(beside,)),),
+        slots=(SlotFile("relief", "foam/shading.glsl@relief", needs=(beside,)),),
         consts={"FOAM_SHADE": SHADE},
         uniforms={"u_foam_thickness": number(foam.thickness, "/foam/thickness")},
         bound=Bound(

@@ -19,7 +19,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     most = min(greatest_saturation(foam, scene), 1.0)
     return Contribution(
         why=f"foam of an optical depth of {layer.optical_depth:g}",
-        slots=(SlotFile("foam layer", "foam/scattering.glsl"),),
+        slots=(SlotFile("foam layer", "foam/shading.glsl@scattering"),),
         consts={
             "FOAM_ASYMMETRY": FOAM_ASYMMETRY,
             "FOAM_PHASE": significant((1.0 - FOAM_ASYMMETRY**2) / (4.0 * math.pi)),

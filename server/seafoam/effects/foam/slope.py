@@ -10,7 +10,7 @@ from seafoam.scene.models import Scene
 WIDENED = 1.5
 """Side of the box that approximates the five points of a blur, in units of the blur: the best fit on choppy lakes."""
 
-_WIDENED = "foam/saturation/slope_widened.glsl"
+_WIDENED = "foam/saturation/slope.glsl@widened"
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -21,8 +21,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if slope is None:
         return None
     # Without slope filtering a wider footprint has no effect.
-    blurred = _WIDENED if quality.slope_places == 1 and quality.surface.filter else "foam/saturation/slope_blurred.glsl"
-    file = blurred if slope.blur > 0.0 else "foam/saturation/slope.glsl"
+    blurred = _WIDENED if quality.slope_places == 1 and quality.surface.filter else "foam/saturation/slope.glsl@blurred"
+    file = blurred if slope.blur > 0.0 else "foam/saturation/slope.glsl@plain"
     consts: dict[str, Const] = {"SLOPE_MOST": 1.0 if scene.foam.look == "filtered" else 4.0}
     if file == _WIDENED:
         consts["SLOPE_WIDENED"] = WIDENED
@@ -35,7 +35,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         uniforms["u_slope_blur"] = number(slope.blur)
     return Contribution(
         why=f"slope saturation, {slope.gain:g} times 1 - n.y of the normal",
-        slots=(SlotFile("saturation", file, prefix="slope", needs=("foam/saturation/slope_lack.glsl",)),),
+        slots=(SlotFile("saturation", file, prefix="slope", needs=("foam/saturation/slope.glsl@lack",)),),
         consts=consts,
         uniforms=uniforms,
         bound=Bound(0.0, "the surface has no waves, so no slope") if slope_limit(slope, scene) == 0.0 else None,

@@ -23,14 +23,14 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         )
     height = scene.shore.surf.height
     filtered = scene.foam.look == "filtered"
-    torn = "foam/saturation/torn.glsl" if filtered else "foam/saturation/torn_exact.glsl"
-    front = "foam/saturation/surf_front_filtered.glsl" if filtered else "foam/saturation/surf_front.glsl"
-    needs = (torn, "foam/saturation/surf_patches.glsl", "foam/saturation/surf_swept.glsl", front)
+    torn = "foam/saturation/wake.glsl@torn" if filtered else "foam/saturation/wake.glsl@torn_exact"
+    front = "foam/saturation/surf.glsl@front_filtered" if filtered else "foam/saturation/surf.glsl@front"
+    needs = (torn, "foam/saturation/surf.glsl@patches", "foam/saturation/surf.glsl@swept", front)
     return Contribution(
         why=f"foam of the surf, {surf.life:g} periods to 1/e",
         slots=(
-            SlotFile("saturation", "foam/saturation/surf.glsl", prefix="surf", needs=needs),
-            *((SlotFile("land foam", "shore/line.glsl"),) if surf.line > 0.0 else ()),
+            SlotFile("saturation", "foam/saturation/surf.glsl@surf", prefix="surf", needs=needs),
+            *((SlotFile("land foam", "shore/waves.glsl@line"),) if surf.line > 0.0 else ()),
         ),
         consts={
             "SURF_CAP": 1.0 if filtered else SATURATION_CAP,

@@ -18,7 +18,7 @@ from seafoam.scene.models import Scene
 
 HULL_SPEED = 1.25
 """Speed over the square root of the length, √m/s, at which the bow's foam reaches its full amount."""
-_CONTACT, _NO_CONTACT = "foam/saturation/wake_contact.glsl", "foam/saturation/wake_contact_none.glsl"
+_CONTACT, _NO_CONTACT = "foam/saturation/wake.glsl@contact", "foam/saturation/wake.glsl@contact_none"
 _STILL = "no boat moves, and no stone stands in a current"
 
 
@@ -35,11 +35,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             bound=Bound(0.0, _STILL),
         )
     filtered = scene.foam.look == "filtered"
-    torn = "foam/saturation/torn.glsl" if filtered else "foam/saturation/torn_exact.glsl"
+    torn = "foam/saturation/wake.glsl@torn" if filtered else "foam/saturation/wake.glsl@torn_exact"
     consts: dict[str, Const] = {"WAKE_CAP": 1.0 if filtered else SATURATION_CAP}
     if scene.current is not None and _stones(scene):
         slot = SlotFile(
-            "saturation", "foam/saturation/stones.glsl", prefix="stones", needs=(*VALUE_NOISE, torn, *STONE_WAY)
+            "saturation", "foam/saturation/surf.glsl@stones", prefix="stones", needs=(*VALUE_NOISE, torn, *STONE_WAY)
         )
         why = f"foam behind stones, {wake.life:g} s to 1/e"
         foam = Contribution(why=why, slots=(slot,), consts=consts, uniforms=_stone_amounts(scene.current, wake))
@@ -61,7 +61,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         slots=(
             SlotFile(
                 "saturation",
-                "foam/saturation/wake.glsl",
+                "foam/saturation/wake.glsl@wake",
                 prefix="wake",
                 needs=(*VALUE_NOISE, torn, *WAY, _CONTACT if wake.contact else _NO_CONTACT),
             ),

@@ -52,9 +52,9 @@ class _Names:
 
 
 _TIMES = {
-    0: "foam/saturation/whitecap_now.glsl",
-    4: "foam/saturation/whitecap_4.glsl",
-    8: "foam/saturation/whitecap_8.glsl",
+    0: "foam/saturation/whitecap.glsl@now",
+    4: "foam/saturation/whitecap.glsl@four",
+    8: "foam/saturation/whitecap.glsl@eight",
 }
 """Files of the foam, by how many earlier times are read."""
 _RECENT = _Names("age", "folds of earlier waves", "spectrum of earlier folds", "earlier times of folds")
@@ -88,9 +88,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 
 
 def _slot(model: WhitecapModel, steps: int) -> SlotFile:
-    needs: tuple[str, ...] = ("foam/saturation/whitecap.glsl",)
+    needs: tuple[str, ...] = ("foam/saturation/whitecap.glsl@whitecap",)
     if steps > 0:
-        needs += ("foam/saturation/whitecap_old.glsl" if model.old_shares else "foam/saturation/whitecap_no_old.glsl",)
+        needs += ("foam/saturation/whitecap.glsl@old" if model.old_shares else "foam/saturation/whitecap.glsl@no_old",)
     return SlotFile("saturation", _TIMES[steps], prefix="whitecap", needs=needs)
 
 
@@ -150,7 +150,7 @@ def _recent(
         PassSpec(
             name=f"earlier folds, {of.size:g} m tile",
             program="age_tile",
-            fragment=(*RESAMPLED, "lib/bilinear.glsl", "waves/sea/age_tile_pass.glsl"),
+            fragment=(*RESAMPLED, "lib/texels.glsl@bilinear", "waves/age.glsl@tile_pass"),
             target="age_tiles",
             inputs={
                 "u_sea_displaced": TargetInput(target=displaced_target(scene, quality)),
@@ -177,7 +177,7 @@ def _old(
     foam = PassSpec(
         name="foam of long ago",
         program="old_foam",
-        fragment=(*RESAMPLED, "lib/bilinear.glsl", "waves/sea/old_foam_pass.glsl"),
+        fragment=(*RESAMPLED, "lib/texels.glsl@bilinear", "waves/age.glsl@old_foam_pass"),
         target="old_foam",
         inputs={
             "u_sea_displaced": TargetInput(target=displaced_target(scene, quality)),
@@ -203,8 +203,8 @@ def _jacobians(
             program=f"{names.prefix}_gerstner",
             fragment=(
                 "lib/numbers.glsl",
-                "waves/sea/gerstner.glsl",
-                names.file("waves/sea/age_gerstner_pass.glsl"),
+                "waves/sea_passes.glsl@gerstner",
+                names.file("waves/age.glsl@gerstner_pass"),
             ),
             target=first,
             uniforms={**gerstner_uniforms(raised, 0), **times},
@@ -213,7 +213,7 @@ def _jacobians(
     spectrum = PassSpec(
         name=names.spectrum,
         program=f"{names.prefix}_spectrum",
-        fragment=("lib/numbers.glsl", "waves/sea/spectrum.glsl", names.file("waves/sea/age_spectrum_pass.glsl")),
+        fragment=("lib/numbers.glsl", "waves/sea_passes.glsl@spectrum", names.file("waves/age.glsl@spectrum_pass")),
         target=first,
         inputs={"u_sea_spectrum": TextureInput(texture="sea_spectrum")},
         uniforms={**loop_uniforms(), **times},

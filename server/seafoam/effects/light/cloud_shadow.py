@@ -16,7 +16,7 @@ EARTH = 6.371e6
 """Radius, m."""
 MIDDLE, SPAN = 0.4, 0.9
 """Height of the clouds' middle slice, of their depth, and the farthest that slices are parted, cells; as in
-``light/clouds/layer.glsl``."""
+``light/clouds.glsl@layer``."""
 PENUMBRA = 0.00233
 """Standard deviation of directions over the sun's disc, rad."""
 
@@ -35,9 +35,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         slots=(
             SlotFile(
                 "open sun",
-                "light/clouds/shadow.glsl",
+                "light/clouds.glsl@shadow",
                 prefix="cloud",
-                needs=(*PERLIN_3, "light/clouds/way.glsl", "light/clouds/layer.glsl"),
+                needs=(*PERLIN_3, "light/clouds.glsl@way", "light/clouds.glsl@layer"),
             ),
         ),
         consts={"CLOUD_SHADOW_OCTAVES": quality.cloud_shadow_octaves},

@@ -20,14 +20,14 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     lamp = atmosphere.moon(light) if atmosphere.moon_is_lamp(light) else atmosphere.sun(light)
     assert lamp is not None
     means = overcast.cloud_means(light, clouds)
-    rain = (SlotFile("rain", "light/clouds/rain.glsl"),) if clouds.rain > 0.0 else ()
+    rain = (SlotFile("rain", "light/clouds.glsl@rain"),) if clouds.rain > 0.0 else ()
     return Contribution(
         why=f"clouds over {100 * clouds.cover:.0f} % of the sky",
         slots=(
             SlotFile(
                 "clouds",
-                "light/clouds/layer.glsl",
-                needs=(*PERLIN_3, "light/clouds/way.glsl"),
+                "light/clouds.glsl@layer",
+                needs=(*PERLIN_3, "light/clouds.glsl@way"),
             ),
             *rain,
         ),
@@ -67,7 +67,7 @@ def cirrus(scene: Scene, quality: Quality) -> Contribution | None:
     heading = (math.cos(of.direction), math.sin(of.direction))
     return Contribution(
         why=f"high clouds over {100 * of.cover:.0f} % of the sky",
-        slots=(SlotFile("cirrus", "light/clouds/cirrus.glsl", needs=(*PERLIN_2, "light/clouds/way.glsl")),),
+        slots=(SlotFile("cirrus", "light/clouds.glsl@cirrus", needs=(*PERLIN_2, "light/clouds.glsl@way")),),
         consts={"CIRRUS_SEED": 64 * of.seed},
         uniforms={
             "u_cirrus_phase": array("float", tuple(_streak(of, heading, *part) for part in _STREAKS), 4),

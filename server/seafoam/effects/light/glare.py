@@ -14,7 +14,7 @@ from seafoam.scene.models import Scene
 LEVELS = 6
 """Number of levels; the first has a texel for 4 × 4 pixels, and each has half the rows of the one before."""
 
-_TAPS = "output/glare/taps.glsl"
+_TAPS = "output/glare.glsl@taps"
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -28,7 +28,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         PassSpec(
             name=f"{coarser}: mean of {finer}",
             program="glare, half",
-            fragment=(_TAPS, "output/glare/half_pass.glsl"),
+            fragment=(_TAPS, "output/glare.glsl@half"),
             target=coarser,
             inputs={"u_finer": TargetInput(target=finer)},
             stage="finished",
@@ -39,7 +39,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         PassSpec(
             name=f"{finer}: with {coarser}",
             program="glare, add",
-            fragment=(_TAPS, "output/glare/add_pass.glsl"),
+            fragment=(_TAPS, "output/glare.glsl@add"),
             target=finer,
             inputs={"u_coarser": TargetInput(target=coarser)},
             stage="finished",
@@ -50,14 +50,14 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     first = PassSpec(
         name=f"{names[0]}: of the frame",
         program="glare, first",
-        fragment=("output/glare/first_pass.glsl",),
+        fragment=("output/glare.glsl@first",),
         target=names[0],
         inputs={"u_frame": TargetInput(target=FINISHED)},
         stage="finished",
     )
     return Contribution(
         why=f"{100 * light.glare:.0f} % of the light spreads",
-        slots=(SlotFile("glare", "output/glare/spread.glsl", needs=(_TAPS,)),),
+        slots=(SlotFile("glare", "output/glare.glsl@spread", needs=(_TAPS,)),),
         consts={"GLARE_LEVELS": LEVELS},
         uniforms={"u_glare_share": number(light.glare)},
         inputs={"u_glare": TargetInput(target=names[0])},

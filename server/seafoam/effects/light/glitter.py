@@ -14,12 +14,12 @@ from seafoam.scene.models import Scene
 def smooth_glint(light: Light) -> tuple[str, tuple[str, ...], dict[str, Uniform]]:
     """Return the file of the light's highlight model, the files that it calls, and its uniforms."""
     if light.specular == "glint":
-        return "light/glitter/beckmann.glsl", ("lib/refraction.glsl", "light/shade/irradiance.glsl"), {}
+        return "light/glitter.glsl@beckmann", ("lib/refraction.glsl", "light/shade.glsl@irradiance"), {}
     uniforms = {
         "u_specular_power": number(light.specular_power, "/light/specular_power"),
         "u_specular_perturb": number(light.specular_perturb, "/light/specular_perturb"),
     }
-    return "light/glitter/blinn_phong.glsl", ("light/shade/irradiance.glsl",), uniforms
+    return "light/glitter.glsl@blinn_phong", ("light/shade.glsl@irradiance",), uniforms
 
 
 def brightest_glint(scene: Scene) -> float:
@@ -41,7 +41,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     path, needs, uniforms = smooth_glint(light)
     return Contribution(
         why="glitter of the moon" if atmosphere.moon_is_lamp(light) else "glitter of the sun",
-        slots=(SlotFile("glitter", path, needs=needs), SlotFile("disc", "light/sky/sun_disc.glsl")),
+        slots=(SlotFile("glitter", path, needs=needs), SlotFile("disc", "light/sky.glsl@sun_disc")),
         uniforms={"u_sun_disc": vector(sun_disc(light)), **uniforms},
         bound=Bound(brightest_glint(scene), "the lamp is below the horizon", ("/light/exposure", "/water/roughness")),
     )

@@ -18,7 +18,7 @@ def glow_source(lamp: str) -> Source:
     """Return the GLSL of ``LAMP_glow(vec3 d)`` and ``LAMP_glow_rim(vec2 level, vec3 d)``."""
     names = tuple((f"u_glow_{name}", f"u_{lamp}_glow_{name}") for name in _UNIFORMS)
     functions = tuple((name, f"{lamp}_{name}") for name in ("glow", "glow_light", "glow_rim"))
-    return Source("light/sky/glow.glsl", (*names, *functions))
+    return Source("light/sky.glsl@glow", (*names, *functions))
 
 
 def glow_uniforms(lamp: str, toward: Direction, glow: skylight.Glow) -> dict[str, Uniform]:

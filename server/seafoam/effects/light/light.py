@@ -15,11 +15,11 @@ from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.sky import direction
 
-ILLUMINATION = ("light/shade/irradiance.glsl", "light/shade/haze.glsl")
+ILLUMINATION = ("light/shade.glsl@irradiance", "light/shade.glsl@haze")
 """Irradiance of sun and sky, and the haze in front of what they light; after the sky's files."""
 _TONES = {
-    "filmic": "output/tone/filmic.glsl",
-    "photographic": "output/tone/photographic.glsl",
+    "filmic": "output/tone.glsl@filmic",
+    "photographic": "output/tone.glsl@photographic",
 }
 _DISC_SOLID_ANGLE = 6.8e-5
 """Solid angle of the sun's disc, sr."""
@@ -83,7 +83,7 @@ def air_light(light: Light) -> Rgb:
 
 
 def air_parts(light: Light) -> dict[str, list[float]]:
-    """Return the terms of the sky's radiance that do not depend on direction, for ``light/sky/analytic.glsl``."""
+    """Return the terms of the sky's radiance that do not depend on direction, for ``light/sky.glsl@analytic``."""
     mie, air = mie_depth(light), air_light(light)
     depth = [tau + mie for tau in RAYLEIGH]
     whole = [e / tau for e, tau in zip(air, depth, strict=True)]
@@ -131,7 +131,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if light is None:
         return None
     if light.sky is None:
-        sky: tuple[SlotFile, ...] = (SlotFile("sky", "light/sky/analytic.glsl", needs=("light/sky/exposure.glsl",)),)
+        sky: tuple[SlotFile, ...] = (SlotFile("sky", "light/sky.glsl@analytic", needs=("light/sky.glsl@exposure",)),)
         air = {f"u_air_{name}": vector(_rgb(value)) for name, value in air_parts(light).items()}
     else:
         glow = atmosphere.glows(light)["sun"]
@@ -139,11 +139,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         sky = (
             SlotFile(
                 "layered",
-                glow_source("sun") if dusk else "light/sky/night.glsl",
-                needs=("light/sky/exposure.glsl", "light/sky/layered.glsl"),
+                glow_source("sun") if dusk else "light/night.glsl@night",
+                needs=("light/sky.glsl@exposure", "light/sky.glsl@layered"),
             ),
-            SlotFile("sky", "light/sky/whole.glsl"),
-            SlotFile("sky main", "light/sky/main_layered.glsl"),
+            SlotFile("sky", "light/sky.glsl@whole"),
+            SlotFile("sky main", "light/sky.glsl@main_layered"),
         )
         air = {
             "u_haze_depth": number(light.sky.haze),
@@ -157,8 +157,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             *sky,
             SlotFile(
                 "shade",
-                "light/shade/lit.glsl",
-                needs=("lib/refraction.glsl", *ILLUMINATION, "light/shade/optics.glsl"),
+                "light/shade.glsl@lit",
+                needs=("lib/refraction.glsl", *ILLUMINATION, "light/shade.glsl@optics"),
             ),
             SlotFile("tone", _TONES[light.tone]),
         ),

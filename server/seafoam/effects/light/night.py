@@ -37,7 +37,7 @@ def moon(scene: Scene, quality: Quality) -> Contribution | None:
         why=f"moon {math.degrees(model.elevation):.0f}° above the horizon, {lit:.0f} % illuminated",
         slots=(
             *((SlotFile("moon", glow_source("moon")),) if "moon" in glows else ()),
-            SlotFile("moon disc", "light/sky/moon_disc.glsl", needs=PERLIN_2),
+            SlotFile("moon disc", "light/night.glsl@moon_disc", needs=PERLIN_2),
         ),
         uniforms={
             "u_moon_direction": vector(rounded(toward)),
@@ -74,7 +74,7 @@ def stars(scene: Scene, quality: Quality) -> Contribution | None:
     dark = atmosphere.smooth(0.05, 0.2, -atmosphere.sun(light)[1])
     return Contribution(
         why="stars",
-        slots=(SlotFile("stars", "light/sky/stars.glsl", needs=("lib/cube_face.glsl", HASH)),),
+        slots=(SlotFile("stars", "light/night.glsl@stars", needs=("lib/texels.glsl@cube_face", HASH)),),
         uniforms={
             "u_star_path": vector(rounded(tuple(tau + atmosphere.mie_depth(light) for tau in atmosphere.RAYLEIGH))),
             "u_star_brightness": number(significant(STAR_POWER * light.sky.stars * dark)),

@@ -29,7 +29,7 @@ _LATTICE = 8192
 """Points of the means over noise."""
 TAPER, CORE, DARK, RELIEF = 0.9, -1.2, 0.3, 0.3
 """Rise of the edge's noise from the foot of a cloud to its top; noise over which a cloud's core deepens; darkness of
-what diffuse light passes, per optical depth; shading by the rise toward the lamp. As in ``light/clouds/layer.glsl``."""
+what diffuse light passes, per optical depth; shading by the rise toward the lamp. As in ``light/clouds.glsl@layer``."""
 RAYLEIGH_HEIGHT, MIE_HEIGHT = 8000.0, 1200.0
 """Scale heights of molecules and of haze, m."""
 SHADED = 0.85

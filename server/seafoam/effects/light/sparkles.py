@@ -36,7 +36,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         slots=(
             SlotFile(
                 "glitter",
-                "light/glitter/sparkles.glsl",
+                "light/glitter.glsl@sparkles",
                 needs=(*needs, HASH, smooth),
                 instead=True,
             ),

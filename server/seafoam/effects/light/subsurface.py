@@ -16,7 +16,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     highest, lowest = max_surface_height(scene), min_surface_height(scene)
     return Contribution(
         why=f"crests of up to {highest:g} m transmit sunlight",
-        slots=(SlotFile("crest", "light/subsurface/translucent.glsl", needs=("light/shade/irradiance.glsl",)),),
+        slots=(SlotFile("crest", "light/shade.glsl@translucent", needs=("light/shade.glsl@irradiance",)),),
         uniforms={
             "u_translucency": number(scene.water.translucency, "/water/translucency"),
             "u_crest_trough": number(significant(lowest)),

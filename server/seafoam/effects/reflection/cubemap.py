@@ -14,14 +14,14 @@ from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore
 
 SHORE = (
-    "shore/place.glsl",
-    "shore/square.glsl",
-    "shore/spline.glsl",
-    "shore/floor.glsl",
+    "shore/ground.glsl@place",
+    "shore/ground.glsl@square",
+    "shore/ground.glsl@spline",
+    "shore/floor.glsl@floor",
     *VALUE_NOISE,
-    "shore/ground.glsl",
-    "surface/step.glsl",
-    "shore/march.glsl",
+    "shore/ground.glsl@ground",
+    "surface/march.glsl@step",
+    "shore/march.glsl@march",
     *MAXIMA,
 )
 """Files that give the land's height and colour."""
@@ -30,7 +30,7 @@ SHORE = (
 def lit_land(shore: Shore) -> tuple[str, ...]:
     """Files that light the land along any ray."""
     look = (*soil_files(shore), LAND_LIGHT[shore.detail > 0.0])
-    return (*ILLUMINATION, "lib/refraction.glsl", *look, "reflection/land.glsl")
+    return (*ILLUMINATION, "lib/refraction.glsl", *look, "reflection/mirror.glsl@land")
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -39,13 +39,13 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if light is None or light.reflection != "cubemap":
         return None
     shore = scene.shore
-    scenery: tuple[str, ...] = ("reflection/open.glsl",)
+    scenery: tuple[str, ...] = ("reflection/mirror.glsl@open",)
     if shore is not None:
-        scenery = (*SHORE, *lit_land(shore), "reflection/land_around.glsl")
+        scenery = (*SHORE, *lit_land(shore), "reflection/mirror.glsl@land_around")
     if quality.cube == "exact":
         return Contribution(
             why="reflects sky and land, traced for each sample",
-            slots=(SlotFile("reflection", "reflection/exact.glsl", needs=scenery),),
+            slots=(SlotFile("reflection", "reflection/mirror.glsl@exact", needs=scenery),),
             bound=_bound(scene, light),
         )
     inputs: dict[str, TextureInput | TargetInput] = {}
@@ -56,8 +56,13 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         slots=(
             SlotFile(
                 "reflection",
-                "reflection/cubemap.glsl",
-                needs=("lib/bilinear.glsl", "lib/cube_face.glsl", "reflection/cube.glsl", "reflection/cube_texel.glsl"),
+                "reflection/cube.glsl@cubemap",
+                needs=(
+                    "lib/texels.glsl@bilinear",
+                    "lib/texels.glsl@cube_face",
+                    "reflection/cube.glsl@cube",
+                    "reflection/cube.glsl@texel",
+                ),
             ),
         ),
         consts={"CUBE_SIZE": quality.cube_size},
@@ -71,14 +76,14 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 program="cube",
                 fragment=(
                     "lib/numbers.glsl",
-                    "lib/camera.glsl",
+                    "lib/rays.glsl@camera",
                     SlotRef("sky"),
                     SlotRef("open sun"),
                     SlotRef("sunlight"),
                     *scenery,
-                    "lib/cube_face.glsl",
-                    "reflection/cube.glsl",
-                    "reflection/cube_pass.glsl",
+                    "lib/texels.glsl@cube_face",
+                    "reflection/cube.glsl@cube",
+                    "reflection/cube.glsl@pass",
                 ),
                 target="cube",
                 inputs=inputs,

@@ -43,21 +43,21 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             why="no boat or land is above the water",
             bound=Bound(0.0, "no boat or land is above the water"),
         )
-    boats: tuple[Piece, ...] = (*TRACE, *LIGHT, "reflection/boats_met.glsl") if scene.boats else (_NO_BOATS,)
+    boats: tuple[Piece, ...] = (*TRACE, *LIGHT, "reflection/mirror.glsl@boats_met") if scene.boats else (_NO_BOATS,)
     if quality.reflection == "traced":
-        met = (*boats, *_land(scene), "reflection/met.glsl")
+        met = (*boats, *_land(scene), "reflection/mirror.glsl@met")
         return Contribution(
             why=f"reflected rays are traced to {_objects(scene)}",
-            slots=(SlotFile("reflection", "reflection/traced.glsl", needs=met),),
+            slots=(SlotFile("reflection", "reflection/mirror.glsl@traced", needs=met),),
         )
     size = quality.reflection_size
-    guess: tuple[Piece, ...] = (COURSE, "reflection/guess.glsl") if scene.boats else (_NO_GUESS,)
+    guess: tuple[Piece, ...] = (COURSE, "reflection/mirror.glsl@guess") if scene.boats else (_NO_GUESS,)
     inputs: dict[str, TextureInput | TargetInput] = {}
     if scene.shore is not None:
         inputs["u_shore_floor"] = TextureInput(texture="shore_floor")
     return Contribution(
         why=f"a mirrored camera draws {_objects(scene)}, {size} texels a side",
-        slots=(SlotFile("reflection", "reflection/planar.glsl", needs=guess),),
+        slots=(SlotFile("reflection", "reflection/mirror.glsl@planar", needs=guess),),
         consts={
             "MIRROR_SIZE": size,
             "MIRROR_MARGIN": MARGIN,
@@ -73,14 +73,14 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 program="mirror",
                 fragment=(
                     "lib/numbers.glsl",
-                    "lib/camera.glsl",
+                    "lib/rays.glsl@camera",
                     SlotRef("sky"),
                     SlotRef("open sun"),
                     SlotRef("sunlight"),
                     *boats,
                     *_land(scene),
-                    "reflection/met.glsl",
-                    "reflection/map_pass.glsl",
+                    "reflection/mirror.glsl@met",
+                    "reflection/mirror.glsl@map_pass",
                 ),
                 target="mirror",
                 inputs=inputs,
@@ -91,7 +91,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 
 def _land(scene: Scene) -> tuple[Piece, ...]:
     """Files that intersect and light land."""
-    return (_NO_LAND,) if scene.shore is None else (*SHORE, *lit_land(scene.shore), "reflection/land_met.glsl")
+    return (_NO_LAND,) if scene.shore is None else (*SHORE, *lit_land(scene.shore), "reflection/mirror.glsl@land_met")
 
 
 def _objects(scene: Scene) -> str:

@@ -6,7 +6,7 @@ from seafoam.framegraph.rules import Uniform, number, significant, vector
 from seafoam.quality import Quality
 from seafoam.scene.shore import Shore
 
-LAND_LIGHT = {False: "shore/land_lit.glsl", True: "shore/land_film.glsl"}
+LAND_LIGHT = {False: "shore/land.glsl@land_lit", True: "shore/land.glsl@land_film"}
 """The file that lights land, by whether it has detail."""
 
 FILM_DRIES, SAND_DRIES = 4.0, 40.0
@@ -14,23 +14,23 @@ FILM_DRIES, SAND_DRIES = 4.0, 40.0
 
 
 def soil_files(shore: Shore) -> tuple[str, ...]:
-    """Files of the land's material; the noise library and shore/ground.glsl come before them."""
+    """Files of the land's material; the noise library and shore/ground.glsl@ground come before them."""
     if shore.detail <= 0.0:
-        return ("shore/soil_struct.glsl", "shore/soil_plain.glsl")
-    return (*SLOPES, "shore/soil_struct.glsl", "shore/soil.glsl")
+        return ("shore/soil.glsl@soil_struct", "shore/soil.glsl@soil_plain")
+    return (*SLOPES, "shore/soil.glsl@soil_struct", "shore/soil.glsl@soil")
 
 
 def wet_files(shore: Shore) -> tuple[str, ...]:
     """Files of the wetness that the swash leaves on land."""
     swash = shore.detail > 0.0 and shore.surf.height > 0.0
-    return ("shore/wet.glsl",) if swash else ("shore/wet_still.glsl",)
+    return ("shore/soil.glsl@wet",) if swash else ("shore/soil.glsl@wet_still",)
 
 
 def shallow_files(shore: Shore) -> tuple[str | Source, ...]:
-    """Files of the floor's colour; shore/ground.glsl comes before them."""
+    """Files of the floor's colour; shore/ground.glsl@ground comes before them."""
     if shore.detail <= 0.0:
-        return ("shore/shallow_plain.glsl",)
-    return (*soil_files(shore), "shore/shallow.glsl")
+        return ("shore/floor.glsl@shallow_plain",)
+    return (*soil_files(shore), "shore/floor.glsl@shallow")
 
 
 def soil_consts(shore: Shore, quality: Quality) -> dict[str, Const]:

@@ -13,21 +13,21 @@ from seafoam.scene.shore import Shore
 
 MASK_WAVES = ((83.0, 0.4, 31.0), (57.0, 2.1, 23.0), (119.0, 3.6, 43.0), (71.0, 5.3, 37.0))
 """The mask that varies the surf's height: wavelength (m), heading (rad) and period (s) of its four sines."""
-GROUND = ("shore/square.glsl", "shore/spline.glsl", "shore/floor.glsl")
+GROUND = ("shore/ground.glsl@square", "shore/ground.glsl@spline", "shore/floor.glsl@floor")
 """The height field. Its files do not declare the camera's position, so that the map's passes are drawn once."""
 
-MAXIMA = ("shore/land_maxima.glsl", "shore/maxima.glsl")
+MAXIMA = ("shore/land.glsl@land_maxima", "shore/march.glsl@maxima")
 """The tree of the land's maxima."""
 
 MARCH_GROUND: tuple[Piece, ...] = (
-    "surface/step.glsl",
-    "surface/begin.glsl",
-    "shore/ground.glsl",
-    "shore/march.glsl",
+    "surface/march.glsl@step",
+    "surface/march.glsl@begin",
+    "shore/ground.glsl@ground",
+    "shore/march.glsl@march",
     refine("refine_ground", "shore_floor", "vec4"),
 )
 """Files that march along a ray to the ground."""
-FIND_LAND: tuple[Piece, ...] = (*MARCH_GROUND, *MAXIMA, "shore/find_land.glsl")
+FIND_LAND: tuple[Piece, ...] = (*MARCH_GROUND, *MAXIMA, "shore/land.glsl@find_land")
 """Files that find the land that a ray from the camera meets."""
 
 
@@ -52,7 +52,7 @@ def map_targets(quality: Quality, land_cells: int) -> dict[str, Target]:
 def map_passes(shore: Shore, quality: Quality, sunlit_from: tuple[str, ...]) -> tuple[PassSpec, ...]:
     """The passes that draw the maps, in order; ``sunlit_from``: files of the heights from which the sun is seen."""
     flood, nearest = _flood_passes(quality.shore_map)
-    distance = _pass("distance", (*GROUND, "shore/distance_pass.glsl"), "shore_rough", {"u_nearest": nearest})
+    distance = _pass("distance", (*GROUND, "shore/maps.glsl@distance"), "shore_rough", {"u_nearest": nearest})
     return (*_land_passes(sunlit_from), *flood, distance, *_blur_passes(shore, quality.shore_map), _wave_pass(shore))
 
 
@@ -79,16 +79,16 @@ def _pass(
 
 def _land_passes(sunlit_from: tuple[str, ...]) -> tuple[PassSpec, ...]:
     """Maxima of the land's height, level by level, and of each cell with its neighbours."""
-    around = ("shore/tree.glsl", *sunlit_from, "shore/around_pass.glsl")
+    around = ("shore/land.glsl@tree", *sunlit_from, "shore/maps.glsl@around")
     return (
-        _pass("highest land", ("shore/tree.glsl", "shore/maxima_pass.glsl"), "land_cells"),
+        _pass("highest land", ("shore/land.glsl@tree", "shore/march.glsl@maxima_pass"), "land_cells"),
         _pass("highest land around", around, "land_maxima", {"u_land_cells": "land_cells"}),
     )
 
 
 def _flood_passes(texels: int) -> tuple[list[PassSpec], str]:
     """Nearest land and sea of every texel by jump flooding, and the target that holds them at the end."""
-    passes = [_pass("seed", (*GROUND, "shore/seed_pass.glsl"), "shore_near_0")]
+    passes = [_pass("seed", (*GROUND, "shore/maps.glsl@seed"), "shore_near_0")]
     # A first step of 1 texel corrects most of what the halved steps miss.
     steps = [1]
     while (step := texels >> len(steps)) >= 1:
@@ -97,7 +97,7 @@ def _flood_passes(texels: int) -> tuple[list[PassSpec], str]:
         passes.append(
             _pass(
                 f"flood, {step} texels",
-                ("shore/flood_pass.glsl",),
+                ("shore/maps.glsl@flood",),
                 f"shore_near_{(i + 1) % 2}",
                 {"u_nearest": f"shore_near_{i % 2}"},
                 {"u_flood_step": number(float(step))},
@@ -113,7 +113,7 @@ def _blur_passes(shore: Shore, texels: int) -> list[PassSpec]:
     return [
         _pass(
             f"blur, {name}",
-            ("shore/blur_pass.glsl",),
+            ("shore/maps.glsl@blur",),
             target,
             {"u_rough": source},
             {"u_blur_side": vector(side), "u_shore_spread": deviation},
@@ -125,10 +125,10 @@ def _blur_passes(shore: Shore, texels: int) -> list[PassSpec]:
 def _wave_pass(shore: Shore) -> PassSpec:
     """Phase, height and skew of the shore's waves at a place, and the share of the open sea's waves there."""
     surf = shore.surf
-    arrives = "shore/arrives_refracted.glsl" if surf.refraction else "shore/arrives_normal.glsl"
+    arrives = "shore/maps.glsl@arrives_refracted" if surf.refraction else "shore/maps.glsl@arrives_normal"
     return _pass(
         "map",
-        ("lib/numbers.glsl", "shore/map_begin.glsl", arrives, "shore/map_pass.glsl"),
+        ("lib/numbers.glsl", "shore/maps.glsl@map_begin", arrives, "shore/maps.glsl@map"),
         "shore_map",
         {"u_smooth": "shore_smooth"},
         {

@@ -18,9 +18,9 @@ SUN_RADIUS = 0.00465
 LOWEST_RISE = 1e-3
 """Least slope of a sight of the sun's rim."""
 
-SUNLIT_FROM = (*GROUND, "shore/sunlit_from.glsl")
+SUNLIT_FROM = (*GROUND, "shore/sunlit.glsl@sunlit_from")
 """Files of the heights from which the sun is seen over the land."""
-NO_SHADOWS = ("shore/sunlit_from_none.glsl",)
+NO_SHADOWS = ("shore/sunlit.glsl@sunlit_from_none",)
 
 
 def throws(scene: Scene) -> bool:
@@ -38,9 +38,14 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         slots=(
             SlotFile(
                 "open sun",
-                "shore/sunlit.glsl",
+                "shore/sunlit.glsl@sunlit",
                 prefix="land",
-                needs=("shore/place.glsl", "shore/square.glsl", "shore/spline.glsl", "shore/land_maxima.glsl"),
+                needs=(
+                    "shore/ground.glsl@place",
+                    "shore/ground.glsl@square",
+                    "shore/ground.glsl@spline",
+                    "shore/land.glsl@land_maxima",
+                ),
             ),
         ),
         consts={"SHADOW_STEPS": quality.shadow_steps},

@@ -83,31 +83,31 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 
 
 def _slots(shore: Shore, *, lit: bool) -> tuple[SlotFile, ...]:
-    waves = ("shore/place.glsl", *GROUND, *VALUE_NOISE, "shore/field.glsl")
+    waves = ("shore/ground.glsl@place", *GROUND, *VALUE_NOISE, "shore/waves.glsl@field")
     # Water without light takes its colour by the same file, but does not fill the slot of the water's body.
     through = (
         "lib/refraction.glsl",
-        "shore/ground.glsl",
+        "shore/ground.glsl@ground",
         *shallow_files(shore),
-        *(() if lit else ("shore/body.glsl",)),
+        *(() if lit else ("shore/floor.glsl@body",)),
     )
-    light = LAND_LIGHT[shore.detail > 0.0] if lit else "shore/land_flat.glsl"
-    colour = ("shore/ground.glsl", *soil_files(shore), *wet_files(shore), light)
-    start = ("surface/pyramid.glsl", "shore/ground.glsl", *MAXIMA)
-    floor = ("water/seafloor/even.glsl", "shore/bed.glsl")
+    light = LAND_LIGHT[shore.detail > 0.0] if lit else "shore/land.glsl@land_flat"
+    colour = ("shore/ground.glsl@ground", *soil_files(shore), *wet_files(shore), light)
+    start = ("surface/bounds.glsl@pyramid", "shore/ground.glsl@ground", *MAXIMA)
+    floor = ("water/seafloor.glsl@even", "shore/ground.glsl@bed")
     underwater = (
-        SlotFile("reach", "shore/reach.glsl", needs=MARCH_GROUND),
-        SlotFile("under bed", "water/seafloor/floor.glsl", needs=floor),
+        SlotFile("reach", "shore/march.glsl@reach", needs=MARCH_GROUND),
+        SlotFile("under bed", "water/seafloor.glsl@floor", needs=floor),
     )
     return (
-        SlotFile("shore", "shore/waves.glsl", needs=waves),
-        *((SlotFile("body", "shore/body.glsl"),) if lit else ()),
-        SlotFile("through", "shore/through.glsl", needs=through),
-        SlotFile("land", "shore/ahead.glsl", needs=FIND_LAND),
-        SlotFile("land color", "shore/color.glsl", needs=colour),
-        SlotFile("beyond", "shore/beyond.glsl"),
-        SlotFile("approach", "shore/approach.glsl", needs=(MARCH_AHEAD,)),
-        SlotFile("start", "shore/start.glsl", prefix="land", needs=start),
+        SlotFile("shore", "shore/waves.glsl@waves", needs=waves),
+        *((SlotFile("body", "shore/floor.glsl@body"),) if lit else ()),
+        SlotFile("through", "shore/floor.glsl@through", needs=through),
+        SlotFile("land", "shore/waves.glsl@ahead", needs=FIND_LAND),
+        SlotFile("land color", "shore/floor.glsl@color", needs=colour),
+        SlotFile("beyond", "shore/march.glsl@beyond"),
+        SlotFile("approach", "shore/march.glsl@approach", needs=(MARCH_AHEAD,)),
+        SlotFile("start", "shore/march.glsl@start", prefix="land", needs=start),
         *(underwater if lit else ()),
     )
 

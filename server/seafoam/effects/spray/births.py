@@ -153,7 +153,13 @@ def _surf(scene: Scene, quality: Quality, spray: Spray, shore: Shore) -> tuple[_
     consts: dict[str, Const] = {"SPRAY_MOMENT": MOMENT}
     zero: dict[str, Uniform] = {"u_spray_crest_way": vector((1.0, 0.0)), "u_spray_torn": number(0.0)}
     own = own.joined(_grids(spray), Part(consts=consts, uniforms={**zero, **_shore_uniforms(shore)}))
-    every = (SlotRef("waves"), *files, "spray/shore_then.glsl", "spray/breaking_surf.glsl", "spray/open.glsl")
+    every = (
+        SlotRef("waves"),
+        *files,
+        "spray/births.glsl@shore_then",
+        "spray/births.glsl@breaking_surf",
+        "spray/births.glsl@open",
+    )
     return _Source("open_born", words, every, inputs, own), words
 
 
@@ -177,7 +183,7 @@ def _rocks(scene: Scene, spray: Spray, shore: Shore) -> tuple[_Source | None, st
     )
     inputs: dict[str, TextureInput | TargetInput] = {"u_spray_rocks": TextureInput(texture="spray_rocks")}
     earlier, turned = _earlier(scene)
-    files = (SlotRef("waves"), "spray/shore_then.glsl", *earlier, "spray/rocks.glsl")
+    files = (SlotRef("waves"), "spray/births.glsl@shore_then", *earlier, "spray/births.glsl@rocks")
     return _Source("rock_born", words, files, inputs, part.joined(turned)), words
 
 
@@ -219,7 +225,9 @@ def _open(scene: Scene, quality: Quality, spray: Spray) -> tuple[_Source | None,
         "u_spray_torn": number(significant(torn)),
     }
     own = own.joined(_grids(spray), Part(uniforms=uniforms))
-    return _Source("open_born", words, (*files, "spray/breaking.glsl", "spray/open.glsl"), inputs, own), words
+    return _Source(
+        "open_born", words, (*files, "spray/births.glsl@breaking", "spray/births.glsl@open"), inputs, own
+    ), words
 
 
 def _water_then(
@@ -228,11 +236,11 @@ def _water_then(
     """Files of the open water at the births of batches, what they read, and their passes."""
     earlier, own = _earlier(scene)
     if scene.sea is None or not drawn(scene, quality):
-        return ["spray/sea_none.glsl", *earlier], {}, own
+        return ["spray/seas.glsl@sea_none", *earlier], {}, own
     seas, target = _seas(scene, quality, drawn(scene, quality)[:RAISED], limits)
     # A shore's files declare the places in the tiles.
     places = [] if scene.shore is not None else [_SEA_PLACES]
-    files: list[Piece | SlotRef] = ["lib/cubic_spline.glsl", *places, "spray/sea_waves.glsl", *earlier]
+    files: list[Piece | SlotRef] = ["lib/texels.glsl@cubic_spline", *places, "spray/seas.glsl@sea_waves", *earlier]
     return files, {"u_spray_seas": TargetInput(target=target)}, own.joined(seas)
 
 
@@ -245,8 +253,8 @@ _NO_RINGS = Inline("float rings_then(vec2 p, float age) {\n    return 0.0;\n}\n"
 def _earlier(scene: Scene) -> tuple[list[Piece | SlotRef], Part]:
     """Files of the single waves and rings of an earlier time, and their uniforms."""
     raised = _raised(scene)
-    files: list[Piece | SlotRef] = [*(earlier_files(scene) if raised else ("spray/fronts_none.glsl",))]
-    files += ["waves/rings/ring.glsl", "spray/rings_then.glsl"] if scene.rings else [_NO_RINGS]
+    files: list[Piece | SlotRef] = [*(earlier_files(scene) if raised else ("spray/births.glsl@fronts_none",))]
+    files += ["waves/rings.glsl@ring", "spray/births.glsl@rings_then"] if scene.rings else [_NO_RINGS]
     uniforms = ring_uniforms(scene, "u_spray_ring") if scene.rings else {}
     if raised:
         rates = [Constant(value=(angular_frequency(wave),)) for wave in raised]
@@ -305,7 +313,7 @@ def _seas(
         gerstner = PassSpec(
             name="waves at the births of drops",
             program="spray_gerstner",
-            fragment=("lib/numbers.glsl", "waves/sea/gerstner.glsl", "spray/seas_gerstner_pass.glsl"),
+            fragment=("lib/numbers.glsl", "waves/sea_passes.glsl@gerstner", "spray/seas.glsl@gerstner_pass"),
             target="spray_seas_a",
             uniforms={**gerstner_uniforms(tiles, texels), **own},
             stage="after",
@@ -314,7 +322,7 @@ def _seas(
     spectrum = PassSpec(
         name="spectrum at the births of drops",
         program="spray_spectrum",
-        fragment=("lib/numbers.glsl", "waves/sea/spectrum.glsl", "spray/seas_spectrum_pass.glsl"),
+        fragment=("lib/numbers.glsl", "waves/sea_passes.glsl@spectrum", "spray/seas.glsl@spectrum_pass"),
         target="spray_seas_a",
         inputs={"u_sea_spectrum": TextureInput(texture="sea_spectrum")},
         uniforms={**loop_uniforms(), **own},
@@ -350,4 +358,4 @@ def _bursts(spray: Spray) -> _Source | None:
         },
     )
     words = f"{len(bursts)} burst{'s' if len(bursts) > 1 else ''}"
-    return _Source("burst_born", words, ("spray/bursts.glsl",), {}, part)
+    return _Source("burst_born", words, ("spray/births.glsl@bursts",), {}, part)

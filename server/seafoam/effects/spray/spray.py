@@ -97,8 +97,8 @@ def _targets(quality: Quality) -> dict[str, Target]:
     }
 
 
-_COMMON: tuple[Piece | SlotRef, ...] = ("lib/numbers.glsl", "lib/camera.glsl")
-_TABLE: tuple[Piece | SlotRef, ...] = (HASH, "spray/flight.glsl", "spray/table.glsl")
+_COMMON: tuple[Piece | SlotRef, ...] = ("lib/numbers.glsl", "lib/rays.glsl@camera")
+_TABLE: tuple[Piece | SlotRef, ...] = (HASH, "spray/drawn.glsl@flight", "spray/births.glsl@table")
 _BIRTHS: dict[str, TextureInput | TargetInput] = {"u_spray_births": TargetInput(target="spray_births")}
 
 
@@ -107,7 +107,14 @@ def _passes(scene: Scene, quality: Quality, found: Births) -> tuple[PassSpec, ..
     births_pass = PassSpec(
         name="births of drops",
         program="spray_births",
-        fragment=(*_COMMON, HASH, "spray/flight.glsl", "spray/thrown.glsl", *found.files, "spray/births_pass.glsl"),
+        fragment=(
+            *_COMMON,
+            HASH,
+            "spray/drawn.glsl@flight",
+            "spray/births.glsl@thrown",
+            *found.files,
+            "spray/births.glsl@pass",
+        ),
         target="spray_births",
         inputs=found.inputs,
         stage="after",
@@ -115,7 +122,7 @@ def _passes(scene: Scene, quality: Quality, found: Births) -> tuple[PassSpec, ..
     over = PassSpec(
         name="spray",
         program="spray_over",
-        fragment=(*_COMMON, "lib/place.glsl", "spray/thick_pass.glsl"),
+        fragment=(*_COMMON, "lib/rays.glsl@place", "spray/air.glsl@thick"),
         target=ABOVE,
         inputs={"u_spray_thick": TargetInput(target="spray_thick")},
         stage="after",
@@ -126,11 +133,11 @@ def _passes(scene: Scene, quality: Quality, found: Births) -> tuple[PassSpec, ..
 
 def _air_pass(scene: Scene, quality: Quality) -> PassSpec:
     """Where drops are now, what of them is seen, and their light."""
-    lit: tuple[Piece | SlotRef, ...] = (*ILLUMINATION, "spray/lit.glsl")
-    file = "spray/over_water.glsl" if scene.shore is None else "spray/over_land.glsl"
+    lit: tuple[Piece | SlotRef, ...] = (*ILLUMINATION, "spray/drawn.glsl@lit")
+    file = "spray/drawn.glsl@over_water" if scene.shore is None else "spray/drawn.glsl@over_land"
     over: tuple[Piece | SlotRef, ...] = (file,)
     if scene.boats:
-        over = (*TRACE, Source(file, (("spray_hidden", "spray_hidden_openly"),)), "spray/past_boats.glsl")
+        over = (*TRACE, Source(file, (("spray_hidden", "spray_hidden_openly"),)), "spray/drawn.glsl@past_boats")
     land: tuple[Piece | SlotRef, ...] = () if scene.shore is None else FIND_LAND
     return PassSpec(
         name="drops in the air",
@@ -141,11 +148,11 @@ def _air_pass(scene: Scene, quality: Quality) -> PassSpec:
             SlotRef("find"),
             SlotRef("sky"),
             SlotRef("open sun"),
-            *(("spray/unlit.glsl",) if scene.light is None else lit),
+            *(("spray/drawn.glsl@unlit",) if scene.light is None else lit),
             *_TABLE,
             *land,
             *over,
-            "spray/air_pass.glsl",
+            "spray/air.glsl@air",
         ),
         target="spray_air",
         inputs=_BIRTHS,
@@ -157,13 +164,20 @@ def _air_pass(scene: Scene, quality: Quality) -> PassSpec:
 
 def _water_pass(scene: Scene, quality: Quality) -> PassSpec:
     """The drops' quadrilaterals."""
-    sun: tuple[Piece, ...] = (Inline("uniform vec3 u_sun_direction;\n"), "spray/sunward_lit.glsl")
-    sunward = ("spray/sunward_none.glsl",) if scene.light is None else sun
+    sun: tuple[Piece, ...] = (Inline("uniform vec3 u_sun_direction;\n"), "spray/drawn.glsl@sunward_lit")
+    sunward = ("spray/drawn.glsl@sunward_none",) if scene.light is None else sun
     return PassSpec(
         name="water in the air",
         program="spray",
-        vertex=(*_COMMON, *_TABLE, "spray/form.glsl", *sunward, "vertex/quad.glsl", "spray/vertex.glsl"),
-        fragment=("spray/drop.glsl",),
+        vertex=(
+            *_COMMON,
+            *_TABLE,
+            "spray/drawn.glsl@form",
+            *sunward,
+            "vertex/vertex.glsl@quad",
+            "spray/drawn.glsl@vertex",
+        ),
+        fragment=("spray/drawn.glsl@drop",),
         target="spray_thick",
         mesh=Quads(count=quality.spray_count),
         inputs={

@@ -171,7 +171,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     how = "3 colours" if separate else "3 colours from one grid" if tile.dispersion > 0.0 else "one colour"
     contribution = Contribution(
         why=f"{rays}² {'photons' if photons else 'cells'} on a tile of {tile.side:g} m, {how}",
-        slots=(SlotFile("caustics", "water/seafloor/caustics.glsl"),),
+        slots=(SlotFile("caustics", "water/seafloor.glsl@caustics"),),
         consts={"CAUSTIC_WAVES": len(tile.waves), "CAUSTIC_TEXELS": texels},
         uniforms={
             "u_caustic_tile": number(tile.side),
@@ -192,7 +192,7 @@ def _slope_map(tile: _Tile, size: int) -> Part:
     slopes = PassSpec(
         name="caustics: slopes",
         program="caustic_slopes",
-        fragment=("lib/numbers.glsl", "water/caustics/slopes_pass.glsl"),
+        fragment=("lib/numbers.glsl", "water/caustics.glsl@slopes"),
         target="caustic_slopes",
         uniforms={
             "u_caustic_wave": array("vec4", waves, len(waves)),
@@ -214,8 +214,8 @@ def _photons(tile: _Tile, colours: Mapping[str, float], side: int, texels: int) 
             name,
             difference,
             target=f"caustic_{name}",
-            vertex="water/caustics/photon_vertex.glsl",
-            fragment="water/caustics/photon_pass.glsl",
+            vertex="water/caustics.glsl@photon_vertex",
+            fragment="water/caustics.glsl@photon",
             mesh=Points(count=side * side),
             clear=True,
             uniforms={},
@@ -226,7 +226,7 @@ def _photons(tile: _Tile, colours: Mapping[str, float], side: int, texels: int) 
     return Part(
         consts={"CAUSTIC_PHOTONS": side, "CAUSTIC_RIM": RIM},
         targets=_targets((f"caustic_{name}" for name in colours), texels + 2 * RIM, texels),
-        passes=(*passes, _map_pass("water/caustics/fold_pass.glsl", lights, {})),
+        passes=(*passes, _map_pass("water/caustics.glsl@fold", lights, {})),
     )
 
 
@@ -246,8 +246,8 @@ def _grid(
             name,
             difference,
             target="caustic_light",
-            vertex="water/caustics/grid_vertex.glsl",
-            fragment="water/caustics/grid_pass.glsl",
+            vertex="water/caustics.glsl@grid_vertex",
+            fragment="water/caustics.glsl@grid",
             mesh=Grid(rows=cells + 2 * margin, columns=cells + 2 * margin),
             clear=i == 0,
             uniforms={"u_caustic_channels": vector(tuple(float(name in (own, "white")) for own in COLOURS))},
@@ -266,7 +266,7 @@ def _grid(
         targets=_targets(("caustic_light",), 2 * texels + 2 * rim, texels),
         passes=(
             *passes,
-            _map_pass("water/caustics/smooth_pass.glsl", {"u_caustic_light": "caustic_light"}, smoothing.weights),
+            _map_pass("water/caustics.glsl@smooth", {"u_caustic_light": "caustic_light"}, smoothing.weights),
         ),
     )
 
@@ -294,7 +294,7 @@ def _light_pass(
     return PassSpec(
         name=f"caustics: {colour} light",
         program="caustic_light",
-        vertex=("lib/refraction.glsl", "water/caustics/landing.glsl", vertex),
+        vertex=("lib/refraction.glsl", "water/caustics.glsl@landing", vertex),
         fragment=(fragment,),
         target=target,
         mesh=mesh,

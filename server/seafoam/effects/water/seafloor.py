@@ -42,24 +42,24 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 
 def _slots(water: Water, refracted: bool) -> tuple[SlotFile, ...]:
     """``refracted``: the floor varies from point to point, so that the refracted ray must find the visible one."""
-    level = "water/seafloor/level.glsl"
+    level = "water/seafloor.glsl@level"
     floor = (
-        (level, "water/seafloor/plain.glsl")
+        (level, "water/seafloor.glsl@plain")
         if water.floor_tile is None
-        else (level, *VALUE_NOISE, "water/seafloor/tiles.glsl")
+        else (level, *VALUE_NOISE, "water/seafloor.glsl@tiles")
     )
     under = (
-        SlotFile("reach", "water/seafloor/reach.glsl", needs=(level,)),
+        SlotFile("reach", "water/seafloor.glsl@reach", needs=(level,)),
         SlotFile(
-            "under bed", "water/seafloor/floor.glsl", needs=floor if refracted else ("water/seafloor/even.glsl", *floor)
+            "under bed", "water/seafloor.glsl@floor", needs=floor if refracted else ("water/seafloor.glsl@even", *floor)
         ),
     )
     if not refracted:
-        return (SlotFile("body", "water/body/floor.glsl", needs=("lib/refraction.glsl", level)), *under)
+        return (SlotFile("body", "water/body.glsl@floor", needs=("lib/refraction.glsl", level)), *under)
     return (
-        SlotFile("body", "water/seafloor/body.glsl"),
-        SlotFile("bed", "water/seafloor/floor.glsl", needs=floor),
-        SlotFile("through", "water/seafloor/through.glsl", needs=("lib/refraction.glsl",)),
+        SlotFile("body", "water/seafloor.glsl@body"),
+        SlotFile("bed", "water/seafloor.glsl@floor", needs=floor),
+        SlotFile("through", "water/seafloor.glsl@through", needs=("lib/refraction.glsl",)),
         *under,
     )
 

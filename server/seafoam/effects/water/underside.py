@@ -6,7 +6,7 @@ from seafoam.scene.models import (
     Scene,
 )
 
-WATER = "water/underside/water.glsl"
+WATER = "water/underside.glsl@water"
 """Absorption and scattering between a camera below the surface and what it sees."""
 
 
@@ -17,11 +17,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if scene.light is None:
         return Contribution(
             why="from below, the surface shows its foam",
-            slots=(SlotFile("below", "water/underside/flat.glsl"),),
+            slots=(SlotFile("below", "water/underside.glsl@flat"),),
         )
     return Contribution(
         why="from below, the surface transmits the sky and reflects the floor",
-        slots=(SlotFile("below", "water/underside/main.glsl", needs=(WATER,)),),
+        slots=(SlotFile("below", "water/underside.glsl@main", needs=(WATER,)),),
     )
 
 

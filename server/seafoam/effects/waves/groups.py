@@ -12,7 +12,7 @@ from seafoam.scene.models import Scene
 PLACE = "u_wave_groups_place"
 """Uniform of the camera's place in the noise."""
 
-FACTOR = (HASH, "waves/groups/factor.glsl")
+FACTOR = (HASH, "waves/groups.glsl@factor")
 """Files of the factor, for what evaluates waves itself."""
 
 SLOPE, CURVATURE, VARIANCE = 1.5, 6.0, 0.091973
@@ -53,7 +53,7 @@ def wave_files(scene: Scene) -> tuple[Piece, ...]:
     """Files of the parametric waves: of one height each, or in groups."""
     if not in_groups(scene):
         return (_WAVES,)
-    return (*FACTOR, _EVEN_WAVES, "waves/groups/waves.glsl")
+    return (*FACTOR, _EVEN_WAVES, "waves/groups.glsl@waves")
 
 
 def earlier_files(scene: Scene) -> tuple[Piece, ...]:
@@ -61,25 +61,27 @@ def earlier_files(scene: Scene) -> tuple[Piece, ...]:
     waves = (*FACTOR, _EVEN_WAVES) if in_groups(scene) else (_WAVES,)
     return (
         *waves,
-        *_scaled(scene, Source("spray/fronts.glsl", (("fronts_then", "even_fronts"),)), "waves/groups/fronts.glsl"),
+        *_scaled(
+            scene, Source("spray/births.glsl@fronts", (("fronts_then", "even_fronts"),)), "waves/groups.glsl@fronts"
+        ),
     )
 
 
 def carry_files(scene: Scene) -> tuple[Piece, ...]:
     """Files of the way to where the waves' water rests."""
     return _scaled(
-        scene, Source("foam/carry/parametric.glsl", (("parametric_carry", "even_carry"),)), "waves/groups/carry.glsl"
+        scene, Source("foam/carry.glsl@parametric", (("parametric_carry", "even_carry"),)), "waves/groups.glsl@carry"
     )
 
 
 def signal_files(scene: Scene, path: str) -> tuple[Piece, ...]:
     """Files of the sum of a front's own waves; ``path``: of the sum if all have one height."""
-    return _scaled(scene, Source(path, (("front_signal", "even_signal"),)), "waves/groups/signal.glsl")
+    return _scaled(scene, Source(path, (("front_signal", "even_signal"),)), "waves/groups.glsl@signal")
 
 
 def way_files(scene: Scene, path: str) -> tuple[Piece, ...]:
     """Files of the way to where the water rests by a front's own waves; ``path``: if all have one height."""
-    return _scaled(scene, Source(path, (("front_way", "even_way"),)), "waves/groups/way.glsl")
+    return _scaled(scene, Source(path, (("front_way", "even_way"),)), "waves/groups.glsl@way")
 
 
 def _scaled(scene: Scene, even: Source, scaled: str) -> tuple[Piece, ...]:
@@ -89,7 +91,7 @@ def _scaled(scene: Scene, even: Source, scaled: str) -> tuple[Piece, ...]:
 
 def front_files(scene: Scene) -> tuple[Piece, ...]:
     """Files of the factor of waves that passed before."""
-    return (*FACTOR, "waves/groups/front.glsl") if in_groups(scene) else (_NO_GROUPS,)
+    return (*FACTOR, "waves/groups.glsl@front") if in_groups(scene) else (_NO_GROUPS,)
 
 
 def group_bounds(scene: Scene) -> GroupBounds:

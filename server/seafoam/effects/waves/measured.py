@@ -29,7 +29,7 @@ def measured_bounds(source: str, size: int, texel: float, stride: int = 1) -> Pa
             program=f"bounds_{stride}",
             fragment=(
                 Inline(f"const int BOUNDS_BLOCK = {BLOCK};\nconst int BOUNDS_STRIDE = {stride};\n"),
-                "surface/bounds_pass.glsl",
+                "surface/bounds.glsl@pass",
             ),
             target=blocks,
             inputs={"u_bounded": TargetInput(target=source)},
@@ -38,7 +38,7 @@ def measured_bounds(source: str, size: int, texel: float, stride: int = 1) -> Pa
         PassSpec(
             name=f"{source}, greatest of all",
             program="bounds_join",
-            fragment=("surface/bounds_join_pass.glsl",),
+            fragment=("surface/bounds.glsl@join",),
             target=bounds,
             inputs={"u_blocks": TargetInput(target=blocks)},
         ),

@@ -101,7 +101,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     shared = shares_place(scene)
     carry: tuple[SlotFile, ...] = ()
     if carries(scene):
-        *carry_needs, path = ("foam/carry/parametric_shared.glsl",) if shared else carry_files(scene)
+        *carry_needs, path = ("foam/carry.glsl@parametric_shared",) if shared else carry_files(scene)
         carry = (SlotFile("carry", path, prefix="parametric", needs=tuple(carry_needs)),)
     *needs, path = wave_files(scene)
     height, groups = parametric_wave_height(scene), group_bounds(scene)

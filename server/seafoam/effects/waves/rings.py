@@ -132,7 +132,7 @@ def _consts(count: int) -> dict[str, Const]:
 def _sum(shown: Sequence[Train]) -> Part:
     """Rings that are summed at each sample."""
     return Part(
-        slots=(SlotFile("waves", "waves/rings/exact.glsl", prefix="rings", needs=("waves/rings/ring.glsl",)),),
+        slots=(SlotFile("waves", "waves/rings.glsl@exact", prefix="rings", needs=("waves/rings.glsl@ring",)),),
         uniforms=_ring_uniforms(shown, (_from_camera(*train.ring.place) for train in shown)),
     )
 
@@ -141,11 +141,11 @@ def _map(shown: Sequence[Train], square: _Square, size: int) -> Part:
     """A map of the rings, ``size`` texels along each side of the square, and its measured bounds."""
     # The map's error varies from wave to wave, not within one, so half the resolution is enough for it.
     sizes = {"rings": size, "rings_grain": size // 2}
-    shaders = {"rings": "waves/rings/map_pass.glsl", "rings_grain": "waves/rings/grain_pass.glsl"}
+    shaders = {"rings": "waves/rings.glsl@map_pass", "rings_grain": "waves/rings.glsl@grain_pass"}
     part = Part(
         slots=(
-            SlotFile("waves", "waves/rings/map.glsl", prefix="rings"),
-            SlotFile("bounds", "waves/rings/bounds.glsl", prefix="rings"),
+            SlotFile("waves", "waves/rings.glsl@map", prefix="rings"),
+            SlotFile("bounds", "waves/rings.glsl@bounds", prefix="rings"),
         ),
         uniforms={
             "u_ring_corner": array("vec2", _from_camera(square.x, square.z), 1),
@@ -177,7 +177,7 @@ def _map_pass(shown: Sequence[Train], square: _Square, target: str, shader: str,
     return PassSpec(
         name=f"{target.replace('_', ', ')}, {square.side:g} m map",
         program=target,
-        fragment=("lib/numbers.glsl", "waves/rings/ring.glsl", "waves/rings/reaching.glsl", shader),
+        fragment=("lib/numbers.glsl", "waves/rings.glsl@ring", "waves/rings.glsl@reaching", shader),
         target=target,
         uniforms={**_ring_uniforms(shown, corner), "u_ring_texel": number(square.side / size)},
     )

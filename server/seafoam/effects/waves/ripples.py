@@ -70,7 +70,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         bound=_bound(scene, ripples),
     )
     return contribution.joined(
-        _slopes("waves/ripples/exact.glsl" if summed else "waves/ripples/tile.glsl", ripples),
+        _slopes("waves/ripples.glsl@exact" if summed else "waves/ripples.glsl@tile", ripples),
         _sum(cascades) if summed else _maps(cascades, sides, quality.ripples_size),
     )
 
@@ -79,10 +79,10 @@ def _slopes(file: str, ripples: Ripples) -> Part:
     """The slot file of the slopes, with gusts if the wind has any."""
     gusts = ripples.gusts
     if gusts is None or gusts.strength == 0.0:
-        return Part(slots=(SlotFile("detail", file, prefix="ripples", needs=("waves/ripples/bands.glsl",)),))
-    needs = ("waves/ripples/bands.glsl", Source(file, (("ripples_detail", "even_detail"),)), *PERLIN_3)
+        return Part(slots=(SlotFile("detail", file, prefix="ripples", needs=("waves/ripples.glsl@bands",)),))
+    needs = ("waves/ripples.glsl@bands", Source(file, (("ripples_detail", "even_detail"),)), *PERLIN_3)
     return Part(
-        slots=(SlotFile("detail", "waves/ripples/gusts.glsl", prefix="ripples", needs=needs),),
+        slots=(SlotFile("detail", "waves/ripples.glsl@gusts", prefix="ripples", needs=needs),),
         consts={"GUST_SEED": 64 * gusts.seed},
         uniforms={
             "u_gust_phase": drifting_noise(gusts.size, gusts.speed, ripples.wind_direction, gusts.change),
@@ -121,7 +121,7 @@ def _maps(cascades: tuple[tuple[Ripple, ...], ...], sides: tuple[float, ...], si
             PassSpec(
                 name=f"ripples, {side:g} m tile",
                 program="ripples",
-                fragment=("lib/numbers.glsl", "waves/ripples/tile_pass.glsl"),
+                fragment=("lib/numbers.glsl", "waves/ripples.glsl@tile_pass"),
                 target=f"ripples_{i}",
                 uniforms={
                     "u_ripples_wave": array("vec4", _wave_data(waves), len(waves)),

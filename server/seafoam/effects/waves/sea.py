@@ -40,8 +40,8 @@ READ, READ_ALONE = 0.57735, 0.75
 """Side of a trilinear read of slopes over that of the footprint: of the same variance, and of the least error where one
 sample stands for a pixel. Against 256 samples of seas of 4 to 15 m/s, single ones had 1.26 to 1.55 and 0.91 to 1.32
 times the error of 16."""
-_RADICES = {4: "waves/sea/radix_4.glsl", 8: "waves/sea/radix_8.glsl"}
-RESAMPLED = ("lib/cubic_spline.glsl", "waves/sea/resample_pass.glsl")
+_RADICES = {4: "waves/sea_passes.glsl@radix_4", 8: "waves/sea_passes.glsl@radix_8"}
+RESAMPLED = ("lib/texels.glsl@cubic_spline", "waves/sea_passes.glsl@resample_pass")
 """Files that find the rest position of the water at a place, and what moves with it."""
 
 
@@ -62,7 +62,7 @@ def transform(
                 PassSpec(
                     name=f"{name}: {'columns' if axis else 'rows'}, {span} to {span * radix}",
                     program=f"fft_{radix}",
-                    fragment=(_RADICES[radix], "waves/sea/fft_pass.glsl"),
+                    fragment=(_RADICES[radix], "waves/sea_passes.glsl@fft_pass"),
                     target=destination,
                     inputs={
                         "u_fft_from": TargetInput(target=source),
@@ -204,22 +204,22 @@ def _consts(sea: Sea, tiles: Sequence[Cascade], size: int) -> dict[str, Const]:
 def _fetch(quality: Quality) -> tuple[str, ...]:
     """The files that read a tile bilinearly: filtered by the sampler, or by the shader from full floats."""
     if quality.sea_digits == "float":
-        return ("lib/bilinear.glsl", "lib/cubic_spline.glsl", "waves/sea/fetch_exact.glsl")
-    return ("lib/cubic_spline.glsl", "waves/sea/fetch_linear.glsl")
+        return ("lib/texels.glsl@bilinear", "lib/texels.glsl@cubic_spline", "waves/sea_passes.glsl@fetch_exact")
+    return ("lib/texels.glsl@cubic_spline", "waves/sea_passes.glsl@fetch_linear")
 
 
 def _slots(scene: Scene, quality: Quality, tiles: int) -> tuple[SlotFile, ...]:
-    filtered = "waves/sea/seen.glsl" if quality.surface.filter else "waves/sea/seen_exact.glsl"
-    needs = (*_fetch(quality), "waves/sea/level.glsl", filtered)
+    filtered = "waves/sea.glsl@seen" if quality.surface.filter else "waves/sea.glsl@seen_exact"
+    needs = (*_fetch(quality), "waves/sea.glsl@level", filtered)
     slots = [
-        SlotFile("waves", "waves/sea.glsl", prefix="sea", needs=needs),
-        SlotFile("bounds", "waves/sea/bounds.glsl", prefix="sea"),
+        SlotFile("waves", "waves/sea.glsl@sea", prefix="sea", needs=needs),
+        SlotFile("bounds", "waves/sea.glsl@bounds", prefix="sea"),
     ]
     if scene.shore is None:
-        slots.append(SlotFile("short", "waves/sea/short.glsl"))
-        slots.append(SlotFile("short bounds", "waves/sea/short_bounds.glsl", needs=("waves/sea/bounds.glsl",)))
+        slots.append(SlotFile("short", "waves/sea.glsl@short"))
+        slots.append(SlotFile("short bounds", "waves/sea.glsl@short_bounds", needs=("waves/sea.glsl@bounds",)))
     if tiles > RAISED:
-        detail = "waves/sea/detail_two.glsl" if tiles == 4 else "waves/sea/detail_one.glsl"
+        detail = "waves/sea.glsl@detail_two" if tiles == 4 else "waves/sea.glsl@detail_one"
         slots.append(SlotFile("detail", detail, prefix="sea", needs=needs))
     return tuple(slots)
 
@@ -231,7 +231,7 @@ def _displaced_water(sea: Sea, depth: float | None, tiles: Sequence[Cascade], si
         gerstner = PassSpec(
             name="waves of the sea",
             program="gerstner",
-            fragment=("lib/numbers.glsl", "waves/sea/gerstner.glsl", "waves/sea/gerstner_pass.glsl"),
+            fragment=("lib/numbers.glsl", "waves/sea_passes.glsl@gerstner", "waves/sea_passes.glsl@gerstner_pass"),
             target="sea_a",
             uniforms=gerstner_uniforms(tiles, size),
         )
@@ -239,7 +239,7 @@ def _displaced_water(sea: Sea, depth: float | None, tiles: Sequence[Cascade], si
     spectrum = PassSpec(
         name="spectrum of the sea",
         program="sea_spectrum",
-        fragment=("lib/numbers.glsl", "waves/sea/spectrum.glsl", "waves/sea/displaced_pass.glsl"),
+        fragment=("lib/numbers.glsl", "waves/sea_passes.glsl@spectrum", "waves/sea_passes.glsl@displaced_pass"),
         target="sea_a",
         inputs={"u_sea_spectrum": TextureInput(texture="sea_spectrum")},
         uniforms=loop_uniforms(),
@@ -267,7 +267,7 @@ def _height_map(sea: Sea, index: int, tile: Cascade, displaced: str, quality: Qu
             PassSpec(
                 name=f"sea, {tile.size:g} m tile",
                 program="sea_tile",
-                fragment=(*RESAMPLED, "waves/sea/tile_pass.glsl"),
+                fragment=(*RESAMPLED, "waves/sea_passes.glsl@tile_pass"),
                 target=name,
                 inputs={"u_sea_displaced": TargetInput(target=displaced)},
                 uniforms=tile_uniforms(tile, index, sea.choppiness, size),
@@ -298,7 +298,7 @@ def _mip_maps(tiles: Sequence[Cascade], quality: Quality) -> Part:
             PassSpec(
                 name=f"sea, {tile.size:g} m tile as seen",
                 program="sea_seen",
-                fragment=(*_fetch(quality), "waves/sea/seen_pass.glsl"),
+                fragment=(*_fetch(quality), "waves/sea.glsl@seen_pass"),
                 target=f"sea_seen_{i}",
                 inputs={"u_sea_full": TargetInput(target=f"sea_tile_{i}")},
             )
@@ -312,14 +312,14 @@ def _orbits(sea: Sea, raised: Sequence[Cascade], displaced: str, quality: Qualit
     side = quality.sea_size // 2
     size = FixedSize(width=side, height=RAISED * (side + 1))
     return Part(
-        slots=(SlotFile("carry", "foam/carry/sea.glsl", prefix="sea"),),
+        slots=(SlotFile("carry", "foam/carry.glsl@sea", prefix="sea"),),
         inputs={"u_sea_orbits": TargetInput(target="sea_orbits")},
         targets={"sea_orbits": tile_target(quality, side).model_copy(update={"size": size})},
         passes=tuple(
             PassSpec(
                 name=f"orbits, {tile.size:g} m tile",
                 program="sea_orbit",
-                fragment=(*RESAMPLED, "foam/carry/sea_orbit_pass.glsl"),
+                fragment=(*RESAMPLED, "foam/carry.glsl@sea_orbit"),
                 target="sea_orbits",
                 inputs={"u_sea_displaced": TargetInput(target=displaced)},
                 uniforms=tile_uniforms(tile, i, sea.choppiness, quality.sea_size),

@@ -17,17 +17,17 @@ FAR = 1e8
 FASTEST = 0.7
 """Greatest Froude number of the depth: up to it the waves are within 4 % of those in deep water."""
 
-WAY = ("waves/standing/way.glsl",)
+WAY = ("waves/standing.glsl@way",)
 STONES = Kind(
     "stones",
     "stones",
     "standing waves",
     "the water flows too slowly, or no stone makes waves",
     WAY,
-    "waves/standing/declared_bounds.glsl",
-    "waves/standing/bounds.glsl",
-    ("waves/standing/within.glsl",),
-    "waves/standing/gentler.glsl",
+    "waves/standing.glsl@declared_bounds",
+    "waves/standing.glsl@bounds",
+    ("waves/standing.glsl@within",),
+    "waves/standing.glsl@gentler",
     (
         ("BOAT_COUNT", "STONE_COUNT"),
         ("WakeWay", "StoneWay"),

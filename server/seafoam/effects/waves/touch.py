@@ -30,7 +30,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     return Contribution(
         # The list can change within the plan, so nothing here tells how long it is.
         why=f"up to {TOUCHES_MOST} touches of the water, summed at each sample",
-        slots=(SlotFile("detail", "waves/touch/rings.glsl", prefix="touches", needs=("waves/rings/ring.glsl",)),),
+        slots=(SlotFile("detail", "waves/rings.glsl@touch", prefix="touches", needs=("waves/rings.glsl@ring",)),),
         consts={
             "TOUCH_COUNT": TOUCHES_MOST,
             "TOUCH_CRESTS": CRESTS,

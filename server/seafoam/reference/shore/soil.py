@@ -88,7 +88,7 @@ def slopes(key: int, x: Floats, z: Floats) -> tuple[Floats, Floats, Floats]:
 
 @dataclass(eq=False)
 class _Noise:
-    """Octaves of noise under footprints: see shore/soil.glsl."""
+    """Octaves of noise under footprints: see shore/soil.glsl@soil."""
 
     bands: Floats
     """(r, 4): octaves of 64 and 20 m together, of 6 m, of 2 m, and finer ones together."""

@@ -1,0 +1,191 @@
+// A boat as it is drawn: its box, light, shadow and what is seen from over and under the water.
+
+// @part vertex
+// The rectangle of the picture that holds every boat's box, and three samples more for rays beside the middle ones. Drivers without
+// branches would trace boats in every sample of the picture, to find none.
+const float BOAT_NEAREST = 1e-2; // of a corner before the eye, m
+
+void main() {
+    vec2 squares = vec2(dot(u_ray_x, u_ray_x), dot(u_ray_y, u_ray_y));
+    vec2 low = vec2(1.0);
+    vec2 high = vec2(-1.0);
+    for (int i = 0; i < BOAT_COUNT; ++i) {
+        BoatFrame f = boat_frame(i);
+        float size = u_boat_form[i].x;
+        vec2 least = vec2(1e30);
+        vec2 most = vec2(-1e30);
+        float nearest = 1e30;
+        float farthest = -1e30;
+        for (int corner = 0; corner < 8; ++corner) {
+            vec3 side = vec3(corner & 1, (corner >> 1) & 1, corner >> 2) * 2.0 - 1.0;
+            vec3 local = size * (BOAT_BOX_MIDDLE + side * BOAT_BOX_HALF);
+            vec3 place = f.at - vec3(0.0, u_eye_height, 0.0) + local.x * f.ahead + local.y * f.up + local.z * f.right;
+            float depth = dot(place, u_ray_z);
+            vec2 clip = vec2(dot(place, u_ray_x), dot(place, u_ray_y)) / (squares * max(depth, BOAT_NEAREST));
+            least = min(least, clip);
+            most = max(most, clip);
+            nearest = min(nearest, depth);
+            farthest = max(farthest, depth);
+        }
+        // A box that is partly behind the eye may show anywhere, one that is wholly behind it nowhere.
+        bool shows = farthest > 0.0;
+        bool anywhere = shows && nearest <= BOAT_NEAREST;
+        low = anywhere ? vec2(-1.0) : shows ? min(low, least) : low;
+        high = anywhere ? vec2(1.0) : shows ? max(high, most) : high;
+    }
+    vec2 pad = 6.0 / u_viewport;
+    low = clamp(low - pad, -1.0, 1.0);
+    high = max(clamp(high + pad, -1.0, 1.0), low);
+    gl_Position = vec4(mix(low, high, greaterThan(quad_corner(), vec2(0.0))), FULLSCREEN_DEPTH, 1.0);
+}
+
+// @part main
+// A sample of a boat where it stands before water and land: BOAT_SIDE x BOAT_SIDE rays through it. Linear light, premultiplied.
+out vec4 o_color;
+
+const int BOAT_RAYS = BOAT_SIDE * BOAT_SIDE;
+
+vec3 boat_ray(int i) {
+    return camera_ray(sample_place() + (vec2(i % BOAT_SIDE, i / BOAT_SIDE) + 0.5) / float(BOAT_SIDE) - 0.5);
+}
+
+// Where no ray can meet a boat, and then where none does, nothing more is asked: a discarded sample is the one branch that every driver takes.
+void main() {
+    if (!near_boats(camera_ray(sample_place()), length(u_ray_x) / u_viewport.x + length(u_ray_y) / u_viewport.y)) {
+        discard;
+    }
+    vec3 eye = vec3(0.0, u_eye_height, 0.0);
+    int boat[BOAT_RAYS];
+    float way[BOAT_RAYS];
+    BoatHit hits[BOAT_RAYS];
+    bool met = false;
+    float farthest = 0.0;
+    for (int i = 0; i < BOAT_RAYS; ++i) {
+        boat[i] = trace_boats(eye, normalize(boat_ray(i)), 0.0, 1e5, false, way[i], hits[i]);
+        met = met || boat[i] >= 0;
+        farthest = boat[i] >= 0 ? max(farthest, way[i]) : farthest;
+    }
+    if (!met) {
+        discard;
+    }
+    vec3 middle = camera_ray(sample_place());
+    // A little further: the samples' other rays may meet the water before.
+    boat_water(middle, 1.02 * farthest / length(middle));
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < BOAT_RAYS; ++i) {
+        vec3 ray = boat_ray(i);
+        vec3 d = normalize(ray);
+        if (boat[i] >= 0 && !boat_hidden(ray, way[i])) {
+            vec3 light = exposure() * boat_before(boat_light(boat[i], eye, d, way[i], hits[i]), d, way[i]);
+            sum += vec4(min(light, BRIGHTEST), 1.0);
+        }
+    }
+    if (sum.a == 0.0) {
+        discard;
+    }
+    o_color = sum / float(BOAT_RAYS);
+}
+
+// @part light
+// A boat under sun and sky, with its own shadow. docs/formulae.md, section 15.
+vec3 boat_in_air(vec3 light, vec3 d, float distance_to_eye) {
+    return hazed(light, horizon_light(d), distance_to_eye);
+}
+
+// d: unit vector toward the boat; o + t d is where it was met.
+vec3 boat_light(int i, vec3 o, vec3 d, float t, BoatHit hit) {
+    BoatFrame f = boat_frame(i);
+    vec3 n = hit.normal.x * f.ahead + hit.normal.y * f.up + hit.normal.z * f.right;
+    float gloss;
+    vec3 albedo = boat_albedo(hit, u_boat_rig[i].x > 0.5, u_boat_hull[i], u_boat_sails[i], gloss);
+    bool sail = hit.part == PART_SAIL;
+    float facing = dot(n, u_sun_direction);
+    float lit = sail ? max(facing, 0.0) + 0.4 * max(-facing, 0.0) : max(facing, 0.0);
+    if (lit > 0.0) {
+        // Off the surface on the sun's side, so that nothing shades itself.
+        float away = 3e-3 * u_boat_form[i].x;
+        vec3 from = o + t * d + away * (facing < 0.0 ? -n : n);
+        float far;
+        BoatHit other;
+        if (trace_boats(from, u_sun_direction, 0.0, 1e4, false, far, other) >= 0) {
+            lit = other.part == PART_SAIL ? 0.25 * lit : 0.0;
+        }
+        lit *= open_sun(from, Footprint(vec2(0.0), vec2(0.0)));
+    }
+    // From below comes what water mirrors of the light above.
+    vec3 bounced = 0.1 * (u_sky_irradiance + u_sun_irradiance * max(u_sun_direction.y, 0.0)) * (0.5 - 0.5 * n.y);
+    vec3 light = albedo / PI * (u_sun_irradiance * lit + u_sky_irradiance * (0.5 + 0.5 * n.y) + bounced);
+    vec3 r = reflect(d, n);
+    vec3 mirrored = sky_light(vec3(r.x, abs(r.y), r.z)) * mix(0.25, 1.0, smoothstep(-0.1, 0.1, r.y));
+    return light + gloss * fresnel(clamp(-dot(n, d), 0.0, 1.0)) * (mirrored - light);
+}
+
+// @part dark
+// No light: boats are black.
+vec3 boat_in_air(vec3 light, vec3 d, float distance_to_eye) {
+    return light;
+}
+
+vec3 boat_light(int i, vec3 o, vec3 d, float t, BoatHit hit) {
+    return vec3(0.0);
+}
+
+// @part over
+// What stands before a boat: water, or land. Water is looked for once a sample: as far as a sample is wide it is as good as a plane,
+// where the sample's own ray meets it.
+vec4 boat_plane = vec4(0.0); // normal . place is w, metres from the eye; no normal: no water before the boats
+
+void boat_water(vec3 ray, float farthest) {
+    float tau;
+    vec3 wave;
+    if (find_surface(ray, farthest, tau, wave)) {
+        vec3 normal = vec3(-wave.y, 1.0, -wave.z);
+        boat_plane = vec4(normal, dot(normal, tau * ray));
+    }
+}
+
+bool boat_hidden(vec3 ray, float t) {
+    float tau = t / length(ray);
+    // On the far side of the plane from the eye; an eye on that side itself is under water, and sees none.
+    bool under = boat_plane.y > 0.0 && (boat_plane.w >= 0.0 || tau * dot(boat_plane.xyz, ray) < boat_plane.w);
+    return under || boat_behind_land(ray, tau);
+}
+
+vec3 boat_before(vec3 light, vec3 d, float t) {
+    return boat_in_air(light, d, t);
+}
+
+// @part under
+// An eye under the surface sees what of a boat is under it too, through the water between.
+void boat_water(vec3 ray, float farthest) {
+}
+
+bool boat_hidden(vec3 ray, float t) {
+    float tau;
+    vec3 wave;
+    return (find_underside(ray, tau, wave) && tau * length(ray) < t) || bed_reach(vec2(0.0), u_eye_height, normalize(ray)) < t;
+}
+
+vec3 boat_before(vec3 light, vec3 d, float t) {
+    return light * exp(-below_extinction() * t) + below_glow(-u_eye_height, -d.y, t);
+}
+
+// @part land
+// Whether land stands before a boat.
+bool boat_behind_land(vec3 ray, float farthest) {
+    float tau;
+    vec4 ground;
+    return find_land(ray, farthest, tau, ground);
+}
+
+// @part shadow
+// The sun's light past boats: none under a hull, some through a sail. docs/formulae.md, section 15.
+// place: m from under the eye, y over still water.
+float sunlit(vec3 place, Footprint fp) {
+    float t;
+    BoatHit hit;
+    if (trace_boats(place, u_sun_direction, 0.0, 1e4, false, t, hit) < 0) {
+        return open_sun(place, fp);
+    }
+    return hit.part == PART_SAIL ? SUN_UNDER_SAIL * open_sun(place, fp) : 0.0;
+}

@@ -1,0 +1,88 @@
+// From samples to the frame, and its display; the frame's geometry as numbers.
+
+// @part compose
+// What was drawn after surface and sky (premultiplied alpha), laid over them. A stays the water's foam amount.
+uniform sampler2D u_beneath;
+uniform sampler2D u_above;
+out vec4 o_color;
+
+void main() {
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    vec4 beneath = texelFetch(u_beneath, at, 0);
+    vec4 above = texelFetch(u_above, at, 0);
+    o_color = vec4(min(beneath.rgb * (1.0 - min(above.a, 1.0)) + above.rgb, BRIGHTEST), beneath.a);
+}
+
+// @part resolve
+// Mean of SAMPLE_SIDE x SAMPLE_SIDE samples, in linear light.
+uniform sampler2D u_samples;
+out vec4 o_color;
+
+void main() {
+    ivec2 corner = ivec2(gl_FragCoord.xy) * SAMPLE_SIDE;
+    vec4 sum = vec4(0.0);
+    for (int j = 0; j < SAMPLE_SIDE; ++j) {
+        for (int i = 0; i < SAMPLE_SIDE; ++i) {
+            sum += texelFetch(u_samples, corner + ivec2(i, j), 0);
+        }
+    }
+    o_color = sum / float(SAMPLE_SIDE * SAMPLE_SIDE);
+}
+
+// @part present
+// Linear light to the screen: tone curve, then the sRGB transfer curve (IEC 61966-2-1), by hand since formats disagree on it.
+uniform sampler2D u_linear;
+out vec4 o_color;
+
+// x in [0, 1]. 1.055 x^(5/12) - 0.055 as a polynomial in x^(1/4), to 0.002 of a level: a power costs as much as two roots and more.
+vec3 srgb(vec3 x) {
+    vec3 s = sqrt(sqrt(max(x, 0.0031308)));
+    vec3 curved = -0.0614833354 + s * (0.163495493 + s * (1.24977997 + s * (-0.567387739 + s * (0.280971055 - 0.0653806371 * s))));
+    return mix(12.92 * x, curved, step(0.0031308, x));
+}
+
+void main() {
+    vec3 linear = texelFetch(u_linear, ivec2(gl_FragCoord.xy), 0).rgb;
+    o_color = vec4(srgb(tone(max(with_glare(linear), 0.0))), 1.0);
+}
+
+// @part geometry
+// Normal (unit, over water that of its ripples too) and distance (m) of what the ray of a sample meets; 0 where it meets nothing.
+out vec4 o_geometry;
+
+void main() {
+    vec3 ray = camera_ray(sample_place());
+    float tau;
+    vec3 wave;
+    vec4 ground;
+    int met = first_met(ray, tau, wave, ground);
+    vec2 slope = ground.yz;
+    if (met == WATER) {
+        vec2 p = tau * ray.xz;
+        Footprint fp = footprint(ray, tau, vec3(-wave.y, 1.0, -wave.z));
+        slope = waves_shading(p, fp).yz + detail(p, fp).xy;
+    }
+    o_geometry = met == 0 ? vec4(0.0) : vec4(normalize(vec3(-slope.x, 1.0, -slope.y)), tau * length(ray));
+}
+
+// @part geometry_below
+// The same from under the water: of its underside, whose normal is up too, or of the floor.
+out vec4 o_geometry;
+
+const float NO_FLOOR = 1e5;
+
+void main() {
+    vec3 ray = camera_ray(sample_place());
+    vec3 d = normalize(ray);
+    float tau;
+    vec3 wave;
+    bool underside = find_underside(ray, tau, wave);
+    float reach = bed_reach(vec2(0.0), u_eye_height, d);
+    o_geometry = reach < NO_FLOOR ? vec4(floor_normal(reach * d.xz), reach) : vec4(0.0);
+    if (underside && tau * length(ray) <= reach) {
+        vec2 p = tau * ray.xz;
+        Footprint fp = footprint(ray, tau, vec3(wave.y, -1.0, wave.z));
+        vec2 slope = waves_shading(p, fp).yz + detail(p, fp).xy;
+        o_geometry = vec4(normalize(vec3(-slope.x, 1.0, -slope.y)), tau * length(ray));
+    }
+}

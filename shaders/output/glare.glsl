@@ -1,0 +1,70 @@
+// Light that the eye spreads.
+
+// @part taps
+// Mean of four bilinear readings around a place, texels, each `apart` texels from it along both axes.
+vec3 taps(sampler2D image, vec2 at, float apart) {
+    vec2 size = vec2(textureSize(image, 0));
+    vec3 sum = texture(image, (at + vec2(-apart, -apart)) / size).rgb + texture(image, (at + vec2(apart, -apart)) / size).rgb;
+    sum += texture(image, (at + vec2(-apart, apart)) / size).rgb + texture(image, (at + vec2(apart, apart)) / size).rgb;
+    return 0.25 * sum;
+}
+
+// How much of a level of so many rows counts: those as wide as the picture would veil all of it.
+float level_share(float rows) {
+    return 1.0 - smoothstep(0.08, 0.25, 1.0 / rows);
+}
+
+// @part first
+// What spreads of the finished frame: means of 4 x 4 pixels. docs/formulae.md, section 7.
+uniform sampler2D u_frame;
+out vec4 o_color;
+
+// Light that a sum of levels still holds in a half float; a pixel so bright is white at any exposure.
+const float GLARE_MOST = 4096.0;
+
+void main() {
+    ivec2 last = textureSize(u_frame, 0) - 1;
+    ivec2 corner = ivec2(gl_FragCoord.xy) * 4;
+    vec3 sum = vec3(0.0);
+    for (int j = 0; j < 4; ++j) {
+        for (int i = 0; i < 4; ++i) {
+            sum += min(texelFetch(u_frame, min(corner + ivec2(i, j), last), 0).rgb, GLARE_MOST);
+        }
+    }
+    o_color = vec4(sum / 16.0, 0.0);
+}
+
+// @part half
+// The next level, half as fine: weights 1, 3, 3, 1 along both axes.
+uniform sampler2D u_finer;
+out vec4 o_color;
+
+void main() {
+    o_color = vec4(taps(u_finer, 2.0 * gl_FragCoord.xy, 0.75), 0.0);
+}
+
+// @part add
+// A coarser level with all that were added to it, onto the next finer one.
+uniform sampler2D u_coarser;
+out vec4 o_color;
+
+void main() {
+    float share = level_share(float(textureSize(u_coarser, 0).y));
+    o_color = vec4(share * taps(u_coarser, 0.5 * gl_FragCoord.xy, 0.5), 0.0);
+}
+
+// @part spread
+// Glare: a share of the light spreads, in equal parts over levels that each reach twice as far, so that it falls with the inverse
+// square of the angle as in eye and lens (Vos 1984). docs/formulae.md, section 7.
+uniform sampler2D u_glare; // the sum of the levels
+uniform float u_glare_share;
+
+vec3 with_glare(vec3 light) {
+    float rows = float(textureSize(u_glare, 0).y);
+    float levels = 1.0;
+    for (int k = GLARE_LEVELS - 1; k > 0; --k) {
+        levels = 1.0 + level_share(ceil(rows / exp2(float(k)))) * levels;
+    }
+    vec3 spread = texture(u_glare, 0.25 * gl_FragCoord.xy / vec2(textureSize(u_glare, 0))).rgb;
+    return light + u_glare_share / float(GLARE_LEVELS) * (spread - levels * light);
+}

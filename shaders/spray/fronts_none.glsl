@@ -1,4 +1,0 @@
-// No single waves.
-vec4 fronts_then(vec2 p, float age) {
-    return vec4(0.0);
-}
