@@ -1,4 +1,4 @@
-"""The command ``seafoam``: serve, render, sequence, accuracy, masks, sign, doctor.
+"""The command ``seafoam``: serve, render, sequence, accuracy, plan, masks, sign, doctor.
 
 Invalid input prints one line that names the field and its allowed values, with exit code 2; a missing driver or tool
 prints one line with the remedy, with exit code 1. Commands import heavy modules themselves, because spawned render
@@ -11,7 +11,7 @@ import sys
 import webbrowser
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Annotated, Any, NoReturn
+from typing import Annotated, Any, Literal, NoReturn
 
 import typer
 from typer.core import TyperCommand
@@ -21,7 +21,7 @@ from seafoam.cli import options
 from seafoam.cli.consoles import prepare, say
 from seafoam.cli.masks import masks
 from seafoam.cli.sequences import sequence
-from seafoam.cli.support import UNABLE, Command, CommandError, Serve, refuse, size_of
+from seafoam.cli.support import UNABLE, Command, CommandError, Serve, member_of, refuse, size_of
 from seafoam.extras import MissingExtraError, require_reports
 from seafoam.processes import SCHEDULER
 
@@ -184,6 +184,33 @@ def presets() -> None:
         width, height = preset.size
         table.add_row(name, preset.title, f"{width}x{height}", f"{preset.time:g} s", preset.summary)
     Console().print(table)
+
+
+@app.command()
+def plan(
+    preset: Annotated[str, typer.Argument(help="Name of a preset; `seafoam presets` lists them.")],
+    quality: Annotated[str, typer.Option(help="draft, standard, high or reference.")] = "standard",
+    program: Annotated[
+        str | None, typer.Option(help="Print this program's shader, with the names of its files, such as surface.")
+    ] = None,
+    stage: Annotated[str, typer.Option(help="Of the program: fragment or vertex.")] = "fragment",
+) -> None:
+    """List the passes of a preset's frame plan, or print the GLSL of one of its programs."""
+    _require_preset(preset)
+    from rich.console import Console
+
+    from seafoam.cli import plans
+    from seafoam.quality import TIERS
+
+    tier = member_of(quality, tuple(TIERS), "--quality")
+    stages: tuple[Literal["fragment", "vertex"], ...] = ("fragment", "vertex")
+    part = member_of(stage, stages, "--stage")
+    made = plans.plan_of(preset, tier)
+    if program is None:
+        Console(soft_wrap=True).print(plans.passes(made))
+        return
+    for line in plans.source(made, program, part):
+        say(line)
 
 
 @app.command()

@@ -102,6 +102,14 @@ def extension_of(path: Path, known: Sequence[E]) -> E:
     raise CommandError(f"--output: {path.name!r} must end in one of {endings}")
 
 
+def member_of(text: str, known: Sequence[E], option: str) -> E:
+    """The name that an option was given. Raises :class:`CommandError` for one that is not known."""
+    for name in known:
+        if text == name:
+            return name
+    raise CommandError(f"{option}: must be one of {'; '.join(known)}, not {text!r}")
+
+
 def size_of(text: str) -> tuple[int, int]:
     match = re.fullmatch(r"([0-9]{1,6})[x×]([0-9]{1,6})", text)
     if match is None:

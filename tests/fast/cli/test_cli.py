@@ -19,6 +19,9 @@ from seafoam.doctor import Finding
 from seafoam.masks.catalogue import load_mask
 from seafoam.masks.construct import make_mask
 from seafoam.masks.formats import to_u16
+from seafoam.planner import make_plan
+from seafoam.planner.glsl import read_file
+from seafoam.quality import TIERS
 from seafoam.render.gl.executor import NoRendererError
 from seafoam.scene.presets import load_preset, preset_names
 from support.command import run
@@ -230,6 +233,39 @@ def test_the_spectrum_as_json_and_as_a_plot(seafoam, tmp_path):
     code, _, _ = seafoam("masks", "spectrum", "blur:2:64:0", "-o", tmp_path / "a.png")
     assert code == 0
     assert picture(tmp_path / "a.png").format == "PNG"
+
+
+def test_a_plan_lists_its_passes_and_prints_a_program_with_the_names_of_its_files(seafoam):
+    code, out, _ = seafoam("plan", "default")
+    assert code == 0
+    assert "surface, underwater" in out
+    _, out, _ = seafoam("plan", "default", "--quality", "draft", "--program", "surface")
+    shader = make_plan(load_preset("default").scene, TIERS["draft"]).programs["surface"].fragment
+    lines = out.splitlines()
+    assert [line for line in lines if not line.startswith("// ---- ")] == shader.text.splitlines()
+    named = [line.removeprefix("// ---- ") for line in lines if line.startswith("// ---- ")]
+    assert named == [file.path for file in shader.files]
+    # The first line of a file follows its name.
+    look = "foam/look.glsl@filtered"
+    assert lines[lines.index(f"// ---- {look}") + 1] == read_file(look).splitlines()[0]
+    _, out, _ = seafoam("plan", "default", "--program", "surface", "--stage", "vertex")
+    assert "// ---- vertex/vertex.glsl@falling" in out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (("default", "--program", "nothing"), "--program: must be one of surface; "),
+        (("default", "--quality", "best"), "--quality: must be one of draft; standard; high; reference, not 'best'"),
+        (("default", "--program", "surface", "--stage", "geometry"), "--stage: must be one of fragment; vertex"),
+        (("atlantis",), "PRESET: 'atlantis' was not found"),
+    ],
+)
+def test_bad_input_of_plan(seafoam, arguments, said):
+    code, _, err = seafoam("plan", *arguments)
+    assert code == 2
+    assert said in err
+    assert err.count("\n") == 1
 
 
 def test_openapi_is_printed(seafoam):
