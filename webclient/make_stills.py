@@ -27,7 +27,7 @@ behind that is of one tone."""
 SIZE = (1728, 720)
 SMALL = (240, 135)
 QUALITY = TIERS["standard"].model_copy(update={"samples": 4})
-STILL_LOSS = 50
+STILL_LOSS = 38
 """Pillow's ``quality`` of AVIF."""
 SMALL_LOSS = 70
 """Pillow's ``quality`` of WebP."""

@@ -1,8 +1,9 @@
-"""Each preset has a still for the page to begin with, and it shows what the preset starts with."""
+"""Pictures that are checked in: a preset's still shows what it starts with, and a page shows each picture of docs."""
 
 import importlib.util
 import json
 import re
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -10,7 +11,10 @@ from PIL import Image
 
 from seafoam.scene.presets import load_preset, preset_names
 
-WEBCLIENT = Path(__file__).parents[3] / "webclient"
+ROOT = Path(__file__).parents[3]
+WEBCLIENT = ROOT / "webclient"
+ALL_STILLS = 1_500_000
+"""Most bytes of the presets' stills with their thumbnails and of the chapter's together."""
 _SPEC = importlib.util.spec_from_file_location("make_stills", WEBCLIENT / "make_stills.py")
 assert _SPEC is not None
 assert _SPEC.loader is not None
@@ -24,7 +28,7 @@ def test_a_preset_has_its_still(name: str) -> None:
     now = {"start": stills.start_of(load_preset(name)), **stills.heading_of(name)}
     assert made_for.get(name) == now, "the preset starts otherwise: make stills"
     for path, form, size, most in (
-        (stills.still_of(name), "AVIF", stills.SIZE, 180_000),
+        (stills.still_of(name), "AVIF", stills.SIZE, 100_000),
         (stills.thumbnail_of(name), "WEBP", stills.SMALL, 12_000),
     ):
         with Image.open(path) as picture:
@@ -36,6 +40,22 @@ def test_nothing_else_lies_there() -> None:
     known = {path for name in preset_names() for path in (stills.still_of(name), stills.thumbnail_of(name))}
     assert set(stills.FOLDER.iterdir()) == known
     assert list(json.loads(stills.INDEX.read_text(encoding="utf-8"))) == list(preset_names())
+
+
+def test_a_clone_has_the_stills_and_they_are_small() -> None:
+    command = ["git", "ls-files", "webclient/public/stills", "webclient/public/learn-stills"]
+    names = subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True).stdout.split()
+    assert {stills.still_of(name) for name in preset_names()} <= {ROOT / name for name in names}
+    assert sum((ROOT / name).stat().st_size for name in names) <= ALL_STILLS
+
+
+def test_a_page_shows_each_picture_of_docs() -> None:
+    shown = {
+        (page.parent / picture).resolve()
+        for page in (ROOT / "README.md", *(ROOT / "docs").rglob("*.md"))
+        for picture in re.findall(r"\(([\w./-]*pictures/[\w./-]+)\)", page.read_text(encoding="utf-8"))
+    }
+    assert {path for path in (ROOT / "docs/pictures").rglob("*") if path.is_file()} == shown
 
 
 def test_the_page_begins_with_the_first_preset() -> None:
