@@ -67,7 +67,7 @@ class _QualityTrait(traitlets.TraitType[Any, Any]):
             raise traitlets.TraitError(str(error)) from error
 
 
-class WaterWidget(anywidget.AnyWidget):
+class Water(anywidget.AnyWidget):
     """Water in a notebook: it moves, a drag moves the camera, and a panel has every field of the scene.
 
     what: a preset's name, a :class:`seafoam.Scene` or its fields. time: s, absent: the preset's. quality: a tier or
