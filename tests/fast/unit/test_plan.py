@@ -180,9 +180,7 @@ def test_shaders_are_few_files_of_parts_with_names_of_their_own() -> None:
         assert text.count("\n") >= 8, f"{path}: part of another file"
         names = PART.findall(text)
         assert len(set(names)) == len(names), path
-        assert text.count("// @part") == len(names), (
-            f"{path}: // @part NAME is a line of its own"
-        )
+        assert text.count("// @part") == len(names), f"{path}: // @part NAME is a line of its own"
         assert not names or all(part.startswith("// ") for part in parts_of(str(path)).values()), path
 
 

@@ -16,6 +16,7 @@ import { InsetsView } from "./pictures/insetsview";
 import { SpectrumView } from "./pictures/spectrumview";
 import { AllQualities, Benefits, Passes, Selected } from "./sections";
 import type { BenchmarkRun, Session } from "./session";
+import { Progress } from "../ui/progress";
 
 const KEY = "mr-1 mb-1 inline-block w-4";
 
@@ -50,7 +51,7 @@ function Measuring({ session }: { session: Session }) {
       <button type="button" class={QUIET} onClick={() => session.toggleMeasuring()}>
         {progress ? "Cancel" : "Measure again"}
       </button>
-      {progress && <progress class="col-span-full h-[3px] w-full appearance-none bg-track [&::-moz-progress-bar]:bg-accent [&::-webkit-progress-bar]:bg-transparent [&::-webkit-progress-value]:bg-accent" max={1} aria-label="Benchmark progress" {...(progress.share === null ? {} : { value: progress.share })} />}
+      {progress && <Progress class="col-span-full" label="Benchmark progress" share={progress.share} />}
     </div>
   );
 }

@@ -3,6 +3,7 @@ import { signal } from "@preact/signals";
 import { useEffect, useMemo } from "preact/hooks";
 import { type Api, ApiError } from "../api";
 import { choiceText, type MaskChoice, maskPath } from "./choice";
+import { follow } from "./making";
 import type { Mask } from "./pattern";
 
 export interface MaskInfo {
@@ -32,6 +33,8 @@ export interface LoadedMask {
 export interface MaskState {
   loaded: LoadedMask | null;
   busy: boolean;
+  /** Of a mask that the server makes in the background, what is done, 0 to 1. */
+  share: number | null;
   /** In words. */
   error: string | null;
 }
@@ -39,10 +42,17 @@ export interface MaskState {
 /** Delay before a request, ms: a slider passes many values. */
 const DELAY = 250;
 
-async function load(api: Api, choice: MaskChoice, abort: AbortSignal): Promise<LoadedMask> {
+/** Asks for a mask. `told` hears the share that is done of one that takes longer than a request may. */
+export async function load(api: Api, choice: MaskChoice, abort: AbortSignal, told: (share: number) => void): Promise<LoadedMask> {
   const get = (resource?: string) => api.fetch(maskPath(choice, resource), { signal: abort });
   // The first request makes the mask; the others find it in the server's cache.
-  const info = (await (await get()).json()) as MaskInfo;
+  const first = await get().catch(async (refused: unknown) => {
+    if (typeof choice === "string" || !(refused instanceof ApiError) || refused.status !== 422) throw refused;
+    // What takes too long for a request is made in the background; what is refused there too is no mask.
+    await follow(await get("events"), told);
+    return get();
+  });
+  const info = (await first.json()) as MaskInfo;
   const [values, spectrum] = await Promise.all([
     get("data.u16").then((response) => response.arrayBuffer()),
     get("spectrum").then((response) => response.json() as Promise<Spectrum>),
@@ -52,21 +62,24 @@ async function load(api: Api, choice: MaskChoice, abort: AbortSignal): Promise<L
 
 /** The mask of a choice, null of none; the mask before it stays until it is here. */
 export function useMask(api: Api, choice: MaskChoice | null): MaskState {
-  const state = useMemo(() => signal<MaskState>({ loaded: null, busy: true, error: null }), []);
+  const state = useMemo(() => signal<MaskState>({ loaded: null, busy: true, share: null, error: null }), []);
   const text = choice === null ? null : choiceText(choice);
   useEffect(() => {
     if (choice === null) return;
     const abort = new AbortController();
     const { loaded } = state.value;
-    state.value = { ...state.value, busy: true };
+    state.value = { ...state.value, busy: true, share: null };
+    const told = (share: number) => {
+      state.value = { ...state.value, share };
+    };
     const run = async () => {
       try {
-        state.value = { loaded: await load(api, choice, abort.signal), busy: false, error: null };
+        state.value = { loaded: await load(api, choice, abort.signal, told), busy: false, share: null, error: null };
       } catch (error) {
         if (abort.signal.aborted) return;
         const details = error instanceof ApiError ? error.details : [];
         const message = error instanceof Error ? error.message : String(error);
-        state.value = { ...state.value, busy: false, error: details.length > 0 ? details.join("; ") : message };
+        state.value = { ...state.value, busy: false, share: null, error: details.length > 0 ? details.join("; ") : message };
       }
     };
     const timer = setTimeout(() => void run(), loaded === null ? 0 : DELAY);

@@ -9,6 +9,7 @@ import { type LoadedMask, type MaskInfo, type MaskState, useMask } from "./data"
 import { coverage, drawShades, shades, threshold, viewOf } from "./pattern";
 import { Spectra } from "./spectra";
 import { TakeHome } from "./takehome";
+import { Progress } from "../ui/progress";
 
 const SHOW_TITLES: Record<Show, string> = { tile: "one tile", tiled: "2 × 2 tiles", detail: "detail where tiles meet" };
 const PROSE = "mt-1 mb-2.5 max-w-[74ch] text-soft";
@@ -103,14 +104,15 @@ interface SideProps {
   change: (choice: MaskChoice) => void;
 }
 
-function Side({ name, choice, mask: { loaded, busy, error }, shipped, grey, show, change }: SideProps) {
+function Side({ name, choice, mask: { loaded, busy, share, error }, shipped, grey, show, change }: SideProps) {
   return (
     // Rows that both sides share, so that their pictures stand beside each other.
     <section class="side row-span-3 grid min-w-0 grid-cols-1 grid-rows-subgrid" aria-label={name} aria-busy={busy}>
       <Controls name={name} choice={choice} shipped={shipped} info={loaded?.info ?? null} change={change} />
       {loaded && <Picture loaded={loaded} grey={grey} show={show} />}
-      <p class={`status ${PROSE} ${error === null ? "" : "text-error"}`} role="status">
-        {error ?? (busy ? "Making the mask…" : loaded ? told(loaded, grey) : "")}
+      <p class={`status ${PROSE} ${error === null || busy ? "" : "text-error"}`} role="status">
+        {busy ? "Making the mask…" : (error ?? (loaded ? told(loaded, grey) : ""))}
+        {share !== null && <Progress label="Share of the mask that is made" share={share} />}
       </p>
     </section>
   );

@@ -1,7 +1,7 @@
 /** Opens the mask laboratory, a page of its own. */
 import "../style.css";
 import { render } from "preact";
-import { Api } from "../api";
+import { Api, messageOf } from "../api";
 import { byId } from "../ui/dom";
 import { Lab } from "./lab";
 
@@ -13,6 +13,5 @@ try {
   const shipped = await api.choices("api/masks");
   render(<Lab api={api} base={base} shipped={shipped} />, root);
 } catch (error) {
-  const message = error instanceof Error ? error.message : String(error);
-  render(<p role="alert">{message} Reload the page to try again.</p>, root);
+  render(<p role="alert">{messageOf(error)} Reload the page to try again.</p>, root);
 }

@@ -1,8 +1,11 @@
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
-import { describe, expect, it } from "vitest";
+import { describe, expect, it, vi } from "vitest";
+import { Api } from "../../src/api";
 import { linearAxis } from "../../src/charts/axis";
 import { choiceText, decodeState, encodeState, type LabState, maskPath, parseChoice, START } from "../../src/masklab/choice";
+import { load } from "../../src/masklab/data";
+import { follow } from "../../src/masklab/making";
 import { coverage, shades, threshold, viewOf } from "../../src/masklab/pattern";
 import { FORMATS, snippets, spreads } from "../../src/masklab/snippets";
 import { nearestGrey, resample } from "../../src/masklab/spectra";
@@ -25,6 +28,41 @@ describe("a mask's text", () => {
     expect(maskPath("vac-24", "data.u16")).toBe("api/masks/vac-24/data.u16");
     expect(maskPath(LACE, "spectrum")).toBe("api/masks/custom/spectrum?family=lace&sigma=8&width=128&height=128&seed=7&aspect=2&age=0.5");
     expect(maskPath({ ...LACE, family: "vac" })).toBe("api/masks/custom?family=vac&sigma=8&width=128&height=128&seed=7");
+  });
+});
+
+describe("a mask that takes longer than a request may", () => {
+  const info = { name: "vac", parameters: { width: 128, height: 128 } };
+  const refused = () => Response.json({ title: "Invalid", errors: [{ detail: "sigma: takes about 590 s" }] }, { status: 422 });
+  const events = (...parts: string[]) => {
+    const start = (stream: ReadableStreamDefaultController) => {
+      for (const part of parts) stream.enqueue(new TextEncoder().encode(part));
+      stream.close();
+    };
+    return new Response(new ReadableStream({ start }));
+  };
+  const made = [events("event: progress\ndata: 0.2", "50\n\nevent: pro", 'gress\ndata: 0.750\n\nevent: done\ndata: {"name": "vac"}\n\n'), Response.json(info), new Response(new Uint16Array([7]).buffer), Response.json({})];
+
+  it("is followed until it is there", async () => {
+    const fetched = vi.spyOn(globalThis, "fetch");
+    for (const answer of [refused(), ...made]) fetched.mockResolvedValueOnce(answer);
+    const told = vi.fn();
+    const loaded = await load(new Api("http://here/"), { ...LACE, family: "vac" }, new AbortController().signal, told);
+    expect(told.mock.calls).toEqual([[0.25], [0.75]]);
+    expect(loaded.mask.values).toEqual(new Uint16Array([7]));
+    expect(fetched.mock.calls[1]?.[0]).toBe(`http://here/${maskPath({ ...LACE, family: "vac" }, "events")}`);
+    fetched.mockRestore();
+  });
+
+  it("is none where it is refused there too, or is a shipped one", async () => {
+    const fetched = vi.spyOn(globalThis, "fetch").mockImplementation(() => Promise.resolve(refused()));
+    for (const choice of [LACE, "vac-24"]) await expect(load(new Api("http://here/"), choice, new AbortController().signal, vi.fn())).rejects.toThrow("Invalid");
+    expect(fetched).toHaveBeenCalledTimes(3);
+    fetched.mockRestore();
+  });
+
+  it("is not waited for once its events end", async () => {
+    await expect(follow(events("event: progress\ndata: 0.1\n\n"), vi.fn())).rejects.toThrow("stopped making");
   });
 });
 
