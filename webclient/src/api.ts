@@ -200,3 +200,6 @@ async function apiError(response: Response): Promise<ApiError> {
   // With a list of errors, `detail` would repeat them.
   return new ApiError(details.length > 0 ? (stringOf(problem["title"]) ?? message) : message, response.status, details, Number(response.headers.get("Retry-After")) || 0);
 }
+
+/** What went wrong, in words. */
+export const messageOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));

@@ -1,6 +1,6 @@
 /** Opens the page: loads what the link in the address needs, and shows errors that prevent it. */
 import "./style.css";
-import { Api, ApiError } from "./api";
+import { Api, ApiError, messageOf } from "./api";
 import { linkOf } from "./app/address";
 import { App } from "./app/app";
 import { ChosenDisplay, type MakeDisplay } from "./display/chosendisplay";
@@ -22,7 +22,7 @@ try {
   if (error instanceof ApiError) {
     loadingScreen.fail(error.status === 0 ? "Server not reachable" : "Server error", error.message);
   } else {
-    loadingScreen.fail("Unexpected error", error instanceof Error ? error.message : String(error));
+    loadingScreen.fail("Unexpected error", messageOf(error));
     throw error;
   }
 }

@@ -1,6 +1,6 @@
 /** Measurements of each preset on this GPU and, on demand, on the server; what of them the view shows. */
 import { batch, computed, effect, type Signal, signal } from "@preact/signals";
-import { type Api, ApiError, type Preset } from "../api";
+import { type Api, ApiError, messageOf, type Preset } from "../api";
 import type { Viewport } from "../display/viewport";
 import { equal } from "../scene/json";
 import { parseQuality } from "../selection/quality";
@@ -228,8 +228,6 @@ export class Session {
     });
   }
 }
-
-const messageOf = (error: unknown) => (error instanceof Error ? error.message : String(error));
 
 function referenceProgress({ progress, eta_s: eta }: JobProgress): string {
   const share = progress === undefined || progress === 0 ? "" : ` ${Math.round(100 * progress)} %`;

@@ -1,6 +1,6 @@
 /** The page: connects the user's selection to what is drawn. */
-import { type Api, ApiError, type Preset, type PresetSummary } from "../api";
-import { CameraControls } from "../camera/controls";
+import { type Api, ApiError, messageOf, type Preset, type PresetSummary } from "../api";
+import { CameraControls, CLEARANCE } from "../camera/controls";
 import { cameraFromScene } from "../camera/state";
 import type { ChosenDisplay, MakeDisplay } from "../display/chosendisplay";
 import type { DrawerChoice } from "../display/display";
@@ -38,8 +38,6 @@ import { Sharing } from "./sharing";
 import { addTools, copyLink, type PageParts } from "./tools";
 
 const STATS_INTERVAL = 250;
-/** Least distance of the camera from the water's bounds, m. */
-const CLEARANCE = 0.3;
 
 export interface StartData {
   presets: readonly PresetSummary[];
@@ -406,7 +404,7 @@ export class App {
 
   /** Shows an error. The previous picture stays; if there is none, the unedited preset is tried. */
   private failed(error: unknown): void {
-    const message = error instanceof Error ? error.message : String(error);
+    const message = messageOf(error);
     this.toasts.show(message, error instanceof ApiError ? error.details : [], "error");
     if (!this.display.blank) {
       this.still.hide();

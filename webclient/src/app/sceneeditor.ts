@@ -1,6 +1,7 @@
 /** Editing of the scene's fields: the settings' pane and the split view of one field. What they need is loaded on first use. */
-import type { Api, Choice, SceneSchema } from "../api";
+import type { Api, SceneSchema } from "../api";
 import { choiceControls, sceneControls } from "../panel/model";
+import { ListedOptions } from "../panel/options";
 import type { ScenePane } from "../panel/pane";
 import { isObject, type Json, withValue } from "../scene/json";
 import { preferredField, splitAfterEdit, startSplit } from "../selection/comparison";
@@ -20,7 +21,7 @@ export class SceneEditor {
   private schema: SceneSchema | null = null;
   private schemaLoading: Promise<void> | null = null;
   private readonly splitView: SplitView;
-  private readonly options = new Map<string, readonly Choice[]>();
+  private readonly options: ListedOptions;
 
   constructor(
     private readonly api: Api,
@@ -29,6 +30,7 @@ export class SceneEditor {
     splitContainer: HTMLElement,
     private readonly events: SceneEditorEvents,
   ) {
+    this.options = new ListedOptions((url) => api.choices(url), () => this.show(true), (error) => events.failed(error));
     this.splitView = new SplitView(splitContainer, (split) => store.set({ split }), (field) => this.compareBy(field));
   }
 
@@ -39,7 +41,7 @@ export class SceneEditor {
       ({ ScenePane: Pane }) => {
         this.pane ??= new Pane(this.paneContainer, {
           change: (pointer, value) => this.edit(pointer, value),
-          optionsFrom: (url) => this.optionsFrom(url),
+          optionsFrom: (url) => this.options.from(url),
         });
         this.show();
       },
@@ -97,27 +99,9 @@ export class SceneEditor {
     const fields = (controls ? choiceControls(controls) : []).map((control) => ({
       field: control.pointer,
       title: control.label,
-      options: control.kind === "choice" ? plainOptions(control.options) : this.optionsFrom(control.url),
+      options: control.kind === "choice" ? plainOptions(control.options) : this.options.from(control.url),
     }));
     const qualities = [...new Set([...(this.schema?.tiers ?? []), quality])].map((name) => ({ name, title: qualityTitle(name) }));
     return [...fields, { field: QUALITY_FIELD, title: "quality", options: qualities }];
-  }
-
-  /** Options that the server lists, requested once; empty until they arrive. */
-  private optionsFrom(url: string): readonly Choice[] {
-    const cached = this.options.get(url);
-    if (cached) return cached;
-    this.options.set(url, []);
-    this.api.choices(url).then(
-      (options) => {
-        this.options.set(url, options);
-        this.show(true);
-      },
-      (error: unknown) => {
-        this.options.delete(url);
-        this.events.failed(error);
-      },
-    );
-    return [];
   }
 }

@@ -31,6 +31,9 @@ export interface Stroke {
   cancel(): void;
 }
 
+/** Least distance of the camera from the water's bounds, m. */
+export const CLEARANCE = 0.3;
+
 export class CameraControls {
   camera: CameraState;
   mode: CameraMode = "orbit";

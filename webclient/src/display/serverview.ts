@@ -1,5 +1,5 @@
 /** Frames that the server draws: a stream while the picture moves, the exact picture at rest. */
-import { type Api, ApiError, type FrameRequest, type StreamView } from "../api";
+import { type Api, ApiError, type FrameRequest, messageOf, type StreamView } from "../api";
 import { equal, type Json } from "../scene/json";
 import { element } from "../ui/dom";
 import { type Display, type DisplayEvents, type FrameTiming, type Rate, ShownFrames, type ViewState } from "./display";
@@ -246,7 +246,7 @@ export class ServerView implements Display {
       this.dirty = true;
       if (moving && retryAfter > 0) {
         // All streams are taken: single pictures until one may be free.
-        this.still = error instanceof Error ? error.message : String(error);
+        this.still = messageOf(error);
         this.retryAt = performance.now() + 1000 * retryAfter;
         return;
       }

@@ -1,12 +1,10 @@
 /** The element `<seafoam-water>`: water of a Seafoam server in any page. Attributes: README.md of the package. */
-import { Api, ApiError } from "../api";
-import { CameraControls } from "../camera/controls";
+import { Api, ApiError, messageOf } from "../api";
 import { cameraFromScene } from "../camera/state";
 import { CapabilityError } from "../gl/capabilities";
 import { Stage } from "../export/stage";
 import { stillUrl } from "../ui/still";
 
-const CLEARANCE = 0.3;
 const STYLE = ":host { display: block; position: relative; aspect-ratio: 16 / 9; overflow: hidden; } canvas, img { position: absolute; inset: 0; width: 100%; height: 100%; border: 0; } img { object-fit: cover; } canvas { touch-action: pan-y; } p { position: absolute; inset: auto 0 0; margin: 0; padding: 8px 12px; font: 14px/1.4 system-ui, sans-serif; color: #fff; background: rgb(0 0 0 / 0.75); }";
 
 export class SeafoamWater extends HTMLElement {
@@ -99,24 +97,19 @@ export class SeafoamWater extends HTMLElement {
       poster.before(canvas);
       // The wheel scrolls the page unless the canvas has the focus.
       canvas.addEventListener("wheel", (event) => this.root.activeElement === canvas || event.stopImmediatePropagation());
-      const camera = cameraFromScene(scene);
       const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
       const stage = new Stage(canvas, {
         plan,
-        camera,
+        camera: cameraFromScene(scene),
         bytes: (texture) => api.texture(texture),
         time: this.startTime ?? time,
         playing: !this.hasAttribute("paused") && !still,
+        still,
       });
       this.stage = stage;
       this.updateActivity();
-      const controls = new CameraControls(canvas, camera, !still);
-      controls.surface = controls.bottom = plan.top + CLEARANCE;
-      stage.beforeFrame = (seconds) => {
+      stage.beforeFrame = () => {
         if (stage.frames > 0) poster.remove();
-        const moved = controls.step(seconds);
-        stage.camera = controls.camera;
-        return moved;
       };
       stage.failed = (error) => void this.failed(error, base);
       await stage.load();
@@ -169,7 +162,7 @@ export class SeafoamWater extends HTMLElement {
 
 /** What went wrong, and the remedy where the server answers but lets no page of this site read that. */
 async function reason(error: unknown, base: string): Promise<string> {
-  if (!(error instanceof ApiError)) return error instanceof Error ? error.message : String(error);
+  if (!(error instanceof ApiError)) return messageOf(error);
   const server = new URL(base).origin;
   if (error.status === 0 && server !== location.origin) {
     // What it answers cannot be read, but whether it answers can be told.

@@ -1,5 +1,5 @@
 /** The page of a scene taken home: draws from data in classic scripts, since pages on the file system may not fetch. */
-import { CameraControls } from "../camera/controls";
+import { messageOf } from "../api";
 import type { FramePlan } from "../generated/api";
 import { recipeOf, type Recipe, withRecipe } from "../take/recipe";
 import { byId, download } from "../ui/dom";
@@ -11,9 +11,6 @@ interface SeafoamData {
   /** SHA-256 -> base64 */
   textures: Record<string, string>;
 }
-
-/** Least distance of the camera from the water's bounds, m. */
-const CLEARANCE = 0.3;
 
 function bytesOf(base64: string): ArrayBuffer {
   const text = atob(base64);
@@ -29,15 +26,8 @@ async function play({ plan, recipe, textures }: SeafoamData): Promise<void> {
     const text = textures[sha256];
     return text === undefined ? Promise.reject(new Error(`The archive lacks the texture ${url}.`)) : Promise.resolve(bytesOf(text));
   };
-  const stage = new Stage(canvas, { plan, bytes, time: recipe.time, camera: recipe.camera, playing: !still });
-  const controls = new CameraControls(canvas, recipe.camera, !still);
-  controls.surface = plan.top + CLEARANCE;
-  controls.bottom = Math.min(controls.surface, recipe.camera.position[1]);
-  stage.beforeFrame = (seconds) => {
-    const moved = controls.step(seconds) || stage.camera !== controls.camera;
-    stage.camera = controls.camera;
-    return moved;
-  };
+  const stage = new Stage(canvas, { plan, bytes, time: recipe.time, camera: recipe.camera, playing: !still, still });
+  stage.controls.bottom = Math.min(stage.controls.surface, recipe.camera.position[1]);
   stage.failed = fail;
   const button = byId("play");
   const show = () => {
@@ -64,8 +54,7 @@ async function save(stage: Stage, recipe: Recipe): Promise<void> {
 }
 
 function fail(error: unknown): void {
-  const message = error instanceof Error ? error.message : String(error);
-  byId("failure").textContent = message;
+  byId("failure").textContent = messageOf(error);
   document.documentElement.dataset["state"] = "failed";
 }
 

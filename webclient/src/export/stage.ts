@@ -1,12 +1,13 @@
 /** Plays one frame plan on a canvas: clock, camera, dynamic resolution. For pages that are not the whole application. */
+import { CameraControls, CLEARANCE } from "../camera/controls";
 import type { CameraState } from "../camera/state";
+import { pixelRatio, pixelsOf } from "../display/pixelratio";
 import { DynamicResolution } from "../display/resolution";
 import type { FramePlan } from "../generated/api";
 import { type Gpu, openContext, openGpu } from "../gl/gpu";
 import { Executor, type LoadBytes } from "../plan/executor";
 import type { Json } from "../scene/json";
 
-const MAX_PIXEL_RATIO = 2;
 /** Delay after the last frame in motion before a still picture is drawn at full size, ms. */
 const SHARPENING_DELAY = 300;
 
@@ -17,9 +18,13 @@ export interface StageStart {
   time: number;
   camera: CameraState;
   playing: boolean;
+  /** Whether the camera moves without inertia. */
+  still: boolean;
 }
 
 export class Stage {
+  readonly controls: CameraControls;
+  /** Of the picture. */
   camera: CameraState;
   /** s */
   time: number;
@@ -29,8 +34,8 @@ export class Stage {
   scene: Json | null = null;
   /** False: neither draws nor advances. */
   active = true;
-  /** Called before each frame with the seconds since the last one; returns whether the camera moved. */
-  beforeFrame: (seconds: number) => boolean = () => false;
+  /** Called before each frame. */
+  beforeFrame: () => void = () => undefined;
   failed: (error: unknown) => void = () => undefined;
   /** Frames that were drawn. */
   frames = 0;
@@ -52,10 +57,12 @@ export class Stage {
     private readonly start: StageStart,
   ) {
     this.gpu = openGpu(openContext(canvas), new Set());
+    this.controls = new CameraControls(canvas, start.camera, !start.still);
+    this.controls.surface = this.controls.bottom = start.plan.top + CLEARANCE;
     this.camera = start.camera;
     this.time = start.time;
     this.playing = start.playing;
-    this.resolution = new DynamicResolution(canvas.clientWidth * canvas.clientHeight * Math.min(window.devicePixelRatio, MAX_PIXEL_RATIO) ** 2);
+    this.resolution = new DynamicResolution(pixelsOf(canvas));
     canvas.addEventListener("webglcontextlost", (event) => {
       event.preventDefault();
       this.executor = this.pending = null;
@@ -108,7 +115,10 @@ export class Stage {
     const seconds = this.lastTick === 0 ? 0 : Math.min(0.25, (now - this.lastTick) / 1000);
     this.lastTick = now;
     if (!this.active) return;
-    const cameraMoved = this.beforeFrame(seconds);
+    this.beforeFrame();
+    // Another camera may have been set between two frames.
+    const cameraMoved = this.controls.step(seconds) || this.camera !== this.controls.camera;
+    this.camera = this.controls.camera;
     if (this.playing) this.time += seconds * this.speed;
     if (cameraMoved || this.playing) this.redraw();
     this.collect(now);
@@ -121,7 +131,7 @@ export class Stage {
 
   private draw(executor: Executor, scale: number): void {
     const { gl } = this.gpu;
-    const ratio = Math.min(window.devicePixelRatio, MAX_PIXEL_RATIO) * scale;
+    const ratio = pixelRatio() * scale;
     const width = Math.max(1, Math.round(this.canvas.clientWidth * ratio));
     const height = Math.max(1, Math.round(this.canvas.clientHeight * ratio));
     // Setting a canvas's size clears it, even to the same size.

@@ -1,10 +1,10 @@
 /** One view of the widget: the picture, its controls, and the panel with the scene's fields. */
-import type { Choice, SceneSchema } from "../api";
-import { CameraControls } from "../camera/controls";
+import { type Choice, messageOf, type SceneSchema } from "../api";
 import type { CameraState } from "../camera/state";
 import { Stage } from "../export/stage";
 import type { FramePlan } from "../generated/api";
 import { sceneControls } from "../panel/model";
+import { ListedOptions } from "../panel/options";
 import { ScenePane } from "../panel/pane";
 import { planCovers } from "../plan/live";
 import { equal, type Json, type JsonObject, withValue } from "../scene/json";
@@ -12,14 +12,11 @@ import { element } from "../ui/dom";
 import { Kernel, type Model } from "./kernel";
 import { STYLE } from "./style";
 
-/** Least distance of the camera from the water's bounds, m. */
-const CLEARANCE = 0.3;
 /** Between reports of camera and time to Python, ms. */
 const REPORT_INTERVAL = 500;
 
 interface Drawn {
   stage: Stage;
-  controls: CameraControls;
   plan: FramePlan;
   /** Scene and quality that the plan was made for. */
   scene: JsonObject;
@@ -36,7 +33,11 @@ export class WaterView {
   private readonly visible: IntersectionObserver;
   private readonly still = matchMedia("(prefers-reduced-motion: reduce)").matches;
   private readonly listeners: [string, () => void][];
-  private readonly choices = new Map<string, readonly Choice[]>();
+  private readonly options = new ListedOptions(
+    async (url) => (await this.kernel.ask("choices", { url })).value as Choice[],
+    () => this.showFields(true),
+    (error) => this.failed(error),
+  );
   private readonly reporter: number;
   private drawn: Drawn | null = null;
   private pane: ScenePane | null = null;
@@ -144,25 +145,19 @@ export class WaterView {
     const canvas = element("canvas", { tabindex: "0", role: "application", "aria-label": "Water" });
     // Below the present picture, until it is drawn.
     this.picture.prepend(canvas);
-    const camera = this.drawn ? this.drawn.controls.camera : this.camera;
+    const camera = this.drawn ? this.drawn.stage.controls.camera : this.camera;
     const stage = new Stage(canvas, {
       plan,
       camera,
       bytes: async ({ url }) => bytesOf((await this.kernel.ask("texture", { url })).parts),
       time: this.drawn?.stage.time ?? this.time,
       playing: this.playing,
+      still: this.still,
     });
-    const controls = new CameraControls(canvas, camera, !this.still);
-    controls.surface = controls.bottom = plan.top + CLEARANCE;
-    stage.beforeFrame = (seconds) => {
-      const moved = controls.step(seconds) || stage.camera !== controls.camera;
-      stage.camera = controls.camera;
-      return moved;
-    };
     stage.failed = (error) => this.failed(error);
     // The wheel scrolls the notebook unless the picture has the focus.
     canvas.addEventListener("wheel", (event) => document.activeElement === canvas || event.stopImmediatePropagation(), { capture: true });
-    return { stage, controls, plan, scene, quality };
+    return { stage, plan, scene, quality };
   }
 
   private replace(next: Drawn): void {
@@ -172,7 +167,7 @@ export class WaterView {
     next.stage.active = this.active;
     next.stage.playing = this.playing;
     // Camera and time may have moved on while it was loading.
-    next.controls.set(before ? before.controls.camera : this.camera);
+    next.stage.controls.set(before ? before.stage.controls.camera : this.camera);
     next.stage.time = before ? before.stage.time : this.time;
     if (before === null) return;
     const focused = document.activeElement === before.stage.canvas;
@@ -189,7 +184,7 @@ export class WaterView {
     const { camera } = this;
     if (equal(camera as unknown as Json, this.told.camera as unknown as Json)) return;
     this.told = { ...this.told, camera };
-    this.drawn?.controls.set(camera);
+    this.drawn?.stage.controls.set(camera);
   }
 
   private takeTime(): void {
@@ -209,9 +204,7 @@ export class WaterView {
   /** Tells Python camera and time, where the picture has moved on. */
   private report(): void {
     if (this.drawn === null) return;
-    const { controls, stage } = this.drawn;
-    const { camera } = controls;
-    const { time } = stage;
+    const { controls: { camera }, time } = this.drawn.stage;
     const { told } = this;
     if (camera === told.camera && time === told.time) return;
     this.told = { camera, time };
@@ -233,7 +226,7 @@ export class WaterView {
     }
     this.pane ??= new ScenePane(this.side, {
       change: (pointer, value) => this.edit(pointer, value),
-      optionsFrom: (url) => this.optionsFrom(url),
+      optionsFrom: (url) => this.options.from(url),
     });
     this.showFields();
   }
@@ -247,23 +240,8 @@ export class WaterView {
     this.tell("scene", withValue(this.scene, pointer, value));
   }
 
-  /** Names that Python lists, requested once; empty until they arrive. */
-  private optionsFrom(url: string): readonly Choice[] {
-    const known = this.choices.get(url);
-    if (known) return known;
-    this.choices.set(url, []);
-    this.kernel.ask("choices", { url }).then(
-      ({ value }) => {
-        this.choices.set(url, value as Choice[]);
-        this.showFields(true);
-      },
-      (error: unknown) => this.failed(error),
-    );
-    return [];
-  }
-
   private failed(error: unknown): void {
-    this.say(error instanceof Error ? error.message : String(error));
+    this.say(messageOf(error));
   }
 
   private say(text: string): void {

@@ -42,10 +42,6 @@ export class Strip {
     );
   }
 
-  get popsPerSecond(): number {
-    return this.rate.perSecond;
-  }
-
   /** columns: length, texels; texel: its side on the page, px. */
   resize(columns: number, texel: number): void {
     this.columns = columns;

@@ -2,7 +2,7 @@
 import "../style.css";
 import { effect, type Signal, signal } from "@preact/signals";
 import { render } from "preact";
-import { Api } from "../../api";
+import { Api, messageOf } from "../../api";
 import { byId, element } from "../../ui/dom";
 import { Comparison } from "../drawing/compare";
 import { Stack } from "../drawing/stack";
@@ -135,5 +135,5 @@ function run(state: LabState, playing: Signal<boolean>, stack: Stack, comparison
 }
 
 start().catch((error: unknown) => {
-  byId("strips").textContent = `The laboratory cannot start: ${error instanceof Error ? error.message : String(error)}`;
+  byId("strips").textContent = `The laboratory cannot start: ${messageOf(error)}`;
 });

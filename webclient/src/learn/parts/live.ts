@@ -1,6 +1,6 @@
 /** Runs a figure while it is in view. */
 import { effect, type Signal, signal } from "@preact/signals";
-import type { Api } from "../../api";
+import { type Api, messageOf } from "../../api";
 
 export interface LiveFigure {
   /** width: of the figure's plate, px. */
@@ -88,7 +88,7 @@ export class Runner {
     } catch (error) {
       // The still stays.
       this.root.dataset["live"] = "false";
-      controls.textContent = `This figure stands still: ${error instanceof Error ? error.message : String(error)}`;
+      controls.textContent = `This figure stands still: ${messageOf(error)}`;
     }
   }
 
