@@ -43,7 +43,7 @@ export interface FrameRequest {
 /** A frame of a stream. */
 export type StreamView = Pick<FrameRequest, "camera" | "time" | "width" | "height">;
 
-export interface OpenStream {
+interface OpenStream {
   id: string;
   /** Time without a request after which it ends, s. */
   lease: number;

@@ -4,11 +4,11 @@ import { type CameraState, cameraFromScene } from "./camera/state";
 import type { Viewport } from "./display/viewport";
 import type { FramePlan } from "./generated/api";
 import type { Gpu } from "./gl/gpu";
-import { makeScreen } from "./gl/target";
+import { clearErrors, makeScreen, readPixels } from "./gl/target";
 import { Executor } from "./plan/executor";
 import { compileErrors } from "./plan/programs";
 
-export interface RenderOptions {
+interface RenderOptions {
   time: number;
   width: number;
   height: number;
@@ -18,7 +18,7 @@ export interface RenderOptions {
   quality?: string;
 }
 
-export interface Rendered {
+interface Rendered {
   /** RGBA8, rows from the top, base64. */
   pixels: string;
   glError: number;
@@ -26,7 +26,7 @@ export interface Rendered {
   sources: Record<string, { vertex: string; fragment: string }>;
 }
 
-export interface TestHook {
+interface TestHook {
   /** Resolves with the first frame; rejects if none can be drawn. */
   ready: Promise<void>;
   renderer: string;
@@ -81,12 +81,9 @@ async function renderOffscreen(
   const executor = await Executor.load(gpu, plan, (texture) => api.texture(texture), eye, false);
   const screen = makeScreen(gl, width, height);
   try {
-    // Clears earlier errors.
-    while (gl.getError() !== gl.NO_ERROR && !gl.isContextLost());
+    clearErrors(gl);
     executor.draw({ time, camera: eye, width, height, screen: screen.framebuffer, scissor: null, scene: null });
-    const pixels = new Uint8Array(width * height * 4);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, screen.framebuffer);
-    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    const pixels = readPixels(gl, screen.framebuffer, width, height, new Uint8Array(width * height * 4));
     const glError = gl.getError();
     const sources: Rendered["sources"] = {};
     for (const [name, program] of executor.programs) {
@@ -95,18 +92,11 @@ async function renderOffscreen(
         fragment: await sha256(gl.getShaderSource(program.fragment) ?? ""),
       };
     }
-    return { pixels: base64(flipRows(pixels, width, height)), glError, sources };
+    return { pixels: base64(pixels), glError, sources };
   } finally {
     screen.dispose();
     executor.dispose();
   }
-}
-
-function flipRows(pixels: Uint8Array, width: number, height: number): Uint8Array {
-  const row = width * 4;
-  const out = new Uint8Array(pixels.length);
-  for (let y = 0; y < height; y++) out.set(pixels.subarray(y * row, (y + 1) * row), (height - 1 - y) * row);
-  return out;
 }
 
 function base64(bytes: Uint8Array): string {

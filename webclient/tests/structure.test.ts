@@ -43,6 +43,17 @@ describe("the source tree", () => {
     expect(circle(graph).map((file) => relative(SOURCES, file))).toEqual([]);
   });
 
+  it("exports what another module or a test uses", () => {
+    const tests = readdirSync(import.meta.dirname, { recursive: true, encoding: "utf8" }).filter((name) => name.endsWith(".ts"));
+    const texts = new Map([...modules, ...tests.map((name) => join(import.meta.dirname, name))].map((file) => [file, readFileSync(file, "utf8")]));
+    const words = new Map([...texts].map(([file, text]) => [file, new Set(text.match(/[\w$]+/g))]));
+    const unused = [...modules].filter((file) => !file.includes("generated")).flatMap((file) => {
+      const exported = [...(texts.get(file) ?? "").matchAll(/^export (?:async )?(?:class|const|function|interface|type) (\w+)/gm)].map(([, name = ""]) => name);
+      return exported.filter((name) => ![...words].some(([other, used]) => other !== file && used.has(name))).map((name) => `${relative(SOURCES, file)}: ${name}`);
+    });
+    expect(unused).toEqual([]);
+  });
+
   it(`has at most ${MOST_FILES} files in a folder`, () => {
     const folders = [...new Set(files.map(dirname))];
     const counts = folders.map((folder) => [relative(SOURCES, folder), files.filter((file) => dirname(file) === folder).length] as const);

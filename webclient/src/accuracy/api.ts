@@ -4,7 +4,7 @@ import type { Json, JsonObject } from "../scene/json";
 import type { Errors } from "./measure/errors";
 
 /** One quality setting with its value; all others are those of the standard tier. */
-export interface QualityParameter {
+interface QualityParameter {
   owner: string;
   pointer: string;
   title: string;
@@ -32,7 +32,7 @@ export interface TruthInfo {
   samples: number;
 }
 
-export interface Points {
+interface Points {
   truth: TruthInfo;
   points: Point[];
 }
@@ -87,7 +87,7 @@ async function fetchWhenReady(api: Api, url: string, onProgress: (progress: JobP
 }
 
 /** Waits; rejects on abort. */
-export function delay(milliseconds: number, signal: AbortSignal): Promise<void> {
+function delay(milliseconds: number, signal: AbortSignal): Promise<void> {
   return new Promise((resolve, reject) => {
     const onAbort = () => {
       clearTimeout(timer);

@@ -8,7 +8,7 @@ import { icon } from "../ui/icons";
 import { Session } from "./session";
 import { View } from "./view";
 
-export interface AccuracyEvents {
+interface AccuracyEvents {
   /** `quality`: a tier, or settings as JSON. */
   selectQuality(quality: string): void;
   close(): void;

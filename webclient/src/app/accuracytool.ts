@@ -1,7 +1,7 @@
 /** Opens and closes the accuracy benchmark, whose code is loaded on first use. */
 import type { AccuracyPanel } from "../accuracy/panel";
 
-export interface AccuracyToolEvents {
+interface AccuracyToolEvents {
   toggled(open: boolean): void;
   failed(error: unknown): void;
 }

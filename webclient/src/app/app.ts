@@ -39,7 +39,7 @@ import { addTools, copyLink, type PageParts } from "./tools";
 
 const STATS_INTERVAL = 250;
 
-export interface StartData {
+interface StartData {
   presets: readonly PresetSummary[];
   preset: Preset;
   link: LinkState;

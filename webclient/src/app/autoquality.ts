@@ -17,7 +17,7 @@ export interface TierCosts {
   presets: Readonly<Record<string, readonly TierCost[]>>;
 }
 
-export interface TierChoice {
+interface TierChoice {
   tier: string;
   scale: number;
   error: number;

@@ -10,7 +10,7 @@ import { QUALITY_FIELD, validSplit } from "../selection/selection";
 import type { Store } from "../selection/store";
 import { type ComparableField, plainOptions, SplitView } from "../ui/splitview";
 
-export interface SceneEditorEvents {
+interface SceneEditorEvents {
   /** Names of the quality tiers, once they are known. */
   tiers(names: readonly string[]): void;
   failed(error: unknown): void;

@@ -14,7 +14,7 @@ import type { Clock } from "./clock";
 /** Greatest side of a frame that the server draws, pixels. */
 const MAX_SIDE = 4096;
 
-export interface SharingOptions {
+interface SharingOptions {
   /** Names of all presets. */
   presets: readonly string[];
   copyLink(): Promise<void>;

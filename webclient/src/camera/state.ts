@@ -14,7 +14,7 @@ export interface CameraState {
   fov: number;
 }
 
-export interface Basis {
+interface Basis {
   right: Vec3;
   up: Vec3;
   forward: Vec3;

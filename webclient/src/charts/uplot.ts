@@ -5,7 +5,7 @@ import { type Axis, tickLabels } from "./axis";
 
 export const INK = { text: "rgb(210 226 234 / 72%)", grid: "rgb(190 220 235 / 9%)", accent: "#f3c795", teal: "#7fc4c0", pale: "rgb(210 226 234 / 50%)" };
 /** Space around the plotted area, px. */
-export const MARGIN = { left: 54, right: 14, top: 12, bottom: 40 };
+const MARGIN = { left: 54, right: 14, top: 12, bottom: 40 };
 const FONT = "11px ui-sans-serif, system-ui, sans-serif";
 /** Least distance of tick labels, px. */
 const SPACING = { x: 34, y: 17 };

@@ -16,7 +16,7 @@ export interface PlanRequest {
   quality: Json;
 }
 
-export interface LoadedPlan {
+interface LoadedPlan {
   plan: FramePlan;
   /** Null where the server draws. */
   executor: Executor | null;
@@ -28,7 +28,7 @@ export interface LoadedPlan {
 /** What a picture shows. */
 export type PlanView = Pick<LoadedPlan, "scene" | "request">;
 
-export interface PlanLoaderEvents {
+interface PlanLoaderEvents {
   /** Null where the server draws. */
   gpu(): Gpu | null;
   camera(): CameraState;

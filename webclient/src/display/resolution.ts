@@ -21,7 +21,7 @@ const COMPILING = 2;
 const NEWEST = 0.5;
 
 /** ms, of any clock, however coarse. `done`: when it was noticed that the frame is finished. */
-export interface FrameTimes {
+interface FrameTimes {
   scale: number;
   submitted: number;
   done: number;

@@ -10,7 +10,7 @@ import { EditHistory } from "./history";
 import { PasteForm } from "./paste";
 import { shortText } from "./pasted";
 
-export interface SceneEditsEvents {
+interface SceneEditsEvents {
   /** A scene from elsewhere was put in place; its camera is to be taken. */
   pasted: (scene: JsonObject) => void;
   /** A word on what was done. */

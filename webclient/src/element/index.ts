@@ -7,7 +7,7 @@ import { stillUrl } from "../ui/still";
 
 const STYLE = ":host { display: block; position: relative; aspect-ratio: 16 / 9; overflow: hidden; } canvas, img { position: absolute; inset: 0; width: 100%; height: 100%; border: 0; } img { object-fit: cover; } canvas { touch-action: pan-y; } p { position: absolute; inset: auto 0 0; margin: 0; padding: 8px 12px; font: 14px/1.4 system-ui, sans-serif; color: #fff; background: rgb(0 0 0 / 0.75); }";
 
-export class SeafoamWater extends HTMLElement {
+class SeafoamWater extends HTMLElement {
   static readonly observedAttributes = ["preset", "time", "quality", "server", "paused"];
   private stage: Stage | null = null;
   private visible = false;

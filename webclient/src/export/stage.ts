@@ -11,7 +11,7 @@ import type { Json } from "../scene/json";
 /** Delay after the last frame in motion before a still picture is drawn at full size, ms. */
 const SHARPENING_DELAY = 300;
 
-export interface StageStart {
+interface StageStart {
   plan: FramePlan;
   bytes: LoadBytes;
   /** s */

@@ -1,7 +1,7 @@
 /** Finding presets by words, and where the keyboard goes next in a list of them. */
 import type { PresetSummary } from "../api";
 
-export interface PresetGroup {
+interface PresetGroup {
   heading: string;
   presets: PresetSummary[];
 }

@@ -13,7 +13,7 @@ const EXTENSIONS = [
   "WEBGL_debug_renderer_info",
 ] as const;
 
-export type ExtensionName = (typeof EXTENSIONS)[number];
+type ExtensionName = (typeof EXTENSIONS)[number];
 
 export interface Capabilities {
   extensions: ReadonlySet<ExtensionName>;

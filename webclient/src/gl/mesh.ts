@@ -1,7 +1,7 @@
 /** Vertex data of passes. */
 import type { Pass } from "../generated/api";
 
-export type MeshSpec = Pass["mesh"];
+type MeshSpec = Pass["mesh"];
 
 export interface Mesh {
   draw(): void;

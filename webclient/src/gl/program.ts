@@ -23,7 +23,7 @@ export interface Program {
 }
 
 /** A compiler's messages, by file and line of the GLSL tree. */
-export class ShaderError extends Error {
+class ShaderError extends Error {
   override readonly name = "ShaderError";
 }
 

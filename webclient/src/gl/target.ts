@@ -92,6 +92,25 @@ export function deleteTarget(gl: WebGL2RenderingContext, target: Target): void {
   gl.deleteRenderbuffer(target.depth);
 }
 
+/** Pixels of a framebuffer, rows from the top. */
+export function readPixels<T extends Uint8Array | Float32Array>(gl: WebGL2RenderingContext, framebuffer: WebGLFramebuffer | null, width: number, height: number, pixels: T): T {
+  gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+  gl.readPixels(0, 0, width, height, gl.RGBA, pixels instanceof Float32Array ? gl.FLOAT : gl.UNSIGNED_BYTE, pixels);
+  const row = 4 * width;
+  for (let y = 0; 2 * y < height - 1; y++) {
+    const [top, foot] = [y * row, (height - 1 - y) * row];
+    const held = pixels.slice(top, top + row);
+    pixels.copyWithin(top, foot, foot + row);
+    pixels.set(held, foot);
+  }
+  return pixels;
+}
+
+/** Forgets earlier errors of the context. */
+export function clearErrors(gl: WebGL2RenderingContext): void {
+  while (gl.getError() !== gl.NO_ERROR && !gl.isContextLost());
+}
+
 function depthBuffer(gl: WebGL2RenderingContext, width: number, height: number): WebGLRenderbuffer {
   const depth = gl.createRenderbuffer();
   gl.bindRenderbuffer(gl.RENDERBUFFER, depth);

@@ -1,7 +1,7 @@
 /** A mask to look at: shipped, or made from its parameters; its text in addresses and its path in the API. */
 
 export const FAMILIES = ["vac", "blur", "clump", "bubble", "mix", "lace"] as const;
-export type Family = (typeof FAMILIES)[number];
+type Family = (typeof FAMILIES)[number];
 /** Of the width and of the height, texels. */
 export const SIDE_RANGE = [32, 1024] as const;
 

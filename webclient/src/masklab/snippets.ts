@@ -7,7 +7,7 @@ import unity from "../../../docs/snippets/unity.hlsl?raw";
 import unreal from "../../../docs/snippets/unreal.usf?raw";
 import type { Mask } from "./pattern";
 
-export interface Snippet {
+interface Snippet {
   name: string;
   /** File to download for it; null where it needs none. */
   file: string | null;

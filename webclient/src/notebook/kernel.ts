@@ -17,7 +17,7 @@ interface Reply {
   error?: string;
 }
 
-export interface Answer {
+interface Answer {
   value: unknown;
   parts: readonly DataView[];
 }

@@ -21,19 +21,19 @@ export interface NumberControl extends LabelledField {
   logarithmic: boolean;
 }
 
-export interface ChoiceControl extends LabelledField {
+interface ChoiceControl extends LabelledField {
   kind: "choice";
   options: readonly string[];
 }
 
 /** A choice whose options the server lists at `url`. */
-export interface NameControl extends LabelledField {
+interface NameControl extends LabelledField {
   kind: "name";
   url: string;
 }
 
 /** A colour is red, green and blue in [0, 1]. */
-export interface SimpleControl extends LabelledField {
+interface SimpleControl extends LabelledField {
   kind: "toggle" | "text" | "colour";
 }
 
@@ -50,7 +50,7 @@ export interface OptionalControl extends LabelledField {
 }
 
 /** A type of list items. */
-export interface Variant {
+interface Variant {
   name: string;
   hint: string;
   initial: Json;
@@ -123,7 +123,7 @@ export function controlOf(root: JsonObject, schema: JsonObject, value: Json | un
 }
 
 /** A field's default, or the defaults of its fields. */
-export function initialValue(root: JsonObject, schema: JsonObject): Json {
+function initialValue(root: JsonObject, schema: JsonObject): Json {
   const inner = resolve(root, schema);
   for (const from of [schema, inner]) {
     if (from["default"] !== undefined) return from["default"];

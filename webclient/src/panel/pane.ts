@@ -7,7 +7,7 @@ import { element } from "../ui/dom";
 import { type Control, type GroupControl, labelOf, type ListControl, type NumberControl, type OptionalControl, sameControls } from "./model";
 import { format, toDisplayed, fromDisplayed } from "./values";
 
-export interface PaneEvents {
+interface PaneEvents {
   change(pointer: string, value: Json): void;
   /** Options listed by the server at a URL; empty until loaded. */
   optionsFrom(url: string): readonly Choice[];

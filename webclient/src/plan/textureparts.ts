@@ -6,7 +6,7 @@ import type { LoadBytes, RoughTextures } from "./executor";
 const UPPER_BITS = 6;
 const LOWER_BITS = 16 - UPPER_BITS;
 
-export type LoadPart = (spec: Texture, part: "upper" | "lower") => Promise<ArrayBuffer>;
+type LoadPart = (spec: Texture, part: "upper" | "lower") => Promise<ArrayBuffer>;
 
 /**
  * Names of the textures that a plan's first pictures can do with the upper bits of. Setup passes make tables of means of them,

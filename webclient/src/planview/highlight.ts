@@ -4,7 +4,7 @@ const KINDS = ["comment", "directive", "keyword", "type", "number"] as const;
 
 export type TokenKind = (typeof KINDS)[number] | "plain";
 
-export interface Token {
+interface Token {
   kind: TokenKind;
   text: string;
 }

@@ -7,7 +7,7 @@ const GAP = { x: 30, y: 10 };
 const DETAIL = "fill-soft stroke-none text-[10.5px]";
 const LONGEST_LABEL = 19;
 
-export interface PassesProps {
+interface PassesProps {
   plan: FramePlan;
   width: number;
   height: number;

@@ -12,7 +12,7 @@ const WARM_UP = 2;
 /** Time after which a query is given up, ms. */
 const TIMEOUT = 4000;
 
-export interface TimedView {
+interface TimedView {
   time: number;
   camera: CameraState;
   width: number;

@@ -21,7 +21,7 @@ const COLOURS: Record<TokenKind, string> = {
   number: "text-[#a8dca0]",
 };
 
-export interface SourceProps {
+interface SourceProps {
   plan: FramePlan;
   executor: Executor | null;
   /** Null where the server draws. */

@@ -8,7 +8,7 @@ const SURFACES: Record<SurfaceName, { title: string; load: () => Promise<{ mount
   plan: { title: "Frame plan", load: () => import("../planview/surface") },
 };
 
-export interface SurfaceEvents {
+interface SurfaceEvents {
   toggled(open: SurfaceName | null): void;
   failed(error: unknown): void;
 }

@@ -4,7 +4,7 @@ import { CAMERA_POINTER } from "../plan/live";
 import type { Recipe } from "./recipe";
 
 /** A frame's request: by query for a preset as it is, else with a JSON body. */
-export interface FrameRequest {
+interface FrameRequest {
   url: string;
   body: string | null;
 }

@@ -22,7 +22,7 @@ interface MadeTouch {
   gesture: number;
 }
 
-export interface TouchEvents {
+interface TouchEvents {
   /** The plan that is drawn; null before the first. */
   plan(): FramePlan | null;
   /** Whether a plan is loading. */

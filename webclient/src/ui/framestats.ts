@@ -5,7 +5,7 @@ import { element } from "./dom";
 /** Frames a second below which the water falls behind the clock. */
 const SLOW_MOTION = 2.5;
 
-export interface FrameState extends FrameTiming {
+interface FrameState extends FrameTiming {
   drawer: Drawer;
   /** Who draws, and why. */
   why: string;

@@ -39,6 +39,6 @@ function placeOf(values: readonly { id: string; value: Json }[], own: Json, ownT
   return at < 0 ? values.length : at;
 }
 
-export function valueText(value: Json): string {
+function valueText(value: Json): string {
   return typeof value === "string" ? value : JSON.stringify(value);
 }

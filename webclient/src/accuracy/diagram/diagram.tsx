@@ -10,7 +10,7 @@ import { placeLabels } from "./labels";
 /** Greatest distance of the pointer from a mark, px. */
 const HIT_RADIUS = 26;
 
-export interface DiagramProps {
+interface DiagramProps {
   /** Class of the figure. */
   kind: string;
   title: string;

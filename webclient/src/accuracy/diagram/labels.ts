@@ -1,12 +1,12 @@
 /** Places of labels in a diagram: beside their mark, over the fewest other marks and over no other label. */
 
-export interface Spot {
+interface Spot {
   id: string;
   x: number;
   y: number;
 }
 
-export interface Label extends Spot {
+interface Label extends Spot {
   text: string;
   anchor: "start" | "middle" | "end";
 }

@@ -4,7 +4,7 @@ import { cameraFromScene } from "../../camera/state";
 import type { Viewport } from "../../display/viewport";
 import { CapabilityError } from "../../gl/capabilities";
 import type { Gpu } from "../../gl/gpu";
-import { makeScreen, targetSize } from "../../gl/target";
+import { clearErrors, makeScreen, readPixels, targetSize } from "../../gl/target";
 import { Executor, type Frame } from "../../plan/executor";
 import { CAMERA_POINTER } from "../../plan/live";
 import { apply, diff, type Json, withValue } from "../../scene/json";
@@ -252,16 +252,10 @@ export class QualityBenchmark {
     }
     const screen = makeScreen(gl, width, height);
     try {
-      // Clears earlier errors.
-      while (gl.getError() !== gl.NO_ERROR && !gl.isContextLost());
+      clearErrors(gl);
       executor.draw(this.frame([width, height], screen.framebuffer));
-      const bottomUp = new Float32Array(width * height * 4);
-      gl.bindFramebuffer(gl.FRAMEBUFFER, executor.target(plan.linear)?.framebuffer ?? null);
-      gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, bottomUp);
+      const pixels = readPixels(gl, executor.target(plan.linear)?.framebuffer ?? null, width, height, new Float32Array(width * height * 4));
       if (gl.getError() !== gl.NO_ERROR) throw new Error("The browser cannot read back floating-point pixels.");
-      const pixels = new Float32Array(bottomUp.length);
-      const row = 4 * width;
-      for (let y = 0; y < height; y++) pixels.set(bottomUp.subarray(y * row, (y + 1) * row), (height - 1 - y) * row);
       return { width, height, pixels };
     } finally {
       screen.dispose();

@@ -3,7 +3,7 @@ import { get, type Json } from "../../scene/json";
 import type { Point } from "../api";
 import { compare, type Cost } from "./statistics";
 
-export interface TimedPoint extends Cost {
+interface TimedPoint extends Cost {
   point: Point;
   rounds: readonly number[];
 }

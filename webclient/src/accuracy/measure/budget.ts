@@ -6,7 +6,7 @@ import { type BudgetSelection, type Cost, fitModel, median, selectForBudget } fr
 /** A frame at 60 fps, ms. */
 export const DEFAULT_BUDGET = 16;
 
-export interface Predicted extends Cost {
+interface Predicted extends Cost {
   label: string;
 }
 
@@ -18,7 +18,7 @@ export function predict({ measured, sizes: { large, small } }: BenchmarkResult, 
   });
 }
 
-export interface Choice {
+interface Choice {
   id: string;
   label: string;
   reason: string;

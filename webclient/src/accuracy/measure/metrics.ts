@@ -1,7 +1,7 @@
 /** The measures of error that the diagrams can show. */
 import type { Errors } from "./errors";
 
-export interface Metric {
+interface Metric {
   key: keyof Errors;
   label: string;
   /** For the axis. */

@@ -5,7 +5,7 @@ import type { Picture } from "./npy";
 /** Weights of linear RGB in luminance (Rec. 709). */
 const LUMINANCE = [0.2126, 0.7152, 0.0722] as const;
 
-export interface Spectrum {
+interface Spectrum {
   /** Centres of the rings, cycles per pixel, up to 0.5. */
   frequency: number[];
   /** Mean power of a ring's bins, levels²: over all bins it sums to the mean square. */

@@ -32,7 +32,7 @@ export function paretoFront<T extends Cost>(points: readonly T[]): T[] {
     });
 }
 
-export interface Comparison {
+interface Comparison {
   /** ms */
   added: number;
   /** Whether the quartiles of the rounds' time ratios lie on one side of 1. */
@@ -58,7 +58,7 @@ export function compare(before: readonly number[], after: readonly number[], err
   return { added: median(pairs.map(([a, b]) => b - a)), measurable, summary: `${time}, ${error}` };
 }
 
-export interface TimeModel {
+interface TimeModel {
   fixed: number;
   perPixel: number;
 }

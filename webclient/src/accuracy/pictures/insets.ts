@@ -1,7 +1,7 @@
 /** What an inset shows: qualities of equal time and of equal error, and a part of the picture. */
 import type { Cost } from "../measure/statistics";
 
-export interface Timed extends Cost {
+interface Timed extends Cost {
   /** Third quartile of the time, ms. */
   high: number;
 }

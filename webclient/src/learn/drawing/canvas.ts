@@ -2,7 +2,7 @@
 import { element } from "../../ui/dom";
 import { COLORS } from "./palette";
 
-export function context2d(canvas: HTMLCanvasElement): CanvasRenderingContext2D {
+function context2d(canvas: HTMLCanvasElement): CanvasRenderingContext2D {
   const context = canvas.getContext("2d");
   if (context === null) throw new Error("This browser has no 2D canvas.");
   return context;

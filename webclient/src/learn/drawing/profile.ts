@@ -5,8 +5,8 @@ import type { Plot } from "./canvas";
 import { COLORS } from "./palette";
 
 /** Of the wave in the figures, m, and in texels of the mask. */
-export const WAVELENGTH = 12;
-export const WAVE_TEXELS = 256;
+const WAVELENGTH = 12;
+const WAVE_TEXELS = 256;
 const METRES = WAVELENGTH / WAVE_TEXELS;
 /** Greatest saturation on the plots. */
 const TOP = 1.25;
@@ -24,7 +24,7 @@ export function phaseAt(texel: number, time: number): number {
   return phase(texel * METRES, time, WAVELENGTH);
 }
 
-export interface ProfileOptions {
+interface ProfileOptions {
   /** Side of a texel, px. */
   texel: number;
   /** Also the saturation by height, for comparison. */

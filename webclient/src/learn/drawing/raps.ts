@@ -8,7 +8,7 @@ const HIGHEST = 0.7071;
 /** Frequencies that one drawn value averages: rings scatter. */
 const BAND = 0.008;
 
-export interface RapsCurve {
+interface RapsCurve {
   title: string;
   color: string;
   spectrum: Spectrum;

@@ -8,7 +8,7 @@ import { GREYS, shade } from "./palette";
 import { drawProfile, drawThresholds, phaseAt, type WaveState } from "./profile";
 import { Strip } from "./strip";
 
-export const FORMULAS: Record<Look, string> = {
+const FORMULAS: Record<Look, string> = {
   textured: "a = f · t",
   halftone: "a = 1 where f > m",
   fading: "a = f/2 − m where f > m",
@@ -20,7 +20,7 @@ export const FORMULAS: Record<Look, string> = {
 /** Widths of the page from which a texel is two pixels wide, px. */
 const WIDE = 640;
 
-export interface StackOptions {
+interface StackOptions {
   rows: number;
   thresholds: boolean;
   /** Strips under a second mask. */

@@ -12,7 +12,7 @@ import { BLEND, shade } from "./palette";
 const SCALE = 2;
 
 /** Saturation at a place along the strip, texels. */
-export type Saturation = (texel: number) => number;
+type Saturation = (texel: number) => number;
 
 export class Strip {
   readonly root: HTMLElement;

@@ -4,7 +4,7 @@ import { WHITE } from "../maths/mask";
 import { CONSTANTS } from "../maths/wave";
 
 /** A number of the address with its range. */
-export interface Range {
+interface Range {
   min: number;
   max: number;
   start: number;
@@ -20,7 +20,7 @@ export const RANGES = {
   grey: { min: 0.03, max: 0.9, start: 0.25 },
 } as const satisfies Record<string, Range>;
 
-export type NumberName = keyof typeof RANGES;
+type NumberName = keyof typeof RANGES;
 export const NUMBERS = Object.keys(RANGES) as NumberName[];
 
 export const MASKS = { mask: "vac-24", other: WHITE } as const;

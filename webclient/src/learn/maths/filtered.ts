@@ -11,7 +11,7 @@ function smoothstep(low: number, high: number, x: number): number {
 }
 
 /** Q(s): the value below which the mask's B-spline is on a share s of the plane. */
-export function quantile(table: readonly number[], s: number): number {
+function quantile(table: readonly number[], s: number): number {
   const share = Math.min(Math.max(s, 0), 1);
   const t = share <= 0.5 ? Math.sqrt(share / 2) : 1 - Math.sqrt((1 - share) / 2);
   const place = t * (table.length - 1);
@@ -58,7 +58,7 @@ function ramp(x: number, fade: number): number {
 }
 
 /** What the coverage of all samples under one saturation has in common. */
-export interface Threshold {
+interface Threshold {
   /** In values of the B-spline. */
   at: number;
   fade: number;

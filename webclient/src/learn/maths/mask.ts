@@ -53,7 +53,7 @@ export function thresholds(words: Uint16Array): Float32Array {
 }
 
 /** PCG-RXS-M-XS 32 (O'Neill 2014), as in the shaders. */
-export function pcg(word: number): number {
+function pcg(word: number): number {
   const state = (Math.imul(word, 747796405) + 2891336453) >>> 0;
   const mixed = Math.imul((state >>> ((state >>> 28) + 4)) ^ state, 277803737) >>> 0;
   return ((mixed >>> 22) ^ mixed) >>> 0;

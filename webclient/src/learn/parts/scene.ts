@@ -8,7 +8,7 @@ const PRESET = "paper-halftone";
 /** Fade of the filtered look, as a share of the plane. */
 const FADE = 0.2;
 
-export interface PaperScene {
+interface PaperScene {
   /** The scene under a look. */
   under(look: Look): Json;
   /** The preset's camera at a height over the water, m. */

@@ -7,7 +7,7 @@ import { element, fillSelect } from "../dom";
 import { icon } from "../icons";
 import type { EffectList } from "./effects";
 
-export interface SettingsEvents {
+interface SettingsEvents {
   /** null: automatic. */
   quality(name: string | null): void;
   drawer(choice: DrawerChoice): void;
