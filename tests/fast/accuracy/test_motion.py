@@ -4,9 +4,8 @@ import math
 
 import numpy as np
 import pytest
+from bench.motion import excess, flicker
 from numpy.typing import NDArray
-
-from seafoam.accuracy.motion import excess, flicker
 
 Frames = list[NDArray[np.float64]]
 

@@ -1,11 +1,10 @@
 """A drawn clip of foam flickers no more than twice its motion."""
 
 import numpy as np
-from bench.motion import MOST, moved
+from bench.motion import MOST, excess, moved, shown
 from numpy.typing import NDArray
 
 from seafoam.accuracy.metrics import tone_curve
-from seafoam.accuracy.motion import excess, shown
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor

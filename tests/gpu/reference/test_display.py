@@ -8,13 +8,14 @@ from numpy.typing import NDArray
 
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.reference.light import display, glare
+from seafoam.reference.light import display
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.sky import Sky
 from seafoam.scene.water import Ripples, Water
+from support.float64 import glare
 from support.pictures import ROUNDED
 from support.report import Report
 

@@ -1,0 +1,1 @@
+"""Float64 forms of what only tests compute."""
