@@ -1,4 +1,5 @@
-/** Numbers as text. */
+/** Numbers and settings as text. */
+import type { Json } from "../scene/json";
 
 /** ms or levels, to about three digits. */
 export function formatNumber(value: number): string {
@@ -15,4 +16,9 @@ export function formatSigned(value: number): string {
 /** "4.3×"; close to 1 with one digit more. */
 export function formatFactor(factor: number): string {
   return `${factor.toFixed(factor >= 9.95 ? 0 : factor >= 1.1 ? 1 : 2)}×`;
+}
+
+/** The value of a setting. */
+export function valueText(value: Json): string {
+  return typeof value === "string" ? value : JSON.stringify(value);
 }

@@ -1,6 +1,7 @@
 /** Work-precision curves: the values of one quality setting, in order, with the standard quality among them. */
 import { get, type Json } from "../../scene/json";
 import type { Point } from "../api";
+import { valueText } from "../format";
 
 export interface Curve {
   /** Of the setting, in the quality. */
@@ -37,8 +38,4 @@ function placeOf(values: readonly { id: string; value: Json }[], own: Json, ownT
   }
   const at = values.findIndex(({ id }) => time(id) > ownTime);
   return at < 0 ? values.length : at;
-}
-
-function valueText(value: Json): string {
-  return typeof value === "string" ? value : JSON.stringify(value);
 }

@@ -1,6 +1,7 @@
 /** Benefit of each quality setting: the error it removes for the time it adds, relative to the standard quality. */
-import { get, type Json } from "../../scene/json";
+import { get } from "../../scene/json";
 import type { Point } from "../api";
+import { valueText } from "../format";
 import { compare, type Cost } from "./statistics";
 
 interface TimedPoint extends Cost {
@@ -39,7 +40,7 @@ export function benefits(standard: TimedPoint, points: readonly TimedPoint[]): B
     const [first, second] = ascending ? [standard, changed] : [changed, standard];
     const { added, measurable } = compare(first.rounds, second.rounds, 0, 0);
     const removed = first.error - second.error;
-    const value = (timed: TimedPoint) => formatValue(timed === standard ? get(standard.point.quality, parameter.pointer) : parameter.value);
+    const value = (timed: TimedPoint) => valueText(timed === standard ? (get(standard.point.quality, parameter.pointer) ?? null) : parameter.value);
     const perMs = measurable && added > 0 ? removed / added : null;
     const { owner, title, cause } = parameter;
     return [{ owner, title, cause, from: value(first), to: value(second), id: changed.id, added, measurable, removed, perMs }];
@@ -49,8 +50,4 @@ export function benefits(standard: TimedPoint, points: readonly TimedPoint[]): B
     const [rankA, rankB] = [rank(a), rank(b)];
     return rankA === rankB ? b.removed - a.removed : rankB - rankA;
   });
-}
-
-function formatValue(value: Json | undefined): string {
-  return typeof value === "string" ? value : JSON.stringify(value ?? null);
 }
