@@ -161,8 +161,9 @@ class Step(SweepPart):
 class Timing(SweepPart):
     """Conditions of the timing."""
 
-    timer: Literal["wall", "gpu"] = Field(
-        description="wall: wall clock around a frame until it is finished; gpu: GPU timer queries"
+    timer: Literal["wall", "processor", "gpu"] = Field(
+        description="wall: wall clock around a frame until it is finished; processor: processor time of the process "
+        "meanwhile; gpu: GPU timer queries"
     )
     width: int = Field(
         description="Size of the larger timed frames, pixels; slow points are timed at the size of the "

@@ -12,7 +12,7 @@ COLUMNS = (
     "id", "tier", "owner", "parameter", "value", "cause", "on_front", "beaten_by",
     "time_ms", "time_low_ms", "time_high_ms",
     "rounds_ms", "fixed_ms", "ns_per_pixel", "rmse", "max", "flip", "coverage", "flipped", "popping", "geometry",
-    "filtering", "precision", "rest", "quality", "plan",
+    "filtering", "precision", "rest", "quality", "plan", "scene",
 )  # fmt: skip
 
 HEADINGS = (
@@ -58,6 +58,7 @@ def csv_of(sweep: Sweep) -> str:
                 # What differs from the parameters' defaults.
                 point.quality.model_dump_json(exclude_defaults=True),
                 point.plan,
+                sweep.scene_sha256,
             ]
         )
     return buffer.getvalue()

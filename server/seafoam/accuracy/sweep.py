@@ -39,7 +39,7 @@ from seafoam.accuracy.truth import SweepStoppedError, make_truth
 from seafoam.effects.effect import Cause
 from seafoam.quality import Quality
 from seafoam.reference import scene_sha256
-from seafoam.render.service.jobs import Draw, Drawn, MeasureJob
+from seafoam.render.service.jobs import Draw, Drawn, MeasureJob, Timer
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 
@@ -103,6 +103,7 @@ class SweepSettings:
     """Samples along each side of a pixel of the float64 picture."""
     rounds: int = 7
     """At least 2."""
+    timer: Timer = "wall"
 
 
 @dataclass(frozen=True)
@@ -295,7 +296,7 @@ class _Sweeping:
 
     def _timing(self, timed: Size, small: Size) -> Timing:
         return Timing(
-            timer="wall",
+            timer=self.settings.timer,
             width=timed[0],
             height=timed[1],
             small_width=small[0],
@@ -343,7 +344,7 @@ class _Sweeping:
             raise SweepStoppedError
         scene = self.subject.scene
         at = self.subject.time + frame * FRAME_SECONDS
-        drawn = self.rig.measure(MeasureJob(scene, quality, at, scene.camera, draws))
+        drawn = self.rig.measure(MeasureJob(scene, quality, at, scene.camera, draws, self.settings.timer))
         self.done += weight
         share = min(self.done / self.work, 1.0)
         remaining = (clock.perf_counter() - self.began) * (1.0 / share - 1.0) if share > 0.02 else None
@@ -393,6 +394,6 @@ class _Sweeping:
 def _name(subject: Subject, settings: SweepSettings, machine: Machine) -> str:
     plans = sorted(point.plan for point in points_of(subject.scene))
     what = [FORMAT, plans, scene_sha256(subject.scene), subject.time, subject.size]
-    how = [settings.width, settings.height, settings.samples_along, settings.rounds]
+    how = [settings.width, settings.height, settings.samples_along, settings.rounds, settings.timer]
     versions = [version("seafoam"), version("moderngl"), np.__version__]
     return key_of(what, how, machine.model_dump(), versions) + ".json"

@@ -147,6 +147,9 @@ def accuracy(
         Path | None, typer.Option("--html", help="HTML report to write, a single page with plot and tables.")
     ] = None,
     again: Annotated[bool, typer.Option("--again", help="Measure again, ignoring stored results.")] = False,
+    timer: Annotated[
+        str, typer.Option(help="wall, or processor: processor time, for llvmpipe on a machine with other work.")
+    ] = "wall",
     scheduler: Annotated[str | None, typer.Option(help=SCHEDULER)] = None,
 ) -> None:
     """Measure time against error: each tier and setting, compared with float64. Takes minutes; results are stored."""
@@ -158,6 +161,8 @@ def accuracy(
     width, height = size_of(size)
     if not (16 <= width <= 1280 and 16 <= height <= 720):
         raise CommandError(f"--size: must be 16x16 to 1280x720, not {size!r}")
+    clocks: tuple[Literal["wall", "processor"], ...] = ("wall", "processor")
+    clock = member_of(timer, clocks, "--timer")
     from seafoam.accuracy.sweep import SweepSettings
     from seafoam.cli.sweeps import measure_presets
 
@@ -165,7 +170,7 @@ def accuracy(
     outputs["--html"] = (".html", as_html)
     files = {(option, extension): path for option, (extension, path) in outputs.items()}
     measure_presets(
-        preset, size, SweepSettings(width, height, samples, rounds), files, again=again, scheduler=scheduler
+        preset, size, SweepSettings(width, height, samples, rounds, clock), files, again=again, scheduler=scheduler
     )
 
 

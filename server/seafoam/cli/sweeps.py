@@ -46,6 +46,7 @@ def measure_presets(
     console = Console()
     console.width = max(console.width, TABLE_WIDTH)
     options = f"--size {size} --rounds {settings.rounds} --samples {settings.samples_along}"
+    options += f" --timer {settings.timer}" if settings.timer != "wall" else ""
     names = presets.preset_names() if preset is None else (preset,)
     for name, sweep in _sweeps(names, settings, again, scheduler):
         _print(console, name, sweep)

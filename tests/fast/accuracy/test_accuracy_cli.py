@@ -1,11 +1,17 @@
 """``seafoam accuracy`` and ``seafoam render --quality auto``."""
 
 import json
+import time
+from types import SimpleNamespace
 
+import numpy as np
 import pytest
 
 from seafoam import cli
 from seafoam.accuracy import sweep
+from seafoam.quality import TIERS
+from seafoam.render.service import jobs
+from seafoam.scene.presets import load_preset
 from support.accuracy_rigs import INFO, grey_truth, noisy
 
 
@@ -17,10 +23,6 @@ def seafoam(capsys, monkeypatch, tmp_path):
         info = INFO
 
         def render(self, plan, *, time, camera, width, height, output):
-            from types import SimpleNamespace
-
-            import numpy as np
-
             return SimpleNamespace(pixels=np.zeros((height, width, 4), np.uint8), timings={"render": 0.0, "read": 0.0})
 
     monkeypatch.setenv("SEAFOAM_CACHE", str(tmp_path / "cache"))
@@ -54,6 +56,23 @@ def test_accuracy_writes_every_form(seafoam, tmp_path):
     assert "seafoam accuracy default --size 32x18" in (tmp_path / "a.html").read_text()
 
 
+def test_accuracy_says_by_which_clock_it_timed(seafoam, tmp_path):
+    for clock in ("wall", "processor"):
+        code, _, err = seafoam("accuracy", "default", *SMALL, "--timer", clock, "--json", tmp_path / "a.json")
+        assert code == 0, err
+        assert json.loads((tmp_path / "a.json").read_text())["timing"]["timer"] == clock
+
+
+@pytest.mark.parametrize(("clock", "seconds"), [("wall", 0.5), ("processor", 2.0)])
+def test_a_measurement_is_timed_by_the_clock_that_is_asked_for(monkeypatch, clock, seconds):
+    scene = load_preset("paper-threshold").scene
+    drawn = SimpleNamespace(pixels=np.zeros((9, 16, 4), np.uint8), timings={"render": 0.5, "read": 0.25})
+    renderer = SimpleNamespace(render=lambda plan, **asked: drawn)
+    monkeypatch.setattr(time, "process_time", iter((1.0, 3.0)).__next__)
+    asked = jobs.MeasureJob(scene, TIERS["draft"], 0.0, scene.camera, (jobs.Draw(16, 9, "rgba8"),), clock)
+    assert [one.seconds for one in jobs.measure(renderer, asked)] == [seconds]
+
+
 def test_accuracy_of_all_presets_fills_folders(seafoam, monkeypatch, tmp_path):
     monkeypatch.setattr("seafoam.scene.presets.preset_names", lambda: ("default", "paper-threshold"))
     code, _, err = seafoam("accuracy", "--all", *SMALL, "--html", tmp_path / "reports")
@@ -69,6 +88,7 @@ def test_accuracy_of_all_presets_fills_folders(seafoam, monkeypatch, tmp_path):
         (["default", "--all"], ["PRESET or --all"]),
         (["default", "--size", "8x8"], ["--size", "16x16"]),
         (["default", "--rounds", "1"], ["--rounds"]),
+        (["default", "--timer", "gpu"], ["--timer", "wall; processor"]),
         (["default", "-o", "a.gif"], ["--output", ".png"]),
         (["default", "--html", "a.txt"], ["--html", ".html"]),
     ],

@@ -89,6 +89,10 @@ class Draw:
     keep: bool = False
 
 
+Timer = Literal["wall", "processor"]
+"""``processor``: of all threads, for software renderers on machines with other work."""
+
+
 @dataclass(frozen=True, slots=True)
 class MeasureJob:
     """A frame to draw several times, to measure its time."""
@@ -99,11 +103,15 @@ class MeasureJob:
     """Seconds of the scene."""
     camera: Camera
     draws: tuple[Draw, ...]
+    timer: Timer = "wall"
 
 
 @dataclass(frozen=True, slots=True)
 class Drawn:
-    """Time of one drawing, from the first call until it was finished, and its pixels if requested."""
+    """Time of one drawing, from the first call until it was finished, and its pixels if requested.
+
+    By timer ``processor`` it is the processor time of this process, with the reading of the pixels.
+    """
 
     seconds: float
     pixels: NDArray[Any] | None
@@ -188,8 +196,10 @@ def measure(renderer: Renderer, job: MeasureJob) -> tuple[Drawn, ...]:
     plan = make_plan(job.scene, job.quality)
     drawn = []
     for draw in job.draws:
+        began = time.process_time()
         rendered = renderer.render(
             plan, time=job.time, camera=job.camera, width=draw.width, height=draw.height, output=draw.output
         )
-        drawn.append(Drawn(rendered.timings["render"], rendered.pixels if draw.keep else None))
+        spent = time.process_time() - began if job.timer == "processor" else rendered.timings["render"]
+        drawn.append(Drawn(spent, rendered.pixels if draw.keep else None))
     return tuple(drawn)
