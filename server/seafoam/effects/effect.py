@@ -13,7 +13,7 @@ from seafoam.framegraph.passes import Blend, Fullscreen, Mesh, View
 from seafoam.framegraph.resources import Filter, Target, TargetInput, TextureInput, WrapMode
 from seafoam.framegraph.rules import Uniform
 from seafoam.quality import Quality, QualityParameters
-from seafoam.scene.base import Part as ScenePart
+from seafoam.scene.base import Part
 from seafoam.scene.models import Scene
 from seafoam.textures import TextureSpec
 
@@ -131,7 +131,7 @@ class PassSpec:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Part:
+class Resources:
     """Shader files, numbers, textures, targets and passes that belong together: a map and the passes that draw it."""
 
     slots: tuple[SlotFile, ...] = ()
@@ -143,9 +143,9 @@ class Part:
     targets: dict[str, Target] = field(default_factory=dict)
     passes: tuple[PassSpec, ...] = ()
 
-    def joined(self, *others: "Part") -> Self:
+    def joined(self, *others: "Resources") -> Self:
         """Return this with everything that ``others`` have, after its own. Raises :class:`AssemblyError`."""
-        every: tuple[Part, ...] = (self, *others)
+        every: tuple[Resources, ...] = (self, *others)
         return replace(
             self,
             slots=tuple(slot for part in every for slot in part.slots),
@@ -159,7 +159,7 @@ class Part:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Contribution(Part):
+class Contribution(Resources):
     """Everything that an effect adds to a plan. ``why``: the reason for which it is in the plan, for people."""
 
     why: str
@@ -251,7 +251,7 @@ class Extension:
     """
 
     name: str
-    scene: type[ScenePart]
+    scene: type[Part]
     quality: type[QualityParameters] | None = None
     truth: Callable[..., Any] | None = None
 

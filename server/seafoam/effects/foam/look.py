@@ -8,10 +8,10 @@ from seafoam.effects.effect import (
     Bound,
     Contribution,
     Effect,
-    Part,
     Piece,
     PlanError,
     QualityParameter,
+    Resources,
     SlotFile,
     Source,
     TextureUse,
@@ -90,7 +90,7 @@ class _NamedMask:
 
 
 @dataclass(frozen=True, kw_only=True)
-class _Part(Part):
+class _Part(Resources):
     """A part of a look. ``needs``: files before the look's own."""
 
     needs: tuple[Piece, ...] = ()

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from seafoam.effects.bounds import parametric_wave_height
-from seafoam.effects.effect import Const, Inline, Part, PassSpec, Piece, SlotRef, TextureUse
+from seafoam.effects.effect import Const, Inline, PassSpec, Piece, Resources, SlotRef, TextureUse
 from seafoam.effects.shore.maps import MASK_WAVES, mask_uniforms
 from seafoam.effects.waves.groups import earlier_files, group_bounds
 from seafoam.effects.waves.parametric import max_profile_slope
@@ -75,7 +75,7 @@ class Births:
     invisible: bool = False
     files: tuple[Piece | SlotRef, ...] = ()
     inputs: dict[str, TextureInput | TargetInput] = field(default_factory=dict)
-    part: Part = field(default_factory=Part)
+    part: Resources = field(default_factory=Resources)
     beat: float = 0.0
 
 
@@ -87,7 +87,7 @@ class _Source:
     words: str
     files: tuple[Piece | SlotRef, ...]
     inputs: Mapping[str, TextureInput | TargetInput]
-    part: Part
+    part: Resources
 
 
 def births(scene: Scene, quality: Quality, spray: Spray) -> Births:
@@ -97,7 +97,7 @@ def births(scene: Scene, quality: Quality, spray: Spray) -> Births:
     sources = [source for source in (burst, steady) if source is not None]
     if not sources:
         return Births(why, invisible=True)
-    part = Part().joined(*(source.part for source in sources))
+    part = Resources().joined(*(source.part for source in sources))
     files: list[Piece | SlotRef] = []
     for source in sources:
         files += source.files
@@ -152,7 +152,7 @@ def _surf(scene: Scene, quality: Quality, spray: Spray, shore: Shore) -> tuple[_
     files, inputs, own = _water_then(scene, quality, None)
     consts: dict[str, Const] = {"SPRAY_MOMENT": MOMENT}
     zero: dict[str, Uniform] = {"u_spray_crest_way": vector((1.0, 0.0)), "u_spray_torn": number(0.0)}
-    own = own.joined(_grids(spray), Part(consts=consts, uniforms={**zero, **_shore_uniforms(shore)}))
+    own = own.joined(_grids(spray), Resources(consts=consts, uniforms={**zero, **_shore_uniforms(shore)}))
     every = (
         SlotRef("waves"),
         *files,
@@ -171,7 +171,7 @@ def _rocks(scene: Scene, spray: Spray, shore: Shore) -> tuple[_Source | None, st
     if fastest <= spray.threshold:
         return None, words
     period = shore.surf.period
-    part = Part(
+    part = Resources(
         consts={"SPRAY_ROCKS": ROCKS, "SPRAY_DELAY": DELAY},
         uniforms={
             "u_spray_surf_time": array("float", [Loop(period=period), Loop(period=period * EPOCHS)], 2),
@@ -224,7 +224,7 @@ def _open(scene: Scene, quality: Quality, spray: Spray) -> tuple[_Source | None,
         "u_spray_strong": number(significant(strong)),
         "u_spray_torn": number(significant(torn)),
     }
-    own = own.joined(_grids(spray), Part(uniforms=uniforms))
+    own = own.joined(_grids(spray), Resources(uniforms=uniforms))
     return _Source(
         "open_born", words, (*files, "spray/births.glsl@breaking", "spray/births.glsl@open"), inputs, own
     ), words
@@ -232,7 +232,7 @@ def _open(scene: Scene, quality: Quality, spray: Spray) -> tuple[_Source | None,
 
 def _water_then(
     scene: Scene, quality: Quality, limits: tuple[float, float] | None
-) -> tuple[list[Piece | SlotRef], dict[str, TextureInput | TargetInput], Part]:
+) -> tuple[list[Piece | SlotRef], dict[str, TextureInput | TargetInput], Resources]:
     """Files of the open water at the births of batches, what they read, and their passes."""
     earlier, own = _earlier(scene)
     if scene.sea is None or not drawn(scene, quality):
@@ -250,7 +250,7 @@ _SEA_PLACES = Inline(
 _NO_RINGS = Inline("float rings_then(vec2 p, float age) {\n    return 0.0;\n}\n")
 
 
-def _earlier(scene: Scene) -> tuple[list[Piece | SlotRef], Part]:
+def _earlier(scene: Scene) -> tuple[list[Piece | SlotRef], Resources]:
     """Files of the single waves and rings of an earlier time, and their uniforms."""
     raised = _raised(scene)
     files: list[Piece | SlotRef] = [*(earlier_files(scene) if raised else ("spray/births.glsl@fronts_none",))]
@@ -261,17 +261,17 @@ def _earlier(scene: Scene) -> tuple[list[Piece | SlotRef], Part]:
         uniforms["u_parametric_rate"] = array("float", rates, len(raised))
     if in_groups(scene):
         uniforms["u_wave_groups_velocity"] = vector(rounded(group_velocity(scene)))
-    return files, Part(uniforms=uniforms)
+    return files, Resources(uniforms=uniforms)
 
 
-def _grids(spray: Spray) -> Part:
+def _grids(spray: Spray) -> Resources:
     """The grids in whose cells drops are born, and the times of batches."""
     step = spray.life / BATCHES
     sides = cell_sides(spray)
     places: list[Rule] = []
     for side in sides:
         places += [Wrap(k=(1.0 / side, 0.0), period=_EYE_CELLS), Wrap(k=(0.0, 1.0 / side), period=_EYE_CELLS)]
-    return Part(
+    return Resources(
         consts={
             "SPRAY_BATCHES": BATCHES,
             "SPRAY_LEVELS": LEVELS,
@@ -292,7 +292,7 @@ def _grids(spray: Spray) -> Part:
 
 def _seas(
     scene: Scene, quality: Quality, tiles: tuple[Cascade, ...], limits: tuple[float, float] | None
-) -> tuple[Part, str]:
+) -> tuple[Resources, str]:
     """The sea at the births of batches, and the target that holds it."""
     sea = scene.sea
     assert sea is not None
@@ -318,7 +318,9 @@ def _seas(
             uniforms={**gerstner_uniforms(tiles, texels), **own},
             stage="after",
         )
-        return Part(consts=consts, uniforms=shared, targets={"spray_seas_a": block}, passes=(gerstner,)), "spray_seas_a"
+        return Resources(
+            consts=consts, uniforms=shared, targets={"spray_seas_a": block}, passes=(gerstner,)
+        ), "spray_seas_a"
     spectrum = PassSpec(
         name="spectrum at the births of drops",
         program="spray_spectrum",
@@ -330,7 +332,7 @@ def _seas(
     )
     transforms, result = transform("sea at the births of drops", "spray_seas_a", "spray_seas_b", texels, "after")
     targets = {"spray_seas_a": block, "spray_seas_b": block}
-    return Part(consts=consts, uniforms=shared, targets=targets, passes=(spectrum, *transforms)), result
+    return Resources(consts=consts, uniforms=shared, targets=targets, passes=(spectrum, *transforms)), result
 
 
 def _bursts(spray: Spray) -> _Source | None:
@@ -350,7 +352,7 @@ def _bursts(spray: Spray) -> _Source | None:
             Constant(value=(burst.height,)),
         ]
     wide = [Constant(value=(burst.radius,)) for burst in bursts]
-    part = Part(
+    part = Resources(
         consts={"SPRAY_BURSTS": len(bursts)},
         uniforms={
             "u_spray_burst": array("vec4", state, len(bursts)),

@@ -10,10 +10,10 @@ from seafoam.effects.effect import (
     Contribution,
     Effect,
     Inline,
-    Part,
     PassSpec,
     Piece,
     QualityParameter,
+    Resources,
     SlotRef,
     Source,
     TextureUse,
@@ -56,7 +56,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         textures={"spray_strands": TextureUse(SprayStrands(), filter=MIPMAPPED)},
         targets=_targets(quality),
     )
-    return contribution.joined(found.part, Part(passes=_passes(scene, quality, found)))
+    return contribution.joined(found.part, Resources(passes=_passes(scene, quality, found)))
 
 
 def _consts(quality: Quality) -> dict[str, Const]:

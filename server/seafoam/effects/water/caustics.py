@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from seafoam.effects.bounds import FLOOR_FIELDS, floor_limit, min_surface_height
-from seafoam.effects.effect import Bound, Contribution, Effect, Part, PassSpec, QualityParameter, SlotFile
+from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, Resources, SlotFile
 from seafoam.effects.light.light import sun_direction
 from seafoam.effects.waves.ripples import ripple_phases
 from seafoam.framegraph.passes import Grid, Points
@@ -186,7 +186,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-def _slope_map(tile: _Tile, size: int) -> Part:
+def _slope_map(tile: _Tile, size: int) -> Resources:
     """Slopes of the ripples where rays enter the tile, ``size`` along each side."""
     waves = [Constant(value=(wave.kx, wave.kz, significant(wave.slope), 0.0)) for wave in tile.waves]
     slopes = PassSpec(
@@ -200,13 +200,13 @@ def _slope_map(tile: _Tile, size: int) -> Part:
             "u_caustic_tile": number(tile.side),
         },
     )
-    return Part(
+    return Resources(
         targets={"caustic_slopes": Target(size=FixedSize.square(size), format="RGBA32F")},
         passes=(slopes,),
     )
 
 
-def _photons(tile: _Tile, colours: Mapping[str, float], side: int, texels: int) -> Part:
+def _photons(tile: _Tile, colours: Mapping[str, float], side: int, texels: int) -> Resources:
     """The map from ``side``² photons for each colour, which are points added up in a target for that colour."""
     passes = [
         _light_pass(
@@ -223,7 +223,7 @@ def _photons(tile: _Tile, colours: Mapping[str, float], side: int, texels: int) 
         for name, difference in colours.items()
     ]
     lights = {f"u_caustic_{name}": f"caustic_{name if name in colours else 'white'}" for name in COLOURS}
-    return Part(
+    return Resources(
         consts={"CAUSTIC_PHOTONS": side, "CAUSTIC_RIM": RIM},
         targets=_targets((f"caustic_{name}" for name in colours), texels + 2 * RIM, texels),
         passes=(*passes, _map_pass("water/caustics.glsl@fold", lights, {})),
@@ -232,7 +232,7 @@ def _photons(tile: _Tile, colours: Mapping[str, float], side: int, texels: int) 
 
 def _grid(
     tile: _Tile, colours: Mapping[str, float], cells: int, texels: int, shifts: list[tuple[float, float]] | None
-) -> Part:
+) -> Resources:
     """The map from a grid of ``cells``² cells for each colour, whose triangles are as bright as they are small.
 
     ``shifts``: of the colours in a single grid.
@@ -254,7 +254,7 @@ def _grid(
         )
         for i, (name, difference) in enumerate(colours.items())
     ]
-    return Part(
+    return Resources(
         consts={
             "CAUSTIC_CELLS": cells,
             "CAUSTIC_MARGIN": margin,

@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass
 
-from seafoam.effects.effect import Part, Piece, Source, constant_function
+from seafoam.effects.effect import Piece, Resources, Source, constant_function
 from seafoam.effects.noise import HASH
 from seafoam.framegraph.rules import Wrap, array, vector
 from seafoam.ocean.groups import PERIOD, group_cells, group_key, group_velocity, in_groups
@@ -32,15 +32,15 @@ class GroupBounds:
     curvature: float = 0.0
 
 
-def group_part(scene: Scene) -> Part:
+def group_part(scene: Scene) -> Resources:
     """What places the groups, for programs with :data:`FACTOR`; empty without groups."""
     groups = scene.wave_groups
     if groups is None or not in_groups(scene):
-        return Part()
+        return Resources()
     along, (v_x, v_z) = group_cells(scene, groups), group_velocity(scene)
     across = (-along[1], along[0])
     place = (Wrap(k=(k_x, k_z), period=float(PERIOD), rate=-(k_x * v_x + k_z * v_z)) for k_x, k_z in (along, across))
-    return Part(
+    return Resources(
         consts={"GROUP_KEY": group_key(groups.seed), "GROUP_PERIOD": PERIOD, "GROUP_VARIANCE": VARIANCE},
         uniforms={
             PLACE: array("vec2", place, 1),

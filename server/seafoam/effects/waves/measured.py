@@ -3,7 +3,7 @@
 docs/formulae.md, section 3.
 """
 
-from seafoam.effects.effect import Inline, Part, PassSpec
+from seafoam.effects.effect import Inline, PassSpec, Resources
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.framegraph.rules import number
 
@@ -11,7 +11,7 @@ BLOCK = 16
 """Side of the blocks whose maxima are found first, texels."""
 
 
-def measured_bounds(source: str, size: int, texel: float, stride: int = 1) -> Part:
+def measured_bounds(source: str, size: int, texel: float, stride: int = 1) -> Resources:
     """Targets and passes of a map's bounds. ``SOURCE_bounds`` holds height (m), slope and second derivative (1/m).
 
     ``source``: a target of ``size``² texels of ``texel`` m that holds height and the slopes along x and z; ``size`` is
@@ -43,4 +43,4 @@ def measured_bounds(source: str, size: int, texel: float, stride: int = 1) -> Pa
             inputs={"u_blocks": TargetInput(target=blocks)},
         ),
     )
-    return Part(targets=targets, passes=passes)
+    return Resources(targets=targets, passes=passes)

@@ -14,9 +14,9 @@ from seafoam.effects.effect import (
     Const,
     Contribution,
     Effect,
-    Part,
     PassSpec,
     QualityParameter,
+    Resources,
     SlotFile,
 )
 from seafoam.effects.waves.measured import measured_bounds
@@ -129,20 +129,20 @@ def _consts(count: int) -> dict[str, Const]:
     }
 
 
-def _sum(shown: Sequence[Train]) -> Part:
+def _sum(shown: Sequence[Train]) -> Resources:
     """Rings that are summed at each sample."""
-    return Part(
+    return Resources(
         slots=(SlotFile("waves", "waves/rings.glsl@exact", prefix="rings", needs=("waves/rings.glsl@ring",)),),
         uniforms=_ring_uniforms(shown, (_from_camera(*train.ring.place) for train in shown)),
     )
 
 
-def _map(shown: Sequence[Train], square: _Square, size: int) -> Part:
+def _map(shown: Sequence[Train], square: _Square, size: int) -> Resources:
     """A map of the rings, ``size`` texels along each side of the square, and its measured bounds."""
     # The map's error varies from wave to wave, not within one, so half the resolution is enough for it.
     sizes = {"rings": size, "rings_grain": size // 2}
     shaders = {"rings": "waves/rings.glsl@map_pass", "rings_grain": "waves/rings.glsl@grain_pass"}
-    part = Part(
+    part = Resources(
         slots=(
             SlotFile("waves", "waves/rings.glsl@map", prefix="rings"),
             SlotFile("bounds", "waves/rings.glsl@bounds", prefix="rings"),

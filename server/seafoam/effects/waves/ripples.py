@@ -4,7 +4,7 @@ import math
 from collections.abc import Sequence
 
 from seafoam.effects.bounds import slope_sensitivity
-from seafoam.effects.effect import Bound, Contribution, Effect, Part, PassSpec, QualityParameter, SlotFile, Source
+from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, Resources, SlotFile, Source
 from seafoam.effects.noise import PERLIN_3, drifting_noise
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.framegraph.rules import Constant, Phase, Uniform, Wrap, array, in_tile, number, rounded, significant
@@ -75,13 +75,13 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-def _slopes(file: str, ripples: Ripples) -> Part:
+def _slopes(file: str, ripples: Ripples) -> Resources:
     """The slot file of the slopes, with gusts if the wind has any."""
     gusts = ripples.gusts
     if gusts is None or gusts.strength == 0.0:
-        return Part(slots=(SlotFile("detail", file, prefix="ripples", needs=("waves/ripples.glsl@bands",)),))
+        return Resources(slots=(SlotFile("detail", file, prefix="ripples", needs=("waves/ripples.glsl@bands",)),))
     needs = ("waves/ripples.glsl@bands", Source(file, (("ripples_detail", "even_detail"),)), *PERLIN_3)
-    return Part(
+    return Resources(
         slots=(SlotFile("detail", "waves/ripples.glsl@gusts", prefix="ripples", needs=needs),),
         consts={"GUST_SEED": 64 * gusts.seed},
         uniforms={
@@ -92,11 +92,11 @@ def _slopes(file: str, ripples: Ripples) -> Part:
     )
 
 
-def _sum(cascades: tuple[tuple[Ripple, ...], ...]) -> Part:
+def _sum(cascades: tuple[tuple[Ripple, ...], ...]) -> Resources:
     """Ripples that are summed at each sample."""
     waves = [wave for cascade in cascades for wave in cascade]
     data = [entry for i, cascade in enumerate(cascades) for entry in _wave_data(cascade, BANDS * (i % _TILES))]
-    return Part(
+    return Resources(
         uniforms={
             "u_ripples_wave": array("vec4", data, len(waves)),
             "u_ripples_phase": ripple_phases(waves, at_camera=True),
@@ -104,13 +104,13 @@ def _sum(cascades: tuple[tuple[Ripple, ...], ...]) -> Part:
     )
 
 
-def _maps(cascades: tuple[tuple[Ripple, ...], ...], sides: tuple[float, ...], size: int) -> Part:
+def _maps(cascades: tuple[tuple[Ripple, ...], ...], sides: tuple[float, ...], size: int) -> Resources:
     """A map of the slopes of each tile, ``size`` texels along each side."""
     target = Target(size=FixedSize.square(size), format="RGBA16F", filter="linear", wrap="repeat")
     places = [rule for side in sides for rule in in_tile(side)]
     if _copies(cascades) == 2:
         places += [rule for side, shift in zip(sides, SHIFTS, strict=True) for rule in _in_copy(side, shift)]
-    return Part(
+    return Resources(
         uniforms={
             "u_ripples_offset": array("vec2", places, len(cascades)),
             "u_ripples_size": array("float", [Constant(value=(side,)) for side in sides], len(sides)),

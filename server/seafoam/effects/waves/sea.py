@@ -12,9 +12,9 @@ from seafoam.effects.effect import (
     Const,
     Contribution,
     Effect,
-    Part,
     PassSpec,
     QualityParameter,
+    Resources,
     SlotFile,
     TextureUse,
 )
@@ -176,7 +176,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         _displaced_water(sea, scene.water.depth, tiles, quality.sea_size),
         *(_height_map(sea, i, tile, displaced, quality) for i, tile in enumerate(tiles)),
         _mip_maps(tiles, quality),
-        _orbits(sea, raised, displaced, quality) if carries(scene) else Part(),
+        _orbits(sea, raised, displaced, quality) if carries(scene) else Resources(),
     )
 
 
@@ -224,7 +224,7 @@ def _slots(scene: Scene, quality: Quality, tiles: int) -> tuple[SlotFile, ...]:
     return tuple(slots)
 
 
-def _displaced_water(sea: Sea, depth: float | None, tiles: Sequence[Cascade], size: int) -> Part:
+def _displaced_water(sea: Sea, depth: float | None, tiles: Sequence[Cascade], size: int) -> Resources:
     """Displacement of the water at rest positions, a block of ``size``² texels for each tile."""
     target = Target(size=FixedSize(width=size * len(tiles), height=size), format="RGBA32F")
     if sea.model == "gerstner":
@@ -235,7 +235,7 @@ def _displaced_water(sea: Sea, depth: float | None, tiles: Sequence[Cascade], si
             target="sea_a",
             uniforms=gerstner_uniforms(tiles, size),
         )
-        return Part(targets={"sea_a": target}, passes=(gerstner,))
+        return Resources(targets={"sea_a": target}, passes=(gerstner,))
     spectrum = PassSpec(
         name="spectrum of the sea",
         program="sea_spectrum",
@@ -244,7 +244,7 @@ def _displaced_water(sea: Sea, depth: float | None, tiles: Sequence[Cascade], si
         inputs={"u_sea_spectrum": TextureInput(texture="sea_spectrum")},
         uniforms=loop_uniforms(),
     )
-    return Part(
+    return Resources(
         textures={
             "sea_spectrum": TextureUse(SeaSpectrum(sea=sea, depth=depth), wrap="clamp_to_edge"),
             "fft_twiddles": TextureUse(FftTwiddles(), wrap="clamp_to_edge"),
@@ -254,10 +254,10 @@ def _displaced_water(sea: Sea, depth: float | None, tiles: Sequence[Cascade], si
     )
 
 
-def _height_map(sea: Sea, index: int, tile: Cascade, displaced: str, quality: Quality) -> Part:
+def _height_map(sea: Sea, index: int, tile: Cascade, displaced: str, quality: Quality) -> Resources:
     """Height and slopes of a tile over the level plane, and its measured bounds if it displaces the surface."""
     name, size = f"sea_tile_{index}", quality.sea_size
-    part = Part(
+    part = Resources(
         uniforms={
             f"u_sea_offset_{index}": array("vec2", in_tile(tile.size), 1),
             f"u_sea_size_{index}": number(tile.size),
@@ -280,15 +280,15 @@ def _height_map(sea: Sea, index: int, tile: Cascade, displaced: str, quality: Qu
         f"u_sea_tile_{index}": TargetInput(target=name),
         f"u_sea_bounds_{index}": TargetInput(target=f"{name}_bounds"),
     }
-    return part.joined(Part(inputs=inputs), measured_bounds(name, size, tile.size / size))
+    return part.joined(Resources(inputs=inputs), measured_bounds(name, size, tile.size / size))
 
 
-def _mip_maps(tiles: Sequence[Cascade], quality: Quality) -> Part:
+def _mip_maps(tiles: Sequence[Cascade], quality: Quality) -> Resources:
     """The tiles' slopes as shading reads them: prefiltered maps, or the tiles themselves if nothing is filtered."""
     if not quality.surface.filter:
-        return Part(inputs={f"u_sea_seen_{i}": TargetInput(target=f"sea_tile_{i}") for i in range(len(tiles))})
+        return Resources(inputs={f"u_sea_seen_{i}": TargetInput(target=f"sea_tile_{i}") for i in range(len(tiles))})
     size = FixedSize.square(2 * quality.sea_size)
-    return Part(
+    return Resources(
         inputs={f"u_sea_seen_{i}": TargetInput(target=f"sea_seen_{i}") for i in range(len(tiles))},
         targets={
             f"sea_seen_{i}": Target(size=size, format="RGBA16F", filter=MIPMAPPED, wrap="repeat")
@@ -307,11 +307,11 @@ def _mip_maps(tiles: Sequence[Cascade], quality: Quality) -> Part:
     )
 
 
-def _orbits(sea: Sea, raised: Sequence[Cascade], displaced: str, quality: Quality) -> Part:
+def _orbits(sea: Sea, raised: Sequence[Cascade], displaced: str, quality: Quality) -> Resources:
     """Horizontal displacement of the water, which carries foam: the tiles on top of each other in one map."""
     side = quality.sea_size // 2
     size = FixedSize(width=side, height=RAISED * (side + 1))
-    return Part(
+    return Resources(
         slots=(SlotFile("carry", "foam/carry.glsl@sea", prefix="sea"),),
         inputs={"u_sea_orbits": TargetInput(target="sea_orbits")},
         targets={"sea_orbits": tile_target(quality, side).model_copy(update={"size": size})},

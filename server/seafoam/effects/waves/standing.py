@@ -4,7 +4,7 @@ import math
 
 from seafoam.effects.boats.wake import Kind, wakes_of
 from seafoam.effects.bounds import min_surface_height
-from seafoam.effects.effect import Contribution, Effect, Part, PlanError
+from seafoam.effects.effect import Contribution, Effect, PlanError, Resources
 from seafoam.framegraph.rules import Clamp, Constant, Rule, array, number, significant, vector
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.wakes import stone_wakes
@@ -60,11 +60,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     # Somewhat lower still: maps are rounded.
     lowest = significant(1.01 * min_surface_height(scene) - 0.01)
     return wakes_of(STONES, stone_wakes(current), quality).joined(
-        places(current), Part(uniforms={"u_stone_lowest": number(lowest)})
+        places(current), Resources(uniforms={"u_stone_lowest": number(lowest)})
     )
 
 
-def places(current: Current) -> Part:
+def places(current: Current) -> Resources:
     """Uniforms of the stones' places."""
     stones = current.stones
     courses: list[Rule] = []
@@ -79,7 +79,7 @@ def places(current: Current) -> Part:
         for stone, of in zip(stones, stone_wakes(current), strict=True)
     ]
     flow = significant(math.cos(current.direction)), significant(math.sin(current.direction))
-    return Part(
+    return Resources(
         consts={"STONE_COUNT": len(stones)},
         uniforms={
             "u_stone_course": array("vec4", courses, len(stones)),
