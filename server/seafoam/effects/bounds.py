@@ -12,6 +12,7 @@ from seafoam.ocean.wakes import joint_height, stone_wakes, wake_height
 from seafoam.scene.foam import Foam
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
+from seafoam.sums import summed
 
 SATURATION_CAP = 4.0
 """Upper limit of the saturation: all looks are the same above it (docs/formulae.md, section 4)."""
@@ -27,7 +28,7 @@ FLOOR_FIELDS = ("/light/exposure", "/water/absorption_length", "/water/scatterin
 
 def parametric_wave_height(scene: Scene) -> float:
     """Return the height of the parametric waves from trough to crest, m, where all crests coincide."""
-    return sum(wave.amplitude for wave in scene.waves)
+    return summed(wave.amplitude for wave in scene.waves)
 
 
 def max_surface_height(scene: Scene) -> float:
@@ -50,7 +51,7 @@ def _amplitude(scene: Scene) -> float:
     """Return the greatest amplitude of waves that are symmetric about still water: rings, wakes and open sea; m."""
     amplitude = ring_height(scene) + wake_height(scene.boats) + joint_height(stone_wakes(scene.current))
     if scene.sea is not None and scene.sea.wind > 0.0:
-        amplitude += sum(tile.limit for tile in cascades(scene.sea, scene.water.depth)[:RAISED])
+        amplitude += summed(tile.limit for tile in cascades(scene.sea, scene.water.depth)[:RAISED])
     return amplitude
 
 

@@ -11,6 +11,7 @@ from seafoam.framegraph.passes import BoundingSphere, Eye, Pass, View
 from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.resources import TargetInput
 from seafoam.scene.camera import Camera
+from seafoam.sums import summed
 
 LEVEL = 0.01
 """Vertical component, relative to the central ray's length, below which a ray may hit water or sky."""
@@ -79,7 +80,7 @@ def in_view(view: View, top: float, camera: Camera, width: int, height: int) -> 
         return any(_intersects(sphere, camera, forward, sides) for sphere in view)
     if camera.position[1] < top:
         return True
-    spread = sum(reach * abs(axis[1]) for axis, reach in sides)
+    spread = summed(reach * abs(axis[1]) for axis, reach in sides)
     return forward[1] + spread >= -LEVEL if view == "rising" else forward[1] - spread <= LEVEL
 
 

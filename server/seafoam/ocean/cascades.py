@@ -23,6 +23,7 @@ from seafoam.ocean.spectrum import (
     wave_spectrum,
 )
 from seafoam.scene.waves import Sea
+from seafoam.sums import summed
 
 BAND = 64
 """Upper bound of a tile's wavenumbers, in waves along its side."""
@@ -248,7 +249,7 @@ def _gerstner(sea: Sea, depth: float | None, sizes: tuple[float, float]) -> tupl
                 continue
             if energy > 0.0 and (ix, iz) != (0, 0):
                 h0[iz + BAND, ix + BAND] += math.sqrt(0.5 * energy) * np.exp(2j * math.pi * draws[1])
-        drawn = 2.0 * sum(float((np.abs(h0) ** 2).sum()) for h0 in tiles)
+        drawn = 2.0 * summed(float((np.abs(h0) ** 2).sum()) for h0 in tiles)
         omega = np.geomspace(0.3, 60.0, 4001) * peak_frequency(sea.wind, sea.fetch)
         total = float(
             np.trapezoid(frequency_spectrum(omega, sea.wind, sea.fetch) * shallow_water_factor(omega, depth), omega)

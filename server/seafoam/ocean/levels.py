@@ -4,6 +4,7 @@ import math
 
 from seafoam.scene.models import Scene
 from seafoam.scene.waves import ParametricWave
+from seafoam.sums import summed
 
 
 def wave_level(wave: ParametricWave) -> float:
@@ -17,4 +18,4 @@ def wave_level(wave: ParametricWave) -> float:
 
 def paper_level(scene: Scene) -> float:
     """Return the height of still water above the troughs of all parametric waves, m: where H₀ is 0."""
-    return sum(wave_level(wave) for wave in scene.waves)
+    return summed(wave_level(wave) for wave in scene.waves)

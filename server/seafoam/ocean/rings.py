@@ -15,6 +15,7 @@ from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.dispersion import wavenumber
 from seafoam.scene.models import Scene
 from seafoam.scene.rings import Ring
+from seafoam.sums import summed
 
 SOFT = 0.25
 """Radius of a ring's rounded centre, in wavelengths."""
@@ -122,14 +123,14 @@ def _greatest(rings: tuple[Train, ...], weight: Callable[[Train], float]) -> flo
 
 def _over_time(shown: list[tuple[Train, float]]) -> float:
     """Return the maximum sum of amplitudes regardless of place: just after some birth, since each amplitude decays."""
-    repeated = sum(w * (t.ring.amplitude - t.ring.dead) for t, w in shown if t.ring.every is not None)
+    repeated = summed(w * (t.ring.amplitude - t.ring.dead) for t, w in shown if t.ring.every is not None)
     once = [(t.ring, w) for t, w in shown if t.ring.every is None]
     single = 0.0
     for now, _ in once:
         ages = [(ring, w, now.birth - ring.birth) for ring, w in once]
         single = max(
             single,
-            sum(w * max(r.amplitude * math.exp(-r.decay * age) - r.dead, 0.0) for r, w, age in ages if age >= 0.0),
+            summed(w * max(r.amplitude * math.exp(-r.decay * age) - r.dead, 0.0) for r, w, age in ages if age >= 0.0),
         )
     return repeated + single
 

@@ -7,6 +7,7 @@ from functools import lru_cache
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.hash import chance
 from seafoam.scene.water import Ripples
+from seafoam.sums import summed
 
 TILES = (18.9, 4.1)
 """Sides of the two tiles, m."""
@@ -97,7 +98,7 @@ def ripple_cascades(ripples: Ripples, repeats: bool = False) -> tuple[tuple[Ripp
             # Equal mean square slope in each octave of wavenumber, the tail of a saturated wind sea (Phillips 1958).
             weights.append(1.0)
         cascades.append(sorted(drawn))
-    amplitude = ripples.slope * math.sqrt((1.0 if copied else 2.0) / sum(weights))
+    amplitude = ripples.slope * math.sqrt((1.0 if copied else 2.0) / summed(weights))
     drawn_waves = tuple(
         tuple(
             Ripple(kx, kz, math.sqrt(GRAVITY * k + SURFACE_TENSION * k**3), phase, amplitude)

@@ -11,6 +11,7 @@ from typing import Protocol
 from seafoam.ocean.constants import GRAVITY
 from seafoam.scene.boats import Boat
 from seafoam.scene.current import Current
+from seafoam.sums import summed
 
 LEAST_SPEED = 0.5
 """Speed below which a boat leaves no wake, m/s."""
@@ -149,12 +150,12 @@ def stone_wakes(current: Current | None) -> tuple[Wake, ...]:
 
 def joint_height(wakes: Sequence[Wake]) -> float:
     """Return an upper bound of the joint height of wakes above still water and depth below it, m."""
-    return float(f"{sum(wake.height for wake in wakes):.7g}")
+    return float(f"{summed(wake.height for wake in wakes):.7g}")
 
 
 def joint_slope(wakes: Sequence[Wake]) -> float:
     """Return an upper bound of the slope of wakes together."""
-    return float(f"{sum(wake.max_slope for wake in wakes):.7g}")
+    return float(f"{summed(wake.max_slope for wake in wakes):.7g}")
 
 
 def wake_height(boats: tuple[Boat, ...]) -> float:

@@ -11,6 +11,7 @@ import numpy as np
 from seafoam.ocean.cascades import BAND, RAISED, cascades
 from seafoam.scene.foam import WhitecapSaturation
 from seafoam.scene.waves import Sea
+from seafoam.sums import summed
 
 AGE_STEPS = 8
 """Number of recent times at which F is evaluated."""
@@ -92,8 +93,8 @@ def whitecap_model(
     deviations; ``CLAMPED`` corrects for the clamping of sums.
     """
     raised = cascades(sea, depth)[:RAISED]
-    now = sum(c.divergence_variance(sea.choppiness, texels, "spline") for c in raised)
-    earlier = sum(c.divergence_variance(sea.choppiness, texels // 2, "bilinear") for c in raised)
+    now = summed(c.divergence_variance(sea.choppiness, texels, "spline") for c in raised)
+    earlier = summed(c.divergence_variance(sea.choppiness, texels // 2, "bilinear") for c in raised)
     coverage = foam.coverage * whitecaps(sea.wind)
     if min(now, earlier) < 1e-8 or coverage <= 0.0:
         return None
@@ -113,7 +114,7 @@ def whitecap_model(
     factors = LASTING_CLAMPED if lasting else CLAMPED
     correction = float(np.interp(sea.wind, [entry[0] for entry in factors], [entry[1] for entry in factors]))
     coverage *= correction
-    total = sum(shares) + sum(old_shares)
+    total = summed(shares) + summed(old_shares)
 
     def mean(z: float) -> float:
         return total * (_above(-z) - _above(-z - foam.softness)) / foam.softness

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
+from seafoam.sums import summed
 from seafoam.textures.spec import Image, TextureSpec
 
 FRONT_NODES = 256
@@ -62,7 +63,7 @@ def front_integral(intensity: float, log_base: float) -> NDArray[np.float32]:
     for node in range(FRONT_NODES):
         psi = start + node * step
         here, following = f(psi), f(psi + step)
-        mean = 0.5 * sum(w * f(psi + 0.5 * step * (1.0 + x)) for x, w in _GAUSS)
+        mean = 0.5 * summed(w * f(psi + 0.5 * step * (1.0 + x)) for x, w in _GAUSS)
         table[node] = total, here, 3.0 * mean - 2.0 * here - following, here + following - 2.0 * mean
         total += step * mean
     table.flags.writeable = False

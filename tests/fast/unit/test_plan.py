@@ -193,6 +193,15 @@ def test_paths_of_shaders_are_whole_so_that_they_can_be_searched_for() -> None:
                 assert not made or "api/export" in path.as_posix(), f"{path}:{node.lineno}: a path is made of pieces"
 
 
+@pytest.mark.parametrize("package", ["effects", "framegraph", "ocean", "planner", "scene", "textures"])
+def test_numbers_of_plans_are_summed_alike_in_every_python(package: str) -> None:
+    """The built-in ``sum`` compensates for rounding from Python 3.12 on (``seafoam.sums``)."""
+    for path in (Path(seafoam.__file__).parent / package).rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
+                assert node.func.id != "sum", f"{path}:{node.lineno}"
+
+
 def test_glsl_never_multiplies_raw_time_nor_hashes_floats() -> None:
     for path in data_dir("shaders").rglob("*.glsl"):
         text = path.read_text(encoding="utf-8")

@@ -13,6 +13,9 @@ from pathlib import Path
 
 import pytest
 
+from seafoam.planner import make_plan
+from seafoam.quality import TIERS
+from seafoam.scene.presets import load_preset, preset_names
 from support.installed import OWN, PROJECT, environment, interpreters
 from support.snippets import blocks, commands
 
@@ -83,6 +86,20 @@ def test_data_is_that_of_the_wheel(bare: Path, tmp_path: Path) -> None:
     done = run(bare / "python", "-c", code, within=tmp_path)
     assert done.returncode == 0, done.stderr
     assert all(Path(path).is_relative_to(bare.parent) for path in done.stdout.splitlines())
+
+
+def test_plans_are_the_same_in_every_python(bare: Path, tmp_path: Path) -> None:
+    code = """
+from seafoam.planner import make_plan
+from seafoam.quality import TIERS
+from seafoam.scene.presets import load_preset, preset_names
+for name in preset_names():
+    print(name, make_plan(load_preset(name).scene, TIERS["draft"]).sha256)
+"""
+    done = run(bare / "python", "-c", code, within=tmp_path)
+    assert done.returncode == 0, done.stderr
+    here = {name: make_plan(load_preset(name).scene, TIERS["draft"]).sha256 for name in preset_names()}
+    assert dict(line.split() for line in done.stdout.splitlines()) == here
 
 
 def test_commands_of_readme_without_extras(bare: Path, tmp_path: Path) -> None:

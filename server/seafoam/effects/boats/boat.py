@@ -57,7 +57,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     boats = scene.boats
     if not boats:
         return None
-    motors = sum(boat.kind == "motor" for boat in boats)
+    motors = len([boat for boat in boats if boat.kind == "motor"])
     kinds = [f"{n} {name}" for n, name in ((len(boats) - motors, "under sail"), (motors, "under power")) if n]
     return Contribution(
         why=f"boats: {', '.join(kinds)}",

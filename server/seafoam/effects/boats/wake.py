@@ -24,6 +24,7 @@ from seafoam.framegraph.rules import Constant, Uniform, array, number, significa
 from seafoam.ocean.wakes import NEAR, Wake, joint_height, joint_slope, wakes
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
+from seafoam.sums import summed
 
 ASIDE = 0.36
 """Width of a wake to each side over its length: slightly more than Kelvin's tan 19.47 degrees."""
@@ -102,8 +103,8 @@ def wakes_of(kind: Kind, patterns: Sequence[Wake], quality: Quality) -> Contribu
         max_height=height,
         min_height=-height,
         max_slope=joint_slope(patterns),
-        max_curvature=sum(significant(wake.curvature[0]) for wake in patterns),
-        map_error=significant(sum(wake.map_error(wake.length / quality.wake_size) for wake in patterns))
+        max_curvature=summed(significant(wake.curvature[0]) for wake in patterns),
+        map_error=significant(summed(wake.map_error(wake.length / quality.wake_size) for wake in patterns))
         if mapped
         else 0.0,
         march_factor=2,

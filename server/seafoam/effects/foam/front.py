@@ -18,6 +18,7 @@ from seafoam.ocean.stokes import foam_drift, orbit
 from seafoam.quality import Quality
 from seafoam.scene.foam import FrontSaturation
 from seafoam.scene.models import Scene
+from seafoam.sums import summed
 from seafoam.textures import FRONT_NODES, FrontIntegral, front_fading, front_full
 
 PATCH_CHANGE = 25.0
@@ -245,7 +246,7 @@ def _past_waves(scene: Scene, shared: bool) -> tuple[list[Constant], float]:
         # Water that drifts along with a wave meets it less often.
         rates.append(angular_frequency(wave) - kx * drift_x - kz * drift_z)
     weights = _weights(scene)
-    mean = max(sum(weight * rate for weight, rate in zip(weights, rates, strict=True)), LEAST_RATE)
+    mean = max(summed(weight * rate for weight, rate in zip(weights, rates, strict=True)), LEAST_RATE)
     waves: list[Constant] = []
     for wave, weight, rate in zip(scene.waves, weights, rates, strict=True):
         if wave.amplitude > 0.0 or not shared:

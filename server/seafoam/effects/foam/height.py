@@ -13,6 +13,7 @@ from seafoam.ocean.levels import paper_level
 from seafoam.quality import Quality
 from seafoam.scene.foam import HeightSaturation
 from seafoam.scene.models import Scene
+from seafoam.sums import summed
 
 NODES = 17
 """Entries of the table of visible heights."""
@@ -33,7 +34,7 @@ def seen_heights(scene: Scene) -> tuple[float, float, list[tuple[float, float]]]
     h = np.zeros_like(x)
     for wave, k in waves:
         h += wave.amplitude * np.power(0.5 + 0.5 * np.cos(k * x), wave.exponent)
-    steepest = sum(k * wave.amplitude * max_profile_slope(wave.exponent) for wave, k in waves)
+    steepest = summed(k * wave.amplitude * max_profile_slope(wave.exponent) for wave, k in waves)
     seen = [(float(h.mean()), float(h.std()))] * NODES
     for i in range(NODES - 1):
         over = h + steepest * (i / (NODES - 1)) ** 2 * x

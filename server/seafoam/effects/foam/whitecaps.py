@@ -35,6 +35,7 @@ from seafoam.quality import Quality
 from seafoam.scene.foam import SlopeSaturation, WhitecapSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.waves import Sea
+from seafoam.sums import summed
 
 
 @dataclass(frozen=True)
@@ -95,7 +96,7 @@ def _slot(model: WhitecapModel, steps: int) -> SlotFile:
 
 
 def _model_uniforms(model: WhitecapModel, raised: tuple[Cascade, ...]) -> dict[str, Uniform]:
-    slopes = sum(of.mean_square_slope for of in raised)
+    slopes = summed(of.mean_square_slope for of in raised)
     thresholds = [Constant(value=tuple(significant(part) for part in pair)) for pair in (model.now, model.earlier)]
     shares = [Constant(value=(significant(share),)) for share in model.shares]
     return {

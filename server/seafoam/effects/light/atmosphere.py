@@ -8,6 +8,7 @@ import numpy as np
 from seafoam.ocean import skylight
 from seafoam.scene.light import Light
 from seafoam.scene.sky import Direction, direction
+from seafoam.sums import summed
 
 Rgb = tuple[float, float, float]
 
@@ -81,7 +82,7 @@ def moon_phase(light: Light) -> float:
     toward = moon(light)
     if toward is None:
         return 0.0
-    lit = 0.5 * (1.0 - sum(a * b for a, b in zip(sun(light), toward, strict=True)))
+    lit = 0.5 * (1.0 - summed(a * b for a, b in zip(sun(light), toward, strict=True)))
     return lit * lit
 
 

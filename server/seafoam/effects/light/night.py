@@ -9,6 +9,7 @@ from seafoam.effects.noise import HASH, PERLIN_2
 from seafoam.framegraph.rules import number, rounded, significant, vector
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
+from seafoam.sums import summed
 
 STAR_POWER = 1.0
 """Brightness of the brightest stars at night."""
@@ -48,7 +49,7 @@ def moon(scene: Scene, quality: Quality) -> Contribution | None:
             "u_moon_sun": vector(
                 rounded(
                     tuple(
-                        sum(a * b for a, b in zip(sun, axis, strict=True))
+                        summed(a * b for a, b in zip(sun, axis, strict=True))
                         for axis in (right, up, tuple(-value for value in toward))
                     )
                 )

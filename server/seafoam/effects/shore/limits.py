@@ -17,6 +17,7 @@ from seafoam.ocean.seabed import floor_grid, smoothstep
 from seafoam.ocean.travel import travel_grid
 from seafoam.quality import Quality
 from seafoam.scene.shore import Shore
+from seafoam.sums import summed
 from seafoam.textures import ROWS, shore_profiles
 
 Floats = NDArray[np.float64]
@@ -169,7 +170,7 @@ def _steepest_waves(shore: Shore, fields: _WaveFields, texel: float, nodes: int)
         for i in (0, 1)
     ]
     # Slope of the mask: four sines of about 75 m, through a step of slope 1.6.
-    mask_slope = surf.variation * 0.94 * 0.5 * sum(2.0 * math.pi / length for length, _, _ in MASK_WAVES)
+    mask_slope = surf.variation * 0.94 * 0.5 * summed(2.0 * math.pi / length for length, _, _ in MASK_WAVES)
     slope = float(np.hypot(*components).max()) + 0.5 * surf.height * mask_slope
     # The second derivative is greatest in troughs, across the crests; height and skew change far more slowly.
     bends = np.maximum(np.roll(table, -1, axis=1) - 2.0 * table + np.roll(table, 1, axis=1), 0.0).max(axis=1)

@@ -28,6 +28,7 @@ from seafoam.ocean.rings import ring_slope
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore
+from seafoam.sums import summed
 from seafoam.textures import ROWS, ShoreFloor, ShoreProfiles, ShoreTravel
 
 PERIOD = 2.0**18
@@ -182,7 +183,7 @@ def _open_slope(scene: Scene) -> float:
     for wave in scene.waves:
         steepest += wave.amplitude * math.hypot(*wavevector(wave, scene.water.depth)) * max_profile_slope(wave.exponent)
     if scene.sea is not None and scene.sea.wind > 0.0:
-        steepest += sum(of.max_slope for of in cascades(scene.sea, scene.water.depth)[:RAISED])
+        steepest += summed(of.max_slope for of in cascades(scene.sea, scene.water.depth)[:RAISED])
     return steepest
 
 

@@ -54,6 +54,7 @@ from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore
 from seafoam.scene.spray import Spray
 from seafoam.scene.waves import ParametricWave
+from seafoam.sums import summed
 from seafoam.textures import SprayRocks
 
 DELAY = 1.5
@@ -123,7 +124,9 @@ def _choice(sources: list[_Source], count: int) -> Inline:
 
 def fastest_rise(scene: Scene) -> float:
     """Upper bound of the speed at which parametric waves raise the surface, m/s: all of them at once, in one place."""
-    fastest = sum(angular_frequency(wave) * wave.amplitude * max_profile_slope(wave.exponent) for wave in scene.waves)
+    fastest = summed(
+        angular_frequency(wave) * wave.amplitude * max_profile_slope(wave.exponent) for wave in scene.waves
+    )
     travel = math.hypot(*group_velocity(scene)) * group_bounds(scene).slope
     return fastest + parametric_wave_height(scene) * travel
 

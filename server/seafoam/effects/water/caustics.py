@@ -17,6 +17,7 @@ from seafoam.quality import Quality
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.water import Ripples
+from seafoam.sums import summed
 
 COLOURS = ("red", "green", "blue")
 COLOUR_INDEX = (-0.0033, 0.0, 0.0042)
@@ -44,7 +45,7 @@ def landing(light: Light, depth: float, slope: tuple[float, float], index: float
     sun = sun_direction(light)
     size = math.sqrt(1.0 + slope[0] ** 2 + slope[1] ** 2)
     n = (-slope[0] / size, 1.0 / size, -slope[1] / size)
-    c = max(sum(a * b for a, b in zip(n, sun, strict=True)), 0.0)
+    c = max(summed(a * b for a, b in zip(n, sun, strict=True)), 0.0)
     turn = c / index - refracted_cosine(c, index)
     ray = tuple(turn * a - b / index for a, b in zip(n, sun, strict=True))
     length = depth / max(-ray[1], _MIN_FALL)
@@ -80,7 +81,7 @@ class _Tile:
     @property
     def spread(self) -> float:
         """Width of a light bundle on the floor relative to its width at the surface, root mean square."""
-        bend = math.sqrt(sum((wave.slope * wave.k) ** 2 for wave in self.waves) / 2.0)
+        bend = math.sqrt(summed((wave.slope * wave.k) ** 2 for wave in self.waves) / 2.0)
         return 0.25 * self.depth * bend
 
     def index(self, difference: float) -> float:
@@ -144,7 +145,7 @@ def _smoothing(shifts: list[tuple[float, float]]) -> _Smoothing:
         for shift in shifts:
             distances = [0.5 * (m - 0.5 + shift[axis]) for m in places]
             weights = [_bspline(x) if abs(x) < 1.75 else 0.0 for x in distances]
-            columns.append([significant(weight / sum(weights)) for weight in weights])
+            columns.append([significant(weight / summed(weights)) for weight in weights])
         rows = [Constant(value=row) for row in zip(*columns, strict=True)]
         uniforms[name] = array("vec3", rows, len(rows))
     return _Smoothing(-places[0], len(places), uniforms)

@@ -14,6 +14,7 @@ from seafoam.ocean.stokes import orbit
 from seafoam.quality import Quality
 from seafoam.scene.foam import FrontSaturation, SlopeSaturation
 from seafoam.scene.models import Scene
+from seafoam.sums import summed
 
 _MIN_SINE = 1e-4
 """Minimum of |sin(θ/2 + π/4)| in the derivative for K < 1/2, as in the shader."""
@@ -52,7 +53,7 @@ def profile_square(exponent: float) -> float:
     """Return the mean of (d(u^K)/dθ)² over a period, by the midpoint rule (spectrally accurate)."""
     count = 256
     angles = [(i + 0.5) * math.pi / (2 * count) for i in range(count)]
-    return sum(_profile_slope(exponent, math.sin(a), math.cos(a)) ** 2 for a in angles) / count
+    return summed(_profile_slope(exponent, math.sin(a), math.cos(a)) ** 2 for a in angles) / count
 
 
 def _kind(exponent: float) -> int:

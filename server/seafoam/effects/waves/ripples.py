@@ -12,6 +12,7 @@ from seafoam.ocean.ripples import BANDS, SHIFTS, TURN, WAVES_PER_TILE, Ripple, r
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.water import Ripples
+from seafoam.sums import summed
 
 _PER_BAND = WAVES_PER_TILE // BANDS
 """Ripples of a band."""
@@ -44,8 +45,8 @@ def _bands(cascades: tuple[tuple[Ripple, ...], ...]) -> Uniform:
     bands = [waves[i : i + _PER_BAND] for waves in cascades[:_TILES] for i in range(0, WAVES_PER_TILE, _PER_BAND)]
     values = [
         (
-            math.exp(sum(math.log(wave.k) for wave in band) / _PER_BAND),
-            copies * sum(0.5 * wave.slope**2 for wave in band),
+            math.exp(summed(math.log(wave.k) for wave in band) / _PER_BAND),
+            copies * summed(0.5 * wave.slope**2 for wave in band),
         )
         for band in bands
     ]
@@ -144,7 +145,7 @@ def _bound(scene: Scene, ripples: Ripples) -> Bound | None:
     """Ripples have slopes but no height, so only shading shows them."""
     if scene.light is None:
         return Bound(0.0, "the scene has no light, and ripples show by their shading alone")
-    max_slope = sum(wave.slope for cascade in ripple_cascades(ripples) for wave in cascade)
+    max_slope = summed(wave.slope for cascade in ripple_cascades(ripples) for wave in cascade)
     fields: tuple[str, ...] = ("/light/exposure", "/water/roughness")
     if ripples.gusts is not None:
         max_slope *= 1.0 + ripples.gusts.strength

@@ -26,6 +26,7 @@ from seafoam.ocean.cascades import BAND, LEAST_JACOBIAN, LOOP, RAISED, Cascade, 
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.waves import Sea
+from seafoam.sums import summed
 from seafoam.textures import FftTwiddles, SeaSpectrum
 
 WHITECAP_WIND = 7.0
@@ -156,19 +157,19 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         return Contribution(why="", bound=Bound(0.0, "no wind, so no waves"))
     quality = fitted(sea, quality)
     raised = tiles[:RAISED]
-    max_height = sum(tile.limit for tile in raised)
+    max_height = summed(tile.limit for tile in raised)
     contribution = Contribution(
         why=_why(sea, tiles, quality.sea_size),
         slots=_slots(scene, quality, len(tiles)),
         consts={**_consts(sea, tiles, quality.sea_size), "SEA_READ": READ if quality.samples > 1 else READ_ALONE},
         chosen_consts={"SEA_READ": READ},
         bound=waves_bound(
-            scene, sum(tile.max_slope for tile in tiles), max_surface_height(scene) - min_surface_height(scene)
+            scene, summed(tile.max_slope for tile in tiles), max_surface_height(scene) - min_surface_height(scene)
         ),
         max_height=max_height,
         min_height=-max_height,
-        max_slope=sum(tile.max_slope for tile in raised),
-        map_error=sum(tile.map_error(quality.sea_size) + tile.limit * HALF_FLOAT for tile in raised),
+        max_slope=summed(tile.max_slope for tile in raised),
+        map_error=summed(tile.map_error(quality.sea_size) + tile.limit * HALF_FLOAT for tile in raised),
         march_factor=2,
     )
     displaced = displaced_target(scene, quality)
@@ -181,8 +182,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 
 
 def _why(sea: Sea, tiles: Sequence[Cascade], size: int) -> str:
-    height = 4.0 * math.sqrt(sum(tile.variance for tile in tiles))
-    waves = sum(len(tile.waves) for tile in tiles)
+    height = 4.0 * math.sqrt(summed(tile.variance for tile in tiles))
+    waves = len([wave for tile in tiles for wave in tile.waves])
     how = f"{waves} waves on {len(tiles)} tiles" if sea.model == "gerstner" else f"{len(tiles)} tiles by FFT, {size}²"
     return f"sea of {sea.wind:g} m/s wind, significant height {height:.3g} m: {how}"
 
@@ -196,7 +197,7 @@ def _consts(sea: Sea, tiles: Sequence[Cascade], size: int) -> dict[str, Const]:
         "SEA_NEWTON": NEWTON if sea.choppiness > 0.0 else 0,
         "SEA_LEAST_JACOBIAN": LEAST_JACOBIAN,
         "SEA_LEVELS": size.bit_length() - 4,
-        "GERSTNER_WAVES": max(sum(len(tile.waves) for tile in tiles), 1) if gerstner else 2,
+        "GERSTNER_WAVES": max(len([wave for tile in tiles for wave in tile.waves]), 1) if gerstner else 2,
         "GERSTNER_FIRST": len(tiles[0].waves) if gerstner else 1,
     }
 

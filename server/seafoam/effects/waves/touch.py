@@ -13,6 +13,7 @@ from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.rings import DEAD, DEAD_SHARE
 from seafoam.scene.touch import CRESTS, DECAY, LEAST_LENGTH, LENGTH, TOUCHES_MOST, Touch
+from seafoam.sums import summed
 
 _FAR = 1e8
 """Limit of vectors to the camera, m: rings farther away are never visible."""
@@ -61,7 +62,7 @@ def _rules(pointer: str, touch: Touch | None, velocity: tuple[float, float]) -> 
         if velocity[axis] != 0.0:
             terms.append(Term(field=f"{pointer}/time", factor=velocity[axis]))
             values.append(0.0 if touch is None else touch.time)
-        offset = sum(term.factor * value for term, value in zip(terms, values, strict=True))
+        offset = summed(term.factor * value for term, value in zip(terms, values, strict=True))
         rules.append(Clamp(offset=offset, k=along, low=-_FAR, high=_FAR, terms=tuple(terms)))
     age = (Term(field=f"{pointer}/time", factor=-1.0),)
     birth = 0.0 if touch is None else touch.time
