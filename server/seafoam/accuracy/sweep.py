@@ -288,11 +288,13 @@ class _Sweeping:
         slow = last is not None and last.at(*compared) - last.fixed_ms > SLOW_MS
         warm = () if timed == compared or long else (Draw(*timed, "rgba8"),)
         larger = () if slow else (*warm, Draw(*timed, "rgba8"))
-        draws = (Draw(*compared, "linear", keep=True), *larger, Draw(*small, "rgba8"))
+        # The first compiles, and draws what is kept, where other points have taken the place of it.
+        draws = (Draw(*small, "rgba8"), Draw(*compared, "linear", keep=True), *larger, Draw(*small, "rgba8"))
         drawn = self._draw(quality, frame, draws, stage, 2.0 * (1.0 + quality.samples))
-        assert drawn[0].pixels is not None
+        pixels = drawn[1].pixels
+        assert pixels is not None
         large = compared if slow else timed
-        return drawn[0].pixels, time_model(1000.0 * drawn[-2].seconds, large, 1000.0 * drawn[-1].seconds, small)
+        return pixels, time_model(1000.0 * drawn[-2].seconds, large, 1000.0 * drawn[-1].seconds, small)
 
     def _timing(self, timed: Size, small: Size) -> Timing:
         return Timing(

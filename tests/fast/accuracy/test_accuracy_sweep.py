@@ -104,7 +104,9 @@ def test_rounds_turn(monkeypatch, tmp_path):
     monkeypatch.setattr(sweep, "make_truth", grey_truth)
     log = []
     make_sweep(Store(tmp_path), Subject(None, Scene(), 3.0, (32, 18)), SETTINGS, noisy(log))
-    timed = [job for job in log if len(job.draws) == 3]
+    timed = [job for job in log if len(job.draws) == 4]
+    # Nothing is timed, or compared, that has not been compiled by a draw just before.
+    assert all((job.draws[0].width, job.draws[0].keep) == (job.draws[-1].width, False) for job in timed)
     points = {job.quality for job in timed}
     per_round = len(timed) // SETTINGS.rounds
     rounds = [timed[i : i + per_round] for i in range(0, len(timed), per_round)]
