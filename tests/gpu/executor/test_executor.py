@@ -63,7 +63,7 @@ def test_a_shader_that_does_not_compile_names_its_files(executor: Executor) -> N
     program = plan.programs["present"]
     broken = program.fragment.text.replace("vec3 tone(vec3 x) {", "vec3 tone(vec3 x) { nonsense;")
     fragment = Shader(text=broken, sha256="0" * 64, files=program.fragment.files)
-    with pytest.raises(ShaderError, match=r"tone/photographic\.glsl from line"):
+    with pytest.raises(ShaderError, match=r"output/tone\.glsl@photographic from line"):
         executor.compile(program.model_copy(update={"fragment": fragment}))
 
 
