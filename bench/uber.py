@@ -9,7 +9,6 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
-from pathlib import Path
 from typing import get_args
 from unittest.mock import patch
 
@@ -289,7 +288,9 @@ def _choice(switch: str, bodies: Mapping[Piece, str], signatures: Mapping[str, S
     ``absent``: the value at switch 0, which selects none; without it the first body is number 0.
     """
     texts = []
-    suffixes = ["none" if isinstance(piece, Inline) else Path(path_of(piece) or "").stem for piece in bodies]
+    # A name may have no two underscores in a row.
+    names = (re.sub(r"\W|glsl", "_", path_of(piece) or "") for piece in bodies)
+    suffixes = [re.sub(r"_+", "_", name).strip("_") or "none" for name in names]
     for suffix, body in zip(suffixes, bodies.values(), strict=True):
         for name in signatures:
             body = re.sub(rf"\b{name}\b", f"{name}_{suffix}", body)

@@ -87,7 +87,7 @@ def test_look_equals_its_float64_form(probe: Probe, look: str) -> None:
         "float foam_texture(vec2 p, Footprint fp) {\n    return given.z;\n}\n"
     )
     got = probe(
-        [NUMBERS, stand_ins, f"foam/look/{look}.glsl"],
+        [NUMBERS, stand_ins, f"foam/look.glsl@{look}"],
         "given = x;\n y.x = foam_amount(x.x, vec2(0.0), Footprint(vec2(0.0), vec2(0.0)));",
         values,
     )[:, 0]

@@ -233,11 +233,13 @@ def test_seen_height_equals_its_float64_form(probe: Probe, kept: float) -> None:
     assert np.abs(got - want).max() <= 2e-5
 
 
-@pytest.mark.parametrize(("file", "cap"), [("height", 4.0), ("height_filtered", 1.0)])
-def test_height_equals_its_float64_form(probe: Probe, file: str, cap: float) -> None:
+@pytest.mark.parametrize(
+    ("file", "cap"), [("foam/saturation/height.glsl@plain", 4.0), ("foam/saturation/height.glsl@filtered", 1.0)]
+)
+def test_height_equals_its_float64_form(probe: Probe, part: str, cap: float) -> None:
     heights = np.linspace(-3.0, 9.0, 3001, dtype=np.float32)
     got = probe(
-        [NUMBERS, f"foam/saturation/{file}.glsl"],
+        [NUMBERS, f"foam/saturation/height.glsl@{part}"],
         "y.x = height_saturation(vec2(0.0), x.x, Footprint(vec2(0.0), vec2(0.0)));",
         heights[:, None],
         uniforms={"u_height_base": np.float32(0.3), "u_height_full": np.float32(2.1)},

@@ -44,14 +44,14 @@ def test_slope_saturation_equals_its_float64_form(probe: Probe, cap: float, blur
     time, origin = 12.5, (1234.5, -77.0)
     state = FrameState(time, Camera(position=(origin[0], 5.0, origin[1])), 1, 1, 1, 1, 0)
     at = np.random.default_rng(4).uniform(-30.0, 30.0, (10000, 2)).astype(np.float32)
-    name = "slope_blurred" if blur > 0.0 else "slope"
+    slope = "foam/saturation/slope.glsl@blurred" if blur > 0.0 else "foam/saturation/slope.glsl@plain"
     got = probe(
         [
             "lib/numbers.glsl",
             "waves/parametric.glsl",
             Inline("vec4 waves_shading(vec2 p, Footprint fp) {\n    return parametric_shading(p, fp);\n}\n"),
             "foam/saturation/slope.glsl@lack",
-            f"foam/saturation/{name}.glsl",
+            slope,
         ],
         "y.x = slope_saturation(x.xy, 0.0, Footprint(vec2(0.0), vec2(0.0)));",
         at,
