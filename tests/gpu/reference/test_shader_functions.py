@@ -233,9 +233,7 @@ def test_seen_height_equals_its_float64_form(probe: Probe, kept: float) -> None:
     assert np.abs(got - want).max() <= 2e-5
 
 
-@pytest.mark.parametrize(
-    ("file", "cap"), [("foam/saturation/height.glsl@plain", 4.0), ("foam/saturation/height.glsl@filtered", 1.0)]
-)
+@pytest.mark.parametrize(("part", "cap"), [("plain", 4.0), ("filtered", 1.0)])
 def test_height_equals_its_float64_form(probe: Probe, part: str, cap: float) -> None:
     heights = np.linspace(-3.0, 9.0, 3001, dtype=np.float32)
     got = probe(
