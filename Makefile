@@ -1,5 +1,5 @@
 # make demo: everything it takes, then the page.   make test: everything it takes, then every test.
-# make quick: what to run while working, minutes on two cores.   With CI=1 nothing is left out for having passed before.
+# make quick: what to run while working, minutes on two cores.
 # make sweep: the rest of the large tables of like cases, of which make test runs an even share; before a release.
 # make gpu: on a machine with a GPU, five minutes: draws all, compares, measures, and writes docs/gpu.md.
 SHELL := /bin/bash

@@ -10,7 +10,6 @@ from pathlib import Path
 import pytest
 
 from seafoam.render.gl.executor import Executor
-from support import inputs
 from support.probe import Probe
 from support.report import REPORT, Report
 from support.room import LIMIT, Room, give_back, resident
@@ -36,8 +35,7 @@ def _executor() -> Executor:
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Remember checks that passed; let no process grow too large."""
-    config.pluginmanager.register(inputs.memo(lambda: _executor().info))
+    """Let no process grow too large."""
     config.pluginmanager.register(Room())
 
 

@@ -61,7 +61,6 @@ def both(
     return got, want, np.abs(got.astype(int) - want.astype(int)).max(axis=-1)  # type: ignore[return-value]
 
 
-@pytest.mark.remembered(by="answers")
 @pytest.mark.parametrize("case", FIRST)
 def test_same_pixels_on_the_same_renderer(page: Page, executor: Executor, case: HardCase) -> None:
     """One case of each effect: so is every preset (test_parity.py), and every rule of a uniform by numbers."""
@@ -86,7 +85,6 @@ def other(swiftshader: Lane, server: str) -> Iterator[Page]:
     made.close()
 
 
-@pytest.mark.remembered(by="answers")
 @pytest.mark.parametrize("case", rested(CASES, 26))
 def test_sound_on_another_renderer(other: Page, executor: Executor, case: HardCase) -> None:
     foam = case.scene.foam

@@ -70,7 +70,6 @@ def assert_sound(pixels: NDArray[np.uint8], answer: dict[str, Any]) -> None:
     assert (pixels[..., 3] == 255).all()
 
 
-@pytest.mark.remembered(by="answers")
 @pytest.mark.parametrize(("preset", "time"), crossed(preset_names(), TIMES, len(TIMES), 3, 2))
 def test_same_pixels_on_the_same_renderer(page: Page, executor: Executor, preset: str, time: float) -> None:
     pixels, answer = drawn(page, preset, time)
@@ -96,7 +95,6 @@ def test_same_pixels_on_the_same_renderer(page: Page, executor: Executor, preset
     assert float((difference > 1).mean()) <= allowed["over_1"]
 
 
-@pytest.mark.remembered(by="answers")
 @pytest.mark.parametrize("preset", ["default", "paper-halftone"])
 @pytest.mark.parametrize("quality", ["draft", "high", "reference"])
 def test_same_pixels_at_every_tier(page: Page, executor: Executor, preset: str, quality: str) -> None:
@@ -150,7 +148,6 @@ def other(swiftshader: Lane, server: str) -> Iterator[Page]:
     made.close()
 
 
-@pytest.mark.remembered(by="answers")
 @pytest.mark.parametrize(("preset", "time"), crossed(preset_names(), ELSEWHERE, len(ELSEWHERE), 7, 1))
 def test_close_on_another_renderer(other: Page, executor: Executor, preset: str, time: float) -> None:
     pixels, answer = drawn(other, preset, time, size=SMALLER)
