@@ -13,8 +13,9 @@ from typing import get_args
 from unittest.mock import patch
 
 from seafoam.effects import EFFECTS
-from seafoam.effects.effect import MARCH_AHEAD, Const, Contribution, Inline, Piece, SlotFile, Source, path_of, refine
+from seafoam.effects.effect import Contribution
 from seafoam.effects.foam import front
+from seafoam.effects.shader import MARCH_AHEAD, Const, Inline, Piece, SlotFile, Source, path_of, refine
 from seafoam.framegraph.passes import Fullscreen, Pass, State
 from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.resources import TargetInput, TextureInput

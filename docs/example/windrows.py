@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
-from seafoam.effects.effect import Bound, Contribution, Effect, Extension, QualityParameter, SaturationSource, SlotFile
+from seafoam.effects.effect import Bound, Contribution, Effect, Extension, QualityParameter, SaturationSource
+from seafoam.effects.shader import SlotFile
 from seafoam.framegraph.rules import Phase, array, number, vector
 from seafoam.quality import Quality, QualityParameters
 from seafoam.reference.renderer.sources import SurfacePoints

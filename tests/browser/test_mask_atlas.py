@@ -6,7 +6,7 @@ import json
 import numpy as np
 import pytest
 
-from seafoam.effects.effect import Inline
+from seafoam.effects.shader import Inline
 from seafoam.framegraph.passes import Fullscreen, Pass
 from seafoam.framegraph.resources import TargetInput, Texture, TextureInput
 from seafoam.framegraph.shader import Program

@@ -7,7 +7,8 @@ import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
-from seafoam.effects.effect import Contribution, Inline, Piece
+from seafoam.effects.effect import Contribution
+from seafoam.effects.shader import Inline, Piece
 from seafoam.framegraph.evaluation import FrameState, evaluate
 from seafoam.planner.glsl import assemble
 from seafoam.render.gl.executor import TEXTURE_FORMATS, Executor

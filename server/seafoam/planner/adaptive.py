@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from itertools import chain
 
-from seafoam.effects.effect import Const, Piece
+from seafoam.effects.shader import Const, Piece
 from seafoam.framegraph.passes import Fullscreen, Pass
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput, ViewportSize
 from seafoam.framegraph.rules import Uniform, Viewport, vector

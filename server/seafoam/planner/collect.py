@@ -3,19 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from seafoam.effects.effect import (
-    AssemblyError,
-    Const,
-    Contribution,
-    Effect,
-    PassSpec,
-    Piece,
-    SlotFile,
-    SlotRef,
-    TextureUse,
-    path_of,
-    united,
-)
+from seafoam.effects.effect import AssemblyError, Contribution, Effect, PassSpec, TextureUse, united
+from seafoam.effects.shader import Const, Piece, SlotFile, SlotRef, path_of
 from seafoam.framegraph.plan import EffectNote
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput, ViewportSize
 from seafoam.framegraph.rules import Uniform, afloat

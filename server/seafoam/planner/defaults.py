@@ -1,6 +1,6 @@
 """GLSL of slots that no effect fills."""
 
-from seafoam.effects.effect import Inline, constant_function
+from seafoam.effects.shader import Inline, constant_function
 
 BLACK_SKY = Inline(
     "\n".join(

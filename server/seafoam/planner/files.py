@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from seafoam.effects.effect import MARCH_AHEAD, SlotFile, refine
+from seafoam.effects.shader import MARCH_AHEAD, SlotFile, refine
 from seafoam.planner.slots import APPROACH, GENTLER, LAND, LAND_COLOR, LAND_FOAM
 
 _MARCHED, _PLANE = "surface/march.glsl@march", "surface/march.glsl@plane"

@@ -4,7 +4,8 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Literal
 
-from seafoam.effects.effect import ABOVE, BENEATH, FINISHED, Const, PassSpec, Piece, SlotFile, SlotRef
+from seafoam.effects.effect import ABOVE, BENEATH, FINISHED, PassSpec
+from seafoam.effects.shader import Const, Piece, SlotFile, SlotRef
 from seafoam.framegraph.passes import Fullscreen, Grid, Pass, State
 from seafoam.framegraph.resources import Target, TargetInput, TextureInput, ViewportSize
 from seafoam.framegraph.rules import Uniform

@@ -2,8 +2,8 @@
 
 from functools import lru_cache
 
-from seafoam.effects.effect import Inline, Piece, SlotRef
 from seafoam.effects.registry import CHANGED
+from seafoam.effects.shader import Inline, Piece, SlotRef
 from seafoam.framegraph.passes import Pass, State
 from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.resources import Target, ViewportSize

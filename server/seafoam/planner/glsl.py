@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, lru_cache
 
-from seafoam.effects.effect import Const, Inline, Piece, SlotFile, Source
+from seafoam.effects.shader import Const, Inline, Piece, SlotFile, Source
 from seafoam.framegraph.shader import Shader, SourceFile
 from seafoam.planner.slots import Slot
 from seafoam.resources import data_dir

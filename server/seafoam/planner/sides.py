@@ -7,7 +7,7 @@ and the vertex shaders of the wrong side place their triangles outside the pictu
 from collections.abc import Sequence
 from dataclasses import replace
 
-from seafoam.effects.effect import Piece, Source
+from seafoam.effects.shader import Piece, Source
 from seafoam.framegraph.passes import Eyes, Pass
 from seafoam.planner.glsl import COMMON
 

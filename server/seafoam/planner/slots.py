@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from seafoam.effects.effect import Piece
+from seafoam.effects.shader import Piece
 from seafoam.planner import defaults
 
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from seafoam.effects.effect import Inline
+from seafoam.effects.shader import Inline
 from seafoam.framegraph.passes import Fullscreen, Pass, Points, State
 from seafoam.framegraph.resources import Target, TargetInput, ViewportSize
 from seafoam.framegraph.rules import Clamp, Loop, Phase, Rule, Uniform, Viewport, Wrap, number

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from seafoam.effects.effect import Const, Inline
+from seafoam.effects.shader import Const, Inline
 from seafoam.masks.catalogue import load_mask
 from seafoam.masks.formats import quantised, to_u16
 from seafoam.masks.prefilter import OCTAVE_RAMP, QUANTILE_ENTRIES, footprint_deviations

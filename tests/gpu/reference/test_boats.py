@@ -7,7 +7,7 @@ import pytest
 from numpy.typing import NDArray
 
 from seafoam.effects.boats.wake import ASIDE
-from seafoam.effects.effect import Inline
+from seafoam.effects.shader import Inline
 from seafoam.framegraph.visibility import everywhere
 from seafoam.ocean.wakes import Wake, wake_slope
 from seafoam.planner import FramePlan, make_plan

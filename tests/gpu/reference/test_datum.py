@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from seafoam.effects.effect import Inline
+from seafoam.effects.shader import Inline
 from seafoam.framegraph.visibility import everywhere
 from seafoam.ocean.cascades import RAISED, cascades
 from seafoam.ocean.levels import wave_level

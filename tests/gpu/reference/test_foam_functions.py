@@ -8,7 +8,7 @@ import pytest
 from numpy.typing import NDArray
 from scipy import ndimage
 
-from seafoam.effects.effect import Const, Inline
+from seafoam.effects.shader import Const, Inline
 from seafoam.masks import Mask, mask_by_name
 from seafoam.masks.prefilter import OCTAVE_RAMP
 from seafoam.reference import Assets, sampling

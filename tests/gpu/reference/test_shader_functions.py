@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from seafoam.effects.effect import Inline
 from seafoam.effects.foam.height import NODES as HEIGHT_NODES
 from seafoam.effects.foam.height import seen_heights
+from seafoam.effects.shader import Inline
 from seafoam.ocean.dispersion import wavevector
 from seafoam.reference.foam import saturation
 from seafoam.reference.waves import parametric as waves

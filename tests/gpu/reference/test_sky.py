@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from seafoam.effects.effect import Inline
 from seafoam.effects.light.light import sky_irradiance, sun_direction, sun_irradiance
+from seafoam.effects.shader import Inline
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference import load_truth, noise

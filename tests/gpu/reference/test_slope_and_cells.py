@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from seafoam.effects.effect import Inline
 from seafoam.effects.foam.look import CELLS
+from seafoam.effects.shader import Inline
 from seafoam.effects.waves import parametric
 from seafoam.framegraph.evaluation import FrameState, evaluate
 from seafoam.planner import make_plan

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from seafoam.effects.effect import Inline
 from seafoam.effects.light.sparkles import density
+from seafoam.effects.shader import Inline
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.reference.light import light as reference_light

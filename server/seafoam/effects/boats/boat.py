@@ -4,18 +4,9 @@ import math
 from collections.abc import Sequence
 
 from seafoam.effects.bounds import max_displacement
-from seafoam.effects.effect import (
-    ABOVE,
-    Const,
-    Contribution,
-    Effect,
-    PassSpec,
-    Piece,
-    QualityParameter,
-    SlotRef,
-    constant_function,
-)
+from seafoam.effects.effect import ABOVE, Contribution, Effect, PassSpec, QualityParameter
 from seafoam.effects.light.light import ILLUMINATION
+from seafoam.effects.shader import Const, Piece, SlotRef, constant_function
 from seafoam.effects.shore.maps import FIND_LAND
 from seafoam.effects.water.underside import WATER
 from seafoam.framegraph.passes import BoundingSphere, Quads

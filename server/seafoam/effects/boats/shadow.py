@@ -2,7 +2,8 @@
 
 from seafoam.effects.boats.boat import TRACE
 from seafoam.effects.bounds import body_limit
-from seafoam.effects.effect import Bound, Contribution, Effect, QualityParameter, SlotFile
+from seafoam.effects.effect import Bound, Contribution, Effect, QualityParameter
+from seafoam.effects.shader import SlotFile
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 

@@ -7,17 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from seafoam.effects.boats.boat import COURSE
-from seafoam.effects.effect import (
-    Bound,
-    Contribution,
-    Effect,
-    Inline,
-    PassSpec,
-    Piece,
-    QualityParameter,
-    SlotFile,
-    Source,
-)
+from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter
+from seafoam.effects.shader import Inline, Piece, SlotFile, Source
 from seafoam.effects.waves.measured import BLOCK
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.framegraph.rules import Constant, Uniform, array, number, significant

@@ -3,8 +3,9 @@
 import math
 
 from seafoam.effects.bounds import body_limit, greatest_saturation
-from seafoam.effects.effect import Bound, Contribution, Effect, SlotFile
+from seafoam.effects.effect import Bound, Contribution, Effect
 from seafoam.effects.registry import saturation_fields
+from seafoam.effects.shader import SlotFile
 from seafoam.framegraph.rules import number
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene

@@ -5,20 +5,9 @@ from dataclasses import replace
 from statistics import NormalDist
 
 from seafoam.effects.bounds import SATURATION_CAP
-from seafoam.effects.effect import (
-    Bound,
-    Const,
-    Contribution,
-    Effect,
-    PassSpec,
-    Piece,
-    PlanError,
-    QualityParameter,
-    SaturationSource,
-    SlotFile,
-    Source,
-)
+from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, PlanError, QualityParameter, SaturationSource
 from seafoam.effects.noise import VALUE_NOISE
+from seafoam.effects.shader import Const, Piece, SlotFile, Source
 from seafoam.framegraph.passes import Points
 from seafoam.framegraph.resources import FixedSize, Target, TargetFormat, TargetInput, TextureInput
 from seafoam.framegraph.rules import Clamp, Constant, Loop, Uniform, array, number, significant, vector

@@ -5,9 +5,10 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from seafoam.effects.bounds import SATURATION_CAP, parametric_wave_height
-from seafoam.effects.effect import Bound, Const, Contribution, Effect, Piece, SaturationSource, SlotFile, TextureUse
+from seafoam.effects.effect import Bound, Contribution, Effect, SaturationSource, TextureUse
 from seafoam.effects.foam.living import carries
 from seafoam.effects.noise import PERLIN_3, drifting_noise
+from seafoam.effects.shader import Const, Piece, SlotFile
 from seafoam.effects.waves.groups import front_files, signal_files, way_files
 from seafoam.effects.waves.parametric import profile_square, shares_phase
 from seafoam.framegraph.resources import TextureInput

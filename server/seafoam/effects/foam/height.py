@@ -5,7 +5,8 @@ import math
 import numpy as np
 
 from seafoam.effects.bounds import SATURATION_CAP, max_surface_height
-from seafoam.effects.effect import Bound, Const, Contribution, Effect, SaturationSource, SlotFile
+from seafoam.effects.effect import Bound, Contribution, Effect, SaturationSource
+from seafoam.effects.shader import Const, SlotFile
 from seafoam.effects.waves.parametric import max_profile_slope
 from seafoam.framegraph.rules import Constant, Uniform, array, number, significant, vector
 from seafoam.ocean.dispersion import wavevector

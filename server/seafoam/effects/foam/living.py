@@ -5,9 +5,10 @@ docs/formulae.md, section 5.
 
 import math
 
-from seafoam.effects.effect import Contribution, Effect, Piece, SlotFile, Source, constant_function
+from seafoam.effects.effect import Contribution, Effect
 from seafoam.effects.foam.surf import surf_limit
 from seafoam.effects.noise import CELLS, PERLIN_2
+from seafoam.effects.shader import Piece, SlotFile, Source, constant_function
 from seafoam.framegraph.rules import Phase, Uniform, array, number, vector
 from seafoam.ocean.stokes import foam_drift, foam_life
 from seafoam.quality import Quality

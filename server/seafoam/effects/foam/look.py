@@ -4,23 +4,12 @@ import math
 from dataclasses import dataclass
 
 from seafoam.effects.bounds import foam_limit, greatest_saturation
-from seafoam.effects.effect import (
-    Bound,
-    Contribution,
-    Effect,
-    Piece,
-    PlanError,
-    QualityParameter,
-    Resources,
-    SlotFile,
-    Source,
-    TextureUse,
-    constant_function,
-)
+from seafoam.effects.effect import Bound, Contribution, Effect, PlanError, QualityParameter, Resources, TextureUse
 from seafoam.effects.foam import drift, mask_atlas
 from seafoam.effects.foam.living import AGE, living
 from seafoam.effects.noise import HASH
 from seafoam.effects.registry import saturation_fields
+from seafoam.effects.shader import Piece, SlotFile, Source, constant_function
 from seafoam.framegraph.resources import TargetInput, TextureInput
 from seafoam.framegraph.rules import Phase, Uniform, Wrap, array, number, vector
 from seafoam.masks.catalogue import Mask, drawn_mask

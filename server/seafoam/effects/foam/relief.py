@@ -1,8 +1,9 @@
 """Foam's thickness: it shadows water, and its edges toward the sun are brighter. docs/formulae.md, section 6."""
 
 from seafoam.effects.bounds import body_limit, foam_limit, greatest_saturation
-from seafoam.effects.effect import Bound, Contribution, Effect, QualityParameter, SlotFile
+from seafoam.effects.effect import Bound, Contribution, Effect, QualityParameter
 from seafoam.effects.registry import saturation_fields
+from seafoam.effects.shader import SlotFile
 from seafoam.framegraph.rules import number
 from seafoam.ocean.stokes import foam_life
 from seafoam.quality import Quality

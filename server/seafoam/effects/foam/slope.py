@@ -1,7 +1,8 @@
 """Foam saturation from the surface's slope (GPU ocean, 2007). docs/formulae.md, section 4."""
 
 from seafoam.effects.bounds import SATURATION_CAP, max_surface_height
-from seafoam.effects.effect import Bound, Const, Contribution, Effect, QualityParameter, SaturationSource, SlotFile
+from seafoam.effects.effect import Bound, Contribution, Effect, QualityParameter, SaturationSource
+from seafoam.effects.shader import Const, SlotFile
 from seafoam.framegraph.rules import Uniform, number
 from seafoam.quality import Quality
 from seafoam.scene.foam import SlopeSaturation

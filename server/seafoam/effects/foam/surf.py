@@ -1,7 +1,8 @@
 """Foam of the surf. docs/formulae.md, section 8."""
 
 from seafoam.effects.bounds import SATURATION_CAP
-from seafoam.effects.effect import Bound, Contribution, Effect, SaturationSource, SlotFile
+from seafoam.effects.effect import Bound, Contribution, Effect, SaturationSource
+from seafoam.effects.shader import SlotFile
 from seafoam.framegraph.rules import number, significant
 from seafoam.quality import Quality
 from seafoam.scene.foam import SurfSaturation

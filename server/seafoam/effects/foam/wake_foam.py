@@ -5,8 +5,9 @@ import math
 from seafoam.effects.boats.boat import HULLS
 from seafoam.effects.boats.wake import WAY
 from seafoam.effects.bounds import SATURATION_CAP
-from seafoam.effects.effect import Bound, Const, Contribution, Effect, SaturationSource, SlotFile
+from seafoam.effects.effect import Bound, Contribution, Effect, SaturationSource
 from seafoam.effects.noise import VALUE_NOISE
+from seafoam.effects.shader import Const, SlotFile
 from seafoam.effects.waves.standing import WAY as STONE_WAY
 from seafoam.effects.waves.standing import places
 from seafoam.framegraph.rules import Constant, Uniform, array, significant

@@ -4,17 +4,8 @@ import math
 from dataclasses import dataclass, replace
 from typing import Literal
 
-from seafoam.effects.effect import (
-    Bound,
-    Contribution,
-    Effect,
-    PassSpec,
-    Piece,
-    QualityParameter,
-    SaturationSource,
-    SlotFile,
-    Source,
-)
+from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, SaturationSource
+from seafoam.effects.shader import Piece, SlotFile, Source
 from seafoam.effects.waves.sea import (
     RESAMPLED,
     displaced_target,

@@ -2,10 +2,11 @@
 
 import math
 
-from seafoam.effects.effect import Bound, Contribution, Effect, QualityParameter, SlotFile
+from seafoam.effects.effect import Bound, Contribution, Effect, QualityParameter
 from seafoam.effects.light import overcast
 from seafoam.effects.light.light import sun_direction, sun_irradiance
 from seafoam.effects.noise import PERLIN_3
+from seafoam.effects.shader import SlotFile
 from seafoam.framegraph.rules import rounded, vector
 from seafoam.quality import Quality
 from seafoam.scene.light import Light

@@ -2,9 +2,10 @@
 
 import math
 
-from seafoam.effects.effect import Bound, Contribution, Effect, QualityParameter, SlotFile
+from seafoam.effects.effect import Bound, Contribution, Effect, QualityParameter
 from seafoam.effects.light import atmosphere, overcast
 from seafoam.effects.noise import CELLS, PERLIN_2, PERLIN_3, drifting_noise
+from seafoam.effects.shader import SlotFile
 from seafoam.framegraph.rules import Phase, array, number, rounded, vector
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene

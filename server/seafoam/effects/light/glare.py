@@ -5,7 +5,8 @@ It is part of the display, as the tone curve is: linear frames are without it.
 
 import itertools
 
-from seafoam.effects.effect import FINISHED, Contribution, Effect, PassSpec, SlotFile
+from seafoam.effects.effect import FINISHED, Contribution, Effect, PassSpec
+from seafoam.effects.shader import SlotFile
 from seafoam.framegraph.resources import Target, TargetInput, ViewportSize
 from seafoam.framegraph.rules import number
 from seafoam.quality import Quality

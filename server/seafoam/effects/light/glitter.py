@@ -2,9 +2,10 @@
 
 import math
 
-from seafoam.effects.effect import Bound, Contribution, Effect, SlotFile
+from seafoam.effects.effect import Bound, Contribution, Effect
 from seafoam.effects.light import atmosphere
 from seafoam.effects.light.light import brightest_sun, sun_disc
+from seafoam.effects.shader import SlotFile
 from seafoam.framegraph.rules import Uniform, number, vector
 from seafoam.quality import Quality
 from seafoam.scene.light import Light

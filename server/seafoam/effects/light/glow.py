@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from seafoam.effects.effect import Source
+from seafoam.effects.shader import Source
 from seafoam.framegraph.rules import Constant, Uniform, array, rounded, vector
 from seafoam.ocean import skylight
 from seafoam.ocean.arrays import Floats

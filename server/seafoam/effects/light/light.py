@@ -4,10 +4,11 @@ import math
 from collections.abc import Iterable
 from functools import lru_cache
 
-from seafoam.effects.effect import Contribution, Effect, SlotFile
+from seafoam.effects.effect import Contribution, Effect
 from seafoam.effects.light import atmosphere, overcast
 from seafoam.effects.light.atmosphere import ASYMMETRY, RAYLEIGH, SUN_POWER, Rgb, air_mass, mie_depth
 from seafoam.effects.light.glow import glow_source, glow_uniforms
+from seafoam.effects.shader import SlotFile
 from seafoam.framegraph.rules import number, significant, vector
 from seafoam.ocean import skylight
 from seafoam.quality import Quality

@@ -2,10 +2,11 @@
 
 import math
 
-from seafoam.effects.effect import Bound, Contribution, Effect, SlotFile
+from seafoam.effects.effect import Bound, Contribution, Effect
 from seafoam.effects.light import atmosphere
 from seafoam.effects.light.glow import glow_source, glow_uniforms
 from seafoam.effects.noise import HASH, PERLIN_2
+from seafoam.effects.shader import SlotFile
 from seafoam.framegraph.rules import number, rounded, significant, vector
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene

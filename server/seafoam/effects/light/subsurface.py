@@ -1,12 +1,11 @@
 """Sunlight transmitted by thin crests. docs/formulae.md, section 6."""
 
 from seafoam.effects.bounds import crest_limit, max_surface_height, min_surface_height
-from seafoam.effects.effect import Bound, Contribution, Effect, SlotFile
+from seafoam.effects.effect import Bound, Contribution, Effect
+from seafoam.effects.shader import SlotFile
 from seafoam.framegraph.rules import number, significant
 from seafoam.quality import Quality
-from seafoam.scene.models import (
-    Scene,
-)
+from seafoam.scene.models import Scene
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:

@@ -2,9 +2,10 @@
 
 import math
 
-from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, SlotFile, SlotRef
+from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter
 from seafoam.effects.light.light import ILLUMINATION, air_light, sky_irradiance, sun_irradiance
 from seafoam.effects.noise import VALUE_NOISE
+from seafoam.effects.shader import SlotFile, SlotRef
 from seafoam.effects.shore.land import LAND_LIGHT, soil_files
 from seafoam.effects.shore.maps import MAXIMA
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput

@@ -1,19 +1,9 @@
 """Planar reflection: a mirrored camera draws boats and land into a map. docs/formulae.md, section 10b."""
 
 from seafoam.effects.boats.boat import COURSE, LIGHT, TRACE
-from seafoam.effects.effect import (
-    Bound,
-    Contribution,
-    Effect,
-    Inline,
-    PassSpec,
-    Piece,
-    QualityParameter,
-    SlotFile,
-    SlotRef,
-    constant_function,
-)
+from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter
 from seafoam.effects.reflection.cubemap import SHORE, lit_land
+from seafoam.effects.shader import Inline, Piece, SlotFile, SlotRef, constant_function
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene

@@ -1,7 +1,7 @@
 """The land's look: its soil in detail or smooth, and how wet it is. docs/formulae.md, section 8."""
 
-from seafoam.effects.effect import Const, Source
 from seafoam.effects.noise import SLOPES
+from seafoam.effects.shader import Const, Source
 from seafoam.framegraph.rules import Uniform, number, significant, vector
 from seafoam.quality import Quality
 from seafoam.scene.shore import Shore

@@ -5,7 +5,8 @@ docs/formulae.md, section 8.
 
 import math
 
-from seafoam.effects.effect import PassSpec, Piece, refine
+from seafoam.effects.effect import PassSpec
+from seafoam.effects.shader import Piece, refine
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput
 from seafoam.framegraph.rules import Phase, Rule, Uniform, array, number, significant, vector
 from seafoam.quality import Quality

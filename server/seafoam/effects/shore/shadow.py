@@ -2,8 +2,9 @@
 
 import math
 
-from seafoam.effects.effect import Bound, Contribution, Effect, QualityParameter, SlotFile
+from seafoam.effects.effect import Bound, Contribution, Effect, QualityParameter
 from seafoam.effects.light.light import sun_direction, sun_irradiance
+from seafoam.effects.shader import SlotFile
 from seafoam.effects.shore.limits import limits
 from seafoam.effects.shore.maps import GROUND
 from seafoam.framegraph.resources import TargetInput

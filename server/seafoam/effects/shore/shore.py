@@ -3,17 +3,9 @@
 import math
 
 from seafoam.effects.bounds import FLOOR_FIELDS, floor_limit, max_displacement
-from seafoam.effects.effect import (
-    MARCH_AHEAD,
-    Bound,
-    Const,
-    Contribution,
-    Effect,
-    QualityParameter,
-    SlotFile,
-    TextureUse,
-)
+from seafoam.effects.effect import Bound, Contribution, Effect, QualityParameter, TextureUse
 from seafoam.effects.noise import VALUE_NOISE
+from seafoam.effects.shader import MARCH_AHEAD, Const, SlotFile
 from seafoam.effects.shore.land import LAND_LIGHT, shallow_files, soil_consts, soil_files, soil_uniforms, wet_files
 from seafoam.effects.shore.limits import Limits, limits, rounded_up
 from seafoam.effects.shore.maps import FIND_LAND, GROUND, MARCH_GROUND, MAXIMA, blur_deviation, map_passes, map_targets

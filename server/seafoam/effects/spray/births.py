@@ -8,7 +8,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from seafoam.effects.bounds import parametric_wave_height
-from seafoam.effects.effect import Const, Inline, PassSpec, Piece, Resources, SlotRef, TextureUse
+from seafoam.effects.effect import PassSpec, Resources, TextureUse
+from seafoam.effects.shader import Const, Inline, Piece, SlotRef
 from seafoam.effects.shore.maps import MASK_WAVES, mask_uniforms
 from seafoam.effects.waves.groups import earlier_files, group_bounds
 from seafoam.effects.waves.parametric import max_profile_slope

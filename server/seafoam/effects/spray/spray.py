@@ -3,23 +3,10 @@
 import math
 
 from seafoam.effects.boats.boat import TRACE
-from seafoam.effects.effect import (
-    ABOVE,
-    Bound,
-    Const,
-    Contribution,
-    Effect,
-    Inline,
-    PassSpec,
-    Piece,
-    QualityParameter,
-    Resources,
-    SlotRef,
-    Source,
-    TextureUse,
-)
+from seafoam.effects.effect import ABOVE, Bound, Contribution, Effect, PassSpec, QualityParameter, Resources, TextureUse
 from seafoam.effects.light.light import ILLUMINATION
 from seafoam.effects.noise import HASH
+from seafoam.effects.shader import Const, Inline, Piece, SlotRef, Source
 from seafoam.effects.shore.maps import FIND_LAND
 from seafoam.effects.spray.births import Births, births
 from seafoam.framegraph.passes import Quads

@@ -5,8 +5,9 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from seafoam.effects.bounds import FLOOR_FIELDS, floor_limit, min_surface_height
-from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, Resources, SlotFile
+from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, Resources
 from seafoam.effects.light.light import sun_direction
+from seafoam.effects.shader import SlotFile
 from seafoam.effects.waves.ripples import ripple_phases
 from seafoam.framegraph.passes import Grid, Points
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput

@@ -1,10 +1,9 @@
 """The view from below the surface: Snell's window, total reflection, the floor. docs/formulae.md, section 11."""
 
-from seafoam.effects.effect import Contribution, Effect, SlotFile
+from seafoam.effects.effect import Contribution, Effect
+from seafoam.effects.shader import SlotFile
 from seafoam.quality import Quality
-from seafoam.scene.models import (
-    Scene,
-)
+from seafoam.scene.models import Scene
 
 WATER = "water/underside.glsl@water"
 """Absorption and scattering between a camera below the surface and what it sees."""

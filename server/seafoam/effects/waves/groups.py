@@ -3,8 +3,9 @@
 import math
 from dataclasses import dataclass
 
-from seafoam.effects.effect import Piece, Resources, Source, constant_function
+from seafoam.effects.effect import Resources
 from seafoam.effects.noise import HASH
+from seafoam.effects.shader import Piece, Source, constant_function
 from seafoam.framegraph.rules import Wrap, array, vector
 from seafoam.ocean.groups import PERIOD, group_cells, group_key, group_velocity, in_groups
 from seafoam.scene.models import Scene

@@ -3,7 +3,8 @@
 docs/formulae.md, section 3.
 """
 
-from seafoam.effects.effect import Inline, PassSpec, Resources
+from seafoam.effects.effect import PassSpec, Resources
+from seafoam.effects.shader import Inline
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.framegraph.rules import number
 

@@ -3,8 +3,9 @@
 import math
 
 from seafoam.effects.bounds import parametric_wave_height, waves_bound
-from seafoam.effects.effect import UNBOUNDED, Contribution, Effect, QualityParameter, SlotFile
+from seafoam.effects.effect import UNBOUNDED, Contribution, Effect, QualityParameter
 from seafoam.effects.foam.living import carries
+from seafoam.effects.shader import SlotFile
 from seafoam.effects.waves.groups import PLACE, carry_files, group_bounds, group_part, wave_files
 from seafoam.framegraph.rules import Constant, Phase, array, number, rounded, significant
 from seafoam.ocean.dispersion import angular_frequency, wavevector

@@ -8,17 +8,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from seafoam.effects.bounds import waves_bound
-from seafoam.effects.effect import (
-    HALF_FLOAT,
-    Bound,
-    Const,
-    Contribution,
-    Effect,
-    PassSpec,
-    QualityParameter,
-    Resources,
-    SlotFile,
-)
+from seafoam.effects.effect import HALF_FLOAT, Bound, Contribution, Effect, PassSpec, QualityParameter, Resources
+from seafoam.effects.shader import Const, SlotFile
 from seafoam.effects.waves.measured import measured_bounds
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.framegraph.rules import Clamp, Constant, Loop, Rule, Uniform, array, number, significant

@@ -4,8 +4,9 @@ import math
 from collections.abc import Sequence
 
 from seafoam.effects.bounds import slope_sensitivity
-from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, Resources, SlotFile, Source
+from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, Resources
 from seafoam.effects.noise import PERLIN_3, drifting_noise
+from seafoam.effects.shader import SlotFile, Source
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.framegraph.rules import Constant, Phase, Uniform, Wrap, array, in_tile, number, rounded, significant
 from seafoam.ocean.ripples import BANDS, SHIFTS, TURN, WAVES_PER_TILE, Ripple, ripple_cascades, tiles

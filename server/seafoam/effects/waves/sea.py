@@ -9,16 +9,15 @@ from seafoam.effects.bounds import max_surface_height, min_surface_height, waves
 from seafoam.effects.effect import (
     HALF_FLOAT,
     Bound,
-    Const,
     Contribution,
     Effect,
     PassSpec,
     QualityParameter,
     Resources,
-    SlotFile,
     TextureUse,
 )
 from seafoam.effects.foam.living import carries
+from seafoam.effects.shader import Const, SlotFile
 from seafoam.effects.waves.measured import measured_bounds
 from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, TargetInput, TextureInput
 from seafoam.framegraph.rules import Constant, Loop, Phase, Uniform, array, in_tile, number, significant, vector

@@ -5,7 +5,8 @@ docs/formulae.md, section 2.
 
 import math
 
-from seafoam.effects.effect import Bound, Contribution, Effect, SlotFile
+from seafoam.effects.effect import Bound, Contribution, Effect
+from seafoam.effects.shader import SlotFile
 from seafoam.framegraph.rules import Clamp, Constant, Rule, Term, array, significant
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.rings import FRONT, SOFT
