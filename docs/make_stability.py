@@ -35,8 +35,8 @@ reference, ``swiftshader`` (levels)."""
 
 def drawn(case: HardCase) -> str:
     """Hash of what is drawn of a case: scene, times and camera, without what is at its default."""
-    camera = case.camera.model_dump(mode="json", exclude_defaults=True) if case.camera else None
-    what = [case.scene.model_dump(mode="json", exclude_defaults=True), case.times, camera]
+    scene, camera = (each.model_dump(mode="json", exclude_defaults=True) for each in (case.scene, case.camera))
+    what = [scene, case.times, camera]
     return hashlib.sha256(json.dumps(what, sort_keys=True).encode()).hexdigest()[:12]
 
 

@@ -15,8 +15,8 @@ _BEACH = Shore(size=160.0, radius=25.0, depth=6.0, slope=0.1, smoothing=3.0, sur
 
 _HARD = (
     HardCase(
-        name="a boat on a breaking crest",
-        scene=Scene(
+        "a boat on a breaking crest",
+        Scene(
             waves=(ParametricWave(amplitude=6.0, wavelength=12.0, exponent=6.0, direction=1.2),),
             boats=(_NEAR.model_copy(update={"smoothing": 0.0, "length": 4.0, "bearing": 1.45}),),
         ),
@@ -26,8 +26,8 @@ _HARD = (
         camera=Camera(position=(0.0, 9.0, 16.0), pitch=-0.2),
     ),
     HardCase(
-        name="a boat on dry land",
-        scene=Scene(
+        "a boat on dry land",
+        Scene(
             shore=_BEACH,
             boats=(Boat(centre=(-10.0, 0.0), radius=9.0, bearing=0.5, speed=0.0, length=6.0),),
             light=Light(sun_elevation=0.7, sun_azimuth=2.0, exposure=-2.0),
@@ -38,8 +38,8 @@ _HARD = (
         camera=Camera(position=(-30.0, 7.0, 9.0), yaw=1.4, pitch=-0.2),
     ),
     HardCase(
-        name="a boat ten thousand kilometres away, after thirty years",
-        scene=Scene(
+        "a boat ten thousand kilometres away, after thirty years",
+        Scene(
             waves=(ParametricWave(amplitude=0.3, wavelength=9.0),),
             boats=(_NEAR.model_copy(update={"centre": (-9999990.0, 9999980.0), "speed": 3.0}),),
         ),
@@ -50,15 +50,15 @@ _HARD = (
         camera=Camera(position=(-9999990.0, 9.0, 10000000.0), pitch=-0.2),
     ),
     HardCase(
-        name="eye in a boat",
-        scene=Scene(boats=(Boat(centre=(0.0, -50.0), radius=50.0, length=30.0, bearing=1.57, speed=0.0),)),
+        "eye in a boat",
+        Scene(boats=(Boat(centre=(0.0, -50.0), radius=50.0, length=30.0, bearing=1.57, speed=0.0),)),
         guard="intersections behind the camera are discarded (boats/hull.glsl@hull)",
         without="10 % of samples off by more than 2 levels: parts behind the camera are drawn in front of it",
         camera=Camera(position=(0.0, 1.0, 1.0), pitch=-0.2),
     ),
     HardCase(
-        name="rays along a boat's own axes",
-        scene=Scene(boats=(_NEAR.model_copy(update={"bearing": 0.0, "centre": (-15.0, -12.0)}),), light=Light()),
+        "rays along a boat's own axes",
+        Scene(boats=(_NEAR.model_copy(update={"bearing": 0.0, "centre": (-15.0, -12.0)}),), light=Light()),
         guard="quadratic coefficients of at least 1e-7, cosines to planes of at least 1e-9 (boats/hull.glsl@hull)",
         without="no change on llvmpipe: no ray of the frame is exactly parallel to an axis",
         camera=Camera(position=(0.0, 0.7, 0.0), pitch=0.0, fov=0.6),

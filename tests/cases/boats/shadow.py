@@ -9,8 +9,8 @@ from support.cases import Cases, HardCase
 
 _HARD = (
     HardCase(
-        name="shadow of a boat under a low sun over a floor",
-        scene=Scene(
+        "shadow of a boat under a low sun over a floor",
+        Scene(
             boats=(Boat(centre=(-13.4, -18.1), radius=14.0, bearing=0.3, speed=0.0, length=9.0),),
             light=Light(sun_elevation=0.25, sun_azimuth=0.6, exposure=-2.0),
             water=Water(depth=1.5, floor_tile=1.0, scattering=0.05, absorption_length=(4.0, 20.0, 30.0)),

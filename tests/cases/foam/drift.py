@@ -30,8 +30,8 @@ _INVISIBLE = (
 
 _HARD = (
     HardCase(
-        name="the centre of a vortex in the middle of a pixel",
-        scene=Scene(light=_LIGHT, drift=_EDDY, foam=_FOAM),
+        "the centre of a vortex in the middle of a pixel",
+        Scene(light=_LIGHT, drift=_EDDY, foam=_FOAM),
         guard="a series for (1 - e^-y)/y at small y, where the difference cancels (foam/drift.glsl@flow)",
         without="NaN at the centre, and 147 000 m/s close to it, where y is subnormal",
         times=(0.0, 17.0),
@@ -40,8 +40,8 @@ _HARD = (
         coarse_share=0.12,
     ),
     HardCase(
-        name="a hundred texels a step",
-        scene=Scene(light=_LIGHT, drift=_with(current=(17.0, -5.0)), foam=_FOAM),
+        "a hundred texels a step",
+        Scene(light=_LIGHT, drift=_with(current=(17.0, -5.0)), foam=_FOAM),
         guard="texels are traced back along the flow, so that each has a value for any step "
         "(foam/drift_passes.glsl@backward)",
         without="points that are moved forward have all left the map: no foam instead of 38 %",
@@ -49,8 +49,8 @@ _HARD = (
         camera=_VIEW,
     ),
     HardCase(
-        name="a vortex that turns twice a second",
-        scene=Scene(
+        "a vortex that turns twice a second",
+        Scene(
             light=_LIGHT,
             drift=_with(vortices=(Vortex(place=(0.0, -6.0), radius=0.28, speed=2.0),)),
             foam=Foam(saturation=(DriftSaturation(life=12.0),), mask="clump", mask_tile=4.0),
@@ -61,8 +61,8 @@ _HARD = (
         camera=Camera(position=(0.0, 3.0, -6.0), pitch=-math.pi / 2),
     ),
     HardCase(
-        name="a vortex that has ground its foam finer than texels",
-        scene=Scene(
+        "a vortex that has ground its foam finer than texels",
+        Scene(
             light=_LIGHT,
             drift=_with(current=(0.0, 0.0), vortices=(Vortex(place=(0.0, -6.0), radius=1.2, speed=2.0),)),
             foam=Foam(saturation=(DriftSaturation(life=60.0, patch=1.0),), mask="clump", mask_tile=4.0),
@@ -73,16 +73,16 @@ _HARD = (
         camera=Camera(position=(0.0, 6.0, -6.0), pitch=-math.pi / 2),
     ),
     HardCase(
-        name="drifting foam a thousand million seconds from now",
-        scene=Scene(light=_LIGHT, drift=_EDDY, foam=_FOAM),
+        "drifting foam a thousand million seconds from now",
+        Scene(light=_LIGHT, drift=_EDDY, foam=_FOAM),
         guard="ages and the number of the generation reduced in float64 (framegraph/evaluation.py)",
         without="in float32 the time is a multiple of 64 s: ages are off by up to a lifetime",
         times=(-1e9, 1e9 + 3.1),
         camera=_VIEW,
     ),
     HardCase(
-        name="drifting foam ten thousand kilometres away",
-        scene=Scene(
+        "drifting foam ten thousand kilometres away",
+        Scene(
             light=_LIGHT,
             drift=_with(
                 place=(9.99e6, -9.99e6), vortices=(Vortex(place=(9.99e6 + 1.3, -9.99e6 + 3.7)),), current=(0.3, 0.1)
@@ -95,8 +95,8 @@ _HARD = (
         camera=Camera(position=(9.99e6, 9.0, -9.99e6 + 18.0), pitch=-0.5),
     ),
     HardCase(
-        name="more drifting foam than the water holds, times foam by height",
-        scene=Scene(
+        "more drifting foam than the water holds, times foam by height",
+        Scene(
             light=_LIGHT,
             waves=(ParametricWave(amplitude=0.2, wavelength=5.0),),
             drift=_EDDY,
@@ -116,8 +116,8 @@ _HARD = (
         camera=_VIEW,
     ),
     HardCase(
-        name="no current and no vortex",
-        scene=Scene(light=_LIGHT, drift=_with(current=(0.0, 0.0), vortices=()), foam=_FOAM),
+        "no current and no vortex",
+        Scene(light=_LIGHT, drift=_with(current=(0.0, 0.0), vortices=()), foam=_FOAM),
         guard="without vortices the shader's array holds one of speed 0 (effects/foam/drift.py)",
         without="an array of length 0, which GLSL ES does not compile",
         times=(12.0,),

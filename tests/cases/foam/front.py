@@ -15,8 +15,8 @@ _INVISIBLE = (
 
 _HARD = (
     HardCase(
-        name="the pole of every crest, C 0.25",
-        scene=Scene(
+        "the pole of every crest, C 0.25",
+        Scene(
             waves=(ParametricWave(amplitude=0.0, wavelength=2.0),),
             foam=Foam(saturation=(FrontSaturation(intensity=0.25),), look="halftone"),
         ),
@@ -26,8 +26,8 @@ _HARD = (
         camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
     ),
     HardCase(
-        name="the pole of the listing, C 100",
-        scene=Scene(
+        "the pole of the listing, C 100",
+        Scene(
             waves=(ParametricWave(amplitude=0.0, wavelength=2.0),),
             foam=Foam(saturation=(FrontSaturation(intensity=100.0, constants="listing"),), look="listing"),
         ),
@@ -36,8 +36,8 @@ _HARD = (
         camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
     ),
     HardCase(
-        name="no phase at all: waves in antiphase",
-        scene=Scene(
+        "no phase at all: waves in antiphase",
+        Scene(
             waves=(ParametricWave(amplitude=0.0), ParametricWave(amplitude=0.0, phase=math.pi)),
             foam=Foam(look="textured"),
         ),
@@ -48,18 +48,17 @@ _HARD = (
         coarse_apart="what is drawn is rounding",
     ),
     HardCase(
-        name="filtered, where the phase turns endlessly fast",
-        scene=Scene(waves=(ParametricWave(amplitude=0.0), ParametricWave(amplitude=0.0, phase=math.pi)), foam=Foam()),
+        "filtered, where the phase turns endlessly fast",
+        Scene(waves=(ParametricWave(amplitude=0.0), ParametricWave(amplitude=0.0, phase=math.pi)), foam=Foam()),
         guard="rho² at least 1e-4 in the phase's gradient, phase width at most 1e4 rad "
         "(foam/saturation/front.glsl@filtered)",
         without="4 % of samples on the wrong side of the threshold, up to 237 levels off",
-        camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
         apart="the phase of a sum that is 0 is rounding",
         coarse_apart="what is drawn is rounding",
     ),
     HardCase(
-        name="patches anywhere, at any time",
-        scene=Scene(
+        "patches anywhere, at any time",
+        Scene(
             waves=(ParametricWave(amplitude=0.3), ParametricWave(amplitude=0.3, direction=0.5)),
             foam=Foam(saturation=(FrontSaturation(group=(0.3, 0.9), decay=3.0, variation=0.3, variation_size=5.0),)),
         ),
@@ -69,8 +68,8 @@ _HARD = (
         camera=Camera(position=(-1e7, 3.0, 1e7), yaw=1.0, pitch=-0.3),
     ),
     HardCase(
-        name="a gate without width",
-        scene=Scene(
+        "a gate without width",
+        Scene(
             waves=(ParametricWave(amplitude=0.3), ParametricWave(amplitude=0.3, direction=0.5)),
             foam=Foam(
                 saturation=(FrontSaturation(group=(0.5, 0.5)), HeightSaturation(base=-0.5, full=2.0)),
@@ -80,11 +79,10 @@ _HARD = (
         ),
         guard="upper group threshold at least 1e-4 above the lower one (effects/foam/front.py)",
         without="smoothstep(a, a): undefined in GLSL, a step function on llvmpipe",
-        camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
     ),
     HardCase(
-        name="footprints from a hair to the horizon",
-        scene=Scene(
+        "footprints from a hair to the horizon",
+        Scene(
             waves=(
                 ParametricWave(amplitude=0.01, wavelength=0.05),
                 ParametricWave(amplitude=0.3, wavelength=2000.0),
@@ -98,8 +96,8 @@ _HARD = (
         camera=Camera(position=(0.0, 0.8, 0.0), pitch=-0.2),
     ),
     HardCase(
-        name="waves that hide their backs, an eye as high as their crests",
-        scene=Scene(
+        "waves that hide their backs, an eye as high as their crests",
+        Scene(
             waves=(
                 ParametricWave(amplitude=0.5, wavelength=8.0, exponent=2.0),
                 ParametricWave(amplitude=0.2, wavelength=5.0, direction=0.6),

@@ -14,23 +14,23 @@ _FOAM = Foam(saturation=(HeightSaturation(base=-0.4, full=0.6),), mask="lace", o
 
 _HARD = (
     HardCase(
-        name="foam that has drifted for thirty years",
-        scene=Scene(waves=(ParametricWave(amplitude=0.2, wavelength=6.0),), foam=_FOAM),
+        "foam that has drifted for thirty years",
+        Scene(waves=(ParametricWave(amplitude=0.2, wavelength=6.0),), foam=_FOAM),
         guard="displacement by the drift reduced in float64 to a phase of the mask (effects/foam/look.py)",
         without="in float32 at 1e9 s: 29 % of samples off by more than 2 levels, mean 29",
         times=(-1e9, 1e9),
         camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.3),
     ),
     HardCase(
-        name="foam of any age, ten thousand kilometres away",
-        scene=Scene(waves=(ParametricWave(amplitude=0.2, wavelength=6.0),), foam=_FOAM),
+        "foam of any age, ten thousand kilometres away",
+        Scene(waves=(ParametricWave(amplitude=0.2, wavelength=6.0),), foam=_FOAM),
         guard="camera position in the windrows' noise reduced in float64 (effects/foam/living.py)",
         without="in float32: 14 % of samples off by more than 2 levels, mean 4.2: the windrows are in other places",
         camera=Camera(position=(9.99e6, 1.4, -9.99e6), yaw=1.0, pitch=-0.3),
     ),
     HardCase(
-        name="foam next to none and next to whole, of all ages",
-        scene=Scene(
+        "foam next to none and next to whole, of all ages",
+        Scene(
             waves=(ParametricWave(amplitude=1.0, wavelength=6.0, exponent=2.0),),
             foam=_FOAM.model_copy(update={"saturation": (HeightSaturation(base=0.0, full=1.0),)}),
         ),
@@ -41,8 +41,8 @@ _HARD = (
         camera=Camera(position=(0.37, 12.0, -0.21), yaw=1.0, pitch=-0.6),
     ),
     HardCase(
-        name="foam on a coast without surf",
-        scene=Scene(
+        "foam on a coast without surf",
+        Scene(
             light=None,
             shore=Shore(size=160.0, depth=6.0, slope=0.1, smoothing=3.0),
             foam=_FOAM,

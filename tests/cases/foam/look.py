@@ -29,49 +29,42 @@ _INVISIBLE = (
 
 _HARD = (
     HardCase(
-        name="filtered, a hair above nothing",
-        scene=Scene(
-            foam=Foam(saturation=(HeightSaturation(base=-6.103515625e-05, full=0.99993896484375),), look="filtered")
-        ),
+        "filtered, a hair above nothing",
+        Scene(foam=Foam(saturation=(HeightSaturation(base=-6.103515625e-05, full=0.99993896484375),), look="filtered")),
         guard="amount 0 at saturation 0 and 1 at 1, by a step of 1/256 at each end (foam/look.glsl@filtered)",
         without="3.3 levels too bright in the mean where there should be almost no foam",
-        camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
     ),
     HardCase(
-        name="filtered, a hair below all",
-        scene=Scene(
-            foam=Foam(saturation=(HeightSaturation(base=-0.99993896484375, full=6.103515625e-05),), look="filtered")
-        ),
+        "filtered, a hair below all",
+        Scene(foam=Foam(saturation=(HeightSaturation(base=-0.99993896484375, full=6.103515625e-05),), look="filtered")),
         guard="amount 0 at saturation 0 and 1 at 1, by a step of 1/256 at each end (foam/look.glsl@filtered)",
         without="holes by rounding: 0 levels on llvmpipe",
-        camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
     ),
     HardCase(
-        name="thresholds next to 0 and to 1",
-        scene=Scene(
+        "thresholds next to 0 and to 1",
+        Scene(
             foam=Foam(saturation=(HeightSaturation(base=-1.52587890625e-05, full=0.9999847412109375),), look="halftone")
         ),
         guard="thresholds in the middle of their ranks, (rank + 1/2)/N (foam/mask.glsl@texel_u16)",
         without="the lowest rank has threshold 0: foam at one texel of 262 144 for any f",
-        camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
     ),
     HardCase(
-        name="a mask at a thousandth of a texel a pixel",
-        scene=Scene(foam=Foam(saturation=(HeightSaturation(base=-0.5, full=0.5),), look="filtered", mask_tile=1000.0)),
+        "a mask at a thousandth of a texel a pixel",
+        Scene(foam=Foam(saturation=(HeightSaturation(base=-0.5, full=0.5),), look="filtered", mask_tile=1000.0)),
         guard="half width of the edge at least 5e-4, in thresholds (foam/look.glsl@filtered)",
         without="no change on llvmpipe: 0/0 where the mask is constant under a footprint, which is nowhere here",
         camera=Camera(position=(0.0, 0.1, 0.0), pitch=-math.pi / 2),
     ),
     HardCase(
-        name="a mask at a thousand texels a pixel",
-        scene=Scene(foam=Foam(saturation=(HeightSaturation(base=-0.5, full=0.5),), look="filtered", mask_tile=0.05)),
+        "a mask at a thousand texels a pixel",
+        Scene(foam=Foam(saturation=(HeightSaturation(base=-0.5, full=0.5),), look="filtered", mask_tile=0.05)),
         guard="level at most the last one, a single texel for the whole mask (foam/look.glsl@filtered)",
         without="a level that does not exist: every sample off by 242 levels",
         camera=Camera(position=(0.0, 5.0, 0.0), pitch=-math.pi / 2),
     ),
     HardCase(
-        name="needles: footprints of a tenth of a texel by a thousand",
-        scene=Scene(
+        "needles: footprints of a tenth of a texel by a thousand",
+        Scene(
             foam=Foam(
                 saturation=(HeightSaturation(base=-0.4, full=0.6),), look="filtered", mask="vac-1.5", mask_tile=1.0
             )
@@ -81,15 +74,14 @@ _HARD = (
         camera=Camera(position=(0.3, 0.02, 0.1), pitch=-0.01),
     ),
     HardCase(
-        name="a fade too small for float32",
-        scene=Scene(waves=(ParametricWave(),), foam=Foam(fade=1e-40), light=None),
+        "a fade too small for float32",
+        Scene(waves=(ParametricWave(),), foam=Foam(fade=1e-40), light=None),
         guard="divisor of the ramp at least 1e-30 (foam/look.glsl@filtered)",
         without="NaN in 67 % of samples: subnormal numbers are flushed to 0, so 0/0",
-        camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
     ),
     HardCase(
-        name="four octaves, a hair below all",
-        scene=Scene(
+        "four octaves, a hair below all",
+        Scene(
             foam=Foam(
                 saturation=(HeightSaturation(base=-0.99993896484375, full=6.103515625e-05),),
                 look="filtered",
@@ -102,8 +94,8 @@ _HARD = (
         camera=Camera(position=(0.37, 0.3, -0.21), yaw=1.0, pitch=-0.3),
     ),
     HardCase(
-        name="four octaves, ten thousand kilometres away",
-        scene=Scene(
+        "four octaves, ten thousand kilometres away",
+        Scene(
             foam=Foam(
                 saturation=(HeightSaturation(base=-0.4, full=0.6),),
                 look="filtered",
@@ -118,8 +110,8 @@ _HARD = (
         camera=Camera(position=(9.99e6, 0.4, -9.99e6), yaw=1.0, pitch=-0.5),
     ),
     HardCase(
-        name="a mask turned in each cell, ten thousand kilometres away",
-        scene=Scene(
+        "a mask turned in each cell, ten thousand kilometres away",
+        Scene(
             foam=Foam(saturation=(HeightSaturation(base=-0.4, full=0.6),), look="filtered", cells=True, mask_tile=0.7)
         ),
         guard="camera position as whole cells and a fraction, both reduced in float64 (effects/foam/look.py)",
@@ -127,8 +119,8 @@ _HARD = (
         camera=Camera(position=(9.99e6, 2.4, -9.99e6), yaw=1.0, pitch=-0.5),
     ),
     HardCase(
-        name="a mask turned in each cell, a hair below all",
-        scene=Scene(
+        "a mask turned in each cell, a hair below all",
+        Scene(
             waves=(ParametricWave(amplitude=1e-3, wavelength=3.0),),
             foam=Foam(saturation=(HeightSaturation(base=-0.9995, full=0.0005),), cells=True, mask_tile=1.5),
             light=None,
@@ -138,8 +130,8 @@ _HARD = (
         camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
     ),
     HardCase(
-        name="a mask turned in each cell, its thresholds hard",
-        scene=Scene(
+        "a mask turned in each cell, its thresholds hard",
+        Scene(
             foam=Foam(
                 saturation=(HeightSaturation(base=-0.4, full=0.6),),
                 look="halftone_textured",
@@ -154,8 +146,8 @@ _HARD = (
         camera=Camera(position=(3.0, 1.6, -9.0), yaw=2.0, pitch=-0.5),
     ),
     HardCase(
-        name="black foam over the brightest glitter",
-        scene=Scene(
+        "black foam over the brightest glitter",
+        Scene(
             foam=Foam(saturation=(HeightSaturation(base=-0.99, full=0.01),), mask_tile=1000.0, fade=0.1, albedo=0.0),
             water=Water(roughness=0.01),
             light=Light(sun_elevation=0.3, exposure=10.0, visibility=1e6),
@@ -167,10 +159,8 @@ _HARD = (
         bounds=Bounds(mean=8.0, share=0.15),
     ),
     HardCase(
-        name="a foam texture far under a texel",
-        scene=Scene(
-            foam=Foam(saturation=(HeightSaturation(base=-1.0, full=1.0),), look="textured", texture_tile=1000.0)
-        ),
+        "a foam texture far under a texel",
+        Scene(foam=Foam(saturation=(HeightSaturation(base=-1.0, full=1.0),), look="textured", texture_tile=1000.0)),
         guard="footprint at least 1e-6 texels before the logarithm (foam/mask.glsl@texture)",
         without="no change on llvmpipe: log2(0) is -infinity and the level is clamped to 0",
         camera=Camera(position=(0.37, 1e-3, -0.21), pitch=-0.3),

@@ -25,15 +25,15 @@ _INVISIBLE = (
 
 _HARD = (
     HardCase(
-        name="foam under a low sun",
-        scene=Scene(light=Light(sun_elevation=0.1, sun_azimuth=2.0), foam=_FOAM),
+        "foam under a low sun",
+        Scene(light=Light(sun_elevation=0.1, sun_azimuth=2.0), foam=_FOAM),
         guard="sine of the sun's elevation at least 1/4 in the length of shadows (foam/shading.glsl@relief)",
         without="shadows of 0.5 m instead of 0.2 m: 23 % of samples off by more than 2 levels, mean 2.2",
         camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.3),
     ),
     HardCase(
-        name="foam under a sun overhead",
-        scene=Scene(light=Light(sun_elevation=math.pi / 2), foam=_FOAM),
+        "foam under a sun overhead",
+        Scene(light=Light(sun_elevation=math.pi / 2), foam=_FOAM),
         guard="shadows shorter than a footprint fade out, with a length of at least 1e-6 m as divisor "
         "(foam/shading.glsl@relief)",
         without="not faded, foam shadows itself: 9 % of samples off by more than 2 levels, mean 0.9; a length of 0: "
@@ -41,8 +41,8 @@ _HARD = (
         camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.3),
     ),
     HardCase(
-        name="foam with the eye all but on it",
-        scene=Scene(
+        "foam with the eye all but on it",
+        Scene(
             light=Light(),
             foam=_FOAM.model_copy(update={"thickness": 1.0, "mask_tile": 0.05}),
         ),

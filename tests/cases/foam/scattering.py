@@ -28,8 +28,8 @@ def _foam(layer: FoamScattering) -> Foam:
 
 _HARD = (
     HardCase(
-        name="flat foam seen along its surface against the sun",
-        scene=Scene(
+        "flat foam seen along its surface against the sun",
+        Scene(
             light=Light(sun_elevation=0.0, sun_azimuth=0.0, exposure=-3.0),
             foam=_foam(FoamScattering(optical_depth=0.5, roughness=0.0, forward=1.0)),
             water=Water(roughness=0.05),

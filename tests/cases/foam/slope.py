@@ -1,7 +1,5 @@
 """Hard cases of foam.slope, and scenes that name it but in which it is invisible."""
 
-import math
-
 from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Foam, HeightSaturation, SlopeSaturation
 from seafoam.scene.models import Scene
@@ -19,8 +17,8 @@ _INVISIBLE = (
 
 _HARD = (
     HardCase(
-        name="foam on walls",
-        scene=Scene(
+        "foam on walls",
+        Scene(
             waves=(ParametricWave(amplitude=3.0, wavelength=4.0, exponent=6.0),),
             foam=Foam(saturation=(SlopeSaturation(gain=1000.0),), look="fading"),
         ),
@@ -29,18 +27,8 @@ _HARD = (
         camera=Camera(position=(0.0, 6.0, 0.0), pitch=-0.5),
     ),
     HardCase(
-        name="foam on a cusp",
-        scene=Scene(
-            waves=(ParametricWave(amplitude=0.4, wavelength=3.0, exponent=0.3),),
-            foam=Foam(saturation=(SlopeSaturation(blur=0.3), HeightSaturation()), look="textured"),
-        ),
-        guard="1 - n.y computed from 1 + slope², not from a quotient of slopes (foam/saturation/slope.glsl@lack)",
-        without="no change here: slopes are limited at the trough (waves/parametric.glsl)",
-        camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
-    ),
-    HardCase(
-        name="foam on the steepest of many rings",
-        scene=Scene(
+        "foam on the steepest of many rings",
+        Scene(
             rings=tuple(
                 Ring(place=(0.4 * i, -8.0), birth=-0.1 * i, amplitude=0.05, decay=0.3, wavelength=0.8 + 0.2 * i)
                 for i in range(8)

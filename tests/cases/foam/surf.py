@@ -1,7 +1,7 @@
 """Hard cases of foam.surf, and scenes that name it but in which it is invisible."""
 
 from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, HeightSaturation, SurfSaturation
+from seafoam.scene.foam import Foam, SurfSaturation
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore, Surf
@@ -22,35 +22,8 @@ _INVISIBLE = (
 
 _HARD = (
     HardCase(
-        name="foam that is gone in a fiftieth of a period",
-        scene=Scene(
-            light=_LIGHT,
-            shore=_BEACH,
-            foam=Foam(saturation=(SurfSaturation(amount=4.0, life=0.02, veil=1.0),), look="halftone"),
-        ),
-        guard="f at most 4 (foam/saturation/surf.glsl@surf)",
-        without="no change in the frame, since thresholds end at 1; f itself reaches 11.6",
-        times=(0.0, 2.3),
-        camera=_VIEW,
-    ),
-    HardCase(
-        name="surf foam and height foam multiplied",
-        scene=Scene(
-            light=_LIGHT,
-            shore=_BEACH,
-            foam=Foam(
-                saturation=(SurfSaturation(), HeightSaturation(base=-0.5, full=0.5)),
-                combine="product",
-                mask="clump",
-            ),
-        ),
-        guard="the filtered look clamps each saturation to 1 before the product (foam/saturation/surf.glsl@surf)",
-        without="no change here: the product is below 1 wherever the surf's saturation is above 1",
-        camera=_VIEW,
-    ),
-    HardCase(
-        name="surf foam on water as level as its ground",
-        scene=Scene(
+        "surf foam on water as level as its ground",
+        Scene(
             light=_LIGHT,
             shore=_BEACH.model_copy(update={"slope": 0.01, "surf": Surf(height=0.05)}),
             foam=_FOAM,
@@ -61,8 +34,8 @@ _HARD = (
         camera=_VIEW,
     ),
     HardCase(
-        name="foam where no way leads to the shore",
-        scene=Scene(
+        "foam where no way leads to the shore",
+        Scene(
             light=_LIGHT,
             shore=_BEACH.model_copy(update={"kind": "islands", "radius": 12.0, "smoothing": 0.0}),
             foam=_FOAM,

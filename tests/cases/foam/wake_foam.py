@@ -16,8 +16,8 @@ _INVISIBLE = (Scene(foam=_FOAM), Scene(foam=_FOAM, boats=(_BOAT.model_copy(updat
 
 _HARD = (
     HardCase(
-        name="foam at the centre of a boat's circle",
-        scene=Scene(
+        "foam at the centre of a boat's circle",
+        Scene(
             boats=(_BOAT.model_copy(update={"radius": 13.5, "speed": 20.0}),),
             foam=Foam(saturation=(WakeSaturation(amount=4.0, life=60.0, bow=4.0),), look="halftone"),
         ),
@@ -29,8 +29,8 @@ _HARD = (
         bounds=Bounds(mean=1.0, share=0.01),
     ),
     HardCase(
-        name="white water along a heeled hull, from its keel line to far abeam",
-        scene=Scene(
+        "white water along a heeled hull, from its keel line to far abeam",
+        Scene(
             boats=(_BOAT.model_copy(update={"heel": 0.6}), _BOAT.model_copy(update={"kind": "motor", "bearing": 2.6})),
             foam=Foam(saturation=(WakeSaturation(amount=0.0, bow=0.0, contact=4.0),), look="textured"),
         ),

@@ -15,8 +15,8 @@ _INVISIBLE = (
 
 _HARD = (
     HardCase(
-        name="foam of an hour's gale, from near to the horizon",
-        scene=Scene(sea=Sea(wind=20.0), foam=Foam(saturation=(WhitecapSaturation(),), look="fading")),
+        "foam of an hour's gale, from near to the horizon",
+        Scene(sea=Sea(wind=20.0), foam=Foam(saturation=(WhitecapSaturation(),), look="fading")),
         guard="no average over a normal distribution where the footprint filters nothing out "
         "(foam/saturation/whitecap.glsl@whitecap)",
         without="no change on llvmpipe: t/0 is clamped to 6 standard deviations; 0/0 is undefined",
@@ -24,8 +24,8 @@ _HARD = (
         times=(3600.0,),
     ),
     HardCase(
-        name="more foam than there is sea",
-        scene=Scene(
+        "more foam than there is sea",
+        Scene(
             sea=Sea(wind=60.0, model="gerstner"),
             foam=Foam(saturation=(WhitecapSaturation(coverage=10.0, softness=0.01, decay=60.0),), look="textured"),
         ),
@@ -35,8 +35,8 @@ _HARD = (
         times=(1e9,),
     ),
     HardCase(
-        name="a sea too flat to fold",
-        scene=Scene(sea=Sea(wind=0.2, fetch=100.0), foam=Foam(saturation=(WhitecapSaturation(),))),
+        "a sea too flat to fold",
+        Scene(sea=Sea(wind=0.2, fetch=100.0), foam=Foam(saturation=(WhitecapSaturation(),))),
         guard="no foam where the mean square of J - 1, J the Jacobian, is below 1e-8 (ocean/whitecaps.py)",
         without="rounding of the Fourier transform makes whitecaps: foam on 0.06 % of a draft frame instead of none",
         camera=_NEAR,

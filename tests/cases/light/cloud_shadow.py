@@ -22,44 +22,44 @@ _INVISIBLE = (_scene(0.5, cover=0.0), _scene(0.5, thickness=0.0), _scene(-0.5))
 
 _HARD = (
     HardCase(
-        name="shadows of clouds anywhere, at any time",
-        scene=_scene(0.5),
+        "shadows of clouds anywhere, at any time",
+        _scene(0.5),
         guard="the camera's position in the noise is reduced in float64 (framegraph/evaluation.py)",
         without="in float32 shadows jump by whole clouds at 1e9 s",
         times=(-1e9, 0.0, 1e9),
         camera=Camera(position=(1e7, 30.0, -1e7), pitch=-0.2),
     ),
     HardCase(
-        name="shadows of clouds under a sun that touches the horizon",
-        scene=_scene(1e-3),
+        "shadows of clouds under a sun that touches the horizon",
+        _scene(1e-3),
         guard="the way to the clouds is that over a round earth (effects/light/cloud_shadow.py)",
         without="over a level one it is 400 km, and endless at the horizon",
         camera=Camera(position=(0.0, 30.0, 0.0), pitch=-0.2),
     ),
     HardCase(
-        name="shadows of clouds that leave next to no light",
-        scene=_scene(0.5, cover=1.0, thickness=50.0, softness=0.05),
+        "shadows of clouds that leave next to no light",
+        _scene(0.5, cover=1.0, thickness=50.0, softness=0.05),
         guard="a column's transmittance is divided by at least 1e-4 (effects/light/cloud_shadow.py)",
         without="a factor without limit in the gaps of an overcast sky",
         camera=Camera(position=(0.0, 30.0, 0.0), pitch=-0.2),
     ),
     HardCase(
-        name="shadows of clouds out to the horizon",
-        scene=_scene(0.5, size=50.0, height=200.0, softness=0.05),
+        "shadows of clouds out to the horizon",
+        _scene(0.5, size=50.0, height=200.0, softness=0.05),
         guard="noise finer than a footprint is replaced by its mean (light/clouds.glsl@shadow)",
         without="the far sea glitters where it mirrors the sun",
         camera=Camera(position=(0.0, 60.0, 0.0), yaw=0.8, pitch=-0.1),
     ),
     HardCase(
-        name="eye above the clouds that throw shadows",
-        scene=_scene(0.5),
+        "eye above the clouds that throw shadows",
+        _scene(0.5),
         guard="a camera above nine tenths of the clouds' height sees no shadows (light/clouds.glsl@shadow)",
         without="shadows of clouds that are not drawn",
         camera=Camera(position=(0.0, 500.0, 0.0), pitch=-0.6),
     ),
     HardCase(
-        name="shadows of clouds, of a hill and of a boat on each other",
-        scene=_scene(0.3).model_copy(
+        "shadows of clouds, of a hill and of a boat on each other",
+        _scene(0.3).model_copy(
             update={
                 "boats": (Boat(centre=(-38.0, 0.0), radius=14.0, speed=0.0, length=9.0),),
                 "shore": Shore(kind="island", size=160.0, radius=25.0, depth=6.0, height=14.0, slope=0.3, shadows=True),

@@ -10,8 +10,8 @@ from support.cases import Cases, HardCase
 
 _HARD = (
     HardCase(
-        name="glare of the brightest sun",
-        scene=Scene(light=Light(sun_elevation=0.3, exposure=10.0, glare=0.5, sky=Sky())),
+        "glare of the brightest sun",
+        Scene(light=Light(sun_elevation=0.3, exposure=10.0, glare=0.5, sky=Sky())),
         guard="what spreads is at most 4096 a pixel (output/glare.glsl@first)",
         without="no difference in the linear frame, which is without glare: on the screen six levels of half floats "
         "overflow",

@@ -15,15 +15,15 @@ _INVISIBLE = (Scene(light=_DOWN), Scene(light=Light(sun_elevation=-math.pi / 2))
 
 _HARD = (
     HardCase(
-        name="into the sun on the horizon",
-        scene=Scene(light=Light(sun_elevation=0.0, exposure=10.0), water=Water(roughness=0.01)),
+        "into the sun on the horizon",
+        Scene(light=Light(sun_elevation=0.0, exposure=10.0), water=Water(roughness=0.01)),
         guard="the half vector h is divided by at least 1e-6 (light/glitter.glsl@beckmann)",
         without="no difference on llvmpipe, whose max(0/0, x) is x: only h is NaN",
         camera=Camera(position=(0.0, 1.0, 0.0), yaw=math.pi / 2, pitch=0.0, fov=0.01),
     ),
     HardCase(
-        name="facets seen edge-on",
-        scene=Scene(
+        "facets seen edge-on",
+        Scene(
             waves=(ParametricWave(amplitude=2.0, wavelength=3.0, exponent=8.0),),
             light=Light(sun_elevation=0.02, sun_azimuth=math.pi),
             water=Water(roughness=0.01),
@@ -33,17 +33,15 @@ _HARD = (
         camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 2, pitch=-0.3),
     ),
     HardCase(
-        name="the brightest path of the sun",
-        scene=Scene(
-            light=Light(sun_elevation=0.05, exposure=10.0), water=Water(roughness=0.01, ripples=Ripples(slope=0.05))
-        ),
+        "the brightest path of the sun",
+        Scene(light=Light(sun_elevation=0.05, exposure=10.0), water=Water(roughness=0.01, ripples=Ripples(slope=0.05))),
         guard="glitter is at most 1e4 (light/glitter.glsl@beckmann), the frame at most 65504 (surface/main.glsl)",
         without="5.9e6, ninety times the greatest half float",
         camera=Camera(position=(0.0, 2.0, 0.0), yaw=math.pi / 2, pitch=-0.05, fov=0.3),
     ),
     HardCase(
-        name="the lake's highlight at its sharpest",
-        scene=Scene(
+        "the lake's highlight at its sharpest",
+        Scene(
             light=Light(
                 sun_elevation=0.1,
                 sun_azimuth=math.pi,

@@ -13,29 +13,29 @@ from support.cases import Cases, HardCase
 
 _HARD = (
     HardCase(
-        name="sun at the horizon",
-        scene=Scene(light=Light(sun_elevation=0.0, turbidity=10.0), water=Water(ripples=Ripples())),
+        "sun at the horizon",
+        Scene(light=Light(sun_elevation=0.0, turbidity=10.0), water=Water(ripples=Ripples())),
         guard="offsets of 0.03 and 0.09 in the air masses (docs/formulae.md, section 6)",
         without="the sky is off by up to 0.8 levels at the horizon",
         camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 2, pitch=0.0),
     ),
     HardCase(
-        name="sun under the horizon",
-        scene=Scene(light=Light(sun_elevation=-0.3, turbidity=10.0), water=Water(ripples=Ripples())),
+        "sun under the horizon",
+        Scene(light=Light(sun_elevation=-0.3, turbidity=10.0), water=Water(ripples=Ripples())),
         guard="offsets of 0.03 and 0.09 in the air masses (docs/formulae.md, section 6)",
         without="the sky is off by up to 0.03 levels at the horizon",
         camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 2, pitch=0.0),
     ),
     HardCase(
-        name="sun at the zenith",
-        scene=Scene(light=Light(sun_elevation=math.pi / 2, turbidity=10.0), water=Water(ripples=Ripples())),
+        "sun at the zenith",
+        Scene(light=Light(sun_elevation=math.pi / 2, turbidity=10.0), water=Water(ripples=Ripples())),
         guard="offsets of 0.03 and 0.09 in the air masses (docs/formulae.md, section 6)",
         without="1/0 at the horizon; the sky's mean error is 15 levels",
         camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 2, pitch=0.0),
     ),
     HardCase(
-        name="straight up and straight down, no heading",
-        scene=Scene(
+        "straight up and straight down, no heading",
+        Scene(
             light=Light(sun_elevation=math.pi / 2),
             foam=Foam(saturation=(HeightSaturation(base=-1.0, full=1.0),), look="textured"),
         ),
@@ -44,29 +44,28 @@ _HARD = (
         camera=Camera(position=(0.0, 3.0, 0.0), pitch=-math.pi / 2, roll=1.0, fov=0.01),
     ),
     HardCase(
-        name="the brightest disc, ten stops up",
-        scene=Scene(light=Light(sun_elevation=0.1, exposure=10.0)),
+        "the brightest disc, ten stops up",
+        Scene(light=Light(sun_elevation=0.1, exposure=10.0)),
         guard="light is at most 65504, the greatest half float (light/sky.glsl@main, surface/main.glsl)",
         without="a black sun: SwiftShader stores NaN for values that exceed half floats; llvmpipe stores 65504",
         camera=Camera(position=(0.0, 5.0, 0.0), yaw=math.pi / 2, pitch=0.1, fov=0.1),
     ),
     HardCase(
-        name="ten stops down at night",
-        scene=Scene(light=Light(sun_elevation=-math.pi / 2, exposure=-10.0), water=Water(ripples=Ripples())),
+        "ten stops down at night",
+        Scene(light=Light(sun_elevation=-math.pi / 2, exposure=-10.0), water=Water(ripples=Ripples())),
         guard="the air's light is at least 0.002 (effects/light/atmosphere.py)",
         without="67 % of samples are below the smallest half float and become 0: 2e-5 levels",
-        camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
     ),
     HardCase(
-        name="sun setting through 0 degrees under a layered sky",
-        scene=Scene(light=Light(sun_elevation=0.0, exposure=-1.0, sky=Sky(haze=20.0)), water=Water(ripples=Ripples())),
+        "sun setting through 0 degrees under a layered sky",
+        Scene(light=Light(sun_elevation=0.0, exposure=-1.0, sky=Sky(haze=20.0)), water=Water(ripples=Ripples())),
         guard="an offset of 0.02 in the haze's air mass (light/sky.glsl@layered)",
         without="0/0 along the horizon: 85 % of samples are off by more than 2 levels",
         camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 2, pitch=0.0),
     ),
     HardCase(
-        name="no lamp at all: the sun down, the moon not yet counted",
-        scene=Scene(
+        "no lamp at all: the sun down, the moon not yet counted",
+        Scene(
             light=Light(sun_elevation=-0.06, exposure=2.0, sky=Sky(moon=Moon(), stars=1.0)),
             water=Water(ripples=Ripples()),
         ),
@@ -75,8 +74,8 @@ _HARD = (
         camera=Camera(position=(0.0, 3.0, 0.0), yaw=0.4, pitch=0.0),
     ),
     HardCase(
-        name="fog on the eye",
-        scene=Scene(light=Light(visibility=50.0), waves=(ParametricWave(),)),
+        "fog on the eye",
+        Scene(light=Light(visibility=50.0), waves=(ParametricWave(),)),
         guard="Newton steps never leave the slab of the waves (surface/march.glsl@march)",
         without="Newton steps return to the camera in 0.2 % of samples: errors of 233 levels",
         camera=Camera(position=(0.0, 1e5, 0.0), pitch=-0.5, fov=2.6),

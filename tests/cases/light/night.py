@@ -17,8 +17,8 @@ _MOON_INVISIBLE = (Scene(light=Light(sun_elevation=-0.3, sky=Sky(moon=Moon(eleva
 
 _MOON_HARD = (
     HardCase(
-        name="moon and sun opposite",
-        scene=Scene(
+        "moon and sun opposite",
+        Scene(
             light=Light(sun_azimuth=0.3, sun_elevation=-0.4, exposure=1.0, sky=Sky(moon=_OPPOSITE)),
             water=Water(ripples=Ripples()),
         ),
@@ -27,8 +27,8 @@ _MOON_HARD = (
         camera=Camera(position=(0.0, 3.0, 0.0), yaw=0.3 - math.pi / 2, pitch=0.35, fov=0.2),
     ),
     HardCase(
-        name="the moon before the sun",
-        scene=Scene(
+        "the moon before the sun",
+        Scene(
             light=Light(sun_azimuth=0.3, sun_elevation=0.4, exposure=-6.0, sky=Sky(moon=_BEFORE)),
         ),
         guard="the irradiance of points that face away from the sun is at least 0 (light/night.glsl@moon_disc)",
@@ -41,15 +41,15 @@ _STARS_INVISIBLE = (Scene(light=Light(sun_elevation=0.1, sky=Sky(stars=1.0))),)
 
 _STARS_HARD = (
     HardCase(
-        name="stars at the corner of the cube",
-        scene=Scene(light=Light(sun_elevation=-1.0, exposure=6.0, sky=Sky(stars=10.0))),
+        "stars at the corner of the cube",
+        Scene(light=Light(sun_elevation=-1.0, exposure=6.0, sky=Sky(stars=10.0))),
         guard="cell indices are limited to the last of a face (light/night.glsl@stars)",
         without="no visible difference: only a sample exactly on the edge of a face needs a cell beyond it",
         camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 4, pitch=0.6154797, fov=0.6),
     ),
     HardCase(
-        name="stars in the widest view",
-        scene=Scene(light=Light(sun_elevation=-1.0, exposure=6.0, sky=Sky(stars=10.0))),
+        "stars in the widest view",
+        Scene(light=Light(sun_elevation=-1.0, exposure=6.0, sky=Sky(stars=10.0))),
         guard="a star is at most 3e-3 rad wide (light/night.glsl@stars)",
         without="stars are cut off at the edges of their cells: 7 % of samples are off by more than 2 levels",
         camera=Camera(position=(0.0, 3.0, 0.0), yaw=0.5, pitch=0.8, fov=2.6),

@@ -28,49 +28,45 @@ _INVISIBLE = (
 
 _HARD = (
     HardCase(
-        name="sparkles at any time",
-        scene=Scene(light=_SUNSET, water=_WATER),
+        "sparkles at any time",
+        Scene(light=_SUNSET, water=_WATER),
         guard="age and epoch are reduced in float64 (framegraph/evaluation.py)",
         without="in float32 at 1e9 s time advances in steps of 64 s: every sparkle stays for a minute",
         times=(-1e9, 0.0, 1e9),
         camera=_VIEW,
     ),
     HardCase(
-        name="sparkles straight down, under the sun at the zenith",
-        scene=Scene(light=_light(sun_elevation=math.pi / 2), water=_WATER),
+        "sparkles straight down, under the sun at the zenith",
+        Scene(light=_light(sun_elevation=math.pi / 2), water=_WATER),
         guard="cells lie on an octahedron, which has no pole (light/glitter.glsl@sparkles)",
         without="cells in azimuth and elevation are 0.3 by 3.2 mrad a tenth of a radian from straight down",
         camera=Camera(position=(0.0, 4.0, 0.0), pitch=-math.pi / 2),
     ),
     HardCase(
-        name="one sparkle for the whole sun",
-        scene=Scene(
-            light=_light(sparkles=Sparkles(size=2e-4, rate=0.3, life=0.3, share=1.0), exposure=10.0), water=_WATER
-        ),
+        "one sparkle for the whole sun",
+        Scene(light=_light(sparkles=Sparkles(size=2e-4, rate=0.3, life=0.3, share=1.0), exposure=10.0), water=_WATER),
         guard="light is at most 65504 (surface/main.glsl)",
         without="5.2e7, eight hundred times the greatest half float",
         times=(0.0, 0.13),
         camera=_VIEW.model_copy(update={"fov": 0.02}),
     ),
     HardCase(
-        name="sparkles so many that they run together",
-        scene=Scene(light=_light(sparkles=Sparkles(size=0.02, rate=10000.0, life=10.0)), water=_WATER),
+        "sparkles so many that they run together",
+        Scene(light=_light(sparkles=Sparkles(size=0.02, rate=10000.0, life=10.0)), water=_WATER),
         guard="where nearly every cell contains a sparkle, the glint is smooth (light/glitter.glsl@sparkles)",
         without="spots of 22 times the glint's greatest radiance: a mean error of 7.2 levels",
         camera=_VIEW,
     ),
     HardCase(
-        name="sparkles of a sun that sets through the horizon",
-        scene=Scene(
-            waves=(ParametricWave(amplitude=0.3, wavelength=7.0),), light=_light(sun_elevation=0.0), water=_WATER
-        ),
+        "sparkles of a sun that sets through the horizon",
+        Scene(waves=(ParametricWave(amplitude=0.3, wavelength=7.0),), light=_light(sun_elevation=0.0), water=_WATER),
         guard="the glint is at least 1e-20 of the sun (light/glitter.glsl@sparkles)",
         without="0/0 where no facet reflects the sun: 65504 in 39 % of samples",
         camera=_VIEW,
     ),
     HardCase(
-        name="sparkles smaller than a hundredth of a pixel",
-        scene=Scene(light=_light(sparkles=Sparkles(size=2e-4)), water=_WATER),
+        "sparkles smaller than a hundredth of a pixel",
+        Scene(light=_light(sparkles=Sparkles(size=2e-4)), water=_WATER),
         guard="a sparkle is at least 1.5 pixels wide, and dimmed in proportion (light/glitter.glsl@sparkles)",
         without="sparkles appear and vanish with the positions of samples: errors of up to 170 levels",
         camera=Camera(position=(0.0, 4.0, 0.0), pitch=-0.5, fov=2.6),

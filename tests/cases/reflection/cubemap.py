@@ -14,15 +14,15 @@ _INVISIBLE = (Scene(light=Light(sun_elevation=-1.2, exposure=-3.0, reflection="c
 
 _HARD = (
     HardCase(
-        name="a mirror with nothing to mirror",
-        scene=Scene(light=Light(sun_elevation=-math.pi / 2, exposure=8.0, reflection="cubemap")),
+        "a mirror with nothing to mirror",
+        Scene(light=Light(sun_elevation=-math.pi / 2, exposure=8.0, reflection="cubemap")),
         guard="the search for land is left out of scenes without a shore (reflection/mirror.glsl@open)",
         without="no plan can be made: the pass reads a floor that the scene does not have",
         camera=Camera(position=(0.0, 2.0, 0.0), pitch=-0.2),
     ),
     HardCase(
-        name="the cube map's own corners and edges",
-        scene=Scene(
+        "the cube map's own corners and edges",
+        Scene(
             waves=(ParametricWave(amplitude=1.0, wavelength=3.0, exponent=3.0),),
             light=Light(exposure=-2.0, sun_elevation=0.3, reflection="cubemap", sky=Sky(clouds=Clouds(cover=0.5))),
         ),
@@ -32,8 +32,8 @@ _HARD = (
         camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 4, pitch=-0.6),
     ),
     HardCase(
-        name="the middle of the cube map inside a hill",
-        scene=Scene(
+        "the middle of the cube map inside a hill",
+        Scene(
             shore=Shore(kind="island", size=240.0, radius=40.0, height=30.0, slope=0.4, smoothing=3.0),
             light=Light(exposure=-2.0, reflection="cubemap"),
         ),

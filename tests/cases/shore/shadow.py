@@ -20,7 +20,7 @@ def _case(
 ) -> HardCase:
     light = Light(sun_elevation=elevation, sun_azimuth=azimuth, exposure=-2.0)
     scene = Scene(shore=_ISLAND, water=Water(scattering=0.01), foam=_FOAM, light=light)
-    return HardCase(name=name, scene=scene, guard=guard, without=without, camera=camera, times=(0.0,))
+    return HardCase(name, scene, guard=guard, without=without, camera=camera, times=(0.0,))
 
 
 _INVISIBLE = (

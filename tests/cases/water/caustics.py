@@ -26,7 +26,7 @@ def _case(
     times: tuple[float, ...] = (2.0,),
 ) -> HardCase:
     scene = Scene(water=water, light=light or Light(sun_elevation=1.0, exposure=-2.5, caustics=_PLAIN))
-    return HardCase(name=name, scene=scene, guard=guard, without=without, camera=camera, times=times)
+    return HardCase(name, scene, guard=guard, without=without, camera=camera, times=times)
 
 
 _INVISIBLE = (
@@ -46,12 +46,6 @@ _HARD = (
         bounds=Bounds(mean=0.5, share=0.03),
         # SwiftShader's sine, good to 2e-4, moves lines of light in a focus, a pixel wide.
         coarse_share=0.15,
-    ),
-    _case(
-        "a floor at the surface",
-        "none is needed: light does not converge over so short a distance (water/caustics.glsl@landing)",
-        "no guard to remove",
-        Water(depth=0.05, floor_tile=0.1, ripples=Ripples(slope=0.3)),
     ),
     _case(
         "caustics of a sun on the horizon",

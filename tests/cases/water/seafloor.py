@@ -13,8 +13,8 @@ _INVISIBLE = (
 
 _HARD = (
     HardCase(
-        name="five centimetres of black water",
-        scene=Scene(
+        "five centimetres of black water",
+        Scene(
             water=Water(depth=0.05, absorption_length=(0.01, 0.01, 0.01), scattering=0.5, ripples=Ripples(slope=0.6)),
             waves=(ParametricWave(amplitude=50.0, wavelength=0.05),),
         ),
@@ -24,23 +24,14 @@ _HARD = (
         coarse_apart="slopes of 6000 magnify the error of SwiftShader's sine, 2e-4",
     ),
     HardCase(
-        name="the clearest water over a white floor",
-        scene=Scene(
+        "the clearest water over a white floor",
+        Scene(
             water=Water(
                 depth=0.05, absorption_length=(1000.0, 1000.0, 1000.0), scattering=0.0, floor_albedo=(1.0, 1.0, 1.0)
             )
         ),
         guard="the absorption length is finite (scene/water.py), so the extinction is not 0 (light/shade.glsl@lit)",
         without="without absorption 0/0 in every sample of water: 65504, the frame's limit",
-        camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
-    ),
-    HardCase(
-        name="a floor eleven kilometres down",
-        scene=Scene(water=Water(depth=11000.0, ripples=Ripples()), waves=(ParametricWave(),)),
-        guard="the floor is left out, since its bound is 0 (effects/water/seafloor.py); if it is drawn, its "
-        "transmittance underflows to 0 (water/body.glsl@floor)",
-        without="drawn nevertheless, it makes a difference of 0 levels",
-        camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
     ),
 )
 

@@ -34,16 +34,16 @@ _INVISIBLE = (
 
 _HARD = (
     HardCase(
-        name="a hundred rings at one point",
-        scene=Scene(rings=(_STONE.model_copy(update={"amplitude": 0.004}),) * 100, water=Water(ripples=Ripples())),
+        "a hundred rings at one point",
+        Scene(rings=(_STONE.model_copy(update={"amplitude": 0.004}),) * 100, water=Water(ripples=Ripples())),
         guard="height and slope are bounded by the sum over rings that can meet (ocean/rings.py)",
         without="with the bound of the highest ring alone, crests are 0.39 m high in a slab of 8 mm",
         times=(2.0,),
         camera=_VIEW,
     ),
     HardCase(
-        name="a ring at its own centre at its birth",
-        scene=Scene(
+        "a ring at its own centre at its birth",
+        Scene(
             rings=(_STONE, _STONE.model_copy(update={"birth": 2.0})),
             foam=Foam(saturation=(SlopeSaturation(),), look="textured"),
         ),
@@ -54,8 +54,8 @@ _HARD = (
         camera=Camera(position=(0.3, 2.0, -7.0), pitch=-math.pi / 2),
     ),
     HardCase(
-        name="a front without width",
-        scene=Scene(
+        "a front without width",
+        Scene(
             rings=(_STONE.model_copy(update={"crests": 0.5}),),
             foam=Foam(saturation=(HeightSaturation(base=0.05, full=0.25),), look="textured"),
         ),
@@ -65,24 +65,24 @@ _HARD = (
         camera=_VIEW,
     ),
     HardCase(
-        name="rings a thousand million seconds from now",
-        scene=Scene(rings=(_STONE.model_copy(update={"birth": 1e9}), _STONE.model_copy(update={"every": 14.0}))),
+        "rings a thousand million seconds from now",
+        Scene(rings=(_STONE.model_copy(update={"birth": 1e9}), _STONE.model_copy(update={"every": 14.0}))),
         guard="ages are reduced in float64 (framegraph/evaluation.py)",
         without="in float32 the age stays 0 for 32 s: an error of 0.12 m in a ring of 0.3 m",
         times=(-1e9, 1e9 + 2.3),
         camera=_VIEW,
     ),
     HardCase(
-        name="rings ten thousand kilometres away",
-        scene=Scene(rings=(_AWAY[0],), water=Water(ripples=Ripples())),
+        "rings ten thousand kilometres away",
+        Scene(rings=(_AWAY[0],), water=Water(ripples=Ripples())),
         guard="the vector from the centre to the camera is reduced in float64 (framegraph/evaluation.py)",
         without="in float32 an error of 0.14 m in a ring of 0.3 m",
         times=(2.3,),
         camera=_AWAY[1],
     ),
     HardCase(
-        name="rings long dead",
-        scene=Scene(rings=(_STONE,), foam=Foam(saturation=(HeightSaturation(base=0.0, full=0.5),), look="halftone")),
+        "rings long dead",
+        Scene(rings=(_STONE,), foam=Foam(saturation=(HeightSaturation(base=0.0, full=0.5),), look="halftone")),
         guard="negative amplitudes count as 0 (waves/rings.glsl@ring)",
         without="waves of 0.4 mm with slope 0.0012 that never end",
         times=(13.8, 1e9),

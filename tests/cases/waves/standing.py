@@ -20,15 +20,15 @@ _INVISIBLE = (
 
 _HARD = (
     HardCase(
-        name="the edge of standing waves, and straight behind a stone",
-        scene=_FLOWS.model_copy(update={"foam": Foam(saturation=(SlopeSaturation(),), look="textured")}),
+        "the edge of standing waves, and straight behind a stone",
+        _FLOWS.model_copy(update={"foam": Foam(saturation=(SlopeSaturation(),), look="textured")}),
         guard="waves only where the square root in their phase exceeds 0 (boats/wake.glsl@pattern)",
         without="2.6 % of samples off by more than 2 levels, the worst by 234: a vertical step at the waves' edge",
         camera=_ABOVE,
     ),
     HardCase(
-        name="white water at a stone's middle, and far down the current",
-        scene=_FLOWS.model_copy(
+        "white water at a stone's middle, and far down the current",
+        _FLOWS.model_copy(
             update={"foam": Foam(saturation=(WakeSaturation(amount=4.0, life=60.0, bow=4.0),), look="textured")}
         ),
         guard="exponents at most 80 (foam/saturation/surf.glsl@stones)",

@@ -26,38 +26,38 @@ _INVISIBLE = (
 
 _HARD = (
     HardCase(
-        name="as many touches as there may be, at one place",
-        scene=Scene(touches=(Touch(strength=0.004, time=-0.5),) * TOUCHES_MOST),
+        "as many touches as there may be, at one place",
+        Scene(touches=(Touch(strength=0.004, time=-0.5),) * TOUCHES_MOST),
         guard="slopes without height, so no ray misses a crest (waves/rings.glsl@touch)",
         without="with heights, crests of 0.1 m in a slab of 4 mm",
         camera=_NEAR,
     ),
     HardCase(
-        name="touches a thousand million seconds from now",
-        scene=Scene(touches=tuple(touch.model_copy(update={"time": 1e9 + touch.time}) for touch in _TRAIN[-1:])),
+        "touches a thousand million seconds from now",
+        Scene(touches=tuple(touch.model_copy(update={"time": 1e9 + touch.time}) for touch in _TRAIN[-1:])),
         guard="ages are reduced in float64 (framegraph/evaluation.py)",
         without="in float32 the age stays 0 for 32 s: no ring",
         times=(1e9 - 8.0, 1e9, 1e9 + 0.75),
         camera=_NEAR,
     ),
     HardCase(
-        name="touches ten thousand kilometres away",
-        scene=Scene(touches=_moved(_TRAIN, (1e7 - 8.0, -1e7 + 8.0)), water=Water(ripples=Ripples())),
+        "touches ten thousand kilometres away",
+        Scene(touches=_moved(_TRAIN, (1e7 - 8.0, -1e7 + 8.0)), water=Water(ripples=Ripples())),
         guard="the vector from the centre to the camera is reduced in float64 (framegraph/evaluation.py)",
         without="in float32 places have steps of 1 m: rings lie beside their centres by more than their wavelength",
         camera=Camera(position=(1e7 - 8.0, 2.0, -1e7 + 8.0), pitch=-0.45),
     ),
     HardCase(
-        name="touches long over, and touches of no strength",
-        scene=Scene(touches=(*_TRAIN, Touch(strength=0.0)), foam=Foam(saturation=(HeightSaturation(),))),
+        "touches long over, and touches of no strength",
+        Scene(touches=(*_TRAIN, Touch(strength=0.0)), foam=Foam(saturation=(HeightSaturation(),))),
         guard="negative amplitudes count as 0, and strengths of 0 are passed over (waves/rings.glsl@ring)",
         without="rings with negative amplitudes that never end",
         times=(12.0, 1e9),
         camera=_NEAR,
     ),
     HardCase(
-        name="touches of a river thirty years after its current set in",
-        scene=Scene(
+        "touches of a river thirty years after its current set in",
+        Scene(
             current=Current(speed=2.0, direction=0.6),
             touches=tuple(touch.model_copy(update={"time": 9e8 + touch.time}) for touch in _TRAIN),
         ),
