@@ -14,6 +14,5 @@ QUALITIES = {
         update={"target": "RGBA32F", "surface": SurfaceQuality(method="mesh", cells=112, refine=2)}
     ),
 }
-CASES = [
-    pytest.param(effect, case, id=f"{effect.name}: {case.name}") for effect in EFFECTS for case in cases_of(effect).hard
-]
+HARD = [(effect, case) for effect in EFFECTS for case in cases_of(effect).hard]
+CASES = [pytest.param(effect, case, id=f"{effect.name}: {case.name}") for effect, case in HARD]
