@@ -14,7 +14,7 @@ import numpy as np
 from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.shader import Shader
 from seafoam.framegraph.visibility import drawn_passes
-from seafoam.planner.frame import UNDERWATER
+from seafoam.planner.surface import UNDERWATER
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
 

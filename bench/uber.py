@@ -21,9 +21,9 @@ from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.resources import TargetInput, TextureInput
 from seafoam.framegraph.rules import COMPONENTS, Constant, Uniform, number
 from seafoam.framegraph.shader import Program, declared_uniforms
-from seafoam.planner import defaults, make_plan
+from seafoam.planner import make_plan, slots
 from seafoam.planner.glsl import assemble, read_file, slot_pieces, source_text
-from seafoam.planner.slots import GENTLER, MARCH_SLOTS, SATURATION_MAX, SATURATION_PRODUCT, Join, surface_slots
+from seafoam.planner.slots import GENTLER, MARCH_SLOTS, Join, surface_slots
 from seafoam.quality import Quality
 from seafoam.scene.foam import Foam, FrontSaturation, HeightSaturation, Look
 from seafoam.scene.models import Scene
@@ -40,9 +40,7 @@ _MARCH: tuple[Piece, ...] = (
     "surface/march.glsl@begin",
     "surface/bounds.glsl@now_declared",
     *slot_pieces(GENTLER, [SlotFile("marched", "surface/march.glsl@begin")]),
-    defaults.NO_SHORT_WAVES,
-    defaults.NO_BEYOND,
-    defaults.NO_APPROACH,
+    *(slot.default for slot in (slots.SHORT, slots.BEYOND, slots.APPROACH) if slot.default),
     MARCH_AHEAD,
     "surface/march.glsl@march",
 )
@@ -317,7 +315,7 @@ def _arguments(parameters: str) -> str:
 
 def _saturation(prefixes: Sequence[str]) -> list[str]:
     """Both ways to combine saturations, and the function that selects one."""
-    ways: list[Join] = [SATURATION_MAX.joins[0], SATURATION_PRODUCT.joins[0]]
+    ways: list[Join] = [slots.saturation("max").joins[0], slots.saturation("product").joins[0]]
     calls = [f"{way.name}_{way.how}({way.arguments})" for way in ways]
     return [
         *(replace(way, name=f"{way.name}_{way.how}").glsl(prefixes) for way in ways),

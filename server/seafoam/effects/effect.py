@@ -3,15 +3,15 @@
 Effects describe; the planner assembles.
 """
 
-from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, fields, replace
 from typing import Any, Literal, Self, TypeVar
 
 from pydantic import BaseModel
 
 from seafoam.effects.shader import Const, Piece, SlotFile, SlotRef
 from seafoam.framegraph.passes import Blend, Fullscreen, Mesh, View
-from seafoam.framegraph.resources import Filter, Target, TargetInput, TextureInput, WrapMode
+from seafoam.framegraph.resources import Filter, Input, Target, WrapMode
 from seafoam.framegraph.rules import Uniform
 from seafoam.quality import Quality, QualityParameters
 from seafoam.scene.base import Part
@@ -51,7 +51,7 @@ class PassSpec:
     target: str
     vertex: tuple[Piece | SlotRef, ...] = ("vertex/vertex.glsl@fullscreen",)
     mesh: Mesh = field(default_factory=Fullscreen)
-    inputs: dict[str, TextureInput | TargetInput] = field(default_factory=dict)
+    inputs: dict[str, Input] = field(default_factory=dict)
     uniforms: dict[str, Uniform] = field(default_factory=dict)
     stage: Literal["before", "after", "finished"] = "before"
     blend: Blend = "none"
@@ -61,32 +61,40 @@ class PassSpec:
     """Files of the fragment shader for a camera under the water; empty: those of ``fragment`` for it too."""
 
 
+@dataclass(frozen=True)
+class TextureUse:
+    """A texture of the store (``source``: its name there), and its sampler state."""
+
+    source: TextureSpec
+    filter: Filter = "nearest"
+    wrap: WrapMode = "repeat"
+
+
 @dataclass(frozen=True, kw_only=True)
 class Resources:
     """Shader files, numbers, textures, targets and passes that belong together: a map and the passes that draw it."""
 
     slots: tuple[SlotFile, ...] = ()
     consts: dict[str, Const] = field(default_factory=dict)
+    chosen_consts: dict[str, Const] = field(default_factory=dict)
+    """Constants that differ where a pixel chosen by adaptive sampling is drawn with more samples than the others."""
     uniforms: dict[str, Uniform] = field(default_factory=dict)
-    inputs: dict[str, TextureInput | TargetInput] = field(default_factory=dict)
-    textures: dict[str, "TextureUse"] = field(default_factory=dict)
+    inputs: dict[str, Input] = field(default_factory=dict)
+    textures: dict[str, TextureUse] = field(default_factory=dict)
     """Name in the plan -> texture."""
     targets: dict[str, Target] = field(default_factory=dict)
     passes: tuple[PassSpec, ...] = ()
 
     def joined(self, *others: "Resources") -> Self:
-        """Return this with everything that ``others`` have, after its own. Raises :class:`AssemblyError`."""
-        every: tuple[Resources, ...] = (self, *others)
-        return replace(
-            self,
-            slots=tuple(slot for part in every for slot in part.slots),
-            consts=united(part.consts for part in every),
-            uniforms=united(part.uniforms for part in every),
-            inputs=united(part.inputs for part in every),
-            textures=united(part.textures for part in every),
-            targets=united(part.targets for part in every),
-            passes=tuple(spec for part in every for spec in part.passes),
-        )
+        """Return this with all resources of ``others``, after its own.
+
+        Raises :class:`AssemblyError` if two have a name with different values.
+        """
+        changes: dict[str, Any] = {}
+        for name in (part.name for part in fields(Resources)):
+            first, *more = (getattr(one, name) for one in (self, *others))
+            changes[name] = _united(first, *more) if isinstance(first, dict) else sum(more, first)
+        return replace(self, **changes)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -110,20 +118,9 @@ class Contribution(Resources):
     ``max_curvature``, m; caused by the interpolation and the number format of a map."""
     min_ground: float | None = None
     """Lowest height of the effect's ground, m."""
-    chosen_consts: dict[str, Const] = field(default_factory=dict)
-    """Constants that differ where a pixel chosen by adaptive sampling is drawn with more samples than the others."""
     march_factor: int = 1
     """Factor on the number of ray-marching steps: for steep crests, or crests that fill little of the slab between
     lowest and highest water."""
-
-
-@dataclass(frozen=True)
-class TextureUse:
-    """A texture of the store (``source``: its name there), and its sampler state."""
-
-    source: TextureSpec
-    filter: Filter = "nearest"
-    wrap: WrapMode = "repeat"
 
 
 @dataclass(frozen=True)
@@ -214,7 +211,7 @@ class AssemblyError(RuntimeError):
     """Effects contradict each other or their GLSL: a defect of Seafoam, never of a scene."""
 
 
-def united(mappings: Iterable[Mapping[str, T]]) -> dict[str, T]:
+def _united(*mappings: Mapping[str, T]) -> dict[str, T]:
     """Return the entries of all mappings. Raises :class:`AssemblyError` if two have a key with different values."""
     result: dict[str, T] = {}
     for mapping in mappings:

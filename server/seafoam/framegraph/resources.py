@@ -1,5 +1,6 @@
 """Textures and targets of a frame plan, and how they are read."""
 
+from collections.abc import Mapping
 from typing import Annotated, Final, Literal, Self
 
 from pydantic import Field
@@ -17,6 +18,15 @@ class TargetInput(PlanPart):
     """A sampler that reads a target of the plan, drawn by an earlier pass."""
 
     target: str
+
+
+Input = TextureInput | TargetInput
+"""What a sampler reads."""
+
+
+def target_inputs(targets: Mapping[str, str]) -> dict[str, Input]:
+    """Return inputs by sampler. ``targets``: sampler -> name of the target that it reads."""
+    return {sampler: TargetInput(target=target) for sampler, target in targets.items()}
 
 
 class ViewportSize(PlanPart):

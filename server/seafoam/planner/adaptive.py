@@ -10,15 +10,11 @@ from itertools import chain
 
 from seafoam.effects.shader import Const, Piece
 from seafoam.framegraph.passes import Fullscreen, Pass
-from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput, ViewportSize
+from seafoam.framegraph.resources import FixedSize, Target, ViewportSize, target_inputs
 from seafoam.framegraph.rules import Uniform, Viewport, vector
 from seafoam.framegraph.shader import Program
-from seafoam.planner.glsl import assemble
-from seafoam.planner.sides import one_sided
-from seafoam.quality import Quality
-
-PLACE = "lib/rays.glsl@place"
-"""The file that maps a fragment to its sample of the picture."""
+from seafoam.planner.frame import Frame, Stage, fullscreen, one_sided
+from seafoam.planner.glsl import FULLSCREEN, PLACE, assemble
 
 RATIO = 3.5
 """Ratio of the contrast thresholds for 16 and for 4 samples. 4 samples leave a quarter of the squared error and 16 a
@@ -35,7 +31,6 @@ _KIND = "adaptive/choice.glsl@kind"
 _BITS = "adaptive/choice.glsl@bits"
 _AT_CHOSEN = (_KIND, "adaptive/choice.glsl@place")
 _ROWS = (_KIND, "adaptive/list.glsl@rows_vertex")
-_FULL = "vertex/vertex.glsl@fullscreen"
 _SAMPLES, _BENEATH, _ABOVE = "chosen samples", "chosen beneath", "chosen above"
 _LISTS = {"u_chosen_cells": "chosen cells", "u_chosen_groups": "chosen groups", "u_chosen_rows": "chosen rows"}
 
@@ -50,12 +45,12 @@ class Redrawn:
     original: Pass
     pieces: tuple[Piece, ...]
     depth: float = 0.0
-    sided: Mapping[str, Const] | None = None
+    sided: Mapping[str, Const] = field(default_factory=dict)
 
 
 @dataclass
-class Additions:
-    """What adaptive sampling adds to a plan."""
+class _Additions:
+    """What adaptive sampling adds to a plan, so far."""
 
     consts: dict[str, Const]
     waves: tuple[Piece, ...]
@@ -63,7 +58,6 @@ class Additions:
     programs: dict[str, Program] = field(default_factory=dict)
     targets: dict[str, Target] = field(default_factory=dict)
     passes: list[Pass] = field(default_factory=list)
-    uniforms: dict[str, Uniform] = field(default_factory=dict)
 
     def add(
         self,
@@ -78,21 +72,9 @@ class Additions:
         """Add a pass over the whole target, or the ``rows`` of selected pixels; its files name its program."""
         program = ", ".join(files)
         if program not in self.programs:
-            self.programs[program] = self.program(_ROWS if rows else (_FULL,), files)
-        inputs: dict[str, TextureInput | TargetInput] = {
-            key: TargetInput(target=source) for key, source in reads.items()
-        }
-        self.passes.append(
-            Pass(
-                name=name,
-                when="frame",
-                program=program,
-                target=target,
-                mesh=Fullscreen(),
-                inputs=inputs,
-                uniforms=dict(uniforms or {}),
-            )
-        )
+            self.programs[program] = self.program(_ROWS if rows else FULLSCREEN, files)
+        drawn = fullscreen(name, program, target, target_inputs(reads))
+        self.passes.append(drawn.model_copy(update={"uniforms": dict(uniforms or {})}))
 
     def program(
         self, vertex: Iterable[Piece], fragment: Iterable[Piece], vertex_consts: Mapping[str, Const] | None = None
@@ -106,28 +88,22 @@ class Additions:
     def redrawn(self, again: Redrawn) -> Program:
         """Return the program of a pass that is drawn again."""
         fragment = chain.from_iterable(_AT_CHOSEN if piece == PLACE else (piece,) for piece in again.pieces)
-        vertex = _ROWS if again.sided is None else one_sided(_ROWS, self.waves)
-        return self.program(vertex, fragment, {"FULLSCREEN_DEPTH": again.depth, **(again.sided or {})})
+        vertex = one_sided(_ROWS, self.waves) if again.sided else _ROWS
+        return self.program(vertex, fragment, {"FULLSCREEN_DEPTH": again.depth, **again.sided})
 
 
 def additional_samples(
-    quality: Quality,
-    frame: str,
-    linear: str,
-    scene: tuple[Redrawn, ...],
-    after: tuple[Redrawn, ...],
-    consts: Mapping[str, Const],
-    waves: tuple[Piece, ...],
-) -> Additions:
-    """Return passes that read ``frame``, a target with one value per pixel, and draw the final frame into ``linear``.
+    frame: Frame, means: str, linear: str, scene: tuple[Redrawn, ...], after: tuple[Redrawn, ...]
+) -> Stage:
+    """Return passes that read ``means``, a target with one value per pixel, and draw the final frame into ``linear``.
 
-    ``scene``: surface and sky, in drawing order; ``after``: the passes blended over them; ``waves``: the surface's
-    pieces.
+    ``scene``: surface and sky, in drawing order; ``after``: the passes blended over them.
     """
-    counts = quality.chosen_samples
-    added = Additions(
+    quality, counts = frame.quality, frame.quality.chosen_samples
+    added = _Additions(
         consts={
-            **consts,
+            **frame.consts,
+            **frame.collection.chosen_consts,
             "CHOOSE_FEW": 4 in counts,
             "CHOOSE_MANY": 16 in counts,
             "CHOOSE_RATIO": RATIO,
@@ -135,13 +111,9 @@ def additional_samples(
             "CHOOSE_STEP": (MAX_CONTRAST / quality.samples_threshold) ** (1.0 / 3.0),
             "CHOOSE_BUDGET": quality.samples_budget,
         },
-        waves=waves,
-        uniforms={
-            "u_target": Uniform(type="vec2", rules=(Viewport(),)),
-            "u_picture": Uniform(type="vec2", rules=(Viewport(of="picture"),)),
-        },
+        waves=frame.waves,
     )
-    _choose(added, frame)
+    _choose(added, means)
     drawn = _BENEATH if after else _SAMPLES
     finer = ViewportSize(scale=2)
     added.targets[drawn] = Target(size=finer, format=quality.target, depth=True)
@@ -152,11 +124,15 @@ def additional_samples(
         _draw(added, count, ((scene, drawn), (after, _ABOVE)), first=count == counts[0])
     added.targets[linear] = Target(size=ViewportSize(), format="RGBA32F")
     files = (_BITS, "adaptive/list.glsl@resolve")
-    added.add("means of the samples", linear, files, {"u_frame": frame, "u_samples": _SAMPLES, **_LISTS})
-    return added
+    added.add("means of the samples", linear, files, {"u_frame": means, "u_samples": _SAMPLES, **_LISTS})
+    sizes = {
+        "u_target": Uniform(type="vec2", rules=(Viewport(),)),
+        "u_picture": Uniform(type="vec2", rules=(Viewport(of="picture"),)),
+    }
+    return Stage(added.passes, added.programs, added.targets, sizes)
 
 
-def _choose(added: Additions, frame: str) -> None:
+def _choose(added: _Additions, means: str) -> None:
     """Passes of contrast, of the threshold that the budget allows, and of the selection: bits and running sums."""
     parts, single = FixedSize.square(PARTS), FixedSize.square(1)
     cells, groups = ViewportSize(part=4), ViewportSize(part=4, narrow=16)
@@ -171,7 +147,7 @@ def _choose(added: Additions, frame: str) -> None:
         "chosen rows": Target(size=rows, format="RGBA32F"),
     }
     contrast, counts = {"u_contrast": "contrast"}, {"u_counts": "choice counts"}
-    added.add("contrast", "contrast", ("adaptive/count.glsl@contrast",), {"u_frame": frame})
+    added.add("contrast", "contrast", ("adaptive/count.glsl@contrast",), {"u_frame": means})
     for k in range(ROUNDS):
         thresholds = "adaptive/choice.glsl@next_limits" if k else "adaptive/choice.glsl@first_limits"
         limits = {"u_limits": f"choice limits {k - 1}"} if k else {}
@@ -187,7 +163,7 @@ def _choose(added: Additions, frame: str) -> None:
     added.add("chosen by row", "chosen rows", ("adaptive/list.glsl@rows",), {"u_chosen_groups": "chosen groups"})
 
 
-def _draw(added: Additions, count: int, layers: tuple[tuple[tuple[Redrawn, ...], str], ...], *, first: bool) -> None:
+def _draw(added: _Additions, count: int, layers: tuple[tuple[tuple[Redrawn, ...], str], ...], *, first: bool) -> None:
     """Passes that list the pixels with ``count`` samples and draw these. ``first``: into cleared targets."""
     side = 2 if count == 4 else 4
     pixels = f"pixels of {count}"
@@ -201,7 +177,7 @@ def _draw(added: Additions, count: int, layers: tuple[tuple[tuple[Redrawn, ...],
         "u_chosen": vector((float(side), float(side), 1.0 if side == 2 else -1.0)),
         "u_viewport": Uniform(type="vec2", rules=(Viewport(of="picture", times=side),)),
     }
-    lists = {"u_chosen_rows": TargetInput(target="chosen rows"), "u_chosen_pixels": TargetInput(target=pixels)}
+    lists = target_inputs({"u_chosen_rows": "chosen rows", "u_chosen_pixels": pixels})
     for group, target in layers:
         for redrawn in group:
             program = f"{redrawn.original.program}, chosen"

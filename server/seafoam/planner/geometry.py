@@ -4,14 +4,12 @@ from functools import lru_cache
 
 from seafoam.effects.registry import CHANGED
 from seafoam.effects.shader import Inline, Piece, SlotRef
-from seafoam.framegraph.passes import Pass, State
+from seafoam.framegraph.passes import State
 from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.resources import Target, ViewportSize
-from seafoam.planner.adaptive import PLACE
-from seafoam.planner.frame import FrameBuilder
-from seafoam.planner.glsl import COMMON
+from seafoam.planner.frame import Frame, Stage, from_under, underwater
+from seafoam.planner.glsl import COMMON, PLACE
 from seafoam.planner.planner import linked_plan
-from seafoam.planner.sides import from_under
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 
@@ -21,24 +19,20 @@ _LEVEL_FLOOR = Inline("vec3 floor_normal(vec2 p) {\n    return vec3(0.0, 1.0, 0.
 _SURFACE: tuple[Piece | SlotRef, ...] = (*COMMON, PLACE, SlotRef("waves"), SlotRef("detail"))
 
 
-class _GeometryBuilder(FrameBuilder):
-    """The same scene's passes, up to what the rays of pixels' centres meet."""
-
-    def passes(self) -> list[Pass]:
-        self._effect_programs()
-        self.targets[GEOMETRY] = Target(size=ViewportSize(), format="RGBA32F")
-        self.linear = GEOMETRY
-        over = (*_SURFACE, SlotRef("find"), SlotRef("land"), SlotRef("first"), "output/frame.glsl@geometry")
-        self._program(GEOMETRY, over, over=True)
-        drawn = self._found_over(GEOMETRY, GEOMETRY, GEOMETRY, State())
-        passes = [*self._effect_passes("before"), drawn]
-        if self.below:
-            floor: Piece = "shore/floor.glsl@floor_normal" if self.shore else _LEVEL_FLOOR
-            under = (*_SURFACE, SlotRef("marched"), SlotRef("now"), SlotRef("underside"), SlotRef("reach"), floor)
-            low = f"{GEOMETRY}, underwater"
-            self._program(low, (*under, "output/frame.glsl@geometry_below"), over=False)
-            passes += from_under(drawn.model_copy(update={"program": low}), self.level)
-        return passes
+def _geometry(frame: Frame) -> tuple[Stage, str]:
+    """The scene's passes, up to what the rays of pixels' centres meet, and the target of that."""
+    over = (*_SURFACE, SlotRef("find"), SlotRef("land"), SlotRef("first"), "output/frame.glsl@geometry")
+    programs = {**frame.effect_programs(), GEOMETRY: frame.program(over, over=True)}
+    drawn = frame.found_over(GEOMETRY, GEOMETRY, GEOMETRY, State(), frame.collection.inputs)
+    passes = [*frame.effect_passes("before"), drawn]
+    if frame.below:
+        floor: Piece = "shore/floor.glsl@floor_normal" if frame.shore else _LEVEL_FLOOR
+        under = (*_SURFACE, SlotRef("marched"), SlotRef("now"), SlotRef("underside"), SlotRef("reach"), floor)
+        low = underwater(GEOMETRY)
+        programs[low] = frame.program((*under, "output/frame.glsl@geometry_below"), over=False)
+        passes += from_under(drawn.model_copy(update={"program": low}), frame.level)
+    target = Target(size=ViewportSize(), format="RGBA32F")
+    return Stage(passes, programs, {**frame.collection.targets, GEOMETRY: target}), GEOMETRY
 
 
 @lru_cache(maxsize=32)
@@ -50,7 +44,7 @@ def make_geometry_plan(scene: Scene, quality: Quality) -> FramePlan:
     :func:`seafoam.planner.make_plan` does.
     """
     once = quality.model_copy(update={"samples": 1, "samples_max": 1})
-    return linked_plan(scene, once, _GeometryBuilder, economy=True)
+    return linked_plan(scene, once, _geometry, economy=True)
 
 
 CHANGED.append(make_geometry_plan.cache_clear)

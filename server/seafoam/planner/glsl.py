@@ -21,6 +21,8 @@ PROLOGUE = (
 
 COMMON = ("lib/numbers.glsl", "lib/rays.glsl@camera")
 """First files of most fragment shaders."""
+PLACE = "lib/rays.glsl@place"
+"""Maps a fragment to its sample of the picture."""
 FULLSCREEN = ("vertex/vertex.glsl@fullscreen",)
 """The vertex shader of a triangle that covers its target."""
 

@@ -1,22 +1,21 @@
 """Linking: assigns to each pass the inputs that its program reads, and to each declared uniform its rule."""
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 from seafoam.effects.effect import AssemblyError, PlanError, TextureUse
 from seafoam.framegraph.passes import Fullscreen, Pass, State
 from seafoam.framegraph.resources import Target, Texture
 from seafoam.framegraph.rules import CameraRule, Uniform, Viewport, number, significant, vector
 from seafoam.framegraph.shader import Program, declared_uniforms
+from seafoam.planner.collect import Collection
 from seafoam.textures import texture, url_of
 
 MAX_SAMPLERS = 16
 """Maximum number of textures of a fragment shader that WebGL2 guarantees (MAX_TEXTURE_IMAGE_UNITS)."""
 
 
-def camera_uniforms(
-    max_height: float, min_height: float, max_slope: float, map_error: float, bounds: Sequence[float]
-) -> dict[str, Uniform]:
+def camera_uniforms(given: Collection) -> dict[str, Uniform]:
     """Return the uniforms of the camera and of the surface's bounds, which any shader may declare."""
     return {
         "u_viewport": Uniform(type="vec2", rules=(Viewport(),)),
@@ -24,12 +23,12 @@ def camera_uniforms(
         "u_ray_x": Uniform(type="vec3", rules=(CameraRule(what="ray_x"),)),
         "u_ray_y": Uniform(type="vec3", rules=(CameraRule(what="ray_y"),)),
         "u_ray_z": Uniform(type="vec3", rules=(CameraRule(what="ray_z"),)),
-        "u_view_projection": Uniform(type="mat4", rules=(CameraRule(what="view_projection", top=max_height),)),
-        "u_surface_top": number(max_height),
-        "u_surface_trough": number(significant(min_height)),
-        "u_surface_steepest": number(max_slope),
-        "u_surface_bounds": vector(tuple(bounds)),
-        "u_surface_grain": number(significant(map_error)),
+        "u_view_projection": Uniform(type="mat4", rules=(CameraRule(what="view_projection", top=given.max_height),)),
+        "u_surface_top": number(given.max_height),
+        "u_surface_trough": number(significant(given.min_height)),
+        "u_surface_steepest": number(given.max_slope),
+        "u_surface_bounds": vector(given.bounds),
+        "u_surface_grain": number(significant(given.map_error)),
     }
 
 

@@ -1,22 +1,16 @@
 """The planner: compiles a scene and a quality into a frame plan."""
 
+from collections.abc import Callable
 from functools import lru_cache
 
 from seafoam.effects import EFFECTS, outside
 from seafoam.effects.registry import CHANGED
 from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.visibility import everywhere
-from seafoam.planner.collect import Collection
-from seafoam.planner.frame import FrameBuilder
-from seafoam.planner.link import (
-    camera_uniforms,
-    declared_in,
-    live_fields,
-    refuse_integers,
-    refuse_too_many_samplers,
-    texture_entry,
-    with_inputs,
-)
+from seafoam.planner import link
+from seafoam.planner.collect import collect
+from seafoam.planner.frame import Frame, Stage
+from seafoam.planner.output import picture
 from seafoam.planner.schedule import with_setup
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
@@ -32,45 +26,43 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     :class:`seafoam.effects.effect.PlanError` if the scene names something that does not exist, such as an unknown mask,
     or more effects together than one shader can read the textures of.
     """
-    return linked_plan(scene, quality, FrameBuilder, economy=economy)
+    return linked_plan(scene, quality, picture, economy=economy)
 
 
 CHANGED.append(make_plan.cache_clear)
 
 
-def linked_plan(scene: Scene, quality: Quality, builder: type[FrameBuilder], *, economy: bool) -> FramePlan:
-    """Return the plan of the passes that a builder makes of a scene's contributions."""
+def linked_plan(
+    scene: Scene, quality: Quality, passes_of: Callable[[Frame], tuple[Stage, str]], *, economy: bool
+) -> FramePlan:
+    """Return the plan of a scene's contributions. ``passes_of``: its passes, and the target of its linear frame."""
     scene = _steepest_waves(scene, quality.waves)
-    collection = Collection((*EFFECTS, *outside()), scene, quality, economy=economy)
-    frame = builder(collection, collection.scene, quality)
-    passes = frame.passes()
-    for program in frame.programs.values():
-        refuse_too_many_samplers(program, collection.readers)
-    for drawn in passes:
-        refuse_integers(drawn, frame.targets)
-    camera = camera_uniforms(
-        collection.max_height, collection.min_height, collection.max_slope, collection.map_error, collection.bounds
-    )
-    uniforms = {**collection.uniforms, **camera, **frame.uniforms}
-    textures = {name: texture_entry(use) for name, use in collection.textures.items()}
-    linked = [with_inputs(drawn, frame.programs, uniforms) for drawn in passes]
-    timed, kept = with_setup(linked, frame.programs, uniforms, frame.targets, textures)
-    used = declared_in(uniforms, frame.programs)
+    given = collect((*EFFECTS, *outside()), scene, quality, economy=economy)
+    stage, linear = passes_of(Frame(given, quality))
+    for program in stage.programs.values():
+        link.refuse_too_many_samplers(program, given.readers)
+    for drawn in stage.passes:
+        link.refuse_integers(drawn, stage.targets)
+    uniforms = {**given.uniforms, **link.camera_uniforms(given), **stage.uniforms}
+    textures = {name: link.texture_entry(use) for name, use in given.textures.items()}
+    linked = [link.with_inputs(drawn, stage.programs, uniforms) for drawn in stage.passes]
+    timed, kept = with_setup(linked, stage.programs, uniforms, stage.targets, textures)
+    used = link.declared_in(uniforms, stage.programs)
     plan = FramePlan(
-        effects=tuple(collection.effects),
-        skipped=tuple(collection.skipped),
-        programs=frame.programs,
+        effects=given.effects,
+        skipped=given.skipped,
+        programs=dict(stage.programs),
         textures=textures,
-        targets=frame.targets,
+        targets=dict(stage.targets),
         passes=timed,
         kept=kept,
         uniforms=used,
-        linear=frame.linear,
+        linear=linear,
         samples=quality.samples,
-        top=collection.max_height,
-        trough=collection.min_height,
-        bottom=collection.min_ground,
-        live=tuple(sorted(live_fields(used) - collection.bound_fields)),
+        top=given.max_height,
+        trough=given.min_height,
+        bottom=given.min_ground,
+        live=tuple(sorted(link.live_fields(used) - given.bound_fields)),
     )
     return plan if economy else everywhere(plan)
 

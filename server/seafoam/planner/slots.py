@@ -8,24 +8,30 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from seafoam.effects.shader import Piece
-from seafoam.planner import defaults
+from seafoam.effects.shader import Inline, Piece, constant_function
+
+Combine = Literal["max", "product"]
+"""How foam saturations are combined."""
 
 
 @dataclass(frozen=True)
 class Join:
-    """A joining function: ``returns name(parameters)`` from ``prefix_suffix(arguments)`` of each file."""
+    """A joining function: ``returns name(parameters)`` from ``prefix_suffix`` of each file, of the same parameters."""
 
     returns: str
     name: str
     parameters: str
     suffix: str
-    arguments: str
     how: Literal["sum", "max", "product"] = "sum"
     limit: str = ""
     """GLSL expression of the maximum of the joined value."""
     none: str = "0.0"
     """Value without any file."""
+
+    @property
+    def arguments(self) -> str:
+        """The names of the parameters."""
+        return ", ".join(parameter.split()[-1] for parameter in self.parameters.split(","))
 
     def glsl(self, prefixes: Sequence[str]) -> str:
         """Return the function's source."""
@@ -57,197 +63,227 @@ class Slot:
     joins: tuple[Join, ...] = ()
 
 
-WAVES = Slot(
-    "waves",
-    joins=(
-        Join("vec3", "waves", "vec2 p", "waves", "p"),
-        Join("vec4", "waves_shading", "vec2 p, Footprint fp", "shading", "p, fp"),
-    ),
-)
-"""Height and gradient of the surface; the second function without waves smaller than the footprint."""
+def _waves(height: str, shading: str) -> Slot:
+    return Slot(
+        "waves",
+        joins=(
+            Join("vec3", height, "vec2 p", "waves"),
+            Join("vec4", shading, "vec2 p, Footprint fp", "shading"),
+        ),
+    )
 
-OPEN_WAVES = Slot(
-    "waves",
-    joins=(
-        Join("vec3", "open_waves", "vec2 p", "waves", "p"),
-        Join("vec4", "open_shading", "vec2 p, Footprint fp", "shading", "p, fp"),
-    ),
-)
+
+WAVES = _waves("waves", "waves_shading")
+"""Height and gradient of the surface; the second function without waves smaller than the footprint."""
+OPEN_WAVES = _waves("open_waves", "open_shading")
 SHORE = Slot("shore")
 """With a shore, it combines the open sea's waves with its own."""
-
-DETAIL = Slot("detail", joins=(Join("vec3", "detail", "vec2 p, Footprint fp", "detail", "p, fp"),))
+DETAIL = Slot("detail", joins=(Join("vec3", "detail", "vec2 p, Footprint fp", "detail"),))
 """Slopes without height: gradient, and the mean square slope removed by the footprint."""
 
 MARCHED = Slot("marched")
 """Shared functions of ray marching; filled if any pass marches to the surface."""
-NOW = Slot("now", default="surface/bounds.glsl@now_declared", under="marched")
+NOW = Slot("now", "surface/bounds.glsl@now_declared", under="marched")
 """Bounds of the present surface, for the steps of ray marching."""
-GENTLER = Slot(
-    "gentler",
-    under="marched",
-    joins=(Join("float", "surface_gentler", "vec3 ray, float from", "gentler", "ray, from"),),
-)
+GENTLER = Slot("gentler", under="marched", joins=(Join("float", "surface_gentler", "vec3 ray, float from", "gentler"),))
 """By how much a ray from ``from`` times its vector on meets smaller slopes than the bound of NOW."""
-SHORT = Slot("short", default=defaults.NO_SHORT_WAVES, under="marched")
+SHORT = Slot(
+    "short",
+    Inline("const bool SHORT_WAVES = false;\n\nvec3 short_waves() {\n    return vec3(0.0);\n}\n"),
+    under="marched",
+)
 """Short waves that ray marching bounds separately: ``SHORT_WAVES`` says whether there are any."""
-BEYOND = Slot("beyond", default=defaults.NO_BEYOND, under="marched")
+BEYOND = Slot(
+    "beyond",
+    constant_function("vec3", "surface_beyond", "vec3 ray, float aside", "vec3(1e30, 0.0, 0.0)"),
+    under="marched",
+)
 """Distance along a ray from which the waves are less steep."""
-APPROACH = Slot("approach", default=defaults.NO_APPROACH, under="marched")
+APPROACH = Slot(
+    "approach",
+    Inline(
+        "void march_open(vec3 ray, float leave, float fine, vec3 now, vec2 less, float bend, inout float tau) {\n}\n"
+    ),
+    under="marched",
+)
 """First part of a march, over water that needs fewer of its waves."""
 FIND = Slot("find")
 """Intersection of the ray with the surface; selected by the quality."""
-SHORT_BOUNDS = Slot("short bounds", default=defaults.NO_SHORT_BOUNDS)
+SHORT_BOUNDS = Slot("short bounds", constant_function("vec3", "short_bounds", ""))
 """Upper bounds of height over y = 0 (m), slope and second derivative (1/m) of the short waves."""
 MARCH_SLOTS = (MARCHED, NOW, GENTLER, SHORT, BEYOND, APPROACH)
 
-BOUNDS = Slot(
-    "bounds",
-    joins=(Join("vec3", "surface_bounds", "vec3 ray, float aside, float from", "bounds", "ray, aside, from"),),
-)
+BOUNDS = Slot("bounds", joins=(Join("vec3", "surface_bounds", "vec3 ray, float aside, float from", "bounds"),))
 """Upper bounds of the surface's height over y = 0 (m), slope and second derivative (1/m) along a ray from ``from``
 times its vector on, and along all rays up to ``aside`` metres a unit beside it. Height and slope hold for the whole
 ray."""
-
-START = Slot(
-    "start",
-    joins=(Join("vec3", "starts", "vec3 ray, vec3 side, vec3 top", "start", "ray, side, top"),),
-)
+START = Slot("start", joins=(Join("vec3", "starts", "vec3 ray, vec3 side, vec3 top", "start"),))
 """Free distance of the rays between ray ± side ± top: r of water, g of land; each file fills a component."""
 
-SATURATION_MAX = Slot(
-    "saturation",
-    joins=(
-        Join("float", "saturation", "vec2 p, float height, Footprint fp", "saturation", "p, height, fp", "max", "4.0"),
-    ),
-)
-SATURATION_PRODUCT = Slot(
-    "saturation",
-    joins=(
-        Join(
-            "float", "saturation", "vec2 p, float height, Footprint fp", "saturation", "p, height, fp", "product", "4.0"
-        ),
-    ),
-)
-"""Foam saturation, in [0, 4]."""
 
-CARRY = Slot("carry", under="carry", joins=(Join("vec2", "carry", "vec2 p", "carry", "p"),))
+def saturation(combine: Combine) -> Slot:
+    """Return the slot of foam saturation, in [0, 4]."""
+    join = Join("float", "saturation", "vec2 p, float height, Footprint fp", "saturation", combine, "4.0")
+    return Slot("saturation", joins=(join,))
+
+
+CARRY = Slot("carry", under="carry", joins=(Join("vec2", "carry", "vec2 p", "carry"),))
 """Vector from a place to the rest position of the water there, m; called after that place was shaded."""
-OPEN_CARRY = Slot("carry", under="carry", joins=(Join("vec2", "open_carry", "vec2 p", "carry", "p"),))
+OPEN_CARRY = Slot("carry", under="carry", joins=(Join("vec2", "open_carry", "vec2 p", "carry"),))
 SHORE_CARRY = Slot("shore carry", under="carry")
 """With a shore, it combines the open sea's orbits with its own."""
-LOOK = Slot("look", default=defaults.NO_FOAM)
+LOOK = Slot("look", constant_function("float", "foam_amount", "float f, vec2 p, Footprint fp"))
 """Foam amount from saturation."""
-OVER = Slot("over", default="foam/shading.glsl@over")
+OVER = Slot("over", "foam/shading.glsl@over")
 """Composition of foam and water."""
-ALBEDO = Slot("albedo", default=defaults.NO_ALBEDO, under="shade")
+ALBEDO = Slot("albedo", constant_function("float", "foam_albedo", ""), under="shade")
+
 LAYERED = Slot("layered")
-MOON = Slot("moon", default=defaults.NO_MOON, under="layered")
-CIRRUS = Slot("cirrus", default=defaults.NO_CIRRUS, under="layered")
-CLOUDS = Slot("clouds", default=defaults.NO_CLOUDS, under="layered")
-RAIN = Slot("rain", default=defaults.NO_RAIN, under="layered")
-SKY = Slot("sky", default=defaults.BLACK_SKY)
+MOON = Slot(
+    "moon",
+    Inline(
+        constant_function("vec3", "moon_glow", "vec3 d").text
+        + "\n"
+        + constant_function("vec3", "moon_glow_rim", "vec2 level, vec3 d").text
+    ),
+    under="layered",
+)
+CIRRUS = Slot(
+    "cirrus",
+    Inline("vec4 cirrus(vec3 d, vec2 spread, out float hidden) {\n    hidden = 0.0;\n    return vec4(0.0);\n}\n"),
+    under="layered",
+)
+CLOUDS = Slot(
+    "clouds",
+    Inline(
+        "vec4 clouds_along_horizon() {\n    return vec4(0.0);\n}\n\n"
+        "vec4 clouds(vec3 d, vec2 spread, out float hidden) {\n    hidden = 0.0;\n    return vec4(0.0);\n}\n"
+    ),
+    under="layered",
+)
+RAIN = Slot(
+    "rain",
+    Inline("vec3 in_rain(vec3 light, vec3 d, vec2 spread, inout float hidden) {\n    return light;\n}\n"),
+    under="layered",
+)
+SKY = Slot(
+    "sky",
+    Inline(
+        "\n".join(
+            constant_function("vec3", name, f"vec3 {argument}").text
+            for name, argument in (("sky_light", "d"), ("horizon_light", "d"), ("mirrored_sky", "r, vec3 spread"))
+        )
+        + "\nfloat exposure() {\n    return 1.0;\n}\n"
+    ),
+)
 """Light of the sky; a layered sky is combined from air, moonlight and clouds."""
-MOON_DISC = Slot("moon disc", default=defaults.NO_MOON_DISC, under="layered")
-STARS = Slot("stars", default=defaults.NO_STARS, under="layered")
-SKY_MAIN = Slot("sky main", default="light/sky.glsl@main")
-DISC = Slot("disc", default=defaults.NO_SUN_DISC)
+MOON_DISC = Slot("moon disc", constant_function("vec4", "moon_disc", "vec3 d"), under="layered")
+STARS = Slot("stars", constant_function("vec3", "star_light", "vec3 d, float pixel"), under="layered")
+SKY_MAIN = Slot("sky main", "light/sky.glsl@main")
+DISC = Slot("disc", constant_function("vec3", "sun_disc", "vec3 d"))
+
 OPEN_SUN = Slot(
-    "open sun",
-    joins=(Join("float", "open_sun", "vec3 place, Footprint fp", "sunlit", "place, fp", "product", none="1.0"),),
+    "open sun", joins=(Join("float", "open_sun", "vec3 place, Footprint fp", "sunlit", "product", none="1.0"),)
 )
 """Share of the direct sunlight that reaches a place past land and clouds: a factor of the sun's light on boats and
 drops."""
-SUNLIGHT = Slot("sunlight", default=defaults.NO_BOAT_SHADOW)
+SUNLIGHT = Slot("sunlight", constant_function("float", "sunlit", "vec3 place, Footprint fp", "open_sun(place, fp)"))
 """The same past boats too: a factor of the sun's light on water, foam, floor and land."""
-BODY = Slot("body", default="water/body.glsl@deep", under="shade")
-CREST = Slot("crest", default=defaults.NO_CREST_LIGHT, under="shade")
-PLUME = Slot("plume", default=defaults.NO_BUBBLES, under="shade")
+BODY = Slot("body", "water/body.glsl@deep", under="shade")
+CREST = Slot("crest", constant_function("vec3", "crest_light", "vec3 d, vec3 absorption, float height"), under="shade")
+PLUME = Slot(
+    "plume",
+    Inline(
+        "vec3 aerated(vec3 body, vec3 deep, vec3 below, vec3 extinction, float cv, float f) {\n    return body;\n}\n"
+    ),
+    under="shade",
+)
 """Bubbles in the water under foam."""
-GLITTER = Slot("glitter", default=defaults.NO_GLITTER, under="shade")
-REFLECTION = Slot("reflection", default="reflection/mirror.glsl@sky", under="shade")
+GLITTER = Slot(
+    "glitter", constant_function("vec3", "glitter_light", "vec3 d, vec3 n, float sigma2, float cv"), under="shade"
+)
+REFLECTION = Slot("reflection", "reflection/mirror.glsl@sky", under="shade")
 """Light reflected by the water."""
-SHADE = Slot("shade", default="light/shade.glsl@flat")
-RELIEF = Slot("relief", default=defaults.NO_RELIEF)
+SHADE = Slot("shade", "light/shade.glsl@flat")
+RELIEF = Slot("relief", Inline("void foam_relief(float f, float amount, vec2 p, Footprint fp) {\n}\n"))
 """Called before water and foam are lit: fraction of the sun that foam beside the place blocks."""
-FOAM_LAYER = Slot("foam layer", default=defaults.MATT_FOAM)
+FOAM_LAYER = Slot(
+    "foam layer", Inline("vec4 foam_layer(vec3 n, vec3 d, float f) {\n    return vec4(foam_light(n), 1.0);\n}\n")
+)
 """Light of foam over water, and its opacity."""
-CAUSTICS = Slot("caustics", default="water/seafloor.glsl@even", under="bed")
+CAUSTICS = Slot("caustics", "water/seafloor.glsl@even", under="bed")
 """Distribution of the sun's light on a level floor."""
 BED = Slot("bed")
 """Light of a level floor, if single points of it are visible from above the surface."""
 UNDERSIDE = Slot("underside")
 """Intersection of a ray from below with the surface; filled like FIND."""
-REACH = Slot("reach", default=defaults.NO_FLOOR_BELOW, under="below")
-UNDER_BED = Slot("under bed", default=defaults.NO_FLOOR_LIGHT, under="below")
+REACH = Slot("reach", constant_function("float", "bed_reach", "vec2 p, float y, vec3 d", "1e6"), under="below")
+UNDER_BED = Slot(
+    "under bed", constant_function("vec3", "bed_light", "vec2 at, float down, Footprint fp"), under="below"
+)
 """The floor as seen from below the surface: its distance and its light."""
-THROUGH = Slot("through", default=defaults.NO_FLOOR)
+THROUGH = Slot(
+    "through",
+    Inline("void look_through(vec2 p, float height, vec3 d, vec3 normal, float unresolved, Footprint fp) {\n}\n"),
+)
 """Called before the water is shaded: what is visible through it."""
-LAND = Slot("land", default=defaults.NO_LAND)
+LAND = Slot(
+    "land",
+    Inline(
+        "bool find_land_ahead(vec3 ray, out float land_tau, out vec4 ground) {\n"
+        "    land_tau = 0.0;\n    ground = vec4(0.0);\n    return false;\n}\n\n"
+        "vec4 land_color(vec3 ray, vec3 d, float tau, vec4 ground) {\n    return vec4(0.0);\n}\n"
+    ),
+)
 """Objects in front of the water."""
-LAND_FOAM = Slot("land foam", default=defaults.NO_FOAM_ON_LAND, under="land color")
+LAND_FOAM = Slot(
+    "land foam", constant_function("float", "land_foam", "vec2 p, float ground, Footprint fp"), under="land color"
+)
 """Foam on the land."""
 LAND_COLOR = Slot("land color")
 """Colour of the land; none without land."""
-FIRST = Slot("first", default="surface/met.glsl@first")
+FIRST = Slot("first", "surface/met.glsl@first")
 """What a ray meets first, water or land."""
-MAIN = Slot("main", default="surface/main.glsl")
+MAIN = Slot("main", "surface/main.glsl")
 BELOW = Slot("below")
 """Main function for a camera under the surface."""
-ONLY_OVER = (
-    GENTLER,
-    SHORT,
-    BEYOND,
-    APPROACH,
-    FIND,
-    RELIEF,
-    FOAM_LAYER,
-    THROUGH,
-    LAND,
-    LAND_FOAM,
-    LAND_COLOR,
-    FIRST,
-    MAIN,
-)
-"""Slots that the shader for such a camera leaves out."""
-UNDER_SLOTS = (UNDERSIDE, REACH, UNDER_BED, BELOW)
-"""Slots that it has besides."""
-GLARE = Slot("glare", default=defaults.NO_GLARE)
-TONE = Slot("tone", default="output/tone.glsl@clamp")
+GLARE = Slot("glare", Inline("vec3 with_glare(vec3 light) {\n    return light;\n}\n"))
+TONE = Slot("tone", "output/tone.glsl@clamp")
 
 
 SKY_SLOTS = (LAYERED, MOON, CIRRUS, CLOUDS, RAIN, SKY)
 """Components of ``sky_light``, in source order."""
-SUN_SLOTS = (*SKY_SLOTS, OPEN_SUN, SUNLIGHT)
-"""Slots of sky and direct sunlight, in source order."""
 SKY_PASS_SLOTS = (*SKY_SLOTS, DISC, MOON_DISC, STARS, SKY_MAIN)
 """Slots of the sky's fragment shader, in source order."""
+_LIT = (*SKY_SLOTS, OPEN_SUN, SUNLIGHT, BODY, CREST, PLUME, GLITTER, REFLECTION, SHADE)
+"""Slots of light on water and land, in source order."""
+_LAND = (LAND, LAND_FOAM, LAND_COLOR)
+ONLY_OVER = (GENTLER, SHORT, BEYOND, APPROACH, FIND, RELIEF, FOAM_LAYER, THROUGH, *_LAND, FIRST, MAIN)
+"""Slots that the shader for a camera under the surface leaves out."""
+UNDER_SLOTS = (UNDERSIDE, REACH, UNDER_BED, BELOW)
+"""Slots that it has besides."""
 
 
-def _foam_slots(combine: Literal["max", "product"], shore: bool) -> tuple[Slot, ...]:
+def _foam_slots(combine: Combine, shore: bool) -> tuple[Slot, ...]:
     """Slots of foam, in source order."""
-    saturation = SATURATION_MAX if combine == "max" else SATURATION_PRODUCT
     carry = (OPEN_CARRY, SHORE_CARRY) if shore else (CARRY,)
-    return (saturation, *carry, LOOK, OVER, ALBEDO)
+    return (saturation(combine), *carry, LOOK, OVER, ALBEDO)
 
 
-def surface_slots(combine: Literal["max", "product"], shore: bool = False) -> tuple[Slot, ...]:
+def surface_slots(combine: Combine, shore: bool = False) -> tuple[Slot, ...]:
     """Slots of the surface's fragment shader, in source order."""
     waves = (OPEN_WAVES, SHORE) if shore else (WAVES,)
-    lit = (*SUN_SLOTS, BODY, CREST, PLUME, GLITTER, REFLECTION, SHADE, RELIEF, FOAM_LAYER, CAUSTICS, BED)
-    foam = _foam_slots(combine, shore)
-    land = (LAND, LAND_FOAM, LAND_COLOR)
-    return (*waves, DETAIL, *MARCH_SLOTS, FIND, *foam, *lit, THROUGH, *land, FIRST, MAIN)
+    shaded = (*_foam_slots(combine, shore), *_LIT, RELIEF, FOAM_LAYER, CAUSTICS, BED, THROUGH)
+    return (*waves, DETAIL, *MARCH_SLOTS, FIND, *shaded, *_LAND, FIRST, MAIN)
 
 
-def land_slots(combine: Literal["max", "product"], foam: bool) -> tuple[Slot, ...]:
+def land_slots(combine: Combine, foam: bool) -> tuple[Slot, ...]:
     """Slots of the fragment shader that draws land, in source order.
 
     ``foam``: whether there is foam on it.
     """
-    lit = (*SUN_SLOTS, BODY, CREST, PLUME, GLITTER, REFLECTION, SHADE)
     own = _foam_slots(combine, True) if foam else (OVER, ALBEDO)
-    return (OPEN_WAVES, SHORE, *own, *lit, LAND_FOAM, LAND_COLOR)
+    return (OPEN_WAVES, SHORE, *own, *_LIT, LAND_FOAM, LAND_COLOR)
 
 
 def slots_named(name: str, shore: bool = False) -> tuple[Slot, ...]:

@@ -1,0 +1,85 @@
+"""A whole frame: surface and sky, what stands before them, the mean of the samples, and the picture on the screen."""
+
+from collections.abc import Sequence
+
+from seafoam.effects.effect import ABOVE, BENEATH, FINISHED
+from seafoam.framegraph.passes import Pass
+from seafoam.framegraph.resources import Target, TargetInput, ViewportSize, target_inputs
+from seafoam.planner.adaptive import Redrawn, additional_samples
+from seafoam.planner.frame import Frame, Stage, fullscreen
+from seafoam.planner.glsl import slot_pieces
+from seafoam.planner.slots import GLARE, TONE
+from seafoam.planner.surface import Scenery
+
+_SAMPLES = "samples"
+"""The target of all samples, in a square for each pixel."""
+
+
+def picture(frame: Frame) -> tuple[Stage, str]:
+    """Return everything that draws a picture, and the target that holds its finished linear frame."""
+    after = frame.effect_passes("after")
+    scenery = Scenery(frame, BENEATH if after else _SAMPLES)
+    before = Stage(frame.effect_passes("before"), frame.effect_programs(), frame.collection.targets)
+    stages = [before, scenery.stage(), _overlay(frame, after)]
+    linear = _SAMPLES
+    if frame.side > 1:
+        stages.append(_mean(frame, linear))
+        linear = "linear"
+    # Without light an additional sample costs less than its selection.
+    if frame.quality.chosen_samples and frame.scene.light is not None:
+        stages.append(additional_samples(frame, linear, "finished", scenery.redrawn(), _redrawn_overlays(frame)))
+        linear = "finished"
+    return Stage.joined(*stages, _display(frame, linear)), linear
+
+
+def _overlay(frame: Frame, after: Sequence[Pass]) -> Stage:
+    """The target of the samples, and the passes that are blended over surface and sky, if there are any."""
+    size, kind = ViewportSize(scale=frame.side), frame.quality.target
+    surface = Target(size=size, format=kind, depth=True)
+    if not after:
+        return Stage(targets={_SAMPLES: surface})
+    reads = target_inputs({"u_beneath": BENEATH, "u_above": ABOVE})
+    return Stage(
+        passes=[*after, fullscreen("what stands before the water", "compose", _SAMPLES, reads)],
+        programs={"compose": frame.program(["lib/numbers.glsl", "output/frame.glsl@compose"])},
+        targets={
+            BENEATH: surface,
+            ABOVE: Target(size=size, format="RGBA16F"),
+            _SAMPLES: Target(size=size, format=kind),
+        },
+    )
+
+
+def _mean(frame: Frame, samples: str) -> Stage:
+    """The pass that averages each pixel's samples."""
+    return Stage(
+        passes=[fullscreen("mean of the samples", "resolve", "linear", target_inputs({"u_samples": samples}))],
+        programs={"resolve": frame.program(["output/frame.glsl@resolve"])},
+        targets={"linear": Target(size=ViewportSize(), format="RGBA32F")},
+    )
+
+
+def _redrawn_overlays(frame: Frame) -> tuple[Redrawn, ...]:
+    """The overlays as they are drawn again for selected pixels."""
+    found: list[Redrawn] = []
+    for spec in frame.above:
+        for drawn in frame.passes_of(spec):
+            over = drawn.program == spec.program
+            pieces = frame.pieces(spec.fragment if over else spec.under)
+            found.append(Redrawn(drawn, tuple(pieces), sided=frame.sided(over if spec.under else None)))
+    return tuple(found)
+
+
+def _display(frame: Frame, linear: str) -> Stage:
+    """Passes that show the finished frame: those of effects, and tone mapping."""
+    ends = {TargetInput(target=FINISHED): TargetInput(target=linear)}
+    finished = [
+        drawn.model_copy(update={"inputs": {name: ends.get(source, source) for name, source in drawn.inputs.items()}})
+        for drawn in frame.effect_passes("finished")
+    ]
+    inputs = {**frame.collection.inputs, **target_inputs({"u_linear": linear})}
+    files = [piece for slot in (GLARE, TONE) for piece in slot_pieces(slot, frame.marched)]
+    return Stage(
+        passes=[*finished, fullscreen("tone", "present", "screen", inputs)],
+        programs={"present": frame.program([*files, "output/frame.glsl@present"])},
+    )

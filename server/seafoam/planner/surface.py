@@ -1,0 +1,204 @@
+"""Surface, land and sky: the passes that find what rays meet, and those that draw it."""
+
+from collections.abc import Sequence
+from functools import cached_property
+
+from seafoam.effects.shader import Piece, SlotFile, SlotRef
+from seafoam.framegraph.passes import Fullscreen, Grid, Pass, State
+from seafoam.framegraph.resources import Input, Target, TargetInput, ViewportSize
+from seafoam.framegraph.shader import Program
+from seafoam.planner import slots
+from seafoam.planner.adaptive import Redrawn
+from seafoam.planner.frame import (
+    MARCH,
+    MARCHED,
+    OVER,
+    PLANE,
+    Frame,
+    Stage,
+    find,
+    from_under,
+    fullscreen,
+    underwater,
+)
+from seafoam.planner.glsl import COMMON, PLACE, slot_pieces
+
+SURFACE, SKY = "surface", "sky"
+"""Programs and passes."""
+UNDERWATER = underwater(SURFACE)
+"""The surface's program for a camera under the water."""
+BETWEEN = "surface, between"
+"""The program that draws it instead of a mesh for a camera over the water but not over all crests."""
+
+_SAMPLED: tuple[Piece, ...] = (*COMMON, PLACE)
+_LAND_DEPTH = -0.5
+"""Clip-space depth of land: before the water."""
+_HORIZON_DEPTH = 0.9999995
+"""Clip-space depth of the sky: behind all water, before the cleared depth."""
+
+
+class Scenery:
+    """Surface, land and sky of a frame, drawn into ``target``."""
+
+    def __init__(self, frame: Frame, target: str) -> None:
+        self.frame, self.target = frame, target
+        # Land extends above the horizon, where the sea's mesh does not.
+        self.mesh = frame.quality.surface.method == "mesh" and not frame.level and not frame.shore
+        met: dict[str, Input] = {"u_met": TargetInput(target="met")} if frame.shore else {}
+        self.inputs = {**frame.collection.inputs, **met}
+        self.files = self._files()
+        self.combine: slots.Combine = frame.scene.foam.combine if frame.scene.foam else "max"
+
+    def stage(self) -> Stage:
+        """Return what draws the scenery."""
+        met = Target(size=ViewportSize(scale=self.frame.side), format="RGBA32F")
+        return Stage(
+            passes=[*self._search(), *self._drawn()],
+            programs={**self._surface_programs(), **(self._land_programs() if self.frame.shore else {})},
+            targets={"met": met} if self.frame.shore else {},
+        )
+
+    def redrawn(self) -> tuple[Redrawn, ...]:
+        """Return surface and sky as they are drawn again for selected pixels: by ray marching, land with the water."""
+        found: list[Redrawn] = []
+        for drawn in self._surfaces():
+            low = drawn.program == UNDERWATER
+            state = drawn.state if low else drawn.state.model_copy(update={"clear": True})
+            over = None if self.mesh and drawn.program == SURFACE else not low
+            found.append(
+                Redrawn(
+                    drawn.model_copy(update={"state": state}),
+                    self._under if low else self._marched,
+                    sided=self.frame.sided(over),
+                )
+            )
+        return (*found, Redrawn(self._sky_pass, self._sky, depth=_HORIZON_DEPTH))
+
+    def _files(self) -> list[SlotFile]:
+        """The files of the surface's shader."""
+        shore, given = self.frame.shore, self.frame.collection.slots
+        intersection = MARCHED
+        if shore:
+            intersection = "surface/met.glsl@met"
+        elif self.frame.level:
+            intersection = PLANE
+        elif self.mesh:
+            intersection = "surface/march.glsl@newton"
+        # With land, a pass before the surface's finds whether a ray hits water or land first.
+        of_land = (slots.APPROACH, slots.LAND, slots.LAND_COLOR, slots.LAND_FOAM) if shore else ()
+        left_out = {slot.name for slot in (*of_land, slots.GENTLER)}
+        files = [*(file for file in given if file.slot not in left_out), find(intersection)]
+        return [*files, MARCH] if intersection == MARCHED else files
+
+    def _of_slots(self, filled: Sequence[slots.Slot], files: Sequence[SlotFile]) -> tuple[Piece, ...]:
+        return (*_SAMPLED, *(piece for slot in filled for piece in slot_pieces(slot, files)))
+
+    @property
+    def _surface_slots(self) -> tuple[slots.Slot, ...]:
+        return slots.surface_slots(self.combine, self.frame.shore)
+
+    @cached_property
+    def _marched(self) -> tuple[Piece, ...]:
+        """The surface's shader by ray marching."""
+        return self._of_slots(self._surface_slots, self.frame.marched)
+
+    @cached_property
+    def _under(self) -> tuple[Piece, ...]:
+        """The surface's shader for a camera under the water."""
+        own = (slot for slot in self._surface_slots if slot not in slots.ONLY_OVER)
+        return self._of_slots((*own, *slots.UNDER_SLOTS), self.frame.marched)
+
+    @cached_property
+    def _sky(self) -> tuple[Piece, ...]:
+        return self._of_slots(slots.SKY_PASS_SLOTS, self.files)
+
+    def _up_to_horizon(self, side: str) -> list[Piece]:
+        """Return the vertex shader of a triangle on one side of the line that rays to water do not cross."""
+        rise: list[Piece] = ["vertex/vertex.glsl@rise_level"]
+        if not self.frame.level:
+            rise = [*slot_pieces(slots.NOW, self.frame.marched), "vertex/vertex.glsl@rise"]
+        return [*COMMON, *self.frame.waves, *rise, "vertex/vertex.glsl@horizon", f"vertex/vertex.glsl@{side}"]
+
+    def _surface_programs(self) -> dict[str, Program]:
+        frame, falling = self.frame, self._up_to_horizon("falling")
+        surface = self._of_slots(self._surface_slots, self.files)
+        programs = {SKY: frame.program(self._sky, depth=_HORIZON_DEPTH)}
+        if self.mesh:
+            grid = [*COMMON, *slot_pieces(slots.WAVES, self.files), "vertex/vertex.glsl@polar_grid"]
+            programs[SURFACE] = frame.program(surface, grid)
+            if frame.below:
+                programs[BETWEEN] = frame.program(self._marched, falling, over=True)
+        else:
+            programs[SURFACE] = frame.program(surface, falling, over=True)
+        if frame.below:
+            programs[UNDERWATER] = frame.program(self._under, over=False)
+        return programs
+
+    def _land_programs(self) -> dict[str, Program]:
+        frame = self.frame
+        met = frame.pieces([*_SAMPLED, *map(SlotRef, ("waves", "find", "land", "first"))], frame.met)
+        land = slots.land_slots(self.combine, frame.collection.fills(slots.LAND_FOAM.name))
+        return {
+            "met": frame.program([*met, "surface/met.glsl@met_pass"], self._up_to_horizon("falling"), over=True),
+            "met, rising": frame.program(
+                [*met, "surface/met.glsl@met_rising_pass"], self._up_to_horizon("rising"), over=True
+            ),
+            "land, shown": frame.program([*_SAMPLED, "shore/land.glsl@land_shown_pass"], over=True, depth=_LAND_DEPTH),
+            "land": frame.program(
+                [*self._of_slots(land, frame.marched), "shore/land.glsl@land_pass"], over=True, depth=_LAND_DEPTH
+            ),
+        }
+
+    def _search(self) -> list[Pass]:
+        """Passes that find whether a ray hits water or land first."""
+        if not self.frame.shore:
+            return []
+        return [
+            self.frame.found_over("what rising rays meet", "met, rising", "met", State(), self.inputs),
+            self.frame.found_over("what rays meet", "met", "met", State(), self.inputs),
+        ]
+
+    def _drawn(self) -> list[Pass]:
+        """Surface, land and sky."""
+        if not self.frame.shore:
+            return [*self._surfaces(), self._sky_pass]
+        shown, land = (
+            self.frame.found_over(name, program, self.target, state, self.inputs)
+            for name, program, state in (
+                ("where land shows", "land, shown", State(depth=True, clear=True)),
+                ("land", "land", State(depth=True, equal=True)),
+            )
+        )
+        return [shown, *self._surfaces(), land, self._sky_pass]
+
+    @property
+    def _sky_pass(self) -> Pass:
+        # A mesh ends before the horizon, and rays of a camera between crests may miss the water.
+        view = "any" if self.mesh else "rising"
+        return fullscreen(SKY, SKY, self.target, {}).model_copy(update={"view": view, "state": State(depth=True)})
+
+    def _surfaces(self) -> list[Pass]:
+        """Passes that draw the surface, for all camera heights."""
+        frame, cells = self.frame, self.frame.quality.surface.cells
+        own = Pass(
+            name=SURFACE,
+            when="frame",
+            # Land extends above the horizon.
+            view="any" if frame.shore else "falling",
+            program=SURFACE,
+            target=self.target,
+            mesh=Grid(rows=cells, columns=cells) if self.mesh else Fullscreen(),
+            inputs=self.inputs,
+            # With a shore, the pass that tells where land shows has cleared.
+            state=State(depth=True, clear=not frame.shore),
+        )
+        if not frame.below:
+            return [own]
+        over = [own.model_copy(update={"eye": OVER})]
+        if self.mesh:
+            between = {"eye": ("between",), "program": BETWEEN, "mesh": Fullscreen()}
+            over = [own.model_copy(update={"eye": ("over",)}), own.model_copy(update=between)]
+        low = own.model_copy(
+            update={"program": UNDERWATER, "mesh": Fullscreen(), "state": State(depth=True, clear=True)}
+        )
+        return [*over, *from_under(low, frame.level)]
