@@ -222,6 +222,24 @@ class Quality(Extensible, QualityParameters):
         return self.samples + (4 if self.chosen_samples else 0)
 
 
+_FINEST: dict[str, Any] = {
+    "foam_relief": True,
+    "sea_size": 512,
+    "sea_digits": "float",
+    "shore_floor": 512,
+    "shore_profile": 256,
+    "shadow_steps": 256,
+    "cloud_shadow_octaves": 4,
+    "cube": "exact",
+    "slope_places": 5,
+    "refraction_steps": 16,
+    "spray_count": 16384,
+    "caustics": "photons",
+    "caustics_photons": 1024,
+    "target": "RGBA32F",
+}
+"""What the tier ``reference`` and :data:`EXACT` have in common."""
+
 TIERS: dict[Tier, Quality] = {
     "draft": Quality(
         surface=SurfaceQuality(tolerance=0.2),
@@ -265,57 +283,31 @@ TIERS: dict[Tier, Quality] = {
         samples_max=16,
     ),
     "reference": Quality(
+        **_FINEST,
         surface=SurfaceQuality(steps=512, tolerance=0.02),
-        foam_relief=True,
         rings_size=2048,
-        sea_size=512,
-        sea_digits="float",
-        shore_floor=512,
-        shore_profile=256,
-        shadow_steps=256,
-        cloud_shadow_octaves=4,
-        cube="exact",
-        slope_places=5,
-        refraction_steps=16,
         drift_size=512,
         drift_step=0.25,
-        spray_count=16384,
-        caustics="photons",
-        caustics_photons=1024,
         wake_size=1024,
         reflection_size=512,
         samples=25,
-        target="RGBA32F",
     ),
 }
 
 assert set(TIERS) == set(get_args(Tier))
 
 EXACT = Quality(
+    **_FINEST,
     surface=SurfaceQuality(steps=512, tolerance=2e-4, refine=4, filter=False),
     foam_texture="texels",
-    foam_relief=True,
     ripples="exact",
     rings="exact",
-    sea_size=512,
-    sea_digits="float",
-    shore_floor=512,
-    shore_profile=256,
-    shadow_steps=256,
-    cloud_shadow_octaves=4,
-    cube="exact",
     cube_size=512,
-    slope_places=5,
-    refraction_steps=16,
     drift="exact",
     drift_step=0.2,
-    spray_count=16384,
-    caustics="photons",
-    caustics_photons=1024,
     wake="exact",
     reflection="traced",
     boat_samples=1,
-    target="RGBA32F",
 )
 """The formulas alone: nothing from maps, no footprints, one sample a pixel, float32 throughout. It aliases, and agrees
 with :func:`seafoam.reference.render` of the same samples; for formulas to be checked, not for pictures."""
