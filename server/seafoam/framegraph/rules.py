@@ -6,6 +6,10 @@ from typing import Annotated, Literal
 from pydantic import BaseModel, ConfigDict, Field
 
 
+FAR = 1e8
+"""Limit of vectors to the camera, m: what is farther away is in no picture."""
+
+
 class PlanPart(BaseModel):
     """Base class of all parts of a frame plan."""
 
@@ -132,6 +136,20 @@ def vector(value: tuple[float, ...], field_pointer: str | None = None) -> Unifor
 def array(kind: UniformType, rules: Iterable[Rule], count: int) -> Uniform:
     """Return an array uniform of ``count`` elements."""
     return Uniform(type=kind, count=count, rules=tuple(rules))
+
+
+def constants(kind: UniformType, values: Iterable[float | tuple[float, ...]]) -> Uniform:
+    """Return an array uniform of constants, a value for each element."""
+    rules = [Constant(value=value if isinstance(value, tuple) else (value,)) for value in values]
+    return array(kind, rules, len(rules))
+
+
+def to_camera(x: float, z: float) -> tuple[Clamp, Clamp]:
+    """Return the vector from the point (x, z) to the camera, m; at most :data:`FAR` along each axis."""
+    return (
+        Clamp(offset=-x, k=(1.0, 0.0), low=-FAR, high=FAR),
+        Clamp(offset=-z, k=(0.0, 1.0), low=-FAR, high=FAR),
+    )
 
 
 def in_tile(side: float, period: float = 1.0, offset: tuple[float, float] = (0.0, 0.0)) -> tuple[Wrap, Wrap]:

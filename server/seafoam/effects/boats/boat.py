@@ -12,14 +12,15 @@ from seafoam.effects.water.underside import WATER
 from seafoam.framegraph.passes import BoundingSphere, Quads
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.framegraph.rules import (
-    Clamp,
     Constant,
     Phase,
     Rule,
     Uniform,
     UniformType,
     array,
+    constants,
     significant,
+    to_camera,
 )
 from seafoam.quality import Quality
 from seafoam.scene.boats import Boat
@@ -34,8 +35,6 @@ DRAUGHT = 0.08
 HULLS: dict[str, tuple[float, float, float]] = {"sail": (0.15, 4.63, 0.1), "motor": (0.17, 2.515, 0.15)}
 """Half breadth amidships, its fall with the square of the distance from the height of the greatest breadth, and that
 height, in boat lengths, as in ``boats/hull.glsl@hull``."""
-FAR = 1e8
-"""Limit of the distance from a course's centre to the camera, along each axis, m: beyond what any picture shows."""
 
 COURSE = "boats/pose.glsl@course"
 FRAME = "boats/hull.glsl@frame"
@@ -88,8 +87,7 @@ def _courses(boats: tuple[Boat, ...]) -> Uniform:
     for boat in boats:
         turn = 1.0 if boat.turn == "starboard" else -1.0
         rules += [
-            Clamp(offset=-boat.centre[0], k=(1.0, 0.0), low=-FAR, high=FAR),
-            Clamp(offset=-boat.centre[1], k=(0.0, 1.0), low=-FAR, high=FAR),
+            *to_camera(*boat.centre),
             Phase(offset=boat.bearing, rate=turn * boat.speed / boat.radius, k=(0.0, 0.0)),
             Constant(value=(turn * boat.radius,)),
         ]
@@ -118,7 +116,7 @@ def _direction(angle: float) -> tuple[float, float]:
 
 def _per_boat(values: Sequence[tuple[float, ...]]) -> Uniform:
     kind: UniformType = "vec3" if len(values[0]) == 3 else "vec4"
-    return array(kind, [Constant(value=value) for value in values], len(values))
+    return constants(kind, values)
 
 
 def _pose_pass(scene: Scene) -> PassSpec:

@@ -10,8 +10,8 @@ from seafoam.effects.boats.boat import COURSE
 from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter
 from seafoam.effects.shader import Inline, Piece, SlotFile, Source
 from seafoam.effects.waves.measured import BLOCK
-from seafoam.framegraph.resources import FixedSize, Target, TargetInput
-from seafoam.framegraph.rules import Constant, Uniform, array, number, significant
+from seafoam.framegraph.resources import FixedSize, Target, TargetInput, target_inputs
+from seafoam.framegraph.rules import Uniform, constants, number, significant
 from seafoam.ocean.wakes import NEAR, Wake, joint_height, joint_slope, wakes
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
@@ -87,7 +87,7 @@ def wakes_of(kind: Kind, patterns: Sequence[Wake], quality: Quality) -> Contribu
         slots=_slots(kind, mapped=mapped),
         consts={"WAKE_SIZE": quality.wake_size, "WAKE_ASIDE": ASIDE, "WAKE_NEAR": NEAR, "WAKE_AWAY": AWAY},
         uniforms={kind.known(name): uniform for name, uniform in uniforms.items()},
-        inputs={kind.known(name): TargetInput(target=target) for name, target in read.items()},
+        inputs=target_inputs({kind.known(name): target for name, target in read.items()}),
         targets=targets,
         passes=passes,
         bound=Bound(0.0, kind.still) if height == 0.0 else None,
@@ -123,8 +123,8 @@ def _form_uniforms(patterns: Sequence[Wake]) -> dict[str, Uniform]:
     ]
     boats = [(of.boat.length, of.boat.radius) for of in patterns]
     return {
-        "u_wake": array("vec4", [Constant(value=form) for form in forms], len(forms)),
-        "u_wake_boat": array("vec2", [Constant(value=boat) for boat in boats], len(boats)),
+        "u_wake": constants("vec4", forms),
+        "u_wake_boat": constants("vec2", boats),
     }
 
 
@@ -133,7 +133,7 @@ def _bound_uniforms(patterns: Sequence[Wake], height: float) -> dict[str, Unifor
     bounds = [(significant(of.max_slope), *map(significant, of.curvature)) for of in patterns]
     return {
         "u_wake_highest": number(height),
-        "u_wake_bounds": array("vec3", [Constant(value=of) for of in bounds], len(bounds)),
+        "u_wake_bounds": constants("vec3", bounds),
     }
 
 

@@ -9,8 +9,17 @@ from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, PlanEr
 from seafoam.effects.noise import VALUE_NOISE
 from seafoam.effects.shader import Const, Piece, SlotFile, Source
 from seafoam.framegraph.passes import Points
-from seafoam.framegraph.resources import FixedSize, Target, TargetFormat, TargetInput, TextureInput
-from seafoam.framegraph.rules import Clamp, Constant, Loop, Uniform, array, number, significant, vector
+from seafoam.framegraph.resources import FixedSize, Target, TargetFormat, target_inputs
+from seafoam.framegraph.rules import (
+    Loop,
+    Uniform,
+    array,
+    constants,
+    number,
+    significant,
+    to_camera,
+    vector,
+)
 from seafoam.ocean.stokes import steady_drift
 from seafoam.quality import Quality
 from seafoam.scene.drift import Drift, Vortex
@@ -41,8 +50,6 @@ APART = (3.37, 5.61)
 NOISE_DEVIATION = 0.138
 SOFTNESS = 0.1
 """Of the noise whose threshold makes the patches: its standard deviation, and half the width of the soft threshold."""
-_FAR = 1e8
-"""Limit of the distance from a place to the camera, along each axis, m: beyond what any picture shows."""
 _NUMBERS = ("lib/numbers.glsl", "foam/drift.glsl@square")
 _FLOW_MAP = ("lib/texels.glsl@bilinear", "foam/drift.glsl@flow_map")
 
@@ -64,7 +71,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         uniforms={
             **advection.square,
             **advection.clock,
-            "u_drift_place": array("vec2", _to_camera(scene.drift.place), 1),
+            "u_drift_place": array("vec2", to_camera(*scene.drift.place), 1),
             "u_drift_foam": number(source.amount, amount),
         },
         bound=Bound(0.0, "the foam's amount is 0", (amount,)) if source.amount == 0.0 else None,
@@ -105,7 +112,7 @@ def _from_map(common: Contribution, advection: "_Advection") -> Contribution:
     return replace(
         common,
         slots=(SlotFile("saturation", "foam/saturation/drift.glsl@map", prefix="drift", needs=files),),
-        inputs={sampler: TargetInput(target=target) for sampler, target in maps.items()},
+        inputs=target_inputs(maps),
         targets=advection.targets(),
         passes=advection.passes(),
     )
@@ -190,13 +197,13 @@ class _Advection:
             program="drift_coarse",
             fragment=("foam/drift_passes.glsl@coarse",),
             target="drift_coarse",
-            inputs={"u_drift_map": TargetInput(target="drift")},
+            inputs=target_inputs({"u_drift_map": "drift"}),
         )
         return (flow, *(self._forward() if self.forward else self._backward()), coarse)
 
     def _backward(self) -> tuple[PassSpec, ...]:
         """Every texel traced back along the flow to where its water was when each generation appeared."""
-        flow: dict[str, TextureInput | TargetInput] = {"u_drift_flow": TargetInput(target="drift_flow")}
+        flow = {"u_drift_flow": "drift_flow"}
         back = (
             *_NUMBERS,
             "foam/drift.glsl@clock",
@@ -212,7 +219,7 @@ class _Advection:
                 program="drift_still",
                 fragment=(*still, "foam/drift_passes.glsl@still"),
                 target="drift_still",
-                inputs=flow,
+                inputs=target_inputs(flow),
                 uniforms={**self.square, **self.texel},
             ),
             PassSpec(
@@ -220,7 +227,7 @@ class _Advection:
                 program="drift_still_older",
                 fragment=(*still, "foam/drift_passes.glsl@still_older"),
                 target="drift_older",
-                inputs={**flow, "u_drift_still": TargetInput(target="drift_still")},
+                inputs=target_inputs({**flow, "u_drift_still": "drift_still"}),
                 uniforms=self.square,
             ),
             PassSpec(
@@ -228,7 +235,7 @@ class _Advection:
                 program="drift_way",
                 fragment=(*back, "foam/drift.glsl@rest", "foam/drift_passes.glsl@way"),
                 target="drift_way",
-                inputs={**flow, "u_drift_still": TargetInput(target="drift_still")},
+                inputs=target_inputs({**flow, "u_drift_still": "drift_still"}),
                 uniforms={**self.square, **self.clock, **self.texel},
             ),
             PassSpec(
@@ -242,11 +249,7 @@ class _Advection:
                     "foam/drift_passes.glsl@backward",
                 ),
                 target="drift",
-                inputs={
-                    **flow,
-                    "u_drift_way": TargetInput(target="drift_way"),
-                    "u_drift_older": TargetInput(target="drift_older"),
-                },
+                inputs=target_inputs({**flow, "u_drift_way": "drift_way", "u_drift_older": "drift_older"}),
                 uniforms={**self.square, **self.clock, **self.patches, **self.texel, **self.coverage},
             ),
         )
@@ -281,10 +284,7 @@ class _Advection:
                 fragment=("foam/drift_passes.glsl@forward",),
                 target=order[(i + 1) % 2],
                 mesh=Points(count=GENERATIONS * self.size * self.size),
-                inputs={
-                    "u_drift_flow": TargetInput(target="drift_flow"),
-                    "u_drift_from": TargetInput(target=order[i % 2]),
-                },
+                inputs=target_inputs({"u_drift_flow": "drift_flow", "u_drift_from": order[i % 2]}),
                 uniforms={**self.square, **self.clock, **self.texel},
                 blend="add",
                 clear=True,
@@ -345,16 +345,8 @@ def _flow_uniforms(scene: Scene, drift: Drift, vortices: tuple[Vortex, ...]) -> 
     ]
     return {
         "u_drift_steady": vector((significant(steady[0]), significant(steady[1]))),
-        "u_drift_vortex": array("vec4", [Constant(value=value) for value in vortex_values], len(vortices)),
+        "u_drift_vortex": constants("vec4", vortex_values),
     }
-
-
-def _to_camera(place: tuple[float, float]) -> tuple[Clamp, Clamp]:
-    """Vector from a place to the camera, m."""
-    return (
-        Clamp(offset=-place[0], k=(1.0, 0.0), low=-_FAR, high=_FAR),
-        Clamp(offset=-place[1], k=(0.0, 1.0), low=-_FAR, high=_FAR),
-    )
 
 
 def drift_limit(source: DriftSaturation, scene: Scene) -> float:

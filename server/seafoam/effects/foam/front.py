@@ -12,7 +12,7 @@ from seafoam.effects.shader import Const, Piece, SlotFile
 from seafoam.effects.waves.groups import front_files, signal_files, way_files
 from seafoam.effects.waves.parametric import profile_square, shares_phase
 from seafoam.framegraph.resources import TextureInput
-from seafoam.framegraph.rules import Constant, Phase, Uniform, array, number, rounded, significant, vector
+from seafoam.framegraph.rules import Phase, Uniform, array, constants, number, rounded, significant, vector
 from seafoam.ocean.dispersion import angular_frequency, wavevector
 from seafoam.ocean.groups import group_velocity, in_groups
 from seafoam.ocean.stokes import foam_drift, orbit
@@ -142,7 +142,7 @@ def _decaying(scene: Scene, front: FrontSaturation, decay: float, *, filtered: b
         },
         uniforms={
             **uniforms,
-            "u_living": array("vec4", waves, len(waves)),
+            "u_living": constants("vec4", waves),
             "u_front_relief": number(significant(_relief(scene, 1.0))),
             "u_front_group": _group(front),
             **_advance(scene, mean_rate),
@@ -222,20 +222,20 @@ def _phase_uniforms(scene: Scene, constants: _Constants) -> dict[str, Uniform]:
     """What determines the phase of the waves' sum: all if the front has phases of its own, else one factor."""
     if shares_phase(scene):
         return {"u_front_share": number(significant(1.0 / parametric_wave_height(scene)))}
-    waves: list[Constant] = []
+    waves: list[tuple[float, ...]] = []
     phases: list[Phase] = []
     for wave, weight in zip(scene.waves, _weights(scene), strict=True):
         kx, kz = (constants.turn / (2.0 * math.pi) * k for k in wavevector(wave, scene.water.depth))
-        waves.append(Constant(value=(kx, kz, weight, 0.0)))
+        waves.append((kx, kz, weight, 0.0))
         offset = wave.phase + (2.0 * constants.delta - math.pi)
         phases.append(Phase(offset=offset, rate=angular_frequency(wave), k=(-kx, -kz)))
     return {
-        "u_front_wave": array("vec4", waves, len(waves)),
+        "u_front_wave": constants("vec4", waves),
         "u_front_phase": array("float", phases, len(waves)),
     }
 
 
-def _past_waves(scene: Scene, shared: bool) -> tuple[list[Constant], float]:
+def _past_waves(scene: Scene, shared: bool) -> tuple[list[tuple[float, ...]], float]:
     """Of each wave: q = frequency over the mean, cos and sin of 2πq, and its weight; and the mean frequency, rad/s.
 
     Frequencies are those that drifting water meets. ``shared``: only waves of the surface, whose amplitude is above 0.
@@ -248,20 +248,19 @@ def _past_waves(scene: Scene, shared: bool) -> tuple[list[Constant], float]:
         rates.append(angular_frequency(wave) - kx * drift_x - kz * drift_z)
     weights = _weights(scene)
     mean = max(summed(weight * rate for weight, rate in zip(weights, rates, strict=True)), LEAST_RATE)
-    waves: list[Constant] = []
+    waves: list[tuple[float, ...]] = []
     for wave, weight, rate in zip(scene.waves, weights, rates, strict=True):
         if wave.amplitude > 0.0 or not shared:
             turn = 2.0 * math.pi * rate / mean
             past = (rate / mean, math.cos(turn), math.sin(turn))
-            waves.append(Constant(value=(*(significant(value) for value in past), weight)))
+            waves.append((*rounded(past), weight))
     return waves, mean
 
 
 def _orbits(scene: Scene) -> Uniform:
     """Horizontal amplitude of each wave's orbits, as a vector along its heading, (x, z) m."""
     orbits = [(orbit(wave, scene.water.depth), wave.direction) for wave in scene.waves]
-    along = [Constant(value=(significant(r * math.cos(d)), significant(r * math.sin(d)))) for r, d in orbits]
-    return array("vec2", along, len(along))
+    return constants("vec2", (rounded((r * math.cos(d), r * math.sin(d))) for r, d in orbits))
 
 
 def _weights(scene: Scene) -> list[float]:

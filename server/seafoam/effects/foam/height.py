@@ -8,7 +8,7 @@ from seafoam.effects.bounds import SATURATION_CAP, max_surface_height
 from seafoam.effects.effect import Bound, Contribution, Effect, SaturationSource
 from seafoam.effects.shader import Const, SlotFile
 from seafoam.effects.waves.parametric import max_profile_slope
-from seafoam.framegraph.rules import Constant, Uniform, array, number, significant, vector
+from seafoam.framegraph.rules import Uniform, constants, number, rounded, significant, vector
 from seafoam.ocean.dispersion import wavevector
 from seafoam.ocean.levels import paper_level
 from seafoam.quality import Quality
@@ -73,8 +73,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             kx, kz = wavevector(max(raised, key=lambda wave: wave.amplitude), scene.water.depth)
             consts["HEIGHT_NODES"] = NODES
             uniforms["u_height_wave"] = vector((kx, kz, significant(mean), significant(1.0 / max(steepest, 1e-30))))
-            pairs = [Constant(value=(significant(mean), significant(deviation))) for mean, deviation in seen]
-            uniforms["u_height_seen"] = array("vec2", pairs, NODES)
+            uniforms["u_height_seen"] = constants("vec2", map(rounded, seen))
     return Contribution(
         why=f"height saturation between {height.base:g} and {height.full:g} m",
         slots=(SlotFile("saturation", file, prefix="height", needs=needs),),

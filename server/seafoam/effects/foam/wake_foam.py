@@ -10,7 +10,7 @@ from seafoam.effects.noise import VALUE_NOISE
 from seafoam.effects.shader import Const, SlotFile
 from seafoam.effects.waves.standing import WAY as STONE_WAY
 from seafoam.effects.waves.standing import places
-from seafoam.framegraph.rules import Constant, Uniform, array, significant
+from seafoam.framegraph.rules import Uniform, constants, significant
 from seafoam.ocean.wakes import LEAST_SPEED, Wake, stone_wakes
 from seafoam.quality import Quality
 from seafoam.scene.current import Current
@@ -69,7 +69,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         ),
         consts=consts,
         uniforms={
-            "u_wake_foam": array("vec4", [Constant(value=value) for value in amounts], len(amounts)),
+            "u_wake_foam": constants("vec4", amounts),
             **(_hulls(scene) if wake.contact else {}),
         },
     )
@@ -78,7 +78,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 def _hulls(scene: Scene) -> dict[str, Uniform]:
     """Each hull's half breadth, its fall with depth, and the height of the greatest breadth, in boat lengths."""
     forms = [HULLS[boat.kind] for boat in scene.boats]
-    return {"u_contact_hull": array("vec3", [Constant(value=form) for form in forms], len(forms))}
+    return {"u_contact_hull": constants("vec3", forms)}
 
 
 def _stones(scene: Scene) -> tuple[Wake, ...]:
@@ -95,7 +95,7 @@ def _stone_amounts(current: Current, wake: WakeSaturation) -> dict[str, Uniform]
         amounts.append(
             (significant(wake.amount * share), significant(wake.life * speed), significant(wake.bow * share), 0.0)
         )
-    return {"u_stone_foam": array("vec4", [Constant(value=value) for value in amounts], len(amounts))}
+    return {"u_stone_foam": constants("vec4", amounts)}
 
 
 def wake_limit(wake: WakeSaturation, scene: Scene) -> float:

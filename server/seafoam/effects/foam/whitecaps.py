@@ -17,8 +17,8 @@ from seafoam.effects.waves.sea import (
     tile_uniforms,
     transform,
 )
-from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, TargetInput, TextureInput
-from seafoam.framegraph.rules import Constant, Uniform, array, number, significant, vector
+from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, TextureInput, target_inputs
+from seafoam.framegraph.rules import Uniform, constants, number, rounded, significant, vector
 from seafoam.ocean.cascades import RAISED, Cascade
 from seafoam.ocean.stokes import foam_drift
 from seafoam.ocean.whitecaps import OLD_STEP, OLD_STEPS, OLD_TEXELS, WhitecapModel, old_times, whitecap_model
@@ -88,13 +88,11 @@ def _slot(model: WhitecapModel, steps: int) -> SlotFile:
 
 def _model_uniforms(model: WhitecapModel, raised: tuple[Cascade, ...]) -> dict[str, Uniform]:
     slopes = summed(of.mean_square_slope for of in raised)
-    thresholds = [Constant(value=tuple(significant(part) for part in pair)) for pair in (model.now, model.earlier)]
-    shares = [Constant(value=(significant(share),)) for share in model.shares]
     return {
-        "u_whitecap": array("vec2", thresholds, 2),
-        "u_whitecap_variance": vector((*(significant(part / slopes) for part in model.variance), significant(slopes))),
+        "u_whitecap": constants("vec2", map(rounded, (model.now, model.earlier))),
+        "u_whitecap_variance": vector(rounded((*(part / slopes for part in model.variance), slopes))),
         "u_whitecap_clamped": number(significant(model.clamped)),
-        "u_whitecap_share": array("float", shares, len(shares)),
+        "u_whitecap_share": constants("float", map(significant, model.shares)),
     }
 
 
@@ -104,13 +102,13 @@ def _with_history(
     """``present`` with foam of earlier times: recent ones of all tiles and, if foam lasts, old ones of the largest."""
     steps = quality.age_steps
     targets, passes = _recent(scene, sea, raised, quality)
-    inputs: dict[str, TextureInput | TargetInput] = {"u_age_tiles": TargetInput(target="age_tiles")}
+    inputs = {"u_age_tiles": "age_tiles"}
     earliest = steps * quality.age_step
     if model.old_shares:
         old_targets, old_passes = _old(scene, sea, raised, quality, model)
         targets |= old_targets
         passes += old_passes
-        inputs["u_old_foam"] = TargetInput(target="old_foam")
+        inputs["u_old_foam"] = "old_foam"
         earliest = old_times(steps, quality.age_step)[-1]
     return replace(
         present,
@@ -122,7 +120,7 @@ def _with_history(
             "OLD_SIZE": OLD_TEXELS,
             "AGE_DRIFTS": foam_drift(scene) != (0.0, 0.0),
         },
-        inputs=inputs,
+        inputs=target_inputs(inputs),
         targets=targets,
         passes=passes,
     )
@@ -144,10 +142,7 @@ def _recent(
             program="age_tile",
             fragment=(*RESAMPLED, "lib/texels.glsl@bilinear", "waves/age.glsl@tile_pass"),
             target="age_tiles",
-            inputs={
-                "u_sea_displaced": TargetInput(target=displaced_target(scene, quality)),
-                "u_age_folds": TargetInput(target=jacobians),
-            },
+            inputs=target_inputs({"u_sea_displaced": displaced_target(scene, quality), "u_age_folds": jacobians}),
             uniforms=tile_uniforms(of, i, sea.choppiness, quality.sea_size),
         )
         for i, of in enumerate(raised)
@@ -165,20 +160,16 @@ def _old(
     size = FixedSize(width=quality.sea_size // 2, height=quality.sea_size // 2)
     targets["old_foam"] = Target(size=size, format="RGBA16F", filter=MIPMAPPED, wrap="repeat")
     shares = [significant(share) for share in model.old_shares]
-    by_four = [Constant(value=tuple(shares[i : i + 4])) for i in range(0, len(shares), 4)]
     foam = PassSpec(
         name="foam of long ago",
         program="old_foam",
         fragment=(*RESAMPLED, "lib/texels.glsl@bilinear", "waves/age.glsl@old_foam_pass"),
         target="old_foam",
-        inputs={
-            "u_sea_displaced": TargetInput(target=displaced_target(scene, quality)),
-            "u_old_folds": TargetInput(target=jacobians),
-        },
+        inputs=target_inputs({"u_sea_displaced": displaced_target(scene, quality), "u_old_folds": jacobians}),
         uniforms={
             **tile_uniforms(largest, 0, sea.choppiness, quality.sea_size),
-            "u_old_fold": vector((significant(model.old[0]), significant(model.old[1]))),
-            "u_old_share": array("vec4", by_four, rows),
+            "u_old_fold": vector(rounded(model.old)),
+            "u_old_share": constants("vec4", (tuple(shares[i : i + 4]) for i in range(0, len(shares), 4))),
         },
     )
     return targets, (*passes, foam)
@@ -222,7 +213,7 @@ def _time_uniforms(
     drift = foam_drift(scene)
     turns = [significant(2.0 * math.pi / of.size * part) for of in (tiles[0], tiles[-1]) for part in drift]
     return {
-        "u_age_scale": vector((significant(scales[0]), significant(scales[-1]))),
+        "u_age_scale": vector(rounded((scales[0], scales[-1]))),
         "u_age_step": number(step),
         "u_age_from": number(significant(before)),
         "u_age_drift": vector(tuple(turns)),

@@ -8,7 +8,7 @@ from seafoam.effects.noise import VALUE_NOISE
 from seafoam.effects.shader import SlotFile, SlotRef
 from seafoam.effects.shore.land import LAND_LIGHT, soil_files
 from seafoam.effects.shore.maps import MAXIMA
-from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput
+from seafoam.framegraph.resources import FixedSize, Input, Target, TargetInput, TextureInput
 from seafoam.quality import Quality
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
@@ -49,7 +49,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             slots=(SlotFile("reflection", "reflection/mirror.glsl@exact", needs=scenery),),
             bound=_bound(scene, light),
         )
-    inputs: dict[str, TextureInput | TargetInput] = {}
+    inputs: dict[str, Input] = {}
     if shore is not None:
         inputs["u_shore_floor"] = TextureInput(texture="shore_floor")
     return Contribution(

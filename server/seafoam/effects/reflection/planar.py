@@ -4,7 +4,7 @@ from seafoam.effects.boats.boat import COURSE, LIGHT, TRACE
 from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter
 from seafoam.effects.reflection.cubemap import SHORE, lit_land
 from seafoam.effects.shader import Inline, Piece, SlotFile, SlotRef, constant_function
-from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput
+from seafoam.framegraph.resources import FixedSize, Input, Target, TargetInput, TextureInput
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 
@@ -42,7 +42,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         )
     size = quality.reflection_size
     guess: tuple[Piece, ...] = (COURSE, "reflection/mirror.glsl@guess") if scene.boats else (_NO_GUESS,)
-    inputs: dict[str, TextureInput | TargetInput] = {}
+    inputs: dict[str, Input] = {}
     if scene.shore is not None:
         inputs["u_shore_floor"] = TextureInput(texture="shore_floor")
     return Contribution(

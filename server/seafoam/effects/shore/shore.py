@@ -12,8 +12,8 @@ from seafoam.effects.shore.maps import FIND_LAND, GROUND, MARCH_GROUND, MAXIMA, 
 from seafoam.effects.shore.shadow import NO_SHADOWS, SUNLIT_FROM, throws
 from seafoam.effects.water.seafloor import bed_sun
 from seafoam.effects.waves.parametric import max_profile_slope
-from seafoam.framegraph.resources import TargetInput, TextureInput
-from seafoam.framegraph.rules import Constant, Phase, Uniform, array, number, significant, vector
+from seafoam.framegraph.resources import TextureInput, target_inputs
+from seafoam.framegraph.rules import Phase, Uniform, array, constants, number, significant, vector
 from seafoam.ocean.cascades import RAISED, cascades
 from seafoam.ocean.dispersion import wavevector
 from seafoam.ocean.rings import ring_slope
@@ -54,8 +54,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         inputs={
             "u_shore_floor": TextureInput(texture="shore_floor"),
             "u_shore_profiles": TextureInput(texture="shore_profiles"),
-            "u_shore_map": TargetInput(target="shore_map"),
-            "u_land_maxima": TargetInput(target="land_maxima"),
+            **target_inputs({"u_shore_map": "shore_map", "u_land_maxima": "land_maxima"}),
         },
         textures={
             "shore_floor": TextureUse(ShoreFloor(shore=shore, texels=quality.shore_floor), wrap="clamp_to_edge"),
@@ -140,10 +139,9 @@ def _place(shore: Shore) -> dict[str, Uniform]:
 
 
 def _bound_uniforms(bounds: Limits, steepest: float, curvature: float) -> dict[str, Uniform]:
-    slopes = [Constant(value=(rounded_up(slope),)) for slope in (bounds.floor_slope, bounds.land_slope)]
     return {
         "u_shore_top": number(rounded_up(max(bounds.land_top, 0.0))),
-        "u_shore_steepest": array("float", slopes, 2),
+        "u_shore_steepest": constants("float", map(rounded_up, (bounds.floor_slope, bounds.land_slope))),
         "u_shore_bend": number(rounded_up(bounds.floor_curvature)),
         # A thousandth less: the shader subtracts these from sums of bounds that have been rounded up.
         "u_shore_bounds": vector((0.999 * steepest, 0.999 * curvature)),

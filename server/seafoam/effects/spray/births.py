@@ -15,7 +15,7 @@ from seafoam.effects.waves.groups import earlier_files, group_bounds
 from seafoam.effects.waves.parametric import max_profile_slope
 from seafoam.effects.waves.rings import ring_uniforms
 from seafoam.effects.waves.sea import drawn, fitted, gerstner_uniforms, loop_uniforms, transform
-from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput
+from seafoam.framegraph.resources import FixedSize, Input, Target, TextureInput, target_inputs
 from seafoam.framegraph.rules import (
     Clamp,
     Constant,
@@ -24,9 +24,11 @@ from seafoam.framegraph.rules import (
     Uniform,
     Wrap,
     array,
+    constants,
     number,
     rounded,
     significant,
+    to_camera,
     vector,
 )
 from seafoam.ocean.cascades import RAISED, Cascade
@@ -62,8 +64,6 @@ DELAY = 1.5
 """Longest time between the arrival of a crest and the start of a drop, s."""
 _EYE_CELLS = 256.0
 """Cells of a grid after which drops repeat."""
-_FAR = 1e8
-"""Limit of vectors from bursts to the camera, m."""
 
 
 @dataclass(frozen=True)
@@ -76,7 +76,7 @@ class Births:
     words: str
     invisible: bool = False
     files: tuple[Piece | SlotRef, ...] = ()
-    inputs: dict[str, TextureInput | TargetInput] = field(default_factory=dict)
+    inputs: dict[str, Input] = field(default_factory=dict)
     part: Resources = field(default_factory=Resources)
     beat: float = 0.0
 
@@ -88,7 +88,7 @@ class _Source:
     function: str
     words: str
     files: tuple[Piece | SlotRef, ...]
-    inputs: Mapping[str, TextureInput | TargetInput]
+    inputs: Mapping[str, Input]
     part: Resources
 
 
@@ -185,7 +185,7 @@ def _rocks(scene: Scene, spray: Spray, shore: Shore) -> tuple[_Source | None, st
         },
         textures={"spray_rocks": TextureUse(SprayRocks(shore=shore, steep=spray.steep), wrap="clamp_to_edge")},
     )
-    inputs: dict[str, TextureInput | TargetInput] = {"u_spray_rocks": TextureInput(texture="spray_rocks")}
+    inputs: dict[str, Input] = {"u_spray_rocks": TextureInput(texture="spray_rocks")}
     earlier, turned = _earlier(scene)
     files = (SlotRef("waves"), "spray/births.glsl@shore_then", *earlier, "spray/births.glsl@rocks")
     return _Source("rock_born", words, files, inputs, part.joined(turned)), words
@@ -194,13 +194,12 @@ def _rocks(scene: Scene, spray: Spray, shore: Shore) -> tuple[_Source | None, st
 def _shore_uniforms(shore: Shore) -> dict[str, Uniform]:
     """What turns a shore's waves back in time."""
     mask = mask_uniforms()
-    rates = [Constant(value=(significant(2.0 * math.pi / period),)) for _, _, period in MASK_WAVES]
     return {
         "u_spray_period": number(shore.surf.period),
         "u_spray_variation": number(shore.surf.variation),
         "u_spray_mask": mask["u_surf_mask"],
         "u_spray_mask_phase": mask["u_surf_mask_phase"],
-        "u_spray_mask_rate": array("float", rates, len(MASK_WAVES)),
+        "u_spray_mask_rate": constants("float", (significant(2.0 * math.pi / period) for _, _, period in MASK_WAVES)),
     }
 
 
@@ -236,7 +235,7 @@ def _open(scene: Scene, quality: Quality, spray: Spray) -> tuple[_Source | None,
 
 def _water_then(
     scene: Scene, quality: Quality, limits: tuple[float, float] | None
-) -> tuple[list[Piece | SlotRef], dict[str, TextureInput | TargetInput], Resources]:
+) -> tuple[list[Piece | SlotRef], dict[str, Input], Resources]:
     """Files of the open water at the births of batches, what they read, and their passes."""
     earlier, own = _earlier(scene)
     if scene.sea is None or not drawn(scene, quality):
@@ -245,7 +244,7 @@ def _water_then(
     # A shore's files declare the places in the tiles.
     places = [] if scene.shore is not None else [_SEA_PLACES]
     files: list[Piece | SlotRef] = ["lib/texels.glsl@cubic_spline", *places, "spray/seas.glsl@sea_waves", *earlier]
-    return files, {"u_spray_seas": TargetInput(target=target)}, own.joined(seas)
+    return files, target_inputs({"u_spray_seas": target}), own.joined(seas)
 
 
 _SEA_PLACES = Inline(
@@ -261,8 +260,7 @@ def _earlier(scene: Scene) -> tuple[list[Piece | SlotRef], Resources]:
     files += ["waves/rings.glsl@ring", "spray/births.glsl@rings_then"] if scene.rings else [_NO_RINGS]
     uniforms = ring_uniforms(scene, "u_spray_ring") if scene.rings else {}
     if raised:
-        rates = [Constant(value=(angular_frequency(wave),)) for wave in raised]
-        uniforms["u_parametric_rate"] = array("float", rates, len(raised))
+        uniforms["u_parametric_rate"] = constants("float", map(angular_frequency, raised))
     if in_groups(scene):
         uniforms["u_wave_groups_velocity"] = vector(rounded(group_velocity(scene)))
     return files, Resources(uniforms=uniforms)
@@ -287,7 +285,7 @@ def _grids(spray: Spray) -> Resources:
         uniforms={
             "u_spray_time": array("float", [Loop(period=step), Loop(period=step * EPOCHS)], 2),
             "u_spray_step": number(step),
-            "u_spray_cell": array("float", [Constant(value=(side,)) for side in sides], LEVELS),
+            "u_spray_cell": constants("float", sides),
             "u_spray_eye": array("vec2", places, LEVELS),
             "u_spray_reach": number(spray.reach),
         },
@@ -349,18 +347,12 @@ def _bursts(spray: Spray) -> _Source | None:
         age: Rule = Clamp(offset=-burst.birth, rate=1.0, low=-1.0, high=1000.0)
         if burst.every is not None:
             age = Loop(period=burst.every, offset=-burst.birth)
-        state += [
-            Clamp(offset=-burst.place[0], k=(1.0, 0.0), low=-_FAR, high=_FAR),
-            Clamp(offset=-burst.place[1], k=(0.0, 1.0), low=-_FAR, high=_FAR),
-            age,
-            Constant(value=(burst.height,)),
-        ]
-    wide = [Constant(value=(burst.radius,)) for burst in bursts]
+        state += [*to_camera(*burst.place), age, Constant(value=(burst.height,))]
     part = Resources(
         consts={"SPRAY_BURSTS": len(bursts)},
         uniforms={
             "u_spray_burst": array("vec4", state, len(bursts)),
-            "u_spray_burst_wide": array("float", wide, len(bursts)),
+            "u_spray_burst_wide": constants("float", (burst.radius for burst in bursts)),
         },
     )
     words = f"{len(bursts)} burst{'s' if len(bursts) > 1 else ''}"

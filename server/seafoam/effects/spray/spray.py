@@ -10,7 +10,7 @@ from seafoam.effects.shader import Const, Inline, Piece, SlotRef, Source
 from seafoam.effects.shore.maps import FIND_LAND
 from seafoam.effects.spray.births import Births, births
 from seafoam.framegraph.passes import Quads
-from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, TargetInput, TextureInput, ViewportSize
+from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Input, Target, TargetInput, TextureInput, ViewportSize
 from seafoam.framegraph.rules import Uniform, Viewport, array, number, significant, vector
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
@@ -86,7 +86,7 @@ def _targets(quality: Quality) -> dict[str, Target]:
 
 _COMMON: tuple[Piece | SlotRef, ...] = ("lib/numbers.glsl", "lib/rays.glsl@camera")
 _TABLE: tuple[Piece | SlotRef, ...] = (HASH, "spray/drawn.glsl@flight", "spray/births.glsl@table")
-_BIRTHS: dict[str, TextureInput | TargetInput] = {"u_spray_births": TargetInput(target="spray_births")}
+_BIRTHS: dict[str, Input] = {"u_spray_births": TargetInput(target="spray_births")}
 
 
 def _passes(scene: Scene, quality: Quality, found: Births) -> tuple[PassSpec, ...]:

@@ -10,8 +10,8 @@ from seafoam.effects.light.light import sun_direction
 from seafoam.effects.shader import SlotFile
 from seafoam.effects.waves.ripples import ripple_phases
 from seafoam.framegraph.passes import Grid, Points
-from seafoam.framegraph.resources import FixedSize, Target, TargetInput
-from seafoam.framegraph.rules import Constant, Uniform, array, in_tile, number, rounded, significant, vector
+from seafoam.framegraph.resources import FixedSize, Target, TargetInput, target_inputs
+from seafoam.framegraph.rules import Uniform, array, constants, in_tile, number, rounded, significant, vector
 from seafoam.ocean.refraction import INDEX, refracted_cosine
 from seafoam.ocean.ripples import Ripple, ripple_cascades, tiles
 from seafoam.quality import Quality
@@ -147,8 +147,7 @@ def _smoothing(shifts: list[tuple[float, float]]) -> _Smoothing:
             distances = [0.5 * (m - 0.5 + shift[axis]) for m in places]
             weights = [_bspline(x) if abs(x) < 1.75 else 0.0 for x in distances]
             columns.append([significant(weight / summed(weights)) for weight in weights])
-        rows = [Constant(value=row) for row in zip(*columns, strict=True)]
-        uniforms[name] = array("vec3", rows, len(rows))
+        uniforms[name] = constants("vec3", zip(*columns, strict=True))
     return _Smoothing(-places[0], len(places), uniforms)
 
 
@@ -190,14 +189,14 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 
 def _slope_map(tile: _Tile, size: int) -> Resources:
     """Slopes of the ripples where rays enter the tile, ``size`` along each side."""
-    waves = [Constant(value=(wave.kx, wave.kz, significant(wave.slope), 0.0)) for wave in tile.waves]
+    waves = [(wave.kx, wave.kz, significant(wave.slope), 0.0) for wave in tile.waves]
     slopes = PassSpec(
         name="caustics: slopes",
         program="caustic_slopes",
         fragment=("lib/numbers.glsl", "water/caustics.glsl@slopes"),
         target="caustic_slopes",
         uniforms={
-            "u_caustic_wave": array("vec4", waves, len(waves)),
+            "u_caustic_wave": constants("vec4", waves),
             "u_caustic_phase": ripple_phases(tile.waves),
             "u_caustic_tile": number(tile.side),
         },
@@ -320,7 +319,7 @@ def _map_pass(shader: str, lights: Mapping[str, str], weights: dict[str, Uniform
         program="caustic_map",
         fragment=(shader,),
         target="caustics",
-        inputs={sampler: TargetInput(target=target) for sampler, target in lights.items()},
+        inputs=target_inputs(lights),
         uniforms=weights,
     )
 

@@ -7,7 +7,7 @@ from seafoam.effects.effect import UNBOUNDED, Contribution, Effect, QualityParam
 from seafoam.effects.foam.living import carries
 from seafoam.effects.shader import SlotFile
 from seafoam.effects.waves.groups import PLACE, carry_files, group_bounds, group_part, wave_files
-from seafoam.framegraph.rules import Constant, Phase, array, number, rounded, significant
+from seafoam.framegraph.rules import Phase, array, constants, number, rounded, significant
 from seafoam.ocean.dispersion import angular_frequency, wavevector
 from seafoam.ocean.groups import in_groups
 from seafoam.ocean.levels import paper_level, wave_level
@@ -85,18 +85,18 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if not waves:
         return None
     kinds = tuple(_kind(wave.exponent) for wave in waves)
-    data: list[Constant] = []
+    data: list[tuple[float, ...]] = []
     phases: list[Phase] = []
-    means: list[Constant] = []
+    means: list[tuple[float, ...]] = []
     max_slope = max_curvature = 0.0
     for wave in waves:
         kx, kz = wavevector(wave, scene.water.depth)
         k = math.hypot(kx, kz)
-        data.append(Constant(value=(kx, kz, wave.amplitude, wave.exponent)))
+        data.append((kx, kz, wave.amplitude, wave.exponent))
         phases.append(Phase(offset=wave.phase, rate=angular_frequency(wave), k=(-kx, -kz)))
         orbit_factor = orbit(wave, scene.water.depth) / k if carries(scene) else 0.0
         values = ((k * wave.amplitude) ** 2 * profile_square(wave.exponent), wave_level(wave), orbit_factor)
-        means.append(Constant(value=rounded(values)))
+        means.append(rounded(values))
         max_slope += k * wave.amplitude * max_profile_slope(wave.exponent)
         max_curvature += k * k * wave.amplitude * max_profile_curvature(wave.exponent)
     level = paper_level(scene)
@@ -122,9 +122,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "PARAMETRIC_CARRIES": shared and carries(scene),
         },
         uniforms={
-            "u_parametric": array("vec4", data, len(waves)),
+            "u_parametric": constants("vec4", data),
             "u_parametric_phase": array("float", phases, len(waves)),
-            "u_parametric_mean": array("vec3", means, len(waves)),
+            "u_parametric_mean": constants("vec3", means),
             "u_parametric_level": number(significant(level)),
         },
         bound=waves_bound(scene, max_slope, height),

@@ -11,15 +11,24 @@ from seafoam.effects.bounds import waves_bound
 from seafoam.effects.effect import HALF_FLOAT, Bound, Contribution, Effect, PassSpec, QualityParameter, Resources
 from seafoam.effects.shader import Const, SlotFile
 from seafoam.effects.waves.measured import measured_bounds
-from seafoam.framegraph.resources import FixedSize, Target, TargetInput
-from seafoam.framegraph.rules import Clamp, Constant, Loop, Rule, Uniform, array, number, significant
+from seafoam.framegraph.resources import FixedSize, Target, target_inputs
+from seafoam.framegraph.rules import (
+    Clamp,
+    Constant,
+    Loop,
+    Rule,
+    Uniform,
+    array,
+    constants,
+    number,
+    significant,
+    to_camera,
+)
 from seafoam.ocean.rings import FRONT, SOFT, Train, ring_curvature, ring_height, ring_slope, trains
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.rings import DEAD, DEAD_SHARE, Ring
 
-_FAR = 1e8
-"""Limit of vectors to the camera, m: rings farther away are never visible."""
 _MIN_TEXELS = 4.0
 """Texels to the shortest wave below which a map does not resolve it, so that the rings are summed instead."""
 
@@ -31,26 +40,17 @@ def _age(ring: Ring) -> Rule:
     return Clamp(offset=-ring.birth, rate=1.0, low=0.0, high=significant(ring.life + 1.0))
 
 
-def _from_camera(x: float, z: float) -> tuple[Clamp, Clamp]:
-    """Vector from the point (x, z) to the camera, m."""
-    return (
-        Clamp(offset=-x, k=(1.0, 0.0), low=-_FAR, high=_FAR),
-        Clamp(offset=-z, k=(0.0, 1.0), low=-_FAR, high=_FAR),
-    )
-
-
 def _ring_uniforms(shown: Sequence[Train], origins: Iterable[tuple[Rule, Rule]]) -> dict[str, Uniform]:
     """State and shape of each ring. ``origins``: vectors from each ring's centre to the origin of the shader's p, m."""
     state: list[Rule] = []
     for train, origin in zip(shown, origins, strict=True):
         state += [*origin, _age(train.ring), Constant(value=(significant(train.tail),))]
     shapes = [
-        Constant(value=(train.ring.amplitude, significant(train.k), significant(train.omega), train.ring.decay))
-        for train in shown
+        (train.ring.amplitude, significant(train.k), significant(train.omega), train.ring.decay) for train in shown
     ]
     return {
         "u_ring_now": array("vec4", state, len(shown)),
-        "u_ring_shape": array("vec4", shapes, len(shown)),
+        "u_ring_shape": constants("vec4", shapes),
     }
 
 
@@ -58,7 +58,7 @@ def ring_uniforms(scene: Scene, name: str) -> dict[str, Uniform]:
     """State and shape of the scene's rings around the camera, as uniforms whose names begin with ``name``."""
     every = trains(scene)
     shown = tuple(train for train in every if train.ring.life > 0.0) or every
-    made = _ring_uniforms(shown, (_from_camera(*train.ring.place) for train in shown))
+    made = _ring_uniforms(shown, (to_camera(*train.ring.place) for train in shown))
     return {key.replace("u_ring", name): uniform for key, uniform in made.items()}
 
 
@@ -124,7 +124,7 @@ def _sum(shown: Sequence[Train]) -> Resources:
     """Rings that are summed at each sample."""
     return Resources(
         slots=(SlotFile("waves", "waves/rings.glsl@exact", prefix="rings", needs=("waves/rings.glsl@ring",)),),
-        uniforms=_ring_uniforms(shown, (_from_camera(*train.ring.place) for train in shown)),
+        uniforms=_ring_uniforms(shown, (to_camera(*train.ring.place) for train in shown)),
     )
 
 
@@ -139,14 +139,10 @@ def _map(shown: Sequence[Train], square: _Square, size: int) -> Resources:
             SlotFile("bounds", "waves/rings.glsl@bounds", prefix="rings"),
         ),
         uniforms={
-            "u_ring_corner": array("vec2", _from_camera(square.x, square.z), 1),
+            "u_ring_corner": array("vec2", to_camera(square.x, square.z), 1),
             "u_ring_side": number(square.side),
         },
-        inputs={
-            "u_ring_map": TargetInput(target="rings"),
-            "u_ring_grain": TargetInput(target="rings_grain"),
-            "u_ring_bounds": TargetInput(target="rings_bounds"),
-        },
+        inputs=target_inputs({"u_ring_map": "rings", "u_ring_grain": "rings_grain", "u_ring_bounds": "rings_bounds"}),
         targets={
             name: Target(size=FixedSize.square(texels), format="RGBA16F", filter="linear")
             for name, texels in sizes.items()

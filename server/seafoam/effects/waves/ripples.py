@@ -7,8 +7,18 @@ from seafoam.effects.bounds import slope_sensitivity
 from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, Resources
 from seafoam.effects.noise import PERLIN_3, drifting_noise
 from seafoam.effects.shader import SlotFile, Source
-from seafoam.framegraph.resources import FixedSize, Target, TargetInput
-from seafoam.framegraph.rules import Constant, Phase, Uniform, Wrap, array, in_tile, number, rounded, significant
+from seafoam.framegraph.resources import FixedSize, Target, target_inputs
+from seafoam.framegraph.rules import (
+    Phase,
+    Uniform,
+    Wrap,
+    array,
+    constants,
+    in_tile,
+    number,
+    rounded,
+    significant,
+)
 from seafoam.ocean.ripples import BANDS, SHIFTS, TURN, WAVES_PER_TILE, Ripple, ripple_cascades, tiles
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
@@ -28,11 +38,10 @@ def ripple_phases(waves: Sequence[Ripple], *, at_camera: bool = False) -> Unifor
     return array("float", phases, len(waves))
 
 
-def _wave_data(waves: Sequence[Ripple], first_band: int = 0) -> list[Constant]:
+def _wave_data(waves: Sequence[Ripple], first_band: int = 0) -> list[tuple[float, ...]]:
     """Wavevector, slope amplitude and band of each ripple of a tile."""
     return [
-        Constant(value=(wave.kx, wave.kz, significant(wave.slope), float(first_band + i // _PER_BAND)))
-        for i, wave in enumerate(waves)
+        (wave.kx, wave.kz, significant(wave.slope), float(first_band + i // _PER_BAND)) for i, wave in enumerate(waves)
     ]
 
 
@@ -51,7 +60,7 @@ def _bands(cascades: tuple[tuple[Ripple, ...], ...]) -> Uniform:
         )
         for band in bands
     ]
-    return array("vec2", [Constant(value=rounded(value)) for value in values], len(bands))
+    return constants("vec2", map(rounded, values))
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -100,7 +109,7 @@ def _sum(cascades: tuple[tuple[Ripple, ...], ...]) -> Resources:
     data = [entry for i, cascade in enumerate(cascades) for entry in _wave_data(cascade, BANDS * (i % _TILES))]
     return Resources(
         uniforms={
-            "u_ripples_wave": array("vec4", data, len(waves)),
+            "u_ripples_wave": constants("vec4", data),
             "u_ripples_phase": ripple_phases(waves, at_camera=True),
         }
     )
@@ -115,9 +124,9 @@ def _maps(cascades: tuple[tuple[Ripple, ...], ...], sides: tuple[float, ...], si
     return Resources(
         uniforms={
             "u_ripples_offset": array("vec2", places, len(cascades)),
-            "u_ripples_size": array("float", [Constant(value=(side,)) for side in sides], len(sides)),
+            "u_ripples_size": constants("float", sides),
         },
-        inputs={f"u_ripples_{i}": TargetInput(target=f"ripples_{i}") for i in range(len(sides))},
+        inputs=target_inputs({f"u_ripples_{i}": f"ripples_{i}" for i in range(len(sides))}),
         targets={f"ripples_{i}": target for i in range(len(sides))},
         passes=tuple(
             PassSpec(
@@ -126,7 +135,7 @@ def _maps(cascades: tuple[tuple[Ripple, ...], ...], sides: tuple[float, ...], si
                 fragment=("lib/numbers.glsl", "waves/ripples.glsl@tile_pass"),
                 target=f"ripples_{i}",
                 uniforms={
-                    "u_ripples_wave": array("vec4", _wave_data(waves), len(waves)),
+                    "u_ripples_wave": constants("vec4", _wave_data(waves)),
                     "u_ripples_phase": ripple_phases(waves),
                     "u_ripples_tile": number(side),
                 },

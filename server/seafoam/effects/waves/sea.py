@@ -19,8 +19,18 @@ from seafoam.effects.effect import (
 from seafoam.effects.foam.living import carries
 from seafoam.effects.shader import Const, SlotFile
 from seafoam.effects.waves.measured import measured_bounds
-from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, TargetInput, TextureInput
-from seafoam.framegraph.rules import Constant, Loop, Phase, Uniform, array, in_tile, number, significant, vector
+from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, TargetInput, TextureInput, target_inputs
+from seafoam.framegraph.rules import (
+    Loop,
+    Phase,
+    Uniform,
+    array,
+    constants,
+    in_tile,
+    number,
+    significant,
+    vector,
+)
 from seafoam.ocean.cascades import BAND, LEAST_JACOBIAN, LOOP, RAISED, Cascade, cascades
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
@@ -87,19 +97,20 @@ def loop_uniforms() -> dict[str, Uniform]:
 
 def gerstner_uniforms(tiles: Sequence[Cascade], size: int) -> dict[str, Uniform]:
     """Waves of tiles that are summed wave by wave. ``size``: texels along a tile read by B-spline; 0: not so read."""
-    data, phases = [], []
+    data: list[tuple[float, ...]] = []
+    phases: list[Phase] = []
     for tile, row, column in ((cascade, *indices) for cascade in tiles for indices in cascade.waves):
         iz, ix = row - BAND, column - BAND
         h0 = complex(tile.h0[row, column])
         omega = 2.0 * math.pi / LOOP * int(tile.turns[row, column])
         response = math.prod((2.0 + math.cos(2.0 * math.pi * i / size)) / 3.0 for i in (ix, iz)) if size else 1.0
-        data.append(Constant(value=(ix, iz, significant(2.0 * abs(h0) / response), significant(omega))))
+        data.append((ix, iz, significant(2.0 * abs(h0) / response), significant(omega)))
         phases.append(Phase(offset=significant(cmath.phase(h0)), rate=-omega, k=(0.0, 0.0)))
     if not data:
         # GLSL has no empty arrays, so the array contains a wave of height 0.
-        data, phases = [Constant(value=(1.0, 0.0, 0.0, 0.0))], [Phase(offset=0.0, rate=0.0, k=(0.0, 0.0))]
+        data, phases = [(1.0, 0.0, 0.0, 0.0)], [Phase(offset=0.0, rate=0.0, k=(0.0, 0.0))]
     return {
-        "u_gerstner": array("vec4", data, len(data)),
+        "u_gerstner": constants("vec4", data),
         "u_gerstner_phase": array("float", phases, len(data)),
     }
 
@@ -276,20 +287,17 @@ def _height_map(sea: Sea, index: int, tile: Cascade, displaced: str, quality: Qu
     )
     if index >= RAISED:
         return part
-    inputs: dict[str, TextureInput | TargetInput] = {
-        f"u_sea_tile_{index}": TargetInput(target=name),
-        f"u_sea_bounds_{index}": TargetInput(target=f"{name}_bounds"),
-    }
+    inputs = target_inputs({f"u_sea_tile_{index}": name, f"u_sea_bounds_{index}": f"{name}_bounds"})
     return part.joined(Resources(inputs=inputs), measured_bounds(name, size, tile.size / size))
 
 
 def _mip_maps(tiles: Sequence[Cascade], quality: Quality) -> Resources:
     """The tiles' slopes as shading reads them: prefiltered maps, or the tiles themselves if nothing is filtered."""
     if not quality.surface.filter:
-        return Resources(inputs={f"u_sea_seen_{i}": TargetInput(target=f"sea_tile_{i}") for i in range(len(tiles))})
+        return Resources(inputs=target_inputs({f"u_sea_seen_{i}": f"sea_tile_{i}" for i in range(len(tiles))}))
     size = FixedSize.square(2 * quality.sea_size)
     return Resources(
-        inputs={f"u_sea_seen_{i}": TargetInput(target=f"sea_seen_{i}") for i in range(len(tiles))},
+        inputs=target_inputs({f"u_sea_seen_{i}": f"sea_seen_{i}" for i in range(len(tiles))}),
         targets={
             f"sea_seen_{i}": Target(size=size, format="RGBA16F", filter=MIPMAPPED, wrap="repeat")
             for i in range(len(tiles))

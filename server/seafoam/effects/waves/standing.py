@@ -5,15 +5,13 @@ import math
 from seafoam.effects.boats.wake import Kind, wakes_of
 from seafoam.effects.bounds import min_surface_height
 from seafoam.effects.effect import Contribution, Effect, PlanError, Resources
-from seafoam.framegraph.rules import Clamp, Constant, Rule, array, number, significant, vector
+from seafoam.framegraph.rules import Constant, Rule, array, constants, number, significant, to_camera, vector
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.wakes import stone_wakes
 from seafoam.quality import Quality
 from seafoam.scene.current import Current
 from seafoam.scene.models import Scene
 
-FAR = 1e8
-"""Limit of the distance from a stone to the camera, along each axis, m: beyond what any picture shows."""
 FASTEST = 0.7
 """Greatest Froude number of the depth: up to it the waves are within 4 % of those in deep water."""
 
@@ -69,13 +67,9 @@ def places(current: Current) -> Resources:
     stones = current.stones
     courses: list[Rule] = []
     for stone in stones:
-        courses += [
-            Clamp(offset=-stone.place[0], k=(1.0, 0.0), low=-FAR, high=FAR),
-            Clamp(offset=-stone.place[1], k=(0.0, 1.0), low=-FAR, high=FAR),
-            Constant(value=(0.0, 1e9)),
-        ]
+        courses += [*to_camera(*stone.place), Constant(value=(0.0, 1e9))]
     forms = [
-        Constant(value=(significant(of.boat.length), stone.radius, significant(of.length), 0.0))
+        (significant(of.boat.length), stone.radius, significant(of.length), 0.0)
         for stone, of in zip(stones, stone_wakes(current), strict=True)
     ]
     flow = significant(math.cos(current.direction)), significant(math.sin(current.direction))
@@ -83,7 +77,7 @@ def places(current: Current) -> Resources:
         consts={"STONE_COUNT": len(stones)},
         uniforms={
             "u_stone_course": array("vec4", courses, len(stones)),
-            "u_stone_form": array("vec4", forms, len(stones)),
+            "u_stone_form": constants("vec4", forms),
             "u_stone_flow": vector(flow),
         },
     )

@@ -7,7 +7,7 @@ import math
 
 from seafoam.effects.effect import Bound, Contribution, Effect
 from seafoam.effects.shader import SlotFile
-from seafoam.framegraph.rules import Clamp, Constant, Rule, Term, array, significant
+from seafoam.framegraph.rules import FAR, Clamp, Constant, Rule, Term, array, significant
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.rings import FRONT, SOFT
 from seafoam.quality import Quality
@@ -16,8 +16,6 @@ from seafoam.scene.rings import DEAD, DEAD_SHARE
 from seafoam.scene.touch import CRESTS, DECAY, LEAST_LENGTH, LENGTH, TOUCHES_MOST, Touch
 from seafoam.sums import summed
 
-_FAR = 1e8
-"""Limit of vectors to the camera, m: rings farther away are never visible."""
 _LIFE = significant(math.log(1.0 / DEAD_SHARE) / DECAY + 1.0)
 """Age at which every ring has ended, and a second more, s."""
 
@@ -64,7 +62,7 @@ def _rules(pointer: str, touch: Touch | None, velocity: tuple[float, float]) -> 
             terms.append(Term(field=f"{pointer}/time", factor=velocity[axis]))
             values.append(0.0 if touch is None else touch.time)
         offset = summed(term.factor * value for term, value in zip(terms, values, strict=True))
-        rules.append(Clamp(offset=offset, k=along, low=-_FAR, high=_FAR, terms=tuple(terms)))
+        rules.append(Clamp(offset=offset, k=along, low=-FAR, high=FAR, terms=tuple(terms)))
     age = (Term(field=f"{pointer}/time", factor=-1.0),)
     birth = 0.0 if touch is None else touch.time
     rules.append(Clamp(offset=-1.0 * birth, rate=1.0, low=0.0, high=_LIFE, terms=age))
