@@ -3,29 +3,15 @@
 Effects describe what a plan needs. They draw nothing, and import neither the planner nor an executor.
 """
 
-from seafoam.effects.boats import boat, shadow, wake
+from seafoam.effects.boats import boat, wake
 from seafoam.effects.effect import Effect
-from seafoam.effects.foam import (
-    aeration,
-    drift,
-    front,
-    height,
-    living,
-    look,
-    relief,
-    scattering,
-    slope,
-    surf,
-    wake_foam,
-    whitecaps,
-)
+from seafoam.effects.foam import drift, front, height, living, look, material, slope, surf, wake_foam, whitecaps
 from seafoam.effects.light import cloud_shadow, clouds, glare, glitter, light, night, sparkles, subsurface
 from seafoam.effects.reflection import cubemap, planar
 from seafoam.effects.registry import declare, load, outside, register, unregister
-from seafoam.effects.shore import shadow as land_shadow
-from seafoam.effects.shore import shore
+from seafoam.effects.shore import shadow, shore
 from seafoam.effects.spray import spray
-from seafoam.effects.water import caustics, seafloor, underside, water
+from seafoam.effects.water import caustics, seafloor, water
 from seafoam.effects.waves import current, parametric, rings, ripples, sea, standing, touch
 
 EFFECTS: tuple[Effect, ...] = (
@@ -52,20 +38,20 @@ EFFECTS: tuple[Effect, ...] = (
     water.EFFECT,
     seafloor.EFFECT,
     caustics.EFFECT,
-    underside.EFFECT,
+    water.UNDERSIDE,
     shore.EFFECT,
-    land_shadow.EFFECT,
+    shadow.EFFECT,
     surf.EFFECT,
     cubemap.EFFECT,
     drift.EFFECT,
     subsurface.EFFECT,
-    aeration.EFFECT,
-    relief.EFFECT,
-    scattering.EFFECT,
+    material.AERATION,
+    material.RELIEF,
+    material.SCATTERING,
     wake_foam.EFFECT,
     boat.EFFECT,
     spray.EFFECT,
-    shadow.EFFECT,
+    boat.SHADOWS,
     planar.EFFECT,
     current.EFFECT,
     standing.EFFECT,

@@ -1,14 +1,17 @@
-"""Boats that float on the drawn surface, traced in the fragment shader. docs/formulae.md, section 15."""
+"""Boats that float on the drawn surface, traced in the fragment shader, and their shadows.
+
+docs/formulae.md, section 15.
+"""
 
 import math
 from collections.abc import Sequence
 
-from seafoam.effects.bounds import max_displacement
-from seafoam.effects.effect import ABOVE, Contribution, Effect, PassSpec, QualityParameter
+from seafoam.effects.bounds import body_limit, max_displacement
+from seafoam.effects.effect import ABOVE, Bound, Contribution, Effect, PassSpec, QualityParameter
 from seafoam.effects.light.light import ILLUMINATION
-from seafoam.effects.shader import Const, Piece, SlotRef, constant_function
+from seafoam.effects.shader import Const, Piece, SlotFile, SlotRef, constant_function
 from seafoam.effects.shore.maps import FIND_LAND
-from seafoam.effects.water.underside import WATER
+from seafoam.effects.water.water import WATER
 from seafoam.framegraph.passes import BoundingSphere, Quads
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.framegraph.rules import (
@@ -35,6 +38,9 @@ DRAUGHT = 0.08
 HULLS: dict[str, tuple[float, float, float]] = {"sail": (0.15, 4.63, 0.1), "motor": (0.17, 2.515, 0.15)}
 """Half breadth amidships, its fall with the square of the distance from the height of the greatest breadth, and that
 height, in boat lengths, as in ``boats/hull.glsl@hull``."""
+
+UNDER_SAIL = 0.25
+"""Share of the sunlight that a sail transmits."""
 
 COURSE = "boats/pose.glsl@course"
 FRAME = "boats/hull.glsl@frame"
@@ -178,6 +184,18 @@ def _bounding_sphere(boat: Boat, swing: float) -> BoundingSphere:
     return BoundingSphere(centre=(x, 0.0, z), radius=significant(1.001 * (course + 1.3 * boat.length + swing) + 0.1))
 
 
+def shadows(scene: Scene, quality: Quality) -> Contribution | None:
+    """Active if there are boats and light, at qualities with ``boat_shadows``."""
+    if not scene.boats or scene.light is None or not quality.boat_shadows:
+        return None
+    return Contribution(
+        why="rays to the sun from the water around boats",
+        slots=(SlotFile("sunlight", "boats/drawn.glsl@shadow", needs=TRACE),),
+        consts={"SUN_UNDER_SAIL": UNDER_SAIL},
+        bound=Bound(0.0, "no sunlight") if body_limit(scene) == 0.0 else None,
+    )
+
+
 EFFECT = Effect(
     "boats",
     contribute,
@@ -186,4 +204,10 @@ EFFECT = Effect(
         QualityParameter("/boat_samples", "rays per sample at boats", (1, 4, 9), "filtering"),
         QualityParameter("/boat_readings", "heights read around each hull point", (1, 7), "geometry"),
     ),
+)
+SHADOWS = Effect(
+    "boat shadows",
+    shadows,
+    fields=("/boats",),
+    parameters=(QualityParameter("/boat_shadows", "shadows of boats on the water", (False, True), "geometry"),),
 )

@@ -1,10 +1,17 @@
-"""The body of the water: absorption, scattering, roughness. docs/formulae.md, section 6."""
+"""The body of the water: absorption, scattering, roughness; and the view from below its surface.
+
+docs/formulae.md, sections 6 and 11.
+"""
 
 from seafoam.effects.effect import Contribution, Effect
+from seafoam.effects.shader import SlotFile
 from seafoam.framegraph.rules import Uniform, number, vector
 from seafoam.ocean.cascades import cascades, slope_heading
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
+
+WATER = "water/underside.glsl@water"
+"""Absorption and scattering between a camera below the surface and what it sees."""
 
 
 def _slope_heading(scene: Scene) -> tuple[float, float]:
@@ -30,4 +37,20 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     return Contribution(why="the water absorbs and scatters light", uniforms=uniforms)
 
 
+def underside(scene: Scene, quality: Quality) -> Contribution | None:
+    """Active if the scene allows views from below (``water.view_below``) and has light or foam."""
+    if not scene.water.view_below or (scene.light is None and scene.foam is None):
+        return None
+    if scene.light is None:
+        return Contribution(
+            why="from below, the surface shows its foam",
+            slots=(SlotFile("below", "water/underside.glsl@flat"),),
+        )
+    return Contribution(
+        why="from below, the surface transmits the sky and reflects the floor",
+        slots=(SlotFile("below", "water/underside.glsl@main", needs=(WATER,)),),
+    )
+
+
 EFFECT = Effect("water body", contribute, fields=("/water",))
+UNDERSIDE = Effect("view from below", underside, fields=("/water/view_below",))

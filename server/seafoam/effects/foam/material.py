@@ -1,0 +1,101 @@
+"""Foam as a material: its thickness, the light that passes through it, and the bubbles under it.
+
+docs/formulae.md, section 6.
+"""
+
+import math
+
+from seafoam.effects.bounds import FOAM_ASYMMETRY, body_limit, foam_limit, greatest_saturation
+from seafoam.effects.effect import Bound, Contribution, Effect, QualityParameter
+from seafoam.effects.registry import saturation_fields
+from seafoam.effects.shader import SlotFile
+from seafoam.framegraph.rules import number, significant
+from seafoam.ocean.stokes import foam_life
+from seafoam.quality import Quality
+from seafoam.scene.foam import Foam
+from seafoam.scene.models import Scene
+
+SHADE = 0.6
+"""Share of the sun's light that foam blocks; the rest passes through it."""
+
+
+def relief(scene: Scene, quality: Quality) -> Contribution | None:
+    """Active if foam has a thickness and there is light, at qualities with ``foam_relief``."""
+    foam = scene.foam
+    if foam is None or scene.light is None or foam.thickness == 0.0 or not quality.foam_relief:
+        return None
+    beside = "foam/shading.glsl@beside"
+    if foam.look == "filtered" and foam_life(scene) is not None:
+        beside = "foam/shading.glsl@beside_lying"
+    elif foam.look == "filtered":
+        beside = "foam/shading.glsl@beside_filtered"
+    return Contribution(
+        why=f"foam {foam.thickness:g} m thick casts shadows",
+        slots=(SlotFile("relief", "foam/shading.glsl@relief", needs=(beside,)),),
+        consts={"FOAM_SHADE": SHADE},
+        uniforms={"u_foam_thickness": number(foam.thickness, "/foam/thickness")},
+        bound=_bound(foam, scene, "no foam that could cast a shadow"),
+    )
+
+
+def scattering(scene: Scene, quality: Quality) -> Contribution | None:
+    """Active if foam has a scattering layer and there is light."""
+    foam = scene.foam
+    if foam is None or scene.light is None or foam.scattering is None:
+        return None
+    layer = foam.scattering
+    return Contribution(
+        why=f"foam of an optical depth of {layer.optical_depth:g}",
+        slots=(SlotFile("foam layer", "foam/shading.glsl@scattering"),),
+        consts={
+            "FOAM_ASYMMETRY": FOAM_ASYMMETRY,
+            "FOAM_PHASE": significant((1.0 - FOAM_ASYMMETRY**2) / (4.0 * math.pi)),
+        },
+        uniforms={
+            "u_foam_depth": number(layer.optical_depth, "/foam/scattering/optical_depth"),
+            "u_foam_lumps": number(significant(2.0 / math.pi * layer.roughness**2)),
+            "u_foam_forward": number(layer.forward, "/foam/scattering/forward"),
+        },
+        bound=_bound(foam, scene, "no foam"),
+    )
+
+
+def aeration(scene: Scene, quality: Quality) -> Contribution | None:
+    """Active if the scene has aeration, foam and light."""
+    water, foam = scene.water, scene.foam
+    if foam is None or scene.light is None or water.aeration == 0.0:
+        return None
+    most = min(greatest_saturation(foam, scene), 1.0)
+    # Light crosses the layer twice, on a path of at most three times its depth: refracted rays are never flatter.
+    whitened = 1.0 - math.exp(-3.0 * water.aeration * water.plume_depth * most)
+    bound = Bound(
+        whitened * body_limit(scene),
+        "almost no bubbles, no foam above them, or no light on them",
+        ("/light/exposure", "/water/aeration", "/water/plume_depth", *saturation_fields(scene)),
+    )
+    return Contribution(
+        why=f"bubbles down to {water.plume_depth:g} m under foam",
+        slots=(SlotFile("plume", "water/body.glsl@bubbles", needs=("light/shade.glsl@optics", "lib/refraction.glsl")),),
+        uniforms={
+            "u_aeration": number(water.aeration, "/water/aeration"),
+            "u_plume_depth": number(water.plume_depth, "/water/plume_depth"),
+        },
+        # Caustics make a floor brighter than the bound of uniform light.
+        bound=None if scene.light.caustics is not None else bound,
+    )
+
+
+def _bound(foam: Foam, scene: Scene, why: str) -> Bound:
+    """Bound of what changes foam and the water under it."""
+    covered = greatest_saturation(foam, scene) > 0.0
+    return Bound(body_limit(scene) + foam_limit(foam, scene) if covered else 0.0, why, saturation_fields(scene))
+
+
+RELIEF = Effect(
+    "foam relief",
+    relief,
+    fields=("/foam/thickness",),
+    parameters=(QualityParameter("/foam_relief", "shading by foam thickness", (False, True), "geometry"),),
+)
+SCATTERING = Effect("foam scattering", scattering, fields=("/foam/scattering",))
+AERATION = Effect("milky water", aeration, fields=("/water/aeration", "/water/plume_depth"))
