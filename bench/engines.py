@@ -8,7 +8,7 @@ from playwright.sync_api import Playwright, sync_playwright
 from bench.report import Column, Table, count, ms
 from bench.server import HOST
 from bench.watch import Watch
-from support.starts import STARTS, WINDOWS, Motion, browser_started, opened
+from support.browser.starts import STARTS, WINDOWS, Motion, browser_started, opened
 
 FIRST_SECONDS, SETTLED_SECONDS, END_SECONDS = 5.0, 10.0, 13.0
 """After the start of navigation: gaps count from the first, rates from the second, until the third."""

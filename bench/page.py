@@ -11,7 +11,7 @@ from playwright.sync_api import Browser, Page, Playwright, sync_playwright
 from bench.report import Column, Table, count, ms
 from bench.server import HOST
 from bench.watch import Watch
-from support.browsers import COMMON, LANES, chromium, launched
+from support.browser.lanes import COMMON, LANES, chromium, launched
 
 __all__ = ["launched", "measure"]
 

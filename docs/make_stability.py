@@ -2,7 +2,7 @@
 
 Run as ``python docs/make_stability.py`` after a change of words. After a change of what is drawn, measure first::
 
-    pytest tests/gpu/numerics/test_hard_cases.py tests/browser/test_hard_cases.py --figures hard-cases.json
+    pytest tests/gpu/numerics/test_hard_cases.py tests/browser/pixels/test_hard_cases.py --figures hard-cases.json
     python docs/make_stability.py hard-cases.json
 
 What is measured stands in docs/stability.json; a run of some cases leaves the others' figures as they are.

@@ -21,7 +21,7 @@ WIDTH = 1440
 QUALITY = 72
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
-from support.browsers import launched  # noqa: E402
+from support.browser.lanes import launched  # noqa: E402
 
 
 def answer(address: str) -> None:

@@ -12,9 +12,9 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page, Playwright, expect, sync_playwright
 
-from support.browsers import Lane, launched, opened
+from support.browser.lanes import Lane, launched, opened
+from support.browser.visits import Visit, link, visit
 from support.command import free_port
-from support.visits import Visit, link, visit
 
 # Beside other tests, what a page shows takes longer than the 5 s that Playwright would wait.
 expect.set_options(timeout=30_000)
@@ -60,7 +60,7 @@ def llvmpipe(playwright: Playwright) -> Iterator[Lane]:
 
 @pytest.fixture(scope="session")
 def optimised(playwright: Playwright) -> Iterator[Lane]:
-    """As users have it, for pages that draw many frames: the ``llvmpipe`` of modules that say so."""
+    """As users have it, for pages that draw many frames: the ``llvmpipe`` of the folder ``motion``."""
     browser = launched(playwright, "llvmpipe", optimised=True)
     yield Lane("llvmpipe", browser)
     browser.close()

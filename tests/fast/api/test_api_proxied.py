@@ -17,8 +17,8 @@ import seafoam
 from seafoam.api.guard.proxy_headers import relative
 from seafoam.api.settings import Settings
 from seafoam.scene.presets import preset_names
+from support.browser.proxy import proxied
 from support.command import free_port
-from support.proxy import proxied
 from support.serving import answering, served
 
 PREFIX = "/water"

@@ -1,0 +1,205 @@
+"""The notebook's widget in a page: anywidget's model stands in for the notebook's, and asks the widget in Python."""
+
+import base64
+import io
+import json
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+from PIL import Image
+from playwright.sync_api import Page
+
+from seafoam.notebook import Water
+from support.browser.lanes import Lane, complaints_of
+
+HTML = """<!doctype html><html lang="en"><head><title>A notebook</title><link rel="icon" href="data:," />
+<style>body { margin: 0 } #cell { width: 640px }</style></head><body><div id="cell"></div></body></html>"""
+
+# What a notebook's front end does: keeps the traits, tells Python what changed, and passes messages on.
+MODEL = """async ({ state }) => {
+  const listeners = {};
+  const fire = (event, ...values) => (listeners[event] ?? []).forEach((listener) => listener(...values));
+  const bytes = (text) => new DataView(Uint8Array.from(atob(text), (c) => c.charCodeAt(0)).buffer);
+  let changed = {};
+  const model = {
+    get: (name) => state[name],
+    set: (name, value) => { state[name] = changed[name] = value; fire(`change:${name}`); },
+    save_changes: () => { if (Object.keys(changed).length) window.tell(JSON.stringify(changed)); changed = {}; },
+    on: (event, listener) => (listeners[event] ??= []).push(listener),
+    off: (event, listener) => (listeners[event] = listeners[event].filter((one) => one !== listener)),
+    send: (content) => window.ask(JSON.stringify(content)).then(([answer, parts]) =>
+      fire("msg:custom", answer, parts.map(bytes))),
+  };
+  window.push = (traits) => {
+    Object.assign(state, traits);
+    Object.keys(traits).forEach((name) => fire(`change:${name}`));
+  };
+  const { default: widget } = await import("/notebook/seafoam-widget.js");
+  window.leave = widget.render({ model, el: document.getElementById("cell") });
+  window.heard = () => Object.values(listeners).flat().length;
+}"""
+
+
+class Cell:
+    """A widget, and a page that shows it."""
+
+    def __init__(self, page: Page, water: Water) -> None:
+        self.page, self.water = page, water
+        self.asked: list[str] = []
+        self.complaints = complaints_of(page)
+        page.expose_function("ask", self._ask)
+        page.expose_function("tell", lambda changed: water.set_state(json.loads(changed)))
+
+    def _ask(self, request: str) -> list[Any]:
+        answers: list[list[Any]] = []
+        self.water.send = lambda content, parts=(): answers.append(  # type: ignore[method-assign, misc]
+            [content, [base64.b64encode(part).decode() for part in parts]]
+        )
+        content = json.loads(request)
+        self.asked.append(content["kind"])
+        self.water._answer(self.water, content, [])
+        (answer,) = answers
+        return answer
+
+    def show(self) -> None:
+        self.page.evaluate(MODEL, {"state": self.state()})
+        self.page.wait_for_function(
+            "() => document.querySelector('.seafoam-picture canvas')?.width > 300", timeout=120_000
+        )
+        self.settle()
+
+    def state(self, *names: str) -> dict[str, Any]:
+        state = self.water.get_state(names or None)
+        return {name: value for name, value in state.items() if not name.startswith("_") and name != "layout"}
+
+    def push(self, *names: str) -> None:
+        """As the notebook does after a change in Python."""
+        self.page.evaluate("(traits) => window.push(traits)", self.state(*names))
+
+    def settle(self) -> None:
+        """Until one picture is left, and two looks at it are alike."""
+        self.page.wait_for_function(
+            "() => document.querySelectorAll('.seafoam-picture canvas').length === 1", timeout=120_000
+        )
+        before = self.seen()
+        for _ in range(60):
+            self.page.wait_for_timeout(700)
+            now = self.seen()
+            if now.std() > 1 and (now == before).all():
+                return
+            before = now
+        raise AssertionError("the picture does not come to rest")
+
+    def seen(self) -> np.ndarray:
+        shot = self.page.locator(".seafoam-picture").screenshot()
+        return np.asarray(Image.open(io.BytesIO(shot)).convert("RGB")).astype(float)
+
+
+@pytest.fixture(scope="module")
+def cell(llvmpipe: Lane, server: str) -> Iterator[Cell]:
+    context = llvmpipe.browser.new_context(viewport={"width": 960, "height": 600})
+    page = context.new_page()
+    page.route("**/a-notebook/", lambda route: route.fulfill(body=HTML, content_type="text/html"))
+    made = Cell(page, Water("paper-halftone", time=4.0, quality="draft", playing=False))
+    page.goto(f"{server}/a-notebook/")
+    made.show()
+    yield made
+    page.evaluate("() => window.leave()")
+    assert page.locator("#cell").inner_html() == ""
+    assert page.evaluate("() => window.heard()") == 0
+    assert made.complaints == []
+    context.close()
+
+
+def test_it_draws_what_python_has(cell: Cell) -> None:
+    assert cell.asked[0] == "plan"
+    assert "texture" in cell.asked
+    assert cell.seen().std() > 5
+
+
+def test_python_changes_the_picture(cell: Cell) -> None:
+    before = cell.seen()
+    cell.water.time = 9.0
+    cell.push("time")
+    cell.settle()
+    later = cell.seen()
+    assert np.abs(later - before).mean() > 1
+    cell.water.scene = "paper-height"
+    cell.push("scene", "camera")
+    cell.settle()
+    assert np.abs(cell.seen() - later).mean() > 1
+    assert cell.page.locator(".seafoam-message").is_hidden()
+
+
+def test_a_field_that_stands_in_the_plan_needs_no_other(cell: Cell) -> None:
+    cell.water.scene = "paper-halftone"
+    cell.push("scene", "camera")
+    cell.settle()
+    before, plans = cell.seen(), cell.asked.count("plan")
+    foam = cell.water.scene.foam
+    cell.water.scene = cell.water.scene.model_copy(update={"foam": foam.model_copy(update={"albedo": 0.2})})
+    cell.push("scene")
+    cell.settle()
+    assert np.abs(cell.seen() - before).mean() > 0.5
+    assert cell.asked.count("plan") == plans
+
+
+def test_a_drag_moves_the_camera_in_python(cell: Cell) -> None:
+    before = cell.water.camera
+    box = cell.page.locator(".seafoam-picture").bounding_box()
+    assert box is not None
+    cell.page.mouse.move(box["x"] + 300, box["y"] + 200)
+    cell.page.mouse.down()
+    cell.page.mouse.move(box["x"] + 380, box["y"] + 200, steps=4)
+    cell.page.mouse.up()
+    cell.settle()
+    cell.page.wait_for_timeout(1200)
+    assert cell.water.camera.yaw != before.yaw
+
+
+def test_time_runs_and_python_follows(cell: Cell) -> None:
+    began = cell.water.time
+    cell.page.get_by_role("button", name="Play").click()
+    for _ in range(40):
+        cell.page.wait_for_timeout(250)
+        if cell.water.time > began:
+            break
+    assert cell.water.playing
+    assert cell.water.time > began
+    cell.page.get_by_role("button", name="Pause").click()
+    cell.settle()
+    assert not cell.water.playing
+
+
+def test_the_panel_edits_the_scene_in_python(cell: Cell) -> None:
+    cell.page.get_by_role("button", name="Scene").click()
+    look = cell.page.get_by_label("look", exact=True)
+    look.wait_for()
+    look.select_option("fading")
+    cell.page.wait_for_timeout(300)
+    foam = cell.water.scene.foam
+    assert foam is not None
+    assert foam.look == "fading"
+    assert cell.water.panel
+    cell.settle()
+    heights = [cell.page.locator(f".seafoam-{part}").bounding_box()["height"] for part in ("side", "picture")]
+    assert heights[0] == pytest.approx(heights[1], abs=1)
+    cell.page.get_by_role("button", name="Scene").click()
+    assert cell.page.locator(".seafoam-side").is_hidden()
+
+
+def test_what_cannot_be_drawn_is_said(cell: Cell) -> None:
+    foam = cell.water.scene.foam
+    assert foam is not None
+    good = cell.water.scene
+    cell.water.scene = good.model_copy(update={"foam": foam.model_copy(update={"mask": "vac-99"})})
+    cell.push("scene")
+    message = cell.page.locator(".seafoam-message")
+    message.wait_for()
+    assert "vac-99" in message.inner_text()
+    cell.water.scene = good
+    cell.push("scene")
+    message.wait_for(state="hidden")
+    assert cell.seen().std() > 5

@@ -1,0 +1,134 @@
+"""Where something is missing: an extension, a renderer, the server, a preset. There is a picture or a plain word."""
+
+import pytest
+from playwright.sync_api import Page
+
+from seafoam.quality import TIERS
+from seafoam.scene.presets import load_preset
+from support.browser.lanes import Lane
+from support.browser.visits import STILL, Pixels, link, visit
+
+SIZE = (400, 300)
+
+
+def failure_text(page: Page) -> str:
+    """What the page says instead of a picture."""
+    failure = page.locator("#loading .failure")
+    failure.wait_for()
+    return failure.inner_text()
+
+
+@pytest.fixture(scope="module")
+def usual(llvmpipe: Lane, server: str) -> Pixels:
+    """The picture where nothing is missing."""
+    with visit(llvmpipe, server, STILL, size=SIZE) as made:
+        return made.picture()
+
+
+@pytest.mark.parametrize(
+    "hidden",
+    [
+        "OES_texture_float_linear",
+        "EXT_color_buffer_float",
+        "EXT_color_buffer_half_float",
+        "KHR_parallel_shader_compile",
+        "EXT_disjoint_timer_query_webgl2,WEBGL_debug_renderer_info",
+        "WEBGL_lose_context",
+    ],
+)
+def test_draws_without(llvmpipe: Lane, server: str, usual: Pixels, hidden: str) -> None:
+    with visit(llvmpipe, server, f"?hide={hidden}{STILL}", size=SIZE) as made:
+        assert (made.picture() == usual).all()
+        assert made.page.locator(".toast").count() == 0
+
+
+def test_the_server_draws_where_no_picture_can_be_drawn(llvmpipe: Lane, server: str) -> None:
+    address = f"?hide=EXT_color_buffer_float,EXT_color_buffer_half_float{STILL}"
+    with visit(llvmpipe, server, address, size=SIZE) as made:
+        notice = made.page.locator("#heading .notice").inner_text()
+        assert "EXT_color_buffer_float" in notice
+        assert made.canvas().std() > 5.0
+
+
+def test_a_quality_that_needs_more_gives_way(llvmpipe: Lane, server: str) -> None:
+    """32-bit filtered textures are for the reference tier; without them the sea is drawn at the usual one."""
+    assert TIERS["reference"].target == "RGBA32F"
+    fragment = "#paused=1&quality=reference"
+    with visit(llvmpipe, server, f"?hide=OES_texture_float_linear,EXT_color_buffer_float{fragment}", size=SIZE) as made:
+        assert made.state()["quality"] is None
+        assert made.picture().std() > 5.0
+        toast = made.page.locator(".toast.error").inner_text()
+        assert "EXT_color_buffer_float" in toast
+
+
+def test_swiftshader_draws_the_page(swiftshader: Lane, server: str) -> None:
+    with visit(swiftshader, server, STILL, size=SIZE) as made:
+        assert "swiftshader" in made.page.evaluate("() => window.seafoam.renderer").lower()
+        assert made.picture().std() > 5.0
+        assert made.canvas().std() > 5.0
+
+
+def test_says_so_while_the_server_is_away(llvmpipe: Lane, server: str) -> None:
+    with visit(llvmpipe, server, "healthz", size=SIZE, settle=False) as made:
+        made.page.route("**/api/**", lambda route: route.abort("connectionrefused"))
+        made.page.goto(f"{server}/{STILL}")
+        said = failure_text(made.page)
+        assert "Server not reachable" in said
+        # The browser notes each request that failed; the page itself has nothing to complain of.
+        assert [one for one in made.complaints if "ERR_CONNECTION_REFUSED" not in one] == []
+        made.page.unroute("**/api/**")
+        made.page.get_by_role("button", name="Reload page").click()
+        made.settle()
+        assert made.picture().std() > 5.0
+
+
+def test_the_picture_stays_when_the_server_goes(llvmpipe: Lane, server: str) -> None:
+    with visit(llvmpipe, server, STILL, size=SIZE) as made:
+        before = made.picture()
+        made.page.route("**/api/**", lambda route: route.abort("connectionrefused"))
+        made.follow(link(scene={"/foam/look": "textured"}))
+        made.page.locator(".toast.error", has_text="does not respond").wait_for()
+        assert not made.page.locator("#loading").is_visible()
+        assert (made.picture() == before).all()
+        assert all("ERR_CONNECTION_REFUSED" in complaint for complaint in made.complaints)
+        # Once it is back, the same choice is asked for again.
+        made.page.unroute("**/api/**")
+        made.follow(link(scene={"/foam/look": "halftone"}))
+        assert (made.picture() != before).any()
+
+
+def test_an_unknown_preset_is_told(llvmpipe: Lane, server: str) -> None:
+    fragment = link(preset="atlantis", scene={"/foam/look": "textured"}, time=77)
+    with visit(llvmpipe, server, fragment, size=SIZE) as made:
+        assert "atlantis" in made.page.locator(".toast.error").inner_text()
+        state = made.state()
+        assert state["preset"] == "default"
+        assert state["changes"] == [], "what a link says of one sea means nothing for another"
+        assert made.page.locator("#title").text_content() == load_preset("default").title
+        assert made.picture().std() > 5.0
+
+
+@pytest.mark.parametrize(
+    "parts",
+    [
+        {"scene": {"/foam/mask": "no-such-mask"}},
+        {"scene": {"/waves": "flat"}},
+        {"scene": {"/light/exposure": 1e9}},
+        {"quality": "best"},
+        {"split": "/foam/look~textured~nonsense~0.500"},
+    ],
+    ids=lambda parts: next(iter(parts)),
+)
+def test_a_link_that_asks_for_nonsense_still_opens(llvmpipe: Lane, server: str, parts: dict[str, object]) -> None:
+    with visit(llvmpipe, server, link(**parts), size=SIZE) as made:
+        made.page.locator(".toast.error").first.wait_for()
+        assert made.picture().std() > 5.0
+        assert made.state()["changes"] == []
+        assert all("422" in complaint for complaint in made.complaints)
+
+
+@pytest.mark.parametrize("fragment", ["#%", "#scene=%7B", "#camera=1,2", "#time=soon&speed=fast", "#split=~~", "#=&&"])
+def test_a_link_cut_short_opens_what_is_left(llvmpipe: Lane, server: str, fragment: str) -> None:
+    with visit(llvmpipe, server, f"{fragment}&paused=1&quality=draft", size=SIZE) as made:
+        assert made.state()["preset"] == "default"
+        assert made.picture().std() > 5.0

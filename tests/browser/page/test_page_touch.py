@@ -1,0 +1,164 @@
+"""Touching the water on the page: taps, drags, fingers, and what time, link and server make of them."""
+
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+
+from support.browser.lanes import Lane
+from support.browser.visits import PHONE, Visit, differs, link, swipe, visit
+
+SIZE = (560, 360)
+LAKE = link(preset="lake-calm", time=2.0)
+
+
+@pytest.fixture
+def lake(llvmpipe: Lane, server: str) -> Iterator[Visit]:
+    """A still lake, paused."""
+    with visit(llvmpipe, server, LAKE, size=SIZE, reduced_motion="reduce") as made:
+        yield made
+
+
+def touches(made: Visit) -> list[dict[str, float]]:
+    return made.state()["touches"] or []
+
+
+def drawn(made: Visit) -> None:
+    """The plan with room for touches is here."""
+    made.page.wait_for_function("() => window.seafoam.state().touches !== null && !window.seafoam.state().busy")
+    made.settle()
+
+
+def test_a_tap_raises_a_ring_there(lake: Visit) -> None:
+    """Pixels change around the tap and nowhere else; the server draws the same; the past has no ring."""
+    before, asked, camera = lake.picture(), lake.plans(), lake.state()["camera"]
+    lake.page.mouse.click(300, 250)
+    drawn(lake)
+    after = lake.picture()
+    changed = (after != before).any(axis=-1)
+    rows, columns = np.nonzero(changed)
+    assert changed.mean() > 0.002
+    assert abs(np.median(columns) - 300) < 25
+    assert abs(np.median(rows) - 250) < 25
+    assert not changed[:100].any()
+    assert lake.plans() == asked + 1
+    assert lake.state()["camera"] == camera
+    lake.settings()
+    served, _ = lake.saved("Render on server")
+    assert differs(served, after) < 1e-4
+    lake.page.get_by_role("button", name="Close settings").click()
+    # A second touch needs no plan.
+    lake.page.mouse.click(200, 220)
+    lake.page.wait_for_function("() => window.seafoam.state().touches.length === 2")
+    assert differs(lake.picture(), after) > 0.002
+    assert lake.plans() == asked + 1
+    lake.page.get_by_label("Time in seconds").fill("1")
+    lake.page.get_by_label("Time in seconds").press("Enter")
+    touched = lake.picture()
+    lake.page.get_by_role("button", name="Touch water").focus()
+    lake.follow(link(preset="lake-calm", time=1.0))
+    assert lake.state()["touches"] is None
+    assert (lake.picture() == touched).all(), "before its time a ring is not there"
+
+
+def test_a_drag_leaves_a_train_that_a_link_restores(lake: Visit, llvmpipe: Lane, server: str) -> None:
+    lake.page.mouse.move(120, 240)
+    lake.page.mouse.down()
+    for x in range(130, 440, 15):
+        lake.page.mouse.move(x, 240 + x // 20)
+    lake.page.mouse.up()
+    drawn(lake)
+    made = touches(lake)
+    steps = np.hypot(*np.diff([[one["x"], one["z"]] for one in made], axis=0).T)
+    assert len(made) > 5
+    assert steps.max() < 1.1 * steps.min()
+    picture = lake.picture()
+    lake.page.wait_for_function("() => location.hash.includes('touches=')")
+    address = lake.page.url
+    assert len(address.partition("#")[2]) <= 2000
+    with visit(llvmpipe, server, address.removeprefix(f"{server}/"), size=SIZE, reduced_motion="reduce") as again:
+        assert touches(again) == made
+        assert (again.picture() == picture).all()
+
+
+def test_a_tap_and_a_drag_are_a_step_of_undo_each(lake: Visit) -> None:
+    """Two taps at once, as fast as they come while the first plan is made, and a slow drag: three steps."""
+    for x in (200, 360):
+        lake.page.mouse.click(x, 260)
+    drawn(lake)
+    lake.page.mouse.move(120, 240)
+    lake.page.mouse.down()
+    for x in range(130, 300, 15):
+        lake.page.mouse.move(x, 240)
+        if x == 220:
+            lake.page.wait_for_timeout(1000)  # longer than two edits of a field may lie apart to be one
+    lake.page.mouse.up()
+    drawn(lake)
+    whole = touches(lake)
+    assert len(whole) > 4
+    lake.page.locator("#canvas").focus()
+    counts = []
+    for _ in range(3):
+        lake.page.keyboard.press("Control+z")
+        counts.append(len(touches(lake)))
+    assert counts == [2, 1, 0]
+    for _ in range(3):
+        lake.page.keyboard.press("Control+y")
+    assert touches(lake) == whole
+
+
+def test_keys_touch_and_choose_what_a_drag_does(lake: Visit) -> None:
+    button = lake.page.get_by_role("button", name="Touch water")
+    assert button.get_attribute("aria-pressed") == "true"
+    lake.page.locator("#canvas").focus()
+    lake.page.keyboard.press("Enter")
+    drawn(lake)
+    assert len(touches(lake)) == 1
+    lake.page.keyboard.press("t")
+    assert button.get_attribute("aria-pressed") == "false"
+    before = lake.state()["camera"]
+    lake.page.mouse.move(200, 200)
+    lake.page.mouse.down()
+    lake.page.mouse.move(260, 200, steps=3)
+    lake.page.mouse.up()
+    lake.page.wait_for_function("(yaw) => window.seafoam.state().camera.yaw !== yaw", arg=before["yaw"])
+    assert len(touches(lake)) == 1
+
+
+def test_rings_begin_when_they_can_be_seen(llvmpipe: Lane, server: str) -> None:
+    """The first touch waits for its plan: no ring has died away before it is drawn."""
+    with visit(llvmpipe, server, link(preset="lake-calm", time=2.0, scale=0.1), size=SIZE) as made:
+        made.page.get_by_role("button", name="Play").click()
+        made.page.mouse.click(300, 250)
+        touched = made.state()["time"]
+        made.page.wait_for_function("() => window.seafoam.state().touches !== null && !window.seafoam.state().busy")
+        made.page.get_by_role("button", name="Pause").click()
+        (ring,) = touches(made)
+        assert touched - 0.02 <= ring["time"] <= made.state()["time"]
+
+
+def test_fingers_touch_and_two_move_the_camera(llvmpipe: Lane, server: str) -> None:
+    with visit(llvmpipe, server, LAKE, size=PHONE, has_touch=True, is_mobile=True, reduced_motion="reduce") as made:
+        start = made.state()["camera"]
+        swipe(made.page, ((6, 560), (200, 560)))
+        assert touches(made) == [], "a swipe from the edge is the browser's"
+        swipe(made.page, ((120, 500), (40, 540)), ((260, 500), (350, 540)))
+        made.settle()
+        turned = made.state()["camera"]
+        assert turned["position"] != start["position"]
+        assert touches(made) == []
+        made.page.touchscreen.tap(200, 520)
+        drawn(made)
+        assert len(touches(made)) == 1
+        assert made.state()["camera"] == turned
+
+
+def test_a_picture_without_light_says_why_it_shows_no_rings(llvmpipe: Lane, server: str) -> None:
+    with visit(llvmpipe, server, link(preset="paper-threshold"), size=SIZE) as made:
+        before = made.picture()
+        made.page.mouse.click(300, 250)
+        toast = made.page.locator(".toast")
+        toast.wait_for()
+        assert "no light" in (toast.text_content() or "")
+        assert touches(made) == []
+        assert (made.picture() == before).all()

@@ -1,0 +1,171 @@
+"""Without WebGL 2 the server draws, and the page works as it does with it."""
+
+import io
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+from PIL import Image
+from playwright.sync_api import Route, expect
+
+from support.browser.lanes import Lane
+from support.browser.visits import Held, Pixels, Visit, link, visit
+
+SIZE = (400, 300)
+NO_WEBGL = """
+const open = HTMLCanvasElement.prototype.getContext;
+HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
+  return kind === 'webgl2' ? null : open.call(this, kind, ...rest);
+};
+"""
+ADDRESS = link(preset="paper-threshold", time=1.0)
+FRAMES, PRESETS = "**/api/frames", "**/api/presets/*"
+
+
+@pytest.fixture
+def served(llvmpipe: Lane, server: str) -> Iterator[Visit]:
+    """A page whose browser has no WebGL 2, paused."""
+    with visit(llvmpipe, server, ADDRESS, size=SIZE, before=NO_WEBGL, reduced_motion="reduce") as made:
+        yield made
+
+
+def shown(made: Visit) -> Pixels:
+    """The frame that the page shows, as the server sent it."""
+    made.settle()
+    element = made.page.locator(".served canvas").last
+    data = element.evaluate(
+        "(image) => { const canvas = new OffscreenCanvas(image.width, image.height);"
+        " const context = canvas.getContext('2d'); context.drawImage(image, 0, 0);"
+        " return [...context.getImageData(0, 0, canvas.width, canvas.height).data]; }"
+    )
+    width, height = element.evaluate("(image) => [image.width, image.height]")
+    return np.array(data, np.uint8).reshape(height, width, 4)[..., :3]
+
+
+def test_the_servers_frame_stands_in_the_canvass_place(served: Visit, server: str) -> None:
+    page = served.page
+    notice = page.locator("#heading .notice")
+    expect(notice).to_have_text("The server draws the frames. WebGL 2 is not available or is disabled in this browser.")
+    query = f"quality=draft&time=1&width={SIZE[0]}&height={SIZE[1]}"
+    reply = page.request.get(f"{server}/api/frames/paper-threshold.png?{query}")
+    want = np.asarray(Image.open(io.BytesIO(reply.body())).convert("RGB"))
+    assert (shown(served) == want).all()
+    box = page.locator(".served canvas").bounding_box()
+    assert box == {"x": 0, "y": 0, "width": SIZE[0], "height": SIZE[1]}
+    expect(page.locator(".frame-stats")).to_contain_text("server")
+    saved, _ = served.saved()
+    assert (saved == want).all()
+    expect(page.get_by_role("button", name="Accuracy benchmark")).to_have_count(0)
+
+
+def test_time_camera_settings_and_presets_work(served: Visit) -> None:
+    page = served.page
+    pictures = [shown(served)]
+
+    def changed() -> None:
+        pictures.append(shown(served))
+        assert (pictures[-1].shape != pictures[-2].shape) or (pictures[-1] != pictures[-2]).any()
+
+    page.get_by_label("Time in seconds").fill("2.5")
+    page.get_by_label("Time in seconds").press("Enter")
+    changed()
+    page.get_by_role("button", name="Play").click()
+    page.wait_for_function("() => window.seafoam.state().timing.frames > 4 && window.seafoam.state().time > 2.6")
+    page.get_by_role("button", name="Pause").click()
+    changed()
+    yaw = served.state()["camera"]["yaw"]
+    page.locator("#canvas").focus()
+    page.keyboard.down("ArrowLeft")
+    page.wait_for_function("(yaw) => window.seafoam.state().camera.yaw !== yaw", arg=yaw)
+    page.keyboard.up("ArrowLeft")
+    changed()
+    served.settings().get_by_label("field of view").fill("80")
+    changed()
+    served.settings().get_by_label("mask", exact=True).select_option(index=2)
+    changed()
+    page.get_by_role("button", name="Close settings").click()
+    held = Held(page, PRESETS)
+    page.evaluate("(hash) => { location.hash = hash; }", link(preset="paper-halftone", time=1.0))
+    held.arrived()
+    assert served.state()["busy"]
+    held.let_go()
+    changed()
+    expect(page.locator("#title")).not_to_have_text("")
+    assert served.state()["preset"] == "paper-halftone"
+
+
+def test_the_water_on_the_page_is_chosen_while_another_loads(served: Visit) -> None:
+    served.settle()
+    page, before = served.page, served.state()["preset"]
+    held = Held(page, PRESETS)
+    page.locator("#gallery [role=option]").first.evaluate("(option) => option.click()")
+    held.arrived()
+    assert served.state()["busy"]
+    page.locator("#gallery [aria-selected=true]").evaluate("(option) => option.click()")
+    assert not served.state()["busy"]
+    with page.expect_response(PRESETS):
+        held.let_go()
+    served.frames(2)
+    served.settle()
+    assert served.state()["preset"] == before
+
+
+def test_two_looks_are_compared(served: Visit) -> None:
+    page = served.page
+    served.follow(link(preset="paper-threshold", time=1.0, split="/foam/mask~vac-3~vac-24~0.400"))
+    served.settle()
+    expect(page.locator(".served canvas")).to_have_count(2)
+    right = page.locator(".served canvas").last
+    assert right.evaluate("(image) => getComputedStyle(image).clipPath") == "inset(0px 0px 0px 40%)"
+    asked = len(served.asked)
+    page.get_by_role("slider", name="Split position").press("ArrowRight")
+    served.settle()
+    expect(right).to_have_css("clip-path", "inset(0px 0px 0px 42%)")
+    assert len(served.asked) == asked, "the divider cuts the pictures that are here"
+
+
+def test_one_request_at_a_time_and_the_newest_view_next(served: Visit) -> None:
+    """While a frame is awaited, views that come and go are not asked for."""
+    page = served.page
+    held = Held(page, FRAMES)
+    for time in (2, 3, 4, 5):
+        page.get_by_label("Time in seconds").fill(str(time))
+        page.get_by_label("Time in seconds").press("Enter")
+        served.frames(5)
+    assert [body["time"] for body in held.bodies()] == [2]
+    held.let_go(holding=True)
+    held.arrived()
+    assert [body["time"] for body in held.bodies()] == [5]
+    held.let_go()
+    served.settle()
+
+
+def test_the_picture_stays_while_the_server_is_away(served: Visit) -> None:
+    page = served.page
+    before = shown(served)
+    failed: list[int] = []
+
+    def refuse(route: Route) -> None:
+        failed.append(1)
+        route.abort("connectionrefused")
+
+    page.route(FRAMES, refuse)
+    page.get_by_label("Time in seconds").fill("2.5")
+    page.get_by_label("Time in seconds").press("Enter")
+    page.locator(".toast.error", has_text="does not respond").wait_for()
+    page.wait_for_timeout(1500)
+    assert 1 <= len(failed) < 5, "it is asked again, not at every frame"
+    expect(page.locator(".toast.error")).to_have_count(1)
+    expect(page.locator("#loading")).to_be_hidden()
+    image = page.locator(".served canvas")
+    expect(image).to_have_count(1)
+    page.unroute(FRAMES)
+    assert (shown(served) != before).any(), "it comes back by itself"
+    assert all("ERR_CONNECTION_REFUSED" in complaint for complaint in served.complaints)
+    served.complaints.clear()
+
+
+def test_the_address_asks_for_the_servers_frames(llvmpipe: Lane, server: str) -> None:
+    with visit(llvmpipe, server, f"?draw=server{ADDRESS}", size=SIZE) as made:
+        assert shown(made).std() > 5.0
+        assert "draw=server" in made.page.url

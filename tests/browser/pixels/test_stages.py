@@ -1,0 +1,76 @@
+"""Passes after surface and sky: points, blended, laid over the picture alike on the server and in Chromium."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from playwright.sync_api import Page
+
+from seafoam.effects import EFFECTS
+from seafoam.effects.effect import ABOVE, Contribution, Effect, PassSpec
+from seafoam.framegraph.passes import Blend, Points
+from seafoam.planner import FramePlan, make_plan, planner
+from seafoam.quality import TIERS, Quality
+from seafoam.render.gl.executor import Executor
+from seafoam.scene.camera import Camera
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
+from support.browser.lanes import rendered
+from support.pictures import draw
+
+SIZE = (32, 16)
+FILES = Path(__file__).parents[2] / "support" / "stages"
+SCENE = Scene(light=Light(), camera=Camera(pitch=1.5708))
+"""Nothing but sky."""
+
+
+def plan_of(blend: Blend, samples: int = 1) -> FramePlan:
+    """The scene's plan with four points over it, three of them in one place."""
+
+    def contribute(scene: Scene, quality: Quality) -> Contribution:
+        spec = PassSpec(
+            name="points",
+            program="points",
+            vertex=(str(FILES / "points.glsl"),),
+            fragment=(str(FILES / "quarter.glsl"),),
+            target=ABOVE,
+            mesh=Points(count=4),
+            stage="after",
+            blend=blend,
+        )
+        return Contribution(why="a test", passes=(spec,))
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(planner, "EFFECTS", (*EFFECTS, Effect("points", contribute)))
+        quality = TIERS["standard"].model_copy(update={"samples": samples})
+        return planner.make_plan.__wrapped__(SCENE, quality)
+
+
+@pytest.mark.parametrize(("blend", "light", "free"), [("add", 0.75, 0.0), ("over", 0.4375, 0.125), ("none", 0.25, 0.5)])
+@pytest.mark.parametrize("samples", [1, 4])
+def test_points_lie_over_the_picture(
+    page: Page, executor: Executor, blend: Blend, light: float, free: float, samples: int
+) -> None:
+    plan = plan_of(blend, samples)
+
+    def samples_of(one: FramePlan) -> np.ndarray:
+        return draw(executor, one, SCENE.camera, time=0.0, size=SIZE, output="samples").astype(np.float64)
+
+    bare = make_plan(SCENE, TIERS["standard"].model_copy(update={"samples": samples}))
+    sky, drawn = samples_of(bare), samples_of(plan)
+    middle = (drawn.shape[0] // 2, drawn.shape[1] // 2)
+    left = (drawn.shape[0] // 2, drawn.shape[1] // 4)
+    assert np.allclose(drawn[middle][:3], sky[middle][:3] * free + light, atol=2e-3)
+    assert np.allclose(drawn[left][:3], sky[left][:3] * 0.5 + 0.25, atol=2e-3)
+    changed = (np.abs(drawn - sky).max(axis=2) > 1e-6).sum()
+    assert changed == 32, "two squares of 4 × 4 samples"
+
+    pixels = rendered(page, plan, time=0.0, size=SIZE, camera=SCENE.camera)
+    here = draw(executor, plan, SCENE.camera, time=0.0, size=SIZE)
+    assert np.abs(pixels.astype(int) - here.astype(int)).max() <= 1
+
+
+def test_a_scene_without_such_passes_is_drawn_at_once() -> None:
+    plan = make_plan(SCENE, TIERS["standard"])
+    assert "compose" not in plan.programs
+    assert set(plan.targets) == {"samples"}

@@ -1,0 +1,270 @@
+"""The chapter "How foam pops" and the foam laboratory, as a visitor reads and moves them."""
+
+import io
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+from urllib.parse import parse_qsl, urldefrag, urljoin, urlsplit
+
+import numpy as np
+import pytest
+from PIL import Image
+from playwright.sync_api import Locator, Page
+
+from support.browser.lanes import Lane
+from support.browser.visits import FINGER, PHONE, TARGETS, Pixels, differs
+
+FIGURES = ("saturation", "threshold", "popping", "masks", "equations", "picture")
+MOVING = ("saturation", "threshold", "popping", "equations", "picture")
+DESKTOP = (1440, 900)
+LEARN, LABORATORY = "learn", "learn/laboratory/"
+IN_SIGHT = """(plate) => {
+  const canvas = [...plate.querySelectorAll('canvas')].at(-1);
+  if (canvas === undefined || canvas.width === 0) return '';
+  const copy = new OffscreenCanvas(64, 64);
+  copy.getContext('2d').drawImage(canvas, 0, 0, 64, 64);
+  return [...copy.getContext('2d').getImageData(0, 0, 64, 64).data].join();
+}"""
+"""What the plate's last canvas shows, small."""
+
+
+@contextmanager
+def opened(
+    lane: Lane, address: str, size: tuple[int, int] = DESKTOP, *, before: str = "", **context: Any
+) -> Iterator[Page]:
+    """A page, which must say nothing on the console."""
+    made = lane.browser.new_context(viewport={"width": size[0], "height": size[1]}, **context)
+    page = made.new_page()
+    said: list[str] = []
+    page.on("console", lambda message: said.append(message.text))
+    page.on("pageerror", lambda error: said.append(str(error)))
+    if before:
+        page.add_init_script(before)
+    try:
+        page.goto(address, wait_until="load")
+        yield page
+        assert said == []
+    finally:
+        made.close()
+
+
+def seen(page: Page, name: str) -> Locator:
+    """A figure, in view and live."""
+    figure = page.locator(f"figure[data-figure={name}]")
+    figure.locator(".plate").scroll_into_view_if_needed()
+    page.wait_for_function(
+        "(name) => document.querySelector(`figure[data-figure=${name}]`).dataset.live === 'true'", arg=name
+    )
+    return figure
+
+
+def shown(figure: Locator) -> Pixels:
+    """What a figure shows on the screen, (height, width, 3)."""
+    picture = Image.open(io.BytesIO(figure.locator(".plate").screenshot()))
+    return np.asarray(picture.convert("RGB"))
+
+
+def test_the_chapter_reads_without_a_script(llvmpipe: Lane, server: str) -> None:
+    with opened(llvmpipe, f"{server}/{LEARN}", java_script_enabled=False) as page:
+        assert page.url == f"{server}/{LEARN}/"
+        text = page.inner_text("main")
+        assert len(text.split()) > 700
+        for said in (
+            "Foam does not fade",
+            "spread a table of numbers",
+            "Equation 2",
+            "white noise",
+            "What to take home",
+        ):
+            assert said in text
+        assert page.locator("math").count() >= 8
+        assert page.locator("figure[data-figure]").count() == len(FIGURES)
+        # Each with a picture that stands in for it.
+        for picture in page.locator("figure img").all():
+            response = page.request.get(urljoin(page.url, picture.get_attribute("src") or ""))
+            assert response.headers["content-type"] == "image/webp"
+            assert len(picture.get_attribute("alt") or "") > 40
+        # Every formula has its code beside it.
+        for formula in page.locator(".formula-block").all():
+            assert formula.locator("a[href*='source/']").count() >= 1
+
+
+def test_every_link_leads_to_what_it_names(llvmpipe: Lane, server: str) -> None:
+    texts: dict[str, str] = {}
+    links = set()
+    with opened(llvmpipe, f"{server}/{LEARN}/", java_script_enabled=False) as page:
+        for start in (f"{server}/{LEARN}/", f"{server}/{LABORATORY}"):
+            page.goto(start)
+            links |= {
+                urljoin(start, link.get_attribute("href") or "") for link in page.locator("a[href], noscript a").all()
+            }
+        assert sum("/source/" in link for link in links) >= 20
+        for link in sorted(links):
+            address, fragment = urldefrag(link)
+            assert urlsplit(address).netloc == urlsplit(server).netloc, "nothing lies elsewhere"
+            if address not in texts:
+                response = page.request.get(address)
+                assert response.status == 200, link
+                texts[address] = response.text()
+            if "/source/" in address:
+                assert fragment, link
+                assert f'id="{fragment}"' in texts[address], link
+
+
+def test_source_pages_show_the_line(llvmpipe: Lane, server: str) -> None:
+    link = f"{server}/source/shaders/foam/look.glsl.html#halftone"
+    with opened(llvmpipe, link) as page:
+        line = page.locator("li:target")
+        assert line.inner_text() == "// @part halftone"
+        marked = line.evaluate("(line) => getComputedStyle(line).backgroundColor")
+        assert marked != page.locator("li").first.evaluate("(line) => getComputedStyle(line).backgroundColor")
+
+
+def test_figures_live_while_they_are_seen(llvmpipe: Lane, server: str) -> None:
+    with opened(llvmpipe, f"{server}/{LEARN}/") as page:
+        assert page.locator("figure[data-figure=picture][data-live]").count() == 0, "it starts when it is near"
+        for name in FIGURES:
+            figure = seen(page, name)
+            assert figure.locator("img").count() == 0
+            if name not in MOVING:
+                continue
+            before, time = shown(figure), figure.get_attribute("data-time")
+            assert len(np.unique(before.reshape(-1, 3), axis=0)) > 16, "something is drawn"
+            page.wait_for_function(
+                "([name, time]) => +document.querySelector(`[data-figure=${name}]`).dataset.time > +(time ?? 0) + 0.2",
+                arg=[name, time],
+            )
+            assert differs(shown(figure), before) > 0.005
+        # The first figures are out of view by now: their time stands.
+        first = page.locator("figure[data-figure=saturation]")
+        stood = first.get_attribute("data-time")
+        last = page.locator("figure[data-figure=picture]")
+        moved = last.get_attribute("data-time")
+        page.wait_for_function(
+            "(moved) => document.querySelector('figure[data-figure=picture]').dataset.time !== moved", arg=moved
+        )
+        assert first.get_attribute("data-time") == stood
+
+
+def test_controls_change_the_figures(llvmpipe: Lane, server: str) -> None:
+    with opened(llvmpipe, f"{server}/{LEARN}/", reduced_motion="reduce") as page:
+        figure = seen(page, "saturation")
+        plate = figure.locator(".plate")
+        # Reduced motion: it stands until asked.
+        still = plate.evaluate(IN_SIGHT)
+        page.evaluate("() => new Promise((done) => setTimeout(done, 300))")
+        assert plate.evaluate(IN_SIGHT) == still
+        figure.get_by_role("slider", name="K, sharpness").fill("7")
+        page.wait_for_function(
+            f"([plate, still]) => ({IN_SIGHT})(plate) !== still", arg=[plate.element_handle(), still]
+        )
+        figure = seen(page, "masks")
+        pattern = figure.locator(".plate canvas").first
+        even = figure.locator(".patches p").first.inner_text()
+        figure.get_by_role("combobox", name="First mask").select_option("white")
+        page.wait_for_function(
+            "([caption, even]) => caption.innerText !== even",
+            arg=[figure.locator(".patches p").first.element_handle(), even],
+        )
+        assert pattern.is_visible()
+        spreads = [
+            float(re.search(r"±([\d.]+)", caption)[1])  # type: ignore[index]
+            for caption in (even, figure.locator(".patches p").first.inner_text())
+        ]
+        assert spreads[0] < 0.3 * spreads[1], "blue noise covers boxes evenly, white noise does not"
+        figure = seen(page, "picture")
+        figure.get_by_role("radio", name="Filtered").check(force=True)
+        page.locator("[data-look=filtered]").wait_for()
+
+
+def test_without_webgl_the_picture_stands(llvmpipe: Lane, server: str) -> None:
+    blind = (
+        "HTMLCanvasElement.prototype.getContext = ((own) => function (kind, ...rest) {"
+        " return kind === 'webgl2' ? null : own.call(this, kind, ...rest); })(HTMLCanvasElement.prototype.getContext);"
+    )
+    with opened(llvmpipe, f"{server}/{LEARN}/", before=blind) as page:
+        figure = page.locator("figure[data-figure=picture]")
+        figure.scroll_into_view_if_needed()
+        page.locator("figure[data-figure=picture][data-live=false]").wait_for()
+        assert figure.locator("img").is_visible()
+        assert "WebGL 2 is not available" in figure.inner_text()
+        seen(page, "equations")
+
+
+@pytest.mark.parametrize("address", [LEARN + "/", LABORATORY])
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_pages_fit_a_phone(llvmpipe: Lane, server: str, address: str, scheme: str) -> None:
+    phone: dict[str, Any] = {"has_touch": True, "is_mobile": True, "color_scheme": scheme, "reduced_motion": "reduce"}
+    with opened(llvmpipe, f"{server}/{address}", PHONE, **phone) as page:
+        if address == LABORATORY:
+            page.locator("#strips[data-live=true]").wait_for()
+        else:
+            for name in FIGURES:
+                seen(page, name)
+        assert page.evaluate("() => document.documentElement.scrollWidth") <= PHONE[0]
+        small = [one for one in page.evaluate(TARGETS) if one[2] < FINGER]
+        assert small == []
+        contrast = page.evaluate(
+            """() => {
+              const bright = (color) => {
+                const [r, g, b] = color.match(/[\\d.]+/g).map((c) => (c / 255) ** 2.2);
+                return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+              };
+              const ground = bright(getComputedStyle(document.body).backgroundColor);
+              const text = bright(getComputedStyle(document.querySelector('header p')).color);
+              return (Math.max(ground, text) + 0.05) / (Math.min(ground, text) + 0.05);
+            }"""
+        )
+        assert contrast >= 4.5
+
+
+def test_the_laboratory_is_in_its_address(llvmpipe: Lane, server: str) -> None:
+    link = f"{server}/{LABORATORY}#c=9&k=5&mask=bubble&fade=0.4&paused=1&time=3.25&base=99"
+    with opened(llvmpipe, link) as page:
+        page.locator("#strips[data-live=true]").wait_for()
+        assert page.get_by_role("slider", name="C, divisor").get_attribute("aria-valuetext") == "9.0"
+        assert page.get_by_role("combobox", name="Mask", exact=True).input_value() == "bubble"
+        # Out of range: as at the start.
+        assert page.get_by_role("slider", name="E, rise and fall").get_attribute("aria-valuetext") == "2.72"
+        strips = page.locator("#strips")
+        before = strips.evaluate(IN_SIGHT)
+        page.get_by_role("button", name="listing").click()
+        page.wait_for_function(
+            f"([strips, before]) => ({IN_SIGHT})(strips) !== before", arg=[strips.element_handle(), before]
+        )
+        state = page.url
+        assert dict(parse_qsl(urlsplit(state).fragment)) == {
+            **{"c": "9", "k": "5", "mask": "bubble", "fade": "0.4", "paused": "1", "time": "3.250"},
+            **{"delta": "1.07", "base": "2.718"},
+        }
+        shown = strips.evaluate(IN_SIGHT)
+    with opened(llvmpipe, state) as page:
+        page.locator("#strips[data-live=true]").wait_for()
+        assert page.locator("#strips").evaluate(IN_SIGHT) == shown, "the link restores the picture"
+
+
+def test_bubbles_pop_in_the_laboratory(llvmpipe: Lane, server: str) -> None:
+    with opened(llvmpipe, f"{server}/{LABORATORY}") as page:
+        page.locator("#strips[data-live=true]").wait_for()
+        assert page.locator("#strips .strip").count() == 6
+        page.wait_for_function(
+            "() => [...document.querySelectorAll('.strip .rate')].every((rate) => /^[1-9]/.test(rate.textContent))"
+        )
+        page.get_by_role("button", name="Pause").click()
+        assert "paused=1" in page.url
+        height = page.evaluate("() => document.documentElement.scrollHeight")
+        assert height <= DESKTOP[1], "one screen"
+
+
+def test_the_page_leads_to_the_laboratory(llvmpipe: Lane, server: str) -> None:
+    made = llvmpipe.browser.new_context(viewport={"width": 760, "height": 500})
+    page = made.new_page()
+    asked: list[str] = []
+    page.on("request", lambda request: asked.append(request.url))
+    page.goto(f"{server}/#paused=1&quality=draft")
+    link = page.get_by_role("link", name="Foam laboratory")
+    link.wait_for()
+    assert not [url for url in asked if "laboratory" in url], "it is loaded when opened"
+    assert urljoin(page.url, link.get_attribute("href") or "") == f"{server}/{LABORATORY}"
+    made.close()

@@ -1,0 +1,187 @@
+"""What leaves the page and comes back: pictures with recipes, a zip that runs by itself, the requests of a frame."""
+
+import base64
+import hashlib
+import io
+import json
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from PIL import Image
+from playwright.sync_api import Page
+
+from seafoam.render.encode.exr import encode_exr
+from seafoam.render.encode.png import recipe_in_png
+from seafoam.render.encode.webp import encode_webp
+from support.browser.lanes import Lane, complaints_of
+from support.browser.visits import DESKTOP, FINGER, PHONE, TARGETS, Pixels, Visit, differs, link, visit
+
+ROOT = Path(__file__).resolve().parents[3]
+SIZE = (400, 300)
+CHANGES = {"/foam/mask_tile": 3.5, "/light/exposure": -0.75}
+DROP = """([encoded, type]) => {
+  const bytes = Uint8Array.from(atob(encoded), (letter) => letter.charCodeAt(0));
+  const data = new DataTransfer();
+  data.items.add(new File([bytes], 'dropped', { type }));
+  for (const kind of ['dragover', 'drop'])
+    window.dispatchEvent(new DragEvent(kind, { dataTransfer: data, bubbles: true, cancelable: true }));
+}"""
+
+
+def drop(page: Page, content: bytes, type: str = "image/png") -> None:
+    """Drop a file on the page."""
+    page.evaluate(DROP, [base64.b64encode(content).decode(), type])
+
+
+def downloaded(page: Page, button: str) -> tuple[bytes, str]:
+    """The file behind a button, and its name."""
+    with page.expect_download(timeout=60_000) as download:
+        page.get_by_role("button", name=button, exact=True).click()
+    return Path(download.value.path()).read_bytes(), download.value.suggested_filename
+
+
+def pixels(png: bytes) -> Pixels:
+    return np.asarray(Image.open(io.BytesIO(png)).convert("RGB"))
+
+
+def other_formats(png: bytes) -> dict[float, bytes]:
+    """A WebP and an OpenEXR file with the recipe of a PNG but times of their own, which are the keys, s."""
+    recipe = json.loads(recipe_in_png(png) or "")
+    texts = {time: json.dumps(recipe | {"time": time}) for time in (1.5, 2.5)}
+    return {
+        1.5: encode_webp(np.zeros((2, 2, 3), dtype=np.uint8), texts[1.5]),
+        2.5: encode_exr(np.zeros((2, 2, 4), dtype=np.float32), "half", texts[2.5]),
+    }
+
+
+def restored(made: Visit, preset: str) -> dict[str, Any]:
+    """The state once a dropped picture is restored."""
+    made.page.wait_for_function("(preset) => window.seafoam.state().preset === preset", arg=preset, timeout=30_000)
+    made.page.wait_for_function("() => !window.seafoam.state().busy", timeout=60_000)
+    state = made.state()
+    for told in ("timing", "settled", "still", "surface"):
+        state.pop(told, None)
+    return state
+
+
+def test_a_frame_of_the_server_restores_the_view_and_gives_the_same_bytes(llvmpipe: Lane, server: str) -> None:
+    start = link(preset="paper-halftone", time=4.1234567890123, scene=CHANGES, camera="1,7,-2,0.3,-0.2,0,0.9")
+    with visit(llvmpipe, server, f"{start}&open=take", size=SIZE) as made:
+        first, name = downloaded(made.page, "PNG, drawn by the server")
+        assert name == "seafoam-paper-halftone-4.12s-server.png"
+        before = restored(made, "paper-halftone")
+    with visit(llvmpipe, server, link(preset="default"), size=SIZE) as made:
+        for time, content in {**other_formats(first), before["time"]: first}.items():
+            drop(made.page, content)
+            made.page.wait_for_function("(time) => window.seafoam.state().time === time", arg=time, timeout=30_000)
+        after = restored(made, "paper-halftone")
+        assert after == before
+        assert dict(after["changes"]) == CHANGES
+        made.page.get_by_role("button", name="Take home").click()
+        again, _ = downloaded(made.page, "PNG, drawn by the server")
+    assert hashlib.sha256(again).hexdigest() == hashlib.sha256(first).hexdigest()
+
+
+def test_a_picture_of_the_page_restores_itself(llvmpipe: Lane, server: str) -> None:
+    split = "/foam/look~textured~filtered~0.250"
+    with visit(llvmpipe, server, link(preset="paper-halftone", time=2.5, split=split), size=SIZE) as made:
+        first, _ = downloaded(made.page, "Save image as PNG")
+        before = restored(made, "paper-halftone")
+    with visit(llvmpipe, server, link(preset="paper-height"), size=SIZE) as made:
+        made.page.get_by_role("button", name="Take home").click()
+        made.page.get_by_label("Restore from a picture").set_input_files(
+            {"name": "seafoam.png", "mimeType": "image/png", "buffer": first}
+        )
+        assert restored(made, "paper-halftone") == before
+        again, _ = downloaded(made.page, "Save image as PNG")
+    assert (pixels(again) == pixels(first)).all()
+
+
+def test_other_files_are_refused_in_plain_words(llvmpipe: Lane, server: str) -> None:
+    plain = io.BytesIO()
+    Image.new("RGB", (2, 2)).save(plain, "PNG")
+    with visit(llvmpipe, server, size=SIZE) as made:
+        before = made.state()["preset"]
+        for content, said in ((b"not a picture", "not a PNG, WebP or OpenEXR"), (plain.getvalue(), "no recipe")):
+            drop(made.page, content)
+            made.page.locator(".toast.error", has_text=said).wait_for()
+        assert made.state()["preset"] == before
+
+
+@pytest.mark.parametrize("preset", ["default", "paper-halftone"])
+def test_the_zip_draws_what_the_server_draws(llvmpipe: Lane, server: str, tmp_path: Path, preset: str) -> None:
+    with visit(llvmpipe, server, link(preset=preset, time=2.7, scene=CHANGES, open="take"), size=SIZE) as made:
+        content, name = downloaded(made.page, "Zip")
+        assert name == f"seafoam-{preset}.zip"
+        served, _ = downloaded(made.page, "PNG, drawn by the server")
+    zipfile.ZipFile(io.BytesIO(content)).extractall(tmp_path)
+    for snippet in (ROOT / "docs/snippets").iterdir():
+        assert (tmp_path / "snippets" / snippet.name).read_bytes() == snippet.read_bytes()
+    context = llvmpipe.browser.new_context(viewport={"width": SIZE[0], "height": SIZE[1]})
+    page = context.new_page()
+    complaints = complaints_of(page)
+    asked: list[str] = []
+    page.on("request", lambda request: asked.append(request.url))
+    try:
+        page.goto(f"{(tmp_path / 'index.html').as_uri()}#paused")
+        page.wait_for_function("() => document.documentElement.dataset.state", timeout=60_000)
+        assert page.locator("#failure").inner_text() == ""
+        png, _ = downloaded(page, "Save PNG")
+    finally:
+        context.close()
+    assert complaints == []
+    assert all(url.startswith(("file://", "data:", "blob:")) for url in asked), asked
+    drawn = pixels(png)
+    assert drawn.std() > 5.0
+    assert differs(drawn, pixels(served)) <= 1e-4
+    recipes = [json.loads(Image.open(io.BytesIO(one)).text["seafoam"]) for one in (png, served)]  # type: ignore[attr-defined]
+    for told in ("scene", "quality", "camera", "time", "width", "height", "preset"):
+        assert recipes[0][told] == recipes[1][told], told
+
+
+@pytest.mark.parametrize("changes", [{}, CHANGES], ids=["preset", "changed"])
+def test_the_requests_give_this_frame(llvmpipe: Lane, server: str, tmp_path: Path, changes: dict[str, Any]) -> None:
+    commands = {
+        "curl": ["sh", "-c"],
+        "Python": [sys.executable, "-c"],
+        "JavaScript": [str(ROOT / "scripts" / "node.sh"), "node", "--input-type=module", "-e"],
+    }
+    start = link(preset="paper-halftone", time=3.25, camera="1,7,-2,0.3,-0.2,0,0.9", open="take")
+    if changes:
+        start = link(preset="paper-halftone", time=3.25, scene=changes, open="take")
+    with visit(llvmpipe, server, start, size=(480, 480)) as made:
+        want, _ = downloaded(made.page, "PNG, drawn by the server")
+        for language, command in commands.items():
+            made.page.get_by_role("button", name=language, exact=True).click()
+            text = made.page.locator(f"pre[aria-label={language}]").inner_text()
+            subprocess.run([*command, text], cwd=tmp_path, check=True, timeout=60, capture_output=True)
+            got = tmp_path / "frame.png"
+            assert got.read_bytes() == want, language
+            got.unlink()
+
+
+@pytest.mark.parametrize("size", [DESKTOP, PHONE], ids=["desktop", "phone"])
+@pytest.mark.parametrize("surface", ["take", "plan"])
+def test_a_surface_has_an_address_fits_and_closes(
+    llvmpipe: Lane, server: str, surface: str, size: tuple[int, int]
+) -> None:
+    with visit(llvmpipe, server, link(open=surface), size=size, settle=False) as made:
+        sheet = made.page.locator(".sheet")
+        sheet.get_by_role("heading", level=2).wait_for()
+        sheet.get_by_role("heading", level=3).first.wait_for()
+        box = sheet.bounding_box()
+        assert box is not None
+        assert box["x"] >= 0
+        assert box["x"] + box["width"] <= size[0]
+        assert made.page.evaluate("() => document.querySelector('.sheet').scrollWidth") <= box["width"]
+        small = [one for one in made.page.evaluate(TARGETS) if one[2] < FINGER - 1]
+        inside = {one.strip()[:40] for one in sheet.locator("button, select").all_inner_texts()}
+        assert [one for one in small if one[0] in inside] == []
+        sheet.get_by_role("button", name="Close").press("Escape")
+        sheet.wait_for(state="detached")
+        made.page.wait_for_function("() => !location.hash.includes('open=')")

@@ -1,0 +1,23 @@
+"""What axe finds wrong with a page for people who use a keyboard or a screen reader."""
+
+from pathlib import Path
+from typing import Any
+
+from playwright.sync_api import Page
+
+AXE = Path(__file__).parents[3] / "webclient/node_modules/axe-core/axe.min.js"
+
+
+def violations(page: Page) -> list[Any]:
+    """Rule and places of all that axe finds in what is in sight."""
+    # Colours are judged once nothing fades any more; the name on the hidden loading screen pulses for ever.
+    page.wait_for_function(
+        "() => document.getAnimations().every(({ effect, playState }) =>"
+        " playState !== 'running' || effect.getTiming().iterations === Infinity)"
+    )
+    page.evaluate(AXE.read_text(encoding="utf-8"))
+    found: list[Any] = page.evaluate(
+        "async () => (await axe.run({ resultTypes: ['violations'] })).violations"
+        ".map(({ id, nodes }) => [id, nodes.map(({ html }) => html.slice(0, 120))])"
+    )
+    return found

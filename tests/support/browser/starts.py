@@ -1,0 +1,290 @@
+"""Chromium started as people start it, and what is seen of the page from outside: frames, gaps, answers, messages."""
+
+import io
+import re
+import shutil
+import subprocess
+import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from itertools import pairwise
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+from playwright.sync_api import Browser, BrowserContext, Page, Playwright
+
+from support.browser.lanes import chromium
+from support.browser.visits import PHONE
+
+STARTS: dict[str, list[str]] = {
+    "default flags": [],
+    "ANGLE on GL": ["--use-angle=gl"],
+    "SwiftShader": ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+    "llvmpipe": ["--use-angle=gl-egl", "--ignore-gpu-blocklist"],
+    "WebGL off": ["--disable-webgl", "--disable-webgl2", "--disable-3d-apis"],
+}
+"""Ways of starting Chromium on a machine without a GPU, and their switches."""
+WINDOWS = {"desktop": (1280, 720), "phone": PHONE}
+"""Widths and heights of the windows, CSS pixels; the phone's has a touch screen."""
+SKY, WATER = (0.5, 0.25), (0.5, 0.7)
+"""Where they are in the window, as shares of its sides: a drag turns the camera on one, raises waves on the other."""
+PLAYED = ("paper-halftone", "shallows", "default")
+"""Presets that are gone through in play."""
+SPLIT = "/foam/mask~vac-3~vac-24~0.400"
+_ENGINES_OWN = re.compile(r"fallback to software WebGL|GPU stall due to ReadPixels")
+
+_WATCH = """(() => {
+    if (window.seen) return;
+    const seen = (window.seen = { ticks: [], frames: [], long: [], moves: [] });
+    const tick = (now) => {
+        seen.ticks.push(performance.now());
+        requestAnimationFrame(tick);
+    };
+    requestAnimationFrame(tick);
+    // A frame of WebGL: the first draw of a turn of the event loop into a canvas that is shown, not into a texture.
+    let drawn = false;
+    const note = (by, { width, height }) => seen.frames.push({ at: performance.now(), by, width, height });
+    const shows = (canvas) => {
+        if (drawn || !canvas.isConnected) return;
+        drawn = true;
+        note("browser", canvas);
+        queueMicrotask(() => (drawn = false));
+    };
+    const gl = window.WebGL2RenderingContext?.prototype;
+    if (gl) {
+        const bound = new WeakMap();
+        const bind = gl.bindFramebuffer;
+        gl.bindFramebuffer = function (target, framebuffer) {
+            bound.set(this, framebuffer);
+            return bind.call(this, target, framebuffer);
+        };
+        for (const name of ["drawArrays", "drawElements"]) {
+            const draw = gl[name];
+            gl[name] = function (...given) {
+                if (!bound.get(this)) shows(this.canvas);
+                return draw.apply(this, given);
+            };
+        }
+    }
+    const bitmap = window.ImageBitmapRenderingContext.prototype;
+    const transfer = bitmap.transferFromImageBitmap;
+    bitmap.transferFromImageBitmap = function (picture) {
+        note("server", picture);
+        return transfer.call(this, picture);
+    };
+    new PerformanceObserver((list) => {
+        for (const { startTime, duration } of list.getEntries()) seen.long.push([startTime, duration]);
+    }).observe({ type: "longtask", buffered: true });
+    addEventListener("pointermove", () => seen.moves.push(performance.now()), { capture: true, passive: true });
+})()"""
+"""Notes animation frames, pictures that are drawn, long tasks and input; all times are of performance.now(), ms."""
+
+
+@dataclass(frozen=True)
+class Motion:
+    """What was seen of a while of motion. Times in s."""
+
+    fps: float
+    """Pictures that were drawn, a second."""
+    scale: float
+    """Width of the middle picture, of the window's."""
+    size: tuple[int, int]
+    """Pixels of the picture."""
+    drawer: str
+    gap: float
+    """Longest time between two animation frames."""
+    still: float
+    """Longest time between two pictures."""
+
+
+@dataclass
+class Started:
+    """A page in a browser that was started so, and what it said."""
+
+    page: Page
+    complaints: list[str] = field(default_factory=list)
+
+    def said(self) -> list[str]:
+        """Messages in the console, but what Chromium says of its software GL, whatever a page does."""
+        return [message for message in self.complaints if not _ENGINES_OWN.search(message)]
+
+    def now(self) -> float:
+        """The page's clock, ms since its navigation began."""
+        return float(self.page.evaluate("() => performance.now()"))
+
+    def frames(self) -> list[dict[str, Any]]:
+        """Pictures that were drawn: ``at`` (ms), ``by``, ``width``, ``height``."""
+        frames: list[dict[str, Any]] = self.page.evaluate("() => window.seen.frames")
+        return frames
+
+    def more_frames(self, count: int) -> None:
+        """Wait until so many more pictures are drawn."""
+        self.page.wait_for_function(
+            "(until) => window.seen.frames.length >= until", arg=len(self.frames()) + count, timeout=120_000
+        )
+
+    def picture(self) -> NDArray[np.float64]:
+        """The page as it is seen, (height, width, 3), in 0 to 255."""
+        png = Image.open(io.BytesIO(self.page.screenshot(timeout=120_000)))
+        return np.asarray(png.convert("RGB"), np.float64)
+
+    def wait_until(self, seconds: float) -> None:
+        """Wait for a time after the start of navigation, without asking the page anything in between."""
+        while (left := seconds - 1e-3 * self.now()) > 0:
+            time.sleep(min(left, 5.0))
+
+    def motion(self, begin: float, end: float) -> Motion:
+        """What was seen between two times after the start of navigation, s."""
+        seen: dict[str, Any] = self.page.evaluate("() => window.seen")
+        width: float = self.page.evaluate("() => innerWidth * Math.min(2, devicePixelRatio)")
+        ticks = [1e-3 * at for at in seen["ticks"]]
+        frames = [1e-3 * frame["at"] for frame in seen["frames"]]
+        within = [frame for frame in seen["frames"] if begin <= 1e-3 * frame["at"] < end]
+        last = within[-1] if within else {"width": 0, "height": 0, "by": "nobody"}
+        return Motion(
+            fps=len(within) / (end - begin),
+            scale=median(frame["width"] for frame in within) / width if within else 0.0,
+            size=(last["width"], last["height"]),
+            drawer=last["by"],
+            gap=longest(ticks, begin, end),
+            still=longest(frames, begin, end),
+        )
+
+    def long_tasks(self) -> list[tuple[float, float]]:
+        """Begin and duration of tasks of the main thread over 50 ms, s."""
+        tasks: list[list[float]] = self.page.evaluate("() => window.seen.long")
+        return [(1e-3 * begin, 1e-3 * duration) for begin, duration in tasks]
+
+    def screenshot_seconds(self) -> float:
+        began = time.monotonic()
+        self.page.screenshot()
+        return time.monotonic() - began
+
+    def drag_seconds(self) -> float:
+        """Middle time from a move of a drag on the sky to a picture that was drawn after the page had taken it."""
+        width, height = self.page.evaluate("() => [innerWidth, innerHeight]")
+        x, y = SKY[0] * width, SKY[1] * height
+        mouse = self.page.mouse
+        mouse.move(x, y)
+        mouse.down()
+        answers = []
+        for step in range(1, 7):
+            sent = self.page.evaluate("() => performance.now()")
+            mouse.move(x + 12 * step, y + 2 * step)
+            answered = self.page.wait_for_function(
+                """(sent) => {
+                    const taken = window.seen.moves.findLast((at) => at >= sent);
+                    const frame = taken && window.seen.frames.find(({ at }) => at > taken);
+                    return frame && frame.at;
+                }""",
+                arg=sent,
+                timeout=30_000,
+            ).json_value()
+            answers.append(1e-3 * (answered - sent))
+        mouse.up()
+        return median(answers)
+
+    def play(self, seconds: float) -> None:
+        """Touch the water, turn the camera, go through presets and draw a divider, again and again for so long."""
+        page = self.page
+        until = time.monotonic() + seconds
+        width, height = page.evaluate("() => [innerWidth, innerHeight]")
+        turn = 0
+        while time.monotonic() < until:
+            for x, y in (WATER, SKY):
+                page.mouse.move(x * width, y * height)
+                page.mouse.down()
+                for step in range(1, 5):
+                    page.mouse.move(x * width + 20 * step, y * height + 4 * step)
+                    page.wait_for_timeout(50)
+                page.mouse.up()
+                page.wait_for_timeout(500)
+            preset = PLAYED[turn % len(PLAYED)]
+            page.evaluate("(hash) => { location.hash = hash; }", f"#preset={preset}")
+            page.wait_for_timeout(3000)
+            page.evaluate("(hash) => { location.hash = hash; }", f"#preset={preset}&split={SPLIT}")
+            page.wait_for_timeout(2000)
+            divider = page.get_by_role("slider", name="Split position")
+            if divider.count():
+                for key in ("ArrowRight", "ArrowRight", "ArrowLeft"):
+                    divider.press(key)
+                    page.wait_for_timeout(200)
+            turn += 1
+
+    def heap(self) -> float:
+        """Memory that the page's scripts hold after a collection, MB."""
+        session = self.page.context.new_cdp_session(self.page)
+        session.send("Performance.enable")
+        session.send("HeapProfiler.collectGarbage")
+        metrics = {one["name"]: one["value"] for one in session.send("Performance.getMetrics")["metrics"]}
+        session.detach()
+        return 1e-6 * float(metrics["JSHeapUsedSize"])
+
+
+def longest(times: list[float], begin: float, end: float) -> float:
+    """Longest stretch between two times of [begin, end] without one of these, s."""
+    marks = [begin, *(at for at in times if begin < at < end), end]
+    return max(later - earlier for earlier, later in pairwise(marks))
+
+
+@contextmanager
+def browser_started(playwright: Playwright, start: str) -> Iterator[tuple[Browser, subprocess.Popen[bytes]]]:
+    """Chromium with no switches of a driver: headless, an empty profile, and those of the start."""
+    profile = tempfile.mkdtemp(prefix="seafoam-chromium-")
+    command = [
+        chromium(),
+        "--headless=new",
+        "--no-sandbox",
+        "--no-first-run",
+        "--remote-debugging-port=0",
+        f"--user-data-dir={profile}",
+        *STARTS[start],
+        "about:blank",
+    ]
+    process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    try:
+        browser = playwright.chromium.connect_over_cdp(f"http://127.0.0.1:{_port(process, Path(profile))}")
+        try:
+            yield browser, process
+        finally:
+            browser.close()
+    finally:
+        process.terminate()
+        process.wait(timeout=20)
+        shutil.rmtree(profile, ignore_errors=True)
+
+
+def _port(process: "subprocess.Popen[bytes]", profile: Path) -> int:
+    told = profile / "DevToolsActivePort"
+    deadline = time.monotonic() + 60.0
+    while time.monotonic() < deadline:
+        assert process.poll() is None, "Chromium stopped"
+        if told.exists() and (text := told.read_text(encoding="utf-8")).count("\n"):
+            return int(text.splitlines()[0])
+        time.sleep(0.05)
+    raise AssertionError("Chromium did not open its port within a minute")
+
+
+@contextmanager
+def opened(browser: Browser, address: str, window: str = "desktop") -> Iterator[Started]:
+    """A new page at an address, watched from its first script on."""
+    width, height = WINDOWS[window]
+    context: BrowserContext = browser.new_context(
+        viewport={"width": width, "height": height}, has_touch=window == "phone", is_mobile=window == "phone"
+    )
+    context.add_init_script(_WATCH)
+    page = context.new_page()
+    started = Started(page)
+    page.on("console", lambda message: started.complaints.append(f"{message.type}: {message.text}"))
+    page.on("pageerror", lambda error: started.complaints.append(f"error: {error}"))
+    page.goto(address, wait_until="commit", timeout=60_000)
+    try:
+        yield started
+    finally:
+        context.close()

@@ -1,0 +1,236 @@
+"""The page as a visitor meets it, with all that it complained of and asked for."""
+
+import io
+import json
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+from playwright.sync_api import Locator, Page, Route, TimeoutError
+
+from support.browser.lanes import Lane, complaints_of
+
+DESKTOP = (1280, 800)
+PHONE = (390, 844)
+SMALL = (760, 500)
+"""The desktop's layout on as few pixels as hold it: llvmpipe is slow."""
+_TOASTS = Path(__file__).parents[3] / "webclient/src/ui/toasts.ts"
+(_GOES,) = re.findall(r"\berror: (\d+)", _TOASTS.read_text(encoding="utf-8"))
+ERRORS_STAY = f"""(() => {{
+  const later = window.setTimeout.bind(window);
+  window.setTimeout = (run, delay, ...rest) => later(run, delay === {_GOES} ? 3600000 : delay, ...rest);
+}})()"""
+"""Keeps messages of errors, which go by the clock: on a busy machine before a test has looked."""
+STILL = "#paused=1&quality=draft"
+FINGER = 44
+"""Least side of what a finger must hit, px."""
+TARGETS = """() => [...document.querySelectorAll('button, select, input, summary, [role=slider]')]
+  .filter((target) => target.checkVisibility({ checkOpacity: true, checkVisibilityCSS: true }))
+  // A box to tick is as large as its label; a list drops down from what stands around it.
+  .map((target) => target.matches('[type=checkbox]') ? target.closest('label') : target)
+  .map((target) => [target.getAttribute('aria-label') ?? target.textContent ?? '', target.getBoundingClientRect()])
+  .map(([label, { width, height }]) => [label.trim().slice(0, 40), Math.round(width), Math.round(height)])"""
+"""Gives the label, width and height, px, of each thing in sight that a finger can hit."""
+
+Pixels = NDArray[np.uint8]
+
+
+@dataclass
+class Visit:
+    """A page, with all that it complained of and asked for."""
+
+    page: Page
+    complaints: list[str]
+    asked: list[tuple[str, str]] = field(default_factory=list)
+    """Method and address of every request."""
+    followed: int = 0
+
+    def settle(self) -> None:
+        """Wait until the picture shows what was asked for, at rest and sharp."""
+        try:
+            self.page.wait_for_function("() => window.seafoam?.state().settled === true", timeout=180_000)
+        except TimeoutError as error:
+            state = self.page.evaluate("() => window.seafoam?.state()")
+            raise AssertionError(
+                f"never at rest: {state}, {self.complaints}, {self.page.inner_text('body')}"
+            ) from error
+
+    def state(self) -> dict[str, Any]:
+        state: dict[str, Any] = self.page.evaluate("() => window.seafoam.state()")
+        return state
+
+    def plans(self) -> int:
+        """How often a plan was asked for."""
+        return sum(method == "POST" and url.endswith("/api/plans") for method, url in self.asked)
+
+    def saved(self, button: str = "Save image as PNG") -> tuple[Pixels, str]:
+        """The PNG behind a button, (height, width, 3), and its name."""
+        with self.page.expect_download(timeout=180_000) as download:
+            self.page.get_by_role("button", name=button).click()
+        png = Image.open(io.BytesIO(Path(download.value.path()).read_bytes()))
+        assert png.format == "PNG"
+        return np.asarray(png.convert("RGB")), download.value.suggested_filename
+
+    def picture(self) -> Pixels:
+        """What the canvas shows, at full size, once the plans that were asked for are here."""
+        self.page.wait_for_function("() => !window.seafoam.state().busy", timeout=180_000)
+        return self.saved()[0]
+
+    def canvas(self) -> Pixels:
+        """The middle of the page as it is on the screen: water alone, nothing of the page over it."""
+        size = self.page.viewport_size
+        assert size is not None
+        width, height = size["width"], size["height"]
+        clip = {"x": 0, "y": 0.4 * height, "width": width, "height": 0.25 * height}
+        shot = self.page.screenshot(clip=clip)  # type: ignore[arg-type]
+        return np.asarray(Image.open(io.BytesIO(shot)).convert("RGB"))
+
+    def follow(self, fragment: str) -> None:
+        """Go where a link points, without loading the page again."""
+        # The address lags behind the visitor's choices: a mark of its own makes it another one for certain.
+        self.followed += 1
+        self.page.evaluate("(hash) => { location.hash = hash; }", f"{fragment}&mark={self.followed}")
+        # The event comes in a task of its own.
+        self.frames(2)
+        self.page.wait_for_function("() => !window.seafoam.state().busy", timeout=180_000)
+
+    def frames(self, count: int) -> None:
+        """Let that many animation frames pass."""
+        self.page.evaluate(
+            "(count) => new Promise((done) => {"
+            " const next = (left) => (left === 0 ? done() : requestAnimationFrame(() => next(left - 1)));"
+            " next(count); })",
+            count,
+        )
+
+    def settings(self) -> Locator:
+        """The panel, opened."""
+        panel = self.page.locator("#settings")
+        if "open" not in (panel.get_attribute("class") or ""):
+            self.page.get_by_role("button", name="Settings", exact=True).click()
+        panel.get_by_role("heading", name="Settings").wait_for()
+        return panel
+
+    def type(self, label: str, text: str, folder: str | None = None) -> None:
+        """Type into a field of the panel."""
+        panel = self.settings()
+        box = panel.get_by_role("textbox", name=label, exact=True)
+        if folder is not None and not box.is_visible():
+            panel.get_by_role("button", name=folder).click()
+        box.fill(text)
+        box.press("Enter")
+
+
+@dataclass
+class Held:
+    """Requests that wait on a slow network."""
+
+    page: Page
+    pattern: str
+    routes: list[Route] = field(default_factory=list)
+    holding: bool = True
+
+    def __post_init__(self) -> None:
+        self.page.route(self.pattern, self.take)
+
+    def take(self, route: Route) -> None:
+        if self.holding:
+            self.routes.append(route)
+        else:
+            route.continue_()
+
+    def bodies(self) -> list[dict[str, Any]]:
+        return [json.loads(route.request.post_data or "{}") for route in self.routes]
+
+    def arrived(self) -> None:
+        """Wait until one is held."""
+        for _ in range(400):
+            if self.routes:
+                return
+            self.page.wait_for_timeout(50)
+        raise AssertionError(f"no request for {self.pattern}")
+
+    def let_go(self, *, holding: bool = False) -> None:
+        """Send on what is held; `holding`: hold the ones that follow."""
+        self.holding = holding
+        routes, self.routes = self.routes, []
+        for route in routes:
+            route.continue_()
+
+
+@contextmanager
+def visit(
+    lane: Lane,
+    server: str,
+    address: str = STILL,
+    *,
+    size: tuple[int, int] = SMALL,
+    settle: bool = True,
+    before: str = "",
+    **context: Any,
+) -> Iterator[Visit]:
+    """The page at an address below the server's, in a browser that remembers nothing; it may complain of nothing.
+
+    before: a script that runs before the page's own.
+    """
+    width, height = size
+    opened = lane.browser.new_context(viewport={"width": width, "height": height}, **context)
+    opened.set_default_timeout(180_000)
+    page = opened.new_page()
+    page.add_init_script(ERRORS_STAY)
+    page.add_init_script(before)
+    made = Visit(page, complaints_of(page))
+    page.on("request", lambda request: made.asked.append((request.method, request.url)))
+    try:
+        page.goto(f"{server}/{address}", wait_until="load")
+        if settle:
+            made.settle()
+            page.locator("#loading").wait_for(state="hidden")
+        yield made
+        assert made.complaints == []
+    finally:
+        opened.close()
+
+
+def until(page: Page, condition: str, seconds: float = 60) -> None:
+    """Wait for a condition without evaluating text in the page, which its policy forbids."""
+    for _ in range(round(10 * seconds)):
+        if page.evaluate(condition):
+            return
+        page.wait_for_timeout(100)
+    raise AssertionError(f"never true: {condition}")
+
+
+def swipe(page: Page, *fingers: tuple[tuple[float, float], tuple[float, float]], steps: int = 4) -> None:
+    """Drag each finger from one place to another."""
+    session = page.context.new_cdp_session(page)
+
+    def send(kind: str, share: float) -> None:
+        points = [
+            {"x": a[0] + (b[0] - a[0]) * share, "y": a[1] + (b[1] - a[1]) * share, "id": i}
+            for i, (a, b) in enumerate(fingers)
+        ]
+        session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [] if kind == "touchEnd" else points})
+
+    send("touchStart", 0)
+    for step in range(1, steps + 1):
+        send("touchMove", step / steps)
+    send("touchEnd", 1)
+    session.detach()
+
+
+def link(**parts: Any) -> str:
+    """An address's fragment."""
+    words = {key: json.dumps(value) if isinstance(value, dict) else value for key, value in parts.items()}
+    return "#" + "&".join(f"{key}={value}" for key, value in ({"paused": 1, "quality": "draft"} | words).items())
+
+
+def differs(a: Pixels, b: Pixels) -> float:
+    """Share of pixels that are not the same."""
+    return float((a != b).any(axis=-1).mean())
