@@ -19,7 +19,7 @@ LIVE := tests/browser $(POOL)
 FAST := tests/fast --ignore=$(POOL)
 
 # Tests that make many plans: half of the time that quick takes.
-PLANS := tests/fast/unit
+PLANS := tests/fast/planner tests/fast/project
 # What quick leaves to the whole run: float64 frames, sweeps, and processes that are started, killed and awaited.
 SLOW := $(addprefix tests/fast/,accuracy cli reference api/test_api_pool.py api/test_api_accuracy.py api/test_api_sequences.py \
 	sequences/test_fleet.py)

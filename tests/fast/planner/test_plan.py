@@ -12,8 +12,6 @@ from typing import Any, get_args
 import pytest
 
 import seafoam
-from seafoam.framegraph.rules import COMPONENTS
-from seafoam.framegraph.shader import declared_uniforms
 from seafoam.planner import FramePlan, PlanError, make_plan
 from seafoam.planner.glsl import PART, parts_of, read_file
 from seafoam.quality import TIERS
@@ -58,30 +56,6 @@ def test_same_bytes_in_another_process(preset: str) -> None:
 def test_a_plan_survives_its_json() -> None:
     plan = make_plan(load_preset("default").scene, STANDARD)
     assert FramePlan.model_validate_json(plan.canonical_json()) == plan
-
-
-@pytest.mark.parametrize("tier", TIERS)
-@pytest.mark.parametrize("preset", preset_names())
-def test_every_uniform_is_filled_and_every_reference_resolves(preset: str, tier: str) -> None:
-    plan = make_plan(load_preset(preset).scene, TIERS[tier])  # type: ignore[index]
-    for one in plan.passes:
-        program = plan.programs[one.program]
-        declared = declared_uniforms(program.vertex) | declared_uniforms(program.fragment)
-        assert {name for name, sampler in declared.items() if sampler} == one.inputs.keys()
-        for source in one.inputs.values():
-            assert getattr(source, "texture", None) in plan.textures or getattr(source, "target", None) in plan.targets
-        assert one.target == "screen" or one.target in plan.targets
-    for uniform in plan.uniforms.values():
-        sizes = {"constant": None, "view_projection": 16, "eye_height": 1}
-        total = 0
-        for rule in uniform.rules:
-            if rule.rule == "constant":
-                total += len(rule.value)
-            elif rule.rule == "camera":
-                total += sizes.get(rule.what) or 3
-            else:
-                total += 2 if rule.rule == "viewport" else 1
-        assert total == COMPONENTS[uniform.type] * uniform.count
 
 
 def test_what_the_scene_does_not_call_for_is_not_there() -> None:
@@ -208,21 +182,6 @@ def test_glsl_never_multiplies_raw_time_nor_hashes_floats() -> None:
         assert not re.search(r"\bu_time\b|fract\(\s*sin", text), path
         assert "#" not in text, f"{path}: slots, not the preprocessor"
         assert text.startswith("// "), f"{path} does not say what it computes"
-
-
-@pytest.mark.parametrize("preset", preset_names())
-def test_samples_and_steps_read_texels_by_a_nearest_read(preset: str) -> None:
-    """``texelFetch`` is slow on processors; what stands in for it must not filter."""
-    plan = make_plan(load_preset(preset).scene, STANDARD)
-    filters = {"texture": plan.textures, "target": plan.targets}
-    for drawn in plan.passes:
-        text = plan.programs[drawn.program].fragment.text
-        searched = drawn.program == "surface" and "u_met" not in drawn.inputs
-        often = searched or drawn.program in ("start", "met", "fft_8")
-        assert not often or "texelFetch(" not in text, drawn.name
-        for name in set(re.findall(r"texel_at\((\w+)", text)) & drawn.inputs.keys():
-            kind, key = next(iter(drawn.inputs[name].model_dump().items()))
-            assert filters[kind][key].filter == "nearest", (drawn.name, name)
 
 
 def test_waves_of_no_height_bring_no_wave_code() -> None:

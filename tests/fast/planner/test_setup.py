@@ -12,14 +12,10 @@ from seafoam.planner.glsl import assemble
 from seafoam.planner.schedule import with_setup
 from seafoam.quality import TIERS
 from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene.presets import load_preset
 from support.probe import WHOLE
 
 STANDARD = TIERS["standard"]
-SHORES = [name for name in preset_names() if load_preset(name).scene.shore is not None]
-
-FLOWING = ("flow of drift", "drift, quarters of a generation back", "drift, two generations further back")
-
 FIXED = Target.model_validate({"size": {"rule": "fixed", "width": 4, "height": 4}, "format": "RGBA16F"})
 SHADER = assemble(
     [Inline("uniform float u_number;\nuniform sampler2D u_read;\nout vec4 o;\nvoid main() { o = vec4(0.0); }\n")], {}
@@ -110,16 +106,6 @@ class TestInference:
         assert settled(one("a", "b"), one("b", "a"), one("screen", "b")) == ("fff", set())
 
 
-@pytest.mark.parametrize("tier", TIERS)
-@pytest.mark.parametrize("preset", SHORES)
-def test_a_shores_map_is_drawn_once_but_for_its_last_pass(preset: str, tier: str) -> None:
-    plan = make_plan(load_preset(preset).scene, TIERS[tier])  # type: ignore[index]
-    passes = [one for one in plan.passes if one.name.startswith("shore: ")]
-    assert [one.when for one in passes] == ["setup"] * (len(passes) - 1) + ["frame"]
-    assert "shore_smooth" in plan.kept
-    assert not plan.kept.keys() & {"shore_near_0", "shore_near_1", "shore_rough", "shore_half", "shore_map"}
-
-
 def test_the_flow_of_drift_and_the_ways_along_it_are_drawn_once() -> None:
     plan = make_plan(load_preset("drift-vortices").scene, STANDARD)
     when = {one.name: one.when for one in plan.passes}
@@ -127,15 +113,6 @@ def test_the_flow_of_drift_and_the_ways_along_it_are_drawn_once() -> None:
     assert when["drift, quarters of a generation back"] == when["drift, two generations further back"] == "setup"
     assert when["drift, ways of the youngest"] == when["drift, followed back"] == "frame"
     assert plan.kept.keys() == {"drift_flow", "drift_still", "drift_older", "mask_atlas"}
-
-
-@pytest.mark.parametrize("preset", preset_names())
-def test_nothing_else_is_taken_for_still(preset: str) -> None:
-    """By name: a pass that became still by mistake would freeze what it draws."""
-    plan = make_plan(load_preset(preset).scene, STANDARD)
-    still = {one.name for one in plan.passes if one.when == "setup"}
-    known = ("shore: ", "mask: ", "wakes, ", "standing waves, ")
-    assert all(name.startswith(known) or name in FLOWING for name in still), still
 
 
 def test_plans_share_what_hangs_on_the_same() -> None:

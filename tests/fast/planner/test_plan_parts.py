@@ -1,0 +1,120 @@
+"""What parts of a scene and of a quality bring to a plan: shores, masks that are drawn, chosen pixels."""
+
+import pytest
+
+from seafoam.framegraph.passes import State
+from seafoam.framegraph.resources import ViewportSize
+from seafoam.planner import AssemblyError, PlanError, link, make_plan
+from seafoam.quality import TIERS, Quality
+from seafoam.scene.foam import Foam, HeightSaturation, SurfSaturation
+from seafoam.scene.models import Scene
+from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene.shore import Shore, Surf
+from seafoam.scene.water import Water
+from seafoam.scene.waves import ParametricWave
+
+STANDARD = TIERS["standard"]
+
+
+def test_a_shore_draws_its_map_before_the_sea() -> None:
+    plan = make_plan(Scene(shore=Shore()), STANDARD)
+    names = [one.name for one in plan.passes]
+    drawn = [name for name in names if name.startswith("shore")]
+    steps = [name for name in drawn if "flood" in name]
+    assert [int(name.split()[-2]) for name in steps] == [1, 128, 64, 32, 16, 8, 4, 2, 1]
+    assert drawn[:3] == ["shore: highest land", "shore: highest land around", "shore: seed"]
+    assert drawn[-1] == "shore: map"
+    assert names.index("shore: map") < names.index("surface")
+    assert plan.targets["shore_map"].format == "RGBA32F"
+
+
+def test_the_map_is_as_large_as_the_quality_says() -> None:
+    quality = STANDARD.model_copy(update={"shore_map": 64, "shore_floor": 128, "shore_profile": 32})
+    plan = make_plan(Scene(shore=Shore()), quality)
+    assert plan.targets["shore_map"].size.width == 64  # type: ignore[union-attr]
+    assert plan.textures["shore_floor"].width == 128
+    assert plan.textures["shore_profiles"].width == 32
+
+
+def test_without_a_coast_in_reach_the_shore_is_left_out() -> None:
+    plan = make_plan(Scene(waves=(ParametricWave(),), shore=Shore(level=-900.0)), STANDARD)
+    assert {note.name for note in plan.skipped} >= {"shore"}
+    assert not [one for one in plan.passes if one.name.startswith("shore")]
+    assert "shore" not in plan.programs["surface"].fragment.text
+    # A bank that waves feel stays, and so does one that is seen.
+    for level in (-4.0, -30.0):
+        near = make_plan(Scene(shore=Shore(level=level)), STANDARD)
+        assert "shore" in {note.name for note in near.effects}
+
+
+def test_surf_foam_needs_surf() -> None:
+    foam = Foam(saturation=(SurfSaturation(),))
+    for scene in (Scene(foam=foam), Scene(foam=foam, shore=Shore(surf=Surf(height=0.0)))):
+        assert {"surf foam", "foam look"} <= {note.name for note in make_plan(scene, STANDARD).skipped}
+    both = make_plan(Scene(foam=foam, shore=Shore()), STANDARD)
+    assert {"surf foam", "foam look"} <= {note.name for note in both.effects}
+
+
+def test_a_shore_has_a_floor_of_its_own() -> None:
+    plan = make_plan(Scene(shore=Shore(), water=Water(depth=3.0)), STANDARD)
+    assert "floor" not in {note.name for note in (*plan.effects, *plan.skipped)}
+
+
+def masked(mask: str) -> Scene:
+    return Scene(foam=Foam(saturation=(HeightSaturation(base=-1.0, full=1.0),), look="filtered", mask=mask), light=None)
+
+
+def test_a_scene_with_the_look_loads_the_mask_and_not_the_atlas() -> None:
+    plan = make_plan(masked("vac-24"), STANDARD)
+    assert {one.url for one in plan.textures.values()} == {
+        "/api/textures/mask/vac-24/ranks",
+        "/api/textures/mask/vac-24/quantiles",
+    }
+    made = [one for one in plan.passes if one.name.startswith("mask: ")]
+    assert {one.when for one in made} == {"setup"}
+    assert plan.kept.keys() == {"mask_atlas"}
+    other = make_plan(masked("vac-12"), STANDARD)
+    assert other.kept != plan.kept
+
+
+@pytest.mark.parametrize("state", [State(clear=True), State(blend="add"), State(depth=True)])
+def test_whole_numbers_are_not_cleared_blended_or_tested(state: State) -> None:
+    plan = make_plan(masked("vac-24"), STANDARD)
+    (atlas,) = [one for one in plan.passes if one.name == "mask: atlas"]
+    link.refuse_integers(atlas, plan.targets)
+    with pytest.raises(AssemblyError, match="integers"):
+        link.refuse_integers(atlas.model_copy(update={"state": state}), plan.targets)
+
+
+def test_a_mask_that_cannot_be_made_names_its_field() -> None:
+    with pytest.raises(PlanError) as caught:
+        make_plan(masked("blur:1:100:3"), STANDARD)
+    assert caught.value.pointer == "/foam/mask"
+
+
+def chosen(**changes: int) -> Quality:
+    return STANDARD.model_copy(update=changes)
+
+
+def test_no_target_is_larger_than_four_pictures() -> None:
+    for preset in preset_names():
+        for most in (4, 16):
+            scene = load_preset(preset).scene
+            plan = make_plan(scene, chosen(samples_max=most))
+            scales = [one.size.scale for one in plan.targets.values() if isinstance(one.size, ViewportSize)]
+            # Without light a sample costs less than its choice.
+            assert max(scales) == (1 if scene.light is None else 2)
+
+
+@pytest.mark.parametrize(("samples", "most", "kinds"), [(1, 1, ()), (1, 4, (4,)), (1, 16, (4, 16)), (4, 16, (16,))])
+def test_kinds_of_choice(samples: int, most: int, kinds: tuple[int, ...]) -> None:
+    how = chosen(samples=samples, samples_max=most)
+    assert how.chosen_samples == kinds
+    names = {one.name for one in make_plan(load_preset("default").scene, how).passes}
+    assert {f"surface, {count} samples" in names for count in kinds} <= {True}
+    assert ("contrast" in names) == bool(kinds)
+
+
+def test_more_samples_than_the_greatest_number_are_no_choice() -> None:
+    scene = load_preset("default").scene
+    assert make_plan(scene, chosen(samples=16, samples_max=16)) == make_plan(scene, chosen(samples=16))
