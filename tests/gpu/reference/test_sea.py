@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from seafoam.effects.waves.sea import displaced_target
+from seafoam.effects.waves.sea import DISPLACED
 from seafoam.framegraph.evaluation import FrameState, evaluate
 from seafoam.ocean import cascades as sea_tiles
 from seafoam.ocean import spectrum as sea_spectrum
@@ -107,7 +107,7 @@ def _check_texels(
     executor: Executor, report: Report, plan: FramePlan, surface: truth.SeaSurface, name: str, time: float
 ) -> None:
     """Every texel of every tile that the GPU drew: displacement, height, slopes, fold, and folds of earlier times."""
-    atlas = draw_target(executor, plan, displaced_target(seen(SEAS[name]), EXACT), time).astype(np.float64)
+    atlas = draw_target(executor, plan, DISPLACED, time).astype(np.float64)
     for i, one in enumerate(surface.tiles):
         moved = truth.grids(surface.cascades[i], time, truth.TEXELS)
         block = spline_at_texels(atlas[:, i * truth.TEXELS : (i + 1) * truth.TEXELS, :3])
@@ -144,7 +144,7 @@ def test_the_transform_is_numpys(executor: Executor, report: Report, size: int) 
     sea = SEAS["fft"]
     quality = QUICK.model_copy(update={"sea_size": size, "sea_tiles": 3})
     plan = make_plan(seen(sea, foam=False), quality)
-    atlas = draw_target(executor, plan, displaced_target(seen(sea, foam=False), quality), 12.5).astype(np.float64)
+    atlas = draw_target(executor, plan, DISPLACED, 12.5).astype(np.float64)
     response = (2.0 + np.cos(2.0 * math.pi * np.fft.fftfreq(size))) / 3.0
     for i, of in enumerate(sea_tiles.cascades(sea, None)[:3]):
         block = atlas[:, i * size : (i + 1) * size]

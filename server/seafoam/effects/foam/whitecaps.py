@@ -1,23 +1,12 @@
 """Whitecaps: foam where the open sea's Jacobian is small, and for seconds after. docs/formulae.md, section 4."""
 
 import math
-from dataclasses import dataclass, replace
-from typing import Literal
+from dataclasses import replace
 
-from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, SaturationSource
-from seafoam.effects.shader import Piece, SlotFile, Source
-from seafoam.effects.waves.sea import (
-    RESAMPLED,
-    displaced_target,
-    drawn,
-    fitted,
-    gerstner_uniforms,
-    loop_uniforms,
-    tile_target,
-    tile_uniforms,
-    transform,
-)
-from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, TextureInput, target_inputs
+from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, Resources, SaturationSource
+from seafoam.effects.shader import Const, SlotFile, Source
+from seafoam.effects.waves.sea import DISPLACED, RESAMPLED, WaterDrawing, drawn, fitted, tile_target, tile_uniforms
+from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, target_inputs
 from seafoam.framegraph.rules import Uniform, constants, number, rounded, significant, vector
 from seafoam.ocean.cascades import RAISED, Cascade
 from seafoam.ocean.stokes import foam_drift
@@ -28,29 +17,12 @@ from seafoam.scene.models import Scene
 from seafoam.scene.waves import Sea
 from seafoam.sums import summed
 
-
-@dataclass(frozen=True)
-class _Names:
-    """How targets, programs and passes that draw the Jacobians of one series of times are called."""
-
-    prefix: Literal["age", "old"]
-    gerstner: str
-    spectrum: str
-    transform: str
-
-    def file(self, path: str) -> Piece:
-        """The file, with the constants of this series."""
-        return path if self.prefix == "age" else Source(path, (("AGE_SIZE", "OLD_SIZE"),))
-
-
 _TIMES = {
     0: "foam/saturation/whitecap.glsl@now",
     4: "foam/saturation/whitecap.glsl@four",
     8: "foam/saturation/whitecap.glsl@eight",
 }
 """Files of the foam, by how many earlier times are read."""
-_RECENT = _Names("age", "folds of earlier waves", "spectrum of earlier folds", "earlier times of folds")
-_OLD = _Names("old", "folds of long ago", "spectrum of folds of long ago", "folds of long ago")
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -101,108 +73,87 @@ def _with_history(
 ) -> Contribution:
     """``present`` with foam of earlier times: recent ones of all tiles and, if foam lasts, old ones of the largest."""
     steps = quality.age_steps
-    targets, passes = _recent(scene, sea, raised, quality)
-    inputs = {"u_age_tiles": "age_tiles"}
+    earlier = [_recent(scene, sea, raised, quality)]
     earliest = steps * quality.age_step
     if model.old_shares:
-        old_targets, old_passes = _old(scene, sea, raised, quality, model)
-        targets |= old_targets
-        passes += old_passes
-        inputs["u_old_foam"] = "old_foam"
+        earlier.append(_old(scene, sea, raised, quality, model))
         earliest = old_times(steps, quality.age_step)[-1]
-    return replace(
-        present,
-        why=f"{present.why}, and was in the last {earliest:g} s",
-        consts={
-            **present.consts,
-            "AGE_SIZE": quality.sea_size // 2,
-            "AGE_ROWS": steps // 4,
-            "OLD_SIZE": OLD_TEXELS,
-            "AGE_DRIFTS": foam_drift(scene) != (0.0, 0.0),
-        },
-        inputs=target_inputs(inputs),
-        targets=targets,
-        passes=passes,
-    )
+    consts: dict[str, Const] = {
+        "AGE_SIZE": quality.sea_size // 2,
+        "AGE_ROWS": steps // 4,
+        "OLD_SIZE": OLD_TEXELS,
+        "AGE_DRIFTS": foam_drift(scene) != (0.0, 0.0),
+    }
+    present = replace(present, why=f"{present.why}, and was in the last {earliest:g} s")
+    return present.joined(Resources(consts=consts), *earlier)
 
 
-def _recent(
-    scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Quality
-) -> tuple[dict[str, Target], tuple[PassSpec, ...]]:
-    """Targets and passes that draw the Jacobians of recent times, and carry them to where the water is now."""
+def _recent(scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Quality) -> Resources:
+    """What draws the Jacobians of recent times, and carries them to where the water is now."""
     size, rows = quality.sea_size // 2, quality.age_steps // 4
-    block = Target(size=FixedSize(width=size * len(raised), height=size * rows), format="RGBA32F")
-    times = _time_uniforms(scene, sea, raised, 0.0, quality.age_step)
-    targets, passes, jacobians = _jacobians(_RECENT, sea, raised, block, size, times)
-    over = FixedSize(width=size, height=(size + 1) * rows * RAISED)
-    targets["age_tiles"] = tile_target(quality, size).model_copy(update={"size": over})
-    return targets, passes + tuple(
-        PassSpec(
-            name=f"earlier folds, {of.size:g} m tile",
-            program="age_tile",
-            fragment=(*RESAMPLED, "lib/texels.glsl@bilinear", "waves/age.glsl@tile_pass"),
-            target="age_tiles",
-            inputs=target_inputs({"u_sea_displaced": displaced_target(scene, quality), "u_age_folds": jacobians}),
-            uniforms=tile_uniforms(of, i, sea.choppiness, quality.sea_size),
-        )
-        for i, of in enumerate(raised)
+    jacobians = WaterDrawing(
+        "age_a",
+        "age_b",
+        Target(size=FixedSize(width=size * len(raised), height=size * rows), format="RGBA32F"),
+        size,
+        by_wave=("folds of earlier waves", "age_gerstner", "waves/age.glsl@gerstner_pass"),
+        by_spectrum=("spectrum of earlier folds", "age_spectrum", "waves/age.glsl@spectrum_pass"),
+        transforms="earlier times of folds",
+        uniforms=_time_uniforms(scene, sea, raised, 0.0, quality.age_step),
     )
+    over = FixedSize(width=size, height=(size + 1) * rows * RAISED)
+    carried = Resources(
+        inputs=target_inputs({"u_age_tiles": "age_tiles"}),
+        targets={"age_tiles": tile_target(quality, size).model_copy(update={"size": over})},
+        passes=tuple(
+            PassSpec(
+                name=f"earlier folds, {of.size:g} m tile",
+                program="age_tile",
+                fragment=(*RESAMPLED, "lib/texels.glsl@bilinear", "waves/age.glsl@tile_pass"),
+                target="age_tiles",
+                inputs=target_inputs({"u_sea_displaced": DISPLACED, "u_age_folds": jacobians.target}),
+                uniforms=tile_uniforms(of, i, sea.choppiness, quality.sea_size),
+            )
+            for i, of in enumerate(raised)
+        ),
+    )
+    return jacobians.resources(sea, raised).joined(carried)
 
 
-def _old(
-    scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Quality, model: WhitecapModel
-) -> tuple[dict[str, Target], tuple[PassSpec, ...]]:
-    """Targets and passes that draw the old foam that is left, from Jacobians of the largest tile."""
+def _old(scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Quality, model: WhitecapModel) -> Resources:
+    """What draws the old foam that is left, from Jacobians of the largest tile."""
     rows, largest = OLD_STEPS // 4, raised[0]
-    block = Target(size=FixedSize(width=OLD_TEXELS, height=OLD_TEXELS * rows), format="RGBA32F")
-    times = _time_uniforms(scene, sea, (largest,), quality.age_steps * quality.age_step, OLD_STEP)
-    targets, passes, jacobians = _jacobians(_OLD, sea, raised, block, OLD_TEXELS, times)
-    size = FixedSize(width=quality.sea_size // 2, height=quality.sea_size // 2)
-    targets["old_foam"] = Target(size=size, format="RGBA16F", filter=MIPMAPPED, wrap="repeat")
-    shares = [significant(share) for share in model.old_shares]
+    size = (("AGE_SIZE", "OLD_SIZE"),)
+    jacobians = WaterDrawing(
+        "old_a",
+        "old_b",
+        Target(size=FixedSize(width=OLD_TEXELS, height=OLD_TEXELS * rows), format="RGBA32F"),
+        OLD_TEXELS,
+        by_wave=("folds of long ago", "old_gerstner", Source("waves/age.glsl@gerstner_pass", size)),
+        by_spectrum=("spectrum of folds of long ago", "old_spectrum", Source("waves/age.glsl@spectrum_pass", size)),
+        transforms="folds of long ago",
+        uniforms=_time_uniforms(scene, sea, (largest,), quality.age_steps * quality.age_step, OLD_STEP),
+    )
+    shares = rounded(model.old_shares)
     foam = PassSpec(
         name="foam of long ago",
         program="old_foam",
         fragment=(*RESAMPLED, "lib/texels.glsl@bilinear", "waves/age.glsl@old_foam_pass"),
         target="old_foam",
-        inputs=target_inputs({"u_sea_displaced": displaced_target(scene, quality), "u_old_folds": jacobians}),
+        inputs=target_inputs({"u_sea_displaced": DISPLACED, "u_old_folds": jacobians.target}),
         uniforms={
             **tile_uniforms(largest, 0, sea.choppiness, quality.sea_size),
             "u_old_fold": vector(rounded(model.old)),
-            "u_old_share": constants("vec4", (tuple(shares[i : i + 4]) for i in range(0, len(shares), 4))),
+            "u_old_share": constants("vec4", (shares[i : i + 4] for i in range(0, len(shares), 4))),
         },
     )
-    return targets, (*passes, foam)
-
-
-def _jacobians(
-    names: _Names, sea: Sea, raised: tuple[Cascade, ...], block: Target, size: int, times: dict[str, Uniform]
-) -> tuple[dict[str, Target], tuple[PassSpec, ...], str]:
-    """Targets and passes that draw the Jacobians of four times per row of ``block``, and the target that holds them."""
-    first, second = f"{names.prefix}_a", f"{names.prefix}_b"
-    if sea.model == "gerstner":
-        gerstner = PassSpec(
-            name=names.gerstner,
-            program=f"{names.prefix}_gerstner",
-            fragment=(
-                "lib/numbers.glsl",
-                "waves/sea_passes.glsl@gerstner",
-                names.file("waves/age.glsl@gerstner_pass"),
-            ),
-            target=first,
-            uniforms={**gerstner_uniforms(raised, 0), **times},
-        )
-        return {first: block}, (gerstner,), first
-    spectrum = PassSpec(
-        name=names.spectrum,
-        program=f"{names.prefix}_spectrum",
-        fragment=("lib/numbers.glsl", "waves/sea_passes.glsl@spectrum", names.file("waves/age.glsl@spectrum_pass")),
-        target=first,
-        inputs={"u_sea_spectrum": TextureInput(texture="sea_spectrum")},
-        uniforms={**loop_uniforms(), **times},
+    side = FixedSize.square(quality.sea_size // 2)
+    left = Resources(
+        inputs=target_inputs({"u_old_foam": "old_foam"}),
+        targets={"old_foam": Target(size=side, format="RGBA16F", filter=MIPMAPPED, wrap="repeat")},
+        passes=(foam,),
     )
-    transforms, jacobians = transform(names.transform, first, second, size)
-    return {first: block, second: block}, (spectrum, *transforms), jacobians
+    return jacobians.resources(sea, raised).joined(left)
 
 
 def _time_uniforms(

@@ -8,13 +8,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from seafoam.effects.bounds import parametric_wave_height
-from seafoam.effects.effect import PassSpec, Resources, TextureUse
+from seafoam.effects.effect import Resources, TextureUse
 from seafoam.effects.shader import Const, Inline, Piece, SlotRef
 from seafoam.effects.shore.maps import MASK_WAVES, mask_uniforms
 from seafoam.effects.waves.groups import earlier_files, group_bounds
 from seafoam.effects.waves.parametric import max_profile_slope
 from seafoam.effects.waves.rings import ring_uniforms
-from seafoam.effects.waves.sea import drawn, fitted, gerstner_uniforms, loop_uniforms, transform
+from seafoam.effects.waves.sea import WaterDrawing, drawn, fitted
 from seafoam.framegraph.resources import FixedSize, Input, Target, TextureInput, target_inputs
 from seafoam.framegraph.rules import (
     Clamp,
@@ -60,6 +60,8 @@ from seafoam.scene.waves import ParametricWave
 from seafoam.sums import summed
 from seafoam.textures import SprayRocks
 
+_SEAS = "spray_seas_a"
+"""The target of the sea at the births of batches."""
 DELAY = 1.5
 """Longest time between the arrival of a crest and the start of a drop, s."""
 _EYE_CELLS = 256.0
@@ -240,11 +242,11 @@ def _water_then(
     earlier, own = _earlier(scene)
     if scene.sea is None or not drawn(scene, quality):
         return ["spray/seas.glsl@sea_none", *earlier], {}, own
-    seas, target = _seas(scene, quality, drawn(scene, quality)[:RAISED], limits)
+    seas = _seas(scene, quality, drawn(scene, quality)[:RAISED], limits)
     # A shore's files declare the places in the tiles.
     places = [] if scene.shore is not None else [_SEA_PLACES]
     files: list[Piece | SlotRef] = ["lib/texels.glsl@cubic_spline", *places, "spray/seas.glsl@sea_waves", *earlier]
-    return files, target_inputs({"u_spray_seas": target}), own.joined(seas)
+    return files, target_inputs({"u_spray_seas": _SEAS}), own.joined(seas)
 
 
 _SEA_PLACES = Inline(
@@ -292,16 +294,13 @@ def _grids(spray: Spray) -> Resources:
     )
 
 
-def _seas(
-    scene: Scene, quality: Quality, tiles: tuple[Cascade, ...], limits: tuple[float, float] | None
-) -> tuple[Resources, str]:
-    """The sea at the births of batches, and the target that holds it."""
+def _seas(scene: Scene, quality: Quality, tiles: tuple[Cascade, ...], limits: tuple[float, float] | None) -> Resources:
+    """The sea at the births of batches."""
     sea = scene.sea
     assert sea is not None
     texels = min(fitted(sea, quality).sea_size, SEA_TEXELS)
     chops = [tile.choppiness(sea.choppiness) for tile in tiles]
     threshold, width = limits or (-1e3, 1.0)
-    block = Target(size=FixedSize(width=texels * len(tiles), height=texels * BATCHES), format="RGBA32F")
     scale = [significant(chop * 2.0 * math.pi / tile.size) for chop, tile in zip(chops, tiles, strict=True)]
     shifts = [significant(chop * texels / tile.size) for chop, tile in zip(chops, tiles, strict=True)]
     shared: dict[str, Uniform] = {
@@ -309,32 +308,19 @@ def _seas(
         "u_spray_limit": vector((significant(tiles[0].limit), significant(tiles[-1].limit))),
         "u_spray_fold": vector((significant(threshold), significant(1.0 / width))),
     }
-    own = {"u_spray_scale": vector((scale[0], scale[-1]))}
-    consts: dict[str, Const] = {"SPRAY_TEXELS": texels}
-    if sea.model == "gerstner":
-        gerstner = PassSpec(
-            name="waves at the births of drops",
-            program="spray_gerstner",
-            fragment=("lib/numbers.glsl", "waves/sea_passes.glsl@gerstner", "spray/seas.glsl@gerstner_pass"),
-            target="spray_seas_a",
-            uniforms={**gerstner_uniforms(tiles, texels), **own},
-            stage="after",
-        )
-        return Resources(
-            consts=consts, uniforms=shared, targets={"spray_seas_a": block}, passes=(gerstner,)
-        ), "spray_seas_a"
-    spectrum = PassSpec(
-        name="spectrum at the births of drops",
-        program="spray_spectrum",
-        fragment=("lib/numbers.glsl", "waves/sea_passes.glsl@spectrum", "spray/seas.glsl@spectrum_pass"),
-        target="spray_seas_a",
-        inputs={"u_sea_spectrum": TextureInput(texture="sea_spectrum")},
-        uniforms={**loop_uniforms(), **own},
+    water = WaterDrawing(
+        _SEAS,
+        "spray_seas_b",
+        Target(size=FixedSize(width=texels * len(tiles), height=texels * BATCHES), format="RGBA32F"),
+        texels,
+        by_wave=("waves at the births of drops", "spray_gerstner", "spray/seas.glsl@gerstner_pass"),
+        by_spectrum=("spectrum at the births of drops", "spray_spectrum", "spray/seas.glsl@spectrum_pass"),
+        transforms="sea at the births of drops",
+        uniforms={"u_spray_scale": vector((scale[0], scale[-1]))},
+        read=texels,
         stage="after",
     )
-    transforms, result = transform("sea at the births of drops", "spray_seas_a", "spray_seas_b", texels, "after")
-    targets = {"spray_seas_a": block, "spray_seas_b": block}
-    return Resources(consts=consts, uniforms=shared, targets=targets, passes=(spectrum, *transforms)), result
+    return water.resources(sea, tiles).joined(Resources(consts={"SPRAY_TEXELS": texels}, uniforms=shared))
 
 
 def _bursts(spray: Spray) -> _Source | None:

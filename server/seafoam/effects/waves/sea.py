@@ -2,7 +2,8 @@
 
 import cmath
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from seafoam.effects.bounds import max_surface_height, min_surface_height, waves_bound
@@ -17,7 +18,7 @@ from seafoam.effects.effect import (
     TextureUse,
 )
 from seafoam.effects.foam.living import carries
-from seafoam.effects.shader import Const, SlotFile
+from seafoam.effects.shader import Const, Piece, SlotFile
 from seafoam.effects.waves.measured import measured_bounds
 from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, TargetInput, TextureInput, target_inputs
 from seafoam.framegraph.rules import (
@@ -50,44 +51,81 @@ READ, READ_ALONE = 0.57735, 0.75
 """Side of a trilinear read of slopes over that of the footprint: of the same variance, and of the least error where one
 sample stands for a pixel. Against 256 samples of seas of 4 to 15 m/s, single ones had 1.26 to 1.55 and 0.91 to 1.32
 times the error of 16."""
-_RADICES = {4: "waves/sea_passes.glsl@radix_4", 8: "waves/sea_passes.glsl@radix_8"}
+_RADICES = {32: (8, 4), 64: (8, 8), 128: (8, 4, 4), 256: (8, 8, 4), 512: (8, 8, 8)}
+"""Steps of the transform along an axis of a block, by its side in texels."""
+_RADIX_FILES = {4: "waves/sea_passes.glsl@radix_4", 8: "waves/sea_passes.glsl@radix_8"}
+DISPLACED = "sea_a"
+"""The target with the displacements of the water."""
 RESAMPLED = ("lib/texels.glsl@cubic_spline", "waves/sea_passes.glsl@resample_pass")
 """Files that find the rest position of the water at a place, and what moves with it."""
 
 
-def transform(
-    name: str, first: str, second: str, size: int, stage: Literal["before", "after"] = "before"
-) -> tuple[tuple[PassSpec, ...], str]:
-    """Return passes that transform the blocks of ``first``, alternating with ``second``, and the target of the result.
+@dataclass(frozen=True)
+class WaterDrawing:
+    """Passes that draw the water of a sea, as blocks of a target.
 
-    ``size``: side of a block, texels. ``name``: in the passes' names. ``stage``: before or after the surface.
+    ``target``: it holds the result; the Fourier transforms alternate between it and ``second``. ``size``: side of a
+    block, texels. ``by_wave``, ``by_spectrum``: name, program and last file of the first pass, for a sea whose waves
+    are summed and for one by FFT. ``transforms``: in the names of these passes. ``uniforms``: of the first pass.
+    ``read``: texels along a tile of what is then read by B-spline, or 0.
     """
-    radices = {64: (8, 8), 32: (8, 4), 128: (8, 4, 4), 256: (8, 8, 4), 512: (8, 8, 8)}[size]
-    passes = []
-    source, destination = first, second
-    for axis in (0, 1):
-        span = 1
-        for radix in radices:
-            passes.append(
-                PassSpec(
-                    name=f"{name}: {'columns' if axis else 'rows'}, {span} to {span * radix}",
+
+    target: str
+    second: str
+    block: Target
+    size: int
+    by_wave: tuple[str, str, Piece]
+    by_spectrum: tuple[str, str, Piece]
+    transforms: str
+    uniforms: dict[str, Uniform] = field(default_factory=dict)
+    read: int = 0
+    stage: Literal["before", "after"] = "before"
+
+    def resources(self, sea: Sea, tiles: Sequence[Cascade]) -> Resources:
+        """Return targets and passes of the waves of ``tiles``."""
+        if sea.model == "gerstner":
+            first = self._first(self.by_wave, "waves/sea_passes.glsl@gerstner", _gerstner_uniforms(tiles, self.read))
+            return Resources(targets={self.target: self.block}, passes=(first,))
+        first = self._first(self.by_spectrum, "waves/sea_passes.glsl@spectrum", _loop_uniforms())
+        return Resources(
+            targets={self.target: self.block, self.second: self.block},
+            passes=(replace(first, inputs={"u_sea_spectrum": TextureInput(texture="sea_spectrum")}), *self._fft()),
+        )
+
+    def _first(self, called: tuple[str, str, Piece], waves: str, uniforms: dict[str, Uniform]) -> PassSpec:
+        name, program, file = called
+        return PassSpec(
+            name=name,
+            program=program,
+            fragment=("lib/numbers.glsl", waves, file),
+            target=self.target,
+            uniforms={**uniforms, **self.uniforms},
+            stage=self.stage,
+        )
+
+    def _fft(self) -> Iterator[PassSpec]:
+        """Passes that transform the blocks, as many along each axis: the last draws into ``target``."""
+        source, destination = self.target, self.second
+        for axis, kind in enumerate(("rows", "columns")):
+            span = 1
+            for radix in _RADICES[self.size]:
+                yield PassSpec(
+                    name=f"{self.transforms}: {kind}, {span} to {span * radix}",
                     program=f"fft_{radix}",
-                    fragment=(_RADICES[radix], "waves/sea_passes.glsl@fft_pass"),
+                    fragment=(_RADIX_FILES[radix], "waves/sea_passes.glsl@fft_pass"),
                     target=destination,
                     inputs={
                         "u_fft_from": TargetInput(target=source),
                         "u_fft_twiddles": TextureInput(texture="fft_twiddles"),
                     },
-                    uniforms={"u_fft": vector((math.log2(size), math.log2(span), float(axis)))},
-                    stage=stage,
+                    uniforms={"u_fft": vector((math.log2(self.size), math.log2(span), float(axis)))},
+                    stage=self.stage,
                 )
-            )
-            source, destination = destination, source
-            span *= radix
-    return tuple(passes), source
+                source, destination = destination, source
+                span *= radix
 
 
-def loop_uniforms() -> dict[str, Uniform]:
+def _loop_uniforms() -> dict[str, Uniform]:
     """Time in the loop, s, modulo the loop and modulo its 1024th part."""
     return {
         "u_sea_loop": Uniform(type="float", rules=(Loop(period=LOOP),)),
@@ -95,7 +133,7 @@ def loop_uniforms() -> dict[str, Uniform]:
     }
 
 
-def gerstner_uniforms(tiles: Sequence[Cascade], size: int) -> dict[str, Uniform]:
+def _gerstner_uniforms(tiles: Sequence[Cascade], size: int) -> dict[str, Uniform]:
     """Waves of tiles that are summed wave by wave. ``size``: texels along a tile read by B-spline; 0: not so read."""
     data: list[tuple[float, ...]] = []
     phases: list[Phase] = []
@@ -130,13 +168,6 @@ def fitted(sea: Sea, quality: Quality) -> Quality:
     if sea.wind >= WHITECAP_WIND or not quality.surface.filter or quality.sea_size <= CALM_SIZE:
         return quality
     return quality.model_copy(update={"sea_size": CALM_SIZE})
-
-
-def displaced_target(scene: Scene, quality: Quality) -> str:
-    """Return the name of the target with the displacements of the water."""
-    if scene.sea is None or scene.sea.model == "gerstner":
-        return "sea_a"
-    return transform("sea", "sea_a", "sea_b", fitted(scene.sea, quality).sea_size)[1]
 
 
 def tile_target(quality: Quality, size: int) -> Target:
@@ -182,12 +213,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         map_error=summed(tile.map_error(quality.sea_size) + tile.limit * HALF_FLOAT for tile in raised),
         march_factor=2,
     )
-    displaced = displaced_target(scene, quality)
     return contribution.joined(
         _displaced_water(sea, scene.water.depth, tiles, quality.sea_size),
-        *(_height_map(sea, i, tile, displaced, quality) for i, tile in enumerate(tiles)),
+        *(_height_map(sea, i, tile, quality) for i, tile in enumerate(tiles)),
         _mip_maps(tiles, quality),
-        _orbits(sea, raised, displaced, quality) if carries(scene) else Resources(),
+        _orbits(sea, raised, quality) if carries(scene) else Resources(),
     )
 
 
@@ -237,35 +267,24 @@ def _slots(scene: Scene, quality: Quality, tiles: int) -> tuple[SlotFile, ...]:
 
 def _displaced_water(sea: Sea, depth: float | None, tiles: Sequence[Cascade], size: int) -> Resources:
     """Displacement of the water at rest positions, a block of ``size``² texels for each tile."""
-    target = Target(size=FixedSize(width=size * len(tiles), height=size), format="RGBA32F")
-    if sea.model == "gerstner":
-        gerstner = PassSpec(
-            name="waves of the sea",
-            program="gerstner",
-            fragment=("lib/numbers.glsl", "waves/sea_passes.glsl@gerstner", "waves/sea_passes.glsl@gerstner_pass"),
-            target="sea_a",
-            uniforms=gerstner_uniforms(tiles, size),
-        )
-        return Resources(targets={"sea_a": target}, passes=(gerstner,))
-    spectrum = PassSpec(
-        name="spectrum of the sea",
-        program="sea_spectrum",
-        fragment=("lib/numbers.glsl", "waves/sea_passes.glsl@spectrum", "waves/sea_passes.glsl@displaced_pass"),
-        target="sea_a",
-        inputs={"u_sea_spectrum": TextureInput(texture="sea_spectrum")},
-        uniforms=loop_uniforms(),
+    water = WaterDrawing(
+        DISPLACED,
+        "sea_b",
+        Target(size=FixedSize(width=size * len(tiles), height=size), format="RGBA32F"),
+        size,
+        by_wave=("waves of the sea", "gerstner", "waves/sea_passes.glsl@gerstner_pass"),
+        by_spectrum=("spectrum of the sea", "sea_spectrum", "waves/sea_passes.glsl@displaced_pass"),
+        transforms="sea",
+        read=size,
     )
-    return Resources(
-        textures={
-            "sea_spectrum": TextureUse(SeaSpectrum(sea=sea, depth=depth), wrap="clamp_to_edge"),
-            "fft_twiddles": TextureUse(FftTwiddles(), wrap="clamp_to_edge"),
-        },
-        targets={"sea_a": target, "sea_b": target},
-        passes=(spectrum, *transform("sea", "sea_a", "sea_b", size)[0]),
-    )
+    textures = {
+        "sea_spectrum": TextureUse(SeaSpectrum(sea=sea, depth=depth), wrap="clamp_to_edge"),
+        "fft_twiddles": TextureUse(FftTwiddles(), wrap="clamp_to_edge"),
+    }
+    return replace(water.resources(sea, tiles), textures={} if sea.model == "gerstner" else textures)
 
 
-def _height_map(sea: Sea, index: int, tile: Cascade, displaced: str, quality: Quality) -> Resources:
+def _height_map(sea: Sea, index: int, tile: Cascade, quality: Quality) -> Resources:
     """Height and slopes of a tile over the level plane, and its measured bounds if it displaces the surface."""
     name, size = f"sea_tile_{index}", quality.sea_size
     part = Resources(
@@ -280,7 +299,7 @@ def _height_map(sea: Sea, index: int, tile: Cascade, displaced: str, quality: Qu
                 program="sea_tile",
                 fragment=(*RESAMPLED, "waves/sea_passes.glsl@tile_pass"),
                 target=name,
-                inputs={"u_sea_displaced": TargetInput(target=displaced)},
+                inputs={"u_sea_displaced": TargetInput(target=DISPLACED)},
                 uniforms=tile_uniforms(tile, index, sea.choppiness, size),
             ),
         ),
@@ -315,7 +334,7 @@ def _mip_maps(tiles: Sequence[Cascade], quality: Quality) -> Resources:
     )
 
 
-def _orbits(sea: Sea, raised: Sequence[Cascade], displaced: str, quality: Quality) -> Resources:
+def _orbits(sea: Sea, raised: Sequence[Cascade], quality: Quality) -> Resources:
     """Horizontal displacement of the water, which carries foam: the tiles on top of each other in one map."""
     side = quality.sea_size // 2
     size = FixedSize(width=side, height=RAISED * (side + 1))
@@ -329,7 +348,7 @@ def _orbits(sea: Sea, raised: Sequence[Cascade], displaced: str, quality: Qualit
                 program="sea_orbit",
                 fragment=(*RESAMPLED, "foam/carry.glsl@sea_orbit"),
                 target="sea_orbits",
-                inputs={"u_sea_displaced": TargetInput(target=displaced)},
+                inputs={"u_sea_displaced": TargetInput(target=DISPLACED)},
                 uniforms=tile_uniforms(tile, i, sea.choppiness, quality.sea_size),
             )
             for i, tile in enumerate(raised)
