@@ -6,19 +6,8 @@ from statistics import NormalDist
 
 import numpy as np
 
-from seafoam.effects.light.atmosphere import (
-    RAYLEIGH,
-    SUN_POWER,
-    Rgb,
-    air_mass,
-    clear_irradiance,
-    mie_depth,
-    moon,
-    moon_is_lamp,
-    moon_power,
-    smooth,
-    sun,
-)
+from seafoam.effects.light import atmosphere
+from seafoam.effects.light.atmosphere import Rgb
 from seafoam.ocean.arrays import Floats
 from seafoam.scene.light import Light
 from seafoam.scene.sky import Cirrus, Clouds
@@ -61,29 +50,29 @@ def cirrus_start(of: Cirrus) -> float:
 
 def cloud_light(light: Light, altitude: float) -> Rgb:
     """Irradiance of the lamp at an altitude (m): through the air above, and until later after sunset."""
-    if moon_is_lamp(light):
-        toward = moon(light)
+    if atmosphere.moon_is_lamp(light):
+        toward = atmosphere.moon(light)
         assert toward is not None
         red, green, blue = (
             power * math.exp(-tau)
-            for power, tau in zip(moon_power(light), _path(light, altitude, toward[1]), strict=True)
+            for power, tau in zip(atmosphere.moon_power(light), _path(light, altitude, toward[1]), strict=True)
         )
     else:
-        height = sun(light)[1]
-        up = smooth(-0.06, 0.02, height)
-        red, green, blue = (SUN_POWER * math.exp(-tau) * up for tau in _path(light, altitude, height))
+        height = atmosphere.sun(light)[1]
+        up = atmosphere.smooth(-0.06, 0.02, height)
+        red, green, blue = (atmosphere.SUN_POWER * math.exp(-tau) * up for tau in _path(light, altitude, height))
     return red, green, blue
 
 
 def cloud_sky(light: Light) -> Rgb:
     """Radiance of the skylight on clouds, mean over all directions."""
-    red, green, blue = (0.6 / math.pi * value for value in clear_irradiance(light))
+    red, green, blue = (0.6 / math.pi * value for value in atmosphere.clear_irradiance(light))
     return red, green, blue
 
 
 def irradiance(light: Light) -> Rgb:
     """Irradiance of sky and clouds on level water."""
-    clear = clear_irradiance(light)
+    clear = atmosphere.clear_irradiance(light)
     clouds = light.sky.clouds if light.sky is not None else None
     if clouds is None:
         return clear
@@ -152,7 +141,7 @@ def cloud_edge(clouds: Clouds) -> tuple[float, float, float, float]:
 
 def cloud_means(light: Light, clouds: Clouds) -> tuple[Rgb, Rgb]:
     """Means of lamp, haze's scattering and sky in the light of clouds, and of clouds whose slices are parted."""
-    toward = moon(light) if moon_is_lamp(light) else sun(light)
+    toward = atmosphere.moon(light) if atmosphere.moon_is_lamp(light) else atmosphere.sun(light)
     assert toward is not None
     whole, parted, _ = _means(clouds, toward[1])
     return whole, parted
@@ -233,6 +222,6 @@ def _smooth(t: Floats) -> Floats:
 
 def _path(light: Light, altitude: float, height: float) -> Rgb:
     """Optical depth of the air between an altitude (m) and a lamp at this sine of elevation."""
-    mass, haze = air_mass(height), mie_depth(light) * math.exp(-altitude / MIE_HEIGHT)
-    red, green, blue = ((tau * math.exp(-altitude / RAYLEIGH_HEIGHT) + haze) * mass for tau in RAYLEIGH)
+    mass, haze = atmosphere.air_mass(height), atmosphere.mie_depth(light) * math.exp(-altitude / MIE_HEIGHT)
+    red, green, blue = ((tau * math.exp(-altitude / RAYLEIGH_HEIGHT) + haze) * mass for tau in atmosphere.RAYLEIGH)
     return red, green, blue

@@ -4,18 +4,17 @@ docs/formulae.md, section 13.
 """
 
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from seafoam.effects.bounds import parametric_wave_height
 from seafoam.effects.effect import Resources, TextureUse
-from seafoam.effects.shader import Const, Inline, Piece, SlotRef
+from seafoam.effects.shader import Inline, Piece, SlotRef
 from seafoam.effects.shore.maps import MASK_WAVES, mask_uniforms
 from seafoam.effects.waves.groups import earlier_files, group_bounds
 from seafoam.effects.waves.parametric import max_profile_slope
 from seafoam.effects.waves.rings import ring_uniforms
 from seafoam.effects.waves.sea import WaterDrawing, drawn, fitted
-from seafoam.framegraph.resources import FixedSize, Input, Target, TextureInput, target_inputs
+from seafoam.framegraph.resources import FixedSize, Target, TextureInput, target_inputs
 from seafoam.framegraph.rules import (
     Clamp,
     Constant,
@@ -31,90 +30,55 @@ from seafoam.framegraph.rules import (
     to_camera,
     vector,
 )
+from seafoam.ocean import spray as model
 from seafoam.ocean.cascades import RAISED, Cascade
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.dispersion import angular_frequency
 from seafoam.ocean.groups import group_velocity, in_groups
 from seafoam.ocean.rocks import ROCKS, rocks
-from seafoam.ocean.spray import (
-    BATCHES,
-    BESIDE,
-    CELLS,
-    CLUSTER,
-    EPOCHS,
-    LEVELS,
-    MOMENT,
-    PLACES,
-    SEA_TEXELS,
-    cell_sides,
-    crest_strength,
-    crest_velocity,
-    fold_limits,
-    torn_share,
-)
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore
 from seafoam.scene.spray import Spray
-from seafoam.scene.waves import ParametricWave
+from seafoam.scene.waves import ParametricWave, Sea
 from seafoam.sums import summed
 from seafoam.textures import SprayRocks
 
-_SEAS = "spray_seas_a"
-"""The target of the sea at the births of batches."""
 DELAY = 1.5
 """Longest time between the arrival of a crest and the start of a drop, s."""
 _EYE_CELLS = 256.0
 """Cells of a grid after which drops repeat."""
 
 
-@dataclass(frozen=True)
-class Births:
-    """What throws water up: files of the pass that draws births, and what they read.
+@dataclass(frozen=True, kw_only=True)
+class Births(Resources):
+    """What throws water up. ``words``: the same, to be read. ``files``: of the pass that draws births.
 
-    ``words``: the same, to be read. ``beat``: time between batches, s; 0 at rocks, where there are none.
+    ``function``: of a drop's index, in GLSL. ``beat``: time between batches, s; 0 at rocks, where there are none.
     """
 
     words: str
-    invisible: bool = False
-    files: tuple[Piece | SlotRef, ...] = ()
-    inputs: dict[str, Input] = field(default_factory=dict)
-    part: Resources = field(default_factory=Resources)
+    function: str
+    files: tuple[Piece | SlotRef, ...]
     beat: float = 0.0
 
 
-@dataclass(frozen=True)
-class _Source:
-    """One kind of place. ``function``: in GLSL, of a drop's index."""
-
-    function: str
-    words: str
-    files: tuple[Piece | SlotRef, ...]
-    inputs: Mapping[str, Input]
-    part: Resources
-
-
-def births(scene: Scene, quality: Quality, spray: Spray) -> Births:
-    """Return everything that throws water up in a scene."""
-    steady, why = _ashore(scene, quality, spray) if scene.shore is not None else _open(scene, quality, spray)
-    burst = _bursts(spray)
-    sources = [source for source in (burst, steady) if source is not None]
+def births(scene: Scene, quality: Quality, spray: Spray) -> Births | str:
+    """Return everything that throws water up in a scene, or why nothing does."""
+    steady = _ashore(scene, quality, spray) if scene.shore is not None else _open(scene, quality, spray)
+    sources = [source for source in (_bursts(spray), steady) if isinstance(source, Births)]
     if not sources:
-        return Births(why, invisible=True)
-    part = Resources().joined(*(source.part for source in sources))
-    files: list[Piece | SlotRef] = []
-    for source in sources:
-        files += source.files
-    return Births(
+        return str(steady)
+    every = Births(
         words=" and ".join(source.words for source in sources),
-        files=(*files, _choice(sources, quality.spray_count)),
-        inputs={name: source for one in sources for name, source in one.inputs.items()},
-        part=part,
-        beat=0.0 if _on_rocks(scene, spray) else spray.life / BATCHES,
+        function="spray_born",
+        files=(*(file for source in sources for file in source.files), _choice(sources, quality.spray_count)),
+        beat=0.0 if _on_rocks(scene, spray) else spray.life / model.BATCHES,
     )
+    return every.joined(*sources)
 
 
-def _choice(sources: list[_Source], count: int) -> Inline:
+def _choice(sources: list[Births], count: int) -> Inline:
     """The function that asks a drop's source; of two each has half of the drops."""
     first, last = sources[0].function, sources[-1].function
     asked = (
@@ -138,12 +102,12 @@ def _raised(scene: Scene) -> list[ParametricWave]:
     return [wave for wave in scene.waves if wave.amplitude > 0.0]
 
 
-def _ashore(scene: Scene, quality: Quality, spray: Spray) -> tuple[_Source | None, str]:
+def _ashore(scene: Scene, quality: Quality, spray: Spray) -> Births | str:
     """Surf on rocks or, without rocks, on a beach; or why there is none."""
     shore = scene.shore
     assert shore is not None
     if shore.surf.height == 0.0:
-        return None, "no surf on the shore"
+        return "no surf on the shore"
     return _rocks(scene, spray, shore) if _on_rocks(scene, spray) else _surf(scene, quality, spray, shore)
 
 
@@ -152,45 +116,53 @@ def _on_rocks(scene: Scene, spray: Spray) -> bool:
     return scene.shore is not None and scene.shore.surf.height > 0.0 and len(rocks(scene.shore, spray.steep)) > 0
 
 
-def _surf(scene: Scene, quality: Quality, spray: Spray, shore: Shore) -> tuple[_Source, str]:
+def _surf(scene: Scene, quality: Quality, spray: Spray, shore: Shore) -> Births:
     """Surf on a beach."""
-    words = "surf on a beach"
-    files, inputs, own = _water_then(scene, quality, None)
-    consts: dict[str, Const] = {"SPRAY_MOMENT": MOMENT}
-    zero: dict[str, Uniform] = {"u_spray_crest_way": vector((1.0, 0.0)), "u_spray_torn": number(0.0)}
-    own = own.joined(_grids(spray), Resources(consts=consts, uniforms={**zero, **_shore_uniforms(shore)}))
-    every = (
-        SlotRef("waves"),
-        *files,
-        "spray/births.glsl@shore_then",
-        "spray/births.glsl@breaking_surf",
-        "spray/births.glsl@open",
+    files, water = _earlier_water(scene, quality, None)
+    surf = Births(
+        words="surf on a beach",
+        function="open_born",
+        files=(
+            SlotRef("waves"),
+            *files,
+            "spray/births.glsl@shore_then",
+            "spray/births.glsl@breaking_surf",
+            "spray/births.glsl@open",
+        ),
+        consts={"SPRAY_MOMENT": model.MOMENT},
+        uniforms={
+            "u_spray_crest_way": vector((1.0, 0.0)),
+            "u_spray_torn": number(0.0),
+            **_shore_uniforms(shore),
+        },
     )
-    return _Source("open_born", words, every, inputs, own), words
+    return surf.joined(water, _grids(spray))
 
 
-def _rocks(scene: Scene, spray: Spray, shore: Shore) -> tuple[_Source | None, str]:
+def _rocks(scene: Scene, spray: Spray, shore: Shore) -> Births | str:
     """Surf on rocks, or why it throws nothing."""
     # At the coast waves are at most 1.2 times their breaking height, by Green's law.
     fastest = spray.speed * math.sqrt(GRAVITY * 1.2 * shore.surf.height / 0.3)
     words = f"surf on rocks starts drops at {fastest:.2g} m/s at most"
     if fastest <= spray.threshold:
-        return None, words
+        return words
     period = shore.surf.period
-    part = Resources(
+    earlier, waves = _earlier(scene)
+    surf = Births(
+        words=words,
+        function="rock_born",
+        files=(SlotRef("waves"), "spray/births.glsl@shore_then", *earlier, "spray/births.glsl@rocks"),
         consts={"SPRAY_ROCKS": ROCKS, "SPRAY_DELAY": DELAY},
         uniforms={
-            "u_spray_surf_time": array("float", [Loop(period=period), Loop(period=period * EPOCHS)], 2),
+            "u_spray_surf_time": array("float", [Loop(period=period), Loop(period=period * model.EPOCHS)], 2),
             **_shore_uniforms(shore),
             # A drop's life ends before the next crest arrives.
             "u_spray_surf_life": number(min(spray.life, period - DELAY)),
         },
+        inputs={"u_spray_rocks": TextureInput(texture="spray_rocks")},
         textures={"spray_rocks": TextureUse(SprayRocks(shore=shore, steep=spray.steep), wrap="clamp_to_edge")},
     )
-    inputs: dict[str, Input] = {"u_spray_rocks": TextureInput(texture="spray_rocks")}
-    earlier, turned = _earlier(scene)
-    files = (SlotRef("waves"), "spray/births.glsl@shore_then", *earlier, "spray/births.glsl@rocks")
-    return _Source("rock_born", words, files, inputs, part.joined(turned)), words
+    return surf.joined(waves)
 
 
 def _shore_uniforms(shore: Shore) -> dict[str, Uniform]:
@@ -205,48 +177,49 @@ def _shore_uniforms(shore: Shore) -> dict[str, Uniform]:
     }
 
 
-def _open(scene: Scene, quality: Quality, spray: Spray) -> tuple[_Source | None, str]:
+def _open(scene: Scene, quality: Quality, spray: Spray) -> Births | str:
     """Breaking waves of the open water, or why there are none."""
     fastest, raised = fastest_rise(scene), _raised(scene)
     fronts = bool(raised) and fastest > spray.threshold
     tiles = drawn(scene, quality)[:RAISED]
-    limits = None if scene.sea is None or not tiles else fold_limits(scene.sea, spray, scene.water.depth)
+    limits = None if scene.sea is None or not tiles else model.fold_limits(scene.sea, spray, scene.water.depth)
     if not fronts and limits is None:
         rise = f"the water rises at {fastest:.2g} m/s at most" if raised else "no single waves"
-        return None, f"{rise}, and no sea whose waves could break"
+        return f"{rise}, and no sea whose waves could break"
     words = " and ".join(
         (["folds of the sea"] if limits else [])
         + ([f"fronts that rise at {fastest:.2g} m/s at most"] if fronts else [])
     )
-    files, inputs, own = _water_then(scene, quality, limits)
+    files, water = _earlier_water(scene, quality, limits)
     crest, torn, heading, strong = (0.0, 0.0), 0.0, 0.0, 0.0
     if scene.sea is not None and tiles:
-        crest, torn = crest_velocity(scene.sea), torn_share(scene.sea, spray)
-        heading, strong = scene.sea.wind_direction, crest_strength(scene.sea)
-    uniforms = {
-        "u_spray_crest": vector((significant(crest[0]), significant(crest[1]))),
-        "u_spray_crest_way": vector((significant(math.cos(heading)), significant(math.sin(heading)))),
-        "u_spray_strong": number(significant(strong)),
-        "u_spray_torn": number(significant(torn)),
-    }
-    own = own.joined(_grids(spray), Resources(uniforms=uniforms))
-    return _Source(
-        "open_born", words, (*files, "spray/births.glsl@breaking", "spray/births.glsl@open"), inputs, own
-    ), words
+        crest, torn = model.crest_velocity(scene.sea), model.torn_share(scene.sea, spray)
+        heading, strong = scene.sea.wind_direction, model.crest_strength(scene.sea)
+    breaking = Births(
+        words=words,
+        function="open_born",
+        files=(*files, "spray/births.glsl@breaking", "spray/births.glsl@open"),
+        uniforms={
+            "u_spray_crest": vector(rounded(crest)),
+            "u_spray_crest_way": vector(rounded((math.cos(heading), math.sin(heading)))),
+            "u_spray_strong": number(significant(strong)),
+            "u_spray_torn": number(significant(torn)),
+        },
+    )
+    return breaking.joined(water, _grids(spray))
 
 
-def _water_then(
+def _earlier_water(
     scene: Scene, quality: Quality, limits: tuple[float, float] | None
-) -> tuple[list[Piece | SlotRef], dict[str, Input], Resources]:
-    """Files of the open water at the births of batches, what they read, and their passes."""
-    earlier, own = _earlier(scene)
+) -> tuple[list[Piece | SlotRef], Resources]:
+    """Files of the open water at the births of batches, and what they need."""
+    earlier, waves = _earlier(scene)
     if scene.sea is None or not drawn(scene, quality):
-        return ["spray/seas.glsl@sea_none", *earlier], {}, own
-    seas = _seas(scene, quality, drawn(scene, quality)[:RAISED], limits)
+        return ["spray/seas.glsl@sea_none", *earlier], waves
     # A shore's files declare the places in the tiles.
     places = [] if scene.shore is not None else [_SEA_PLACES]
     files: list[Piece | SlotRef] = ["lib/texels.glsl@cubic_spline", *places, "spray/seas.glsl@sea_waves", *earlier]
-    return files, target_inputs({"u_spray_seas": _SEAS}), own.joined(seas)
+    return files, waves.joined(_seas(scene.sea, quality, drawn(scene, quality)[:RAISED], limits))
 
 
 _SEA_PLACES = Inline(
@@ -270,35 +243,33 @@ def _earlier(scene: Scene) -> tuple[list[Piece | SlotRef], Resources]:
 
 def _grids(spray: Spray) -> Resources:
     """The grids in whose cells drops are born, and the times of batches."""
-    step = spray.life / BATCHES
-    sides = cell_sides(spray)
+    step = spray.life / model.BATCHES
+    sides = model.cell_sides(spray)
     places: list[Rule] = []
     for side in sides:
         places += [Wrap(k=(1.0 / side, 0.0), period=_EYE_CELLS), Wrap(k=(0.0, 1.0 / side), period=_EYE_CELLS)]
     return Resources(
         consts={
-            "SPRAY_BATCHES": BATCHES,
-            "SPRAY_LEVELS": LEVELS,
-            "SPRAY_CELLS": CELLS,
-            "SPRAY_PLACES": PLACES,
-            "SPRAY_CLUSTER": CLUSTER,
-            "SPRAY_BESIDE": BESIDE,
+            "SPRAY_BATCHES": model.BATCHES,
+            "SPRAY_LEVELS": model.LEVELS,
+            "SPRAY_CELLS": model.CELLS,
+            "SPRAY_PLACES": model.PLACES,
+            "SPRAY_CLUSTER": model.CLUSTER,
+            "SPRAY_BESIDE": model.BESIDE,
         },
         uniforms={
-            "u_spray_time": array("float", [Loop(period=step), Loop(period=step * EPOCHS)], 2),
+            "u_spray_time": array("float", [Loop(period=step), Loop(period=step * model.EPOCHS)], 2),
             "u_spray_step": number(step),
             "u_spray_cell": constants("float", sides),
-            "u_spray_eye": array("vec2", places, LEVELS),
+            "u_spray_eye": array("vec2", places, model.LEVELS),
             "u_spray_reach": number(spray.reach),
         },
     )
 
 
-def _seas(scene: Scene, quality: Quality, tiles: tuple[Cascade, ...], limits: tuple[float, float] | None) -> Resources:
+def _seas(sea: Sea, quality: Quality, tiles: tuple[Cascade, ...], limits: tuple[float, float] | None) -> Resources:
     """The sea at the births of batches."""
-    sea = scene.sea
-    assert sea is not None
-    texels = min(fitted(sea, quality).sea_size, SEA_TEXELS)
+    texels = min(fitted(sea, quality).sea_size, model.SEA_TEXELS)
     chops = [tile.choppiness(sea.choppiness) for tile in tiles]
     threshold, width = limits or (-1e3, 1.0)
     scale = [significant(chop * 2.0 * math.pi / tile.size) for chop, tile in zip(chops, tiles, strict=True)]
@@ -309,9 +280,9 @@ def _seas(scene: Scene, quality: Quality, tiles: tuple[Cascade, ...], limits: tu
         "u_spray_fold": vector((significant(threshold), significant(1.0 / width))),
     }
     water = WaterDrawing(
-        _SEAS,
+        "spray_seas_a",
         "spray_seas_b",
-        Target(size=FixedSize(width=texels * len(tiles), height=texels * BATCHES), format="RGBA32F"),
+        Target(size=FixedSize(width=texels * len(tiles), height=texels * model.BATCHES), format="RGBA32F"),
         texels,
         by_wave=("waves at the births of drops", "spray_gerstner", "spray/seas.glsl@gerstner_pass"),
         by_spectrum=("spectrum at the births of drops", "spray_spectrum", "spray/seas.glsl@spectrum_pass"),
@@ -320,10 +291,13 @@ def _seas(scene: Scene, quality: Quality, tiles: tuple[Cascade, ...], limits: tu
         read=texels,
         stage="after",
     )
-    return water.resources(sea, tiles).joined(Resources(consts={"SPRAY_TEXELS": texels}, uniforms=shared))
+    own = Resources(
+        consts={"SPRAY_TEXELS": texels}, uniforms=shared, inputs=target_inputs({"u_spray_seas": water.target})
+    )
+    return water.resources(sea, tiles).joined(own)
 
 
-def _bursts(spray: Spray) -> _Source | None:
+def _bursts(spray: Spray) -> Births | None:
     """Blasts."""
     bursts = spray.bursts
     if not bursts:
@@ -334,12 +308,13 @@ def _bursts(spray: Spray) -> _Source | None:
         if burst.every is not None:
             age = Loop(period=burst.every, offset=-burst.birth)
         state += [*to_camera(*burst.place), age, Constant(value=(burst.height,))]
-    part = Resources(
+    return Births(
+        words=f"{len(bursts)} burst{'s' if len(bursts) > 1 else ''}",
+        function="burst_born",
+        files=("spray/births.glsl@bursts",),
         consts={"SPRAY_BURSTS": len(bursts)},
         uniforms={
             "u_spray_burst": array("vec4", state, len(bursts)),
             "u_spray_burst_wide": constants("float", (burst.radius for burst in bursts)),
         },
     )
-    words = f"{len(bursts)} burst{'s' if len(bursts) > 1 else ''}"
-    return _Source("burst_born", words, ("spray/births.glsl@bursts",), {}, part)

@@ -34,8 +34,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if spray is None:
         return None
     found = births(scene, quality, spray)
-    if found.invisible:
-        return Contribution(why="", bound=Bound(0.0, found.words))
+    if isinstance(found, str):
+        return Contribution(why="", bound=Bound(0.0, found))
     contribution = Contribution(
         why=f"drops from {found.words}",
         consts={**_consts(quality), "SPRAY_BEAT": found.beat},
@@ -43,7 +43,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         textures={"spray_strands": TextureUse(SprayStrands(), filter=MIPMAPPED)},
         targets=_targets(quality),
     )
-    return contribution.joined(found.part, Resources(passes=_passes(scene, quality, found)))
+    return contribution.joined(found, Resources(passes=_passes(scene, quality, found)))
 
 
 def _consts(quality: Quality) -> dict[str, Const]:
