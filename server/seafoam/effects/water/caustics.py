@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from seafoam.effects.bounds import FLOOR_FIELDS, floor_limit, min_surface_height
 from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, Resources
@@ -210,16 +210,11 @@ def _slope_map(tile: _Tile, size: int) -> Resources:
 def _photons(tile: _Tile, colours: Mapping[str, float], side: int, texels: int) -> Resources:
     """The map from ``side``² photons for each colour, which are points added up in a target for that colour."""
     passes = [
-        _light_pass(
-            tile,
-            name,
-            difference,
+        replace(
+            _light_pass(tile, name, difference, "water/caustics.glsl@photon_vertex", "water/caustics.glsl@photon"),
             target=f"caustic_{name}",
-            vertex="water/caustics.glsl@photon_vertex",
-            fragment="water/caustics.glsl@photon",
             mesh=Points(count=side * side),
             clear=True,
-            uniforms={},
         )
         for name, difference in colours.items()
     ]
@@ -241,20 +236,18 @@ def _grid(
     smoothing = _smoothing(shifts or 3 * [(0.0, 0.0)])
     rim = max(RIM, smoothing.before, smoothing.taps - smoothing.before - 2)
     margin = tile.margin(cells)
-    passes = [
-        _light_pass(
-            tile,
-            name,
-            difference,
-            target="caustic_light",
-            vertex="water/caustics.glsl@grid_vertex",
-            fragment="water/caustics.glsl@grid",
-            mesh=Grid(rows=cells + 2 * margin, columns=cells + 2 * margin),
-            clear=i == 0,
-            uniforms={"u_caustic_channels": vector(tuple(float(name in (own, "white")) for own in COLOURS))},
+    passes: list[PassSpec] = []
+    for name, difference in colours.items():
+        light = _light_pass(tile, name, difference, "water/caustics.glsl@grid_vertex", "water/caustics.glsl@grid")
+        channels = vector(tuple(float(name in (own, "white")) for own in COLOURS))
+        passes.append(
+            replace(
+                light,
+                mesh=Grid(rows=cells + 2 * margin, columns=cells + 2 * margin),
+                clear=not passes,
+                uniforms={**light.uniforms, "u_caustic_channels": channels},
+            )
         )
-        for i, (name, difference) in enumerate(colours.items())
-    ]
     return Resources(
         consts={
             "CAUSTIC_CELLS": cells,
@@ -279,36 +272,22 @@ def _targets(lights: Iterable[str], light_size: int, texels: int) -> dict[str, T
     return {**dict.fromkeys(lights, light), "caustics": finished}
 
 
-def _light_pass(
-    tile: _Tile,
-    colour: str,
-    difference: float,
-    *,
-    target: str,
-    vertex: str,
-    fragment: str,
-    mesh: Grid | Points,
-    clear: bool,
-    uniforms: Mapping[str, Uniform],
-) -> PassSpec:
+def _light_pass(tile: _Tile, colour: str, difference: float, vertex: str, fragment: str) -> PassSpec:
     """The pass that adds up the light of a colour. ``difference``: its entry in :data:`COLOUR_INDEX`."""
     return PassSpec(
         name=f"caustics: {colour} light",
         program="caustic_light",
         vertex=("lib/refraction.glsl", "water/caustics.glsl@landing", vertex),
         fragment=(fragment,),
-        target=target,
-        mesh=mesh,
-        inputs={"u_caustic_slopes": TargetInput(target="caustic_slopes")},
+        target="caustic_light",
+        inputs=target_inputs({"u_caustic_slopes": "caustic_slopes"}),
         uniforms={
             "u_caustic_depth": number(significant(tile.depth)),
             "u_caustic_flat": vector(rounded(tile.level)),
             "u_caustic_index": number(significant(tile.index(difference))),
             "u_caustic_tile": number(tile.side),
-            **uniforms,
         },
         blend="add",
-        clear=clear,
     )
 
 
