@@ -122,6 +122,11 @@ class Contribution(Resources):
     """Factor on the number of ray-marching steps: for steep crests, or crests that fill little of the slab between
     lowest and highest water."""
 
+    @classmethod
+    def invisible(cls, why: str) -> Self:
+        """Return the contribution of an effect that the scene names and that changes no pixel."""
+        return cls(why=why, bound=Bound(0.0, why))
+
 
 @dataclass(frozen=True)
 class Bound:

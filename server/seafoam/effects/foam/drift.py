@@ -62,7 +62,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if source is None:
         return None
     if scene.drift is None:
-        return Contribution(why="no flow to carry foam", bound=Bound(0.0, "the scene has no drift"))
+        return Contribution.invisible("the scene has no drift")
     amount = f"{scene.foam.pointer(source)}/amount"
     advection = _Advection(scene, scene.foam, scene.drift, source, quality)
     common = Contribution(

@@ -55,7 +55,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if front is None:
         return None
     if not scene.waves:
-        return Contribution(why="", bound=Bound(0.0, "no wave, so no front"))
+        return Contribution.invisible("no wave, so no front")
     bound = None
     if front_limit(front, scene) == 0.0:
         bound = Bound(0.0, "the group's threshold is above the greatest possible sum of the waves")

@@ -18,10 +18,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         return None
     pointer = scene.foam.pointer(surf)
     if scene.shore is None:
-        return Contribution(
-            why="no shore to break on",
-            bound=Bound(0.0, "there is no shore to break on"),
-        )
+        return Contribution.invisible("there is no shore to break on")
     height = scene.shore.surf.height
     filtered = scene.foam.look == "filtered"
     torn = "foam/saturation/wake.glsl@torn" if filtered else "foam/saturation/wake.glsl@torn_exact"

@@ -5,7 +5,7 @@ import math
 from seafoam.effects.boats.boat import HULLS
 from seafoam.effects.boats.wake import WAY
 from seafoam.effects.bounds import SATURATION_CAP
-from seafoam.effects.effect import Bound, Contribution, Effect, SaturationSource
+from seafoam.effects.effect import Contribution, Effect, SaturationSource
 from seafoam.effects.noise import VALUE_NOISE
 from seafoam.effects.shader import Const, SlotFile
 from seafoam.effects.waves.standing import WAY as STONE_WAY
@@ -31,10 +31,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if wake is None:
         return None
     if wake_limit(wake, scene) == 0.0:
-        return Contribution(
-            why=_STILL,
-            bound=Bound(0.0, _STILL),
-        )
+        return Contribution.invisible(_STILL)
     filtered = scene.foam.look == "filtered"
     torn = "foam/saturation/wake.glsl@torn" if filtered else "foam/saturation/wake.glsl@torn_exact"
     consts: dict[str, Const] = {"WAKE_CAP": 1.0 if filtered else SATURATION_CAP}

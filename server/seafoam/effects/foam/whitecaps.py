@@ -3,7 +3,7 @@
 import math
 from dataclasses import replace
 
-from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, Resources, SaturationSource
+from seafoam.effects.effect import Contribution, Effect, PassSpec, QualityParameter, Resources, SaturationSource
 from seafoam.effects.shader import Const, SlotFile, Source
 from seafoam.effects.waves.sea import DISPLACED, RESAMPLED, WaterDrawing, drawn, fitted, tile_target, tile_uniforms
 from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, target_inputs
@@ -34,12 +34,12 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         return None
     raised = drawn(scene, quality)[:RAISED]
     if scene.sea is None or not raised:
-        return Contribution(why="", bound=Bound(0.0, "no sea whose waves could break"))
+        return Contribution.invisible("no sea whose waves could break")
     quality = fitted(scene.sea, quality)
     steps = quality.age_steps
     model = whitecap_model(scene.sea, source, scene.water.depth, steps, quality.age_step, quality.sea_size)
     if model is None:
-        return Contribution(why="", bound=Bound(0.0, "a sea whose waves do not break, or a coverage of 0"))
+        return Contribution.invisible("a sea whose waves do not break, or a coverage of 0")
     # The Jacobian of the sample just shaded is reused, unless foam by slope evaluates the waves at other places first.
     shared = scene.foam.source(SlopeSaturation) is None
     present = Contribution(

@@ -29,7 +29,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         return None
     clouds = light.sky.clouds
     if clouds.cover * clouds.thickness == 0.0:
-        return Contribution(why="there are no clouds", bound=Bound(0.0, "there are no clouds"))
+        return Contribution.invisible("there are no clouds")
     passed = max(1.0 - overcast.cloud_mean(clouds), overcast.LEAST_PASSED)
     return Contribution(
         why=f"clouds leave {100.0 * passed:.0f} % of the sunlight in the mean",

@@ -1,7 +1,7 @@
 """Planar reflection: a mirrored camera draws boats and land into a map. docs/formulae.md, section 10b."""
 
 from seafoam.effects.boats.boat import COURSE, LIGHT, TRACE
-from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter
+from seafoam.effects.effect import Contribution, Effect, PassSpec, QualityParameter
 from seafoam.effects.reflection.cubemap import SHORE, lit_land
 from seafoam.effects.shader import Inline, Piece, SlotFile, SlotRef, constant_function
 from seafoam.framegraph.resources import FixedSize, Input, Target, TargetInput, TextureInput
@@ -29,10 +29,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if scene.light is None or scene.light.reflection != "planar":
         return None
     if not scene.boats and scene.shore is None:
-        return Contribution(
-            why="no boat or land is above the water",
-            bound=Bound(0.0, "no boat or land is above the water"),
-        )
+        return Contribution.invisible("no boat or land is above the water")
     boats: tuple[Piece, ...] = (*TRACE, *LIGHT, "reflection/mirror.glsl@boats_met") if scene.boats else (_NO_BOATS,)
     if quality.reflection == "traced":
         met = (*boats, *_land(scene), "reflection/mirror.glsl@met")

@@ -3,7 +3,7 @@
 import math
 
 from seafoam.effects.boats.boat import TRACE
-from seafoam.effects.effect import ABOVE, Bound, Contribution, Effect, PassSpec, QualityParameter, Resources, TextureUse
+from seafoam.effects.effect import ABOVE, Contribution, Effect, PassSpec, QualityParameter, Resources, TextureUse
 from seafoam.effects.light.light import ILLUMINATION
 from seafoam.effects.noise import HASH
 from seafoam.effects.shader import Const, Inline, Piece, SlotRef, Source
@@ -35,7 +35,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         return None
     found = births(scene, quality, spray)
     if isinstance(found, str):
-        return Contribution(why="", bound=Bound(0.0, found))
+        return Contribution.invisible(found)
     contribution = Contribution(
         why=f"drops from {found.words}",
         consts={**_consts(quality), "SPRAY_BEAT": found.beat},

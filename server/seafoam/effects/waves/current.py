@@ -1,6 +1,6 @@
 """A river's current: what floats moves with it. docs/formulae.md, section 16."""
 
-from seafoam.effects.effect import Bound, Contribution, Effect, PlanError
+from seafoam.effects.effect import Contribution, Effect, PlanError
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 
@@ -11,7 +11,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if current is None:
         return None
     if current.velocity == (0.0, 0.0):
-        return Contribution(why="the water rests", bound=Bound(0.0, "the water rests"))
+        return Contribution.invisible("the water rests")
     _refuse(scene)
     return Contribution(why=f"a current of {current.speed:g} m/s carries waves, ripples and foam")
 

@@ -7,16 +7,7 @@ from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from seafoam.effects.bounds import max_surface_height, min_surface_height, waves_bound
-from seafoam.effects.effect import (
-    HALF_FLOAT,
-    Bound,
-    Contribution,
-    Effect,
-    PassSpec,
-    QualityParameter,
-    Resources,
-    TextureUse,
-)
+from seafoam.effects.effect import HALF_FLOAT, Contribution, Effect, PassSpec, QualityParameter, Resources, TextureUse
 from seafoam.effects.foam.living import carries
 from seafoam.effects.shader import Const, Piece, SlotFile
 from seafoam.effects.waves.measured import measured_bounds
@@ -195,7 +186,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         return None
     tiles = drawn(scene, quality)
     if not tiles:
-        return Contribution(why="", bound=Bound(0.0, "no wind, so no waves"))
+        return Contribution.invisible("no wind, so no waves")
     quality = fitted(sea, quality)
     raised = tiles[:RAISED]
     max_height = summed(tile.limit for tile in raised)
