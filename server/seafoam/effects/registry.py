@@ -83,7 +83,9 @@ def saturation_fields(scene: Scene) -> tuple[str, ...]:
     given = () if scene.foam is None else scene.foam.saturation
     sources = [(f"/foam/saturation/{i}", source) for i, source in enumerate(given)]
     parts = [(f"/extensions/{name}", part) for name, part in scene.extensions if type(part) in _saturations]
-    return tuple(f"{at}/{name}" for at, source in [*sources, *parts] for name in _saturations[type(source)].live)
+    return tuple(
+        f"{pointer}/{name}" for pointer, source in [*sources, *parts] for name in _saturations[type(source)].live
+    )
 
 
 def _changed() -> None:

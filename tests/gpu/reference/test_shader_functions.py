@@ -7,7 +7,7 @@ import pytest
 from numpy.typing import NDArray
 
 from seafoam.effects.foam.height import NODES as HEIGHT_NODES
-from seafoam.effects.foam.height import seen_heights
+from seafoam.effects.foam.height import visible_heights
 from seafoam.effects.shader import Inline
 from seafoam.ocean.dispersion import wavevector
 from seafoam.reference.foam import saturation
@@ -173,7 +173,7 @@ def test_heights_that_falling_rays_see() -> None:
         waves=(ParametricWave(amplitude=1.2, wavelength=18.0, exponent=3.0), ParametricWave(wavelength=11.0)),
         foam=Foam(saturation=(HeightSaturation(),)),
     )
-    mean, steepest, seen = seen_heights(scene)
+    mean, steepest, seen = visible_heights(scene)
     (first, a, m), (second, b, n) = (
         (math.hypot(*wavevector(wave, None)), wave.amplitude, wave.exponent) for wave in scene.waves
     )

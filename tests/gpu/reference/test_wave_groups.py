@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from seafoam.effects.effect import Contribution
 from seafoam.effects.waves import parametric
-from seafoam.effects.waves.groups import carry_files, group_bounds, wave_files
+from seafoam.effects.waves.groups import group_bounds, orbit_files, wave_files
 from seafoam.planner import make_plan
 from seafoam.reference import render
 from seafoam.reference.foam.front import STILL, living_front
@@ -77,7 +77,7 @@ def test_waves_in_groups_equal_float64_at_any_time_and_place(
 def test_water_in_groups_is_carried_as_far_as_its_waves_are_high(probe: Probe) -> None:
     drifting = Foam(saturation=(SlopeSaturation(), FrontSaturation(decay=2.0)), life=FoamLife())
     scene = SCENE.model_copy(update={"foam": drifting})
-    files = ("lib/numbers.glsl", *wave_files(scene), *carry_files(scene))
+    files = ("lib/numbers.glsl", *wave_files(scene), *orbit_files(scene))
     got = probe.contributed(contribution(scene), files, "y.xy = parametric_carry(x.xy);", places(), time=3.0)[:, :2]
     x, z = places().astype(np.float64).T
     want = np.column_stack(wave_set(scene, 3.0, (0.0, 0.0)).carry(x, z))

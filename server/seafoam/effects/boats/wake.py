@@ -24,15 +24,14 @@ AWAY = (0, 2, 4, 8)
 curvature is greatest at the bow, where the window fades the wake in."""
 WAY = (COURSE, "boats/wake.glsl@way")
 _PATTERN = "boats/wake.glsl@pattern"
-_PATTERN = "boats/wake.glsl@pattern"
 
 
 @dataclass(frozen=True)
-class Kind:
+class WakeKind:
     """A kind of wakes: what makes them, and where on them a place is.
 
-    ``name``: of targets and programs; ``prefix``: of the GLSL functions; ``way``: files of the places. ``rename``:
-    pairs of names in the files of boats' wakes, so that two kinds can be in a shader.
+    ``name``: of targets and programs; ``prefix``: of the GLSL functions; ``places``: files that say where on a wake a
+    point is. ``rename``: pairs of names in the files of boats' wakes, so that two kinds can be in a shader.
     """
 
     name: str
@@ -40,7 +39,7 @@ class Kind:
     title: str
     still: str
     """Why there are no waves."""
-    way: tuple[Piece, ...]
+    places: tuple[Piece, ...]
     declared: str
     """File of the bounds that are declared."""
     measured: str
@@ -54,12 +53,12 @@ class Kind:
         """A file of boats' wakes, for this kind."""
         return Source(path, self.rename) if self.rename else path
 
-    def known(self, name: str) -> str:
+    def renamed(self, name: str) -> str:
         """The name that this kind has for a name of boats' wakes."""
         return dict(self.rename).get(name, name)
 
 
-BOATS = Kind(
+BOATS = WakeKind(
     "wake",
     "wakes",
     "wakes",
@@ -75,7 +74,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     return wakes_of(BOATS, wakes(scene.boats), quality) if scene.boats else None
 
 
-def wakes_of(kind: Kind, patterns: Sequence[Wake], quality: Quality) -> Contribution:
+def wakes_of(kind: WakeKind, patterns: Sequence[Wake], quality: Quality) -> Contribution:
     """The waves of at least one wake."""
     mapped = quality.wake == "map"
     height = joint_height(patterns)
@@ -86,8 +85,8 @@ def wakes_of(kind: Kind, patterns: Sequence[Wake], quality: Quality) -> Contribu
         why=f"{kind.title} up to {height:.2g} m high",
         slots=_slots(kind, mapped=mapped),
         consts={"WAKE_SIZE": quality.wake_size, "WAKE_ASIDE": ASIDE, "WAKE_NEAR": NEAR, "WAKE_AWAY": AWAY},
-        uniforms={kind.known(name): uniform for name, uniform in uniforms.items()},
-        inputs=target_inputs({kind.known(name): target for name, target in read.items()}),
+        uniforms={kind.renamed(name): uniform for name, uniform in uniforms.items()},
+        inputs=target_inputs({kind.renamed(name): target for name, target in read.items()}),
         targets=targets,
         passes=passes,
         bound=Bound(0.0, kind.still) if height == 0.0 else None,
@@ -102,10 +101,10 @@ def wakes_of(kind: Kind, patterns: Sequence[Wake], quality: Quality) -> Contribu
     )
 
 
-def _slots(kind: Kind, *, mapped: bool) -> tuple[SlotFile, ...]:
+def _slots(kind: WakeKind, *, mapped: bool) -> tuple[SlotFile, ...]:
     """Waves and bounds. The pattern itself is the same for all kinds."""
-    at = kind.file("boats/wake.glsl@map" if mapped else "boats/wake.glsl@exact")
-    needs = (*kind.way, at) if mapped else (*kind.way, _PATTERN, at)
+    file = kind.file("boats/wake.glsl@map" if mapped else "boats/wake.glsl@exact")
+    needs = (*kind.places, file) if mapped else (*kind.places, _PATTERN, file)
     bounds = kind.measured if mapped else kind.declared
     gentler = (SlotFile("gentler", kind.gentler, prefix=kind.prefix, needs=kind.bounds_need),)
     return (
@@ -118,10 +117,15 @@ def _slots(kind: Kind, *, mapped: bool) -> tuple[SlotFile, ...]:
 def _form_uniforms(patterns: Sequence[Wake]) -> dict[str, Uniform]:
     """Of each wake: wavenumber (rad/m), amplitude (m; 0: none), length (m), cut-off (rad/m); and its maker."""
     forms = [
-        (significant(of.k), of.boat.wake if of.shows else 0.0, significant(of.length), significant(of.shortest))
-        for of in patterns
+        (
+            significant(wake.k),
+            wake.boat.wake if wake.shows else 0.0,
+            significant(wake.length),
+            significant(wake.shortest),
+        )
+        for wake in patterns
     ]
-    boats = [(of.boat.length, of.boat.radius) for of in patterns]
+    boats = [(wake.boat.length, wake.boat.radius) for wake in patterns]
     return {
         "u_wake": constants("vec4", forms),
         "u_wake_boat": constants("vec2", boats),
@@ -130,14 +134,14 @@ def _form_uniforms(patterns: Sequence[Wake]) -> dict[str, Uniform]:
 
 def _bound_uniforms(patterns: Sequence[Wake], height: float) -> dict[str, Uniform]:
     """Bounds of the exact wakes, which no map is measured for."""
-    bounds = [(significant(of.max_slope), *map(significant, of.curvature)) for of in patterns]
+    bounds = [(significant(wake.max_slope), *map(significant, wake.curvature)) for wake in patterns]
     return {
         "u_wake_highest": number(height),
         "u_wake_bounds": constants("vec3", bounds),
     }
 
 
-def _map_passes(kind: Kind, count: int, size: int) -> tuple[dict[str, Target], tuple[PassSpec, ...]]:
+def _map_passes(kind: WakeKind, count: int, size: int) -> tuple[dict[str, Target], tuple[PassSpec, ...]]:
     """Targets and passes of the wakes' map, ``size`` texels long and half as wide per wake, and of its bounds."""
     name, form = kind.name, kind.file("boats/wake.glsl@form")
     blocks = FixedSize(width=size // BLOCK, height=size // 2 // BLOCK * count)
@@ -162,14 +166,14 @@ def _map_passes(kind: Kind, count: int, size: int) -> tuple[dict[str, Target], t
                 kind.file("boats/wake_bounds.glsl@blocks"),
             ),
             target=f"{name}_blocks",
-            inputs={kind.known("u_wake_map"): TargetInput(target=name)},
+            inputs={kind.renamed("u_wake_map"): TargetInput(target=name)},
         ),
         PassSpec(
             name=f"{kind.title}, greatest of all",
             program=f"{name}_bounds",
             fragment=(form, kind.file("boats/wake_bounds.glsl@join")),
             target=f"{name}_bounds",
-            inputs={kind.known("u_wake_blocks"): TargetInput(target=f"{name}_blocks")},
+            inputs={kind.renamed("u_wake_blocks"): TargetInput(target=f"{name}_blocks")},
         ),
     )
 

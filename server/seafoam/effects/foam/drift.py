@@ -294,7 +294,7 @@ class _Advection:
         return (start, *moves)
 
 
-def carries(scene: Scene, quality: Quality) -> bool:
+def advects_mask(scene: Scene, quality: Quality) -> bool:
     """Whether the flow advects the mask too: in the filtered look, which can blend two copies of it."""
     if scene.foam is None or scene.drift is None or scene.foam.look != "filtered" or quality.drift == "forward":
         return False
@@ -302,7 +302,7 @@ def carries(scene: Scene, quality: Quality) -> bool:
     return source is not None and source.amount > 0.0
 
 
-def carried(look: str, quality: Quality) -> tuple[str, tuple[Piece, ...]]:
+def advected_look(look: str, quality: Quality) -> tuple[str, tuple[Piece, ...]]:
     """The file that replaces a look's file where the flow advects the mask, and the files that it needs."""
     exact = quality.drift == "exact"
     paths = ("foam/drift.glsl@way_exact",) if exact else ("lib/texels.glsl@bilinear", "foam/drift.glsl@way_map")

@@ -2,14 +2,13 @@
 
 import math
 from dataclasses import dataclass, replace
-from typing import Literal
 
 from seafoam.effects.bounds import SATURATION_CAP, parametric_wave_height
 from seafoam.effects.effect import Bound, Contribution, Effect, SaturationSource, TextureUse
-from seafoam.effects.foam.living import carries
+from seafoam.effects.foam.living import follows_orbits
 from seafoam.effects.noise import PERLIN_3, drifting_noise
 from seafoam.effects.shader import Const, Piece, SlotFile
-from seafoam.effects.waves.groups import front_files, signal_files, way_files
+from seafoam.effects.waves.groups import front_files, front_orbit_files, signal_files
 from seafoam.effects.waves.parametric import profile_square, shares_phase
 from seafoam.framegraph.resources import TextureInput
 from seafoam.framegraph.rules import Phase, Uniform, array, constants, number, rounded, significant, vector
@@ -109,11 +108,12 @@ def _decaying(scene: Scene, front: FrontSaturation, decay: float, *, filtered: b
     shared = shares_phase(scene)
     waves, mean_rate = _past_waves(scene, shared)
     uniforms = _phase_uniforms(scene, _CONSTANTS["text"])
-    carry: Literal["none", "own", "shared"] = "none"
-    if carries(scene):
-        carry = "shared" if shared else "own"
-        if not shared:
-            uniforms["u_front_orbit"] = _orbits(scene)
+    orbits: tuple[Piece, ...] = ("foam/saturation/front.glsl@way_none",)
+    if follows_orbits(scene) and shared:
+        orbits = ("foam/saturation/front.glsl@way_shared",)
+    elif follows_orbits(scene):
+        orbits = front_orbit_files(scene, "foam/saturation/front.glsl@way_own")
+        uniforms["u_front_orbit"] = _orbits(scene)
     life = significant(mean_rate * decay)
     born = significant(front_full(front.intensity, 1.0))
     patchy = front.variation > 0.0 and _gated(front)
@@ -122,7 +122,7 @@ def _decaying(scene: Scene, front: FrontSaturation, decay: float, *, filtered: b
         *front_files(scene),
         "foam/saturation/front.glsl@gate",
         "foam/saturation/front.glsl@seen",
-        *_way_files(scene, carry),
+        *orbits,
     )
     patches = (*PERLIN_3, "foam/saturation/front.glsl@patches") if patchy else ("foam/saturation/front.glsl@even",)
     if patchy:
@@ -174,13 +174,6 @@ def _phase_files(scene: Scene) -> tuple[Piece, ...]:
     if shares_phase(scene):
         return ("foam/saturation/front.glsl@shared",)
     return signal_files(scene, "foam/saturation/front.glsl@own")
-
-
-def _way_files(scene: Scene, carry: Literal["none", "own", "shared"]) -> tuple[Piece, ...]:
-    """The files that give the way to where the water rests."""
-    if carry == "own":
-        return way_files(scene, "foam/saturation/front.glsl@way_own")
-    return ("foam/saturation/front.glsl@way_shared" if carry == "shared" else "foam/saturation/front.glsl@way_none",)
 
 
 def _advance(scene: Scene, mean_rate: float) -> dict[str, Uniform]:

@@ -22,7 +22,7 @@ _LENGTHS, _PLACES = 61, 384
 """Number of wavelengths of the highest wave over which the table is computed, and points in each."""
 
 
-def seen_heights(scene: Scene) -> tuple[float, float, list[tuple[float, float]]]:
+def visible_heights(scene: Scene) -> tuple[float, float, list[tuple[float, float]]]:
     """Mean height of the parametric waves over their troughs (m), their greatest slope, and the visible heights.
 
     Entry i: mean and standard deviation (m) of the heights that are visible along rays that fall by (i / (NODES - 1))^2
@@ -69,7 +69,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         raised = [wave for wave in scene.waves if wave.amplitude > 0.0]
         if raised:
             file, needs = "foam/saturation/height.glsl@seen", ("foam/saturation/height.glsl@level",)
-            mean, steepest, seen = seen_heights(scene)
+            mean, steepest, seen = visible_heights(scene)
             kx, kz = wavevector(max(raised, key=lambda wave: wave.amplitude), scene.water.depth)
             consts["HEIGHT_NODES"] = NODES
             uniforms["u_height_wave"] = vector((kx, kz, significant(mean), significant(1.0 / max(steepest, 1e-30))))

@@ -30,13 +30,13 @@ _AT_REST = constant_function("vec2", "carry", "vec2 p")
 """No displacement by waves, near a coast as elsewhere."""
 
 
-def carries(scene: Scene) -> bool:
+def follows_orbits(scene: Scene) -> bool:
     """Whether the waves' orbits move the foam."""
     life = foam_life(scene)
     return life is not None and life.carried
 
 
-def living(look: str, life: FoamLife) -> tuple[str, tuple[Piece, ...]]:
+def ageing_look(look: str, life: FoamLife) -> tuple[str, tuple[Piece, ...]]:
     """The file that replaces a look's file for foam with a history, and the files that it needs."""
     rows: tuple[Piece, ...] = (*PERLIN_2, "foam/living.glsl@windrows") if life.windrows > 0.0 else (_NO_WINDROWS,)
     return "foam/living.glsl@living", (

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from seafoam.effects.bounds import foam_limit, greatest_saturation
 from seafoam.effects.effect import Bound, Contribution, Effect, PlanError, QualityParameter, Resources, TextureUse
 from seafoam.effects.foam import drift, mask_atlas
-from seafoam.effects.foam.living import AGE, living
+from seafoam.effects.foam.living import AGE, ageing_look
 from seafoam.effects.noise import HASH
 from seafoam.effects.registry import saturation_fields
 from seafoam.effects.shader import Piece, SlotFile, Source, constant_function
@@ -102,7 +102,7 @@ def _masks(foam: Foam) -> list[_NamedMask]:
     if foam.life is None or foam.look != "filtered":
         return [first]
     older = [_mask(name, f"/foam/life/masks/{i}") for i, name in enumerate(foam.life.masks)]
-    return [first, *(of for of in older if of.mask.ranks.shape == first.mask.ranks.shape)]
+    return [first, *(mask for mask in older if mask.mask.ranks.shape == first.mask.ranks.shape)]
 
 
 def _turned(foam: Foam) -> tuple[float, float]:
@@ -169,7 +169,7 @@ def _filtered_mask(scene: Scene, foam: Foam, masks: list[_NamedMask], quality: Q
     tables: MaskTable = "ramps" if octaves > 1 else "quantiles"
     mask = masks[0].mask
     levels = mask.ranks.shape[0].bit_length()
-    ranks = [of.mask for of in masks]
+    ranks = [named.mask for named in masks]
     return _Part(
         consts={
             "QUANTILES": len(mask.quantile),
@@ -191,7 +191,7 @@ def _filtered_mask(scene: Scene, foam: Foam, masks: list[_NamedMask], quality: Q
             "u_mask_atlas": TargetInput(target=mask_atlas.ATLAS),
             "u_mask_quantiles": TextureInput(texture=mask_atlas.tables(len(masks), tables)),
         },
-        textures=mask_atlas.textures([of.name for of in masks], tables),
+        textures=mask_atlas.textures([named.name for named in masks], tables),
         targets=mask_atlas.targets(ranks),
         passes=mask_atlas.passes(ranks),
     )
@@ -236,11 +236,11 @@ def _look_file(scene: Scene, foam: Foam, quality: Quality) -> tuple[str, tuple[P
         blended = foam.look == "filtered"
         needs += (*(("foam/shading.glsl@cover",) if blended else ()), Source(look, (("foam_amount", "cell_amount"),)))
         look = "foam/cells.glsl@blended" if blended else "foam/cells.glsl@sharp"
-    if drift.carries(scene, quality):
-        look, own = drift.carried(look, quality)
+    if drift.advects_mask(scene, quality):
+        look, own = drift.advected_look(look, quality)
         needs += own
     if life is not None:
-        look, own = living(look, life)
+        look, own = ageing_look(look, life)
         needs += own
     return look, needs
 
@@ -250,7 +250,7 @@ def _why(scene: Scene, foam: Foam, quality: Quality) -> str:
         f"look {foam.look}"
         + (f", mask {foam.mask}" if foam.look != "textured" else "")
         + (", rotated in each cell" if _cells(scene, foam) else "")
-        + (", advected by the drift" if drift.carries(scene, quality) else "")
+        + (", advected by the drift" if drift.advects_mask(scene, quality) else "")
         + (", drifting and ageing" if foam_life(scene) is not None else "")
     )
 

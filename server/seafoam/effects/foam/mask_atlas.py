@@ -30,9 +30,9 @@ def textures(names: Sequence[str], kind: MaskTable) -> dict[str, TextureUse]:
     """The textures that the passes and the look read."""
     used: dict[str, TextureUse] = {}
     for i, name in enumerate(names):
-        used[f"mask_ranks{_of(i)}"] = TextureUse(MaskTexture(masks=(name,), table="ranks"))
+        used[f"mask_ranks{_suffix(i)}"] = TextureUse(MaskTexture(masks=(name,), table="ranks"))
         # The atlas is made with the quantiles whatever the look itself reads.
-        used[f"mask_quantiles{_of(i)}"] = _table((name,), "quantiles")
+        used[f"mask_quantiles{_suffix(i)}"] = _table((name,), "quantiles")
     used[tables(len(names), kind)] = _table(tuple(names), kind)
     return used
 
@@ -50,10 +50,10 @@ def targets(masks: Sequence[Mask]) -> dict[str, Target]:
     size = masks[0].ranks.shape[0]
     intermediate: dict[str, Target] = {}
     for index in range(len(masks)):
-        intermediate[MOMENTS + _of(index)] = whole(size, size)
-        intermediate |= {_levels(i) + _of(index): whole(size // 2, size) for i in range(2)}
+        intermediate[MOMENTS + _suffix(index)] = whole(size, size)
+        intermediate |= {_levels(i) + _suffix(index): whole(size // 2, size) for i in range(2)}
     if len(masks) > 1:
-        intermediate |= {f"{ATLAS}{_of(i)}_alone": whole(5 * size // 2, size) for i in range(len(masks))}
+        intermediate |= {f"{ATLAS}{_suffix(i)}_alone": whole(5 * size // 2, size) for i in range(len(masks))}
     return {ATLAS: whole(5 * size // 2, size * len(masks)), **intermediate}
 
 
@@ -64,7 +64,7 @@ def passes(masks: Sequence[Mask]) -> tuple[PassSpec, ...]:
     """
     if len(masks) == 1:
         return _passes(masks[0], 0, ATLAS)
-    alone = [f"{ATLAS}{_of(i)}_alone" for i in range(len(masks))]
+    alone = [f"{ATLAS}{_suffix(i)}_alone" for i in range(len(masks))]
     # The shader reads three atlases; the last one is repeated where there are fewer.
     which = [min(i, len(masks) - 1) for i in range(3)]
     return (
@@ -74,21 +74,21 @@ def passes(masks: Sequence[Mask]) -> tuple[PassSpec, ...]:
             program="mask_stack",
             fragment=("foam/mask_passes.glsl@stack",),
             target=ATLAS,
-            inputs={f"u_mask_atlas_{i}": TargetInput(target=alone[of]) for i, of in enumerate(which)},
+            inputs={f"u_mask_atlas_{i}": TargetInput(target=alone[index]) for i, index in enumerate(which)},
         ),
     )
 
 
 def _passes(mask: Mask, index: int, atlas: str) -> tuple[PassSpec, ...]:
-    size, moments = mask.ranks.shape[0], MOMENTS + _of(index)
-    ranks = {"u_mask_ranks": TextureInput(texture=f"mask_ranks{_of(index)}")}
+    size, moments = mask.ranks.shape[0], MOMENTS + _suffix(index)
+    ranks = {"u_mask_ranks": TextureInput(texture=f"mask_ranks{_suffix(index)}")}
     specs = [
         PassSpec(
             name="mask: moments",
             program="mask_moments",
             fragment=("foam/mask_passes.glsl@moments",),
             target=moments,
-            inputs={**ranks, "u_mask_quantiles": TextureInput(texture=f"mask_quantiles{_of(index)}")},
+            inputs={**ranks, "u_mask_quantiles": TextureInput(texture=f"mask_quantiles{_suffix(index)}")},
         )
     ]
     source, side, row, level = moments, size // 2, 0, 0
@@ -99,12 +99,12 @@ def _passes(mask: Mask, index: int, atlas: str) -> tuple[PassSpec, ...]:
                 name=f"mask: moments, level {level}",
                 program="mask_halve",
                 fragment=("foam/mask_passes.glsl@halve",),
-                target=_levels(level % 2) + _of(index),
+                target=_levels(level % 2) + _suffix(index),
                 inputs={"u_mask_moments": TargetInput(target=source)},
                 uniforms={"u_mask_side": number(float(side)), "u_mask_finer_row": number(float(row))},
             )
         )
-        source, row, side = _levels(level % 2) + _of(index), size - 2 * side, side // 2
+        source, row, side = _levels(level % 2) + _suffix(index), size - 2 * side, side // 2
     specs.append(
         PassSpec(
             name="mask: atlas",
@@ -121,7 +121,7 @@ def _passes(mask: Mask, index: int, atlas: str) -> tuple[PassSpec, ...]:
     return tuple(specs)
 
 
-def _of(index: int) -> str:
+def _suffix(index: int) -> str:
     return f"_{index}" if index else ""
 
 

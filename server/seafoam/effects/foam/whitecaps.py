@@ -5,7 +5,15 @@ from dataclasses import replace
 
 from seafoam.effects.effect import Contribution, Effect, PassSpec, QualityParameter, Resources, SaturationSource
 from seafoam.effects.shader import Const, SlotFile, Source
-from seafoam.effects.waves.sea import DISPLACED, RESAMPLED, WaterDrawing, drawn, fitted, tile_target, tile_uniforms
+from seafoam.effects.waves.sea import (
+    DISPLACED,
+    RESAMPLED,
+    WaterDrawing,
+    drawn_tiles,
+    sea_quality,
+    tile_target,
+    tile_uniforms,
+)
 from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, target_inputs
 from seafoam.framegraph.rules import Uniform, constants, number, rounded, significant, vector
 from seafoam.ocean.cascades import RAISED, Cascade
@@ -32,10 +40,10 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     source = scene.foam.source(WhitecapSaturation)
     if source is None:
         return None
-    raised = drawn(scene, quality)[:RAISED]
+    raised = drawn_tiles(scene, quality)[:RAISED]
     if scene.sea is None or not raised:
         return Contribution.invisible("no sea whose waves could break")
-    quality = fitted(scene.sea, quality)
+    quality = sea_quality(scene.sea, quality)
     steps = quality.age_steps
     model = whitecap_model(scene.sea, source, scene.water.depth, steps, quality.age_step, quality.sea_size)
     if model is None:
@@ -59,7 +67,7 @@ def _slot(model: WhitecapModel, steps: int) -> SlotFile:
 
 
 def _model_uniforms(model: WhitecapModel, raised: tuple[Cascade, ...]) -> dict[str, Uniform]:
-    slopes = summed(of.mean_square_slope for of in raised)
+    slopes = summed(tile.mean_square_slope for tile in raised)
     return {
         "u_whitecap": constants("vec2", map(rounded, (model.now, model.earlier))),
         "u_whitecap_variance": vector(rounded((*(part / slopes for part in model.variance), slopes))),
@@ -107,14 +115,14 @@ def _recent(scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Qualit
         targets={"age_tiles": tile_target(quality, size).model_copy(update={"size": over})},
         passes=tuple(
             PassSpec(
-                name=f"earlier folds, {of.size:g} m tile",
+                name=f"earlier folds, {tile.size:g} m tile",
                 program="age_tile",
                 fragment=(*RESAMPLED, "lib/texels.glsl@bilinear", "waves/age.glsl@tile_pass"),
                 target="age_tiles",
                 inputs=target_inputs({"u_sea_displaced": DISPLACED, "u_age_folds": jacobians.target}),
-                uniforms=tile_uniforms(of, i, sea.choppiness, quality.sea_size),
+                uniforms=tile_uniforms(tile, i, sea.choppiness, quality.sea_size),
             )
-            for i, of in enumerate(raised)
+            for i, tile in enumerate(raised)
         ),
     )
     return jacobians.resources(sea, raised).joined(carried)
@@ -160,9 +168,9 @@ def _time_uniforms(
     scene: Scene, sea: Sea, tiles: tuple[Cascade, ...], before: float, step: float
 ) -> dict[str, Uniform]:
     """Times of a series, ``step`` s apart, the first ``step`` s before an age of ``before`` s; and the drift since."""
-    scales = [of.choppiness(sea.choppiness) * 2.0 * math.pi / of.size for of in tiles]
+    scales = [tile.choppiness(sea.choppiness) * 2.0 * math.pi / tile.size for tile in tiles]
     drift = foam_drift(scene)
-    turns = [significant(2.0 * math.pi / of.size * part) for of in (tiles[0], tiles[-1]) for part in drift]
+    turns = [significant(2.0 * math.pi / tile.size * part) for tile in (tiles[0], tiles[-1]) for part in drift]
     return {
         "u_age_scale": vector(rounded((scales[0], scales[-1]))),
         "u_age_step": number(step),

@@ -64,20 +64,20 @@ def cirrus(scene: Scene, quality: Quality) -> Contribution | None:
     light = scene.light
     if light is None or light.sky is None or light.sky.cirrus is None:
         return None
-    of = light.sky.cirrus
-    heading = (math.cos(of.direction), math.sin(of.direction))
+    high = light.sky.cirrus
+    heading = (math.cos(high.direction), math.sin(high.direction))
     return Contribution(
-        why=f"high clouds over {100 * of.cover:.0f} % of the sky",
+        why=f"high clouds over {100 * high.cover:.0f} % of the sky",
         slots=(SlotFile("cirrus", "light/clouds.glsl@cirrus", needs=(*PERLIN_2, "light/clouds.glsl@way")),),
-        consts={"CIRRUS_SEED": 64 * of.seed},
+        consts={"CIRRUS_SEED": 64 * high.seed},
         uniforms={
-            "u_cirrus_phase": array("float", tuple(_streak(of, heading, *part) for part in _STREAKS), 4),
-            "u_cirrus_shape": vector(rounded((of.height, of.size, overcast.cirrus_start(of), of.thickness))),
+            "u_cirrus_phase": array("float", tuple(_streak(high, heading, *part) for part in _STREAKS), 4),
+            "u_cirrus_shape": vector(rounded((high.height, high.size, overcast.cirrus_start(high), high.thickness))),
             "u_cirrus_along": vector(rounded(heading)),
-            "u_cirrus_light": vector(rounded(overcast.cloud_light(light, of.height))),
+            "u_cirrus_light": vector(rounded(overcast.cloud_light(light, high.height))),
             "u_cirrus_sky": vector(rounded(overcast.cloud_sky(light))),
         },
-        bound=Bound(0.0, "high clouds cover no part of the sky") if of.cover * of.thickness == 0.0 else None,
+        bound=Bound(0.0, "high clouds cover no part of the sky") if high.cover * high.thickness == 0.0 else None,
     )
 
 
@@ -85,10 +85,10 @@ _STREAKS = ((True, 1.0 / 8.0), (False, 1.0), (True, 0.125), (False, 0.25))
 """Axes of the noise of streaks and of their patches: along the streaks or across, and cells per size."""
 
 
-def _streak(of: Cirrus, heading: tuple[float, float], along: bool, share: float) -> Phase:
-    k = 2.0 * math.pi / (CELLS * of.size) * share
+def _streak(high: Cirrus, heading: tuple[float, float], along: bool, share: float) -> Phase:
+    k = 2.0 * math.pi / (CELLS * high.size) * share
     axis = heading if along else (-heading[1], heading[0])
-    return Phase(offset=0.0, rate=-k * of.wind if along else 0.0, k=(k * axis[0], k * axis[1]))
+    return Phase(offset=0.0, rate=-k * high.wind if along else 0.0, k=(k * axis[0], k * axis[1]))
 
 
 def _clear(scene: Scene) -> Scene:

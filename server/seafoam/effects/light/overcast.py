@@ -41,11 +41,11 @@ def cloud_start(clouds: Clouds) -> float:
     return -NormalDist().inv_cdf(cover) - 0.25 * clouds.softness
 
 
-def cirrus_start(of: Cirrus) -> float:
+def cirrus_start(cirrus: Cirrus) -> float:
     """Noise value above which there are streaks: the normal quantile of their cover, at mid-edge."""
-    if of.cover == 0.0:
+    if cirrus.cover == 0.0:
         return NO_NOISE
-    return -NormalDist().inv_cdf(min(max(of.cover, 1e-3), 1.0 - 1e-3)) - 1.2
+    return -NormalDist().inv_cdf(min(max(cirrus.cover, 1e-3), 1.0 - 1e-3)) - 1.2
 
 
 def cloud_light(light: Light, altitude: float) -> Rgb:

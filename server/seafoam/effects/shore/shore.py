@@ -173,7 +173,7 @@ def _open_slope(scene: Scene) -> float:
     for wave in scene.waves:
         steepest += wave.amplitude * math.hypot(*wavevector(wave, scene.water.depth)) * max_profile_slope(wave.exponent)
     if scene.sea is not None and scene.sea.wind > 0.0:
-        steepest += summed(of.max_slope for of in cascades(scene.sea, scene.water.depth)[:RAISED])
+        steepest += summed(tile.max_slope for tile in cascades(scene.sea, scene.water.depth)[:RAISED])
     return steepest
 
 

@@ -10,10 +10,10 @@ from seafoam.effects.bounds import parametric_wave_height
 from seafoam.effects.effect import Resources, TextureUse
 from seafoam.effects.shader import Inline, Piece, SlotRef
 from seafoam.effects.shore.maps import MASK_WAVES, mask_uniforms
-from seafoam.effects.waves.groups import earlier_files, group_bounds
+from seafoam.effects.waves.groups import earlier_wave_files, group_bounds
 from seafoam.effects.waves.parametric import max_profile_slope
 from seafoam.effects.waves.rings import ring_uniforms
-from seafoam.effects.waves.sea import WaterDrawing, drawn, fitted
+from seafoam.effects.waves.sea import WaterDrawing, drawn_tiles, sea_quality
 from seafoam.framegraph.resources import FixedSize, Target, TextureInput, target_inputs
 from seafoam.framegraph.rules import (
     Clamp,
@@ -181,7 +181,7 @@ def _open(scene: Scene, quality: Quality, spray: Spray) -> Births | str:
     """Breaking waves of the open water, or why there are none."""
     fastest, raised = fastest_rise(scene), _raised(scene)
     fronts = bool(raised) and fastest > spray.threshold
-    tiles = drawn(scene, quality)[:RAISED]
+    tiles = drawn_tiles(scene, quality)[:RAISED]
     limits = None if scene.sea is None or not tiles else model.fold_limits(scene.sea, spray, scene.water.depth)
     if not fronts and limits is None:
         rise = f"the water rises at {fastest:.2g} m/s at most" if raised else "no single waves"
@@ -214,12 +214,12 @@ def _earlier_water(
 ) -> tuple[list[Piece | SlotRef], Resources]:
     """Files of the open water at the births of batches, and what they need."""
     earlier, waves = _earlier(scene)
-    if scene.sea is None or not drawn(scene, quality):
+    if scene.sea is None or not drawn_tiles(scene, quality):
         return ["spray/seas.glsl@sea_none", *earlier], waves
     # A shore's files declare the places in the tiles.
     places = [] if scene.shore is not None else [_SEA_PLACES]
     files: list[Piece | SlotRef] = ["lib/texels.glsl@cubic_spline", *places, "spray/seas.glsl@sea_waves", *earlier]
-    return files, waves.joined(_seas(scene.sea, quality, drawn(scene, quality)[:RAISED], limits))
+    return files, waves.joined(_seas(scene.sea, quality, drawn_tiles(scene, quality)[:RAISED], limits))
 
 
 _SEA_PLACES = Inline(
@@ -231,7 +231,7 @@ _NO_RINGS = Inline("float rings_then(vec2 p, float age) {\n    return 0.0;\n}\n"
 def _earlier(scene: Scene) -> tuple[list[Piece | SlotRef], Resources]:
     """Files of the single waves and rings of an earlier time, and their uniforms."""
     raised = _raised(scene)
-    files: list[Piece | SlotRef] = [*(earlier_files(scene) if raised else ("spray/births.glsl@fronts_none",))]
+    files: list[Piece | SlotRef] = [*(earlier_wave_files(scene) if raised else ("spray/births.glsl@fronts_none",))]
     files += ["waves/rings.glsl@ring", "spray/births.glsl@rings_then"] if scene.rings else [_NO_RINGS]
     uniforms = ring_uniforms(scene, "u_spray_ring") if scene.rings else {}
     if raised:
@@ -269,7 +269,7 @@ def _grids(spray: Spray) -> Resources:
 
 def _seas(sea: Sea, quality: Quality, tiles: tuple[Cascade, ...], limits: tuple[float, float] | None) -> Resources:
     """The sea at the births of batches."""
-    texels = min(fitted(sea, quality).sea_size, model.SEA_TEXELS)
+    texels = min(sea_quality(sea, quality).sea_size, model.SEA_TEXELS)
     chops = [tile.choppiness(sea.choppiness) for tile in tiles]
     threshold, width = limits or (-1e3, 1.0)
     scale = [significant(chop * 2.0 * math.pi / tile.size) for chop, tile in zip(chops, tiles, strict=True)]

@@ -57,7 +57,7 @@ def wave_files(scene: Scene) -> tuple[Piece, ...]:
     return (*FACTOR, _EVEN_WAVES, "waves/groups.glsl@waves")
 
 
-def earlier_files(scene: Scene) -> tuple[Piece, ...]:
+def earlier_wave_files(scene: Scene) -> tuple[Piece, ...]:
     """Files of the parametric waves of an earlier time."""
     waves = (*FACTOR, _EVEN_WAVES) if in_groups(scene) else (_WAVES,)
     return (
@@ -68,7 +68,7 @@ def earlier_files(scene: Scene) -> tuple[Piece, ...]:
     )
 
 
-def carry_files(scene: Scene) -> tuple[Piece, ...]:
+def orbit_files(scene: Scene) -> tuple[Piece, ...]:
     """Files of the way to where the waves' water rests."""
     return _scaled(
         scene, Source("foam/carry.glsl@parametric", (("parametric_carry", "even_carry"),)), "waves/groups.glsl@carry"
@@ -80,7 +80,7 @@ def signal_files(scene: Scene, path: str) -> tuple[Piece, ...]:
     return _scaled(scene, Source(path, (("front_signal", "even_signal"),)), "waves/groups.glsl@signal")
 
 
-def way_files(scene: Scene, path: str) -> tuple[Piece, ...]:
+def front_orbit_files(scene: Scene, path: str) -> tuple[Piece, ...]:
     """Files of the way to where the water rests by a front's own waves; ``path``: if all have one height."""
     return _scaled(scene, Source(path, (("front_way", "even_way"),)), "waves/groups.glsl@way")
 

@@ -4,9 +4,9 @@ import math
 
 from seafoam.effects.bounds import parametric_wave_height, waves_bound
 from seafoam.effects.effect import UNBOUNDED, Contribution, Effect, QualityParameter
-from seafoam.effects.foam.living import carries
+from seafoam.effects.foam.living import follows_orbits
 from seafoam.effects.shader import SlotFile
-from seafoam.effects.waves.groups import PLACE, carry_files, group_bounds, group_part, wave_files
+from seafoam.effects.waves.groups import PLACE, group_bounds, group_part, orbit_files, wave_files
 from seafoam.framegraph.rules import Phase, array, constants, number, rounded, significant
 from seafoam.ocean.dispersion import angular_frequency, wavevector
 from seafoam.ocean.groups import in_groups
@@ -94,17 +94,17 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         k = math.hypot(kx, kz)
         data.append((kx, kz, wave.amplitude, wave.exponent))
         phases.append(Phase(offset=wave.phase, rate=angular_frequency(wave), k=(-kx, -kz)))
-        orbit_factor = orbit(wave, scene.water.depth) / k if carries(scene) else 0.0
+        orbit_factor = orbit(wave, scene.water.depth) / k if follows_orbits(scene) else 0.0
         values = ((k * wave.amplitude) ** 2 * profile_square(wave.exponent), wave_level(wave), orbit_factor)
         means.append(rounded(values))
         max_slope += k * wave.amplitude * max_profile_slope(wave.exponent)
         max_curvature += k * k * wave.amplitude * max_profile_curvature(wave.exponent)
     level = paper_level(scene)
     shared = shares_place(scene)
-    carry: tuple[SlotFile, ...] = ()
-    if carries(scene):
-        *carry_needs, path = ("foam/carry.glsl@parametric_shared",) if shared else carry_files(scene)
-        carry = (SlotFile("carry", path, prefix="parametric", needs=tuple(carry_needs)),)
+    orbits: tuple[SlotFile, ...] = ()
+    if follows_orbits(scene):
+        *orbit_needs, path = ("foam/carry.glsl@parametric_shared",) if shared else orbit_files(scene)
+        orbits = (SlotFile("carry", path, prefix="parametric", needs=tuple(orbit_needs)),)
     *needs, path = wave_files(scene)
     height, groups = parametric_wave_height(scene), group_bounds(scene)
     # Of the product of the waves, which are at most their height from still water, and their factor.
@@ -113,13 +113,13 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     contribution = Contribution(
         why=f"{len(waves)} parametric wave{'s' if len(waves) > 1 else ''} with height"
         f"{', in groups' if in_groups(scene) else ''}",
-        slots=(SlotFile("waves", path, prefix="parametric", needs=tuple(needs)), *carry),
+        slots=(SlotFile("waves", path, prefix="parametric", needs=tuple(needs)), *orbits),
         consts={
             "PARAMETRIC_COUNT": len(waves),
             "PARAMETRIC_KIND": kinds,
             "PARAMETRIC_ALIKE": len(set(kinds)) == 1,
             "PARAMETRIC_SIGNAL": shares_phase(scene),
-            "PARAMETRIC_CARRIES": shared and carries(scene),
+            "PARAMETRIC_CARRIES": shared and follows_orbits(scene),
         },
         uniforms={
             "u_parametric": constants("vec4", data),

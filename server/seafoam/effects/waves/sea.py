@@ -8,7 +8,7 @@ from typing import Literal
 
 from seafoam.effects.bounds import max_surface_height, min_surface_height, waves_bound
 from seafoam.effects.effect import HALF_FLOAT, Contribution, Effect, PassSpec, QualityParameter, Resources, TextureUse
-from seafoam.effects.foam.living import carries
+from seafoam.effects.foam.living import follows_orbits
 from seafoam.effects.shader import Const, Piece, SlotFile
 from seafoam.effects.waves.measured import measured_bounds
 from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, TargetInput, TextureInput, target_inputs
@@ -154,7 +154,7 @@ def tile_uniforms(tile: Cascade, index: int, choppiness: float, size: int) -> di
     }
 
 
-def fitted(sea: Sea, quality: Quality) -> Quality:
+def sea_quality(sea: Sea, quality: Quality) -> Quality:
     """Return the quality with no more texels along a tile than make a visible difference in this sea."""
     if sea.wind >= WHITECAP_WIND or not quality.surface.filter or quality.sea_size <= CALM_SIZE:
         return quality
@@ -172,7 +172,7 @@ def tile_target(quality: Quality, size: int) -> Target:
     )
 
 
-def drawn(scene: Scene, quality: Quality) -> tuple[Cascade, ...]:
+def drawn_tiles(scene: Scene, quality: Quality) -> tuple[Cascade, ...]:
     """Return the tiles of the scene's sea that are drawn at a quality."""
     if scene.sea is None or scene.sea.wind <= 0.0:
         return ()
@@ -184,10 +184,10 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     sea = scene.sea
     if sea is None:
         return None
-    tiles = drawn(scene, quality)
+    tiles = drawn_tiles(scene, quality)
     if not tiles:
         return Contribution.invisible("no wind, so no waves")
-    quality = fitted(sea, quality)
+    quality = sea_quality(sea, quality)
     raised = tiles[:RAISED]
     max_height = summed(tile.limit for tile in raised)
     contribution = Contribution(
@@ -208,7 +208,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         _displaced_water(sea, scene.water.depth, tiles, quality.sea_size),
         *(_height_map(sea, i, tile, quality) for i, tile in enumerate(tiles)),
         _mip_maps(tiles, quality),
-        _orbits(sea, raised, quality) if carries(scene) else Resources(),
+        _orbits(sea, raised, quality) if follows_orbits(scene) else Resources(),
     )
 
 

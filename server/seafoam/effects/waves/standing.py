@@ -2,7 +2,7 @@
 
 import math
 
-from seafoam.effects.boats.wake import Kind, wakes_of
+from seafoam.effects.boats.wake import WakeKind, wakes_of
 from seafoam.effects.bounds import min_surface_height
 from seafoam.effects.effect import Contribution, Effect, PlanError, Resources
 from seafoam.framegraph.rules import Constant, Rule, array, constants, number, significant, to_camera, vector
@@ -16,7 +16,7 @@ FASTEST = 0.7
 """Greatest Froude number of the depth: up to it the waves are within 4 % of those in deep water."""
 
 WAY = ("waves/standing.glsl@way",)
-STONES = Kind(
+STONES = WakeKind(
     "stones",
     "stones",
     "standing waves",
@@ -69,8 +69,8 @@ def places(current: Current) -> Resources:
     for stone in stones:
         courses += [*to_camera(*stone.place), Constant(value=(0.0, 1e9))]
     forms = [
-        (significant(of.boat.length), stone.radius, significant(of.length), 0.0)
-        for stone, of in zip(stones, stone_wakes(current), strict=True)
+        (significant(wake.boat.length), stone.radius, significant(wake.length), 0.0)
+        for stone, wake in zip(stones, stone_wakes(current), strict=True)
     ]
     flow = significant(math.cos(current.direction)), significant(math.sin(current.direction))
     return Resources(
