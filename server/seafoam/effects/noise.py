@@ -1,6 +1,7 @@
 """The noise library for effects: its files, and the position in noise that drifts and changes."""
 
 import math
+from collections.abc import Iterable
 
 from seafoam.framegraph.rules import Phase, Uniform, array
 
@@ -12,6 +13,17 @@ PERLIN_3 = (HASH, "lib/noise.glsl@perlin_3")
 
 CELLS = 256
 """Period of the gradient noise, cells."""
+
+
+def drifting_phases(axes: Iterable[tuple[float, float]], velocity: tuple[float, float], turn: float) -> Uniform:
+    """Phases of the camera's place on a pattern that drifts with ``velocity``, (x, z) m/s; rad.
+
+    ``axes``: those of the pattern, per metre; ``turn``: the phase of a unit along them, rad.
+    """
+    phases = [
+        Phase(offset=0.0, rate=-turn * (x * velocity[0] + z * velocity[1]), k=(turn * x, turn * z)) for x, z in axes
+    ]
+    return array("float", phases, len(phases))
 
 
 def drifting_noise(size: float, speed: float, heading: float, change: float) -> Uniform:

@@ -7,9 +7,9 @@ import math
 
 from seafoam.effects.effect import Contribution, Effect
 from seafoam.effects.foam.surf import surf_limit
-from seafoam.effects.noise import CELLS, PERLIN_2
+from seafoam.effects.noise import CELLS, PERLIN_2, drifting_phases
 from seafoam.effects.shader import Piece, SlotFile, Source, constant_function
-from seafoam.framegraph.rules import Phase, Uniform, array, number, vector
+from seafoam.framegraph.rules import Uniform, number, vector
 from seafoam.ocean.stokes import foam_drift, foam_life
 from seafoam.quality import Quality
 from seafoam.scene.foam import SurfSaturation
@@ -63,17 +63,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         c, s = math.cos(life.wind_direction), math.sin(life.wind_direction)
         across = 1.0 / life.windrow_spacing
         rows = ((c * across / WINDROW_LENGTH, s * across / WINDROW_LENGTH), (-s * across, c * across))
-        turn = 2.0 * math.pi / CELLS
-        place = [
-            Phase(
-                offset=0.0,
-                rate=-turn * (row[0] * drift[0] + row[1] * drift[1]),
-                k=(turn * row[0], turn * row[1]),
-            )
-            for row in rows
-        ]
         uniforms = {
-            "u_windrow_phase": array("float", place, 2),
+            "u_windrow_phase": drifting_phases(rows, drift, 2.0 * math.pi / CELLS),
             "u_windrow_matrix": vector((*rows[0], *rows[1])),
             "u_windrows": number(life.windrows, "/foam/life/windrows"),
         }

@@ -7,11 +7,11 @@ from seafoam.effects.bounds import foam_limit, greatest_saturation
 from seafoam.effects.effect import Bound, Contribution, Effect, PlanError, QualityParameter, Resources, TextureUse
 from seafoam.effects.foam import drift, mask_atlas
 from seafoam.effects.foam.living import AGE, ageing_look
-from seafoam.effects.noise import HASH
+from seafoam.effects.noise import HASH, drifting_phases
 from seafoam.effects.registry import saturation_fields
 from seafoam.effects.shader import Piece, SlotFile, Source, constant_function
 from seafoam.framegraph.resources import TargetInput, TextureInput
-from seafoam.framegraph.rules import Phase, Uniform, Wrap, array, number, vector
+from seafoam.framegraph.rules import Uniform, Wrap, array, number, vector
 from seafoam.masks.catalogue import Mask, drawn_mask
 from seafoam.masks.prefilter import OCTAVE_RAMP
 from seafoam.ocean.stokes import foam_drift, foam_life
@@ -120,7 +120,8 @@ def _mask_place(scene: Scene, foam: Foam, mask: Mask) -> _Part:
     c, s = _turned(foam)
     needs: tuple[Piece, ...]
     if foam_life(scene) is not None:
-        needs, uniforms = ("foam/mask.glsl@carried",), _drifting_mask(foam, foam_drift(scene))
+        needs = ("foam/mask.glsl@carried",)
+        uniforms = {"u_mask_phase": drifting_phases(((c, s), (-s, c)), foam_drift(scene), 2.0 * math.pi)}
     elif foam.cells:
         needs, uniforms = (HASH, "foam/cells.glsl@cell"), _cell_uniforms(foam)
     else:
@@ -128,17 +129,6 @@ def _mask_place(scene: Scene, foam: Foam, mask: Mask) -> _Part:
         uniforms = {"u_mask_offset": array("vec2", [Wrap(k=(c, s)), Wrap(k=(-s, c))], 1)}
     uniforms["u_mask_matrix"] = vector((c, s, -s, c))
     return _Part(needs=needs, consts={"MASK_SIZE": mask.ranks.shape[0]}, uniforms=uniforms)
-
-
-def _drifting_mask(foam: Foam, drift: tuple[float, float]) -> dict[str, Uniform]:
-    """The camera's place on a mask that drifts (x, z) m/s."""
-    c, s = _turned(foam)
-    turn = 2.0 * math.pi
-    places = [
-        Phase(offset=0.0, rate=-turn * (x * drift[0] + z * drift[1]), k=(turn * x, turn * z))
-        for x, z in ((c, s), (-s, c))
-    ]
-    return {"u_mask_phase": array("float", places, 2)}
 
 
 def _cell_uniforms(foam: Foam) -> dict[str, Uniform]:
