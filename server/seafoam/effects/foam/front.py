@@ -61,39 +61,54 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     filtered = scene.foam.look == "filtered"
     if front.decay is not None:
         contribution = _decaying(scene, front, front.decay, filtered=filtered)
-    elif filtered:
-        contribution = _averaged(scene, front)
     else:
-        contribution = _at_samples(scene, front, f"{scene.foam.pointer(front)}/intensity")
+        contribution = _present(scene, front, f"{scene.foam.pointer(front)}/intensity")
+        if filtered:
+            contribution = _averaged(scene, front, contribution)
     return replace(contribution, bound=bound)
 
 
-def _at_samples(scene: Scene, front: FrontSaturation, intensity_field: str) -> Contribution:
+def _present(scene: Scene, front: FrontSaturation, intensity_field: str) -> Contribution:
     """Foam of the present fronts at the samples' own places."""
+    constants = _CONSTANTS[front.constants]
+    own: dict[str, Const] = {} if shares_phase(scene) else {"FRONT_COUNT": len(scene.waves)}
     return Contribution(
-        why=_why(scene, front),
-        slots=(_present_slot(scene, "foam/saturation/front.glsl@plain"),),
-        consts=_present_consts(scene, front),
-        uniforms={**_present_uniforms(scene, front), "u_front_intensity": number(front.intensity, intensity_field)},
+        why=f"front saturation of {_waves(scene)}, constants of the {front.constants}",
+        slots=(
+            SlotFile("saturation", "foam/saturation/front.glsl@plain", prefix="front", needs=_present_files(scene)),
+        ),
+        consts={**own, "FRONT_GATED": _gated(front)},
+        uniforms={
+            **_phase_uniforms(scene, constants),
+            "u_front_log_base": number(constants.log_base),
+            "u_front_group": _group(front),
+            "u_front_intensity": number(front.intensity, intensity_field),
+        },
     )
 
 
-def _averaged(scene: Scene, front: FrontSaturation) -> Contribution:
-    """Foam of the present fronts, averaged over footprints by a table of its integral."""
+def _present_files(scene: Scene) -> tuple[Piece, ...]:
+    return (*_phase_files(scene), "foam/saturation/front.glsl@gate", "foam/saturation/front.glsl@profile")
+
+
+def _averaged(scene: Scene, front: FrontSaturation, present: Contribution) -> Contribution:
+    """``present`` averaged over footprints by a table of its integral."""
     constants = _CONSTANTS[front.constants]
     integral = FrontIntegral(intensity=front.intensity, log_base=constants.log_base)
-    return Contribution(
-        why=f"{_why(scene, front)}, averaged over footprints",
-        slots=(_present_slot(scene, "foam/saturation/front.glsl@filtered", "foam/saturation/front.glsl@seen"),),
+    needs = (*_present_files(scene), "foam/saturation/front.glsl@seen")
+    return replace(
+        present,
+        why=f"{present.why}, averaged over footprints",
+        slots=(SlotFile("saturation", "foam/saturation/front.glsl@filtered", prefix="front", needs=needs),),
         consts={
-            **_present_consts(scene, front),
+            **present.consts,
             "FRONT_CREST": 2.0 * constants.delta - math.pi / 2.0,
             "FRONT_NODES": FRONT_NODES,
             "FRONT_FULL": front_full(front.intensity, constants.log_base),
             "FRONT_FADING": front_fading(front.intensity, constants.log_base),
         },
         uniforms={
-            **_present_uniforms(scene, front),
+            **present.uniforms,
             # The table contains the intensity too, so the uniform cannot change alone.
             "u_front_intensity": number(front.intensity),
             "u_front_relief": number(significant(_relief(scene, constants.turn / (2.0 * math.pi)))),
@@ -165,10 +180,6 @@ def _waves(scene: Scene) -> str:
     return f"{count} wave{'s' if count > 1 else ''}"
 
 
-def _why(scene: Scene, front: FrontSaturation) -> str:
-    return f"front saturation of {_waves(scene)}, constants of the {front.constants}"
-
-
 def _phase_files(scene: Scene) -> tuple[Piece, ...]:
     """The files that give the phase of the waves' sum: shared with the surface, or evaluated for the front."""
     if shares_phase(scene):
@@ -184,25 +195,6 @@ def _advance(scene: Scene, mean_rate: float) -> dict[str, Uniform]:
     return {"u_front_advance": vector(rounded(way / mean_rate for way in ways))}
 
 
-def _present_slot(scene: Scene, file: str, *more: str) -> SlotFile:
-    needs = (*_phase_files(scene), "foam/saturation/front.glsl@gate", "foam/saturation/front.glsl@profile", *more)
-    return SlotFile("saturation", file, prefix="front", needs=needs)
-
-
-def _present_consts(scene: Scene, front: FrontSaturation) -> dict[str, Const]:
-    own: dict[str, Const] = {} if shares_phase(scene) else {"FRONT_COUNT": len(scene.waves)}
-    return {**own, "FRONT_GATED": _gated(front)}
-
-
-def _present_uniforms(scene: Scene, front: FrontSaturation) -> dict[str, Uniform]:
-    constants = _CONSTANTS[front.constants]
-    return {
-        **_phase_uniforms(scene, constants),
-        "u_front_log_base": number(constants.log_base),
-        "u_front_group": _group(front),
-    }
-
-
 def _gated(front: FrontSaturation) -> bool:
     return front.group != (0.0, 0.0)
 
@@ -211,16 +203,16 @@ def _group(front: FrontSaturation) -> Uniform:
     return vector((front.group[0], max(front.group[1], front.group[0] + 1e-4)))
 
 
-def _phase_uniforms(scene: Scene, constants: _Constants) -> dict[str, Uniform]:
+def _phase_uniforms(scene: Scene, of: _Constants) -> dict[str, Uniform]:
     """What determines the phase of the waves' sum: all if the front has phases of its own, else one factor."""
     if shares_phase(scene):
         return {"u_front_share": number(significant(1.0 / parametric_wave_height(scene)))}
     waves: list[tuple[float, ...]] = []
     phases: list[Phase] = []
     for wave, weight in zip(scene.waves, _weights(scene), strict=True):
-        kx, kz = (constants.turn / (2.0 * math.pi) * k for k in wavevector(wave, scene.water.depth))
+        kx, kz = (of.turn / (2.0 * math.pi) * k for k in wavevector(wave, scene.water.depth))
         waves.append((kx, kz, weight, 0.0))
-        offset = wave.phase + (2.0 * constants.delta - math.pi)
+        offset = wave.phase + (2.0 * of.delta - math.pi)
         phases.append(Phase(offset=offset, rate=angular_frequency(wave), k=(-kx, -kz)))
     return {
         "u_front_wave": constants("vec4", waves),
