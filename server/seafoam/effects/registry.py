@@ -73,19 +73,20 @@ def load() -> None:
 
 def saturation_limits(scene: Scene) -> list[float]:
     """Return the greatest saturation of each source of a scene, including sources outside the package."""
-    given = () if scene.foam is None else scene.foam.saturation
-    sources = [*given, *(part for _, part in scene.extensions if type(part) in _saturations)]
-    return [_saturations[type(source)].limit(source, scene) for source in sources]
+    return [_saturations[type(source)].limit(source, scene) for source in _sources(scene).values()]
 
 
 def saturation_fields(scene: Scene) -> tuple[str, ...]:
     """Return JSON pointers of the live fields that :func:`saturation_limits` depends on."""
+    sources = _sources(scene).items()
+    return tuple(f"{pointer}/{name}" for pointer, source in sources for name in _saturations[type(source)].live)
+
+
+def _sources(scene: Scene) -> dict[str, BaseModel]:
+    """The sources of foam saturation of a scene, by JSON pointer."""
     given = () if scene.foam is None else scene.foam.saturation
-    sources = [(f"/foam/saturation/{i}", source) for i, source in enumerate(given)]
-    parts = [(f"/extensions/{name}", part) for name, part in scene.extensions if type(part) in _saturations]
-    return tuple(
-        f"{pointer}/{name}" for pointer, source in [*sources, *parts] for name in _saturations[type(source)].live
-    )
+    outside = {f"/extensions/{name}": part for name, part in scene.extensions if type(part) in _saturations}
+    return {**{f"/foam/saturation/{i}": source for i, source in enumerate(given)}, **outside}
 
 
 def _changed() -> None:
