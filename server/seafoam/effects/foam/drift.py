@@ -1,21 +1,30 @@
 """Foam advected by a flow: a current, Stokes drift, vortices. docs/formulae.md, section 14."""
 
 import math
-from dataclasses import replace
 from statistics import NormalDist
 
 from seafoam.effects.bounds import SATURATION_CAP
-from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, PlanError, QualityParameter, SaturationSource
+from seafoam.effects.effect import (
+    Bound,
+    Contribution,
+    Effect,
+    PassSpec,
+    PlanError,
+    QualityParameter,
+    Resources,
+    SaturationSource,
+)
 from seafoam.effects.noise import VALUE_NOISE
 from seafoam.effects.shader import Const, Piece, SlotFile, Source
 from seafoam.framegraph.passes import Points
-from seafoam.framegraph.resources import FixedSize, Target, TargetFormat, target_inputs
+from seafoam.framegraph.resources import FixedSize, Target, target_inputs
 from seafoam.framegraph.rules import (
     Loop,
     Uniform,
     array,
     constants,
     number,
+    rounded,
     significant,
     to_camera,
     vector,
@@ -76,10 +85,10 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         },
         bound=Bound(0.0, "the foam's amount is 0", (amount,)) if source.amount == 0.0 else None,
     )
-    return _per_sample(common, advection) if quality.drift == "exact" else _from_map(common, advection)
+    return common.joined(_per_sample(advection) if quality.drift == "exact" else _from_map(advection))
 
 
-def _per_sample(common: Contribution, advection: "_Advection") -> Contribution:
+def _per_sample(advection: "_Advection") -> Resources:
     """Patches traced back along the flow at every sample."""
     files = (
         "foam/drift.glsl@square",
@@ -91,14 +100,13 @@ def _per_sample(common: Contribution, advection: "_Advection") -> Contribution:
         "foam/drift.glsl@back",
         "foam/saturation/drift.glsl@rim",
     )
-    return replace(
-        common,
+    return Resources(
         slots=(SlotFile("saturation", "foam/saturation/drift.glsl@exact", prefix="drift", needs=files),),
-        uniforms={**common.uniforms, **advection.flow, **advection.patches},
+        uniforms={**advection.flow, **advection.patches},
     )
 
 
-def _from_map(common: Contribution, advection: "_Advection") -> Contribution:
+def _from_map(advection: "_Advection") -> Resources:
     """Patches read from a map that passes draw in every frame."""
     files = (
         "lib/texels.glsl@bilinear",
@@ -109,8 +117,7 @@ def _from_map(common: Contribution, advection: "_Advection") -> Contribution:
     maps = {"u_drift_map": "drift", "u_drift_coarse": "drift_coarse"}
     if not advection.forward:
         maps["u_drift_way"] = "drift_way"
-    return replace(
-        common,
+    return Resources(
         slots=(SlotFile("saturation", "foam/saturation/drift.glsl@map", prefix="drift", needs=files),),
         inputs=target_inputs(maps),
         targets=advection.targets(),
@@ -158,30 +165,24 @@ class _Advection:
         middle = 0.5 + NOISE_DEVIATION * NormalDist().inv_cdf(1.0 - source.coverage)
         self.patches = {
             "u_drift_scale": number(significant(1.0 / source.patch)),
-            "u_drift_cut": vector((significant(middle - SOFTNESS), significant(middle + SOFTNESS))),
+            "u_drift_cut": vector(rounded((middle - SOFTNESS, middle + SOFTNESS))),
         }
         self.texel = {"u_drift_texel": number(significant(drift.size / self.size))}
         self.coverage = {"u_drift_coverage": number(source.coverage)}
 
     def targets(self) -> dict[str, Target]:
         """Targets of :meth:`passes`, without filtering: some GPUs interpolate texels in only 256 steps."""
-
-        def square(side: int, kind: TargetFormat) -> Target:
-            return Target(size=FixedSize(width=side, height=side), format=kind)
-
+        side = FixedSize.square(self.size)
         targets = {
-            "drift_flow": square(self.size, "RGBA32F"),
-            "drift": square(self.size, "RGBA16F"),
-            "drift_coarse": square(self.size // 4, "RGBA16F"),
+            "drift_flow": Target(size=side, format="RGBA32F"),
+            "drift": Target(size=side, format="RGBA16F"),
+            "drift_coarse": Target(size=FixedSize.square(self.size // 4), format="RGBA16F"),
         }
         if self.forward:
-            targets["drift_moved"] = square(self.size, "RGBA16F")
-        else:
-            targets["drift_way"] = square(self.size, "RGBA32F")
-            parts = FixedSize(width=self.size, height=PARTS * self.size)
-            for name in ("drift_still", "drift_older"):
-                targets[name] = Target(size=parts, format="RGBA32F")
-        return targets
+            return {**targets, "drift_moved": Target(size=side, format="RGBA16F")}
+        parts = Target(size=FixedSize(width=self.size, height=PARTS * self.size), format="RGBA32F")
+        way = Target(size=side, format="RGBA32F")
+        return {**targets, "drift_way": way, "drift_still": parts, "drift_older": parts}
 
     def passes(self) -> tuple[PassSpec, ...]:
         """The passes that draw the map, in order."""
@@ -344,7 +345,7 @@ def _flow_uniforms(scene: Scene, drift: Drift, vortices: tuple[Vortex, ...]) -> 
         for vortex in vortices
     ]
     return {
-        "u_drift_steady": vector((significant(steady[0]), significant(steady[1]))),
+        "u_drift_steady": vector(rounded(steady)),
         "u_drift_vortex": constants("vec4", vortex_values),
     }
 
