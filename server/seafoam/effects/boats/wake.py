@@ -3,19 +3,22 @@
 docs/formulae.md, section 15.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import TypeVar
 
 from seafoam.effects.boats.boat import COURSE
-from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter
+from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, Resources
 from seafoam.effects.shader import Inline, Piece, SlotFile, Source
 from seafoam.effects.waves.measured import BLOCK
-from seafoam.framegraph.resources import FixedSize, Target, TargetInput, target_inputs
+from seafoam.framegraph.resources import FixedSize, Target, target_inputs
 from seafoam.framegraph.rules import Uniform, constants, number, significant
 from seafoam.ocean.wakes import NEAR, Wake, joint_height, joint_slope, wakes
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.sums import summed
+
+T = TypeVar("T")
 
 ASIDE = 0.36
 """Width of a wake to each side over its length: slightly more than Kelvin's tan 19.47 degrees."""
@@ -53,9 +56,10 @@ class WakeKind:
         """A file of boats' wakes, for this kind."""
         return Source(path, self.rename) if self.rename else path
 
-    def renamed(self, name: str) -> str:
-        """The name that this kind has for a name of boats' wakes."""
-        return dict(self.rename).get(name, name)
+    def renamed(self, values: Mapping[str, T]) -> dict[str, T]:
+        """Values by the names that this kind has for those of boats' wakes."""
+        names = dict(self.rename)
+        return {names.get(name, name): value for name, value in values.items()}
 
 
 BOATS = WakeKind(
@@ -78,17 +82,11 @@ def wakes_of(kind: WakeKind, patterns: Sequence[Wake], quality: Quality) -> Cont
     """The waves of at least one wake."""
     mapped = quality.wake == "map"
     height = joint_height(patterns)
-    targets, passes = _map_passes(kind, len(patterns), quality.wake_size) if mapped else ({}, ())
-    read = {"u_wake_map": kind.name, "u_wake_bounds": f"{kind.name}_bounds"} if mapped else {}
-    uniforms = {**_form_uniforms(patterns), **({} if mapped else _bound_uniforms(patterns, height))}
-    return Contribution(
+    contribution = Contribution(
         why=f"{kind.title} up to {height:.2g} m high",
         slots=_slots(kind, mapped=mapped),
         consts={"WAKE_SIZE": quality.wake_size, "WAKE_ASIDE": ASIDE, "WAKE_NEAR": NEAR, "WAKE_AWAY": AWAY},
-        uniforms={kind.renamed(name): uniform for name, uniform in uniforms.items()},
-        inputs=target_inputs({kind.renamed(name): target for name, target in read.items()}),
-        targets=targets,
-        passes=passes,
+        uniforms=kind.renamed(_form_uniforms(patterns)),
         bound=Bound(0.0, kind.still) if height == 0.0 else None,
         max_height=height,
         min_height=-height,
@@ -99,6 +97,9 @@ def wakes_of(kind: WakeKind, patterns: Sequence[Wake], quality: Quality) -> Cont
         else 0.0,
         march_factor=2,
     )
+    if mapped:
+        return contribution.joined(_map(kind, len(patterns), quality.wake_size))
+    return contribution.joined(Resources(uniforms=kind.renamed(_bound_uniforms(patterns, height))))
 
 
 def _slots(kind: WakeKind, *, mapped: bool) -> tuple[SlotFile, ...]:
@@ -141,8 +142,8 @@ def _bound_uniforms(patterns: Sequence[Wake], height: float) -> dict[str, Unifor
     }
 
 
-def _map_passes(kind: WakeKind, count: int, size: int) -> tuple[dict[str, Target], tuple[PassSpec, ...]]:
-    """Targets and passes of the wakes' map, ``size`` texels long and half as wide per wake, and of its bounds."""
+def _map(kind: WakeKind, count: int, size: int) -> Resources:
+    """The wakes' map, ``size`` texels long and half as wide per wake, and its bounds."""
     name, form = kind.name, kind.file("boats/wake.glsl@form")
     blocks = FixedSize(width=size // BLOCK, height=size // 2 // BLOCK * count)
     targets = {
@@ -150,7 +151,7 @@ def _map_passes(kind: WakeKind, count: int, size: int) -> tuple[dict[str, Target
         f"{name}_blocks": Target(size=blocks, format="RGBA16F"),
         f"{name}_bounds": Target(size=FixedSize(width=len(AWAY), height=count), format="RGBA16F"),
     }
-    return targets, (
+    passes = (
         PassSpec(
             name=f"{kind.title}, {size} texels along",
             program=name,
@@ -166,16 +167,18 @@ def _map_passes(kind: WakeKind, count: int, size: int) -> tuple[dict[str, Target
                 kind.file("boats/wake_bounds.glsl@blocks"),
             ),
             target=f"{name}_blocks",
-            inputs={kind.renamed("u_wake_map"): TargetInput(target=name)},
+            inputs=kind.renamed(target_inputs({"u_wake_map": name})),
         ),
         PassSpec(
             name=f"{kind.title}, greatest of all",
             program=f"{name}_bounds",
             fragment=(form, kind.file("boats/wake_bounds.glsl@join")),
             target=f"{name}_bounds",
-            inputs={kind.renamed("u_wake_blocks"): TargetInput(target=f"{name}_blocks")},
+            inputs=kind.renamed(target_inputs({"u_wake_blocks": f"{name}_blocks"})),
         ),
     )
+    inputs = kind.renamed(target_inputs({"u_wake_map": name, "u_wake_bounds": f"{name}_bounds"}))
+    return Resources(inputs=inputs, targets=targets, passes=passes)
 
 
 EFFECT = Effect(
