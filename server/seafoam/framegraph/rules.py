@@ -5,7 +5,6 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
-
 FAR = 1e8
 """Limit of vectors to the camera, m: what is farther away is in no picture."""
 
