@@ -97,12 +97,26 @@ class Resources:
         return replace(self, **changes)
 
 
+@dataclass(frozen=True)
+class Bound:
+    """Upper bound of an effect's change to any pixel, from any camera, at any time.
+
+    ``value``: exposed linear light, display white = 1, after clipping to white. ``why``: the reason, for people.
+    ``fields``: JSON pointers of live scene fields that the bound depends on; if the effect is left out, a change of one
+    of them needs a new plan.
+    """
+
+    value: float
+    why: str
+    fields: tuple[str, ...] = ()
+
+
 @dataclass(frozen=True, kw_only=True)
 class Contribution(Resources):
     """Everything that an effect adds to a plan. ``why``: the reason for which it is in the plan, for people."""
 
     why: str
-    bound: "Bound | None" = None
+    bound: Bound | None = None
     """Upper bound of the effect's change to any pixel; ``None``: unknown, so the effect is drawn."""
     max_height: float = 0.0
     """Upper bound of the effect's contribution to the surface's height over still water, m."""
@@ -126,20 +140,6 @@ class Contribution(Resources):
     def invisible(cls, why: str) -> Self:
         """Return the contribution of an effect that the scene names and that changes no pixel."""
         return cls(why=why, bound=Bound(0.0, why))
-
-
-@dataclass(frozen=True)
-class Bound:
-    """Upper bound of an effect's change to any pixel, from any camera, at any time.
-
-    ``value``: exposed linear light, display white = 1, after clipping to white. ``why``: the reason, for people.
-    ``fields``: JSON pointers of live scene fields that the bound depends on; if the effect is left out, a change of one
-    of them needs a new plan.
-    """
-
-    value: float
-    why: str
-    fields: tuple[str, ...] = ()
 
 
 Cause = Literal["geometry", "filtering", "precision"]
