@@ -1,6 +1,7 @@
 """FramePlan: everything an executor needs to draw a frame at any time, from any camera, at any size."""
 
 import hashlib
+import json
 
 from pydantic import Field
 
@@ -49,15 +50,10 @@ class FramePlan(PlanPart):
 
     def canonical_json(self) -> bytes:
         """The plan's bytes: JSON with sorted keys and no spaces."""
-        return _canonical(self)
+        document = self.model_dump(mode="json")
+        return json.dumps(document, sort_keys=True, separators=(",", ":"), ensure_ascii=False).encode()
 
     @property
     def sha256(self) -> str:
         """SHA-256 of the plan's bytes."""
         return hashlib.sha256(self.canonical_json()).hexdigest()
-
-
-def _canonical(plan: FramePlan) -> bytes:
-    import json
-
-    return json.dumps(plan.model_dump(mode="json"), sort_keys=True, separators=(",", ":"), ensure_ascii=False).encode()

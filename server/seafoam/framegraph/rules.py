@@ -145,10 +145,7 @@ def constants(kind: UniformType, values: Iterable[float | tuple[float, ...]]) ->
 
 def to_camera(x: float, z: float) -> tuple[Clamp, Clamp]:
     """Return the vector from the point (x, z) to the camera, m; at most :data:`FAR` along each axis."""
-    return (
-        Clamp(offset=-x, k=(1.0, 0.0), low=-FAR, high=FAR),
-        Clamp(offset=-z, k=(0.0, 1.0), low=-FAR, high=FAR),
-    )
+    return Clamp(offset=-x, k=(1.0, 0.0), low=-FAR, high=FAR), Clamp(offset=-z, k=(0.0, 1.0), low=-FAR, high=FAR)
 
 
 def in_tile(side: float, period: float = 1.0, offset: tuple[float, float] = (0.0, 0.0)) -> tuple[Wrap, Wrap]:

@@ -72,11 +72,11 @@ def _redrawn_overlays(frame: Frame) -> tuple[Redrawn, ...]:
 
 def _display(frame: Frame, linear: str) -> Stage:
     """Passes that show the finished frame: those of effects, and tone mapping."""
-    ends = {TargetInput(target=FINISHED): TargetInput(target=linear)}
-    finished = [
-        drawn.model_copy(update={"inputs": {name: ends.get(source, source) for name, source in drawn.inputs.items()}})
-        for drawn in frame.effect_passes("finished")
-    ]
+    finished = []
+    for drawn in frame.effect_passes("finished"):
+        ends = {name for name, source in drawn.inputs.items() if source == TargetInput(target=FINISHED)}
+        inputs = {**drawn.inputs, **target_inputs(dict.fromkeys(ends, linear))}
+        finished.append(drawn.model_copy(update={"inputs": inputs}))
     inputs = {**frame.collection.inputs, **target_inputs({"u_linear": linear})}
     files = [piece for slot in (GLARE, TONE) for piece in slot_pieces(slot, frame.marched)]
     return Stage(
