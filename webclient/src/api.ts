@@ -1,5 +1,5 @@
 /** Client of the server's REST API. */
-import type { TierCosts } from "./app/autoquality";
+import type { CameraState } from "./camera/state";
 import type { FramePlan, Texture } from "./generated/api";
 import { isObject, type Json, type JsonObject } from "./scene/json";
 
@@ -29,7 +29,7 @@ export interface SceneSchema extends JsonObject {
 export interface FrameRequest {
   scene: Json;
   quality: Json;
-  camera: { position: number[]; yaw: number; pitch: number; roll: number; fov: number };
+  camera: CameraState;
   /** s */
   time: number;
   width: number;
@@ -53,6 +53,22 @@ interface OpenStream {
 export interface Choice {
   name: string;
   title: string;
+}
+
+/** Cost and error of one tier, as `make fronts` measured them. */
+export interface TierCost {
+  tier: string;
+  /** ms a frame at any size, on the measuring machine. */
+  fixed: number;
+  /** ms a megapixel. */
+  pixels: number;
+  /** RMSE at each of the scales, largest scale first, levels of 255. */
+  errors: readonly number[];
+}
+
+export interface TierCosts {
+  scales: readonly number[];
+  presets: Readonly<Record<string, readonly TierCost[]>>;
 }
 
 /** An error response of the server (RFC 9457), or no response. */
@@ -92,7 +108,7 @@ export class Api {
   }
 
   /** A scene with the default of every absent field; rejects if it cannot be drawn. */
-  completeScene(scene: Json): Promise<JsonObject> {
+  completeScene(scene: JsonObject): Promise<JsonObject> {
     return this.json("api/scenes", jsonPost(scene));
   }
 
@@ -130,12 +146,12 @@ export class Api {
 
   /** A picture rendered by the server. */
   async frame(request: FrameRequest): Promise<Blob> {
-    return (await this.fetch("api/frames", jsonPost({ ...request }))).blob();
+    return (await this.fetch("api/frames", jsonPost(request))).blob();
   }
 
   /** A zip archive that draws a scene without a server. */
   async archive(request: FrameRequest): Promise<Blob> {
-    return (await this.fetch("api/export", jsonPost({ ...request }))).blob();
+    return (await this.fetch("api/export", jsonPost(request))).blob();
   }
 
   /** A static file, written by `make fronts`. */
@@ -144,9 +160,8 @@ export class Api {
   }
 
   /** A texture's bytes; the hash in the address makes them cacheable. */
-  async texture({ url, sha256 }: Texture, part?: "upper" | "lower"): Promise<ArrayBuffer> {
-    return (await this.fetch(`${url}?sha256=${sha256}${part ? `&part=${part}` : ""}`)).arrayBuffer();
-  }
+  readonly texture = async ({ url, sha256 }: Texture, part?: "upper" | "lower"): Promise<ArrayBuffer> =>
+    (await this.fetch(`${url}?sha256=${sha256}${part ? `&part=${part}` : ""}`)).arrayBuffer();
 
   /** Options that the server lists, such as the masks. The name precedes the title, which may be cut off. */
   async choices(url: string): Promise<Choice[]> {
@@ -179,7 +194,7 @@ export class Api {
   }
 }
 
-function jsonPost(body: Json): RequestInit {
+function jsonPost(body: object): RequestInit {
   return { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(body) };
 }
 

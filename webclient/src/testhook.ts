@@ -78,7 +78,7 @@ async function renderOffscreen(
   const plan = isPreset ? await api.presetPlan(planOrPreset, quality) : planOrPreset;
   const eye = camera ?? (isPreset ? cameraFromScene((await api.preset(planOrPreset)).scene) : null);
   if (eye === null) throw new Error("A plan requires a camera.");
-  const executor = await Executor.load(gpu, plan, (texture) => api.texture(texture), eye, false);
+  const executor = await Executor.load(gpu, plan, api.texture, eye, false);
   const screen = makeScreen(gl, width, height);
   try {
     clearErrors(gl);

@@ -89,18 +89,12 @@ async function fetchWhenReady(api: Api, url: string, onProgress: (progress: JobP
 /** Waits; rejects on abort. */
 function delay(milliseconds: number, signal: AbortSignal): Promise<void> {
   return new Promise((resolve, reject) => {
+    signal.throwIfAborted();
+    const timer = setTimeout(resolve, milliseconds);
     const onAbort = () => {
       clearTimeout(timer);
       reject(signal.reason as Error);
     };
-    if (signal.aborted) {
-      reject(signal.reason as Error);
-      return;
-    }
-    const timer = setTimeout(() => {
-      signal.removeEventListener("abort", onAbort);
-      resolve();
-    }, milliseconds);
     signal.addEventListener("abort", onAbort, { once: true });
   });
 }

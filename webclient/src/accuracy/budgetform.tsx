@@ -19,7 +19,6 @@ export function BudgetForm({ session, run }: { session: Session; run: BenchmarkR
     batch(() => {
       session.select(choice.id);
       session.choice.value = choice;
-      session.fitting.value = choice.fitting;
     });
   };
   const choice = session.choice.value;

@@ -1,27 +1,13 @@
 /** The shown measurements as CSV and JSON. */
-import type { Json, JsonObject } from "../scene/json";
-import type { Errors } from "./measure/errors";
+import type { JsonObject } from "../scene/json";
+import { type Measured, type Ranked, ranked } from "./measure/measured";
 
 /** One quality on one machine. */
-export interface Row {
+interface Row extends Ranked {
   machine: string;
-  id: string;
-  label: string;
-  tier: string | null;
-  /** Of the changed setting. */
-  parameter: string | null;
-  value: Json;
-  onFront: boolean;
-  /** Median and quartiles, ms. */
-  time: number;
-  low: number;
-  high: number;
-  /** ms; empty where only the model is known. */
-  rounds: readonly number[];
-  errors: Errors;
 }
 
-export interface Shown {
+export interface ExportedRun {
   preset: string;
   /** Timed size, pixels. */
   width: number;
@@ -30,26 +16,28 @@ export interface Shown {
   rows: readonly Row[];
 }
 
+export function rowsOf(measured: readonly Measured[], machine: string): Row[] {
+  return ranked(measured, "rmse").map((one) => ({ ...one, machine }));
+}
+
 const HEADER = [
   ...["machine", "id", "label", "tier", "parameter", "value", "on_front"],
   ...["time_ms", "time_low_ms", "time_high_ms", "rounds_ms", "rmse", "flip", "max", "coverage"],
 ];
 
 /** RFC 4180 with line feeds; rounds are separated by spaces. */
-export function toCsv({ rows }: Shown): string {
-  const lines = rows.map((row) => [
-    ...[row.machine, row.id, row.label, row.tier ?? "", row.parameter ?? ""],
-    ...[row.parameter === null ? "" : JSON.stringify(row.value), row.onFront ? "1" : "0"],
-    ...[row.time, row.low, row.high].map(digits),
-    row.rounds.map(digits).join(" "),
-    ...[row.errors.rmse, row.errors.flip, row.errors.max, row.errors.coverage].map(digits),
+export function toCsv({ rows }: ExportedRun): string {
+  const lines = rows.map(({ machine, point: { id, label, tier, parameter }, onFront, time, low, high, rounds, errors }) => [
+    ...[machine, id, label, tier ?? "", parameter?.pointer ?? "", parameter ? JSON.stringify(parameter.value) : ""],
+    ...[onFront ? "1" : "0", ...[time, low, high].map(digits), rounds.map(digits).join(" ")],
+    ...[errors.rmse, errors.flip, errors.max, errors.coverage].map(digits),
   ]);
   return [HEADER, ...lines].map((cells) => `${cells.map(quoted).join(",")}\n`).join("");
 }
 
-export function toJson({ preset, width, height, method, rows }: Shown): string {
-  const points = rows.map(({ machine, id, label, tier, parameter, value, onFront, time, low, high, rounds, errors }): JsonObject => ({
-    ...{ machine, id, label, tier, parameter, value: parameter === null ? null : value, on_front: onFront },
+export function toJson({ preset, width, height, method, rows }: ExportedRun): string {
+  const points = rows.map(({ machine, point: { id, label, tier, parameter }, onFront, time, low, high, rounds, errors }): JsonObject => ({
+    ...{ machine, id, label, tier, parameter: parameter?.pointer ?? null, value: parameter?.value ?? null, on_front: onFront },
     time: { median_ms: time, low_ms: low, high_ms: high, rounds_ms: [...rounds] },
     error: { ...errors },
   }));

@@ -4,7 +4,7 @@ import type { Api } from "../api";
 import type { Viewport } from "../display/viewport";
 import type { Store } from "../selection/store";
 import { element } from "../ui/dom";
-import { icon } from "../ui/icons";
+import { drawerHead, slide } from "../ui/drawer";
 import { Session } from "./session";
 import { View } from "./view";
 
@@ -25,13 +25,11 @@ export class AccuracyPanel {
 
   constructor(api: Api, store: Store, viewport: Viewport, events: AccuracyEvents) {
     this.session = new Session(api, store, viewport, (quality) => events.selectQuality(quality));
-    const close = element("button", { type: "button", class: "plain", "aria-label": "Close accuracy benchmark" }, icon("close"));
-    close.addEventListener("click", () => events.close());
     this.root.addEventListener("keydown", (event) => {
       if (event.key === "Escape") events.close();
     });
     const body = element("div", { class: "body scroller px-4.5 pb-4" });
-    this.root.append(element("div", { class: "head flex items-center gap-2.5 pt-1 pr-1.5 pl-4.5" }, element("h2", { class: "flex-1 font-serif text-[17px]/none" }, "Accuracy benchmark"), close), body);
+    this.root.append(drawerHead("Accuracy benchmark", () => events.close()), body);
     this.root.inert = true;
     document.getElementById("settings")?.after(this.root);
     this.session.sweep.subscribe((sweep) => this.root.classList.toggle("wide", sweep !== null));
@@ -44,9 +42,7 @@ export class AccuracyPanel {
     const hadFocus = root.contains(document.activeElement);
     // A layout while closed, so that opening is animated.
     root.getBoundingClientRect();
-    root.classList.toggle("open", open);
-    root.inert = !open;
-    document.body.classList.toggle("accuracy-open", open);
+    slide(root, "accuracy", open);
     session.open.value = open;
     if (open && focus) root.focus({ preventScroll: true });
     if (!open && hadFocus) document.querySelector<HTMLElement>("#tools [data-tool=accuracy]")?.focus();

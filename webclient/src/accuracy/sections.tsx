@@ -1,15 +1,14 @@
 /** Result sections: the selected quality, pass times, benefit of each setting, table of all qualities. */
 import type { ComponentChildren } from "preact";
-import { TABLE } from "../charts/table";
+import { Table } from "../charts/table";
 import { labelOf } from "../panel/model";
-import { marksOf, measuredHere } from "./diagram/diagramdata";
 import { formatNumber, formatSigned } from "./format";
 import type { QualityResult } from "./measure/benchmark";
 import { type Benefit, benefits, NEGLIGIBLE } from "./measure/benefit";
-import { compare, median, quantile } from "./measure/statistics";
+import { measuredHere, ranked } from "./measure/measured";
+import { compare, median } from "./measure/statistics";
 import type { BenchmarkRun, Session } from "./session";
 
-const costOf = ({ point, rounds, errors }: QualityResult) => ({ id: point.id, time: median(rounds), error: errors.rmse });
 const percent = (share: number) => (100 * share).toFixed(1);
 
 export function Selected({ shown, standard, isCurrent }: { shown: QualityResult; standard: QualityResult; isCurrent: boolean }) {
@@ -73,29 +72,11 @@ export function Passes({ passes }: QualityResult) {
   );
 }
 
-function Table({ heads, children }: { heads: readonly string[]; children: ComponentChildren }) {
-  return (
-    <table class={`mb-2.5 ${TABLE}`}>
-      <thead>
-        <tr>
-          {heads.map((name) => (
-            <th scope="col" key={name}>
-              {name}
-            </th>
-          ))}
-        </tr>
-      </thead>
-      <tbody>{children}</tbody>
-    </table>
-  );
-}
-
 export function Benefits({ standard, measured, session }: { standard: QualityResult; measured: readonly QualityResult[]; session: Session }) {
-  const timed = (result: QualityResult) => ({ ...costOf(result), point: result.point, rounds: result.rounds });
   return (
     <Disclosure title="Benefit of each setting" note="error removed per added ms" open>
-      <Table heads={["setting", "ms added", "error removed", "per ms"]}>
-        {benefits(timed(standard), measured.map(timed)).map((benefit) => (
+      <Table class="mb-2.5" heads={["setting", "ms added", "error removed", "per ms"]}>
+        {benefits(measuredHere(standard), measured.map(measuredHere)).map((benefit) => (
           <BenefitRow key={benefit.id} benefit={benefit} session={session} />
         ))}
       </Table>
@@ -122,18 +103,17 @@ export function AllQualities({ run, session }: { run: BenchmarkRun; session: Ses
   const { measured, unsupported } = run.result;
   const current = session.current.value;
   const highlighted = session.highlighted.value;
-  const front = new Set(marksOf(measured.map(measuredHere), "rmse").flatMap(({ id, onFront }) => (onFront ? id : [])));
   return (
     <Disclosure title="All qualities" note={`${measured.length + unsupported.length}`}>
-      <Table heads={["quality", "ms", "RMSE", "FLIP", "max", "foam %"]}>
-        {[...measured]
-          .sort((a, b) => median(a.rounds) - median(b.rounds))
-          .map(({ point, rounds, errors }) => (
-            <tr key={point.id} data-id={point.id} class={point.id === highlighted ? "bg-tint" : ""} aria-current={point === current?.point ? "true" : undefined}>
+      <Table class="mb-2.5" heads={["quality", "ms", "RMSE", "FLIP", "max", "foam %"]}>
+        {ranked(measured.map(measuredHere), "rmse")
+          .sort((a, b) => a.time - b.time)
+          .map(({ id, point, time, low, high, errors, onFront }) => (
+            <tr key={id} data-id={id} class={id === highlighted ? "bg-tint" : ""} aria-current={point === current?.point ? "true" : undefined}>
               <th scope="row">
-                <SelectButton id={point.id} label={point.label} note={front.has(point.id) ? "on the Pareto front" : ""} session={session} />
+                <SelectButton id={id} label={point.label} note={onFront ? "on the Pareto front" : ""} session={session} />
               </th>
-              <td title={`quartiles ${formatNumber(quantile(rounds, 0.25))} to ${formatNumber(quantile(rounds, 0.75))} ms`}>{formatNumber(median(rounds))}</td>
+              <td title={`quartiles ${formatNumber(low)} to ${formatNumber(high)} ms`}>{formatNumber(time)}</td>
               <td>{formatNumber(errors.rmse)}</td>
               <td>{errors.flip.toFixed(3)}</td>
               <td>{formatNumber(errors.max)}</td>

@@ -8,9 +8,10 @@ import type { Selection } from "../selection/selection";
 import type { Store } from "../selection/store";
 import { fetchPoints, fetchSweep, fetchTruth, type JobProgress, type Sweep } from "./api";
 import { type BenchmarkInput, type BenchmarkResult, QualityBenchmark, qualityRequest, type QualityResult } from "./measure/benchmark";
-import type { MetricKey } from "./measure/metrics";
+import type { Choice } from "./measure/budget";
+import type { MetricKey } from "./measure/errors";
 import { readPicture } from "./measure/npy";
-import type { Place } from "./pictures/insets";
+import type { Pixel } from "./pictures/insets";
 
 /** The tier that other qualities are compared with. */
 const STANDARD_TIER = "standard";
@@ -32,12 +33,10 @@ export class Session {
   readonly curve = signal("");
   /** Id of the quality under the pointer or with focus. */
   readonly highlighted = signal<string | null>(null);
-  /** What the budget chose, in words. */
-  readonly choice = signal<{ label: string; reason: string } | null>(null);
-  /** Ids of the qualities within the budget; null before one is set. */
-  readonly fitting = signal<ReadonlySet<string> | null>(null);
+  /** What the budget chose; null before one is set. */
+  readonly choice = signal<Choice | null>(null);
   /** The pixel under the loupe; null: where the standard quality is worst. It stays while qualities change. */
-  readonly loupe = signal<Place | null>(null);
+  readonly loupe = signal<Pixel | null>(null);
   readonly progress = signal<{ share: number | null; step: string } | null>(null);
   readonly withServer = signal(false);
   readonly serverNote = signal("");
@@ -96,10 +95,7 @@ export class Session {
   }
 
   select(id: string): void {
-    batch(() => {
-      this.choice.value = null;
-      this.fitting.value = null;
-    });
+    this.choice.value = null;
     const run = this.run.peek();
     const measured = run?.result.measured.find(({ point }) => point.id === id);
     if (!run || !measured || measured === this.current.peek()) return;
@@ -151,7 +147,6 @@ export class Session {
     batch(() => {
       this.highlighted.value = null;
       this.choice.value = null;
-      this.fitting.value = null;
       this.curve.value = "";
       this.loupe.value = null;
       this.withServer.value = this.sweeps.has(preset.name);

@@ -1,22 +1,23 @@
 /** The accuracy benchmark's contents. */
+import type { Signal } from "@preact/signals";
 import { useMemo } from "preact/hooks";
 import { logAxis } from "../charts/axis";
 import type { Axes } from "../charts/uplot";
 import { equal } from "../scene/json";
+import { Progress, Select } from "../ui/controls";
 import { download } from "../ui/dom";
 import { BudgetForm } from "./budgetform";
 import { QUIET } from "./classes";
 import { curvesOf } from "./diagram/curves";
 import { Diagram } from "./diagram/diagram";
-import { marksOf, type Measured, measuredHere, measuredThere, rowsOf } from "./diagram/diagramdata";
-import { type Shown, toCsv, toJson } from "./exportdata";
-import { type MetricKey, metricOf, METRICS } from "./measure/metrics";
+import { type ExportedRun, rowsOf, toCsv, toJson } from "./exportdata";
+import { METRICS } from "./measure/errors";
+import { type Measured, measuredHere, measuredThere, ranked } from "./measure/measured";
 import { ErrorView } from "./pictures/errorview";
 import { InsetsView } from "./pictures/insetsview";
 import { SpectrumView } from "./pictures/spectrumview";
 import { AllQualities, Benefits, Passes, Selected } from "./sections";
 import type { BenchmarkRun, Session } from "./session";
-import { Progress } from "../ui/progress";
 
 const KEY = "mr-1 mb-1 inline-block w-4";
 
@@ -60,13 +61,12 @@ function Diagrams({ session, run }: { session: Session; run: BenchmarkRun | null
   const metric = session.metric.value;
   const sweep = session.sweep.value;
   const { here, there, curves, axes } = useMemo(() => {
-    const hereData: Measured[] = run?.result.measured.map(measuredHere) ?? [];
-    const thereData = run && sweep ? measuredThere(sweep, run.result) : [];
-    const marks = { here: marksOf(hereData, metric), there: marksOf(thereData, metric) };
-    const times = new Map(hereData.map(({ point, time }) => [point.id, time]));
+    const marksOf = (measured: Measured[] = []) => ranked(measured, metric).sort((a, b) => a.time - b.time);
+    const marks = { here: marksOf(run?.result.measured.map(measuredHere)), there: marksOf(run && sweep ? measuredThere(sweep, run.result) : []) };
+    const times = new Map(marks.here.map(({ id, time }) => [id, time]));
     const time = (id: string) => times.get(id) ?? Infinity;
     const both = [...marks.here, ...marks.there];
-    const { label, unit } = metricOf(metric);
+    const { label, unit } = METRICS.find(({ key }) => key === metric) ?? METRICS[0];
     const shared: Axes = {
       x: logAxis(both.flatMap(({ low, time: middle, high }) => [low, middle, high])),
       y: logAxis(both.map(({ error }) => error)),
@@ -77,13 +77,16 @@ function Diagrams({ session, run }: { session: Session; run: BenchmarkRun | null
   }, [run, sweep, metric]);
   const common = {
     ...{ curves, axes, current: session.current.value?.point.id ?? null, highlighted: session.highlighted.value },
-    ...{ emphasised: session.curve.value, fitting: session.fitting.value },
+    ...{ emphasised: session.curve.value, fitting: session.choice.value?.fitting ?? null },
     select: (id: string) => session.select(id),
     highlight: (id: string | null) => (session.highlighted.value = id),
   };
   return (
     <>
-      <Chooser session={session} curves={curves} />
+      <div class="flex gap-4 text-soft">
+        <Choice name="Error" value={session.metric} options={METRICS.map(({ key, label }) => [key, label] as const)} />
+        <Choice name="Setting" value={session.curve} options={[["", "all"], ...curves.map(({ pointer, title }) => [pointer, title] as const)]} />
+      </div>
       <div class={sweep ? "grid grid-cols-2 gap-3 phone:grid-cols-1" : ""}>
         <Diagram kind="machine" title="Frame time and error of every quality" caption="This machine" marks={here} {...common} />
         {sweep && (
@@ -98,31 +101,12 @@ function Diagrams({ session, run }: { session: Session; run: BenchmarkRun | null
   );
 }
 
-function Chooser({ session, curves }: { session: Session; curves: readonly { pointer: string; title: string }[] }) {
+function Choice<T extends string>({ name, value, options }: { name: string; value: Signal<T>; options: readonly (readonly [T, string])[] }) {
   return (
-    <div class="flex gap-4 text-soft">
-      <label class="flex min-w-0 items-center">
-        <span aria-hidden="true">Error</span>
-        <select class="pick min-w-0 text-ink" aria-label="Error" value={session.metric.value} onChange={(event) => (session.metric.value = event.currentTarget.value as MetricKey)}>
-          {METRICS.map(({ key, label }) => (
-            <option value={key} key={key}>
-              {label}
-            </option>
-          ))}
-        </select>
-      </label>
-      <label class="flex min-w-0 items-center">
-        <span aria-hidden="true">Setting</span>
-        <select class="pick min-w-0 text-ink" aria-label="Setting" value={session.curve.value} onChange={(event) => (session.curve.value = event.currentTarget.value)}>
-          <option value="">all</option>
-          {curves.map(({ pointer, title }) => (
-            <option value={pointer} key={pointer}>
-              {title}
-            </option>
-          ))}
-        </select>
-      </label>
-    </div>
+    <label class="flex min-w-0 items-center">
+      <span aria-hidden="true">{name}</span>
+      <Select class="pick min-w-0 text-ink" label={name} value={value.value} options={options} choose={(chosen) => (value.value = chosen)} />
+    </label>
   );
 }
 
@@ -160,7 +144,7 @@ function Results({ session, run }: { session: Session; run: BenchmarkRun }) {
 }
 
 function Downloads({ session, run }: { session: Session; run: BenchmarkRun }) {
-  const shown = (): Shown => {
+  const shown = (): ExportedRun => {
     const [width, height] = run.result.sizes.large;
     const { renderer } = session.viewport.gpu.capabilities;
     const sweep = session.sweep.value;
@@ -168,15 +152,17 @@ function Downloads({ session, run }: { session: Session; run: BenchmarkRun }) {
     const rows = [...rowsOf(run.result.measured.map(measuredHere), `this machine: ${renderer}`), ...server];
     return { preset: run.input.preset.name, width, height, method: methodNote(run, renderer), rows };
   };
-  const save = (text: string, type: string, suffix: string) => download(new Blob([text], { type }), `seafoam-accuracy-${run.input.preset.name}.${suffix}`);
+  const formats = [
+    { name: "csv", type: "text/csv", text: toCsv },
+    { name: "json", type: "application/json", text: toJson },
+  ];
   return (
     <div class="grid grid-cols-2 gap-2 border-t border-line pt-2.5 pb-1">
-      <button type="button" class="button" onClick={() => save(toCsv(shown()), "text/csv", "csv")}>
-        Download CSV
-      </button>
-      <button type="button" class="button" onClick={() => save(toJson(shown()), "application/json", "json")}>
-        Download JSON
-      </button>
+      {formats.map(({ name, type, text }) => (
+        <button type="button" class="button" key={name} onClick={() => download(new Blob([text(shown())], { type }), `seafoam-accuracy-${run.input.preset.name}.${name}`)}>
+          Download {name.toUpperCase()}
+        </button>
+      ))}
     </div>
   );
 }

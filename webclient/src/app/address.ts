@@ -5,7 +5,7 @@ import type { ChosenDisplay } from "../display/chosendisplay";
 import { presetOfPath, waterUrl } from "../gallery/water";
 import { diff } from "../scene/json";
 import type { Store } from "../selection/store";
-import { decode, drawer, encode, type LinkState } from "../selection/url";
+import { decode, frameSource, encode, type LinkState } from "../selection/url";
 import type { Surfaces } from "../surfaces/surfaces";
 import { withoutTouches } from "../touch/touches";
 import { copyText } from "../ui/clipboard";
@@ -18,7 +18,7 @@ const DELAY = 400;
 /** The link in an address. A preset in the fragment, as links had it once, comes before the path's; so does who draws. */
 export function linkOf({ hash, pathname, search }: Pick<Location, "hash" | "pathname" | "search">): LinkState {
   const link = decode(hash);
-  return { ...link, preset: link.preset ?? presetOfPath(pathname), draw: link.draw ?? drawer(new URLSearchParams(search).get("draw")) };
+  return { ...link, preset: link.preset ?? presetOfPath(pathname), draw: link.draw ?? frameSource(new URLSearchParams(search).get("draw")) };
 }
 
 export class Address {
@@ -50,8 +50,8 @@ export class Address {
       speed,
       camera: !exact && isPresetCamera ? null : camera,
       split,
-      scale: this.display.fixed,
-      draw: this.display.wish === "auto" ? null : this.display.wish,
+      scale: this.display.current.fixed,
+      draw: this.display.choice === "auto" ? null : this.display.choice,
       accuracy: this.accuracy.open ? true : null,
       surface: this.surfaces.open,
     };

@@ -3,7 +3,7 @@ import { type Api, ApiError, messageOf, type Preset, type PresetSummary } from "
 import { CameraControls, CLEARANCE } from "../camera/controls";
 import { cameraFromScene } from "../camera/state";
 import type { ChosenDisplay, MakeDisplay } from "../display/chosendisplay";
-import type { DrawerChoice } from "../display/display";
+import type { FrameSourceChoice } from "../display/display";
 import { PlanLoader } from "../display/planloader";
 import { SceneEdits } from "../edits/edits";
 import { Gallery } from "../gallery/gallery";
@@ -15,27 +15,25 @@ import { qualityTitle } from "../selection/quality";
 import { DEFAULT_TIER, QUALITY_FIELD, type Selection, validSplit } from "../selection/selection";
 import { Store } from "../selection/store";
 import { type LinkState, selectionFromLink } from "../selection/url";
+import { PageContext } from "../surfaces/context";
 import { Surfaces } from "../surfaces/surfaces";
-import { listenForDrops } from "../take/drop";
 import { makeTestHook } from "../testhook";
 import { TouchTool } from "../touch/tool";
-import { byId } from "../ui/dom";
+import { byId, prefersReducedMotion } from "../ui/dom";
 import { FrameStats } from "../ui/framestats";
 import { showHint } from "../ui/hint";
 import type { LoadingScreen } from "../ui/loading";
-import { EffectList } from "../ui/settings/effects";
 import { SettingsPanel } from "../ui/settings/settings";
 import type { StillImage } from "../ui/still";
 import { Toasts } from "../ui/toasts";
-import { Transport } from "../ui/transport";
 import { AccuracyTool } from "./accuracytool";
 import { Address } from "./address";
+import { QualityPilot } from "./autoquality";
 import { Clock } from "./clock";
 import { PresetLoader } from "./presetloader";
-import { QualityPilot } from "./qualitypilot";
 import { SceneEditor } from "./sceneeditor";
-import { Sharing } from "./sharing";
 import { addTools, copyLink, type PageParts } from "./tools";
+import { Transport } from "./transport";
 
 const STATS_INTERVAL = 250;
 
@@ -53,26 +51,24 @@ function serverLink(): { text: string; href: string } {
   return { text: "Show frames drawn by the server", href: url.href };
 }
 
-export class App {
-  private readonly clock = new Clock();
+export class App implements PageParts {
   readonly toasts = new Toasts(byId("toasts"));
+  readonly settings: SettingsPanel;
+  readonly editor: SceneEditor;
+  readonly accuracy: AccuracyTool;
+  readonly surfaces: Surfaces;
+  readonly context: PageContext;
+  readonly address: Address;
+  readonly touch: TouchTool;
+  private readonly clock = new Clock();
   private readonly stats = new FrameStats();
-  private readonly effects = new EffectList();
   private readonly store: Store;
   private readonly textures: TextureParts;
   private readonly loaders: readonly [PlanLoader, PlanLoader];
   private readonly display: ChosenDisplay;
   private readonly controls: CameraControls;
-  private readonly settings: SettingsPanel;
-  private readonly editor: SceneEditor;
-  private readonly accuracy: AccuracyTool;
-  private readonly surfaces: Surfaces;
-  private readonly sharing: Sharing;
-  private readonly address: Address;
   private readonly gallery: Gallery;
   private readonly transport: Transport;
-  private readonly parts: PageParts;
-  private readonly touch: TouchTool;
   /** Sides whose plan is loading, and the preset that does. */
   private readonly busy = new Set<0 | 1 | "preset">();
   private readonly presetLoader: PresetLoader;
@@ -95,14 +91,14 @@ export class App {
     private readonly still: StillImage,
     { presets, preset, link, makeDisplay }: StartData,
   ) {
-    const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    const reducedMotion = prefersReducedMotion();
     this.store = new Store(selectionFromLink(preset, link));
     this.clock.seek(link.time ?? preset.time);
     this.clock.setSpeed(link.speed ?? 1);
     this.clock.playing = !(link.paused ?? reducedMotion);
 
     const canvas = byId("canvas") as HTMLCanvasElement;
-    this.textures = new TextureParts((texture) => api.texture(texture), (texture, part) => api.texture(texture, part));
+    this.textures = new TextureParts(api.texture);
     this.loaders = [this.makeLoader(0), this.makeLoader(1)];
     this.presetLoader = new PresetLoader(api, () => this.store.now.preset, (busy) => this.setBusy("preset", busy));
     this.pilot = new QualityPilot(api, this.store);
@@ -111,70 +107,93 @@ export class App {
     this.display.choose(link.draw ?? "auto");
     this.controls = new CameraControls(canvas, link.camera ?? cameraFromScene(preset.scene), !reducedMotion);
     this.settings = this.makeSettings();
-    this.settings.showDrawer(this.display.wish, this.display.own !== null);
+    this.settings.showSource(this.display.choice, this.display.browser !== null);
     this.editor = new SceneEditor(api, this.store, this.settings.scene, byId("split-view"), {
       tiers: (names) => {
         const { quality, auto } = this.store.now;
         this.settings.show(quality, auto, names);
       },
-      failed: (error) => this.failed(error),
+      failed: this.failed,
     });
     this.accuracy = this.makeAccuracyTool();
-    this.surfaces = new Surfaces(() => this.sharing.context(() => this.surfaces.show(null)), {
+    this.context = new PageContext(api, this.store, this.clock, this.controls, this.display, this.loaders, {
+      presets: presets.map(({ name }) => name),
+      copyLink: () => copyLink(this),
+      failed: this.failed,
+      close: () => this.surfaces.show(null),
+    });
+    this.surfaces = new Surfaces(this.context, {
       toggled: (open) => {
         this.viewChanged();
         if (open === null) return;
         this.settings.toggle(false);
         this.accuracy.toggle(false);
       },
-      failed: (error) => this.failed(error),
+      failed: this.failed,
     });
     this.address = new Address(this.store, this.clock, this.controls, this.display, this.accuracy, this.surfaces);
-    this.sharing = new Sharing(api, this.store, this.clock, this.controls, this.display, this.loaders, {
-      presets: presets.map(({ name }) => name),
-      copyLink: () => copyLink(this.parts),
-      failed: (error) => this.failed(error),
-    });
-    listenForDrops(window, (file) => void this.sharing.restore(file).catch((error: unknown) => this.failed(error)));
     this.gallery = new Gallery(byId("gallery"), byId("water-list"), presets, (name) => void this.choosePreset(name));
     this.transport = new Transport(byId("transport"), this.clock, () => this.store.now.preset.time, this.stats.root);
-    this.makeEdits();
+    new SceneEdits(this.settings.edits, api, this.store, {
+      pasted: (scene) => this.controls.set(cameraFromScene(scene)),
+      note: (text) => this.toasts.show(text),
+    });
     this.touch = new TouchTool(canvas, this.store, this.clock, this.controls, {
       plan: () => this.loaders[0].plan,
       busy: () => this.busy.size > 0,
       refused: (why) => this.toasts.show(`This picture shows no rings: ${why}.`),
     });
-    const { address, toasts, touch, editor, sharing, surfaces, accuracy, settings } = this;
-    this.parts = { address, toasts, touch, editor, sharing, surfaces, accuracy, settings, failed: (error) => this.failed(error) };
     this.ready = new Promise((resolve, reject) => {
       this.resolveReady = resolve;
       this.rejectReady = reject;
     });
     this.ready.catch(() => undefined);
     this.drawn = new Promise((resolve) => (this.resolveDrawn = resolve));
-    addTools(this.parts);
+    addTools(this);
     this.accuracy.toggle(link.accuracy === true);
     this.surfaces.show(link.surface);
     this.settings.toggle(false);
     this.listen();
-    window.seafoam = makeTestHook(api, this.display.own, this.ready, () => this.testState());
+    window.seafoam = makeTestHook(api, this.display.browser, this.ready, () => this.testState());
     this.showSelection(this.store.now);
     this.requestPlans(0);
     requestAnimationFrame((now) => this.tick(now));
   }
 
+  /** Shows an error. The previous picture stays; if there is none, the unedited preset is tried. */
+  readonly failed = (error: unknown): void => {
+    const message = messageOf(error);
+    this.toasts.show(message, error instanceof ApiError ? error.details : [], "error");
+    if (!this.display.blank) {
+      this.still.hide();
+      this.gallery.showPictures();
+      this.started = true;
+      return;
+    }
+    const { preset, scene, quality, split } = this.store.now;
+    const unsupported = error instanceof CapabilityError || (error instanceof ApiError && error.status >= 400 && error.status < 500);
+    const unedited = equal(scene, preset.scene) && quality === DEFAULT_TIER && split === null;
+    if (unsupported && !unedited) {
+      this.store.set({ scene: preset.scene, quality: DEFAULT_TIER, auto: true, split: null });
+      return;
+    }
+    if (this.display.browser === null) this.loadingScreen.fail("Server error", message);
+    else this.loadingScreen.fail("Rendering failed", message, serverLink());
+    this.rejectReady(error);
+  };
+
   private makeLoader(index: 0 | 1): PlanLoader {
     return new PlanLoader(this.api, this.textures, {
-      gpu: () => this.display.gpu,
+      gpu: () => this.display.current.gpu,
       camera: () => this.controls.camera,
       // A picture that stands, or beside another, can be looked at closely.
       roughUntil: () => (this.moved || !this.clock.playing || this.store.now.split !== null ? null : this.drawn),
       complete: () => this.limitCamera(),
       changed: (newPlan) => {
         if (newPlan) this.planChanged();
-        this.display.dirty = true;
+        this.display.invalidate();
       },
-      failed: (error) => this.failed(error),
+      failed: this.failed,
       busy: (busy) => this.setBusy(index, busy),
     });
   }
@@ -189,16 +208,16 @@ export class App {
     return makeDisplay(this.loaders, {
       contextLost: () => this.toasts.show("WebGL context lost. Rendering resumes when the browser restores it."),
       contextRestored: () => this.loaders.forEach((loader) => loader.reload()),
-      failed: (error) => this.failed(error),
+      failed: this.failed,
       frameDone: () => this.frameDone(),
-      drawerChanged: () => this.drawerChanged(),
+      sourceChanged: () => this.sourceChanged(),
     });
   }
 
   private makeSettings(): SettingsPanel {
-    return new SettingsPanel(byId("settings"), this.controls, this.effects, {
+    return new SettingsPanel(byId("settings"), this.controls, {
       quality: (tier) => this.setQuality(tier ?? this.store.now.quality, tier === null),
-      drawer: (choice) => this.chooseDrawer(choice),
+      source: (choice) => this.chooseSource(choice),
       scale: (scale) => this.setFixedScale(scale),
       reset: () => this.openPreset(this.store.now.preset),
       serverFrame: () => void this.saveServerFrame(),
@@ -215,14 +234,7 @@ export class App {
         this.settings.toggle(false);
         this.surfaces.show(null);
       },
-      failed: (error) => this.failed(error),
-    });
-  }
-
-  private makeEdits(): void {
-    new SceneEdits(this.settings.edits, this.api, this.store, {
-      pasted: (scene) => this.controls.set(cameraFromScene(scene)),
-      note: (text) => this.toasts.show(text),
+      failed: this.failed,
     });
   }
 
@@ -244,8 +256,8 @@ export class App {
     this.address.onVisit((link) => void this.followLink(link));
     setInterval(() => {
       const { quality, auto } = this.store.now;
-      const { drawer, why, still } = this.display;
-      this.stats.show({ ...this.display.timing(), drawer, why, still: still !== null, playing: this.clock.playing, quality: qualityTitle(quality), auto });
+      const { source, why, current } = this.display;
+      this.stats.show({ ...this.display.timing(), source, why, stalled: current.stalled !== null, playing: this.clock.playing, quality: qualityTitle(quality), auto });
       // Under the still the server may yet draw: it is asked for when this browser's first frames are measured.
       if (this.started) this.pilotQuality();
       if (this.clock.playing) this.transport.update();
@@ -257,7 +269,7 @@ export class App {
     const seconds = this.lastTick === 0 ? 0 : (now - this.lastTick) / 1000;
     this.lastTick = now;
     const cameraMoved = this.controls.step(seconds);
-    if (this.started && this.display.still === null) this.clock.advance(seconds);
+    if (this.started && this.display.current.stalled === null) this.clock.advance(seconds);
     // Under the still frames are measured, while time stands.
     this.display.tick(now, this.viewState(), cameraMoved || this.clock.playing);
   }
@@ -280,7 +292,7 @@ export class App {
   }
 
   private pilotQuality(): void {
-    if (this.clock.playing && this.busy.size === 0) this.pilot.update(this.display.load());
+    if (this.clock.playing && this.busy.size === 0) this.pilot.update(this.display.current.load());
   }
 
   private viewState() {
@@ -288,7 +300,7 @@ export class App {
   }
 
   private viewChanged(): void {
-    this.display.dirty = true;
+    this.display.invalidate();
     this.address.scheduleUpdate();
   }
 
@@ -301,8 +313,8 @@ export class App {
   }
 
   private planChanged(): void {
-    this.effects.show(this.loaders[0].plan);
-    this.sharing.planChanged();
+    this.settings.effects.show(this.loaders[0].plan);
+    this.context.changed();
     this.limitCamera();
     this.touch.planChanged();
     this.pilot.loadCosts();
@@ -353,15 +365,15 @@ export class App {
     return this.presetLoader.load(name);
   }
 
-  private chooseDrawer(choice: DrawerChoice): void {
+  private chooseSource(choice: FrameSourceChoice): void {
     this.display.choose(choice);
-    this.settings.showDrawer(choice, this.display.own !== null);
+    this.settings.showSource(choice, this.display.browser !== null);
     this.viewChanged();
   }
 
   /** Plans that were loaded while the server drew have no programs. */
-  private drawerChanged(): void {
-    if (this.display.gpu === null) return;
+  private sourceChanged(): void {
+    if (this.display.current.gpu === null) return;
     for (const loader of this.loaders) if (loader.loaded?.executor === null) loader.reload();
   }
 
@@ -388,7 +400,7 @@ export class App {
       if (link.paused !== null) this.clock.playing = !link.paused;
       this.store.set(selectionFromLink(preset, link));
       this.setFixedScale(link.scale);
-      this.chooseDrawer(link.draw ?? "auto");
+      this.chooseSource(link.draw ?? "auto");
       this.accuracy.toggle(link.accuracy === true);
       this.surfaces.show(link.surface);
     } catch (error) {
@@ -398,30 +410,8 @@ export class App {
 
   private async saveServerFrame(): Promise<void> {
     this.settings.setRendering(true);
-    await this.sharing.save(this.sharing.serverFrame(), "-server");
+    await this.context.save(this.context.serverFrame(), "-server");
     this.settings.setRendering(false);
-  }
-
-  /** Shows an error. The previous picture stays; if there is none, the unedited preset is tried. */
-  private failed(error: unknown): void {
-    const message = messageOf(error);
-    this.toasts.show(message, error instanceof ApiError ? error.details : [], "error");
-    if (!this.display.blank) {
-      this.still.hide();
-      this.gallery.showPictures();
-      this.started = true;
-      return;
-    }
-    const { preset, scene, quality, split } = this.store.now;
-    const unsupported = error instanceof CapabilityError || (error instanceof ApiError && error.status >= 400 && error.status < 500);
-    const unedited = equal(scene, preset.scene) && quality === DEFAULT_TIER && split === null;
-    if (unsupported && !unedited) {
-      this.store.set({ scene: preset.scene, quality: DEFAULT_TIER, auto: true, split: null });
-      return;
-    }
-    if (this.display.own === null) this.loadingScreen.fail("Server error", message);
-    else this.loadingScreen.fail("Rendering failed", message, serverLink());
-    this.rejectReady(error);
   }
 
   private testState() {
@@ -429,12 +419,12 @@ export class App {
       ...this.address.link(true),
       rough: this.loaders[0].rough,
       pictures: this.loaders.filter(({ loaded }) => loaded !== null).length,
-      lost: this.display.gpu?.gl.isContextLost() ?? false,
+      lost: this.display.current.gpu?.gl.isContextLost() ?? false,
       timing: this.display.timing(),
       playing: this.clock.playing,
       busy: this.busy.size > 0,
       still: this.still.shown,
-      settled: this.busy.size === 0 && !this.loaders[0].rough && !this.still.shown && !this.clock.playing && this.display.atRest,
+      settled: this.busy.size === 0 && !this.loaders[0].rough && !this.still.shown && !this.clock.playing && this.display.current.atRest,
     };
   }
 }

@@ -1,21 +1,7 @@
-/** Selects quality tier and scale together: the least error within the frame budget, from costs measured ahead. */
+/** Automatic quality: the tier and scale of least error within the frame budget, from costs measured ahead. */
+import type { Api, TierCost, TierCosts } from "../api";
 import { allowedAt, bestScale, costAt, type RenderLoad } from "../display/framebudget";
-
-/** Cost and error of one tier, as `make fronts` measured them. */
-export interface TierCost {
-  tier: string;
-  /** ms a frame at any size, on the measuring machine. */
-  fixed: number;
-  /** ms a megapixel. */
-  pixels: number;
-  /** RMSE at each of the scales, largest scale first, levels of 255. */
-  errors: readonly number[];
-}
-
-export interface TierCosts {
-  scales: readonly number[];
-  presets: Readonly<Record<string, readonly TierCost[]>>;
-}
+import type { Store } from "../selection/store";
 
 interface TierChoice {
   tier: string;
@@ -94,5 +80,50 @@ export class AutoQuality {
 
   reset(): void {
     this.rejected.clear();
+  }
+}
+
+/** Switches the selected tier by the measured load. */
+export class QualityPilot {
+  private readonly choices = new AutoQuality();
+  /** Null until loaded. */
+  private costs: TierCosts | null = null;
+  /** Preset and tier that are drawn; null before the first. */
+  private drawn: readonly [string, string] | null = null;
+
+  constructor(
+    private readonly api: Api,
+    private readonly store: Store,
+  ) {}
+
+  loadCosts(): void {
+    if (this.costs !== null) return;
+    this.api.tierCosts().then(
+      (costs) => (this.costs = costs),
+      // Without costs the quality is not switched.
+      () => undefined,
+    );
+  }
+
+  /** Another scene: tiers that were left may be selected again. */
+  reset(): void {
+    this.choices.reset();
+  }
+
+  /** `load`: null until it is measured. */
+  update(load: RenderLoad | null): void {
+    const { preset, quality, auto, split } = this.store.now;
+    if (!auto || split !== null || this.costs === null || load === null) return;
+    const choice = this.choices.next(this.costs, preset.name, quality, load);
+    if (choice === null) return;
+    this.store.set({ quality: choice.tier });
+  }
+
+  /** A plan of the selection is drawn: what its frames cost, as a multiple of the former plan's. */
+  planDrawn(): number {
+    const { preset, quality } = this.store.now;
+    const { drawn } = this;
+    this.drawn = [preset.name, quality];
+    return this.costs && drawn ? costRatio(this.costs, drawn, this.drawn) : 1;
   }
 }

@@ -1,6 +1,6 @@
 /** Editing of the scene's fields: the settings' pane and the split view of one field. What they need is loaded on first use. */
 import type { Api, SceneSchema } from "../api";
-import { choiceControls, sceneControls } from "../panel/model";
+import { choiceControls, labelOf, sceneControls } from "../panel/model";
 import { ListedOptions } from "../panel/options";
 import type { ScenePane } from "../panel/pane";
 import { isObject, type Json, withValue } from "../scene/json";
@@ -8,7 +8,7 @@ import { preferredField, splitAfterEdit, startSplit } from "../selection/compari
 import { qualityTitle } from "../selection/quality";
 import { QUALITY_FIELD, validSplit } from "../selection/selection";
 import type { Store } from "../selection/store";
-import { type ComparableField, plainOptions, SplitView } from "../ui/splitview";
+import { type ComparableField, SplitView } from "../ui/splitview";
 
 interface SceneEditorEvents {
   /** Names of the quality tiers, once they are known. */
@@ -99,7 +99,7 @@ export class SceneEditor {
     const fields = (controls ? choiceControls(controls) : []).map((control) => ({
       field: control.pointer,
       title: control.label,
-      options: control.kind === "choice" ? plainOptions(control.options) : this.options.from(control.url),
+      options: control.kind === "choice" ? control.options.map((name) => ({ name, title: labelOf(name) })) : this.options.from(control.url),
     }));
     const qualities = [...new Set([...(this.schema?.tiers ?? []), quality])].map((name) => ({ name, title: qualityTitle(name) }));
     return [...fields, { field: QUALITY_FIELD, title: "quality", options: qualities }];

@@ -1,21 +1,21 @@
 /** The buttons at the top: what they do for the whole page, and files and links to take away. */
+import type { PageContext } from "../surfaces/context";
 import type { Surfaces } from "../surfaces/surfaces";
 import type { TouchTool } from "../touch/tool";
-import { byId, element } from "../ui/dom";
+import { byId, element, hasModifier, isTyping } from "../ui/dom";
 import { icon, type IconName } from "../ui/icons";
 import type { SettingsPanel } from "../ui/settings/settings";
 import type { Toasts } from "../ui/toasts";
 import type { AccuracyTool } from "./accuracytool";
 import type { Address } from "./address";
 import type { SceneEditor } from "./sceneeditor";
-import type { Sharing } from "./sharing";
 
 export interface PageParts {
   address: Address;
   toasts: Toasts;
   touch: TouchTool;
   editor: SceneEditor;
-  sharing: Sharing;
+  context: PageContext;
   surfaces: Surfaces;
   accuracy: AccuracyTool;
   settings: SettingsPanel;
@@ -24,10 +24,10 @@ export interface PageParts {
 
 /** Fills the row of tools. */
 export function addTools(parts: PageParts): void {
-  const { touch, editor, sharing, surfaces, accuracy, settings } = parts;
+  const { touch, editor, context, surfaces, accuracy, settings } = parts;
   byId("tools").append(touch.button);
   addTool("compare", "Compare side by side", () => void editor.toggleSplit());
-  addTool("download", "Save image as PNG", () => void sharing.save(sharing.png(), ""));
+  addTool("download", "Save image as PNG", () => void context.save(context.png(), ""));
   addTool("link", "Copy link to this view", () => void copyLink(parts));
   addTool("take", "Take home", () => surfaces.show(surfaces.open === "take" ? null : "take", true));
   addTool("plan", "Frame plan", () => surfaces.show(surfaces.open === "plan" ? null : "plan", true));
@@ -73,8 +73,6 @@ function addFullscreen({ failed }: PageParts): void {
   };
   addTool("fullscreen", "Full screen (F)", toggle);
   document.addEventListener("keydown", (event) => {
-    const typing = event.target instanceof HTMLElement && event.target.matches("input:not([type=range]), select, textarea");
-    if (event.code !== "KeyF" || typing || event.ctrlKey || event.metaKey || event.altKey || event.repeat) return;
-    toggle();
+    if (event.code === "KeyF" && !isTyping(event) && !hasModifier(event) && !event.repeat) toggle();
   });
 }

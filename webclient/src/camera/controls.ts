@@ -19,13 +19,13 @@ interface Point {
   y: number;
 }
 
-export type StrokePoint = Pick<PointerEvent, "clientX" | "clientY" | "pointerType">;
+export type PointerPosition = Pick<PointerEvent, "clientX" | "clientY" | "pointerType">;
 
-/** What the main pointer, a single finger or the left button, draws with if it does not move the camera. */
-export interface Stroke {
+/** What the main pointer, a single finger or the left button, does if it does not move the camera. */
+export interface PointerTool {
   /** Returns whether it takes the pointer; else that moves the camera. */
-  start(point: StrokePoint): boolean;
-  move(point: StrokePoint): void;
+  start(point: PointerPosition): boolean;
+  move(point: PointerPosition): void;
   end(): void;
   /** A second finger has come down: both move the camera. */
   cancel(): void;
@@ -41,9 +41,9 @@ export class CameraControls {
   surface = 0.5;
   bottom = 0.5;
   /** Takes the main pointer; null: it moves the camera. */
-  stroke: Stroke | null = null;
-  /** The pointer that draws. */
-  private drawing: number | null = null;
+  tool: PointerTool | null = null;
+  /** The pointer that the tool has taken. */
+  private toolPointer: number | null = null;
   private readonly keys = new Set<string>();
   private readonly pointers = new Map<number, Point>();
   /** Pending rotation, rad. */
@@ -146,25 +146,25 @@ export class CameraControls {
     if (event.pointerType === "touch" && Math.min(event.clientX, this.element.clientWidth - event.clientX) < EDGE) return;
     this.element.setPointerCapture(event.pointerId);
     this.pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
-    if (this.drawing !== null) {
-      this.stroke?.cancel();
-      this.drawing = null;
-    } else if (this.pointers.size === 1 && event.button === 0 && !event.shiftKey && this.stroke?.start(event)) {
-      this.drawing = event.pointerId;
+    if (this.toolPointer !== null) {
+      this.tool?.cancel();
+      this.toolPointer = null;
+    } else if (this.pointers.size === 1 && event.button === 0 && !event.shiftKey && this.tool?.start(event)) {
+      this.toolPointer = event.pointerId;
     }
   };
 
   private readonly pointerUp = (event: PointerEvent): void => {
     this.pointers.delete(event.pointerId);
-    if (event.pointerId !== this.drawing) return;
-    this.drawing = null;
-    if (event.type === "pointerup") this.stroke?.end();
-    else this.stroke?.cancel();
+    if (event.pointerId !== this.toolPointer) return;
+    this.toolPointer = null;
+    if (event.type === "pointerup") this.tool?.end();
+    else this.tool?.cancel();
   };
 
   private readonly pointerMove = (event: PointerEvent): void => {
-    if (event.pointerId === this.drawing) {
-      this.stroke?.move(event);
+    if (event.pointerId === this.toolPointer) {
+      this.tool?.move(event);
       return;
     }
     const last = this.pointers.get(event.pointerId);
@@ -181,7 +181,7 @@ export class CameraControls {
       const metres = pivot(this.camera).distance * radians;
       this.moveTo(zoom(this.camera, span(last) / Math.max(span(now), 1), this.minHeight()));
       // Where one finger touches the water, two must turn the view too.
-      if (this.stroke) this.rotate(dx / 2, dy / 2, radians);
+      if (this.tool) this.rotate(dx / 2, dy / 2, radians);
       else this.moveTo(move(this.camera, (-dx / 2) * metres, (dy / 2) * metres, 0, this.minHeight()));
       this.notify();
     } else if (this.pans(event)) {
@@ -195,7 +195,7 @@ export class CameraControls {
 
   /** Whether a drag moves the eye sideways: with shift, or by the button that does not rotate. */
   private pans({ buttons, shiftKey }: PointerEvent): boolean {
-    return (buttons & 4) !== 0 || ((buttons & 3) !== 0 && shiftKey) || ((buttons & 2) !== 0 && this.stroke === null);
+    return (buttons & 4) !== 0 || ((buttons & 3) !== 0 && shiftKey) || ((buttons & 2) !== 0 && this.tool === null);
   }
 
   private rotate(dx: number, dy: number, radians: number): void {

@@ -1,5 +1,19 @@
-/** A canvas that is painted whenever its painter changes. */
+/** Canvases of Preact views. */
 import { useLayoutEffect, useRef } from "preact/hooks";
+
+/** Gives a canvas a size, and each of its pixels, row by row, a colour of bytes. */
+export function paintPixels(canvas: HTMLCanvasElement, width: number, height: number, colour: (pixel: number) => readonly [number, number, number]): void {
+  canvas.width = width;
+  canvas.height = height;
+  const context = canvas.getContext("2d");
+  if (context === null) return;
+  const image = context.createImageData(width, height);
+  for (let pixel = 0; pixel < width * height; pixel++) {
+    const [r, g, b] = colour(pixel);
+    image.data.set([r, g, b, 255], 4 * pixel);
+  }
+  context.putImageData(image, 0, 0);
+}
 
 interface CanvasProps {
   label: string;
@@ -8,6 +22,7 @@ interface CanvasProps {
   paint: (canvas: HTMLCanvasElement) => void;
 }
 
+/** A canvas that is painted whenever its painter changes. */
 export function Canvas({ label, class: name, paint }: CanvasProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
   useLayoutEffect(() => {

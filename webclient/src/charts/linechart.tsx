@@ -2,9 +2,8 @@
 import { useLayoutEffect, useRef } from "preact/hooks";
 import uPlot from "uplot";
 import { linearAxis, logAxis } from "./axis";
-import { useSize } from "./size";
-import { TABLE } from "./table";
-import { plotOptions } from "./uplot";
+import { Table } from "./table";
+import { plotOptions, useSize } from "./uplot";
 
 export interface Line {
   label: string;
@@ -55,28 +54,16 @@ export function LineChart({ title, x, lines, xLabel, yLabel, linear = false }: L
       <details class="disclosure mt-1.5">
         <summary>Values</summary>
         <div class="max-h-60 overflow-auto">
-          <table class={TABLE}>
-            <thead>
-              <tr>
-                <th scope="col">{xLabel}</th>
-                {lines.map(({ label }, i) => (
-                  <th scope="col" key={i}>
-                    {label}
-                  </th>
+          <Table heads={[xLabel, ...lines.map(({ label }) => label)]}>
+            {x.map((at, i) => (
+              <tr key={at}>
+                <th scope="row">{at.toPrecision(3)}</th>
+                {lines.map(({ values }, column) => (
+                  <td key={column}>{values[i]?.toPrecision(3) ?? "–"}</td>
                 ))}
               </tr>
-            </thead>
-            <tbody>
-              {x.map((at, i) => (
-                <tr key={at}>
-                  <th scope="row">{at.toPrecision(3)}</th>
-                  {lines.map(({ values }, column) => (
-                    <td key={column}>{values[i]?.toPrecision(3) ?? "–"}</td>
-                  ))}
-                </tr>
-              ))}
-            </tbody>
-          </table>
+            ))}
+          </Table>
         </div>
       </details>
     </div>

@@ -1,5 +1,7 @@
 /** uPlot with this page's look: axes with given ticks, no legend, no cursor. */
 import "uplot/dist/uPlot.min.css";
+import type { RefObject } from "preact";
+import { useLayoutEffect, useState } from "preact/hooks";
 import uPlot from "uplot";
 import { type Axis, tickLabels } from "./axis";
 
@@ -20,9 +22,27 @@ export interface Axes {
   yLabel: string;
 }
 
-export interface PlotSize {
+interface PlotSize {
   width: number;
   height: number;
+}
+
+/** Follows the size of an element, px; 0 before it is laid out. */
+export function useSize(ref: RefObject<HTMLElement>): PlotSize {
+  const [size, setSize] = useState<PlotSize>({ width: 0, height: 0 });
+  useLayoutEffect(() => {
+    const node = ref.current;
+    if (node === null) return;
+    const update = () => {
+      const { clientWidth: width, clientHeight: height } = node;
+      setSize((before) => (before.width === width && before.height === height ? before : { width, height }));
+    };
+    const observer = new ResizeObserver(update);
+    observer.observe(node);
+    update();
+    return () => observer.disconnect();
+  }, [ref]);
+  return size;
 }
 
 /** Options for a plot with two axes. */

@@ -1,18 +1,16 @@
-/** Chooses who draws, by what each way was measured to give: this browser, or the server frame by frame. */
-import type { Gpu } from "../gl/gpu";
-import type { Display, DisplayEvents, Drawer, DrawerChoice, FrameTiming, Rate, ViewState } from "./display";
-import type { RenderLoad } from "./framebudget";
+/** Chooses who draws, by what each was measured to give: this browser, or the server frame by frame. */
+import type { Display, DisplayEvents, FrameSource, FrameSourceChoice, FrameTiming, Rate, ViewState } from "./display";
 import type { PlanLoader } from "./planloader";
 import type { ServerView } from "./serverview";
 import type { Viewport } from "./viewport";
 
-/** Frames a second, and the scale, below which a way counts for less: it stutters, or is a smear. */
+/** Frames a second, and the scale, below which a picture counts for less: it stutters, or is a smear. */
 const FLUENT = { fps: 8, scale: 0.4 };
 /** Below these it is no moving picture. */
 const LEAST = { fps: 2.5, scale: 0.2 };
-/** Another way is taken if it gives more than this multiple. */
+/** The other is taken if it gives more than this multiple. */
 const BETTER = 1.2;
-/** Time after which the way that was left is tried again, ms. */
+/** Time after which the one that was left is tried again, ms. */
 const AGAIN = 60_000;
 /** Time that this browser has for its first plan before the server draws meanwhile, ms. */
 const HEAD_START = 1500;
@@ -28,23 +26,24 @@ export function worth(rate: Rate | null): number {
 
 const isGood = ({ fps, scale }: Rate) => fps >= FLUENT.fps && scale >= FLUENT.scale;
 
-export class ChosenDisplay implements Display {
+export class ChosenDisplay {
   /** Who draws for good; the server may do so meanwhile. */
-  private chosen: Drawer;
+  private chosen: FrameSource;
   /** Since when this browser compiles its first plan, ms of performance.now(); null while it does not. */
   private waitsSince: number | null = null;
   /** Whether the server draws until this browser is ready. */
   private meanwhile = false;
-  private rates: Record<Drawer, Rate | null> = { browser: null, server: null };
-  /** When the way that does not draw may be tried, ms of performance.now(). */
+  private rates: Record<FrameSource, Rate | null> = { browser: null, server: null };
+  /** When the one that does not draw may be tried, ms of performance.now(). */
   private tryAt = 0;
   /** When this browser's picture was good, or not yet measured. */
   private goodAt = 0;
-  private choice: DrawerChoice = "auto";
+  /** Who draws, as the user wishes; set by `choose`. */
+  choice: FrameSourceChoice = "auto";
 
   /** `browser`: null, with the reason, where it cannot draw. */
   constructor(
-    private readonly browser: Viewport | null,
+    readonly browser: Viewport | null,
     private readonly server: ServerView,
     private readonly cannot: string | null,
     private readonly events: DisplayEvents,
@@ -52,16 +51,17 @@ export class ChosenDisplay implements Display {
     this.chosen = browser === null ? "server" : "browser";
   }
 
-  get drawer(): Drawer {
+  /** What draws for good. */
+  get current(): Display {
+    return this.chosen === "browser" && this.browser !== null ? this.browser : this.server;
+  }
+
+  get source(): FrameSource {
     return this.meanwhile ? "server" : this.chosen;
   }
 
-  get wish(): DrawerChoice {
-    return this.choice;
-  }
-
   /** Draws as the user wishes. */
-  choose(choice: DrawerChoice): void {
+  choose(choice: FrameSourceChoice): void {
     this.choice = choice;
     this.rates = { browser: null, server: null };
     this.tryAt = 0;
@@ -71,16 +71,13 @@ export class ChosenDisplay implements Display {
 
   /** Who draws and why, as a sentence. */
   get why(): string {
-    const { still, cannot, drawer, choice } = this;
+    const { cannot, source, choice } = this;
+    const { stalled } = this.current;
     if (this.meanwhile) return "The server draws the frames until this browser is ready.";
-    if (still !== null) return `The picture stands still: ${still}.`;
+    if (stalled !== null) return `The picture stands still: ${stalled}.`;
     if (cannot !== null) return `The server draws the frames. ${cannot}`;
-    if (choice !== "auto") return drawer === "server" ? "The server draws the frames, as you chose." : "This browser draws, as you chose.";
-    return drawer === "server" ? "The server draws the frames: this browser would draw fewer pixels a second." : "This browser draws.";
-  }
-
-  get canvas(): HTMLCanvasElement {
-    return this.current.canvas;
+    if (choice !== "auto") return source === "server" ? "The server draws the frames, as you chose." : "This browser draws, as you chose.";
+    return source === "server" ? "The server draws the frames: this browser would draw fewer pixels a second." : "This browser draws.";
   }
 
   /** This browser's canvas, if it draws. */
@@ -88,22 +85,10 @@ export class ChosenDisplay implements Display {
     return this.chosen === "browser" ? this.browser : null;
   }
 
-  get gpu(): Gpu | null {
-    return this.current.gpu;
-  }
-
-  /** The browser's own GPU, whoever draws. */
-  get own(): Viewport | null {
-    return this.browser;
-  }
-
-  get dirty(): boolean {
-    return this.current.dirty;
-  }
-
-  set dirty(dirty: boolean) {
-    this.current.dirty = dirty;
-    if (this.meanwhile) this.server.dirty = dirty;
+  /** The picture is out of date. */
+  invalidate(): void {
+    this.current.dirty = true;
+    if (this.meanwhile) this.server.dirty = true;
   }
 
   get blank(): boolean {
@@ -117,18 +102,6 @@ export class ChosenDisplay implements Display {
   /** Whether the server's picture stands while this browser compiles. */
   get bridged(): boolean {
     return this.meanwhile && this.server.presentable;
-  }
-
-  get atRest(): boolean {
-    return this.current.atRest;
-  }
-
-  get fixed(): number | null {
-    return this.current.fixed;
-  }
-
-  get still(): string | null {
-    return this.current.still;
   }
 
   setFixedScale(scale: number | null): void {
@@ -148,23 +121,11 @@ export class ChosenDisplay implements Display {
     return this.meanwhile ? this.server.timing() : this.current.timing();
   }
 
-  rate(): Rate | null {
-    return this.current.rate();
-  }
-
-  load(): RenderLoad | null {
-    return this.current.load();
-  }
-
   planChanged(cost: number): void {
     const { browser } = this.rates;
     // What this browser would give now is not measured again before the server draws less.
     this.rates = { browser: browser && { ...browser, fps: browser.fps / cost }, server: null };
     this.current.planChanged(cost);
-  }
-
-  private get current(): Display {
-    return this.chosen === "browser" && this.browser !== null ? this.browser : this.server;
   }
 
   /** Has the server draw while this browser takes long to compile its first plan, until its picture is good. */
@@ -176,7 +137,7 @@ export class ChosenDisplay implements Display {
       this.meanwhile ||= now - this.waitsSince > HEAD_START;
     }
     if (!this.meanwhile) return;
-    if (this.browser.presentable || this.server.still !== null) this.endBridge();
+    if (this.browser.presentable || this.server.stalled !== null) this.endBridge();
     else this.server.tick(now, view, moving);
   }
 
@@ -199,7 +160,7 @@ export class ChosenDisplay implements Display {
     rates[chosen] = current.rate() ?? rates[chosen];
     if (chosen === "browser") {
       if (this.leaves) this.use("server");
-    } else if (server.still !== null) {
+    } else if (server.stalled !== null) {
       this.tryAt = server.retryAt;
       if (worth(rates.browser) > 0) this.use("browser");
     } else if (current.rate() !== null && worth(rates.browser) > BETTER * worth(rates.server)) {
@@ -208,13 +169,13 @@ export class ChosenDisplay implements Display {
     }
   }
 
-  private use(drawer: Drawer): void {
-    if (drawer === this.chosen || (drawer === "browser" && this.browser === null)) return;
+  private use(source: FrameSource): void {
+    if (source === this.chosen || (source === "browser" && this.browser === null)) return;
     if (this.chosen === "server") this.server.close();
-    this.chosen = drawer;
+    this.chosen = source;
     this.meanwhile = false;
     this.current.planChanged(1);
-    this.events.drawerChanged();
+    this.events.sourceChanged();
   }
 }
 

@@ -29,10 +29,10 @@ export interface ViewState {
 }
 
 /** Who draws: this browser, or the server, frame by frame. */
-export type Drawer = "browser" | "server";
+export type FrameSource = "browser" | "server";
 
 /** Who draws, as the user wishes; auto: whoever gives more. */
-export type DrawerChoice = Drawer | "auto";
+export type FrameSourceChoice = FrameSource | "auto";
 
 export interface FrameTiming {
   /** Of a frame, ms; null until measured. */
@@ -46,7 +46,7 @@ export interface FrameTiming {
   frames: number;
 }
 
-/** What a way of drawing gives in motion. */
+/** What is drawn in motion. */
 export interface Rate {
   scale: number;
   fps: number;
@@ -58,8 +58,8 @@ export interface DisplayEvents {
   failed(error: unknown): void;
   /** A frame is shown. */
   frameDone(): void;
-  /** Another way draws from now on. */
-  drawerChanged(): void;
+  /** The other source draws from now on. */
+  sourceChanged(): void;
 }
 
 export interface Display {
@@ -86,7 +86,7 @@ export interface Display {
   /** The load in motion; null if the page is not to adapt the quality to it. */
   load(): RenderLoad | null;
   /** Why the picture does not move; null if it can. */
-  readonly still: string | null;
+  readonly stalled: string | null;
   /** Another plan is drawn. `cost`: of its frames, as a multiple of the former plan's. */
   planChanged(cost: number): void;
 }

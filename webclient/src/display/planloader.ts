@@ -39,7 +39,6 @@ interface PlanLoaderEvents {
   /** The programs for every camera are compiled. */
   complete(): void;
   failed(error: unknown): void;
-  /** Whether a plan is loading. */
   busy(busy: boolean): void;
 }
 

@@ -5,7 +5,7 @@ import { element } from "../ui/dom";
 import { type Display, type DisplayEvents, type FrameTiming, type Rate, ShownFrames, type ViewState } from "./display";
 import type { FrameBudget, RenderLoad } from "./framebudget";
 import { FrameStream } from "./framestream";
-import { onPixelsChange, pixelRatio, pixelsOf } from "./pixelratio";
+import { onPixelsChange, pixelRatio, pixelSize, pixelsOf, resizeCanvas } from "./pixels";
 import type { PlanLoader, PlanView } from "./planloader";
 import { DynamicResolution } from "./resolution";
 
@@ -20,7 +20,7 @@ const MAX_PIXELS = 2_000_000;
 /** Frames that are asked for before the first of them has come. */
 const DEPTH = 2;
 /** While the camera moves, a frame that waits at the server gives way to one of the newest view this often, ms. */
-const HASTE = 60;
+const NEW_VIEW_INTERVAL = 60;
 /** A picture at rest is sharpened after this long, ms. */
 const SHARPENING_DELAY = 300;
 /** Delay before a failed request is repeated, ms; it doubles with each failure. */
@@ -31,7 +31,7 @@ const SETTLED_WINDOWS = 3;
 /** Over the canvas, which takes the pointer. */
 const COVER = "pointer-events-none fixed inset-0 size-full";
 
-interface Asked {
+interface RequestedFrame {
   number: number;
   submitted: number;
   scale: number;
@@ -42,8 +42,7 @@ export class ServerView implements Display {
   readonly gpu = null;
   dirty = true;
   fixed: number | null = null;
-  /** Why the server gives no moving picture; null if it does. */
-  still: string | null = null;
+  stalled: string | null = null;
   /** When to ask for it again, ms of performance.now(). */
   retryAt = 0;
   private readonly root = element("div", { class: `served ${COVER}` });
@@ -51,13 +50,13 @@ export class ServerView implements Display {
   private readonly streams: readonly [FrameStream, FrameStream];
   private readonly shown = new ShownFrames();
   /** Frames that were asked for and have not come. */
-  private readonly asked: Asked[] = [];
+  private readonly pending: RequestedFrame[] = [];
   private number = 0;
   private latest = 0;
   /** The exact picture that was asked for last, one for each side. */
   private exact: readonly FrameRequest[] = [];
   private view: string = "";
-  private hurried = 0;
+  private lastNewView = 0;
   private scale = 0;
   private failures = 0;
   private waitUntil = 0;
@@ -88,7 +87,7 @@ export class ServerView implements Display {
   }
 
   get atRest(): boolean {
-    return !this.dirty && this.asked.length === 0 && !this.blank && this.scale >= (this.fixed ?? 1);
+    return !this.dirty && this.pending.length === 0 && !this.blank && this.scale >= (this.fixed ?? 1);
   }
 
   setFixedScale(scale: number | null): void {
@@ -100,9 +99,9 @@ export class ServerView implements Display {
   /** Takes the picture away and gives the streams back: something else draws. */
   close(): void {
     for (const stream of this.streams) stream.close();
-    this.asked.length = 0;
+    this.pending.length = 0;
     this.latest = this.number + 1;
-    this.still = null;
+    this.stalled = null;
   }
 
   hide(): void {
@@ -116,7 +115,7 @@ export class ServerView implements Display {
     else this.resolution.pause();
     if (now < this.waitUntil || this.loaders[0].view === null) return;
     if (moving && now >= this.retryAt) this.stream(now, view);
-    else if (this.asked.length === 0) this.rest(now, view);
+    else if (this.pending.length === 0) this.rest(now, view);
   }
 
   timing(): FrameTiming {
@@ -143,9 +142,9 @@ export class ServerView implements Display {
   /** Asks for the next frame in motion, if there is a place for it. */
   private stream(now: number, view: ViewState): void {
     const camera = JSON.stringify(view.camera);
-    const haste = camera !== this.view && now - this.hurried > HASTE && this.asked.length === DEPTH;
-    if (this.asked.length >= DEPTH && !haste) return;
-    if (haste) this.hurried = now;
+    const isNewView = camera !== this.view && now - this.lastNewView > NEW_VIEW_INTERVAL && this.pending.length === DEPTH;
+    if (this.pending.length >= DEPTH && !isNewView) return;
+    if (isNewView) this.lastNewView = now;
     this.view = camera;
     this.dirty = false;
     const scale = this.fixed ?? this.resolution.scale;
@@ -182,37 +181,36 @@ export class ServerView implements Display {
     const { clientWidth, clientHeight } = this.canvas;
     const fitting = Math.sqrt(MAX_PIXELS / Math.max(1, clientWidth * clientHeight));
     const ratio = scale * Math.min(pixelRatio(), fitting);
-    const [width, height] = [clientWidth, clientHeight].map((side) => Math.max(1, Math.round(side * ratio))) as [number, number];
-    const { position, yaw, pitch, roll, fov } = camera;
-    return { camera: { position: [...position], yaw, pitch, roll, fov }, time, width, height };
+    const [width, height] = pixelSize(this.canvas, ratio);
+    return { camera, time, width, height };
   }
 
-  private async show(take: () => Promise<(Blob | null)[]>, { scale, moving, width, height }: StreamView & Pick<Asked, "scale" | "moving">): Promise<void> {
-    const asked: Asked = { number: ++this.number, submitted: performance.now(), scale, moving };
-    this.asked.push(asked);
+  private async show(take: () => Promise<(Blob | null)[]>, { scale, moving, width, height }: StreamView & Pick<RequestedFrame, "scale" | "moving">): Promise<void> {
+    const frame: RequestedFrame = { number: ++this.number, submitted: performance.now(), scale, moving };
+    this.pending.push(frame);
     try {
       const blobs = (await take()).filter((blob) => blob !== null);
       // Decoded off the main thread.
       const pictures = await Promise.all(blobs.map((blob) => createImageBitmap(blob)));
       // What comes after a later frame, or was given up for one, is not shown.
-      if (asked.number < this.latest || pictures.length < this.views.length) {
+      if (frame.number < this.latest || pictures.length < this.views.length) {
         pictures.forEach((picture) => picture.close());
         return;
       }
-      this.latest = asked.number;
+      this.latest = frame.number;
       this.present(pictures);
       this.size = { width, height };
-      this.measure(asked);
+      this.measure(frame);
       this.failures = 0;
-      this.still = null;
+      this.stalled = null;
       this.scale = scale;
       if (moving) this.exact = [];
       this.events.frameDone();
     } catch (error) {
-      if (asked.number > this.latest) this.failed(error, moving);
+      if (frame.number > this.latest) this.failed(error, moving);
     } finally {
-      const index = this.asked.indexOf(asked);
-      if (index >= 0) this.asked.splice(index, 1);
+      const index = this.pending.indexOf(frame);
+      if (index >= 0) this.pending.splice(index, 1);
     }
   }
 
@@ -221,13 +219,12 @@ export class ServerView implements Display {
     while (this.root.childElementCount < pictures.length) this.root.append(element("canvas", { class: `${COVER} object-cover not-first:[clip-path:inset(0_0_0_var(--at))]` }));
     pictures.forEach((picture, side) => {
       const canvas = this.root.children[side] as HTMLCanvasElement;
-      if (canvas.width !== picture.width) canvas.width = picture.width;
-      if (canvas.height !== picture.height) canvas.height = picture.height;
+      resizeCanvas(canvas, picture.width, picture.height);
       canvas.getContext("bitmaprenderer")?.transferFromImageBitmap(picture);
     });
   }
 
-  private measure({ submitted, scale, moving }: Asked): void {
+  private measure({ submitted, scale, moving }: RequestedFrame): void {
     const done = performance.now();
     this.shown.add();
     this.frameTime = done - submitted;
@@ -246,7 +243,7 @@ export class ServerView implements Display {
       this.dirty = true;
       if (moving && retryAfter > 0) {
         // All streams are taken: single pictures until one may be free.
-        this.still = messageOf(error);
+        this.stalled = messageOf(error);
         this.retryAt = performance.now() + 1000 * retryAfter;
         return;
       }

@@ -4,7 +4,7 @@ import { makeScreen, type Screen } from "../gl/target";
 import type { Frame, Rectangle } from "../plan/executor";
 import { type Display, type DisplayEvents, type FrameTiming, type Rate, ShownFrames, type ViewState } from "./display";
 import { MOTION_BUDGET, type RenderLoad } from "./framebudget";
-import { onPixelsChange, pixelRatio, pixelsOf } from "./pixelratio";
+import { onPixelsChange, pixelRatio, pixelSize, pixelsOf, resizeCanvas } from "./pixels";
 import type { PlanLoader } from "./planloader";
 import { DynamicResolution } from "./resolution";
 
@@ -40,9 +40,9 @@ interface PendingFrame extends DrawnFrame {
 export class Viewport implements Display {
   readonly gl: WebGL2RenderingContext;
   gpu: Gpu;
-  /** Whether the canvas is out of date. */
   dirty = true;
-  readonly still = null;
+  readonly stalled = null;
+  fixed: number | null = null;
   private readonly resolution: DynamicResolution;
   /** Pixels at scale 1 for which it has measured. */
   private pixels: number;
@@ -55,7 +55,6 @@ export class Viewport implements Display {
   private lastMotion = -Infinity;
   private moving = false;
   private polling = false;
-  private fixedScale: number | null = null;
   /** Shortest interval between animation frames in the current measurement. */
   private shortest = { interval: Infinity, frames: 0 };
   private lastTick = 0;
@@ -103,7 +102,7 @@ export class Viewport implements Display {
 
   /** Whether frames are good enough to be seen, or get no better. */
   private get good(): boolean {
-    return (!this.moving && this.sharpest) || (this.finished?.scale ?? 0) >= (this.fixedScale ?? PRESENTABLE_SCALE) || this.settled;
+    return (!this.moving && this.sharpest) || (this.finished?.scale ?? 0) >= (this.fixed ?? PRESENTABLE_SCALE) || this.settled;
   }
 
   /** Whether the latest frame shows what was asked for, at its final scale. */
@@ -116,13 +115,9 @@ export class Viewport implements Display {
     return this.sharpest && this.finished?.onCanvas === true;
   }
 
-  get fixed(): number | null {
-    return this.fixedScale;
-  }
-
   setFixedScale(scale: number | null): void {
-    if (scale === this.fixedScale) return;
-    this.fixedScale = scale;
+    if (scale === this.fixed) return;
+    this.fixed = scale;
     this.resolution.pause();
     this.dirty = true;
   }
@@ -143,7 +138,7 @@ export class Viewport implements Display {
     this.revealed ||= this.good;
     const onCanvas = this.revealed;
     const submitted = performance.now();
-    this.draw(view, onCanvas ? this.resizeCanvas(scale) : this.resizeHidden(scale));
+    this.draw(view, onCanvas ? this.prepareCanvas(scale) : this.prepareHidden(scale));
     const fence = this.gl.fenceSync(this.gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     this.gl.flush();
     if (fence) this.pending.push({ fence, submitted, scale, moving, onCanvas });
@@ -151,7 +146,7 @@ export class Viewport implements Display {
   }
 
   private nextScale(now: number, moving: boolean): number | null {
-    if (moving || this.dirty) return this.fixedScale ?? this.resolution.scale;
+    if (moving || this.dirty) return this.fixed ?? this.resolution.scale;
     // What was good where nobody saw it is drawn once more, on the canvas.
     if (this.finished?.onCanvas === false && this.good) return this.finished.scale;
     return now - this.lastMotion < SHARPENING_DELAY ? null : this.sharperScale();
@@ -181,7 +176,7 @@ export class Viewport implements Display {
 
   /** Draws at scale 1 and returns a PNG. */
   async png(view: ViewState): Promise<Blob> {
-    this.draw(view, this.resizeCanvas(1));
+    this.draw(view, this.prepareCanvas(1));
     this.dirty = true;
     // The drawing buffer is valid only until the next task: no await before this.
     return new Promise((resolve, reject) =>
@@ -211,14 +206,14 @@ export class Viewport implements Display {
   rate(): Rate | null {
     const { measured, displayInterval, scale } = this.resolution;
     const milliseconds = measured ?? this.finished?.milliseconds;
-    if (this.fixedScale !== null || milliseconds === undefined || !this.settled) return null;
+    if (this.fixed !== null || milliseconds === undefined || !this.settled) return null;
     return { scale, fps: 1000 / Math.max(milliseconds, displayInterval) };
   }
 
   /** The load in motion; null until it is measured, and while the scale is fixed. */
   load(): RenderLoad | null {
     const { cost, scale, displayInterval } = this.resolution;
-    if (this.fixedScale !== null || cost === null || !this.settled) return null;
+    if (this.fixed !== null || cost === null || !this.settled) return null;
     return { cost, scale, displayInterval, budget: MOTION_BUDGET, megapixels: 1e-6 * this.pixels };
   }
 
@@ -271,28 +266,24 @@ export class Viewport implements Display {
   /** The next scale to sharpen a still picture with; null if the current one is final. */
   private sharperScale(): number | null {
     const { finished, scale } = this;
-    if (this.fixedScale !== null || finished === null || finished.scale !== scale || scale >= 1) return null;
+    if (this.fixed !== null || finished === null || finished.scale !== scale || scale >= 1) return null;
     const next = Math.min(1, scale * Math.sqrt(SHARPENING_TIME / Math.max(1, finished.milliseconds)));
     return next > 1.1 * scale || next === 1 ? next : null;
   }
 
   private sizeAt(scale: number): [number, number] {
-    const { clientWidth, clientHeight } = this.canvas;
-    const ratio = pixelRatio() * scale;
-    return [Math.max(1, Math.round(clientWidth * ratio)), Math.max(1, Math.round(clientHeight * ratio))];
+    return pixelSize(this.canvas, pixelRatio() * scale);
   }
 
-  private resizeCanvas(scale: number): Pick<Frame, "width" | "height" | "screen"> {
+  private prepareCanvas(scale: number): Pick<Frame, "width" | "height" | "screen"> {
     const [width, height] = this.sizeAt(scale);
-    // Setting a canvas's size clears it, even to the same size.
-    if (this.canvas.width !== width) this.canvas.width = width;
-    if (this.canvas.height !== height) this.canvas.height = height;
+    resizeCanvas(this.canvas, width, height);
     this.hidden?.dispose();
     this.hidden = null;
     return { width, height, screen: null };
   }
 
-  private resizeHidden(scale: number): Pick<Frame, "width" | "height" | "screen"> {
+  private prepareHidden(scale: number): Pick<Frame, "width" | "height" | "screen"> {
     const [width, height] = this.sizeAt(scale);
     if (this.hidden?.width !== width || this.hidden.height !== height) {
       this.hidden?.dispose();
@@ -317,7 +308,7 @@ export class Viewport implements Display {
     if (onCanvas) this.shown.add();
     this.finished = { scale, onCanvas, milliseconds: done - submitted };
     if (moving) this.firstFinished = Math.min(this.firstFinished, done);
-    if (!moving || this.fixedScale !== null || this.exclusiveTasks > 0) return;
+    if (!moving || this.fixed !== null || this.exclusiveTasks > 0) return;
     if (!this.resolution.addFrame({ scale, submitted, done })) return;
     this.changedAt = this.resolution.windows;
     this.dirty = true;

@@ -2,13 +2,13 @@
 import { type Signal, signal } from "@preact/signals";
 import { render } from "preact";
 import { type Api, ApiError } from "../api";
-import { apply, diff, get, isObject, type JsonObject } from "../scene/json";
+import { apply, diff, get, isObject, type Json, type JsonObject } from "../scene/json";
 import { type Selection, validSplit } from "../selection/selection";
 import type { Store } from "../selection/store";
 import { copyText } from "../ui/clipboard";
+import { Icon } from "../ui/icons";
 import { EditHistory } from "./history";
 import { PasteForm } from "./paste";
-import { shortText } from "./pasted";
 
 interface SceneEditsEvents {
   /** A scene from elsewhere was put in place; its camera is to be taken. */
@@ -131,9 +131,7 @@ export class SceneEdits {
                   {shortText(get(preset.scene, pointer))} → {shortText(value)}
                 </span>
                 <button type="button" class="plain col-2 row-[1/3]" aria-label={`Revert ${pointer}`} title="Revert" onClick={() => this.revert(pointer)}>
-                  <svg viewBox="0 0 24 24" aria-hidden="true">
-                    <path d="M5 12a7 7 0 1 0 2.300-5.200M5 4.500V9h4.500" />
-                  </svg>
+                  <Icon name="reset" />
                 </button>
               </li>
             ))}
@@ -142,4 +140,13 @@ export class SceneEdits {
       </>
     );
   };
+}
+
+/** A value in a few words. */
+export function shortText(value: Json | undefined): string {
+  if (value === undefined || value === null) return "absent";
+  if (typeof value === "number") return String(Number(value.toPrecision(4)));
+  if (typeof value === "string") return value;
+  const text = JSON.stringify(value);
+  return text.length <= 32 ? text : `${text.slice(0, 31)}…`;
 }

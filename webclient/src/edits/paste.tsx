@@ -1,11 +1,18 @@
 /** A field for a scene as JSON, with what the server finds wrong with it. */
 import { useSignal } from "@preact/signals";
-import type { JsonObject } from "../scene/json";
-import { sceneIn } from "./pasted";
+import { isObject, type Json, type JsonObject } from "../scene/json";
 
 interface PasteProps {
   /** Resolves with what is wrong with the scene; empty if it was put in place. */
   apply: (scene: JsonObject) => Promise<string[]>;
+}
+
+/** The scene in a JSON text: a scene, or an object that has one at `scene`, such as a preset or a request. Throws a `SyntaxError`. */
+export function sceneIn(text: string): JsonObject {
+  const value = JSON.parse(text) as Json;
+  if (!isObject(value)) throw new SyntaxError("A scene is a JSON object.");
+  const inner = value["scene"];
+  return isObject(inner) ? inner : value;
 }
 
 export function PasteForm({ apply }: PasteProps) {

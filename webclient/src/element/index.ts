@@ -2,14 +2,15 @@
 import { Api, ApiError, messageOf } from "../api";
 import { cameraFromScene } from "../camera/state";
 import { CapabilityError } from "../gl/capabilities";
-import { Stage } from "../export/stage";
+import { PlanPlayer } from "../export/planplayer";
+import { element, prefersReducedMotion } from "../ui/dom";
 import { stillUrl } from "../ui/still";
 
 const STYLE = ":host { display: block; position: relative; aspect-ratio: 16 / 9; overflow: hidden; } canvas, img { position: absolute; inset: 0; width: 100%; height: 100%; border: 0; } img { object-fit: cover; } canvas { touch-action: pan-y; } p { position: absolute; inset: auto 0 0; margin: 0; padding: 8px 12px; font: 14px/1.4 system-ui, sans-serif; color: #fff; background: rgb(0 0 0 / 0.75); }";
 
 class SeafoamWater extends HTMLElement {
   static readonly observedAttributes = ["preset", "time", "quality", "server", "paused"];
-  private stage: Stage | null = null;
+  private player: PlanPlayer | null = null;
   private visible = false;
   private queued = false;
   /** Number of the latest load; earlier ones are outdated. */
@@ -33,18 +34,18 @@ class SeafoamWater extends HTMLElement {
   }
 
   attributeChangedCallback(name: string): void {
-    if (name === "paused" && this.stage) this.stage.playing = !this.hasAttribute("paused");
+    if (name === "paused" && this.player) this.player.playing = !this.hasAttribute("paused");
     else this.queue();
   }
 
   /** Time of the picture, s. */
   get currentTime(): number {
-    return this.stage?.time ?? this.startTime ?? 0;
+    return this.player?.time ?? this.startTime ?? 0;
   }
 
   /** Frames that were drawn; 0 while a still of the server is shown. */
   get frames(): number {
-    return this.stage?.frames ?? 0;
+    return this.player?.frames ?? 0;
   }
 
   private get startTime(): number | null {
@@ -54,7 +55,7 @@ class SeafoamWater extends HTMLElement {
   }
 
   private readonly updateActivity = (): void => {
-    if (this.stage) this.stage.active = this.visible && !document.hidden;
+    if (this.player) this.player.active = this.visible && !document.hidden;
   };
 
   /** Loads once for all attributes that change together. */
@@ -69,8 +70,8 @@ class SeafoamWater extends HTMLElement {
 
   private clear(): void {
     this.run += 1;
-    this.stage?.dispose();
-    this.stage = null;
+    this.player?.dispose();
+    this.player = null;
     this.root.replaceChildren();
   }
 
@@ -80,39 +81,34 @@ class SeafoamWater extends HTMLElement {
     const preset = this.getAttribute("preset") ?? "default";
     const quality = this.getAttribute("quality") ?? "standard";
     const base = new URL(this.getAttribute("server") ?? ".", document.baseURI).href.replace(/\/?$/, "/");
-    const style = document.createElement("style");
-    style.textContent = STYLE;
     const poster = this.picture(new URL(stillUrl(preset), base).href, preset);
     poster.addEventListener("error", () => poster.remove());
-    this.root.append(style, poster);
+    this.root.append(element("style", {}, STYLE), poster);
     try {
       const api = new Api(base);
       const [{ scene, title, time }, plan] = await Promise.all([api.preset(preset), api.presetPlan(preset, quality)]);
       if (run !== this.run) return;
-      const canvas = document.createElement("canvas");
-      canvas.tabIndex = 0;
-      canvas.setAttribute("role", "application");
-      canvas.setAttribute("aria-label", this.getAttribute("aria-label") ?? title);
+      const canvas = element("canvas", { tabindex: 0, role: "application", "aria-label": this.getAttribute("aria-label") ?? title });
       // Below the still, until it is drawn.
       poster.before(canvas);
       // The wheel scrolls the page unless the canvas has the focus.
       canvas.addEventListener("wheel", (event) => this.root.activeElement === canvas || event.stopImmediatePropagation());
-      const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
-      const stage = new Stage(canvas, {
+      const reducedMotion = prefersReducedMotion();
+      const player = new PlanPlayer(canvas, {
         plan,
         camera: cameraFromScene(scene),
-        bytes: (texture) => api.texture(texture),
+        bytes: api.texture,
         time: this.startTime ?? time,
-        playing: !this.hasAttribute("paused") && !still,
-        still,
+        playing: !this.hasAttribute("paused") && !reducedMotion,
+        reducedMotion,
       });
-      this.stage = stage;
+      this.player = player;
       this.updateActivity();
-      stage.beforeFrame = () => {
-        if (stage.frames > 0) poster.remove();
+      player.beforeFrame = () => {
+        if (player.frames > 0) poster.remove();
       };
-      stage.failed = (error) => void this.failed(error, base);
-      await stage.load();
+      player.failed = (error) => void this.failed(error, base);
+      await player.load();
       if (run === this.run) this.dispatchEvent(new Event("load"));
     } catch (error) {
       if (run !== this.run) return;
@@ -122,16 +118,13 @@ class SeafoamWater extends HTMLElement {
   }
 
   private picture(address: string, preset: string): HTMLImageElement {
-    const image = document.createElement("img");
-    image.alt = this.getAttribute("aria-label") ?? `Water: ${preset}`;
-    image.src = address;
-    return image;
+    return element("img", { alt: this.getAttribute("aria-label") ?? `Water: ${preset}`, src: address });
   }
 
   /** The server's frame, where the browser cannot draw. */
   private showFrame(base: string, preset: string, quality: string, poster: HTMLImageElement): void {
     this.root.querySelector("canvas")?.remove();
-    this.stage = null;
+    this.player = null;
     const address = new URL(`api/frames/${encodeURIComponent(preset)}.png`, base);
     const { width, height } = this.getBoundingClientRect();
     address.searchParams.set("quality", quality);
@@ -152,10 +145,7 @@ class SeafoamWater extends HTMLElement {
     const { run } = this;
     const message = await reason(error, base);
     if (run !== this.run) return;
-    const note = document.createElement("p");
-    note.setAttribute("role", "alert");
-    note.textContent = message;
-    this.root.append(note);
+    this.root.append(element("p", { role: "alert" }, message));
     this.dispatchEvent(new ErrorEvent("error", { error, message }));
   }
 }

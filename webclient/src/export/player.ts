@@ -2,8 +2,8 @@
 import { messageOf } from "../api";
 import type { FramePlan } from "../generated/api";
 import { recipeOf, type Recipe, withRecipe } from "../take/recipe";
-import { byId, download } from "../ui/dom";
-import { Stage } from "./stage";
+import { byId, download, prefersReducedMotion } from "../ui/dom";
+import { PlanPlayer } from "./planplayer";
 
 interface SeafoamData {
   plan: FramePlan;
@@ -21,32 +21,32 @@ function bytesOf(base64: string): ArrayBuffer {
 
 async function play({ plan, recipe, textures }: SeafoamData): Promise<void> {
   const canvas = byId("canvas") as HTMLCanvasElement;
-  const still = location.hash === "#paused" || matchMedia("(prefers-reduced-motion: reduce)").matches;
+  const reducedMotion = location.hash === "#paused" || prefersReducedMotion();
   const bytes = ({ url, sha256 }: FramePlan["textures"][string]) => {
     const text = textures[sha256];
     return text === undefined ? Promise.reject(new Error(`The archive lacks the texture ${url}.`)) : Promise.resolve(bytesOf(text));
   };
-  const stage = new Stage(canvas, { plan, bytes, time: recipe.time, camera: recipe.camera, playing: !still, still });
-  stage.controls.bottom = Math.min(stage.controls.surface, recipe.camera.position[1]);
-  stage.failed = fail;
+  const player = new PlanPlayer(canvas, { plan, bytes, time: recipe.time, camera: recipe.camera, playing: !reducedMotion, reducedMotion });
+  player.controls.bottom = Math.min(player.controls.surface, recipe.camera.position[1]);
+  player.failed = fail;
   const button = byId("play");
   const show = () => {
-    button.textContent = stage.playing ? "Pause" : "Play";
+    button.textContent = player.playing ? "Pause" : "Play";
   };
   button.addEventListener("click", () => {
-    stage.playing = !stage.playing;
+    player.playing = !player.playing;
     show();
   });
-  byId("save").addEventListener("click", () => void save(stage, recipe).catch(fail));
+  byId("save").addEventListener("click", () => void save(player, recipe).catch(fail));
   show();
-  await stage.load();
+  await player.load();
   document.documentElement.dataset["state"] = "ready";
 }
 
 /** Saves the picture with its recipe, as the application does. */
-async function save(stage: Stage, recipe: Recipe): Promise<void> {
-  const { time, camera, canvas } = stage;
-  const png = await stage.png();
+async function save(player: PlanPlayer, recipe: Recipe): Promise<void> {
+  const { time, camera, canvas } = player;
+  const png = await player.png();
   if (png === null) throw new Error("Nothing is drawn yet.");
   const { width, height } = canvas;
   const said = recipeOf({ ...recipe, time, camera, width, height });

@@ -2,6 +2,8 @@
 import { signal } from "@preact/signals";
 import { render } from "preact";
 import type { PresetSummary } from "../api";
+import { hasModifier } from "../ui/dom";
+import { Icon } from "../ui/icons";
 import { thumbnailUrl } from "../ui/still";
 import { PresetList } from "./list";
 import { grouped, indexAfter } from "./search";
@@ -29,7 +31,7 @@ export class Gallery {
     );
     document.addEventListener("keydown", (event) => {
       const typing = event.target instanceof HTMLElement && event.target.matches("input, select, textarea");
-      if (event.key !== "/" || typing || event.ctrlKey || event.metaKey || event.altKey) return;
+      if (event.key !== "/" || typing || hasModifier(event)) return;
       event.preventDefault();
       this.toggleList(true);
     });
@@ -78,7 +80,7 @@ function Strip({ presets, selected, listOpen, pictures, choose, openList }: Stri
   const moveFocus = (event: KeyboardEvent) => {
     const options = [...(event.currentTarget as HTMLElement).querySelectorAll<HTMLElement>("[role=option]")];
     const index = indexAfter(event.key, options.findIndex((option) => option === document.activeElement), options.length);
-    if (index === null || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (index === null || hasModifier(event)) return;
     options[index]?.focus();
     event.preventDefault();
   };
@@ -95,9 +97,7 @@ function Strip({ presets, selected, listOpen, pictures, choose, openList }: Stri
         aria-controls="waters"
         onClick={openList}
       >
-        <svg viewBox="0 0 24 24" aria-hidden="true">
-          <path d="M10.500 4.500a6 6 0 1 0 0 12a6 6 0 1 0 0-12M15 15l5 5" />
-        </svg>
+        <Icon name="search" />
       </button>
       <div class="strip -mr-gap flex min-w-0 scroll-px-gap gap-2.5 overflow-x-auto scroll-smooth py-1 pr-gap pl-1 will-change-transform contain-layout contain-paint contain-style [scrollbar-width:none] [&::-webkit-scrollbar]:hidden motion-reduce:scroll-auto" role="listbox" aria-label="Presets" onKeyDown={moveFocus}>
         {grouped(presets).map(({ heading, presets: members }) => (

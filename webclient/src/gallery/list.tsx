@@ -2,6 +2,7 @@
 import { useSignal } from "@preact/signals";
 import { useLayoutEffect, useRef } from "preact/hooks";
 import type { PresetSummary } from "../api";
+import { Icon } from "../ui/icons";
 import { grouped, indexAfter, matching } from "./search";
 import { followsLink, waterUrl } from "./water";
 
@@ -61,9 +62,7 @@ export function PresetList({ presets, selected, open, choose, close }: ListProps
         />
         <output class="text-small text-soft" aria-live="polite">{found.length === 1 ? "1 water" : `${found.length} waters`}</output>
         <button type="button" class="plain" aria-label="Close the list" onClick={close}>
-          <svg viewBox="0 0 24 24" aria-hidden="true">
-            <path d="M6.500 6.500l11 11M17.500 6.500l-11 11" />
-          </svg>
+          <Icon name="close" />
         </button>
       </form>
       <div class="scroller px-2 pt-1 pb-3">

@@ -1,5 +1,6 @@
 /** Choice of one mask: shipped, or a family with its parameters. */
 import type { ComponentChildren } from "preact";
+import { Select } from "../ui/controls";
 import { ASPECT_RANGE, type CustomMask, FAMILIES, type MaskChoice, SEED_RANGE, SIDE_RANGE, SIGMA_RANGE } from "./choice";
 import type { MaskInfo } from "./data";
 
@@ -33,34 +34,19 @@ export function Controls({ name, choice, shipped, info, change }: ControlsProps)
   return (
     <div class="flex flex-wrap content-start gap-x-5.5 gap-y-1 paired:flex-col paired:flex-nowrap" role="group" aria-label={name}>
       <Field label="Mask">
-        <select
+        <Select
           class={PICK}
-          aria-label={`${name}: mask`}
-          value={custom ? CUSTOM : (choice as string)}
-          onChange={(event) => {
-            const { value } = event.currentTarget;
-            // A shipped mask of 512 texels may take longer than a request may.
-            change(value === CUSTOM ? { ...FIRST, ...(family ? { family, sigma: family === "vac" ? FIRST.sigma : 4 } : {}) } : value);
-          }}
-        >
-          {shipped.map((one) => (
-            <option value={one.name} key={one.name}>
-              {one.title}
-            </option>
-          ))}
-          <option value={CUSTOM}>own parameters</option>
-        </select>
+          label={`${name}: mask`}
+          value={typeof choice === "string" ? choice : CUSTOM}
+          options={[...shipped.map((one) => [one.name, one.title] as const), [CUSTOM, "own parameters"]]}
+          // A shipped mask of 512 texels may take longer than a request may.
+          choose={(value) => change(value === CUSTOM ? { ...FIRST, ...(family ? { family, sigma: family === "vac" ? FIRST.sigma : 4 } : {}) } : value)}
+        />
       </Field>
       {custom && (
         <>
           <Field label="Family">
-            <select class={PICK} aria-label={`${name}: family`} value={custom.family} onChange={(event) => set({ family: event.currentTarget.value as CustomMask["family"] })}>
-              {FAMILIES.map((one) => (
-                <option value={one} key={one}>
-                  {TITLES[one]}
-                </option>
-              ))}
-            </select>
+            <Select class={PICK} label={`${name}: family`} value={custom.family} options={FAMILIES.map((one) => [one, TITLES[one]] as const)} choose={(chosen) => set({ family: chosen })} />
           </Field>
           <Slider label="σ" name={`${name}: sigma, texels`} value={custom.sigma} range={SIGMA_RANGE} step={0.5} change={(sigma) => set({ sigma })} />
           {custom.family === "lace" && (
@@ -69,9 +55,9 @@ export function Controls({ name, choice, shipped, info, change }: ControlsProps)
               <Slider label="age" name={`${name}: age`} value={custom.age} range={[0, 1]} step={0.05} change={(age) => set({ age })} />
             </>
           )}
-          <Whole label="Width" name={`${name}: width, texels`} value={custom.width} range={SIDE_RANGE} change={(width) => set({ width })} />
-          <Whole label="Height" name={`${name}: height, texels`} value={custom.height} range={SIDE_RANGE} change={(height) => set({ height })} />
-          <Whole label="Seed" name={`${name}: seed`} value={custom.seed} range={SEED_RANGE} change={(seed) => set({ seed })} />
+          <NumberField label="Width" name={`${name}: width, texels`} value={custom.width} range={SIDE_RANGE} change={(width) => set({ width })} />
+          <NumberField label="Height" name={`${name}: height, texels`} value={custom.height} range={SIDE_RANGE} change={(height) => set({ height })} />
+          <NumberField label="Seed" name={`${name}: seed`} value={custom.seed} range={SEED_RANGE} change={(seed) => set({ seed })} />
         </>
       )}
     </div>
@@ -88,7 +74,7 @@ export function Field({ label, children }: { label: string; children: ComponentC
   );
 }
 
-interface WholeProps {
+interface NumberProps {
   label: string;
   name: string;
   value: number;
@@ -97,7 +83,7 @@ interface WholeProps {
 }
 
 /** A whole number, held to its range. */
-function Whole({ label, name, value, range: [low, high], change }: WholeProps) {
+function NumberField({ label, name, value, range: [low, high], change }: NumberProps) {
   return (
     <Field label={label}>
       <input
@@ -114,16 +100,7 @@ function Whole({ label, name, value, range: [low, high], change }: WholeProps) {
   );
 }
 
-interface SliderProps {
-  label: string;
-  name: string;
-  value: number;
-  range: readonly [number, number];
-  step: number;
-  change: (value: number) => void;
-}
-
-export function Slider({ label, name, value, range: [low, high], step, change }: SliderProps) {
+export function Slider({ label, name, value, range: [low, high], step, change }: NumberProps & { step: number }) {
   return (
     <Field label={label}>
       <input

@@ -2,14 +2,14 @@
 import { signal } from "@preact/signals";
 import { useCallback, useEffect, useMemo } from "preact/hooks";
 import type { Api, Choice } from "../api";
-import { Canvas } from "../charts/canvas";
+import { Canvas, paintPixels } from "../charts/canvas";
+import { Progress, Select } from "../ui/controls";
 import { choiceText, decodeState, encodeState, type LabState, type MaskChoice, type Show, SHOWS } from "./choice";
 import { Controls, Field, FIELD, PICK, Slider } from "./controls";
 import { type LoadedMask, type MaskInfo, type MaskState, useMask } from "./data";
-import { coverage, drawShades, shades, threshold, viewOf } from "./pattern";
+import { coverage, shades, threshold, viewOf } from "./pattern";
 import { Spectra } from "./spectra";
 import { TakeHome } from "./takehome";
-import { Progress } from "../ui/progress";
 
 const SHOW_TITLES: Record<Show, string> = { tile: "one tile", tiled: "2 × 2 tiles", detail: "detail where tiles meet" };
 const PROSE = "mt-1 mb-2.5 max-w-[74ch] text-soft";
@@ -73,13 +73,7 @@ function View({ state: { left, right, grey, show }, set }: { state: LabState; se
       </label>
       {grey !== null && <Slider label="Grey level" name="Grey level" value={grey} range={[0, 1]} step={1 / 64} change={(value) => set({ grey: value })} />}
       <Field label="Show">
-        <select class={PICK} aria-label="Show" value={show} onChange={(event) => set({ show: event.currentTarget.value as Show })}>
-          {SHOWS.map((one) => (
-            <option value={one} key={one}>
-              {SHOW_TITLES[one]}
-            </option>
-          ))}
-        </select>
+        <Select class={PICK} label="Show" value={show} options={SHOWS.map((one) => [one, SHOW_TITLES[one]] as const)} choose={(chosen) => set({ show: chosen })} />
       </Field>
       <label class={FIELD}>
         <input
@@ -111,7 +105,7 @@ function Side({ name, choice, mask: { loaded, busy, share, error }, shipped, gre
       <Controls name={name} choice={choice} shipped={shipped} info={loaded?.info ?? null} change={change} />
       {loaded && <Picture loaded={loaded} grey={grey} show={show} />}
       <p class={`status ${PROSE} ${error === null || busy ? "" : "text-error"}`} role="status">
-        {busy ? "Making the mask…" : (error ?? (loaded ? told(loaded, grey) : ""))}
+        {busy ? "Making the mask…" : (error ?? (loaded ? description(loaded, grey) : ""))}
         {share !== null && <Progress label="Share of the mask that is made" share={share} />}
       </p>
     </section>
@@ -119,7 +113,16 @@ function Side({ name, choice, mask: { loaded, busy, share, error }, shipped, gre
 }
 
 function Picture({ loaded: { info, mask }, grey, show }: { loaded: LoadedMask; grey: number | null; show: Show }) {
-  const paint = useCallback((canvas: HTMLCanvasElement) => drawShades(canvas, shades(mask, grey, show), viewOf(mask.width, show).shown), [mask, grey, show]);
+  const paint = useCallback(
+    (canvas: HTMLCanvasElement) => {
+      const [width, values] = [viewOf(mask.width, show).shown, shades(mask, grey, show)];
+      paintPixels(canvas, width, values.length / width, (pixel) => {
+        const value = values[pixel] ?? 0;
+        return [value, value, value];
+      });
+    },
+    [mask, grey, show],
+  );
   return (
     <div class="picture aspect-square w-[min(100%,72vh)]">
       <Canvas class={`size-full rounded-sm object-contain ${show === "detail" ? "[image-rendering:pixelated]" : ""}`} label={`${info.title}, ${grey === null ? "the mask" : `pattern at grey ${grey}`}, ${SHOW_TITLES[show]}`} paint={paint} />
@@ -127,7 +130,7 @@ function Picture({ loaded: { info, mask }, grey, show }: { loaded: LoadedMask; g
   );
 }
 
-function told({ info, mask }: LoadedMask, grey: number | null): string {
+function description({ info, mask }: LoadedMask, grey: number | null): string {
   const { sigma, width, height, seed }: MaskInfo["parameters"] = info.parameters;
   const foam = grey === null ? "" : `; foam on ${(100 * coverage(threshold(mask, grey))).toFixed(2)} %`;
   return `${info.family}, σ ${sigma}, ${width} × ${height} texels, seed ${seed}${foam}`;

@@ -39,13 +39,3 @@ export function shades(mask: Mask, grey: number | null, show: Show): Uint8Clampe
     return foam === null ? (mask.values[at] ?? 0) >> 8 : 255 * (foam[at] ?? 0);
   });
 }
-
-export function drawShades(canvas: HTMLCanvasElement, values: Uint8ClampedArray, width: number): void {
-  canvas.width = width;
-  canvas.height = values.length / width;
-  const context = canvas.getContext("2d");
-  if (context === null) return;
-  const image = context.createImageData(canvas.width, canvas.height);
-  values.forEach((value, i) => image.data.set([value, value, value, 255], 4 * i));
-  context.putImageData(image, 0, 0);
-}

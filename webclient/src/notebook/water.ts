@@ -1,14 +1,14 @@
 /** One view of the widget: the picture, its controls, and the panel with the scene's fields. */
 import { type Choice, messageOf, type SceneSchema } from "../api";
 import type { CameraState } from "../camera/state";
-import { Stage } from "../export/stage";
+import { PlanPlayer } from "../export/planplayer";
 import type { FramePlan } from "../generated/api";
 import { sceneControls } from "../panel/model";
 import { ListedOptions } from "../panel/options";
 import { ScenePane } from "../panel/pane";
 import { planCovers } from "../plan/live";
 import { equal, type Json, type JsonObject, withValue } from "../scene/json";
-import { element } from "../ui/dom";
+import { element, prefersReducedMotion } from "../ui/dom";
 import { Kernel, type Model } from "./kernel";
 import { STYLE } from "./style";
 
@@ -16,7 +16,7 @@ import { STYLE } from "./style";
 const REPORT_INTERVAL = 500;
 
 interface Drawn {
-  stage: Stage;
+  player: PlanPlayer;
   plan: FramePlan;
   /** Scene and quality that the plan was made for. */
   scene: JsonObject;
@@ -31,7 +31,7 @@ export class WaterView {
   private readonly play = element("button", { type: "button" });
   private readonly fields = element("button", { type: "button" }, "Scene");
   private readonly visible: IntersectionObserver;
-  private readonly still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  private readonly reducedMotion = prefersReducedMotion();
   private readonly listeners: [string, () => void][];
   private readonly options = new ListedOptions(
     async (url) => (await this.kernel.ask("choices", { url })).value as Choice[],
@@ -43,8 +43,8 @@ export class WaterView {
   private pane: ScenePane | null = null;
   private schema: SceneSchema | null = null;
   private active = false;
-  /** What Python was told last. */
-  private told: { camera: CameraState; time: number };
+  /** What Python knows. */
+  private reported: { camera: CameraState; time: number };
   /** Number of the latest load; earlier ones are outdated. */
   private run = 0;
 
@@ -53,11 +53,9 @@ export class WaterView {
     private readonly root: HTMLElement,
   ) {
     this.kernel = new Kernel(model);
-    this.told = { camera: this.camera, time: this.time };
-    const bar = element("div", { class: "seafoam-bar" });
-    bar.append(this.play, this.fields);
-    const main = element("div", { class: "seafoam-main" });
-    main.append(this.picture, bar, this.message);
+    this.reported = { camera: this.camera, time: this.time };
+    const bar = element("div", { class: "seafoam-bar" }, this.play, this.fields);
+    const main = element("div", { class: "seafoam-main" }, this.picture, bar, this.message);
     root.classList.add("seafoam-widget");
     root.append(element("style", {}, STYLE), main, this.side);
     this.play.addEventListener("click", () => this.tell("playing", !this.model.get("playing")));
@@ -65,22 +63,22 @@ export class WaterView {
     this.listeners = [
       ["change:scene", () => void this.load()],
       ["change:quality", () => void this.load()],
-      ["change:camera", () => this.takeCamera()],
-      ["change:time", () => this.takeTime()],
-      ["change:playing", () => this.takePlaying()],
-      ["change:panel", () => void this.takePanel()],
+      ["change:camera", () => this.cameraChanged()],
+      ["change:time", () => this.timeChanged()],
+      ["change:playing", () => this.playingChanged()],
+      ["change:panel", () => void this.panelChanged()],
       ["change:error", () => this.say(String(model.get("error")))],
     ];
     for (const [event, listener] of this.listeners) model.on(event, listener);
     this.visible = new IntersectionObserver((entries) => {
       this.active = entries.at(-1)?.isIntersecting ?? false;
-      if (this.drawn) this.drawn.stage.active = this.active;
+      if (this.drawn) this.drawn.player.active = this.active;
     });
     this.visible.observe(root);
     this.reporter = window.setInterval(() => this.report(), REPORT_INTERVAL);
-    this.takePlaying();
+    this.playingChanged();
     void this.load();
-    void this.takePanel();
+    void this.panelChanged();
   }
 
   dispose(): void {
@@ -90,7 +88,7 @@ export class WaterView {
     this.visible.disconnect();
     for (const [event, listener] of this.listeners) this.model.off(event, listener);
     this.kernel.dispose();
-    this.drawn?.stage.dispose();
+    this.drawn?.player.dispose();
     this.root.replaceChildren();
   }
 
@@ -107,7 +105,7 @@ export class WaterView {
   }
 
   private get playing(): boolean {
-    return this.model.get("playing") === true && !this.still;
+    return this.model.get("playing") === true && !this.reducedMotion;
   }
 
   private tell(name: string, value: unknown): void {
@@ -122,8 +120,8 @@ export class WaterView {
     const run = ++this.run;
     this.showFields();
     if (drawn && equal(drawn.quality, quality) && planCovers(drawn.plan, drawn.scene, scene)) {
-      drawn.stage.scene = scene;
-      drawn.stage.redraw();
+      drawn.player.scene = scene;
+      drawn.player.redraw();
       this.say("");
       return;
     }
@@ -132,7 +130,7 @@ export class WaterView {
       const plan = (await this.kernel.ask("plan", { scene, quality })).value as FramePlan;
       if (run !== this.run) return;
       next = this.prepare(plan, scene, quality);
-      await next.stage.load();
+      await next.player.load();
       if (run === this.run) this.replace(next);
       else this.discard(next);
     } catch (error) {
@@ -145,75 +143,75 @@ export class WaterView {
     const canvas = element("canvas", { tabindex: "0", role: "application", "aria-label": "Water" });
     // Below the present picture, until it is drawn.
     this.picture.prepend(canvas);
-    const camera = this.drawn ? this.drawn.stage.controls.camera : this.camera;
-    const stage = new Stage(canvas, {
+    const camera = this.drawn ? this.drawn.player.controls.camera : this.camera;
+    const player = new PlanPlayer(canvas, {
       plan,
       camera,
       bytes: async ({ url }) => bytesOf((await this.kernel.ask("texture", { url })).parts),
-      time: this.drawn?.stage.time ?? this.time,
+      time: this.drawn?.player.time ?? this.time,
       playing: this.playing,
-      still: this.still,
+      reducedMotion: this.reducedMotion,
     });
-    stage.failed = (error) => this.failed(error);
+    player.failed = (error) => this.failed(error);
     // The wheel scrolls the notebook unless the picture has the focus.
     canvas.addEventListener("wheel", (event) => document.activeElement === canvas || event.stopImmediatePropagation(), { capture: true });
-    return { stage, plan, scene, quality };
+    return { player, plan, scene, quality };
   }
 
   private replace(next: Drawn): void {
     const before = this.drawn;
     this.drawn = next;
     this.say("");
-    next.stage.active = this.active;
-    next.stage.playing = this.playing;
+    next.player.active = this.active;
+    next.player.playing = this.playing;
     // Camera and time may have moved on while it was loading.
-    next.stage.controls.set(before ? before.stage.controls.camera : this.camera);
-    next.stage.time = before ? before.stage.time : this.time;
+    next.player.controls.set(before ? before.player.controls.camera : this.camera);
+    next.player.time = before ? before.player.time : this.time;
     if (before === null) return;
-    const focused = document.activeElement === before.stage.canvas;
+    const focused = document.activeElement === before.player.canvas;
     this.discard(before);
-    if (focused) next.stage.canvas.focus();
+    if (focused) next.player.canvas.focus();
   }
 
-  private discard({ stage }: Drawn): void {
-    stage.dispose();
-    stage.canvas.remove();
+  private discard({ player }: Drawn): void {
+    player.dispose();
+    player.canvas.remove();
   }
 
-  private takeCamera(): void {
+  private cameraChanged(): void {
     const { camera } = this;
-    if (equal(camera as unknown as Json, this.told.camera as unknown as Json)) return;
-    this.told = { ...this.told, camera };
-    this.drawn?.stage.controls.set(camera);
+    if (equal(camera as unknown as Json, this.reported.camera as unknown as Json)) return;
+    this.reported = { ...this.reported, camera };
+    this.drawn?.player.controls.set(camera);
   }
 
-  private takeTime(): void {
+  private timeChanged(): void {
     const { time, drawn } = this;
-    if (time === this.told.time) return;
-    this.told = { ...this.told, time };
+    if (time === this.reported.time) return;
+    this.reported = { ...this.reported, time };
     if (drawn === null) return;
-    drawn.stage.time = time;
-    drawn.stage.redraw();
+    drawn.player.time = time;
+    drawn.player.redraw();
   }
 
-  private takePlaying(): void {
+  private playingChanged(): void {
     this.play.textContent = this.playing ? "Pause" : "Play";
-    if (this.drawn) this.drawn.stage.playing = this.playing;
+    if (this.drawn) this.drawn.player.playing = this.playing;
   }
 
   /** Tells Python camera and time, where the picture has moved on. */
   private report(): void {
     if (this.drawn === null) return;
-    const { controls: { camera }, time } = this.drawn.stage;
-    const { told } = this;
-    if (camera === told.camera && time === told.time) return;
-    this.told = { camera, time };
-    if (camera !== told.camera) this.model.set("camera", camera);
-    if (time !== told.time) this.model.set("time", time);
+    const { controls: { camera }, time } = this.drawn.player;
+    const { reported } = this;
+    if (camera === reported.camera && time === reported.time) return;
+    this.reported = { camera, time };
+    if (camera !== reported.camera) this.model.set("camera", camera);
+    if (time !== reported.time) this.model.set("time", time);
     this.model.save_changes();
   }
 
-  private async takePanel(): Promise<void> {
+  private async panelChanged(): Promise<void> {
     const open = this.model.get("panel") === true;
     this.side.hidden = !open;
     this.fields.setAttribute("aria-pressed", String(open));

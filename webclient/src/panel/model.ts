@@ -176,13 +176,9 @@ export function choiceControls(control: Control): (ChoiceControl | NameControl)[
   }
 }
 
-/** A schema by name; FastAPI may separate a model's input and output. */
 export function schemaNamed(root: JsonObject, name: string): JsonObject | null {
-  for (const candidate of [name, `${name}-Input`]) {
-    const schema = get(root, `/components/schemas/${candidate}`);
-    if (isObject(schema)) return schema;
-  }
-  return null;
+  const schema = get(root, `/components/schemas/${name}`);
+  return isObject(schema) ? schema : null;
 }
 
 /** "mask_tile" -> "mask tile". */
@@ -192,17 +188,10 @@ export function labelOf(name: string): string {
 
 /** Follows references. */
 function resolve(root: JsonObject, schema: JsonObject): JsonObject {
-  const reference = text(schema["$ref"]) ?? singleReference(schema);
+  const reference = text(schema["$ref"]);
   if (reference === undefined) return schema;
   const target = get(root, reference.replace(/^#/, ""));
   return isObject(target) ? resolve(root, target) : schema;
-}
-
-/** Reference in an `allOf` of one member. */
-function singleReference(schema: JsonObject): string | undefined {
-  const members = schema["allOf"];
-  const only = Array.isArray(members) && members.length === 1 ? members[0] : undefined;
-  return isObject(only) ? text(only["$ref"]) : undefined;
 }
 
 /** The other member of a union with null. */

@@ -6,7 +6,8 @@ import type { LoadBytes, RoughTextures } from "./executor";
 const UPPER_BITS = 6;
 const LOWER_BITS = 16 - UPPER_BITS;
 
-type LoadPart = (spec: Texture, part: "upper" | "lower") => Promise<ArrayBuffer>;
+/** Loads a texture, or a part of it. */
+type Load = (spec: Texture, part?: "upper" | "lower") => Promise<ArrayBuffer>;
 
 /**
  * Names of the textures that a plan's first pictures can do with the upper bits of. Setup passes make tables of means of them,
@@ -26,10 +27,7 @@ export class TextureParts {
   /** Upper parts whose lower parts are not here yet, by the texture's hash. */
   private readonly upper = new Map<string, Promise<Uint8Array>>();
 
-  constructor(
-    private readonly whole: LoadBytes,
-    private readonly part: LoadPart,
-  ) {}
+  constructor(private readonly load: Load) {}
 
   /** What a plan's first pictures can do with; null: they need all of every texture. */
   roughOf(plan: Pick<FramePlan, "textures" | "passes">): RoughTextures | null {
@@ -45,8 +43,8 @@ export class TextureParts {
 
   readonly exact: LoadBytes = async (spec) => {
     const known = this.upper.get(spec.sha256);
-    if (known === undefined) return this.whole(spec);
-    const [upper, lower] = await Promise.all([known, this.part(spec, "lower")]);
+    if (known === undefined) return this.load(spec);
+    const [upper, lower] = await Promise.all([known, this.load(spec, "lower")]);
     this.upper.delete(spec.sha256);
     return joined(upper, new Uint8Array(lower)).buffer;
   };
@@ -54,7 +52,7 @@ export class TextureParts {
   private upperOf(spec: Texture): Promise<Uint8Array> {
     const known = this.upper.get(spec.sha256);
     if (known !== undefined) return known;
-    const upper = this.part(spec, "upper").then((coded) => decoded(new Uint8Array(coded), spec.width));
+    const upper = this.load(spec, "upper").then((coded) => decoded(new Uint8Array(coded), spec.width));
     this.upper.set(spec.sha256, upper);
     upper.catch(() => this.upper.delete(spec.sha256));
     return upper;

@@ -2,9 +2,11 @@
 import { useMemo } from "preact/hooks";
 import type { FramePlan, Shader } from "../generated/api";
 import type { Executor } from "../plan/executor";
+import { Pills } from "../surfaces/parts";
 import { lines, type TokenKind } from "./highlight";
 
-export type Stage = "vertex" | "fragment";
+const STAGES = ["vertex", "fragment"] as const;
+export type Stage = (typeof STAGES)[number];
 
 /** Its number, and on the right the name of the file that begins here; neither is part of the text. */
 const LINE =
@@ -73,11 +75,7 @@ export function Source(props: SourceProps) {
             ))}
           </select>
         </label>
-        {(["vertex", "fragment"] as const).map((name) => (
-          <button type="button" class="pill" key={name} aria-pressed={name === stage} onClick={() => choose(program, name)}>
-            {name}
-          </button>
-        ))}
+        <Pills names={STAGES} chosen={stage} choose={(name) => choose(program, name)} />
       </div>
       <p>
         {compiled ? "As the driver has it" : "As the plan has it: this camera does not need the program, so it is not compiled"}. {shader.files.length} files,{" "}

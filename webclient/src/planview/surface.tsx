@@ -1,11 +1,10 @@
 /** "Frame plan": what runs for the current scene, why, what was left out, and the GLSL. */
 import { useSignal } from "@preact/signals";
-import { render } from "preact";
 import { useEffect } from "preact/hooks";
 import type { FramePlan, Pass } from "../generated/api";
 import { labelOf } from "../panel/model";
-import type { SurfaceContext } from "../surfaces/context";
-import { Head, TaskButton, useChanges } from "../surfaces/parts";
+import type { PageContext } from "../surfaces/context";
+import { Head, Pills, TaskButton, useChanges } from "../surfaces/parts";
 import { type Change, changesBetween } from "./changes";
 import { Passes } from "./passes";
 import { passTimes, reasonForNoTimes } from "./passtimes";
@@ -46,14 +45,14 @@ function Effects({ plan }: { plan: FramePlan }) {
   );
 }
 
-function Changes({ context, plan }: { context: SurfaceContext; plan: FramePlan }) {
+function Changes({ context, plan }: { context: PageContext; plan: FramePlan }) {
   const changes = useSignal<Change[] | null>(null);
-  const { name, title } = context.selection().preset;
+  const { name, title } = context.store.now.preset;
   useEffect(() => {
     let current = true;
     context.api.presetPlan(name, PRESET_TIER).then((own) => {
       if (current) changes.value = changesBetween(own, plan);
-    }, context.failed);
+    }, context.options.failed);
     return () => {
       current = false;
     };
@@ -80,37 +79,37 @@ function Changes({ context, plan }: { context: SurfaceContext; plan: FramePlan }
   );
 }
 
-function Timing({ context, measure, measured }: { context: SurfaceContext; measure: () => Promise<void>; measured: boolean }) {
-  const reason = reasonForNoTimes(context.viewport()?.gpu ?? null);
+function Timing({ context, measure, measured }: { context: PageContext; measure: () => Promise<void>; measured: boolean }) {
+  const reason = reasonForNoTimes(context.display.viewport?.gpu ?? null);
   if (reason !== null) return <p>Time of each pass: {reason}</p>;
   return (
     <div class="pills">
-      <TaskButton run={measure} failed={context.failed}>
+      <TaskButton run={measure} failed={context.options.failed}>
         {measured ? "Measure again" : "Measure the time of each pass"}
       </TaskButton>
     </div>
   );
 }
 
-function Plan({ context }: { context: SurfaceContext }) {
-  const plan = useSignal(context.plan());
+function Plan({ context }: { context: PageContext }) {
+  const plan = useSignal(context.plan);
   const view = useSignal<View>("Passes");
   const source = useSignal<{ program: string; stage: Stage }>({ program: "surface", stage: "fragment" });
   const times = useSignal<ReadonlyMap<Pass, number> | null>(null);
   useChanges(context, () => {
-    if (plan.value === context.plan()) return;
-    plan.value = context.plan();
+    if (plan.value === context.plan) return;
+    plan.value = context.plan;
     times.value = null;
   });
   const current = plan.value;
   if (current === null) return <p>Loading plan…</p>;
   // Before the first frame the canvas has no size of its own yet.
-  const { width, height } = context.recipe();
+  const { width, height } = context.view();
   const measure = async () => {
-    const executor = context.executor();
-    const viewport = context.viewport();
+    const executor = context.executor;
+    const viewport = context.display.viewport;
     if (executor === null || viewport === null) return;
-    const timed = { time: context.time(), camera: context.camera(), width, height };
+    const timed = { time: context.clock.time, camera: context.controls.camera, width, height };
     times.value = await viewport.runExclusive(() => passTimes(viewport.gpu, executor, timed));
     viewport.dirty = true;
   };
@@ -127,11 +126,7 @@ function Plan({ context }: { context: SurfaceContext }) {
         {counted(Object.keys(current.textures).length, "texture")}, {counted(current.samples, "sample")} per pixel, picture of {width} × {height}.
       </p>
       <div class="pills" role="group" aria-label="View">
-        {VIEWS.map((name) => (
-          <button type="button" class="pill" key={name} aria-pressed={name === view.value} onClick={() => (view.value = name)}>
-            {name}
-          </button>
-        ))}
+        <Pills names={VIEWS} chosen={view.value} choose={(name) => (view.value = name)} />
       </div>
       {view.value === "Passes" && (
         <>
@@ -141,20 +136,18 @@ function Plan({ context }: { context: SurfaceContext }) {
       )}
       {view.value === "Effects" && <Effects plan={current} />}
       {view.value === "GLSL" && (
-        <Source plan={current} executor={context.executor()} gl={context.viewport()?.gl ?? null} program={program} stage={source.value.stage} choose={choose} />
+        <Source plan={current} executor={context.executor} gl={context.display.viewport?.gl ?? null} program={program} stage={source.value.stage} choose={choose} />
       )}
       {view.value === "Changes" && <Changes context={context} plan={current} />}
     </>
   );
 }
 
-export function mount(root: HTMLElement, context: SurfaceContext): () => void {
-  render(
+export function Surface({ context }: { context: PageContext }) {
+  return (
     <>
-      <Head title="Frame plan" close={() => context.close()} />
+      <Head title="Frame plan" close={context.options.close} />
       <Plan context={context} />
-    </>,
-    root,
+    </>
   );
-  return () => render(null, root);
 }

@@ -1,11 +1,13 @@
 /** The page's state as the fragment of a link. */
 import type { Preset } from "../api";
 import type { CameraState } from "../camera/state";
-import type { Drawer } from "../display/display";
+import type { FrameSource } from "../display/display";
 import { apply, type Change, isObject, type Json } from "../scene/json";
-import { type SurfaceName, surfaceName } from "../surfaces/names";
 import { decodeTouches, encodeTouches, toJson, type Touch, TOUCHES_POINTER } from "../touch/touches";
 import { DEFAULT_TIER, type Selection, type Split, validSplit } from "./selection";
+
+/** What a link can open beside the picture. */
+export type SurfaceName = "take" | "plan";
 
 export interface LinkState {
   preset: string | null;
@@ -22,10 +24,8 @@ export interface LinkState {
   /** Fixed render scale; null: dynamic. */
   scale: number | null;
   /** Who draws; null: whoever gives more. */
-  draw: Drawer | null;
-  /** Whether the accuracy benchmark is open. */
+  draw: FrameSource | null;
   accuracy: boolean | null;
-  /** The surface that is open. */
   surface: SurfaceName | null;
 }
 
@@ -95,6 +95,7 @@ export function decode(fragment: string): LinkState {
       // A truncated escape: this part is dropped.
     }
   }
+  const open = parts.get("open");
   return {
     preset: parts.get("preset") ?? null,
     changes: changes(parts.get("scene")),
@@ -106,9 +107,9 @@ export function decode(fragment: string): LinkState {
     camera: camera(parts.get("camera")),
     split: split(parts.get("split")),
     scale: scale(parts.get("scale")),
-    draw: drawer(parts.get("draw")),
+    draw: frameSource(parts.get("draw")),
     accuracy: parts.get("accuracy") === "1" ? true : null,
-    surface: surfaceName(parts.get("open")),
+    surface: open === "take" || open === "plan" ? open : null,
   };
 }
 
@@ -130,7 +131,7 @@ function scale(text: string | undefined): number | null {
   return value === null || value <= 0 ? null : Math.min(1, Math.max(MIN_SCALE, value));
 }
 
-export function drawer(text: string | null | undefined): Drawer | null {
+export function frameSource(text: string | null | undefined): FrameSource | null {
   return text === "browser" || text === "server" ? text : null;
 }
 

@@ -1,12 +1,12 @@
 /** Parts that the surfaces share. */
 import type { ComponentChildren } from "preact";
 import { useLayoutEffect, useState } from "preact/hooks";
-import type { SurfaceContext } from "./context";
+import type { PageContext } from "./context";
 import { copyText } from "../ui/clipboard";
 import "./surface.css";
 
 /** Listens to the page from the first rendering on: an effect would wait for a paint, and miss what comes before it. */
-export function useChanges(context: SurfaceContext, listener: () => void): void {
+export function useChanges(context: PageContext, listener: () => void): void {
   useLayoutEffect(() => context.onChange(listener), []);
 }
 
@@ -21,6 +21,15 @@ export function Head({ title, close }: { title: string; close: () => void }) {
       </button>
     </div>
   );
+}
+
+/** Buttons of which one is chosen. */
+export function Pills<T extends string>({ names, chosen, choose }: { names: readonly T[]; chosen: T; choose: (name: T) => void }) {
+  return names.map((name) => (
+    <button type="button" class="pill" key={name} aria-pressed={name === chosen} onClick={() => choose(name)}>
+      {name}
+    </button>
+  ));
 }
 
 /** A button that is disabled while its task runs. */

@@ -21,10 +21,8 @@ const RECIPE = 1;
 /** Greatest |time|, s. */
 const TIME_LIMIT = 1e9;
 
-export interface Recipe {
-  recipe: number;
-  /** Version of the program. */
-  seafoam: string;
+/** What a picture depends on. */
+export interface RecipeParts {
   renderer: string;
   /** Preset that the scene began from. */
   preset: string | null;
@@ -40,13 +38,19 @@ export interface Recipe {
   split: Split | null;
 }
 
+export interface Recipe extends RecipeParts {
+  recipe: number;
+  /** Version of the program. */
+  seafoam: string;
+}
+
 /** The file has no recipe, or not one that can be read; the message is for the user. */
 export class RecipeError extends Error {
   override readonly name = "RecipeError";
 }
 
 /** A recipe of this version of the program. */
-export function recipeOf(parts: Omit<Recipe, "recipe" | "seafoam">): Recipe {
+export function recipeOf(parts: RecipeParts): Recipe {
   return { ...parts, recipe: RECIPE, seafoam: version };
 }
 

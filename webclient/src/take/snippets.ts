@@ -1,16 +1,16 @@
 /** Commands and programs that ask the server for a frame. */
 import { diff, type Json } from "../scene/json";
 import { CAMERA_POINTER } from "../plan/live";
-import type { Recipe } from "./recipe";
+import type { RecipeParts } from "./recipe";
 
 /** A frame's request: by query for a preset as it is, else with a JSON body. */
-interface FrameRequest {
+interface HttpRequest {
   url: string;
   body: string | null;
 }
 
 /** `preset`: the preset that the recipe begins from, `null` if unknown. */
-export function requestOf(recipe: Recipe, preset: { name: string; scene: Json } | null, server: string): FrameRequest {
+export function requestOf(recipe: RecipeParts, preset: { name: string; scene: Json } | null, server: string): HttpRequest {
   const { scene, quality, camera, time, width, height } = recipe;
   const url = new URL("api/frames", server);
   const isOwn = ([pointer]: readonly [string, unknown]) => pointer !== CAMERA_POINTER && !pointer.startsWith(`${CAMERA_POINTER}/`);
@@ -25,19 +25,18 @@ export function requestOf(recipe: Recipe, preset: { name: string; scene: Json } 
 }
 
 /** Members of a recipe that the server takes. */
-export function frameBody({ scene, quality, camera, time, width, height, preset }: Recipe) {
-  const { position, yaw, pitch, roll, fov } = camera;
-  return { preset, scene, quality, camera: { position: [...position], yaw, pitch, roll, fov }, time, width, height };
+export function frameBody({ scene, quality, camera, time, width, height, preset }: RecipeParts) {
+  return { preset, scene, quality, camera, time, width, height };
 }
 
 /** The request of a recipe's frame, rounded as the page rounds: the two pictures can be compared. */
-export function exactFrame(recipe: Recipe) {
+export function exactFrame(recipe: RecipeParts) {
   return { ...frameBody(recipe), dither: false };
 }
 
 const quoted = (text: string) => `'${text.replaceAll("'", "'\\''")}'`;
 
-export function curl({ url, body }: FrameRequest): string {
+export function curl({ url, body }: HttpRequest): string {
   if (body === null) return `curl --fail ${quoted(url)} -o frame.png`;
   return `curl --fail ${quoted(url)} -o frame.png -H 'Content-Type: application/json' --data-binary ${quoted(body)}`;
 }
@@ -45,7 +44,7 @@ export function curl({ url, body }: FrameRequest): string {
 /** A JSON string is a Python string too, and a JavaScript one. */
 const literal = (text: string) => JSON.stringify(text);
 
-export function python({ url, body }: FrameRequest): string {
+export function python({ url, body }: HttpRequest): string {
   const given =
     body === null
       ? [`request = urllib.request.Request(${literal(url)})`]
@@ -61,7 +60,7 @@ export function python({ url, body }: FrameRequest): string {
 }
 
 /** For Node 20 and newer. */
-export function javascript({ url, body }: FrameRequest): string {
+export function javascript({ url, body }: HttpRequest): string {
   const given =
     body === null
       ? [`const response = await fetch(${literal(url)});`]

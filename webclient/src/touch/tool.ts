@@ -1,10 +1,10 @@
 /** Touching the water: turns what the main pointer draws into rings of the scene, and says what the pointer does. */
 import type { Clock } from "../app/clock";
-import type { CameraControls, Stroke, StrokePoint } from "../camera/controls";
+import type { CameraControls, PointerTool, PointerPosition } from "../camera/controls";
 import type { FramePlan } from "../generated/api";
 import { isObject, withValue } from "../scene/json";
 import type { Store } from "../selection/store";
-import { element } from "../ui/dom";
+import { element, hasModifier } from "../ui/dom";
 import { icon } from "../ui/icons";
 import { pickWater, type WaterPlace } from "./pick";
 import { appended, toJson, type Touch, touchAt, TOUCHES_POINTER, touchesOf, train } from "./touches";
@@ -16,6 +16,16 @@ const FINGER_DELAY = 90;
 const FINGER_SLOP = 6;
 const EFFECT = "touch";
 
+/** What the main pointer does. */
+type PointerState =
+  | { is: "up" }
+  /** A finger has come down; it is not known yet whether it is alone. */
+  | { is: "resting"; point: PointerPosition; timer: number }
+  /** It has touched the water, and a drag leaves rings behind it; `last`: the newest. */
+  | { is: "touching"; last: Touch };
+
+const UP: PointerState = { is: "up" };
+
 /** A touch and the gesture that made it. */
 interface MadeTouch {
   touch: Touch;
@@ -25,19 +35,16 @@ interface MadeTouch {
 interface TouchEvents {
   /** The plan that is drawn; null before the first. */
   plan(): FramePlan | null;
-  /** Whether a plan is loading. */
   busy(): boolean;
   /** The scene has touches, and no plan can show them. */
   refused(why: string): void;
 }
 
-export class TouchTool implements Stroke {
+export class TouchTool implements PointerTool {
   readonly button = element("button", { type: "button", class: "round aria-pressed:border-current aria-pressed:text-accent", "data-tool": "touch" }, icon("touch"));
-  private last: Touch | null = null;
-  /** Where a finger has come down, until it is known to be alone. */
-  private pending: { point: StrokePoint; timer: number } | null = null;
-  /** Touches that a plan is being made for; only the first is in the scene already. */
-  private waiting: MadeTouch[] | null = null;
+  private pointer: PointerState = UP;
+  /** Touches that wait for a plan with room for touches; only the first is in the scene already. */
+  private waiting: MadeTouch[] = [];
   /** Number of the current gesture, a tap or a drag: one step of undo. */
   private gesture = 0;
 
@@ -50,7 +57,7 @@ export class TouchTool implements Stroke {
   ) {
     this.button.addEventListener("click", () => this.toggle());
     canvas.addEventListener("keydown", (event) => {
-      if (event.ctrlKey || event.metaKey || event.altKey || event.repeat) return;
+      if (hasModifier(event) || event.repeat) return;
       if (event.code === "KeyT") this.toggle();
       if (event.code === "Enter") this.touchCentre();
     });
@@ -59,104 +66,107 @@ export class TouchTool implements Stroke {
 
   /** Whether the main pointer touches the water; else it moves the camera. */
   get on(): boolean {
-    return this.controls.stroke === this;
+    return this.controls.tool === this;
   }
 
   toggle(on = !this.on): void {
-    this.controls.stroke = on ? this : null;
+    this.controls.tool = on ? this : null;
     this.canvas.classList.toggle("touches", on);
     this.button.setAttribute("aria-pressed", String(on));
     this.button.setAttribute("aria-label", "Touch water");
     this.button.title = on ? "Drag touches the water: press to move the camera (T)" : "Drag moves the camera: press to touch the water (T)";
   }
 
-  start(point: StrokePoint): boolean {
+  start(point: PointerPosition): boolean {
     this.end();
     if (this.events.plan() === null || this.pick(point) === null) return false;
     this.gesture += 1;
     if (point.pointerType !== "touch") this.touch(point);
-    else this.pending = { point, timer: window.setTimeout(() => this.confirm(), FINGER_DELAY) };
+    else this.pointer = { is: "resting", point, timer: window.setTimeout(() => this.confirm(), FINGER_DELAY) };
     return true;
   }
 
-  move(point: StrokePoint): void {
-    const { pending } = this;
-    if (pending && Math.hypot(point.clientX - pending.point.clientX, point.clientY - pending.point.clientY) > FINGER_SLOP) this.confirm();
-    const to = this.last && this.pick(point);
-    if (!this.last || !to) return;
+  move(point: PointerPosition): void {
+    const { pointer } = this;
+    if (pointer.is === "resting" && Math.hypot(point.clientX - pointer.point.clientX, point.clientY - pointer.point.clientY) > FINGER_SLOP) this.confirm();
+    const last = this.pointer.is === "touching" ? this.pointer.last : null;
+    const to = last && this.pick(point);
+    if (!to) return;
     const time = this.now();
-    const made = train(this.last, to).map((place) => touchAt(place, time));
-    this.last = made.at(-1) ?? this.last;
-    if (made.length > 0) this.add(made);
+    const made = train(last, to).map((place) => touchAt(place, time));
+    if (made.length === 0) return;
+    this.pointer = { is: "touching", last: made.at(-1) ?? last };
+    this.add(made);
   }
 
   end(): void {
     this.confirm();
-    this.last = null;
+    this.pointer = UP;
   }
 
   cancel(): void {
-    clearTimeout(this.pending?.timer);
-    this.pending = null;
-    this.last = null;
+    if (this.pointer.is === "resting") clearTimeout(this.pointer.timer);
+    this.pointer = UP;
   }
 
   /** A new plan is drawn: what waited for it is touched now. */
   planChanged(): void {
     const plan = this.events.plan();
-    const { waiting } = this;
-    if (waiting === null || plan === null) return;
+    const [first, ...others] = this.waiting;
+    if (first === undefined || plan === null) return;
     const touches = touchesOf(this.store.now.scene);
-    const first = touches.at(-1);
+    const present = touches.at(-1);
     // The first was undone, or another preset was chosen meanwhile.
-    if (!first || waiting[0] === undefined) this.waiting = null;
+    if (!present) this.waiting = [];
     else if (plan.live.includes(TOUCHES_POINTER)) {
-      this.waiting = null;
+      this.waiting = [];
       // The rings begin when they can be seen, as far apart in time as they were touched.
-      const batch = [{ ...waiting[0], touch: first }, ...waiting.slice(1)];
+      const batch = [{ ...first, touch: present }, ...others];
       const late = this.clock.playing ? Math.max(0, this.now() - Math.max(...batch.map(({ touch }) => touch.time))) : 0;
       let list = touches.slice(0, -1);
       for (const { touch, gesture } of batch) {
         list = appended(list, [{ ...touch, time: Number((touch.time + late).toFixed(2)) }]);
         this.write(list, gesture);
       }
-    } else this.refuse(plan, waiting[0].gesture);
+    } else this.refuse(plan, first.gesture);
   }
 
   /** A plan that leaves the touches out says why. */
   private refuse(plan: FramePlan, gesture: number): void {
     const skipped = plan.skipped.find(({ name }) => name === EFFECT);
     if (!skipped) return;
-    this.waiting = null;
+    this.waiting = [];
     this.write([], gesture);
     this.events.refused(skipped.why);
   }
 
   private touchCentre(): void {
     const { left, top, width, height } = this.canvas.getBoundingClientRect();
+    this.end();
     this.gesture += 1;
     if (this.events.plan() !== null) this.touch({ clientX: left + width / 2, clientY: top + height / 2, pointerType: "keyboard" });
-    this.last = null;
+    this.pointer = UP;
   }
 
+  /** A finger that rests is alone: it touches. */
   private confirm(): void {
-    const { pending } = this;
-    if (pending === null) return;
-    clearTimeout(pending.timer);
-    this.pending = null;
-    this.touch(pending.point);
+    const { pointer } = this;
+    if (pointer.is !== "resting") return;
+    this.cancel();
+    this.touch(pointer.point);
   }
 
-  private touch(point: StrokePoint): void {
+  private touch(point: PointerPosition): void {
     const place = this.pick(point);
     if (place === null) return;
-    this.last = touchAt(place, this.now());
-    this.add([this.last]);
+    const touch = touchAt(place, this.now());
+    this.pointer = { is: "touching", last: touch };
+    this.add([touch]);
   }
 
   private add(touches: readonly Touch[]): void {
     const made = touches.map((touch) => ({ touch, gesture: this.gesture }));
-    if (this.waiting !== null && this.events.busy()) {
+    if (this.waiting.length > 0 && this.events.busy()) {
       this.waiting.push(...made);
       return;
     }
@@ -175,7 +185,7 @@ export class TouchTool implements Stroke {
     return this.clock.time - (this.clock.playing ? 0 : AGE_AT_REST);
   }
 
-  private pick({ clientX, clientY }: StrokePoint): WaterPlace | null {
+  private pick({ clientX, clientY }: PointerPosition): WaterPlace | null {
     const { left, top, width, height } = this.canvas.getBoundingClientRect();
     return pickWater(this.controls.camera, clientX - left, clientY - top, width, height);
   }

@@ -33,6 +33,21 @@ export function fillSelect(select: HTMLSelectElement, options: readonly { name: 
   select.value = current;
 }
 
+/** Whether the visitor wants little motion. */
+export function prefersReducedMotion(): boolean {
+  return matchMedia("(prefers-reduced-motion: reduce)").matches;
+}
+
+/** Whether a key is pressed with a modifier: the browser's own shortcuts are. */
+export function hasModifier({ ctrlKey, metaKey, altKey }: KeyboardEvent): boolean {
+  return ctrlKey || metaKey || altKey;
+}
+
+/** Whether a key is typed into a field, where it is no shortcut. */
+export function isTyping({ target }: KeyboardEvent): boolean {
+  return target instanceof HTMLElement && target.matches("input:not([type=range]), select, textarea");
+}
+
 /** Saves a file through the browser's download. */
 export function download(blob: Blob, name: string): void {
   const url = URL.createObjectURL(blob);

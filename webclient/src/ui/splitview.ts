@@ -1,5 +1,4 @@
 /** Split view of two values of one field, with a divider that is dragged or moved by the arrow keys. */
-import { labelOf } from "../panel/model";
 import type { Split } from "../selection/selection";
 import { element, fillSelect } from "./dom";
 
@@ -69,8 +68,4 @@ export class SplitView {
   private move(at: number): void {
     if (this.split) this.change({ ...this.split, at: Math.min(0.98, Math.max(0.02, at)) });
   }
-}
-
-export function plainOptions(names: readonly string[]): { name: string; title: string }[] {
-  return names.map((name) => ({ name, title: labelOf(name) }));
 }

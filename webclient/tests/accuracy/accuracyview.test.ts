@@ -1,13 +1,13 @@
 import { describe, expect, it } from "vitest";
 import type { Point } from "../../src/accuracy/api";
 import { curvesOf } from "../../src/accuracy/diagram/curves";
-import { marksOf, measuredThere, type Measured, rowsOf } from "../../src/accuracy/diagram/diagramdata";
 import { placeLabels } from "../../src/accuracy/diagram/labels";
-import { type Shown, toCsv, toJson } from "../../src/accuracy/exportdata";
+import { type ExportedRun, rowsOf, toCsv, toJson } from "../../src/accuracy/exportdata";
 import type { BenchmarkResult } from "../../src/accuracy/measure/benchmark";
 import { budgetAt, budgetRange, choose, SLIDER_STEPS, stepOf } from "../../src/accuracy/measure/budget";
+import { type Measured, measuredThere, ranked } from "../../src/accuracy/measure/measured";
 import { luminance, radialSpectrum } from "../../src/accuracy/measure/spectrum";
-import { equalError, equalTime, regionAround, worst } from "../../src/accuracy/pictures/insets";
+import { equalError, equalTime, regionAround, worstPixel } from "../../src/accuracy/pictures/insets";
 
 const [WIDTH, HEIGHT] = [48, 30];
 
@@ -100,22 +100,22 @@ describe("insets", () => {
     expect(regionAround({ x: 0, y: 89 }, 160, 90)).toEqual({ x: 0, y: 67, width: 40, height: 23 });
   });
 
-  it("start at the worst pixel", () => expect(worst(Float32Array.from([0, 1, 5, 2, 0, 5]), 3)).toEqual({ x: 2, y: 0 }));
+  it("start at the worst pixel", () => expect(worstPixel(Float32Array.from([0, 1, 5, 2, 0, 5]), 3)).toEqual({ x: 2, y: 0 }));
 });
 
 function measured(id: string, time: number, rmse: number, flip: number): Measured {
   const errors = { rmse, flip, max: 10 * rmse, coverage: 0.1 };
-  return { point: point(id, id === "draft" ? null : "/steps", 8), time, low: 0.9 * time, high: 1.1 * time, rounds: [time], errors };
+  return { id, point: point(id, id === "draft" ? null : "/steps", 8), time, error: rmse, low: 0.9 * time, high: 1.1 * time, rounds: [time], errors };
 }
 
 describe("what a diagram shows", () => {
   const list = [measured("slow", 8, 1, 0.2), measured("draft", 1, 4, 0.1), measured("bad", 9, 2, 0.05)];
 
   it("is on the front of the chosen measure", () => {
-    const front = (metric: "rmse" | "flip") => marksOf(list, metric).flatMap(({ id, onFront }) => (onFront ? id : []));
-    expect(front("rmse")).toEqual(["draft", "slow"]);
+    const front = (metric: "rmse" | "flip") => ranked(list, metric).flatMap(({ id, onFront }) => (onFront ? id : []));
+    expect(front("rmse")).toEqual(["slow", "draft"]);
     expect(front("flip")).toEqual(["draft", "bad"]);
-    expect(marksOf(list, "max").map(({ error }) => error)).toEqual([40, 10, 20]);
+    expect(ranked(list, "max").map(({ error }) => error)).toEqual([10, 40, 20]);
   });
 
   it("has the server's times at this machine's size, quartiles alike", () => {
@@ -126,7 +126,7 @@ describe("what a diagram shows", () => {
     expect([one?.time, one?.low, one?.high].map((time) => Number(time?.toFixed(6)))).toEqual([3, 2.7, 3.6]);
   });
 
-  const shown: Shown = { preset: "default", width: 320, height: 180, method: "m", rows: rowsOf(list, 'GL "two", one') };
+  const shown: ExportedRun = { preset: "default", width: 320, height: 180, method: "m", rows: rowsOf(list, 'GL "two", one') };
 
   it("is CSV", () => {
     const [head, first, second, , last] = toCsv(shown).split("\n");

@@ -1,6 +1,7 @@
 import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
-import { AutoQuality, costRatio, tierChoices, errorAt, type TierCosts, type TierCost } from "../../src/app/autoquality";
+import type { TierCost, TierCosts } from "../../src/api";
+import { AutoQuality, costRatio, errorAt, tierChoices } from "../../src/app/autoquality";
 import { allowedAt, costAt, MOTION_BUDGET, type RenderLoad } from "../../src/display/framebudget";
 
 const scales = [1, 0.5, 0.25];

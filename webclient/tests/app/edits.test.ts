@@ -1,7 +1,8 @@
 /** Undo, redo, and scenes as text. */
 import { expect, test } from "vitest";
+import { shortText } from "../../src/edits/edits";
 import { EditHistory } from "../../src/edits/history";
-import { sceneIn, shortText } from "../../src/edits/pasted";
+import { sceneIn } from "../../src/edits/paste";
 
 const scene = (exposure: number, albedo = 0) => ({ light: { exposure }, foam: { albedo } });
 

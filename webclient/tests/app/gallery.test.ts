@@ -4,7 +4,7 @@ import type { PresetSummary } from "../../src/api";
 import { linkOf } from "../../src/app/address";
 import { grouped, indexAfter, matching } from "../../src/gallery/search";
 import { presetOfPath } from "../../src/gallery/water";
-import { frameAfter } from "../../src/ui/transport";
+import { frameAfter } from "../../src/app/transport";
 
 const preset = (name: string, group: string, title: string, summary: string, effects: string[] = []): PresetSummary => ({
   name,

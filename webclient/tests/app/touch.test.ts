@@ -1,6 +1,6 @@
 import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
-import { CameraControls, type Stroke } from "../../src/camera/controls";
+import { CameraControls, type PointerTool } from "../../src/camera/controls";
 import type { CameraState } from "../../src/camera/state";
 import { pickWater, type WaterPlace } from "../../src/touch/pick";
 import { appended, decodeTouches, encodeTouches, toJson, touchAt, TOUCHES_MOST, touchesOf, train } from "../../src/touch/touches";
@@ -88,13 +88,13 @@ function rig(touches: boolean, takes = true) {
   const start: CameraState = { position: [0, 6, 0], yaw: 0, pitch: -0.3, roll: 0, fov: 0.9 };
   const controls = new CameraControls(surface as unknown as HTMLElement, start, false);
   const log: string[] = [];
-  const stroke: Stroke = {
+  const tool: PointerTool = {
     start: () => (log.push("start"), takes),
     move: () => log.push("move"),
     end: () => log.push("end"),
     cancel: () => log.push("cancel"),
   };
-  controls.stroke = touches ? stroke : null;
+  controls.tool = touches ? tool : null;
   return { surface, controls, log, moved: () => (controls.step(0.02), JSON.stringify(controls.camera) !== JSON.stringify(start)) };
 }
 

@@ -9,7 +9,7 @@ const VIEW = {} as ViewState;
 function ways() {
   const way = () => ({
     given: null as Rate | null,
-    still: null as string | null,
+    stalled: null as string | null,
     retryAt: 0,
     blank: false,
     presentable: true,
@@ -20,9 +20,9 @@ function ways() {
     close: () => undefined,
     hide: () => undefined,
   });
-  const [browser, server, drawerChanged] = [way(), way(), vi.fn()];
-  const display = (own: boolean) => new ChosenDisplay(own ? (browser as unknown as Viewport) : null, server as unknown as ServerView, own ? null : "No WebGL 2.", { drawerChanged } as unknown as DisplayEvents);
-  return { browser, server, drawerChanged, display };
+  const [browser, server, sourceChanged] = [way(), way(), vi.fn()];
+  const display = (own: boolean) => new ChosenDisplay(own ? (browser as unknown as Viewport) : null, server as unknown as ServerView, own ? null : "No WebGL 2.", { sourceChanged } as unknown as DisplayEvents);
+  return { browser, server, sourceChanged, display };
 }
 
 describe("what a way of drawing is worth", () => {
@@ -51,17 +51,17 @@ describe("who draws", () => {
 
   it("is the server, with the reason, where the browser cannot", () => {
     const { display } = ways();
-    expect(display(false)).toMatchObject({ drawer: "server", why: "The server draws the frames. No WebGL 2." });
+    expect(display(false)).toMatchObject({ source: "server", why: "The server draws the frames. No WebGL 2." });
   });
 
   it("is the browser while it is not measured, and where it gives a good picture", () => {
-    const { browser, drawerChanged, display } = ways();
+    const { browser, sourceChanged, display } = ways();
     const chosen = display(true);
     run(chosen, 5000);
     browser.given = { fps: 9, scale: 0.45 };
     run(chosen, 5000);
-    expect(chosen.drawer).toBe("browser");
-    expect(drawerChanged).not.toHaveBeenCalled();
+    expect(chosen.source).toBe("browser");
+    expect(sourceChanged).not.toHaveBeenCalled();
   });
 
   it("is the server at once where the browser gives no moving picture, and after a time where it gives a poor one", () => {
@@ -70,15 +70,15 @@ describe("who draws", () => {
     const chosen = display(true);
     expect(chosen.presentable).toBe(false);
     run(chosen, 100);
-    expect(chosen.drawer).toBe("server");
+    expect(chosen.source).toBe("server");
     const poor = ways();
     const patient = poor.display(true);
     run(patient, 2000);
     poor.browser.given = { fps: 6, scale: 0.3 };
     run(patient, 1000);
-    expect(patient.drawer).toBe("browser");
+    expect(patient.source).toBe("browser");
     run(patient, 1500);
-    expect(patient.drawer).toBe("server");
+    expect(patient.source).toBe("server");
   });
 
   it("is the browser again where the server gives less, and the server is not tried at once", () => {
@@ -88,21 +88,21 @@ describe("who draws", () => {
     const chosen = display(true);
     vi.advanceTimersByTime(5000);
     run(chosen, 300);
-    expect(chosen.drawer).toBe("browser");
+    expect(chosen.source).toBe("browser");
     run(chosen, 30_000);
-    expect(chosen.drawer).toBe("browser");
+    expect(chosen.source).toBe("browser");
   });
 
   it("is the browser where all streams are taken, unless it gives no moving picture", () => {
-    for (const [fps, drawer] of [[6, "browser"], [1, "server"]] as const) {
+    for (const [fps, source] of [[6, "browser"], [1, "server"]] as const) {
       const { browser, server, display } = ways();
       browser.given = { fps, scale: 0.3 };
-      server.still = "all streams are taken";
+      server.stalled = "all streams are taken";
       server.retryAt = 60_000;
       const chosen = display(true);
       vi.advanceTimersByTime(5000);
       run(chosen, 300);
-      expect(chosen.drawer).toBe(drawer);
+      expect(chosen.source).toBe(source);
     }
   });
 
@@ -111,16 +111,16 @@ describe("who draws", () => {
     Object.assign(browser, { blank: true, presentable: false });
     const chosen = display(true);
     run(chosen, 1000);
-    expect(chosen.drawer).toBe("browser");
+    expect(chosen.source).toBe("browser");
     run(chosen, 1000);
-    expect(chosen).toMatchObject({ drawer: "server", presentable: true, bridged: true });
+    expect(chosen).toMatchObject({ source: "server", presentable: true, bridged: true });
     Object.assign(browser, { blank: false });
     run(chosen, 300);
-    expect(chosen.drawer).toBe("server");
+    expect(chosen.source).toBe("server");
     Object.assign(browser, { presentable: true, given: { fps: 60, scale: 1 } });
     const drawn = server.ticks;
     run(chosen, 300);
-    expect(chosen.drawer).toBe("browser");
+    expect(chosen.source).toBe("browser");
     expect(server.ticks).toBe(drawn);
   });
 
@@ -129,11 +129,11 @@ describe("who draws", () => {
     Object.assign(browser, { blank: true, presentable: false });
     const chosen = display(true);
     run(chosen, 2000);
-    expect(chosen.drawer).toBe("server");
+    expect(chosen.source).toBe("server");
     const drawn = server.ticks;
     chosen.choose("browser");
     run(chosen, 2000);
-    expect(chosen).toMatchObject({ drawer: "browser", why: "This browser draws, as you chose." });
+    expect(chosen).toMatchObject({ source: "browser", why: "This browser draws, as you chose." });
     expect(server.ticks).toBe(drawn);
   });
 
@@ -145,7 +145,7 @@ describe("who draws", () => {
       chosen.tick(performance.now(), VIEW, false);
       vi.advanceTimersByTime(100);
     }
-    expect(chosen.drawer).toBe("browser");
+    expect(chosen.source).toBe("browser");
   });
 
   it("is whom the user wishes", () => {
@@ -154,8 +154,8 @@ describe("who draws", () => {
     const chosen = display(true);
     chosen.choose("browser");
     run(chosen, 5000);
-    expect(chosen).toMatchObject({ drawer: "browser", why: "This browser draws, as you chose." });
+    expect(chosen).toMatchObject({ source: "browser", why: "This browser draws, as you chose." });
     chosen.choose("server");
-    expect(chosen).toMatchObject({ drawer: "server", why: "The server draws the frames, as you chose." });
+    expect(chosen).toMatchObject({ source: "server", why: "The server draws the frames, as you chose." });
   });
 });

@@ -79,7 +79,7 @@ describe("bubbles", () => {
       const f = frontSaturation(phase(0, (step / steps) * period(wavelength), wavelength) - 1e-6, front);
       mask.values.forEach((m, i) => counter.see(i, amount(look, f, m, 1)));
     }
-    return counter.take();
+    return counter.pops;
   }
 
   it.each(["halftone", "fading", "halftone_textured", "listing"] as const)("each pops once in a period: %s", (look) => {

@@ -16,16 +16,12 @@ const spec: Texture = { url: "/ranks", sha256: "hash", format: "R16UI", width: g
 /** A server of the golden texture, and what it was asked for. */
 function served() {
   const asked: string[] = [];
-  const whole = (): Promise<ArrayBuffer> => {
-    asked.push("whole");
-    return Promise.resolve(Uint16Array.from(golden.texels).buffer);
-  };
   let refused = 0;
-  const part = (_: Texture, name: "upper" | "lower"): Promise<ArrayBuffer> => {
-    asked.push(name);
-    return refused-- > 0 ? Promise.reject(new Error("away")) : Promise.resolve(Uint8Array.from(golden[name]).buffer);
-  };
-  const parts = new TextureParts(whole, part);
+  const parts = new TextureParts((_, part) => {
+    asked.push(part ?? "whole");
+    if (part === undefined) return Promise.resolve(Uint16Array.from(golden.texels).buffer);
+    return refused-- > 0 ? Promise.reject(new Error("away")) : Promise.resolve(Uint8Array.from(golden[part]).buffer);
+  });
   const rough = () => {
     const textures = parts.roughOf({ textures: { ranks: spec }, passes: [] });
     if (textures === null) throw new Error("The plan has no rough textures.");

@@ -1,10 +1,10 @@
 /** A work-precision diagram: log error against log time, a curve for each quality setting, a mark for each quality. */
 import { useLayoutEffect, useRef, useState } from "preact/hooks";
 import uPlot from "uplot";
-import { useSize } from "../../charts/size";
-import { type Axes, INK, plotOptions, place } from "../../charts/uplot";
+import { type Axes, INK, place, plotOptions, useSize } from "../../charts/uplot";
+import { formatNumber } from "../format";
+import type { Ranked } from "../measure/measured";
 import type { Curve } from "./curves";
-import { describe, type Mark } from "./diagramdata";
 import { placeLabels } from "./labels";
 
 /** Greatest distance of the pointer from a mark, px. */
@@ -15,7 +15,8 @@ interface DiagramProps {
   kind: string;
   title: string;
   caption: string;
-  marks: readonly Mark[];
+  /** Fastest first. */
+  marks: readonly Ranked[];
   curves: readonly Curve[];
   axes: Axes;
   /** Id of the quality that the page runs. */
@@ -29,10 +30,16 @@ interface DiagramProps {
   highlight: (id: string | null) => void;
 }
 
-interface PlacedMark extends Mark {
+interface PlacedMark extends Ranked {
   x: number;
   y: number;
 }
+
+/** Tiers are labelled in the diagram. */
+const isTier = ({ point }: Ranked) => point.tier !== null;
+
+/** "1.2 ms, error 3.4". */
+const describe = ({ time, error }: Ranked) => `${formatNumber(time)} ms, error ${formatNumber(error)}`;
 
 export function Diagram(props: DiagramProps) {
   const { kind, title, caption, marks, axes, current, highlighted, select, highlight } = props;
@@ -107,11 +114,11 @@ function useCurves(host: { current: HTMLDivElement | null }, { marks, curves, ax
   useLayoutEffect(() => plot.current?.redraw(false), [marks, curves, emphasised, current, highlighted]);
 }
 
-function drawCurves(u: uPlot, marks: readonly Mark[], curves: readonly Curve[], emphasised: string, lit: ReadonlySet<string | null>): void {
+function drawCurves(u: uPlot, marks: readonly Ranked[], curves: readonly Curve[], emphasised: string, lit: ReadonlySet<string | null>): void {
   const { ctx } = u;
   const byId = new Map(marks.map((mark) => [mark.id, mark]));
   const at = ({ time, error }: { time: number; error: number }) => [u.valToPos(time, "x", true), u.valToPos(error, "y", true)] as const;
-  const line = (points: readonly Mark[], colour: string, width: number, dash: number[] = []) => {
+  const line = (points: readonly Ranked[], colour: string, width: number, dash: number[] = []) => {
     ctx.beginPath();
     for (const point of points) ctx.lineTo(...at(point));
     ctx.strokeStyle = colour;
@@ -127,7 +134,7 @@ function drawCurves(u: uPlot, marks: readonly Mark[], curves: readonly Curve[], 
     else line(known, "rgb(127 196 192 / 32%)", 1);
   }
   line(marks.filter(({ onFront }) => onFront), INK.pale, 1, [3, 4]);
-  line(marks.filter(({ isTier }) => isTier), INK.accent, 2);
+  line(marks.filter(isTier), INK.accent, 2);
   for (const mark of marks) {
     const ends = [mark.low, mark.high].map((time) => ({ ...mark, time }));
     line(ends, lit.has(mark.id) ? "rgb(234 241 243 / 90%)" : "rgb(210 226 234 / 38%)", 1.2);
@@ -152,8 +159,9 @@ interface MarkButtonProps {
 }
 
 function MarkButton({ mark, state: { current, highlighted, fitting }, isTabStop, onKey }: MarkButtonProps) {
-  const { id, label, isTier, onFront, x, y } = mark;
-  const states = { tier: isTier, "on-front": onFront, current: id === current, highlighted: id === highlighted, over: fitting?.has(id) === false };
+  const { id, point, onFront, x, y } = mark;
+  const tier = isTier(mark);
+  const states = { tier, "on-front": onFront, current: id === current, highlighted: id === highlighted, over: fitting?.has(id) === false };
   const classes = Object.entries(states).flatMap(([name, on]) => (on ? name : []));
   return (
     <g
@@ -162,7 +170,7 @@ function MarkButton({ mark, state: { current, highlighted, fitting }, isTabStop,
       tabindex={isTabStop ? 0 : -1}
       data-id={id}
       aria-pressed={id === current}
-      aria-label={`${label}: ${describe(mark)}${onFront ? ", on the Pareto front" : ""}`}
+      aria-label={`${point.label}: ${describe(mark)}${onFront ? ", on the Pareto front" : ""}`}
       onKeyDown={onKey}
     >
       <circle
@@ -171,7 +179,7 @@ function MarkButton({ mark, state: { current, highlighted, fitting }, isTabStop,
         cy={y}
         r={11}
       />
-      <circle class={`dot stroke-[rgb(8_17_26/85%)] stroke-[1.5] ${states.current ? "fill-accent" : isTier ? "fill-ink" : "fill-teal"}`} cx={x} cy={y} r={isTier ? 5.5 : 4} />
+      <circle class={`dot stroke-[rgb(8_17_26/85%)] stroke-[1.5] ${states.current ? "fill-accent" : tier ? "fill-ink" : "fill-teal"}`} cx={x} cy={y} r={tier ? 5.5 : 4} />
     </g>
   );
 }
@@ -180,10 +188,10 @@ function MarkButton({ mark, state: { current, highlighted, fitting }, isTabStop,
 function Labels({ placed, props: { curves, emphasised }, size }: { placed: readonly PlacedMark[]; props: DiagramProps; size: { width: number; height: number } }) {
   const values = new Map(curves.find(({ pointer }) => pointer === emphasised)?.points.map(({ id, value }) => [id, value]));
   const named = placed.flatMap((mark) => {
-    const text = mark.isTier ? mark.label : values.get(mark.id);
+    const text = isTier(mark) ? mark.point.label : values.get(mark.id);
     return text === undefined ? [] : { ...mark, text };
   });
-  const tiers = placed.filter(({ isTier }) => isTier);
+  const tiers = placed.filter(isTier);
   const onLine = tiers.slice(1).flatMap((mark, i) => between(tiers[i] ?? mark, mark));
   return (
     <>
@@ -214,7 +222,7 @@ function Tip({ mark, width }: { mark: PlacedMark; width: number }) {
   });
   return (
     <div class="tip pointer-events-none absolute z-1 grid w-max max-w-60 -translate-x-1/2 rounded-md bg-[rgb(4_10_16/94%)] px-2.5 py-1.5 text-fine inset-ring inset-ring-line" aria-hidden="true" ref={tip}>
-      <b>{mark.label}</b>
+      <b>{mark.point.label}</b>
       <span>{describe(mark)}</span>
     </div>
   );

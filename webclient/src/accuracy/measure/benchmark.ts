@@ -9,7 +9,7 @@ import { Executor, type Frame } from "../../plan/executor";
 import { CAMERA_POINTER } from "../../plan/live";
 import { apply, diff, type Json, withValue } from "../../scene/json";
 import type { Point, TruthInfo } from "../api";
-import { DrawTimer, type TimedDraw } from "./drawtimer";
+import { DrawTimer } from "./drawtimer";
 import { ErrorMeter, type Errors } from "./errors";
 import type { Picture } from "./npy";
 import { median } from "./statistics";
@@ -29,12 +29,6 @@ const SIZE_RATIO = 4;
 
 type Size = [width: number, height: number];
 
-/** ms */
-interface PassTime {
-  name: string;
-  time: number;
-}
-
 export interface QualityResult {
   point: Point;
   errors: Errors;
@@ -44,7 +38,8 @@ export interface QualityResult {
   rounds: number[];
   /** The same at the small size. */
   small: number[];
-  passes: PassTime[];
+  /** Time of each pass, ms. */
+  passes: { name: string; time: number }[];
 }
 
 export interface BenchmarkResult {
@@ -136,7 +131,7 @@ export class QualityBenchmark {
     const plan = await this.api.plan(scene, qualityRequest(point, standard), this.signal);
     let executor: Executor;
     try {
-      executor = await Executor.load(this.gpu, plan, (texture) => this.api.texture(texture), cameraFromScene(preset.scene), false);
+      executor = await Executor.load(this.gpu, plan, this.api.texture, cameraFromScene(preset.scene), false);
     } catch (error) {
       if (!(error instanceof CapabilityError)) throw error;
       this.result.unsupported.push({ point, reason: error.message });
@@ -164,13 +159,14 @@ export class QualityBenchmark {
     const { large, small } = this.result.sizes;
     await this.viewport.runExclusive(async () => {
       try {
-        const largeTime = await this.withTimer(executor, large, async (timer, draw) => {
+        const largeTime = await this.withTimer(executor, large, async (timer, draw, frame) => {
           const [first = 0] = await timer.time([{ draw, count: 1 }]);
           const count = Math.min(MAX_DRAWS, Math.max(1, Math.ceil(minTime(timer) / first)));
           const [time = first] = count > 1 ? await timer.time([{ draw, count }]) : [first];
-          for (const pass of await this.timePasses(executor, timer, large)) {
-            passTimes.set(pass.name, [...(passTimes.get(pass.name) ?? []), pass.time]);
-          }
+          // Passes of the same name are summed.
+          const sums = new Map<string, number>();
+          for (const [{ name }, passTime] of await timer.passes(executor, frame)) sums.set(name, (sums.get(name) ?? 0) + passTime);
+          for (const [name, sum] of sums) passTimes.set(name, [...(passTimes.get(name) ?? []), sum]);
           return time;
         });
         const smallTime = await this.withTimer(executor, small, async (timer, draw) => {
@@ -208,32 +204,13 @@ export class QualityBenchmark {
   }
 
   /** Draws once untimed, for compilation and allocation, then runs `task` with a timer. */
-  private async withTimer<T>(executor: Executor, size: Size, task: (timer: DrawTimer, draw: () => void) => Promise<T>): Promise<T> {
+  private async withTimer<T>(executor: Executor, size: Size, task: (timer: DrawTimer, draw: () => void, frame: Frame) => Promise<T>): Promise<T> {
     const screen = makeScreen(this.gpu.gl, ...size);
     try {
       const frame = this.frame(size, screen.framebuffer);
       const draw = () => executor.draw(frame);
       draw();
-      return await task(new DrawTimer(this.gpu, screen.framebuffer), draw);
-    } finally {
-      screen.dispose();
-    }
-  }
-
-  /** Times of one frame's passes; passes of the same name are summed. */
-  private async timePasses(executor: Executor, timer: DrawTimer, size: Size): Promise<PassTime[]> {
-    const screen = makeScreen(this.gpu.gl, ...size);
-    try {
-      const draws: (TimedDraw & { name: string })[] = [];
-      executor.draw(this.frame(size, screen.framebuffer), ({ name, target }, draw) => {
-        const spec = executor.plan.targets[target];
-        const framebuffer = () => executor.target(target)?.framebuffer ?? null;
-        draws.push({ name, draw, count: 1, ...(spec && { target: { framebuffer, float: spec.format !== "RGBA8" } }) });
-      });
-      const times = await timer.time(draws);
-      const sums = new Map<string, number>();
-      draws.forEach(({ name }, i) => sums.set(name, (sums.get(name) ?? 0) + (times[i] ?? 0)));
-      return [...sums].map(([name, time]) => ({ name, time }));
+      return await task(new DrawTimer(this.gpu, screen.framebuffer), draw, frame);
     } finally {
       screen.dispose();
     }

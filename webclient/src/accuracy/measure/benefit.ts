@@ -1,13 +1,8 @@
 /** Benefit of each quality setting: the error it removes for the time it adds, relative to the standard quality. */
 import { get } from "../../scene/json";
-import type { Point } from "../api";
 import { valueText } from "../format";
-import { compare, type Cost } from "./statistics";
-
-interface TimedPoint extends Cost {
-  point: Point;
-  rounds: readonly number[];
-}
+import type { Measured } from "./measured";
+import { compare } from "./statistics";
 
 /** Less error than this counts as none, levels. */
 export const NEGLIGIBLE = 0.01;
@@ -31,7 +26,7 @@ export interface Benefit {
 }
 
 /** Sorted by benefit: error removed at no cost first. */
-export function benefits(standard: TimedPoint, points: readonly TimedPoint[]): Benefit[] {
+export function benefits(standard: Measured, points: readonly Measured[]): Benefit[] {
   const list = points.flatMap((changed): Benefit[] => {
     const { parameter } = changed.point;
     if (parameter === null || changed.rounds.length === 0) return [];
@@ -40,7 +35,7 @@ export function benefits(standard: TimedPoint, points: readonly TimedPoint[]): B
     const [first, second] = ascending ? [standard, changed] : [changed, standard];
     const { added, measurable } = compare(first.rounds, second.rounds, 0, 0);
     const removed = first.error - second.error;
-    const value = (timed: TimedPoint) => valueText(timed === standard ? (get(standard.point.quality, parameter.pointer) ?? null) : parameter.value);
+    const value = (timed: Measured) => valueText(timed === standard ? (get(standard.point.quality, parameter.pointer) ?? null) : parameter.value);
     const perMs = measurable && added > 0 ? removed / added : null;
     const { owner, title, cause } = parameter;
     return [{ owner, title, cause, from: value(first), to: value(second), id: changed.id, added, measurable, removed, perMs }];

@@ -1,7 +1,7 @@
 /** The best quality for a time budget at the window's size. */
 import { formatNumber } from "../format";
 import type { BenchmarkResult } from "./benchmark";
-import { type BudgetSelection, type Cost, fitModel, median, selectForBudget } from "./statistics";
+import { type Cost, fitModel, median, selectForBudget } from "./statistics";
 
 /** A frame at 60 fps, ms. */
 export const DEFAULT_BUDGET = 16;
@@ -18,24 +18,24 @@ export function predict({ measured, sizes: { large, small } }: BenchmarkResult, 
   });
 }
 
-interface Choice {
+export interface Choice {
   id: string;
   label: string;
   reason: string;
+  /** Ids of the qualities within the budget. */
   fitting: ReadonlySet<string>;
 }
 
 export function choose(predicted: readonly Predicted[], budget: number, width: number, height: number): Choice | null {
   const selection = selectForBudget(predicted, budget);
   if (selection === null) return null;
-  const { point } = selection;
-  const fitting = new Set(predicted.filter(({ time }) => time <= budget).map(({ id }) => id));
+  const { point, fitting } = selection;
+  const reason =
+    fitting.length > 0
+      ? `least error of ${fitting.length} qualities within the budget (${predicted.length} measured)`
+      : `fastest of ${predicted.length} qualities; none is within the budget`;
   const cost = `Predicted at ${width} × ${height}: ${formatNumber(point.time)} of ${formatNumber(budget)} ms a frame, RMSE ${formatNumber(point.error)} levels.`;
-  return { id: point.id, label: point.label, fitting, reason: `${reasonOf(selection, predicted.length)}. ${cost}` };
-}
-
-function reasonOf({ fits, fitting }: BudgetSelection<Predicted>, count: number): string {
-  return fits ? `least error of ${fitting} qualities within the budget (${count} measured)` : `fastest of ${count} qualities; none is within the budget`;
+  return { id: point.id, label: point.label, fitting: new Set(fitting.map(({ id }) => id)), reason: `${reason}. ${cost}` };
 }
 
 /** Positions of the slider. */

@@ -1,13 +1,26 @@
 /** Times draws: by GPU timer queries where available, else by the wall clock until a pixel is read back. */
+import type { Pass } from "../../generated/api";
+import type { Capabilities } from "../../gl/capabilities";
 import type { Gpu } from "../../gl/gpu";
-import { type TimerExtension, timerExtension } from "../../gl/timer";
+import type { Executor, Frame } from "../../plan/executor";
 
 /** Attempts until a query is neither disjoint nor late, and the time after which it is late, ms. */
 const QUERY_ATTEMPTS = 4;
 const QUERY_TIMEOUT = 5000;
 
+interface TimerExtension {
+  TIME_ELAPSED_EXT: number;
+  GPU_DISJOINT_EXT: number;
+}
+
+/** Null on software renderers too: their timer queries are wrong. */
+export function timerExtension(gl: WebGL2RenderingContext, { extensions, software }: Capabilities): TimerExtension | null {
+  const name = "EXT_disjoint_timer_query_webgl2";
+  return software || !extensions.has(name) ? null : (gl.getExtension(name) as TimerExtension | null);
+}
+
 /** One thing to time: `count` runs of `draw`. */
-export interface TimedDraw {
+interface TimedDraw {
   draw: () => void;
   count: number;
   /** Target of the draw, if it is not the screen. */
@@ -38,6 +51,20 @@ export class DrawTimer {
       if (times) return times;
     }
     throw new Error(`GPU timer queries failed ${QUERY_ATTEMPTS} times.`);
+  }
+
+  /** Milliseconds of each pass that a frame draws. */
+  async passes(executor: Executor, frame: Frame): Promise<[Pass, number][]> {
+    const passes: Pass[] = [];
+    const draws: TimedDraw[] = [];
+    executor.draw(frame, (pass, draw) => {
+      const spec = executor.plan.targets[pass.target];
+      const framebuffer = () => executor.target(pass.target)?.framebuffer ?? null;
+      passes.push(pass);
+      draws.push({ draw, count: 1, ...(spec && { target: { framebuffer, float: spec.format !== "RGBA8" } }) });
+    });
+    const times = await this.time(draws);
+    return passes.map((pass, i) => [pass, times[i] ?? 0]);
   }
 
   private wallTime({ draw, count, target }: TimedDraw): number {

@@ -16,6 +16,23 @@ export interface Errors {
   flip: number;
 }
 
+interface Metric {
+  key: keyof Errors;
+  label: string;
+  /** For the axis. */
+  unit: string;
+}
+
+/** The measures of error that the diagrams can show. */
+export const METRICS = [
+  { key: "rmse", label: "RMSE", unit: "levels of 255" },
+  { key: "flip", label: "FLIP", unit: "0 to 1" },
+  { key: "max", label: "maximum", unit: "levels of 255" },
+  { key: "coverage", label: "foam coverage", unit: "RMSE, 0 to 1" },
+] as const satisfies readonly Metric[];
+
+export type MetricKey = (typeof METRICS)[number]["key"];
+
 /** Clips to [0, 1]; NaN is 0. */
 export function clip(value: number): number {
   return value > 0 ? Math.min(value, 1) : 0;
@@ -58,18 +75,17 @@ export function pixelErrors(picture: Picture, truth: Picture): Omit<Errors, "fli
   return { rmse: LEVELS * Math.sqrt(squares / (3 * count)), max: LEVELS * max, coverage: Math.sqrt(coverage / count) };
 }
 
-/** Each pixel's error: root mean square of its three channels, levels. */
+/** A pixel's error: root mean square of its three channels, levels. */
+export function errorAtPixel(picture: Picture, truth: Picture, pixel: number): number {
+  let squares = 0;
+  for (let c = 4 * pixel; c < 4 * pixel + 3; c++) squares += (clip(picture.pixels[c] ?? 0) - clip(truth.pixels[c] ?? 0)) ** 2;
+  return LEVELS * Math.sqrt(squares / 3);
+}
+
+/** Each pixel's error. */
 export function errorMap(picture: Picture, truth: Picture): Float32Array {
   sameSize(picture, truth);
-  const map = new Float32Array(truth.width * truth.height);
-  for (let pixel = 0; pixel < map.length; pixel++) {
-    let squares = 0;
-    for (let c = 4 * pixel; c < 4 * pixel + 3; c++) {
-      squares += (clip(picture.pixels[c] ?? 0) - clip(truth.pixels[c] ?? 0)) ** 2;
-    }
-    map[pixel] = LEVELS * Math.sqrt(squares / 3);
-  }
-  return map;
+  return Float32Array.from({ length: truth.width * truth.height }, (_, pixel) => errorAtPixel(picture, truth, pixel));
 }
 
 export function percentile(values: Float32Array, share: number): number {

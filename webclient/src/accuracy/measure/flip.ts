@@ -38,8 +38,8 @@ const GREATEST = hyab(hunt([0, 1, 0]), hunt([0, 0, 1])) ** COLOUR_EXPONENT;
 type Triple = [number, number, number];
 type Plane = Float64Array;
 
-/** What one picture contributes. */
-interface Seen {
+/** Of one picture. */
+interface Analysis {
   /** Hunt-adjusted L*a*b* of the filtered picture. */
   lab: [Plane, Plane, Plane];
   /** Magnitudes of its edges and points. */
@@ -49,23 +49,23 @@ interface Seen {
 
 /** Compares pictures with one reference; both sRGB in [0, 1], three values a pixel. */
 export class Flip {
-  private readonly reference: Seen;
+  private readonly reference: Analysis;
 
   constructor(
     reference: Float64Array,
     private readonly width: number,
     private readonly height: number,
   ) {
-    this.reference = see(reference, width, height);
+    this.reference = analyse(reference, width, height);
   }
 
   /** The mean over all pixels. */
   mean(picture: Float64Array): number {
     const a = this.reference;
-    const b = see(picture, this.width, this.height);
+    const b = analyse(picture, this.width, this.height);
     let sum = 0;
     for (let i = 0; i < a.edges.length; i++) {
-      const lab = (seen: Seen) => at(seen.lab, i);
+      const lab = (one: Analysis) => at(one.lab, i);
       const colour = redistribute(hyab(lab(a), lab(b)) ** COLOUR_EXPONENT);
       const edge = Math.abs((a.edges[i] ?? 0) - (b.edges[i] ?? 0));
       const point = Math.abs((a.points[i] ?? 0) - (b.points[i] ?? 0));
@@ -78,7 +78,7 @@ export class Flip {
 
 const at = ([a, b, c]: [Plane, Plane, Plane], i: number): Triple => [a[i] ?? 0, b[i] ?? 0, c[i] ?? 0];
 
-function see(picture: Float64Array, width: number, height: number): Seen {
+function analyse(picture: Float64Array, width: number, height: number): Analysis {
   const count = width * height;
   const opponent: [Plane, Plane, Plane] = [new Float64Array(count), new Float64Array(count), new Float64Array(count)];
   for (let i = 0; i < count; i++) {

@@ -70,16 +70,9 @@ export function fitModel(largeTime: number, largePixels: number, smallTime: numb
   return { fixed: Math.max(0, largeTime - perPixel * largePixels), perPixel };
 }
 
-export interface BudgetSelection<T> {
-  point: T;
-  fits: boolean;
-  /** How many points fit. */
-  fitting: number;
-}
-
-/** The least error within the budget, ms; if none fits, the fastest. */
-export function selectForBudget<T extends Cost>(points: readonly T[], budget: number): BudgetSelection<T> | null {
+/** The point of least error within the budget, ms, and all that are; if none is, the fastest of all. */
+export function selectForBudget<T extends Cost>(points: readonly T[], budget: number): { point: T; fitting: T[] } | null {
   const fitting = points.filter(({ time }) => time <= budget);
-  const best = fitting.length > 0 ? paretoFront(fitting).at(-1) : paretoFront(points)[0];
-  return best === undefined ? null : { point: best, fits: fitting.length > 0, fitting: fitting.length };
+  const point = fitting.length > 0 ? paretoFront(fitting).at(-1) : paretoFront(points)[0];
+  return point === undefined ? null : { point, fitting };
 }

@@ -1,4 +1,5 @@
 /** Draws linear light as sRGB, and errors as a heat map. */
+import { paintPixels } from "../../charts/canvas";
 import { clip } from "../measure/errors";
 import type { Picture } from "../measure/npy";
 import { srgb } from "../measure/tone";
@@ -32,7 +33,7 @@ const toSrgb = (linear: number) => 255 * srgb(clip(linear));
 /** Draws linear light, clipped at display white; of a region, if one is given. */
 export function drawPicture(canvas: HTMLCanvasElement, picture: Picture, region?: Region): void {
   const { x, y, width, height } = region ?? { x: 0, y: 0, ...picture };
-  paint(canvas, width, height, (pixel) => {
+  paintPixels(canvas, width, height, (pixel) => {
     const at = 4 * ((y + Math.floor(pixel / width)) * picture.width + x + (pixel % width));
     return [0, 1, 2].map((c) => toSrgb(picture.pixels[at + c] ?? 0)) as [number, number, number];
   });
@@ -40,15 +41,5 @@ export function drawPicture(canvas: HTMLCanvasElement, picture: Picture, region?
 
 /** Draws errors; `max` and above have the ramp's last colour. */
 export function drawErrors(canvas: HTMLCanvasElement, width: number, height: number, map: Float32Array, max: number): void {
-  paint(canvas, width, height, (pixel) => heatColour((map[pixel] ?? 0) / max));
-}
-
-function paint(canvas: HTMLCanvasElement, width: number, height: number, colour: (pixel: number) => [number, number, number]): void {
-  canvas.width = width;
-  canvas.height = height;
-  const context = canvas.getContext("2d");
-  if (context === null) return;
-  const image = context.createImageData(width, height);
-  for (let pixel = 0; pixel < width * height; pixel++) image.data.set([...colour(pixel), 255], 4 * pixel);
-  context.putImageData(image, 0, 0);
+  paintPixels(canvas, width, height, (pixel) => heatColour((map[pixel] ?? 0) / max));
 }

@@ -1,10 +1,8 @@
 /** What an inset shows: qualities of equal time and of equal error, and a part of the picture. */
 import type { Cost } from "../measure/statistics";
 
-interface Timed extends Cost {
-  /** Third quartile of the time, ms. */
-  high: number;
-}
+/** `high`: third quartile of the time, ms. */
+type Timed = Cost & { high: number };
 
 /** Errors closer than this factor are equal. */
 const EQUAL_ERROR = 1.02;
@@ -25,12 +23,12 @@ function least<T>(list: readonly T[], value: (item: T) => number): T | null {
   return list.reduce<T | null>((best, item) => (best === null || value(item) < value(best) ? item : best), null);
 }
 
-export interface Place {
+export interface Pixel {
   x: number;
   y: number;
 }
 
-export interface Region extends Place {
+export interface Region extends Pixel {
   width: number;
   height: number;
 }
@@ -39,14 +37,14 @@ export interface Region extends Place {
 const SHARE = 4;
 
 /** The part of the picture around a pixel, a quarter of it along each side. */
-export function regionAround({ x, y }: Place, width: number, height: number): Region {
+export function regionAround({ x, y }: Pixel, width: number, height: number): Region {
   const [w, h] = [Math.max(1, Math.round(width / SHARE)), Math.max(1, Math.round(height / SHARE))];
   const start = (at: number, side: number, whole: number) => Math.min(whole - side, Math.max(0, at - Math.floor(side / 2)));
   return { x: start(x, w, width), y: start(y, h, height), width: w, height: h };
 }
 
 /** The pixel with the greatest value. */
-export function worst(map: Float32Array, width: number): Place {
+export function worstPixel(map: Float32Array, width: number): Pixel {
   let at = 0;
   for (let i = 1; i < map.length; i++) if ((map[i] ?? 0) > (map[at] ?? 0)) at = i;
   return { x: at % width, y: Math.floor(at / width) };

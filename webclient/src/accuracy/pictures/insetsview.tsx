@@ -1,16 +1,16 @@
 /** Insets of equal time and of equal error beside the reference, and a loupe that shows the numbers of one pixel in all of them. */
 import { useCallback, useMemo } from "preact/hooks";
 import { Canvas } from "../../charts/canvas";
-import { TABLE } from "../../charts/table";
+import { Table } from "../../charts/table";
 import { NUMBER, QUIET } from "../classes";
-import { measuredHere } from "../diagram/diagramdata";
 import { formatNumber } from "../format";
 import type { QualityResult } from "../measure/benchmark";
-import { clip, errorMap, LEVELS } from "../measure/errors";
+import { errorAtPixel, errorMap } from "../measure/errors";
+import { measuredHere } from "../measure/measured";
 import type { Picture } from "../measure/npy";
 import type { BenchmarkRun, Session } from "../session";
 import { drawPicture } from "./colormap";
-import { equalError, equalTime, type Place, type Region, regionAround, worst } from "./insets";
+import { equalError, equalTime, type Pixel, type Region, regionAround, worstPixel } from "./insets";
 
 interface Inset {
   title: string;
@@ -24,10 +24,10 @@ const ARROWS: Record<string, readonly [number, number]> = { ArrowLeft: [-1, 0], 
 
 export function InsetsView({ session, run, shown, standard }: { session: Session; run: BenchmarkRun; shown: QualityResult; standard: QualityResult }) {
   const { truth } = run.input;
-  const start = useMemo(() => worst(errorMap(standard.picture, truth), truth.width), [standard, truth]);
+  const start = useMemo(() => worstPixel(errorMap(standard.picture, truth), truth.width), [standard, truth]);
   const at = session.loupe.value ?? start;
   const region = regionAround(at, truth.width, truth.height);
-  const move = ({ x, y }: Place) => {
+  const move = ({ x, y }: Pixel) => {
     if (!Number.isFinite(x) || !Number.isFinite(y)) return;
     session.loupe.value = { x: Math.min(truth.width - 1, Math.max(0, x)), y: Math.min(truth.height - 1, Math.max(0, y)) };
   };
@@ -64,7 +64,7 @@ export function InsetsView({ session, run, shown, standard }: { session: Session
             />
           </label>
         ))}
-        <button type="button" class={QUIET} onClick={() => move(worst(errorMap(shown.picture, truth), truth.width))}>
+        <button type="button" class={QUIET} onClick={() => move(worstPixel(errorMap(shown.picture, truth), truth.width))}>
           Worst pixel
         </button>
       </div>
@@ -74,16 +74,13 @@ export function InsetsView({ session, run, shown, standard }: { session: Session
 }
 
 function insetsOf(shown: QualityResult, { result: { measured }, input: { truth } }: BenchmarkRun): Inset[] {
-  const timed = (result: QualityResult) => {
-    const { time, high, errors } = measuredHere(result);
-    return { id: result.point.id, time, high, error: errors.rmse, result };
-  };
+  const timed = (result: QualityResult) => ({ ...measuredHere(result), picture: result.picture });
   const all = measured.map(timed);
   const chosen = timed(shown);
   const inset = (title: string, found: typeof chosen | null, none: string): Inset => ({
     title,
-    note: found ? `${found.result.point.label}: ${formatNumber(found.time)} ms, RMSE ${formatNumber(found.error)}` : none,
-    picture: found?.result.picture ?? null,
+    note: found ? `${found.point.label}: ${formatNumber(found.time)} ms, RMSE ${formatNumber(found.error)}` : none,
+    picture: found?.picture ?? null,
   });
   return [
     inset("Selected", chosen, ""),
@@ -93,7 +90,7 @@ function insetsOf(shown: QualityResult, { result: { measured }, input: { truth }
   ];
 }
 
-function InsetFigure({ inset: { title, note, picture }, region, at, move }: { inset: Inset; region: Region; at: Place; move: (at: Place) => void }) {
+function InsetFigure({ inset: { title, note, picture }, region, at, move }: { inset: Inset; region: Region; at: Pixel; move: (at: Pixel) => void }) {
   const { x, y, width, height } = region;
   const paint = useCallback(
     (canvas: HTMLCanvasElement) => {
@@ -126,39 +123,22 @@ function InsetFigure({ inset: { title, note, picture }, region, at, move }: { in
 }
 
 /** The linear values under the loupe, and each picture's error there. */
-function Floats({ insets, truth, at }: { insets: readonly Inset[]; truth: Picture; at: Place }) {
-  const value = (picture: Picture, c: number) => picture.pixels[4 * (at.y * picture.width + at.x) + c] ?? NaN;
-  const error = (picture: Picture) => {
-    const squares = [0, 1, 2].map((c) => (clip(value(picture, c)) - clip(value(truth, c))) ** 2);
-    return LEVELS * Math.sqrt(squares.reduce((sum, square) => sum + square, 0) / 3);
-  };
+function Floats({ insets, truth, at }: { insets: readonly Inset[]; truth: Picture; at: Pixel }) {
+  const pixel = at.y * truth.width + at.x;
   return (
-    <table class={`floats mb-2.5 ${TABLE}`} aria-label={`Linear light at column ${at.x}, row ${at.y}`}>
-      <thead>
-        <tr>
-          <th scope="col">pixel</th>
-          {[...CHANNELS, "error"].map((name) => (
-            <th scope="col" key={name}>
-              {name}
-            </th>
-          ))}
-        </tr>
-      </thead>
-      <tbody>
-        {insets.flatMap(({ title, picture }) =>
-          picture === null ? (
-            []
-          ) : (
+    <Table class="floats mb-2.5" label={`Linear light at column ${at.x}, row ${at.y}`} heads={["pixel", ...CHANNELS, "error"]}>
+      {insets.map(
+        ({ title, picture }) =>
+          picture && (
             <tr key={title}>
               <th scope="row">{title}</th>
               {CHANNELS.map((name, c) => (
-                <td key={name}>{value(picture, c).toFixed(5)}</td>
+                <td key={name}>{(picture.pixels[4 * pixel + c] ?? NaN).toFixed(5)}</td>
               ))}
-              <td>{picture === truth ? "–" : formatNumber(error(picture))}</td>
+              <td>{picture === truth ? "–" : formatNumber(errorAtPixel(picture, truth, pixel))}</td>
             </tr>
           ),
-        )}
-      </tbody>
-    </table>
+      )}
+    </Table>
   );
 }

@@ -37,9 +37,14 @@ export class Plot {
 
   /** A curve through the values of a function of the pixel's column. */
   curve(color: string, y: (x: number) => number, dash: number[] = []): void {
+    this.path(color, Array.from({ length: this.width + 1 }, (_, x) => [x, y(x)] as const), dash);
+  }
+
+  /** A curve through points. */
+  path(color: string, points: readonly (readonly [x: number, y: number])[], dash: number[] = []): void {
     const { context } = this;
     context.beginPath();
-    for (let x = 0; x <= this.width; x++) context.lineTo(x, y(x));
+    for (const [x, y] of points) context.lineTo(x, y);
     context.strokeStyle = color;
     context.lineWidth = 2;
     context.lineJoin = "round";

@@ -4,14 +4,11 @@ import type { Mask } from "../maths/mask";
 import { spectrum, unevenness } from "../maths/spectrum";
 import { Plot } from "./canvas";
 import { COLORS } from "./palette";
-import { Patch, PATCHES } from "./patch";
+import { Patch, PATCHES, patchSide } from "./patch";
 import { drawRaps } from "./raps";
 
-/** Of a pattern, texels; and of a texel, px. */
+/** Of a pattern before its size is known, texels. */
 const SIDE = 128;
-const [TEXEL, SMALL_TEXEL] = [3, 2];
-/** Widths from which texels are larger, px. */
-const WIDE = 640;
 /** Boxes whose coverage is compared, texels. */
 const BOX = 32;
 /** Wait before spectra are computed anew: a slider may still move, ms. */
@@ -30,7 +27,7 @@ export class Comparison {
   }
 
   resize(width: number): void {
-    const side = Math.floor(width / 2 / (width >= WIDE ? TEXEL : SMALL_TEXEL));
+    const side = patchSide(width);
     for (const patch of this.patches) patch.resize(side);
     this.plot.resize(width, Math.min(240, Math.max(190, 0.4 * width)));
     if (this.shown) this.show(...this.shown);

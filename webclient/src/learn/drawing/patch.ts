@@ -6,6 +6,14 @@ import { BLEND, shade } from "./palette";
 /** Of two patches beside each other. */
 export const PATCHES = "patches grid grid-cols-2 gap-0.5 [&_canvas]:aspect-square [&_canvas]:w-full";
 
+/** Sides of a texel on the page, px, and the width of the page from which the greater one holds. */
+const [TEXEL, SMALL_TEXEL, WIDE] = [3, 2, 640];
+
+/** Texels along a side of each of two patches. width: of both, px. */
+export function patchSide(width: number): number {
+  return Math.floor(width / 2 / (width >= WIDE ? TEXEL : SMALL_TEXEL));
+}
+
 export class Patch {
   private readonly texels: Texels;
   private side = 0;

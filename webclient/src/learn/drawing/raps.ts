@@ -27,19 +27,10 @@ export function drawRaps(plot: Plot, curves: readonly RapsCurve[]): void {
   for (const frequency of [0, 0.25, 0.5]) plot.text(String(frequency), x(frequency), foot + 15, COLORS.text, "center");
   plot.text("power by cycles per texel", left + 6, top + 14);
   curves.forEach(({ title, color, spectrum }, index) => {
-    drawCurve(plot, color, smoothed(spectrum), x, y);
+    plot.path(color, smoothed(spectrum).map(([frequency, power]) => [x(frequency), y(power)]));
     // Below the name of the axes, which narrow plots have no room beside.
     plot.text(title, right - 6, top + 30 + 16 * index, color, "right");
   });
-}
-
-function drawCurve({ context }: Plot, color: string, points: [number, number][], x: (f: number) => number, y: (p: number) => number): void {
-  context.beginPath();
-  for (const [frequency, power] of points) context.lineTo(x(frequency), y(power));
-  context.strokeStyle = color;
-  context.lineWidth = 2;
-  context.lineJoin = "round";
-  context.stroke();
 }
 
 function smoothed({ frequency, raps }: Spectrum): [number, number][] {

@@ -3,8 +3,8 @@ import { element } from "../../ui/dom";
 import { coverage, overSample, thresholdOf } from "../maths/filtered";
 import { amount, type Look } from "../maths/looks";
 import type { Mask } from "../maths/mask";
-import { PopCounter, PopRate } from "../maths/pops";
-import { foamTexture } from "../parts/texture";
+import { PopCounter } from "../maths/pops";
+import { foamTextures } from "../parts/texture";
 import { Texels } from "./canvas";
 import { BLEND, shade } from "./palette";
 
@@ -19,7 +19,6 @@ export class Strip {
   private readonly texels: Texels;
   private readonly output = element("output", { class: "rate ml-auto" });
   private counter = new PopCounter(0);
-  private rate = new PopRate(this.counter);
   private textures = new Float32Array(0);
   /** Means and half ranges of the mask's B-spline over the pixels. */
   private samples = new Float32Array(0);
@@ -60,7 +59,6 @@ export class Strip {
   private prepare(): void {
     const { columns, rows, mask } = this;
     this.counter = new PopCounter(columns * rows);
-    this.rate = new PopRate(this.counter);
     if (this.look === "filtered") {
       const samples = new Float32Array(2 * SCALE * columns * SCALE * rows);
       for (let y = 0, i = 0; y < SCALE * rows; y++) {
@@ -70,9 +68,7 @@ export class Strip {
       }
       this.samples = samples;
     } else {
-      this.textures = Float32Array.from({ length: columns * rows }, (_, i) =>
-        foamTexture(this.texture, (i % columns) + 0.5, Math.floor(i / columns) + 0.5),
-      );
+      this.textures = foamTextures(this.texture, columns, rows);
     }
   }
 
@@ -81,8 +77,7 @@ export class Strip {
     if (this.look === "filtered") this.drawFiltered(saturation, fade);
     else this.drawTexels(this.look, saturation);
     this.texels.show();
-    this.rate.advance(seconds);
-    this.output.textContent = `${Math.round(this.rate.perSecond).toLocaleString("en")} pops/s`;
+    this.output.textContent = this.counter.advance(seconds);
   }
 
   private drawTexels(look: Exclude<Look, "filtered">, saturation: Saturation): void {

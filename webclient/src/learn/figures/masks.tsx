@@ -1,11 +1,11 @@
 /** Figure 4: what a mask's spectrum says of its bubbles. */
-import { effect, signal } from "@preact/signals";
+import { signal } from "@preact/signals";
 import { render } from "preact";
 import { Comparison } from "../drawing/compare";
 import { loadMask, WHITE } from "../maths/mask";
 import { Select, Slider } from "../parts/controls";
 import type { FigureContext, LiveFigure } from "../parts/live";
-import { maskOptions } from "../parts/masks";
+import { followMask, maskOptions } from "../parts/masks";
 
 export async function make({ api, plate, controls, redraw }: FigureContext): Promise<LiveFigure> {
   const [blue, white, options] = await Promise.all([loadMask(api, "vac-1.5"), loadMask(api, WHITE), maskOptions(api)]);
@@ -20,15 +20,8 @@ export async function make({ api, plate, controls, redraw }: FigureContext): Pro
       redraw();
     });
   }
-  names.forEach((name, i) =>
-    effect(() => {
-      const asked = name.value;
-      void loadMask(api, asked).then((mask) => {
-        const held = masks[i];
-        if (held !== undefined && name.peek() === asked) held.value = mask;
-      });
-    }),
-  );
+  followMask(api, names[0], masks[0]);
+  followMask(api, names[1], masks[1]);
   render(
     <>
       <Slider label="Saturation" value={grey} min={0.03} max={0.9} step={0.01} />

@@ -1,29 +1,39 @@
 /** Figure 6: the picture under each look, by the plan and the GLSL that the page draws with. */
 import { effect, signal } from "@preact/signals";
 import { render } from "preact";
-import { element } from "../../ui/dom";
+import { cameraFromScene } from "../../camera/state";
 import { openContext, openGpu } from "../../gl/gpu";
 import { Executor } from "../../plan/executor";
+import { withValue } from "../../scene/json";
+import { element } from "../../ui/dom";
 import { LOOK_TITLES, LOOKS, type Look } from "../maths/looks";
 import { Choice, PlayButton, Slider } from "../parts/controls";
 import type { FigureContext, LiveFigure } from "../parts/live";
-import { paperScene } from "../parts/scene";
 
 /** Of the picture; a renderer on the processor draws it smaller. */
 const [ASPECT, WIDEST, WIDEST_SOFTWARE] = [16 / 9, 960, 640];
 const [QUALITY, QUALITY_SOFTWARE] = ["standard", "draft"];
+/** The scene: the paper's figure 7. */
+const PRESET = "paper-halftone";
+/** Fade of the filtered look, as a share of the plane. */
+const FADE = 0.2;
 
 export async function make({ api, plate, controls, playing, redraw }: FigureContext): Promise<LiveFigure> {
   const canvas = element("canvas", { class: "picture aspect-video w-full", role: "img", "aria-label": "A wave with foam, in perspective" });
   const gpu = openGpu(openContext(canvas), new Set());
-  const scene = await paperScene(api);
+  const { scene } = await api.preset(PRESET);
+  // Without the camera, which the page moves.
+  const plain = withValue(scene, "/camera", undefined);
+  const under = (which: Look) => withValue(withValue(plain, "/foam/look", which), "/foam/fade", which === "filtered" ? FADE : 0);
+  const camera = cameraFromScene(scene);
+  const cameraAt = (metres: number) => ({ ...camera, position: [camera.position[0], metres, camera.position[2]] as const });
   const quality = gpu.capabilities.software ? QUALITY_SOFTWARE : QUALITY;
   const look = signal<Look>("halftone_textured");
   const height = signal(6.5);
   const busy = signal(false);
   const load = async (which: Look) => {
-    const plan = await api.plan(scene.under(which), quality);
-    return Executor.load(gpu, plan, (texture) => api.texture(texture), scene.from(height.peek()), false);
+    const plan = await api.plan(under(which), quality);
+    return Executor.load(gpu, plan, api.texture, cameraAt(height.peek()), false);
   };
   let drawn = look.value;
   let executor = await load(drawn);
@@ -66,7 +76,7 @@ export async function make({ api, plate, controls, playing, redraw }: FigureCont
     draw: (time) => {
       if (lost) return;
       const { width, height: tall } = canvas;
-      executor.draw({ time, camera: scene.from(height.value), width, height: tall, screen: null, scissor: null, scene: null });
+      executor.draw({ time, camera: cameraAt(height.value), width, height: tall, screen: null, scissor: null, scene: null });
     },
   };
 }

@@ -3,32 +3,19 @@ import "../style.css";
 import { effect, type Signal, signal } from "@preact/signals";
 import { render } from "preact";
 import { Api, messageOf } from "../../api";
-import { byId, element } from "../../ui/dom";
+import { byId, element, prefersReducedMotion } from "../../ui/dom";
 import { Comparison } from "../drawing/compare";
 import { Stack } from "../drawing/stack";
-import { loadMask, type Mask } from "../maths/mask";
+import { loadMask } from "../maths/mask";
 import { CONSTANTS } from "../maths/wave";
 import { PlayButton, Select, Slider } from "../parts/controls";
-import { reducedMotion } from "../parts/live";
-import { maskOptions } from "../parts/masks";
+import { onWidthChange } from "../parts/live";
+import { followMask, maskOptions } from "../parts/masks";
 import { loadFoamTexture } from "../parts/texture";
 import { formatState, type LabState, parseState, RANGES } from "./state";
 
 const LONGEST = 0.1;
 const HEADING = "mt-2 mb-0 font-sans text-body/[1.4] font-semibold tracking-[0]";
-
-/** The mask that a control names; the last one while it loads, or if it cannot be loaded. */
-function followMask(api: Api, name: Signal<string>, mask: Signal<Mask>): void {
-  effect(() => {
-    const asked = name.value;
-    loadMask(api, asked).then(
-      (loaded) => {
-        if (name.peek() === asked) mask.value = loaded;
-      },
-      () => (name.value = mask.peek().name),
-    );
-  });
-}
 
 interface ControlsProps {
   state: LabState;
@@ -77,7 +64,7 @@ async function start(): Promise<void> {
     loadFoamTexture(api),
   ]);
   const [mask, other] = [signal(first), signal(second)];
-  const playing = signal(!state.paused && !reducedMotion());
+  const playing = signal(!state.paused && !prefersReducedMotion());
   const [strips, patterns] = [element("div", { class: "stage" }), element("div", { class: "stage" })];
   const stack = new Stack(strips, first, second, texture, { rows: 22, thresholds: true, others: ["halftone"] });
   const comparison = new Comparison(patterns);
@@ -108,13 +95,7 @@ function run(state: LabState, playing: Signal<boolean>, stack: Stack, comparison
     comparison.resize(patterns.clientWidth);
     draw(0);
   };
-  let width = 0;
-  new ResizeObserver(() => {
-    if (strips.clientWidth === width) return;
-    width = strips.clientWidth;
-    fit();
-  }).observe(strips);
-  width = strips.clientWidth;
+  onWidthChange(strips, strips.clientWidth, fit);
   fit();
   const tick = (now: number) => {
     if (playing.value) {

@@ -2,8 +2,10 @@
 import { VISIBLE } from "./looks";
 
 export class PopCounter {
+  /** Since the last call of `advance`. */
+  pops = 0;
+  private perSecond = 0;
   private readonly visible: Uint8Array;
-  private pops = 0;
 
   constructor(bubbles: number) {
     this.visible = new Uint8Array(bubbles);
@@ -16,26 +18,11 @@ export class PopCounter {
     this.visible[bubble] = now;
   }
 
-  /** Pops since the last call. */
-  take(): number {
-    const { pops } = this;
-    this.pops = 0;
-    return pops;
-  }
-}
-
-/** Pops per second over about the last second of motion. */
-export class PopRate {
-  perSecond = 0;
-
-  constructor(private readonly counter: PopCounter) {}
-
-  /** After a frame that moved time by `seconds`. */
-  advance(seconds: number): void {
-    const pops = this.counter.take();
+  /** After a frame that moved time by `seconds`; returns the rate over about the last second of motion, in words. */
+  advance(seconds: number): string {
     // A jump in time pops bubbles that no clock saw.
-    if (seconds <= 0 || seconds > 0.25) return;
-    const share = 1 - Math.exp(-seconds);
-    this.perSecond += share * (pops / seconds - this.perSecond);
+    if (seconds > 0 && seconds <= 0.25) this.perSecond += (1 - Math.exp(-seconds)) * (this.pops / seconds - this.perSecond);
+    this.pops = 0;
+    return `${Math.round(this.perSecond).toLocaleString("en")} pops/s`;
   }
 }

@@ -1,6 +1,7 @@
 /** Runs a figure while it is in view. */
 import { effect, type Signal, signal } from "@preact/signals";
 import { type Api, messageOf } from "../../api";
+import { element, prefersReducedMotion } from "../../ui/dom";
 
 export interface LiveFigure {
   /** width: of the figure's plate, px. */
@@ -24,10 +25,18 @@ export type MakeFigure = (context: FigureContext) => Promise<LiveFigure>;
 /** Longest step of time between two frames, s: a hidden figure stands still. */
 const LONGEST = 0.1;
 
-export const reducedMotion = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
+/** Calls back when an element has another width than it is known to have, px; not while it has none. */
+export function onWidthChange(observed: HTMLElement, known: number, changed: (width: number) => void): void {
+  let width = known;
+  new ResizeObserver(() => {
+    if (observed.clientWidth === width || observed.clientWidth === 0) return;
+    width = observed.clientWidth;
+    changed(width);
+  }).observe(observed);
+}
 
 export class Runner {
-  readonly playing = signal(!reducedMotion());
+  readonly playing = signal(!prefersReducedMotion());
   private figure: LiveFigure | null = null;
   private loading = false;
   private inView = false;
@@ -65,8 +74,7 @@ export class Runner {
     const find = (selector: string) => this.root.querySelector<HTMLElement>(selector) ?? this.root;
     const [plate, controls] = [find(".plate"), find(".controls")];
     const still = plate.querySelector("img");
-    const stage = document.createElement("div");
-    stage.className = "stage";
+    const stage = element("div", { class: "stage" });
     try {
       const make = await this.make();
       const redraw = () => {
@@ -81,7 +89,10 @@ export class Runner {
       still?.replaceWith(stage);
       if (still === null) plate.append(stage);
       this.root.dataset["live"] = "true";
-      this.fit(plate, width);
+      onWidthChange(plate, width, (fitting) => {
+        figure.resize(fitting);
+        redraw();
+      });
       effect(() => {
         if (this.playing.value) this.schedule();
       });
@@ -90,16 +101,6 @@ export class Runner {
       this.root.dataset["live"] = "false";
       controls.textContent = `This figure stands still: ${messageOf(error)}`;
     }
-  }
-
-  private fit(plate: HTMLElement, width: number): void {
-    new ResizeObserver(() => {
-      if (plate.clientWidth === width || plate.clientWidth === 0) return;
-      width = plate.clientWidth;
-      this.figure?.resize(width);
-      this.dirty = true;
-      this.schedule();
-    }).observe(plate);
   }
 
   private schedule(): void {

@@ -14,8 +14,13 @@ export function loadFoamTexture(api: Api): Promise<Uint8Array> {
   return loading;
 }
 
-/** t at a texel of the mask, bilinear. */
-export function foamTexture(texture: Uint8Array, x: number, y: number): number {
+/** t at the middle of each texel of a part of the mask, row by row. */
+export function foamTextures(texture: Uint8Array, columns: number, rows: number): Float32Array<ArrayBuffer> {
+  return Float32Array.from({ length: columns * rows }, (_, i) => foamTexture(texture, (i % columns) + 0.5, Math.floor(i / columns) + 0.5));
+}
+
+/** t at a place of the mask, texels; bilinear. */
+function foamTexture(texture: Uint8Array, x: number, y: number): number {
   const [u, v] = [(x / TILE) * SIDE - 0.5, (y / TILE) * SIDE - 0.5];
   const [i, j] = [Math.floor(u), Math.floor(v)];
   const at = (column: number, row: number) => (texture[(row & (SIDE - 1)) * SIDE + (column & (SIDE - 1))] ?? 0) / 255;

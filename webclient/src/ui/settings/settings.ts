@@ -1,16 +1,16 @@
 /** Settings panel: quality, camera, the scene's fields and the list of effects. */
 import "./settings.css";
 import type { CameraControls, CameraMode } from "../../camera/controls";
-import type { DrawerChoice } from "../../display/display";
+import type { FrameSourceChoice } from "../../display/display";
 import { qualityTitle } from "../../selection/quality";
 import { element, fillSelect } from "../dom";
-import { icon } from "../icons";
-import type { EffectList } from "./effects";
+import { drawerHead, slide } from "../drawer";
+import { EffectList } from "./effects";
 
 interface SettingsEvents {
   /** null: automatic. */
   quality(name: string | null): void;
-  drawer(choice: DrawerChoice): void;
+  source(choice: FrameSourceChoice): void;
   /** null: automatic. */
   scale(scale: number | null): void;
   /** Restores the preset's scene, camera and time. */
@@ -29,10 +29,11 @@ export class SettingsPanel {
   readonly scene = element("div", { class: "scene pb-2" });
   /** Container of undo, redo and the changes. */
   readonly edits = element("div");
+  readonly effects = new EffectList();
   private readonly quality = element("select", { id: "quality", class: SELECT });
   private tiers: readonly string[] = [];
   private readonly scale = element("select", { id: "scale", class: SELECT });
-  private readonly drawer = element("select", { id: "drawer", class: SELECT });
+  private readonly source = element("select", { id: "drawer", class: SELECT });
   private readonly mode = element("select", { id: "mode", class: SELECT });
   private readonly fov = element("input", { id: "fov", class: "min-w-0 flex-[0_0_108px]", type: "range", min: 10, max: 110, step: 1 });
   private readonly fovOutput = element("output", { for: "fov", class: "flex-[0_0_34px] text-right tabular-nums" });
@@ -42,11 +43,8 @@ export class SettingsPanel {
   constructor(
     private readonly container: HTMLElement,
     private readonly controls: CameraControls,
-    effects: EffectList,
     events: SettingsEvents,
   ) {
-    const close = element("button", { type: "button", class: "plain", "aria-label": "Close settings" }, icon("close"));
-    close.addEventListener("click", () => this.toggle(false));
     const reset = element("button", { type: "button", class: "button" }, "Reset scene");
     reset.addEventListener("click", () => events.reset());
     this.frameButton.title = "Renders this view on the server and saves it as PNG";
@@ -54,7 +52,7 @@ export class SettingsPanel {
     this.quality.addEventListener("change", () => events.quality(this.quality.value === AUTOMATIC ? null : this.quality.value));
     this.showScale(null);
     this.scale.addEventListener("change", () => events.scale(this.scale.value === AUTOMATIC ? null : Number(this.scale.value)));
-    this.drawer.addEventListener("change", () => events.drawer(this.drawer.value as DrawerChoice));
+    this.source.addEventListener("change", () => events.source(this.source.value as FrameSourceChoice));
     fillSelect(this.mode, [{ name: "orbit", title: "orbit" }, { name: "fly", title: "fly" }], controls.mode);
     this.mode.addEventListener("change", () => (controls.mode = this.mode.value as CameraMode));
     this.fov.addEventListener("input", () => controls.set({ ...controls.camera, fov: Number(this.fov.value) / DEGREES }));
@@ -62,7 +60,7 @@ export class SettingsPanel {
     const row = (label: string, id: string, ...fields: HTMLElement[]) =>
       element("div", { class: "flex min-h-9 items-center gap-2 px-1.5 finger:min-h-11" }, element("label", { for: id, class: "flex-1 text-soft first-letter:uppercase" }, label), ...fields);
     container.append(
-      element("div", { class: "head flex items-center gap-2.5 pt-1 pr-1.5 pl-4.5" }, element("h2", { class: "flex-1 font-serif text-[17px]/none" }, "Settings"), this.busyLabel, close),
+      drawerHead("Settings", () => this.toggle(false), this.busyLabel),
       element(
         "div",
         { class: "body scroller px-3 pb-3.5" },
@@ -71,13 +69,13 @@ export class SettingsPanel {
           { class: "pb-2" },
           row("quality", "quality", this.quality),
           row("resolution", "scale", this.scale),
-          row("drawn by", "drawer", this.drawer),
+          row("drawn by", "drawer", this.source),
           row("camera", "mode", this.mode),
           row("field of view", "fov", this.fov, this.fovOutput),
         ),
         this.scene,
         this.edits,
-        effects.root,
+        this.effects.root,
         element("div", { class: "grid grid-cols-2 gap-2 border-t border-line pt-2.5 pb-1" }, this.frameButton, reset),
         element("p", { class: "mx-1.5 mt-2.5 text-small text-dim" }, "Drag: touch the water · right drag or two fingers: rotate · W A S D, Q E: move · wheel or pinch: zoom · Shift + wheel: field of view · space: play · , and .: step a frame · /: list of waters · F: full screen · Ctrl+Z: undo"),
       ),
@@ -90,9 +88,7 @@ export class SettingsPanel {
   }
 
   toggle(open = !this.open): void {
-    this.container.classList.toggle("open", open);
-    this.container.inert = !open;
-    document.body.classList.toggle("settings-open", open);
+    slide(this.container, "settings", open);
   }
 
   /** `tiers`: what may be chosen beside the selected quality, once it is known. */
@@ -110,9 +106,9 @@ export class SettingsPanel {
   }
 
   /** `browser`: whether this browser can draw. */
-  showDrawer(choice: DrawerChoice, browser: boolean): void {
+  showSource(choice: FrameSourceChoice, browser: boolean): void {
     const choices = [{ name: "auto", title: AUTOMATIC_TITLE }, ...(browser ? [{ name: "browser", title: "this browser" }] : []), { name: "server", title: "the server" }];
-    fillSelect(this.drawer, choices, choice);
+    fillSelect(this.source, choices, choice);
   }
 
   setBusy(busy: boolean): void {

@@ -3,9 +3,9 @@
  *
  * `movePosition` is for every frame: it sets transforms, which repaints nothing. `update` repaints, a few times a second.
  */
-import type { Clock } from "../app/clock";
-import { element } from "./dom";
-import { icon } from "./icons";
+import { element, hasModifier, isTyping } from "../ui/dom";
+import { icon } from "../ui/icons";
+import type { Clock } from "./clock";
 
 /** One frame, s: the step of the keys , and . */
 const FRAME = 1 / 60;
@@ -64,14 +64,14 @@ export class Transport {
   }
 
   private readonly keyDown = (event: KeyboardEvent): void => {
-    const { target } = event;
-    const matches = (selector: string) => target instanceof HTMLElement && target.matches(selector);
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (hasModifier(event)) return;
     const frames = { ",": -1, ".": 1 }[event.key];
-    if (frames !== undefined && !matches("input:not([type=range]), select, textarea")) {
+    // Keys of what has the focus.
+    const pressed = event.target instanceof HTMLElement && event.target.matches("input, select, button, textarea, a, summary, [role=slider]");
+    if (frames !== undefined && !isTyping(event)) {
       this.clock.playing = false;
       this.clock.seek(frameAfter(this.clock.time, frames));
-    } else if (event.code === "Space" && !matches("input, select, button, textarea, a, summary, [role=slider]")) {
+    } else if (event.code === "Space" && !pressed) {
       event.preventDefault();
       this.clock.playing = !this.clock.playing;
     }

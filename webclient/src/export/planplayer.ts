@@ -1,7 +1,7 @@
 /** Plays one frame plan on a canvas: clock, camera, dynamic resolution. For pages that are not the whole application. */
 import { CameraControls, CLEARANCE } from "../camera/controls";
 import type { CameraState } from "../camera/state";
-import { pixelRatio, pixelsOf } from "../display/pixelratio";
+import { pixelRatio, pixelSize, pixelsOf, resizeCanvas } from "../display/pixels";
 import { DynamicResolution } from "../display/resolution";
 import type { FramePlan } from "../generated/api";
 import { type Gpu, openContext, openGpu } from "../gl/gpu";
@@ -11,7 +11,7 @@ import type { Json } from "../scene/json";
 /** Delay after the last frame in motion before a still picture is drawn at full size, ms. */
 const SHARPENING_DELAY = 300;
 
-interface StageStart {
+interface PlayerStart {
   plan: FramePlan;
   bytes: LoadBytes;
   /** s */
@@ -19,12 +19,11 @@ interface StageStart {
   camera: CameraState;
   playing: boolean;
   /** Whether the camera moves without inertia. */
-  still: boolean;
+  reducedMotion: boolean;
 }
 
-export class Stage {
+export class PlanPlayer {
   readonly controls: CameraControls;
-  /** Of the picture. */
   camera: CameraState;
   /** s */
   time: number;
@@ -37,7 +36,6 @@ export class Stage {
   /** Called before each frame. */
   beforeFrame: () => void = () => undefined;
   failed: (error: unknown) => void = () => undefined;
-  /** Frames that were drawn. */
   frames = 0;
   private gpu: Gpu;
   private executor: Executor | null = null;
@@ -54,10 +52,10 @@ export class Stage {
   /** Throws a `CapabilityError` without WebGL 2. */
   constructor(
     readonly canvas: HTMLCanvasElement,
-    private readonly start: StageStart,
+    private readonly start: PlayerStart,
   ) {
     this.gpu = openGpu(openContext(canvas), new Set());
-    this.controls = new CameraControls(canvas, start.camera, !start.still);
+    this.controls = new CameraControls(canvas, start.camera, !start.reducedMotion);
     this.controls.surface = this.controls.bottom = start.plan.top + CLEARANCE;
     this.camera = start.camera;
     this.time = start.time;
@@ -131,12 +129,8 @@ export class Stage {
 
   private draw(executor: Executor, scale: number): void {
     const { gl } = this.gpu;
-    const ratio = pixelRatio() * scale;
-    const width = Math.max(1, Math.round(this.canvas.clientWidth * ratio));
-    const height = Math.max(1, Math.round(this.canvas.clientHeight * ratio));
-    // Setting a canvas's size clears it, even to the same size.
-    if (this.canvas.width !== width) this.canvas.width = width;
-    if (this.canvas.height !== height) this.canvas.height = height;
+    const [width, height] = pixelSize(this.canvas, pixelRatio() * scale);
+    resizeCanvas(this.canvas, width, height);
     const submitted = performance.now();
     executor.draw({ time: this.time, camera: this.camera, width, height, screen: null, scissor: null, scene: this.scene });
     this.frames += 1;

@@ -1,9 +1,10 @@
 /** Opens and closes surfaces beside the picture, one at a time; their code is loaded on first use. */
+import { type ComponentType, render } from "preact";
+import type { SurfaceName } from "../selection/url";
 import { element } from "../ui/dom";
-import type { Mount, SurfaceContext } from "./context";
-import type { SurfaceName } from "./names";
+import type { PageContext } from "./context";
 
-const SURFACES: Record<SurfaceName, { title: string; load: () => Promise<{ mount: Mount }> }> = {
+const SURFACES: Record<SurfaceName, { title: string; load: () => Promise<{ Surface: ComponentType<{ context: PageContext }> }> }> = {
   take: { title: "Take home", load: () => import("../take/surface") },
   plan: { title: "Frame plan", load: () => import("../planview/surface") },
 };
@@ -15,14 +16,12 @@ interface SurfaceEvents {
 
 export class Surfaces {
   open: SurfaceName | null = null;
-  private unmount: (() => void) | null = null;
   private sheet: HTMLElement | null = null;
   /** Takes the focus when the surface closes. */
   private opener: Element | null = null;
-  private context: Promise<SurfaceContext> | null = null;
 
   constructor(
-    private readonly makeContext: () => Promise<SurfaceContext>,
+    private readonly context: PageContext,
     private readonly events: SurfaceEvents,
   ) {}
 
@@ -41,11 +40,10 @@ export class Surfaces {
       if (event.key === "Escape") this.show(null);
     });
     document.body.append(sheet);
-    this.context ??= this.makeContext();
-    Promise.all([load(), this.context]).then(
-      ([{ mount }, context]) => {
+    load().then(
+      ({ Surface }) => {
         if (this.sheet !== sheet) return;
-        this.unmount = mount(sheet, context);
+        render(<Surface context={this.context} />, sheet);
         if (focus) sheet.focus();
       },
       (error: unknown) => {
@@ -58,9 +56,9 @@ export class Surfaces {
   private remove(): void {
     const { sheet, opener } = this;
     const hadFocus = sheet?.contains(document.activeElement) ?? false;
-    this.unmount?.();
+    if (sheet) render(null, sheet);
     sheet?.remove();
-    this.unmount = this.sheet = this.opener = null;
+    this.sheet = this.opener = null;
     if (hadFocus && opener instanceof HTMLElement) opener.focus();
   }
 }

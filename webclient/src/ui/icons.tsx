@@ -15,6 +15,7 @@ const PATHS = {
   plan: "M4.500 4.500h5v4h-5zM14.500 10h5v4h-5zM4.500 15.500h5v4h-5zM9.500 6.500h2.500v11H9.500M12 12h2.500",
   foam: "M9 11.500a3.500 3.500 0 1 0 .01 0M16.500 5a2.500 2.500 0 1 0 .01 0M16.500 14.500a2 2 0 1 0 .01 0M5.500 5.500a1.500 1.500 0 1 0 .01 0",
   touch: "M12 11.500v-7M9.500 7l2.500-2.500 2.500 2.500M8 14.200c-2 .4-3.500 1.100-3.500 2 0 1.500 3.400 2.800 7.500 2.800s7.500-1.300 7.500-2.800c0-.9-1.500-1.600-3.500-2M9.500 15.500c.7-.3 1.600-.5 2.500-.5s1.800.2 2.500.5",
+  search: "M10.500 4.500a6 6 0 1 0 0 12a6 6 0 1 0 0-12M15 15l5 5",
   close: "M6.500 6.500l11 11M17.500 6.500l-11 11",
 } as const;
 
@@ -30,4 +31,13 @@ export function icon(name: IconName): SVGSVGElement {
   path.setAttribute("d", PATHS[name]);
   svg.append(path);
   return svg;
+}
+
+/** The same in Preact's markup. */
+export function Icon({ name }: { name: IconName }) {
+  return (
+    <svg viewBox="0 0 24 24" aria-hidden="true">
+      <path d={PATHS[name]} />
+    </svg>
+  );
 }

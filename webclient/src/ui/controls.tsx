@@ -1,0 +1,29 @@
+/** Controls of Preact views. */
+
+/** A bar of what is done: `share` 0 to 1, or null while that is not known. */
+export function Progress({ label, share, class: more }: { label: string; share: number | null; class?: string }) {
+  const bar = "h-[3px] w-full appearance-none bg-track [&::-moz-progress-bar]:bg-accent [&::-webkit-progress-bar]:bg-transparent [&::-webkit-progress-value]:bg-accent";
+  return <progress class={`${more ?? ""} ${bar}`} max={1} aria-label={label} {...(share === null ? {} : { value: share })} />;
+}
+
+interface SelectProps<T extends string> {
+  class: string;
+  label: string;
+  value: T;
+  /** Values and titles. */
+  options: readonly (readonly [T, string])[];
+  choose: (value: T) => void;
+}
+
+/** A drop-down list. */
+export function Select<T extends string>({ class: classes, label, value, options, choose }: SelectProps<T>) {
+  return (
+    <select class={classes} aria-label={label} value={value} onChange={(event) => choose(event.currentTarget.value as T)}>
+      {options.map(([option, title]) => (
+        <option value={option} key={option}>
+          {title}
+        </option>
+      ))}
+    </select>
+  );
+}
