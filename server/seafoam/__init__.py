@@ -14,8 +14,6 @@ from typing import Any as _Any
 
 if TYPE_CHECKING:
     from seafoam.library import (
-        InvalidRequestError,
-        ServerError,
         close,
         connect,
         encoded,
@@ -29,6 +27,7 @@ if TYPE_CHECKING:
         preset,
         presets,
     )
+    from seafoam.library.errors import InvalidRequestError, ServerError
     from seafoam.notebook import Water
     from seafoam.quality import EXACT, Quality
     from seafoam.render.gl.context import NoRendererError
@@ -67,9 +66,11 @@ if _find_spec("anywidget") is None:
 _ELSEWHERE = {
     "EXACT": "seafoam.quality",
     "Camera": "seafoam.scene.camera",
+    "InvalidRequestError": "seafoam.library.errors",
     "NoRendererError": "seafoam.render.gl.context",
     "Quality": "seafoam.quality",
     "Scene": "seafoam.scene.models",
+    "ServerError": "seafoam.library.errors",
     "Water": "seafoam.notebook",
 }
 

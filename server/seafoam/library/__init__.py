@@ -1,39 +1,14 @@
 """The package's interface for Python programs and notebooks; :mod:`seafoam` gives its names.
 
-Pictures come from a :class:`PictureSource`: the renderer of this process (:data:`HERE`) or a server (:func:`connect`).
+Pictures come from a :class:`seafoam.library.source.PictureSource`: the renderer of this process (:data:`HERE`), or a
+server (:func:`connect`).
 """
 
 from seafoam.library.connection import Connection
 from seafoam.library.embedded import HERE
-from seafoam.library.errors import InvalidRequestError, ServerError
+from seafoam.library.errors import InvalidRequestError
 from seafoam.library.named import named
-from seafoam.library.request import CameraLike, QualityLike, SceneLike, Size
-from seafoam.library.source import PictureSource
 from seafoam.scene.presets import Preset, load_preset, preset_names
-
-__all__ = [
-    "HERE",
-    "CameraLike",
-    "Connection",
-    "InvalidRequestError",
-    "PictureSource",
-    "QualityLike",
-    "SceneLike",
-    "ServerError",
-    "Size",
-    "close",
-    "connect",
-    "encoded",
-    "encoded_async",
-    "frame",
-    "frame_async",
-    "linear",
-    "linear_async",
-    "mask",
-    "mask_async",
-    "preset",
-    "presets",
-]
 
 frame = HERE.frame
 frame_async = HERE.frame_async

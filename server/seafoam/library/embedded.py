@@ -42,17 +42,6 @@ class Embedded(PictureSource):
             owner.shutdown()
 
     def _draw(self, job: FrameJob) -> Future[bytes]:
-        return self._in_turn(job)
-
-    def _mask(self, asked: MaskRequest) -> Future[bytes]:
-        done: Future[bytes] = Future()
-        try:
-            done.set_result(_made(asked))
-        except ValueError as error:
-            done.set_exception(InvalidRequestError(f"mask {error}"))
-        return done
-
-    def _in_turn(self, job: FrameJob) -> Future[bytes]:
         with self._lock:
             if self._drew_in not in (None, os.getpid()):
                 raise RuntimeError(
@@ -62,6 +51,14 @@ class Embedded(PictureSource):
             if self._owner is None:
                 self._owner, self._drew_in = ThreadPoolExecutor(1, "seafoam"), os.getpid()
             return self._owner.submit(self._drawn, job)
+
+    def _mask(self, asked: MaskRequest) -> Future[bytes]:
+        done: Future[bytes] = Future()
+        try:
+            done.set_result(_made(asked))
+        except ValueError as error:
+            done.set_exception(InvalidRequestError(f"mask {error}"))
+        return done
 
     def _drawn(self, job: FrameJob) -> bytes:
         if self._executor is None:
