@@ -7,7 +7,7 @@ zeros), and every object is released explicitly (moderngl's garbage-collected re
 import threading
 import time as clock
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
 
@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from seafoam.framegraph.evaluation import FrameState, evaluate
-from seafoam.framegraph.passes import Blend, Grid, Mesh, Pass, Points, Quads
+from seafoam.framegraph.passes import Blend, Grid, Mesh, Points, Quads
 from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.resources import MIPMAPPED, Target, Texture, TextureInput
 from seafoam.framegraph.shader import Program, declared_uniforms
@@ -159,13 +159,14 @@ class Executor:
             ("screen", width, height, shown), lambda: self._framebuffer((width, height), shown, depth=False)
         )
         framebuffers |= self._set_up(plan, drawn, camera)
+        frame = FrameState(time, camera, width, height, width, height, 0)
         # All frame passes are drawn, since plans share their targets and may have overwritten those of earlier frames.
         for index, visible in drawn.items():
             step = plan.passes[index]
             if step.when == "setup":
                 continue
             if visible:
-                self._draw(plan, step, index, framebuffers, time, camera, width, height)
+                self._draw(plan, index, framebuffers, frame)
             else:
                 self._clear(framebuffers[step.target][0])
         self._context.finish()
@@ -230,8 +231,8 @@ class Executor:
             created = {digest: self._create(plan.targets[name]) for digest, name in missing.items()}
             into |= {name: created[digest] for digest, name in missing.items()}
             try:
-                for index, step in steps.items():
-                    self._draw(plan, step, index, into, 0.0, camera, 1, 1)
+                for index in steps:
+                    self._draw(plan, index, into, FrameState(0.0, camera, 1, 1, 1, 1, index))
             except BaseException:
                 for target in created.values():
                     Cache.release(target)
@@ -240,17 +241,9 @@ class Executor:
                 self._static.put(digest, target)
         return {name: self._static.get(digest) for name, digest in needed.items()}
 
-    def _draw(
-        self,
-        plan: FramePlan,
-        step: Pass,
-        index: int,
-        framebuffers: dict[str, tuple[Any, ...]],
-        time: float,
-        camera: Camera,
-        width: int,
-        height: int,
-    ) -> None:
+    def _draw(self, plan: FramePlan, index: int, framebuffers: dict[str, tuple[Any, ...]], frame: FrameState) -> None:
+        """Draw a pass of a frame, which is given but for the pass and the size of its target."""
+        step = plan.passes[index]
         framebuffer = framebuffers[step.target][0]
         model = plan.programs[step.program]
         linked = self._program(model)
@@ -264,7 +257,7 @@ class Executor:
         self._context.blend_func = _BLENDS[step.state.blend]
         if step.state.clear:
             self._clear(framebuffer)
-        state = FrameState(time, camera, width, height, framebuffer.width, framebuffer.height, index)
+        state = replace(frame, target_width=framebuffer.width, target_height=framebuffer.height, pass_index=index)
         for unit, (name, source) in enumerate(sorted(step.inputs.items())):
             if name not in program:
                 continue
