@@ -19,48 +19,30 @@ PREVIEW = (1200, 630)
 _QUALITY = 82
 """Pillow's ``quality`` of JPEG."""
 
-_UNKNOWN = """<!doctype html>
+_PAGE = """<!doctype html>
 <html lang="en">
   <head>
     <meta charset="utf-8" />
     <meta name="viewport" content="width=device-width, initial-scale=1" />
     <meta name="color-scheme" content="dark" />
-    <title>Water not found · Seafoam</title>
+    <title>{title} · Seafoam</title>
     <link rel="icon" href="../icon.svg" type="image/svg+xml" />
     <link rel="stylesheet" href="../message.css" />
   </head>
   <body>
     <main>
-      <h1>There is no water “{name}” here</h1>
-      <p>The link may be old or misspelt.</p>
+{content}
       <p><a href="../">Open Seafoam</a></p>
     </main>
   </body>
 </html>
 """
-
-
-_LIST = """<!doctype html>
-<html lang="en">
-  <head>
-    <meta charset="utf-8" />
-    <meta name="viewport" content="width=device-width, initial-scale=1" />
-    <meta name="color-scheme" content="dark" />
-    <title>Waters · Seafoam</title>
-    <link rel="icon" href="../icon.svg" type="image/svg+xml" />
-    <link rel="stylesheet" href="../message.css" />
-  </head>
-  <body>
-    <main>
-      <h1>Waters</h1>
+_UNKNOWN = """      <h1>There is no water “{name}” here</h1>
+      <p>The link may be old or misspelt.</p>"""
+_LIST = """      <h1>Waters</h1>
       <ul>
 {items}
-      </ul>
-      <p><a href="../">Open Seafoam</a></p>
-    </main>
-  </body>
-</html>
-"""
+      </ul>"""
 
 
 def install(app: FastAPI, not_built: str) -> None:
@@ -80,7 +62,8 @@ def install(app: FastAPI, not_built: str) -> None:
     async def every() -> HTMLResponse:
         presets = [load_preset(name) for name in preset_names()]
         items = [f'        <li><a href="./{each.name}">{escape(each.title)}</a></li>' for each in presets]
-        return HTMLResponse(_LIST.format(items="\n".join(items)), headers={"Cache-Control": REVALIDATE})
+        content = _PAGE.format(title="Waters", content=_LIST.format(items="\n".join(items)))
+        return HTMLResponse(content, headers={"Cache-Control": REVALIDATE})
 
     # A plain function: FastAPI runs it in a thread, so that decoding delays no other request.
     def preview(name: str) -> Response:
@@ -100,7 +83,8 @@ def install(app: FastAPI, not_built: str) -> None:
 
 
 def _unknown(name: str) -> HTMLResponse:
-    return HTMLResponse(_UNKNOWN.format(name=escape(name[:80])), HTTPStatus.NOT_FOUND)
+    content = _UNKNOWN.format(name=escape(name[:80]))
+    return HTMLResponse(_PAGE.format(title="Water not found", content=content), HTTPStatus.NOT_FOUND)
 
 
 def _opened_at(preset: Preset, page: str, base: str) -> str:
