@@ -5,9 +5,9 @@ from functools import partial
 
 from bench.report import Column, Spread, Table, ms, times
 from bench.watch import Watch
-from seafoam.accuracy.budget import choose
 from seafoam.accuracy.cache import Store
 from seafoam.accuracy.sweep import Rig, Subject, SweepSettings, make_sweep
+from seafoam.accuracy.timing import choose
 from seafoam.planner import make_plan
 from seafoam.quality import Quality
 from seafoam.render.gl.executor import Executor

@@ -4,7 +4,7 @@ import os
 import platform
 from importlib.metadata import version
 
-from seafoam.accuracy.machine import processor
+from seafoam.accuracy.model import processor
 
 
 def load() -> str:

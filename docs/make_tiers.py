@@ -24,11 +24,10 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 from seafoam.accuracy.cache import Store
-from seafoam.accuracy.fronts import compare
 from seafoam.accuracy.metrics import Picture, rmse
 from seafoam.accuracy.model import TimeModel
-from seafoam.accuracy.times import time_model
-from seafoam.accuracy.truth import make_truth
+from seafoam.accuracy.timing import compare, time_model
+from seafoam.accuracy.truth import TruthSpec, make_truth
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Tier
 from seafoam.reference import scene_sha256
@@ -63,7 +62,7 @@ def measure(name: str) -> list[str]:
     """The rows of a preset's tiers in docs/accuracy.csv."""
     preset = load_preset(name)
     width, height = SIZE
-    truth = make_truth(Store(), preset.scene, preset.time, width, height, SAMPLES_ALONG).astype(np.float64)
+    truth = make_truth(Store(), TruthSpec(preset.scene, preset.time, width, height, SAMPLES_ALONG)).astype(np.float64)
     executor = Executor()
     models: dict[str, list[TimeModel]] = {tier: [] for tier in TIERS}
     errors: dict[str, float] = {}

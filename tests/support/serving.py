@@ -1,5 +1,6 @@
 """The API in this process, with renderers that only pretend to draw or with GL, and what tests ask of it."""
 
+import asyncio
 import io
 import os
 import subprocess
@@ -50,6 +51,24 @@ def frame(client, suffix="png", preset="default", **params):
 
 def picture(response):
     return Image.open(io.BytesIO(response.content))
+
+
+def problem(response, status):
+    """The body of an error."""
+    assert response.status_code == status, response.text
+    assert response.headers["Content-Type"] == "application/problem+json"
+    assert response.headers["Cache-Control"] == "no-store"
+    body = response.json()
+    assert body["status"] == status
+    assert {"type", "title", "detail", "instance"} <= set(body)
+    return body
+
+
+async def eventually(condition, seconds=30.0):
+    """Wait until a condition holds."""
+    async with asyncio.timeout(seconds):
+        while not condition():
+            await asyncio.sleep(0.01)
 
 
 def answering(**settings) -> TestClient:

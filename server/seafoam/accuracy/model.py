@@ -1,5 +1,7 @@
 """Data model of a measured sweep: served by the API, stored in the cache and shown in reports."""
 
+import platform
+from pathlib import Path
 from typing import Literal
 
 from pydantic import BaseModel, ConfigDict, Field
@@ -175,6 +177,16 @@ class Timing(SweepPart):
     own_width: int = Field(description="Frame size for which times are reported: the preset's own")
     own_height: int
     rounds: int
+
+
+def processor() -> str:
+    """Return the name of this machine's processor."""
+    try:
+        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
+    except OSError:
+        lines = []
+    names = (line.partition(":")[2].strip() for line in lines if line.startswith("model name"))
+    return next(names, platform.processor() or platform.machine())
 
 
 class Machine(SweepPart):

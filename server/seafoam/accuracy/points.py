@@ -1,13 +1,12 @@
 """The points of a sweep: the tiers, and tier standard with one setting changed at a time."""
 
 import json
-from functools import lru_cache
 from itertools import pairwise
 
 from seafoam.accuracy.model import ParameterChoice, ParameterValue, Point
 from seafoam.accuracy.parameters import all_parameters, with_value
-from seafoam.planner import make_plan
-from seafoam.quality import TIERS, Quality
+from seafoam.quality import TIERS
+from seafoam.render.service.jobs import plan_hash
 from seafoam.scene.models import Scene
 
 
@@ -16,10 +15,10 @@ def points_of(scene: Scene) -> tuple[Point, ...]:
 
     Raises :class:`seafoam.planner.PlanError` for a scene that cannot be planned.
     """
-    seen = {plan_sha256(scene, TIERS["standard"])}
+    seen = {plan_hash(scene, TIERS["standard"])}
     points = []
     for tier, quality in TIERS.items():
-        plan = plan_sha256(scene, quality)
+        plan = plan_hash(scene, quality)
         if tier == "standard" or plan not in seen:
             seen.add(plan)
             points.append(Point(id=tier, label=tier, tier=tier, parameter=None, quality=quality, plan=plan))
@@ -27,7 +26,7 @@ def points_of(scene: Scene) -> tuple[Point, ...]:
     for owner, parameter in all_parameters(scene):
         for value in parameter.steps:
             quality = with_value(standard, parameter.pointer, value)
-            plan = plan_sha256(scene, quality)
+            plan = plan_hash(scene, quality)
             if plan in seen:
                 continue
             seen.add(plan)
@@ -57,7 +56,7 @@ def chains(scene: Scene, points: tuple[Point, ...]) -> list[tuple[str, Parameter
     for owner, parameter in all_parameters(scene):
         links: list[tuple[ParameterChoice, str]] = []
         for value in parameter.steps:
-            plan = plan_sha256(scene, with_value(TIERS["standard"], parameter.pointer, value))
+            plan = plan_hash(scene, with_value(TIERS["standard"], parameter.pointer, value))
             choice = ParameterChoice(
                 owner=owner, pointer=parameter.pointer, title=parameter.title, cause=parameter.cause, value=value
             )
@@ -67,12 +66,6 @@ def chains(scene: Scene, points: tuple[Point, ...]) -> list[tuple[str, Parameter
             (owner, before, after, id_before, id_after) for (before, id_before), (after, id_after) in pairwise(links)
         ]
     return pairs
-
-
-@lru_cache(maxsize=8192)
-def plan_sha256(scene: Scene, quality: Quality) -> str:
-    """Return the hash of the plan."""
-    return make_plan(scene, quality).sha256
 
 
 def point_id(pointer: str, value: ParameterValue) -> str:

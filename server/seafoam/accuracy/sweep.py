@@ -17,8 +17,6 @@ import numpy as np
 
 from seafoam.accuracy import metrics
 from seafoam.accuracy.cache import Store, key_of
-from seafoam.accuracy.fronts import beating, compare, front, sentences
-from seafoam.accuracy.machine import processor
 from seafoam.accuracy.metrics import Picture
 from seafoam.accuracy.model import (
     FORMAT,
@@ -31,15 +29,16 @@ from seafoam.accuracy.model import (
     TimeModel,
     Timing,
     TruthInfo,
+    processor,
 )
 from seafoam.accuracy.parameters import idealised
-from seafoam.accuracy.points import chains, plan_sha256, points_of, shown
-from seafoam.accuracy.times import median_model, spread_of, time_model
-from seafoam.accuracy.truth import SweepStoppedError, make_truth
+from seafoam.accuracy.points import chains, points_of, shown
+from seafoam.accuracy.timing import beating, compare, front, median_model, sentences, spread_of, time_model
+from seafoam.accuracy.truth import SweepStoppedError, TruthSpec, Watcher, make_truth
 from seafoam.effects.effect import Cause
 from seafoam.quality import Quality
 from seafoam.reference import scene_sha256
-from seafoam.render.service.jobs import Draw, Drawn, MeasureJob, Timer
+from seafoam.render.service.jobs import Draw, Drawn, MeasureJob, Timer, plan_hash
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 
@@ -77,6 +76,10 @@ class Subject:
     scene: Scene
     time: float
     size: Size
+
+    def truth(self, settings: "SweepSettings") -> TruthSpec:
+        """Return the float64 picture with which its frames are compared."""
+        return TruthSpec(self.scene, self.time, settings.width, settings.height, settings.samples_along)
 
     @staticmethod
     def of_preset(name: str) -> "Subject":
@@ -127,15 +130,6 @@ class Rig:
         )
 
 
-@dataclass(frozen=True)
-class Watcher:
-    """Receives the progress of a sweep, and can stop it."""
-
-    progress: Callable[[str, float, float | None], None] = lambda stage, share, remaining: None
-    """Receives the stage in words, the fraction done, and the remaining seconds if known."""
-    stopped: Callable[[], bool] = lambda: False
-
-
 def truth_info(subject: Subject, settings: SweepSettings) -> TruthInfo:
     """The float64 picture of a subject, and its path in the API."""
     return TruthInfo(
@@ -178,16 +172,8 @@ def make_sweep(
     machine = rig.machine
     if not again and (found := find_sweep(store, subject, settings, machine)) is not None:
         return found
-    truth = make_truth(
-        store,
-        subject.scene,
-        subject.time,
-        settings.width,
-        settings.height,
-        settings.samples_along,
-        progress=lambda share, remaining: watcher.progress("float64 truth", 0.3 * share, None),
-        stopped=watcher.stopped,
-    )
+    first = Watcher(lambda stage, share, _: watcher.progress(stage, 0.3 * share, None), watcher.stopped)
+    truth = make_truth(store, subject.truth(settings), first)
     sweep = _Sweeping(subject, settings, rig, watcher).run(truth.astype(np.float64))
     store.put("sweeps", _name(subject, settings, machine), sweep.model_dump_json().encode())
     return sweep
@@ -315,9 +301,9 @@ class _Sweeping:
             without_all = point.quality
             for cause in get_args(Cause):
                 without = idealised(point.quality, cause)
-                ideals.setdefault(point.id, {})[cause] = plan_sha256(self.subject.scene, without), without
+                ideals.setdefault(point.id, {})[cause] = plan_hash(self.subject.scene, without), without
                 without_all = idealised(without_all, cause)
-            ideals[point.id]["rest"] = plan_sha256(self.subject.scene, without_all), without_all
+            ideals[point.id]["rest"] = plan_hash(self.subject.scene, without_all), without_all
         return ideals
 
     def _causes(self, point: Point, error: float, truth: Picture) -> Causes | None:

@@ -2,17 +2,17 @@
 
 import logging
 import math
-import threading
 import time
-from collections import OrderedDict
 from collections.abc import Callable
 from dataclasses import dataclass
 
 from seafoam.accuracy.cache import Store, key_of
 from seafoam.accuracy.model import Running, Sweep
-from seafoam.accuracy.sweep import Rig, Subject, SweepSettings, Watcher, find_sweep, make_sweep
-from seafoam.accuracy.truth import SweepStoppedError, Truth, find_truth, make_truth
+from seafoam.accuracy.sweep import Rig, Subject, SweepSettings, find_sweep, make_sweep
+from seafoam.accuracy.truth import SweepStoppedError, Truth, Watcher, find_truth, make_truth
 from seafoam.reference import scene_sha256
+from seafoam.render.service.background import BackgroundFullError, BackgroundQueue
+from seafoam.render.service.frame_cache import LruCache
 
 log = logging.getLogger(__name__)
 
@@ -21,24 +21,33 @@ KEPT = 16
 MOST_WAITING = 24
 
 
-class SweepQueueFullError(Exception):
-    """The queue of measurements is full."""
-
-
 class FailedError(Exception):
     """A requested measurement failed; the next request starts it again."""
 
 
-@dataclass(frozen=True)
+_FIRST_REPORT = Running(status="running", stage="float64 truth", progress=0.0)
+
+
+@dataclass
 class _SweepTask:
-    """A task: the float64 picture of a subject only, or the whole sweep."""
+    """A task: the float64 picture of a subject only, or the whole sweep; and how far it is."""
 
     subject: Subject
     whole: bool
+    report: Running = _FIRST_REPORT
+    reported: float = 0.0
 
     @property
     def key(self) -> str:
         return key_of(scene_sha256(self.subject.scene), self.subject.time, self.subject.size, self.whole)
+
+    @property
+    def now(self) -> Running:
+        """The latest report, with the time that is left by now."""
+        if self.report.eta_s is None:
+            return self.report
+        left = max(self.report.eta_s - (time.monotonic() - self.reported), 1.0)
+        return self.report.model_copy(update={"eta_s": math.ceil(left)})
 
 
 class SweepService:
@@ -52,125 +61,72 @@ class SweepService:
         self.settings = settings
         self._store = store
         self._rig = rig
-        self._waiting: OrderedDict[str, _SweepTask] = OrderedDict()
-        self._running: tuple[str, Running, float] | None = None
+        self._queue: BackgroundQueue[_SweepTask] = BackgroundQueue("accuracy", self._run)
         self._failed: dict[str, Exception] = {}
-        self._sweeps: OrderedDict[str, Sweep] = OrderedDict()
-        self._change = threading.Condition()
-        self._stopped = threading.Event()
-        self._thread: threading.Thread | None = None
+        self._sweeps: LruCache[str, Sweep] = LruCache(KEPT)
 
     def sweep(self, subject: Subject) -> Sweep | Running:
         """Return the sweep if it is finished, else its progress; the first call starts it.
 
-        Raises :class:`SweepQueueFullError`, what ``rig`` raises, and once the error of the last attempt.
+        Raises :class:`BackgroundFullError`, what ``rig`` raises, and once the error of the last attempt.
         """
         rig = self._rig()
         key = key_of(_SweepTask(subject, True).key, rig.machine.model_dump())
-        with self._change:
-            stored = self._sweeps.get(key)
-        if stored is None:
-            stored = find_sweep(self._store, subject, self.settings, rig.machine)
+        stored = self._sweeps.get(key) or find_sweep(self._store, subject, self.settings, rig.machine)
         if stored is None:
             return self._ask(_SweepTask(subject, True))
-        with self._change:
-            self._sweeps[key] = stored
-            while len(self._sweeps) > KEPT:
-                self._sweeps.popitem(last=False)
+        self._sweeps.put(key, stored)
         return stored
 
     def truth(self, subject: Subject) -> Truth | Running:
         """Return the float64 picture or its progress; the first call starts it. Raises as :meth:`sweep` does."""
-        settings = self.settings
-        at = (settings.width, settings.height, settings.samples_along)
-        picture = find_truth(self._store, subject.scene, subject.time, *at)
+        picture = find_truth(self._store, subject.truth(self.settings))
         if picture is not None:
             return picture
-        with self._change:
-            if self._running is not None and self._running[0] == _SweepTask(subject, True).key:
-                return self._now(self._running)
+        with self._queue.lock:
+            if (running := self._queue.running_job(_SweepTask(subject, True).key)) is not None:
+                return running.now
         return self._ask(_SweepTask(subject, False))
 
     @property
     def stopped(self) -> bool:
         """Whether all measurements were cancelled."""
-        return self._stopped.is_set()
+        return self._queue.stopped.is_set()
 
     def stop(self) -> None:
         """Cancel all measurements and wait until they have ended."""
-        self._stopped.set()
-        with self._change:
-            self._waiting.clear()
-            self._change.notify_all()
-        if self._thread is not None:
-            self._thread.join()
+        self._queue.stop()
 
     def _ask(self, task: _SweepTask) -> Running:
-        with self._change:
-            key = task.key
+        with self._queue.lock:
+            key, waiting = task.key, self._queue.waiting
             if (error := self._failed.pop(key, None)) is not None:
                 raise FailedError(f"the measurement failed: {error}") from error
-            if self._running is not None and self._running[0] == key:
-                return self._now(self._running)
-            if key not in self._waiting:
-                if len(self._waiting) >= MOST_WAITING:
-                    raise SweepQueueFullError(f"{len(self._waiting)} measurements are already waiting")
-                self._waiting[key] = task
-                self._change.notify_all()
-            if self._thread is None and not self._stopped.is_set():
-                self._thread = threading.Thread(target=self._work, name="accuracy", daemon=True)
-                self._thread.start()
-            ahead = list(self._waiting).index(key) + (self._running is not None)
+            if (running := self._queue.running_job(key)) is not None:
+                return running.now
+            if key not in waiting:
+                if len(waiting) >= MOST_WAITING:
+                    raise BackgroundFullError(f"{len(waiting)} measurements are already waiting")
+                self._queue.add(key, task)
+            ahead = list(waiting).index(key) + (self._queue.running is not None)
             return Running(status="queued", stage=f"{ahead} before it", progress=0.0)
 
-    @staticmethod
-    def _now(running: tuple[str, Running, float]) -> Running:
-        _, report, reported = running
-        if report.eta_s is None:
-            return report
-        return report.model_copy(update={"eta_s": math.ceil(max(report.eta_s - (time.monotonic() - reported), 1.0))})
+    def _run(self, key: str, task: _SweepTask) -> None:
+        def tell(stage: str, share: float, remaining: float | None) -> None:
+            with self._queue.lock:
+                task.report = Running(status="running", stage=stage, progress=round(share, 3), eta_s=remaining)
+                task.reported = time.monotonic()
 
-    def _work(self) -> None:
-        while True:
-            with self._change:
-                while not self._waiting and not self._stopped.is_set():
-                    self._change.wait()
-                if self._stopped.is_set():
-                    return
-                key, task = self._waiting.popitem(last=False)
-                first = Running(status="running", stage="float64 truth", progress=0.0)
-                self._running = (key, first, time.monotonic())
-            failed: Exception | None = None
-            try:
-                self._measure(key, task)
-            except SweepStoppedError:
-                pass
-            except Exception as error:
-                log.exception("A measurement of %s failed", task.subject.preset or "a scene")
-                failed = error
-            with self._change:
-                self._running = None
-                if failed is not None and not self._stopped.is_set():
-                    self._failed[key] = failed
-
-    def _measure(self, key: str, task: _SweepTask) -> None:
-        watcher = Watcher(lambda *report: self._report(key, *report), self._stopped.is_set)
-        if task.whole:
-            make_sweep(self._store, task.subject, self.settings, self._rig(), watcher)
-            return
-        settings = self.settings
-        make_truth(
-            self._store,
-            task.subject.scene,
-            task.subject.time,
-            settings.width,
-            settings.height,
-            settings.samples_along,
-            progress=lambda share, remaining: watcher.progress("float64 truth", share, remaining),
-            stopped=watcher.stopped,
-        )
-
-    def _report(self, key: str, stage: str, share: float, remaining: float | None) -> None:
-        report = Running(status="running", stage=stage, progress=round(share, 3), eta_s=remaining)
-        with self._change:
-            self._running = (key, report, time.monotonic())
+        watcher = Watcher(tell, self._queue.stopped.is_set)
+        try:
+            if task.whole:
+                make_sweep(self._store, task.subject, self.settings, self._rig(), watcher)
+            else:
+                make_truth(self._store, task.subject.truth(self.settings), watcher)
+        except SweepStoppedError:
+            pass
+        except Exception as error:
+            log.exception("A measurement of %s failed", task.subject.preset or "a scene")
+            with self._queue.lock:
+                if not self._queue.stopped.is_set():
+                    self._failed[key] = error

@@ -7,6 +7,7 @@ import os
 import time
 from collections.abc import Callable
 from concurrent.futures import TimeoutError as NotYet
+from dataclasses import dataclass, replace
 from importlib.metadata import version
 from typing import Any
 
@@ -18,8 +19,6 @@ from seafoam.accuracy.cache import Store, key_of
 from seafoam.reference import render, scene_sha256
 from seafoam.scene.models import Scene
 
-SAMPLES_ALONG = 16
-"""Samples along each side of a pixel: 256 per pixel."""
 POLITE = 5
 """Niceness: frames and the web server have priority."""
 POLL_SECONDS = 0.2
@@ -32,66 +31,77 @@ class SweepStoppedError(Exception):
     """The computation was cancelled."""
 
 
-def find_truth(store: Store, scene: Scene, at: float, width: int, height: int, along: int) -> Truth | None:
+@dataclass(frozen=True, slots=True)
+class TruthSpec:
+    """A float64 picture: scene, its time in seconds, pixels, and the samples along each side of a pixel."""
+
+    scene: Scene
+    time: float
+    width: int
+    height: int
+    samples_along: int
+
+    @property
+    def file(self) -> str:
+        """Name under which the picture is stored."""
+        versions = [version("seafoam"), np.__version__]
+        at = json.dumps(self.time)
+        return key_of(scene_sha256(self.scene), at, self.width, self.height, self.samples_along, versions) + ".npy"
+
+
+@dataclass(frozen=True)
+class Watcher:
+    """Receives the progress of a measurement, and can stop it."""
+
+    progress: Callable[[str, float, float | None], None] = lambda stage, share, remaining: None
+    """Receives the stage in words, the fraction done, and the remaining seconds if known."""
+    stopped: Callable[[], bool] = lambda: False
+
+
+def find_truth(store: Store, spec: TruthSpec) -> Truth | None:
     """Return the stored picture, if there is one."""
-    content = store.get("truth", _name(scene, at, width, height, along))
+    content = store.get("truth", spec.file)
     if content is None:
         return None
     try:
         picture: NDArray[Any] = np.load(io.BytesIO(content), allow_pickle=False)
     except (ValueError, EOFError):
         return None
-    good = picture.shape == (height, width, 4) and picture.dtype == np.float32
+    good = picture.shape == (spec.height, spec.width, 4) and picture.dtype == np.float32
     return picture if good else None
 
 
-def make_truth(
-    store: Store,
-    scene: Scene,
-    at: float,
-    width: int,
-    height: int,
-    along: int = SAMPLES_ALONG,
-    *,
-    progress: Callable[[float, float], None] = lambda share, remaining: None,
-    stopped: Callable[[], bool] = lambda: False,
-) -> Truth:
+def make_truth(store: Store, spec: TruthSpec, watcher: Watcher | None = None) -> Truth:
     """Return the picture, from the store or computed in a spawned process; on a worker of Dask in this one.
 
-    ``progress`` receives the fraction done and the remaining seconds, estimated from a coarser picture.
-    Raises :class:`SweepStoppedError` once ``stopped`` returns true.
+    The remaining seconds are estimated from a coarser picture. Raises :class:`SweepStoppedError` if the watcher stops
+    it.
     """
-    stored = find_truth(store, scene, at, width, height, along)
+    stored = find_truth(store, spec)
     if stored is not None:
         return stored
     if multiprocessing.current_process().daemon:  # a worker of Dask, which may have no children
-        truth, _ = _converged(scene, at, width, height, along)
+        truth, _ = _converged(spec)
     else:
-        truth = _converged_elsewhere((scene, at, width, height, along), progress, stopped)
+        truth = _converged_elsewhere(spec, watcher or Watcher())
     buffer = io.BytesIO()
     np.save(buffer, truth, allow_pickle=False)
-    store.put("truth", _name(scene, at, width, height, along), buffer.getvalue())
+    store.put("truth", spec.file, buffer.getvalue())
     return truth
 
 
-def _converged_elsewhere(
-    asked: tuple[Scene, float, int, int, int],
-    progress: Callable[[float, float], None],
-    stopped: Callable[[], bool],
-) -> Truth:
-    """Return the picture, computed in a spawned process. asked: scene, time, width, height, samples along."""
-    *picture, along = asked
+def _converged_elsewhere(spec: TruthSpec, watcher: Watcher) -> Truth:
+    """Return the picture, computed in a spawned process."""
     pool = ProcessPool(max_workers=1, context=multiprocessing.get_context("spawn"))
     try:
-        coarse = max(1, along // 4)
-        _, seconds = _wait(pool, (*picture, coarse), lambda _: None, stopped)
-        expected = max(seconds * (along / coarse) ** 2, 1e-3)
-        truth, _ = _wait(
-            pool,
-            asked,
-            lambda spent: progress(min(spent / expected, 0.99), max(expected - spent, 0.0)),
-            stopped,
-        )
+        coarse = replace(spec, samples_along=max(1, spec.samples_along // 4))
+        _, seconds = _wait(pool, coarse, lambda _: None, watcher.stopped)
+        expected = max(seconds * (spec.samples_along / coarse.samples_along) ** 2, 1e-3)
+
+        def tell(spent: float) -> None:
+            watcher.progress("float64 truth", min(spent / expected, 0.99), max(expected - spent, 0.0))
+
+        truth, _ = _wait(pool, spec, tell, watcher.stopped)
     finally:
         pool.stop()  # type: ignore[no-untyped-call]
         pool.join()
@@ -99,9 +109,9 @@ def _converged_elsewhere(
 
 
 def _wait(
-    pool: ProcessPool, job: tuple[Any, ...], progress: Callable[[float], None], stopped: Callable[[], bool]
+    pool: ProcessPool, spec: TruthSpec, progress: Callable[[float], None], stopped: Callable[[], bool]
 ) -> tuple[Truth, float]:
-    future = pool.schedule(_politely, job)
+    future = pool.schedule(_politely, (spec,))
     began = time.perf_counter()
     while True:
         try:
@@ -113,21 +123,17 @@ def _wait(
             progress(time.perf_counter() - began)
 
 
-def _politely(*asked: Any) -> tuple[Truth, float]:
+def _politely(spec: TruthSpec) -> tuple[Truth, float]:
     """In the separate process: let frames and the web server go first."""
     if hasattr(os, "nice"):
         os.nice(max(0, POLITE - os.nice(0)))
-    return _converged(*asked)
+    return _converged(spec)
 
 
-def _converged(scene: Scene, at: float, width: int, height: int, along: int) -> tuple[Truth, float]:
+def _converged(spec: TruthSpec) -> tuple[Truth, float]:
     """Return the picture and the seconds it took."""
     began = time.perf_counter()
-    frame = render(scene, time=at, width=width, height=height, samples=along, mode="converged")
+    along = spec.samples_along
+    frame = render(spec.scene, time=spec.time, width=spec.width, height=spec.height, samples=along, mode="converged")
     picture = np.concatenate((frame.rgb, frame.alpha[..., None]), axis=-1).astype(np.float32)
     return picture, time.perf_counter() - began
-
-
-def _name(scene: Scene, at: float, width: int, height: int, along: int) -> str:
-    versions = [version("seafoam"), np.__version__]
-    return key_of(scene_sha256(scene), json.dumps(at), width, height, along, versions) + ".npy"

@@ -5,30 +5,27 @@ from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager, suppress
 from functools import partial
 from importlib.metadata import version
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from fastapi import Depends, FastAPI
-from fastapi.openapi.utils import get_openapi
 from starlette.middleware import Middleware
 from starlette.middleware.errors import ServerErrorMiddleware
 from starlette.middleware.gzip import DEFAULT_EXCLUDED_CONTENT_TYPES, GZipMiddleware
 
 from seafoam.accuracy.cache import cache_dir
 from seafoam.api.context import Context
-from seafoam.api.frames.plan_index import PlanIndex
+from seafoam.api.frames.plans import PlanIndex
 from seafoam.api.frames.request_cache import RequestCache
-from seafoam.api.frames.respond import Repeats
+from seafoam.api.frames.respond import AnswerFromMemory
 from seafoam.api.frames.streams import Streams
+from seafoam.api.guard.access_control import AccessControl
 from seafoam.api.guard.cors import OtherOrigins
-from seafoam.api.guard.gate import Gate
 from seafoam.api.guard.proxy_headers import Proxied
 from seafoam.api.guard.rates import TokenBuckets
-from seafoam.api.http import errors
-from seafoam.api.http.errors import Problem, problem_responses
-from seafoam.api.http.middleware import HeadAsGet, LimitBody, SecurityHeaders
+from seafoam.api.http import errors, openapi
+from seafoam.api.http.middleware import AnswerWhenStopped, HeadAsGet, LimitBody, SecurityHeaders
 from seafoam.api.http.negotiation import Negotiate
 from seafoam.api.http.problems import BusyError
-from seafoam.api.http.shutdown import AnswerWhenStopped
 from seafoam.api.http.thread_pool import ThreadPool
 from seafoam.api.http.validation import one_value_each
 from seafoam.api.jobs.sequences import sequence_service
@@ -52,13 +49,11 @@ from seafoam.api.watch.logs import LogRequests
 from seafoam.api.watch.metrics import MeasureRequests, Metrics
 from seafoam.api.watch.telemetry import NO_TELEMETRY
 from seafoam.api.watch.telemetry import traces as configured_traces
-from seafoam.quality import QualityExtensions
 from seafoam.render.gl.executor import Executor
 from seafoam.render.service.disk import DiskCache
+from seafoam.render.service.frame_cache import FrameCache
 from seafoam.render.service.jobs import Renderer
 from seafoam.render.service.pool import RenderPool
-from seafoam.render.service.source import FrameSource
-from seafoam.scene.models import SceneExtensions
 
 if TYPE_CHECKING:
     from seafoam.api.watch.traces import Traces
@@ -109,13 +104,13 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
         factory=renderer or partial(Executor, settings.device_index),
     )
     disk = DiskCache((settings.cache or cache_dir()) / "frames", settings.cache_size) if settings.cache_size else None
-    source = FrameSource(pool, disk, settings.cache_memory)
-    metrics = Metrics(pool, source)
+    frame_cache = FrameCache(pool, disk, settings.cache_memory)
+    metrics = Metrics(pool, frame_cache)
     traces = configured_traces()
 
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
-        context = app.state.context = _context(settings, pool, source, metrics, traces)
+        context = app.state.context = _context(settings, pool, frame_cache, metrics, traces)
         await pool.start()
         warming = asyncio.create_task(presets.warm(context.plans))
         yield
@@ -125,7 +120,7 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
         await asyncio.to_thread(context.sweeps.stop)
         await asyncio.to_thread(context.sequences.stop)
         await pool.stop()
-        await source.close()
+        await frame_cache.close()
         if traces is not None:
             await asyncio.to_thread(traces.close)
 
@@ -143,11 +138,11 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
         telemetry=NO_TELEMETRY if traces is None else traces.requests,
     )
     for router in _ROUTERS:
-        app.include_router(router, responses=problem_responses(400, 401, 429, 500))
+        app.include_router(router, responses=openapi.problem_responses(400, 401, 429, 500))
     app.include_router(health.router)
     errors.install(app)
     pages.install(app)
-    _describe(app, settings)
+    openapi.install(app, settings.max_side)
     return app
 
 
@@ -161,7 +156,7 @@ def _middleware(settings: Settings, metrics: Metrics) -> list[Middleware]:
         Middleware(SecurityHeaders),
         Middleware(MeasureRequests, metrics=metrics),
         Middleware(
-            Gate,
+            AccessControl,
             access=settings.access,
             rates=TokenBuckets(settings.rate, settings.rate_burst) if settings.rate else None,
         ),
@@ -169,21 +164,21 @@ def _middleware(settings: Settings, metrics: Metrics) -> list[Middleware]:
         # Starlette's own lies outside of all these, and its answer lacks their headers.
         Middleware(ServerErrorMiddleware, handler=errors.unexpected),
         Middleware(Negotiate),
-        Middleware(Repeats),
+        Middleware(AnswerFromMemory),
         Middleware(GZipMiddleware, compresslevel=GZIP_LEVEL, exclude_content_types=NOT_WORTH_GZIP),
         Middleware(LimitBody, limit=settings.max_body),
     ]
 
 
 def _context(
-    settings: Settings, pool: RenderPool, source: FrameSource, metrics: Metrics, traces: "Traces | None"
+    settings: Settings, pool: RenderPool, frame_cache: FrameCache, metrics: Metrics, traces: "Traces | None"
 ) -> Context:
     """Make what the handlers share; sweeps and sequences are drawn on the running event loop."""
     return Context(
         settings,
         pool,
-        source,
-        PlanIndex(source.disk),
+        frame_cache,
+        PlanIndex(frame_cache.disk),
         RequestCache(),
         metrics,
         traces,
@@ -194,40 +189,3 @@ def _context(
         sequences=sequence_service(settings, pool, asyncio.get_running_loop()),
         streams=Streams(settings.streams),
     )
-
-
-def _describe(app: FastAPI, settings: Settings) -> None:
-    """Add the problem schema and the limits from the settings to the OpenAPI document."""
-
-    def openapi() -> dict[str, Any]:
-        if app.openapi_schema is None:
-            document = get_openapi(
-                title=app.title,
-                version=app.version,
-                description=app.description,
-                routes=app.routes,
-                servers=app.servers,
-                # A scene is one type in the clients' code, whichever way it travels.
-                separate_input_output_schemas=False,
-            )
-            schemas = document["components"]["schemas"]
-            problem = Problem.model_json_schema(ref_template="#/components/schemas/{model}")
-            schemas |= problem.pop("$defs") | {"Problem": problem}
-            for unused in (one for one in (SceneExtensions, QualityExtensions) if not one.known):
-                del schemas[unused.__name__]
-            sides = [schemas["FrameRequest"]["properties"][name] for name in ("width", "height")]
-            for path in (
-                "/api/frames/{preset}.{format}",
-                "/api/plans/{plan}/frames/{time}.{format}",
-                "/api/streams/{stream}/frame.webp",
-            ):
-                parameters = document["paths"][path]["get"]["parameters"]
-                sides += [each["schema"] for each in parameters if each["name"] in ("width", "height")]
-            for schema in sides:
-                for alternative in schema.get("anyOf", [schema]):
-                    if alternative["type"] == "integer":
-                        alternative["maximum"] = settings.max_side
-            app.openapi_schema = document
-        return app.openapi_schema
-
-    app.openapi = openapi  # type: ignore[method-assign]

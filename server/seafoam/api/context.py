@@ -6,14 +6,14 @@ from typing import TYPE_CHECKING, Annotated
 from fastapi import Depends, Request
 
 from seafoam.accuracy.sweep_service import SweepService
-from seafoam.api.frames.plan_index import PlanIndex
+from seafoam.api.frames.plans import PlanIndex
 from seafoam.api.frames.request_cache import RequestCache
 from seafoam.api.frames.streams import Streams
 from seafoam.api.http.thread_pool import ThreadPool
 from seafoam.api.settings import Settings
 from seafoam.api.watch.metrics import Metrics
+from seafoam.render.service.frame_cache import FrameCache
 from seafoam.render.service.pool import RenderPool
-from seafoam.render.service.source import FrameSource
 from seafoam.sequences.service import SequenceService
 
 if TYPE_CHECKING:
@@ -32,7 +32,7 @@ class Context:
 
     settings: Settings
     pool: RenderPool
-    frames: FrameSource
+    frames: FrameCache
     plan_index: PlanIndex
     request_cache: RequestCache
     metrics: Metrics

@@ -52,8 +52,7 @@ def serve(
     from seafoam.api.app import create_app
     from seafoam.api.settings import Settings
     from seafoam.api.watch import logs
-    from seafoam.api.watch.malloc import share_one_arena
-    from seafoam.api.watch.shader_cache import keep_programs
+    from seafoam.api.watch.process import keep_programs, share_one_arena
     from seafoam.api.watch.telemetry import UnsupportedTelemetryError
     from seafoam.cli.listening import listen
 
@@ -129,7 +128,7 @@ def render(
 
 @app.command()
 def accuracy(
-    preset: Annotated[str | None, typer.Argument(help="Name of a preset; `seafoam presets` lists them.")] = None,
+    preset: options.PresetName = None,
     every: Annotated[
         bool, typer.Option("--all", help="Measure every preset; -o, --json, --csv and --html name directories.")
     ] = False,
@@ -161,11 +160,11 @@ def accuracy(
     width, height = size_of(size)
     if not (16 <= width <= 1280 and 16 <= height <= 720):
         raise CommandError(f"--size: must be 16x16 to 1280x720, not {size!r}")
-    clocks: tuple[Literal["wall", "processor"], ...] = ("wall", "processor")
-    clock = member_of(timer, clocks, "--timer")
     from seafoam.accuracy.sweep import SweepSettings
     from seafoam.cli.sweeps import measure_presets
+    from seafoam.render.service.jobs import TIMERS
 
+    clock = member_of(timer, TIMERS, "--timer")
     outputs = {"--output": (".png", output), "--json": (".json", as_json), "--csv": (".csv", as_csv)}
     outputs["--html"] = (".html", as_html)
     files = {(option, extension): path for option, (extension, path) in outputs.items()}
@@ -193,7 +192,7 @@ def presets() -> None:
 
 @app.command()
 def plan(
-    preset: Annotated[str, typer.Argument(help="Name of a preset; `seafoam presets` lists them.")],
+    preset: options.Preset,
     quality: Annotated[str, typer.Option(help="draft, standard, high or reference.")] = "standard",
     program: Annotated[
         str | None, typer.Option(help="Print this program's shader, with the names of its files, such as surface.")
@@ -251,19 +250,23 @@ def openapi() -> None:
 def sign(
     address: Annotated[str, typer.Argument(help="Path of the API with its query, as it will be sent.")],
 ) -> None:
-    """Print the signed link of an address, with SEAFOAM_SIGNING_KEY and SEAFOAM_SIGNING_SALT from the environment."""
+    """Print the signed link of an address, with SEAFOAM_SIGNING_KEY and SEAFOAM_SIGNING_SALT from the environment.
+
+    It is below SEAFOAM_ROOT_PATH, if that is set; the signature is that of the address, which the proxy passes on.
+    """
     from pydantic import ValidationError
 
     from seafoam.api.settings import Settings
 
     try:
-        signing = Settings().access.signing
+        settings = Settings()
     except ValidationError as error:
         refuse(error, Settings, lambda field: f"SEAFOAM_{field.upper()}")
+    signing = settings.access.signing
     if signing is None:
         raise CommandError("SEAFOAM_SIGNING_KEY and SEAFOAM_SIGNING_SALT: required, in hexadecimal digits")
     try:
-        say(signing.link(address))
+        say(settings.root_path.rstrip("/") + signing.link(address))
     except ValueError as error:
         raise CommandError(f"ADDRESS: {error}") from error
 

@@ -13,13 +13,13 @@ from PIL import Image
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from seafoam.api.http.parameters import TIME_LIMIT, TierOrQuality, quality_of
-from seafoam.cli.frames import LIMITS
 from seafoam.cli.support import UNABLE, CommandError, write
 from seafoam.planner import PlanError
 from seafoam.render.encode import FrameFormat, NoRecipeError, Precision, read_recipe
 from seafoam.render.gl import executor as gl
 from seafoam.render.service.errors import FrameTooLargeError
 from seafoam.render.service.jobs import FrameJob, draw_frame, encode_frame
+from seafoam.render.service.limits import IN_PROCESS
 from seafoam.render.service.recipe import RECIPE_VERSION, renderer_of
 from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
@@ -76,7 +76,7 @@ def draw_again(source: Path, output: Path | None) -> tuple[bool, list[str]]:
     recipe = _read(source, content)
     job = recipe.job
     try:
-        LIMITS.check(job.width, job.height, job.quality.samples_drawn)
+        IN_PROCESS.check(job.width, job.height, job.quality.samples_drawn)
         executor = gl.Executor()
         picture = draw_frame(executor, job)
     except FrameTooLargeError as error:

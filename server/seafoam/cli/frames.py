@@ -16,16 +16,9 @@ from seafoam.render.encode import FRAME_FORMATS
 from seafoam.render.gl import executor as gl
 from seafoam.render.service.errors import FrameTooLargeError
 from seafoam.render.service.jobs import FrameJob, render_frame
-from seafoam.render.service.limits import FrameLimits
+from seafoam.render.service.limits import IN_PROCESS
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import Preset, load_preset
-
-LARGEST_SIDE = 8192
-LARGEST_SAMPLED_SIDE = 16384
-LARGEST_SAMPLES = 16384 * 8192
-"""Maximum frame size of ``render``, which is limited only by memory."""
-
-LIMITS = FrameLimits(LARGEST_SIDE, LARGEST_SAMPLED_SIDE, LARGEST_SAMPLES)
 
 
 @dataclass(frozen=True)
@@ -77,7 +70,7 @@ def _validated(preset: Preset, size: tuple[int, int], options: Mapping[str, obje
         automatic = parameters.quality == "auto"
         if automatic != (parameters.budget_ms is not None):
             raise CommandError("--budget-ms: required with --quality auto, and allowed only with it")
-        LIMITS.check(*size, 1 if parameters.quality == "auto" else TIERS[parameters.quality].samples_drawn)
+        IN_PROCESS.check(*size, 1 if parameters.quality == "auto" else TIERS[parameters.quality].samples_drawn)
         scene = parameters.apply(preset.scene)
     except ValidationError as error:
         refuse(error, FrameParameters, _option)
@@ -97,14 +90,16 @@ def _quality(executor: gl.Executor, request: _Request) -> tuple[Quality, str]:
     assert parameters.budget_ms is not None
     require_reports()
     # Here, because no other frame needs what measurements do.
-    from seafoam.accuracy.budget import choose
     from seafoam.accuracy.sweep import Subject, SweepSettings
+    from seafoam.accuracy.timing import choose
     from seafoam.cli.sweeps import measured
 
     preset = request.preset
     subject = Subject(None if parameters.changed else preset.name, request.scene, preset.time, preset.size)
     sweep = measured(executor, subject, SweepSettings())
-    choice = choose(sweep, *request.size, parameters.budget_ms, lambda q: LIMITS.allows(*request.size, q.samples_drawn))
+    choice = choose(
+        sweep, *request.size, parameters.budget_ms, lambda q: IN_PROCESS.allows(*request.size, q.samples_drawn)
+    )
     return choice.point.quality, f"{choice.point.id}: {choice.why}"
 
 

@@ -5,6 +5,7 @@ from typing import Annotated
 
 import typer
 
+Preset = Annotated[str, typer.Argument(help="Name of a preset; `seafoam presets` lists them.")]
 PresetName = Annotated[str | None, typer.Argument(help="Name of a preset; `seafoam presets` lists them.")]
 Picture = Annotated[Path | None, typer.Option("--output", "-o", help="Output file; the extension selects the format.")]
 Again = Annotated[

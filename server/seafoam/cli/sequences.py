@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from seafoam.cli import options
 from seafoam.cli.consoles import say
 from seafoam.cli.support import UNABLE, CommandError, size_of
 
@@ -28,7 +29,7 @@ class _Fleet:
 
 
 def sequence(
-    preset: Annotated[str, typer.Argument(help="Name of a preset; `seafoam presets` lists them.")],
+    preset: options.Preset,
     output: Annotated[
         Path, typer.Option("--output", "-o", help="Directory for frames, or a .mp4, .webp (lossless) or .zip file.")
     ],
@@ -37,13 +38,10 @@ def sequence(
     fps: Annotated[
         str, typer.Option(help="Frames per second, such as 29.97 or 30000/1001, which are the same.")
     ] = "24",
-    size: Annotated[str | None, typer.Option(help="WIDTHxHEIGHT in pixels (default: the preset's).")] = None,
+    size: options.Size = None,
     quality: Annotated[str, typer.Option(help="draft, standard, high or reference.")] = "standard",
-    look: Annotated[str | None, typer.Option(help="Foam look (default: the preset's).")] = None,
-    mask: Annotated[
-        str | None,
-        typer.Option(help="Foam mask: a shipped one, or family:sigma:size:seed[:aspect:age] (default: the preset's)."),
-    ] = None,
+    look: options.LookName = None,
+    mask: options.MaskName = None,
     codec: Annotated[str, typer.Option(help="Of a .mp4 file: h264 or av1.")] = "h264",
     workers: Annotated[
         int, typer.Option(min=1, max=256, help="Processes on this machine; several need the extra cluster.")
@@ -87,13 +85,13 @@ def _output(path: Path, codec: str) -> "SequenceOutput":
     return Output(path, kind, chosen)
 
 
-def _spec(preset: str, start: float | None, stop: float, fps: str, options: dict[str, object]) -> "SequenceSpec":
+def _spec(preset: str, start: float | None, stop: float, fps: str, others: dict[str, object]) -> "SequenceSpec":
     from seafoam.library.errors import InvalidRequestError
     from seafoam.library.request import job_of
     from seafoam.sequences.errors import OutputError
     from seafoam.sequences.spec import sequence_of
 
-    given = {name: value for name, value in options.items() if value is not None}
+    given = {name: value for name, value in others.items() if value is not None}
     try:
         return sequence_of(job_of(preset, time=start, **given), stop, fps)  # type: ignore[arg-type]
     except InvalidRequestError as error:

@@ -15,7 +15,8 @@ from seafoam import processes
 from seafoam.accuracy import plots, report
 from seafoam.accuracy.cache import Store
 from seafoam.accuracy.model import Sweep
-from seafoam.accuracy.sweep import Rig, Subject, SweepSettings, Watcher, make_sweep
+from seafoam.accuracy.sweep import Rig, Subject, SweepSettings, make_sweep
+from seafoam.accuracy.truth import Watcher
 from seafoam.cli.support import UNABLE, CommandError, write
 from seafoam.render.gl import executor as gl
 from seafoam.render.service import jobs

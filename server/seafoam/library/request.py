@@ -11,7 +11,7 @@ from seafoam.quality import TIERS, Quality, Tier
 from seafoam.render.encode import FRAME_FORMATS, FrameFormat
 from seafoam.render.service.errors import FrameTooLargeError
 from seafoam.render.service.jobs import FrameJob
-from seafoam.render.service.limits import FrameLimits
+from seafoam.render.service.limits import IN_PROCESS
 from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Look
 from seafoam.scene.models import Scene
@@ -29,8 +29,6 @@ Size = tuple[int, int]
 TIME_LIMIT = 1e9
 """Greatest |time|, s."""
 DEFAULT_SIZE: Size = (1280, 720)
-LIMITS = FrameLimits(side=8192, sampled_side=16384, samples=16384 * 8192)
-"""Greatest frame in this process, which memory limits too."""
 
 
 def job_of(
@@ -123,7 +121,7 @@ def _checked(size: Any, quality: Quality) -> Size:
         raise InvalidRequestError(f"size: must be (width, height) in whole pixels, not {size!r}")
     width, height = size
     try:
-        LIMITS.check(width, height, quality.samples_drawn)
+        IN_PROCESS.check(width, height, quality.samples_drawn)
     except FrameTooLargeError as error:
         raise InvalidRequestError(f"size: {error}") from error
     return width, height

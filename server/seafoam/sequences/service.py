@@ -6,7 +6,6 @@ import logging
 import re
 import shutil
 import threading
-from collections import OrderedDict
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,6 +14,7 @@ from typing import Any, Literal
 from pydantic import BaseModel, Field
 
 from seafoam.files import write_whole
+from seafoam.render.service.background import BackgroundFullError, BackgroundQueue
 from seafoam.sequences.errors import SequenceError, SequenceStoppedError
 from seafoam.sequences.making import Kind, Output, Progress, Stage, check_output, make_sequence
 from seafoam.sequences.spec import SequenceSpec
@@ -50,9 +50,8 @@ class SequenceStatus(BaseModel):
 class UnknownSequenceError(Exception):
     """There is no sequence of this name, or no longer."""
 
-
-class SequenceQueueFullError(Exception):
-    """As many sequences wait as may."""
+    def __init__(self, name: str) -> None:
+        super().__init__(f"sequence {name!r} was not found; finished ones are kept for a while")
 
 
 class NotFinishedError(Exception):
@@ -84,41 +83,36 @@ class SequenceService:
         self._workers = workers
         self._most_waiting = waiting
         self._kept = kept
-        self._tasks: OrderedDict[str, _SequenceTask] = OrderedDict()
-        self._change = threading.Condition()
-        self._closed = False
-        self._thread: threading.Thread | None = None
+        self._tasks: dict[str, _SequenceTask] = {}
+        """Those that are not finished, have failed or were cancelled."""
+        self._queue: BackgroundQueue[_SequenceTask] = BackgroundQueue("sequences", self._run)
 
     def submit(self, spec: SequenceSpec, kind: Kind, codec: Codec = "h264") -> SequenceStatus:
         """Ask for a sequence, and return at once how far it is.
 
-        Raises :class:`SequenceQueueFullError`, :class:`seafoam.sequences.errors.OutputError`, what ``workers`` raises,
+        Raises :class:`BackgroundFullError`, :class:`seafoam.sequences.errors.OutputError`, what ``workers`` raises,
         and :class:`seafoam.planner.PlanError`.
         """
         parts = (spec.identity(self._workers().info), spec.count, kind, codec if kind == "mp4" else "")
         name = hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()[:32]
         output = Output(self._directory / name / f"seafoam.{kind}", kind, codec)
         check_output(spec, output)
-        with self._change:
+        with self._queue.lock:
             if (known := self._known(name)) is not None and known.status not in ("failed", "cancelled"):
                 return known
             if name in self._tasks and self._tasks[name].removed:
-                raise SequenceQueueFullError("the same sequence is still being cancelled")
+                raise BackgroundFullError("the same sequence is still being cancelled")
             unfinished = sum(task.status.status not in FINISHED for task in self._tasks.values())
             if unfinished >= self._most_waiting:
-                raise SequenceQueueFullError(f"{unfinished} sequences are already waiting")
+                raise BackgroundFullError(f"{unfinished} sequences are already waiting")
             status = SequenceStatus(id=name, status="queued", frames=spec.count)
             self._tasks[name] = _SequenceTask(spec, output, status, threading.Event())
-            self._tasks.move_to_end(name)
-            if self._thread is None and not self._closed:
-                self._thread = threading.Thread(target=self._work, name="sequences", daemon=True)
-                self._thread.start()
-            self._change.notify_all()
+            self._queue.add(name, self._tasks[name])
             return status
 
     def status(self, name: str) -> SequenceStatus:
         """Return how far a sequence is. Raises :class:`UnknownSequenceError`."""
-        with self._change:
+        with self._queue.lock:
             known = self._known(name)
         if known is None:
             raise UnknownSequenceError(name)
@@ -135,11 +129,12 @@ class SequenceService:
 
     def cancel(self, name: str) -> None:
         """Cancel a sequence, or forget a finished one, and remove its files. Raises :class:`UnknownSequenceError`."""
-        with self._change:
+        with self._queue.lock:
             if self._known(name) is None:
                 raise UnknownSequenceError(name)
             task = self._tasks.get(name)
-            if task is None or task.status.status != "running":
+            if task is None or task.status.status in FINISHED or self._queue.running_job(name) is None:
+                self._queue.waiting.pop(name, None)
                 self._tasks.pop(name, None)
                 self._remove(name)
                 return
@@ -149,13 +144,10 @@ class SequenceService:
 
     def stop(self) -> None:
         """Stop the sequence that is being made, and wait until it has; its frames stay for the next start."""
-        with self._change:
-            self._closed = True
+        with self._queue.lock:
             for task in self._tasks.values():
                 task.stopped.set()
-            self._change.notify_all()
-        if self._thread is not None:
-            self._thread.join()
+        self._queue.stop()
 
     def _known(self, name: str) -> SequenceStatus | None:
         if name in self._tasks:
@@ -165,27 +157,19 @@ class SequenceService:
         except (OSError, ValueError):
             return None
 
-    def _work(self) -> None:
-        while True:
-            with self._change:
-                while not self._closed and not self._queued():
-                    self._change.wait()
-                if self._closed:
-                    return
-                task = self._queued()[0]
+    def _run(self, _: str, task: _SequenceTask) -> None:
+        with self._queue.lock:
+            if not task.removed:
                 task.status = task.status.model_copy(update={"status": "running", "stage": "frames"})
-            try:
-                self._make(task)
-                update: dict[str, Any] = {"status": "done", "progress": 1.0, "bytes": task.output.path.stat().st_size}
-            except SequenceStoppedError:
-                update = {"status": "cancelled"}
-            except Exception as error:
-                log.exception("A sequence failed")
-                update = {"status": "failed", "detail": self._reason(error)}
-            self._finish(task, update)
-
-    def _queued(self) -> list[_SequenceTask]:
-        return [task for task in self._tasks.values() if task.status.status == "queued"]
+        try:
+            self._make(task)
+            update: dict[str, Any] = {"status": "done", "progress": 1.0, "bytes": task.output.path.stat().st_size}
+        except SequenceStoppedError:
+            update = {"status": "cancelled"}
+        except Exception as error:
+            log.exception("A sequence failed")
+            update = {"status": "failed", "detail": self._reason(error)}
+        self._finish(task, update)
 
     def _make(self, task: _SequenceTask) -> None:
         def tell(progress: Progress) -> None:
@@ -196,7 +180,7 @@ class SequenceService:
                 "progress": round((1.0 - _FILE_SHARE) * share if frames else 1.0 - _FILE_SHARE * (1.0 - share), 4),
                 "eta_s": None if progress.eta_s is None else round(progress.eta_s, 1),
             }
-            with self._change:
+            with self._queue.lock:
                 if not task.stopped.is_set():
                     drawn = progress.done if frames else task.status.drawn
                     task.status = task.status.model_copy(update={**update, "drawn": drawn})
@@ -205,7 +189,7 @@ class SequenceService:
         make_sequence(task.spec, task.output, self._workers(), tell=tell, stopped=task.stopped.is_set)
 
     def _finish(self, task: _SequenceTask, update: dict[str, Any]) -> None:
-        with self._change:
+        with self._queue.lock:
             if task.removed:
                 self._tasks.pop(task.status.id, None)
                 self._remove(task.status.id)

@@ -9,9 +9,8 @@ from fractions import Fraction
 from importlib.metadata import version
 from typing import Any
 
-from seafoam.planner import make_plan
-from seafoam.render.service.jobs import FrameJob
-from seafoam.render.service.recipe import described
+from seafoam.render.service.jobs import FrameJob, plan_hash
+from seafoam.render.service.recipe import described, renderer_of
 from seafoam.sequences.errors import OutputError
 
 LEAST_FPS, GREATEST_FPS = 0.001, 1000.0
@@ -60,7 +59,7 @@ class SequenceSpec:
         """
         job = self.job
         return {
-            "plan": make_plan(job.scene, job.quality).sha256,
+            "plan": plan_hash(job.scene, job.quality),
             # The recipe in each frame also has what the plan leaves out.
             "scene": hashlib.sha256(job.scene.model_dump_json().encode()).hexdigest(),
             "preset": job.preset,
@@ -70,7 +69,7 @@ class SequenceSpec:
             "height": job.height,
             "start": self.start,
             "fps": float(self.fps) if float(self.fps) == self.fps else str(self.fps),
-            "renderer": f"{info['renderer']}, {info['version']}",
+            "renderer": renderer_of(info),
             "seafoam": version("seafoam"),
         }
 

@@ -8,13 +8,12 @@ import numpy as np
 import pytest
 
 from seafoam.accuracy import plots, report, sweep
-from seafoam.accuracy.budget import choose
 from seafoam.accuracy.cache import Store, cache_dir
-from seafoam.accuracy.fronts import beating, front
 from seafoam.accuracy.model import Running, Sweep
-from seafoam.accuracy.sweep import Subject, SweepSettings, Watcher, make_sweep
+from seafoam.accuracy.sweep import Subject, SweepSettings, make_sweep
 from seafoam.accuracy.sweep_service import FailedError, SweepService
-from seafoam.accuracy.truth import SweepStoppedError, find_truth, make_truth
+from seafoam.accuracy.timing import beating, choose, front
+from seafoam.accuracy.truth import SweepStoppedError, TruthSpec, Watcher, find_truth, make_truth
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from support.accuracy_rigs import FIXED_MS, NS, grey_truth, noisy
@@ -251,11 +250,11 @@ def test_a_service_tells_a_failure_once_and_tries_again(monkeypatch, tmp_path):
 
 
 def test_truth_is_computed_once(tmp_path):
-    store, scene = Store(tmp_path), Scene()
-    assert find_truth(store, scene, 0.0, 16, 16, 2) is None
-    truth = make_truth(store, scene, 0.0, 16, 16, 2)
+    store, spec = Store(tmp_path), TruthSpec(Scene(), 0.0, 16, 16, 2)
+    assert find_truth(store, spec) is None
+    truth = make_truth(store, spec)
     assert (truth.shape, truth.dtype) == ((16, 16, 4), np.dtype(np.float32))
     assert truth[..., :3].std() > 0.01
-    np.testing.assert_array_equal(find_truth(store, scene, 0.0, 16, 16, 2), truth)
+    np.testing.assert_array_equal(find_truth(store, spec), truth)
     with pytest.raises(SweepStoppedError):
-        make_truth(store, scene, 1.0, 640, 640, 16, stopped=lambda: True)
+        make_truth(store, TruthSpec(Scene(), 1.0, 640, 640, 16), Watcher(stopped=lambda: True))

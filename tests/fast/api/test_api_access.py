@@ -133,7 +133,7 @@ def test_with_signing_alone_every_other_request_is_refused(signing: Signing) -> 
 
 def test_repeats_are_answered_behind_the_gate() -> None:
     names = [each.cls.__name__ for each in answering().app.user_middleware]
-    assert names.index("Gate") < names.index("Repeats")
+    assert names.index("AccessControl") < names.index("AnswerFromMemory")
 
 
 def test_without_settings_the_api_is_open(signing: Signing) -> None:
@@ -171,4 +171,8 @@ def test_the_command_signs_what_the_server_accepts(restricted: TestClient, monke
         monkeypatch.setenv(f"SEAFOAM_{name.upper()}", value)
     done = run("sign", MASK)
     assert done.returncode == 0, done.stderr
-    assert restricted.get(done.stdout.strip()).status_code == 200
+    link = done.stdout.strip()
+    assert restricted.get(link).status_code == 200
+    # A proxy strips the path below which it serves the server.
+    monkeypatch.setenv("SEAFOAM_ROOT_PATH", "/water/")
+    assert run("sign", MASK).stdout.strip() == f"/water{link}"

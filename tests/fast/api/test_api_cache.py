@@ -1,6 +1,5 @@
 """The same frame once: requests in flight, memory, disk and restarts, thumbnails behind visitors, plan addresses."""
 
-import asyncio
 import json
 import re
 from concurrent.futures import ThreadPoolExecutor
@@ -13,7 +12,7 @@ from seafoam.api.settings import SERVED, Settings
 from seafoam.render.service.pool import BACKGROUND_QUEUE
 from seafoam.scene.presets import load_preset, preset_names
 from support.api_fakes import SLOW
-from support.serving import SMALL, frame, picture, serving
+from support.serving import SMALL, eventually, frame, picture, serving
 
 CACHED = {"cache_size": 16 << 20, "cache_memory": 4 << 20}
 
@@ -116,12 +115,6 @@ def test_requests_in_flight_share_a_render():
         assert client.app.state.context.metrics.frames.labels("png")._value.get() == 2
 
 
-async def eventually(condition, seconds=10.0):
-    async with asyncio.timeout(seconds):
-        while not condition():
-            await asyncio.sleep(0.01)
-
-
 def test_no_visitor_waits_behind_a_queued_thumbnail(serve):
     names = preset_names()[:4]
     with serve() as client, ThreadPoolExecutor(len(names) + 2) as threads:
@@ -134,7 +127,7 @@ def test_no_visitor_waits_behind_a_queued_thumbnail(serve):
             order.append(name)
             return status
 
-        client.portal.call(pool._slots.acquire)
+        client.portal.call(pool._free_workers.acquire)
         thumbnails = [
             threads.submit(ask, f"thumbnail {name}", f"/api/presets/{name}/thumbnail.webp?width=16") for name in names
         ]
@@ -142,7 +135,7 @@ def test_no_visitor_waits_behind_a_queued_thumbnail(serve):
         assert pool.waiting == 0
         visitor = threads.submit(ask, "visitor", "/api/frames/default.png?width=9&height=9")
         client.portal.call(eventually, lambda: pool.waiting == 1)
-        client.portal.call(pool._slots.release)
+        client.portal.call(pool._free_workers.release)
         assert visitor.result() == 200
         assert [thumbnail.result() for thumbnail in thumbnails] == [200] * len(names)
         assert order[0] == "visitor"
@@ -217,7 +210,7 @@ def test_plans_are_known_by_their_hash_also_after_a_restart(tmp_path):
 def test_a_stored_plan_that_another_version_made_is_not_known(tmp_path, monkeypatch):
     with serving(cache=tmp_path, **CACHED) as client:
         plan = client.get("/api/plans/default").headers["Seafoam-Plan"]
-    monkeypatch.setattr("seafoam.api.frames.plan_index.plan_hash", lambda scene, quality: "0" * 64)
+    monkeypatch.setattr("seafoam.api.frames.plans.plan_hash", lambda scene, quality: "0" * 64)
     with serving(cache=tmp_path, **CACHED) as client:
         assert client.app.state.context.plan_index.find(plan) is None
 

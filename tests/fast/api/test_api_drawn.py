@@ -15,9 +15,9 @@ from hypothesis import strategies as st
 from starlette.responses import Response
 from starlette.testclient import TestClient
 
-from seafoam.accuracy.sweep_service import SweepQueueFullError
 from seafoam.api.app import create_app
 from seafoam.api.settings import Settings
+from seafoam.render.service.background import BackgroundFullError
 from support.api_fakes import FakeRenderer
 from support.serving import serving
 
@@ -76,7 +76,7 @@ Draw = Callable[[st.SearchStrategy[Any]], Any]
 @pytest.fixture(scope="module")
 def client() -> Iterator[TestClient]:
     def full(*_: object) -> None:
-        raise SweepQueueFullError("none is measured here")
+        raise BackgroundFullError("none is measured here")
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("seafoam.api.routers.masks.ON_REQUEST_SECONDS", 0.05)

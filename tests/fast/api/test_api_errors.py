@@ -6,17 +6,7 @@ import pytest
 
 from seafoam.api.http.schema_limits import allowed_at, describe_allowed
 from support.api_fakes import RAISE
-
-
-def problem(response, status):
-    assert response.status_code == status, response.text
-    assert response.headers["Content-Type"] == "application/problem+json"
-    assert response.headers["Cache-Control"] == "no-store"
-    body = response.json()
-    assert body["status"] == status
-    assert {"type", "title", "detail", "instance"} <= set(body)
-    return body
-
+from support.serving import problem
 
 FRAME = "/api/frames/default.png"
 

@@ -45,7 +45,7 @@ SCENES = {
 SERVER = """
 import sys, tempfile, uvicorn
 from seafoam.api.app import create_app
-from seafoam.api.watch.malloc import share_one_arena
+from seafoam.api.watch.process import share_one_arena
 from seafoam.api.settings import Settings
 from support.api_fakes import FakeRenderer
 share_one_arena()
@@ -123,7 +123,6 @@ class Judge:
     def note(self, status: int, began: float, what: str) -> None:
         seconds = time.perf_counter() - began
         assert status < 500 or status in (503, 504), f"{status} for {what[:2000]}"
-        assert seconds < HUNG, f"{seconds:.1f} s for {what[:2000]}"
         self.statuses[status] += 1
         self.slowest = max(self.slowest, seconds)
         done = sum(self.statuses.values())

@@ -245,3 +245,17 @@ def test_usual_ways_of_writing_a_number_are_taken(client: TestClient) -> None:
 def test_a_malformed_range_is_ignored(built: TestClient, sent: str) -> None:
     assert built.get("/assets/a.js", headers={"Range": sent, "Accept-Encoding": "identity"}).status_code == 200
     assert built.get("/assets/a.js", headers={"Range": "bytes=0-5", "Accept-Encoding": ""}).text == "export"
+
+
+def test_a_range_outside_of_a_file_is_a_problem_that_names_what_there_is(built: TestClient) -> None:
+    last = len(built.get("/assets/a.js", headers={"Accept-Encoding": "identity"}).content) - 1
+    asked = {"Range": f"bytes={last + 1}-", "Accept-Encoding": "identity"}
+    response = built.get("/assets/a.js", headers=asked)
+    assert (response.status_code, response.headers["Content-Type"]) == (416, "application/problem+json")
+    assert response.headers["Content-Range"] == f"bytes */{last + 1}"
+    assert response.json()["type"] == "urn:seafoam:problem:range-not-satisfiable"
+    (error,) = response.json()["errors"]
+    assert error["allowed"] == {"minimum": 0, "maximum": last}
+    assert f"0 to {last}" in error["detail"]
+    bodiless = built.head("/assets/a.js", headers=asked)
+    assert (bodiless.status_code, bodiless.content) == (416, b"")

@@ -98,7 +98,7 @@ def test_frames_of_streams_are_logged_if_they_are_refused(
     client = answering(log_format="json")
     path = "/api/streams/x/frame.webp"
     client.get(path)
-    monkeypatch.setattr("seafoam.api.guard.gate.Gate.__call__", Response(status_code=204))
+    monkeypatch.setattr("seafoam.api.guard.access_control.AccessControl.__call__", Response(status_code=204))
     client.get(path)
     client.get("/api/streams")
     assert [(line["path"], line["status"]) for line in logged()] == [(path, 422), ("/api/streams", 204)]

@@ -20,7 +20,7 @@ from seafoam.render.service.errors import (
 from seafoam.render.service.jobs import Draw, FrameJob, MeasureJob
 from seafoam.render.service.limits import FrameLimits
 from seafoam.render.service.pool import BACKGROUND_SECONDS, RenderPool
-from seafoam.render.service.slots import Turn
+from seafoam.render.service.priority import Ticket
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 from support.api_fakes import (
@@ -39,6 +39,7 @@ from support.api_fakes import (
     FakeRenderer,
     LostRenderer,
 )
+from support.serving import eventually
 
 SCENE = Scene()
 
@@ -63,12 +64,6 @@ def with_pool(work, **settings):
             await pool.stop()
 
     return asyncio.run(run())
-
-
-async def eventually(condition, seconds=30.0):
-    async with asyncio.timeout(seconds):
-        while not condition():
-            await asyncio.sleep(0.02)
 
 
 async def worker_of(pool):
@@ -145,19 +140,19 @@ def test_the_deadline_counts_waiting():
     with_pool(work)
 
 
-@pytest.mark.parametrize("turn", [Turn(stream=True), Turn(background=True)], ids=["stream", "background"])
-def test_what_gives_way_and_begins_late_costs_no_worker(monkeypatch, turn):
+@pytest.mark.parametrize("ticket", [Ticket(stream=True), Ticket(background=True)], ids=["stream", "background"])
+def test_what_gives_way_and_begins_late_costs_no_worker(monkeypatch, ticket):
     passed = 0.0
     monkeypatch.setattr("seafoam.render.service.pool.time", SimpleNamespace(time=lambda: time.time() + passed))
 
     async def work(pool):
         nonlocal passed
         await pool.wait_until_settled()
-        await pool._slots.acquire()
-        waiting = asyncio.ensure_future(pool.render(job(SLOW), turn))
-        await eventually(lambda: pool.waits(turn))
-        passed = (BACKGROUND_SECONDS if turn.background else pool.deadline) - SLOW_SECONDS / 10
-        pool._slots.release()
+        await pool._free_workers.acquire()
+        waiting = asyncio.ensure_future(pool.render(job(SLOW), ticket))
+        await eventually(lambda: pool.waits(ticket))
+        passed = (BACKGROUND_SECONDS if ticket.background else pool.deadline) - SLOW_SECONDS / 10
+        pool._free_workers.release()
         assert (await waiting).content
         assert not +pool.restarts
 
@@ -401,12 +396,12 @@ def test_a_full_queue_over_http(serve):
         url = "/api/frames/default.png?width=8&height=8"
         assert client.get(url).status_code == 200
         pool = client.app.state.context.pool
-        client.portal.call(pool._slots.acquire)
+        client.portal.call(pool._free_workers.acquire)
         response = client.get(url)
         assert response.status_code == 503
         assert int(response.headers["Retry-After"]) >= 1
         assert response.json()["type"] == "urn:seafoam:problem:queue-full"
-        client.portal.call(pool._slots.release)
+        client.portal.call(pool._free_workers.release)
         assert client.get(url).status_code == 200
 
 
@@ -444,10 +439,10 @@ def test_a_client_that_leaves_gives_its_place_back(serve):
             async def send(message):
                 sent.append(message)
 
-            await pool._slots.acquire()
+            await pool._free_workers.acquire()
             await client.app(scope, receive, send)
             assert pool.waiting == 0
-            pool._slots.release()
+            pool._free_workers.release()
 
         client.portal.call(leave)
         assert client.get("/api/frames/default.png?width=8&height=8").status_code == 200

@@ -2,7 +2,7 @@
 
 import asyncio
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
@@ -16,10 +16,10 @@ from seafoam.api.frames.streams import FRAMES_AT_ONCE, LEASE_SECONDS, Stream, St
 from seafoam.api.settings import Settings
 from seafoam.quality import TIERS
 from seafoam.render.service.errors import DeadlineError
-from seafoam.render.service.slots import Turn
+from seafoam.render.service.priority import Ticket
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
-from support.serving import SMALL, answering, picture, serving
+from support.serving import SMALL, answering, eventually, picture, problem, serving
 
 DRAFT = {"scene": {}, "quality": "draft"}
 VIEW = {"x": 0.0, "y": 4.0, "z": 0.0, "yaw": 0.2, "pitch": -0.1, "roll": 0.0, "fov": 0.9}
@@ -66,18 +66,6 @@ def drawn(client: TestClient, stream: str, **changes: Any) -> Response:
     response = ask(client, stream, **changes)
     assert response.status_code == 200, response.text
     return response
-
-
-def problem(response: Response, status: int) -> dict[str, Any]:
-    assert response.status_code == status, response.text
-    assert response.headers["Content-Type"] == "application/problem+json"
-    return dict(response.json())
-
-
-async def eventually(condition: Callable[[], bool], seconds: float = 30.0) -> None:
-    async with asyncio.timeout(seconds):
-        while not condition():
-            await asyncio.sleep(0.01)
 
 
 async def settle() -> None:
@@ -211,7 +199,7 @@ def test_a_frame_that_takes_longer_than_the_lease_keeps_its_stream() -> None:
         clock = Clock()
         streams = Streams(1, clock)
         stream = stream_of(streams)
-        async with stream.place(Turn(stream=True), lambda turn: False):
+        async with stream.place(Ticket(stream=True), lambda ticket: False):
             clock.now += 5 * LEASE_SECONDS
             assert len(streams) == 1
         streams.renew(stream)
@@ -231,7 +219,7 @@ def test_a_frame_past_its_deadline_does_not_end_its_stream(
     monkeypatch.setattr(context.streams, "_clock", clock)
     id = opened(streaming)
 
-    async def late(job: Any, turn: Turn) -> None:
+    async def late(job: Any, ticket: Ticket) -> None:
         clock.now += 5 * LEASE_SECONDS
         raise DeadlineError("timeout")
 
@@ -328,12 +316,14 @@ def test_a_third_frame_gives_up_the_oldest_that_waits(streaming: TestClient) -> 
     drawn(streaming, id)
     context = streaming.app.state.context  # type: ignore[attr-defined]
     pool, (stream,) = context.pool, context.streams._open.values()
-    streaming.portal.call(pool._slots.acquire)
+    streaming.portal.call(pool._free_workers.acquire)
     with ThreadPoolExecutor(3) as threads:
         asked = []
         for number in range(3):
             asked.append(threads.submit(ask, streaming, id, time=float(number)))
-            streaming.portal.call(eventually, lambda number=number: len(pool._turns) == min(number + 1, FRAMES_AT_ONCE))
+            streaming.portal.call(
+                eventually, lambda number=number: len(pool._tickets) == min(number + 1, FRAMES_AT_ONCE)
+            )
             if number == 2:
                 overtaken = asked[0].result(30)
         assert overtaken.status_code == 204
@@ -341,7 +331,7 @@ def test_a_third_frame_gives_up_the_oldest_that_waits(streaming: TestClient) -> 
         assert not overtaken.content
         # Neither a queue's place nor a worker is theirs.
         assert pool.waiting == 0
-        streaming.portal.call(pool._slots.release)
+        streaming.portal.call(pool._free_workers.release)
         assert [each.result().status_code for each in asked[1:]] == [200, 200]
     assert stream.frames == []
     drawn(streaming, id)
@@ -351,14 +341,14 @@ def test_a_stream_that_ends_gives_up_its_frames(streaming: TestClient) -> None:
     id = opened(streaming)
     drawn(streaming, id)
     pool = streaming.app.state.context.pool  # type: ignore[attr-defined]
-    streaming.portal.call(pool._slots.acquire)
+    streaming.portal.call(pool._free_workers.acquire)
     with ThreadPoolExecutor(2) as threads:
         asked = [threads.submit(ask, streaming, id, time=float(number)) for number in range(2)]
-        streaming.portal.call(eventually, lambda: len(pool._turns) == 2)
+        streaming.portal.call(eventually, lambda: len(pool._tickets) == 2)
         assert streaming.delete(f"/api/streams/{id}").status_code == 204
         assert [each.result(30).status_code for each in asked] == [204, 204]
-        assert not pool._turns
-    streaming.portal.call(pool._slots.release)
+        assert not pool._tickets
+    streaming.portal.call(pool._free_workers.release)
     drawn(streaming, opened(streaming))
 
 
@@ -380,20 +370,20 @@ def test_a_page_that_leaves_gives_its_places_back(streaming: TestClient) -> None
         async def receive() -> dict[str, Any]:
             for message in arriving:
                 return message
-            await eventually(lambda: len(context.pool._turns) == 1)
+            await eventually(lambda: len(context.pool._tickets) == 1)
             return {"type": "http.disconnect"}
 
         async def send(message: Any) -> None:
             sent.append(message)
 
-        await context.pool._slots.acquire()
+        await context.pool._free_workers.acquire()
         await streaming.app(scope, receive, send)
-        context.pool._slots.release()
+        context.pool._free_workers.release()
 
     streaming.portal.call(leave)
     assert sent[0]["status"] == 499
     assert context.streams.find(id).frames == []
-    assert not context.pool._turns
+    assert not context.pool._tickets
 
 
 class Drawing:
@@ -401,20 +391,20 @@ class Drawing:
 
     def __init__(self) -> None:
         self.stream = stream_of(Streams(1))
-        self.queue: set[Turn] = set()
+        self.queue: set[Ticket] = set()
         self.finish: dict[str, asyncio.Event] = {}
         self.begin: dict[str, asyncio.Event] = {}
         self.placed: list[str] = []
         self.ended: dict[str, str] = {}
 
     async def frame(self, name: str) -> None:
-        turn = Turn(stream=True)
+        ticket = Ticket(stream=True)
         try:
-            async with self.stream.place(turn, self.queue.__contains__):
+            async with self.stream.place(ticket, self.queue.__contains__):
                 self.placed.append(name)
-                self.queue.add(turn)
+                self.queue.add(ticket)
                 await self.begin[name].wait()
-                self.queue.remove(turn)
+                self.queue.remove(ticket)
                 await self.finish[name].wait()
             self.ended[name] = "drawn"
         except asyncio.CancelledError:
@@ -485,13 +475,13 @@ def test_single_frames_go_before_those_of_streams(monkeypatch: pytest.MonkeyPatc
             return await run(work, args, expires, grace)
 
         monkeypatch.setattr(pool, "_run", noting)
-        client.portal.call(pool._slots.acquire)
+        client.portal.call(pool._free_workers.acquire)
         asked = [threads.submit(ask, client, id, time=float(number)) for number in range(2)]
-        client.portal.call(eventually, lambda: len(pool._turns) == 2)
+        client.portal.call(eventually, lambda: len(pool._tickets) == 2)
         # The queue has one place, which frames of streams do not take.
         asked.append(threads.submit(client.get, "/api/frames/default.png", params=SMALL))
         client.portal.call(eventually, lambda: pool.waiting == 1)
-        client.portal.call(pool._slots.release)
+        client.portal.call(pool._free_workers.release)
         assert [each.result().status_code for each in asked] == [200, 200, 200]
         assert begun == ["single", "stream", "stream"]
 

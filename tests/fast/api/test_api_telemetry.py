@@ -15,14 +15,13 @@ from opentelemetry.proto.collector.trace.v1.trace_service_pb2 import ExportTrace
 from opentelemetry.sdk.trace import ReadableSpan
 from opentelemetry.sdk.trace.export.in_memory_span_exporter import InMemorySpanExporter
 
-from seafoam.api.frames.request_cache import Identified
+from seafoam.api.frames.request_cache import ResolvedFrame
 from seafoam.api.frames.respond import answer
 from seafoam.api.watch import telemetry
 from seafoam.api.watch.telemetry import UnsupportedTelemetryError, configured
 from seafoam.api.watch.traces import Traces
 from seafoam.extras import MissingExtraError
-from seafoam.render.service.jobs import EncodedFrame
-from seafoam.render.service.source import Found, Origin
+from seafoam.render.service.jobs import EncodedFrame, Origin
 from support.serving import answering
 
 ENDPOINT = {"OTEL_EXPORTER_OTLP_ENDPOINT": "http://127.0.0.1:4318"}
@@ -120,8 +119,8 @@ def test_an_unexpected_error_is_one_of_its_span(recorded: Recorded, monkeypatch:
 def test_a_drawn_frames_stages_are_spans_within_its_request(recorded: Recorded) -> None:
     timings = {"queue": 0.5, "plan": 0.001, "render": 0.02, "read": 0.001, "encode": 0.004}
 
-    async def draw(*_: object, **__: object) -> Found:
-        return Found(EncodedFrame(b"", timings), origin)
+    async def draw(*_: object, **__: object) -> EncodedFrame:
+        return EncodedFrame(b"", timings, origin)
 
     async def leave() -> None:
         await asyncio.Event().wait()
@@ -134,7 +133,7 @@ def test_a_drawn_frames_stages_are_spans_within_its_request(recorded: Recorded) 
         job = SimpleNamespace(format="png")
         request = SimpleNamespace(method="POST", receive=leave)
         with recorded.traces._tracer.start_as_current_span(origin):
-            asyncio.run(answer(Identified(job, "", {}, None), request, context))  # type: ignore[arg-type]
+            asyncio.run(answer(ResolvedFrame(job, "", {}, None), request, context))  # type: ignore[arg-type]
     spans = recorded.spans()
     parent = next(each for each in spans if each.name == "drawn")
     stages = [each for each in spans if each.name not in get_args(Origin)]

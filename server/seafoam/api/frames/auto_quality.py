@@ -3,9 +3,9 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from seafoam.accuracy.budget import choose
 from seafoam.accuracy.model import Running
 from seafoam.accuracy.sweep import Subject
+from seafoam.accuracy.timing import choose
 from seafoam.api.context import Context
 from seafoam.api.http.parameters import TierOrAuto, quality_of
 from seafoam.api.http.problems import BadRequestError, FieldProblem, NotMeasuredError
@@ -14,7 +14,7 @@ from seafoam.quality import Quality
 
 
 @dataclass(frozen=True, slots=True)
-class Asked:
+class RequestedQuality:
     """The requested quality of a frame. ``parameter``: it came from the query, else from the body."""
 
     quality: TierOrAuto | Quality
@@ -23,7 +23,8 @@ class Asked:
     height: int
     parameter: bool
 
-    def _refused(self, detail: str) -> BadRequestError:
+    def refused(self, detail: str) -> BadRequestError:
+        """Return the error of a budget that is missing or not allowed."""
         return BadRequestError(
             FieldProblem(
                 pointer=None if self.parameter else "/budget_ms",
@@ -32,28 +33,21 @@ class Asked:
             )
         )
 
-    def budget(self) -> float:
-        """Return the time budget, ms. Raises :class:`BadRequestError` if none was given."""
-        if self.budget_ms is None:
-            raise self._refused("quality auto requires budget_ms, the frame time allowed in milliseconds")
-        return self.budget_ms
 
-    def no_budget(self) -> None:
-        """Raise :class:`BadRequestError` if a time budget was given."""
-        if self.budget_ms is not None:
-            raise self._refused("allowed only with quality auto")
-
-
-async def resolve(asked: Asked, subject: Subject, context: Context) -> tuple[Quality, Mapping[str, str]]:
+async def choose_quality(
+    asked: RequestedQuality, subject: Subject, context: Context
+) -> tuple[Quality, Mapping[str, str]]:
     """Return the quality to render with, and headers that explain an automatic choice.
 
     The prediction holds for the subject's own camera and time, which can differ from the frame's. Raises
     :class:`NotMeasuredError` while the subject is being measured; the first call starts the measurement.
     """
     if asked.quality != "auto":
-        asked.no_budget()
+        if asked.budget_ms is not None:
+            raise asked.refused("allowed only with quality auto")
         return quality_of(asked.quality), {}
-    budget = asked.budget()
+    if asked.budget_ms is None:
+        raise asked.refused("quality auto requires budget_ms, the frame time allowed in milliseconds")
     limits = context.settings.frame_limits
     limits.check(asked.width, asked.height, 1)
     sweep = await measured(context, subject)
@@ -63,6 +57,10 @@ async def resolve(asked: Asked, subject: Subject, context: Context) -> tuple[Qua
         detail = f"cost of accuracy: {what} {state}; retry later, or name a tier"
         raise NotMeasuredError(detail, retry_seconds(sweep))
     choice = choose(
-        sweep, asked.width, asked.height, budget, lambda q: limits.allows(asked.width, asked.height, q.samples_drawn)
+        sweep,
+        asked.width,
+        asked.height,
+        asked.budget_ms,
+        lambda q: limits.allows(asked.width, asked.height, q.samples_drawn),
     )
     return choice.point.quality, {"Seafoam-Quality": choice.point.id, "Seafoam-Quality-Why": choice.why}

@@ -1,6 +1,5 @@
 """What GET requests for frames were found to ask for, so that a repeat is answered without planning."""
 
-from collections import OrderedDict
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -8,6 +7,7 @@ from typing import Any
 from starlette.routing import BaseRoute
 from starlette.types import Scope
 
+from seafoam.render.service.frame_cache import LruCache
 from seafoam.render.service.jobs import FrameJob
 
 ADDRESS_KEPT = 1024
@@ -17,7 +17,7 @@ REQUESTS_KEPT = 4096
 
 
 @dataclass(frozen=True, slots=True)
-class Identified:
+class ResolvedFrame:
     """A frame that is known before it is drawn: its key, and the headers of its answer."""
 
     job: FrameJob
@@ -33,20 +33,17 @@ class RequestCache:
     """
 
     def __init__(self) -> None:
-        self._held: OrderedDict[tuple[Any, ...], Identified] = OrderedDict()
+        self._held: LruCache[tuple[Any, ...], ResolvedFrame] = LruCache(REQUESTS_KEPT)
 
-    def get(self, scope: Scope, info: Mapping[str, str]) -> Identified | None:
+    def get(self, scope: Scope, info: Mapping[str, str]) -> ResolvedFrame | None:
         """Return what this request asked for before, with the same renderer, or None."""
-        key = (scope["path"], scope["query_string"], *info.values())
-        if key not in self._held:
-            return None
-        self._held.move_to_end(key)
-        return self._held[key]
+        return self._held.get(_address(scope, info))
 
-    def put(self, scope: Scope, info: Mapping[str, str], identified: Identified) -> None:
+    def put(self, scope: Scope, info: Mapping[str, str], resolved: ResolvedFrame) -> None:
         """Remember what a request asked for, unless its address is longer than any that is meant."""
-        if len(scope["query_string"]) > ADDRESS_KEPT:
-            return
-        self._held[(scope["path"], scope["query_string"], *info.values())] = identified
-        if len(self._held) > REQUESTS_KEPT:
-            self._held.popitem(last=False)
+        if len(scope["query_string"]) <= ADDRESS_KEPT:
+            self._held.put(_address(scope, info), resolved)
+
+
+def _address(scope: Scope, info: Mapping[str, str]) -> tuple[Any, ...]:
+    return scope["path"], scope["query_string"], *info.values()

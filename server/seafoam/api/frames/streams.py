@@ -10,7 +10,7 @@ from contextlib import asynccontextmanager
 from dataclasses import dataclass, field
 
 from seafoam.quality import Quality
-from seafoam.render.service.slots import Slots, Turn
+from seafoam.render.service.priority import PrioritySemaphore, Ticket
 from seafoam.scene.models import Scene
 
 LEASE_SECONDS = 10.0
@@ -26,10 +26,10 @@ def is_frame(path: str) -> bool:
 
 
 @dataclass(eq=False, slots=True)
-class _Asked:
+class _StreamFrame:
     """A frame that is drawn or waits. ``placed``: whether it has one of the stream's places."""
 
-    turn: Turn
+    ticket: Ticket
     task: asyncio.Task[object]
     placed: bool = False
 
@@ -42,12 +42,12 @@ class Stream:
     scene: Scene
     quality: Quality
     expires: float
-    frames: list[_Asked] = field(default_factory=list)
+    frames: list[_StreamFrame] = field(default_factory=list)
     """In order of arrival: as many as there are places, and one more where the frames of all places are being drawn."""
-    _places: Slots = field(default_factory=lambda: Slots(FRAMES_AT_ONCE))
+    _places: PrioritySemaphore = field(default_factory=lambda: PrioritySemaphore(FRAMES_AT_ONCE))
 
     @asynccontextmanager
-    async def place(self, turn: Turn, waits: Callable[[Turn], bool]) -> AsyncIterator[None]:
+    async def place(self, ticket: Ticket, waits: Callable[[Ticket], bool]) -> AsyncIterator[None]:
         """Hold a place for the current task's frame; where all are taken, the oldest frame that waits is given up.
 
         One that has been begun is not: else a page that asks faster than frames are drawn would never get one.
@@ -57,21 +57,21 @@ class Stream:
         task = asyncio.current_task()
         assert task is not None
         if len(self.frames) >= FRAMES_AT_ONCE:
-            waiting = (frame for frame in self.frames if not frame.placed or waits(frame.turn))
+            waiting = (frame for frame in self.frames if not frame.placed or waits(frame.ticket))
             if (oldest := next(waiting, None)) is not None:
                 self.frames.remove(oldest)
                 oldest.task.cancel()
-        asked = _Asked(turn, task)
-        self.frames.append(asked)
+        own = _StreamFrame(ticket, task)
+        self.frames.append(own)
         try:
             await self._places.acquire()
-            asked.placed = True
+            own.placed = True
             try:
                 yield
             finally:
                 self._places.release()
         finally:
-            self.frames = [frame for frame in self.frames if frame is not asked]
+            self.frames = [frame for frame in self.frames if frame is not own]
 
     def give_up(self) -> None:
         """Give up all frames."""

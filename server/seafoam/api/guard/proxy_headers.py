@@ -6,8 +6,10 @@ from collections.abc import Sequence
 from urllib.parse import urlsplit
 
 from starlette.datastructures import URL, Headers, MutableHeaders
-from starlette.types import ASGIApp, Message, Receive, Scope, Send
+from starlette.types import ASGIApp, Receive, Scope, Send
 from uvicorn.middleware.proxy_headers import ProxyHeadersMiddleware
+
+from seafoam.api.http.asgi import altering
 
 ROOT_PATH = r"(/[A-Za-z0-9._~-]+)*"
 """Pattern of the path below which a proxy serves this server; empty: at its root."""
@@ -36,15 +38,12 @@ class Proxied:
         scope["app_root_path"] = told if told and trusted and re.fullmatch(ROOT_PATH, told) else self.root_path
         asked = URL(scope=scope)
 
-        async def marking(message: Message) -> None:
-            if message["type"] == "http.response.start":
-                headers = MutableHeaders(scope=message)
-                location = headers.get("location")
-                if location and urlsplit(location).netloc == asked.netloc:
-                    headers["Location"] = relative(asked.path, location)
-            await send(message)
+        def mark(_: int, headers: MutableHeaders) -> None:
+            location = headers.get("location")
+            if location and urlsplit(location).netloc == asked.netloc:
+                headers["Location"] = relative(asked.path, location)
 
-        await self.app(scope, receive, marking)  # type: ignore[arg-type]
+        await self.app(scope, receive, altering(send, mark))  # type: ignore[arg-type]
 
 
 def relative(path: str, location: str) -> str:

@@ -27,36 +27,23 @@ from starlette.exceptions import HTTPException
 from starlette.responses import JSONResponse
 
 from seafoam.accuracy.sweep_service import FailedError
-from seafoam.api.http.problems import (
-    BadRequestError,
-    BusyError,
-    ExportTooLargeError,
-    FieldProblem,
-    NotBuiltError,
-    NotFoundError,
-    NotMeasuredError,
-    StreamsFullError,
-    UnsupportedMediaError,
-)
+from seafoam.api.http import problems
+from seafoam.api.http.problems import BadRequestError, FieldProblem
 from seafoam.api.http.schema_limits import Schema, allowed_at
 from seafoam.api.watch.logs import request_id
 from seafoam.extras import MissingExtraError
 from seafoam.masks.catalogue import MaskTooSlowError
-from seafoam.render.service.errors import (
-    DeadlineError,
-    FrameTooLargeError,
-    RendererUnavailableError,
-    RenderFailedError,
-    RenderQueueFullError,
-    StartingError,
-)
-from seafoam.sequences.service import NotFinishedError
+from seafoam.render.service import errors as render
+from seafoam.render.service.background import BackgroundFullError
+from seafoam.sequences.service import NotFinishedError, UnknownSequenceError
 
 log = logging.getLogger(__name__)
 
 MEDIA_TYPE = "application/problem+json"
 UNAVAILABLE_RETRY = 60
 """Interval at which a server without GL looks for it again, s."""
+BACKGROUND_RETRY = 30
+"""Retry-After where too many sweeps or sequences wait, s."""
 
 
 class Problem(BaseModel):
@@ -76,72 +63,66 @@ class Problem(BaseModel):
 
 @dataclass(frozen=True, slots=True)
 class ProblemType:
-    """HTTP status, name and title of an error."""
+    """HTTP status, name and title of an error; without a name it is the status alone."""
 
     status: int
-    name: str
-    title: str
+    name: str = ""
+    title: str = ""
 
 
-KINDS: dict[type[Exception], ProblemType] = {
-    ExportTooLargeError: ProblemType(422, "export-too-large", "The scene is too large to take home"),
-    NotFoundError: ProblemType(404, "not-found", "Not found"),
-    UnsupportedMediaError: ProblemType(415, "unsupported-media-type", "The request body must be JSON"),
+_NOT_FOUND = ProblemType(404, "not-found", "Not found")
+_BUSY = ProblemType(503, "busy", "The server is busy")
+
+PROBLEM_TYPES: dict[type[Exception], ProblemType] = {
+    problems.ExportTooLargeError: ProblemType(422, "export-too-large", "The scene is too large to take home"),
+    problems.NotFoundError: _NOT_FOUND,
+    UnknownSequenceError: _NOT_FOUND,
+    problems.UnsupportedMediaError: ProblemType(415, "unsupported-media-type", "The request body must be JSON"),
     BadRequestError: ProblemType(422, "bad-request", "Invalid request"),
-    FrameTooLargeError: ProblemType(422, "frame-too-large", "The frame exceeds the size limit"),
+    render.FrameTooLargeError: ProblemType(422, "frame-too-large", "The frame exceeds the size limit"),
     MaskTooSlowError: ProblemType(422, "mask-too-slow", "The mask would take too long to generate"),
-    RenderFailedError: ProblemType(500, "render-failed", "The frame could not be rendered"),
+    render.RenderFailedError: ProblemType(500, "render-failed", "The frame could not be rendered"),
     FailedError: ProblemType(500, "measurement-failed", "The measurement failed"),
     MissingExtraError: ProblemType(501, "not-installed", "A package that the answer needs is not installed"),
-    NotBuiltError: ProblemType(501, "not-built", "A part of the server is not built"),
+    problems.NotBuiltError: ProblemType(501, "not-built", "A part of the server is not built"),
     NotFinishedError: ProblemType(409, "not-finished", "The sequence is not finished"),
-    BusyError: ProblemType(503, "busy", "The server is busy"),
-    NotMeasuredError: ProblemType(503, "not-measured", "The cost of accuracy is still being measured"),
-    StreamsFullError: ProblemType(503, "streams-full", "All streams are taken"),
-    RenderQueueFullError: ProblemType(503, "queue-full", "The render queue is full"),
-    RendererUnavailableError: ProblemType(503, "no-renderer", "No renderer is available"),
-    StartingError: ProblemType(503, "starting", "The renderer is starting"),
-    DeadlineError: ProblemType(504, "deadline", "The request timed out"),
+    problems.BusyError: _BUSY,
+    BackgroundFullError: _BUSY,
+    problems.NotMeasuredError: ProblemType(503, "not-measured", "The cost of accuracy is still being measured"),
+    problems.StreamsFullError: ProblemType(503, "streams-full", "All streams are taken"),
+    render.RenderQueueFullError: ProblemType(503, "queue-full", "The render queue is full"),
+    render.RendererUnavailableError: ProblemType(503, "no-renderer", "No renderer is available"),
+    render.StartingError: ProblemType(503, "starting", "The renderer is starting"),
+    render.DeadlineError: ProblemType(504, "deadline", "The request timed out"),
 }
 """Maps exceptions to HTTP errors."""
 
-
-def problem_responses(*statuses: int) -> dict[int | str, dict[str, Any]]:
-    """Return OpenAPI descriptions of the problems that an operation can return."""
-    content = {MEDIA_TYPE: {"schema": {"$ref": "#/components/schemas/Problem"}}}
-    described: dict[int | str, dict[str, Any]] = {}
-    for status in sorted(statuses):
-        titles = [kind.title for kind in KINDS.values() if kind.status == status]
-        described[status] = {"description": "; ".join(titles) or HTTPStatus(status).phrase, "content": content}
-    return described
+RANGE_PROBLEM = ProblemType(416, "range-not-satisfiable", "The range is outside of the file")
 
 
 def problem(
-    request_path: str,
-    status: int,
+    path: str,
+    kind: ProblemType,
     detail: str,
     *,
-    name: str = "",
-    title: str = "",
     errors: Sequence[FieldProblem] = (),
     remedy: str | None = None,
     headers: Mapping[str, str] | None = None,
 ) -> JSONResponse:
-    """Return a problem+json response, which is never cached."""
-    identity = request_id.get()
+    """Return a problem+json response, which is never cached. path: of the request."""
     content = Problem(
-        type=f"urn:seafoam:problem:{name}" if name else "about:blank",
-        title=title or HTTPStatus(status).phrase,
-        status=status,
+        type=f"urn:seafoam:problem:{kind.name}" if kind.name else "about:blank",
+        title=kind.title or HTTPStatus(kind.status).phrase,
+        status=kind.status,
         detail=detail,
-        instance=request_path,
-        request_id=identity,
+        instance=path,
+        request_id=request_id.get(),
         errors=list(errors) or None,
         remedy=remedy,
     )
     return JSONResponse(
         content.model_dump(mode="json", exclude_none=True),
-        status,
+        kind.status,
         {"Cache-Control": "no-store", **(headers or {})},
         MEDIA_TYPE,
     )
@@ -149,7 +130,7 @@ def problem(
 
 def install(app: FastAPI) -> None:
     """Install handlers that turn every error of the application into a problem."""
-    for kind in KINDS:
+    for kind in PROBLEM_TYPES:
         app.add_exception_handler(kind, _known)
     app.add_exception_handler(RequestValidationError, _invalid)
     app.add_exception_handler(HTTPException, _http)
@@ -204,38 +185,33 @@ def _field_error(item: Mapping[str, Any], body: Any, openapi: Schema, operation:
 
 
 async def _known(request: Request, error: Exception) -> JSONResponse:
-    kind = next(KINDS[base] for base in type(error).__mro__ if base in KINDS)
+    kind = next(PROBLEM_TYPES[base] for base in type(error).__mro__ if base in PROBLEM_TYPES)
     errors: list[FieldProblem] = []
     headers: dict[str, str] = {}
     remedy = None
     match error:
         case BadRequestError():
             errors = error.errors
-        case NotFoundError():
+        case problems.NotFoundError():
             allowed = {"enum": list(error.known)} if error.known else None
             errors = [FieldProblem(parameter=error.parameter, detail=str(error), allowed=allowed)]
-        case FrameTooLargeError():
+        case UnknownSequenceError():
+            errors = [FieldProblem(parameter="sequence", detail=str(error))]
+        case render.FrameTooLargeError():
             bounds = {"minimum": error.least, "maximum": error.greatest}
             posted = request.method == "POST"
             pointer, parameter = (f"/{error.field}", None) if posted else (None, error.field)
             errors = [FieldProblem(pointer=pointer, parameter=parameter, detail=str(error), allowed=bounds)]
-        case RenderQueueFullError() | BusyError() | StartingError():
+        case render.RenderQueueFullError() | problems.BusyError() | render.StartingError():
             headers = {"Retry-After": str(error.retry_after)}
-        case RendererUnavailableError():
+        case BackgroundFullError():
+            headers = {"Retry-After": str(BACKGROUND_RETRY)}
+        case render.RendererUnavailableError():
             headers = {"Retry-After": str(UNAVAILABLE_RETRY)}
             remedy = str(error)
-        case MissingExtraError() | NotBuiltError():
+        case MissingExtraError() | problems.NotBuiltError():
             remedy = error.remedy
-    return problem(
-        request.url.path,
-        kind.status,
-        str(error),
-        name=kind.name,
-        title=kind.title,
-        errors=errors,
-        remedy=remedy,
-        headers=headers,
-    )
+    return problem(request.url.path, kind, str(error), errors=errors, remedy=remedy, headers=headers)
 
 
 async def _invalid(request: Request, error: Exception) -> JSONResponse:
@@ -245,8 +221,7 @@ async def _invalid(request: Request, error: Exception) -> JSONResponse:
     operation = openapi["paths"].get(route.path_format, {}).get(request.method.lower(), {})
     errors = field_errors(error, openapi, operation)
     detail = "; ".join(item.detail for item in errors)
-    kind = KINDS[BadRequestError]
-    return problem(request.url.path, kind.status, detail, name=kind.name, title=kind.title, errors=errors)
+    return problem(request.url.path, PROBLEM_TYPES[BadRequestError], detail, errors=errors)
 
 
 async def _http(request: Request, error: Exception) -> JSONResponse:
@@ -271,10 +246,10 @@ async def _http(request: Request, error: Exception) -> JSONResponse:
         return await _known(request, BadRequestError(FieldProblem(pointer="", detail=said)))
     elif error.status_code == HTTPStatus.NOT_FOUND:
         detail = f"{request.url.path} was not found"
-    return problem(request.url.path, error.status_code, detail, headers=headers)
+    return problem(request.url.path, ProblemType(error.status_code), detail, headers=headers)
 
 
 async def unexpected(request: Request, error: Exception) -> JSONResponse:
     # The server's log has the traceback; a client learns nothing of the inside.
     detail = "internal server error; the server log has the details"
-    return problem(request.url.path, 500, detail, name="internal", title="Internal server error")
+    return problem(request.url.path, ProblemType(500, "internal", "Internal server error"), detail)

@@ -1,12 +1,13 @@
 """ASGI middleware for every request."""
 
-from http import HTTPStatus
+import asyncio
 
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.exceptions import HTTPException
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from seafoam.api.http.errors import problem
+from seafoam.api.http.asgi import HttpMiddleware, altering
+from seafoam.api.http.errors import ProblemType, problem
 
 CONTENT_SECURITY_POLICY = "; ".join(
     (
@@ -31,14 +32,16 @@ _PAGE_HEADERS = {
 }
 
 
-class HeadAsGet:
+RESTART_SECONDS = 5
+"""Retry-After of a server that stops, s: time in which another takes its place."""
+_STOPPING = ProblemType(503, "stopping", "The server stops")
+
+
+class HeadAsGet(HttpMiddleware):
     """Answers HEAD like GET, without the body."""
 
-    def __init__(self, app: ASGIApp) -> None:
-        self.app = app
-
-    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        if scope["type"] != "http" or scope["method"] != "HEAD":
+    async def _handle(self, scope: Scope, receive: Receive, send: Send) -> None:
+        if scope["method"] != "HEAD":
             await self.app(scope, receive, send)
             return
 
@@ -55,21 +58,17 @@ class HeadAsGet:
             scope["route"] = inner.get("route")
 
 
-class LimitBody:
+class LimitBody(HttpMiddleware):
     """Rejects bodies of more than ``limit`` bytes, by their declared length or as they arrive."""
 
     def __init__(self, app: ASGIApp, limit: int) -> None:
-        self.app = app
+        super().__init__(app)
         self.limit = limit
 
-    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        if scope["type"] != "http":
-            await self.app(scope, receive, send)
-            return
+    async def _handle(self, scope: Scope, receive: Receive, send: Send) -> None:
         announced = Headers(scope=scope).get("content-length", "")
         if announced.isascii() and announced.isdigit() and int(announced) > self.limit:
-            response = problem(scope["path"], HTTPStatus.REQUEST_ENTITY_TOO_LARGE, self._detail)
-            await response(scope, receive, send)
+            await problem(scope["path"], ProblemType(413), self._detail)(scope, receive, send)
             return
         arrived = 0
 
@@ -79,7 +78,7 @@ class LimitBody:
             arrived += len(message.get("body", b""))
             if arrived > self.limit:
                 # FastAPI lets no other exception pass while it reads a body.
-                raise HTTPException(HTTPStatus.REQUEST_ENTITY_TOO_LARGE, self._detail)
+                raise HTTPException(413, self._detail)
             return message
 
         await self.app(scope, counting, send)
@@ -89,7 +88,7 @@ class LimitBody:
         return f"the request body exceeds {self.limit:,} bytes"
 
 
-class SecurityHeaders:
+class SecurityHeaders(HttpMiddleware):
     """Adds the security headers: ``nosniff`` to every response, and to HTML pages a policy for what they may load.
 
     Pages run and load nothing but files of this server, without inline scripts and styles. Pictures that a page makes
@@ -97,19 +96,37 @@ class SecurityHeaders:
     so it is sent over HTTPS only.
     """
 
-    def __init__(self, app: ASGIApp) -> None:
-        self.app = app
+    async def _handle(self, scope: Scope, receive: Receive, send: Send) -> None:
+        def secure(_: int, headers: MutableHeaders) -> None:
+            headers.setdefault("X-Content-Type-Options", "nosniff")
+            if headers.get("content-type", "").startswith("text/html"):
+                for name, value in _PAGE_HEADERS.items():
+                    headers.setdefault(name, value)
+                if scope["scheme"] == "https":
+                    headers.setdefault("Cross-Origin-Opener-Policy", "same-origin")
 
-    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        async def marking(message: Message) -> None:
-            if message["type"] == "http.response.start":
-                headers = MutableHeaders(scope=message)
-                headers.setdefault("X-Content-Type-Options", "nosniff")
-                if headers.get("content-type", "").startswith("text/html"):
-                    for name, value in _PAGE_HEADERS.items():
-                        headers.setdefault(name, value)
-                    if scope["scheme"] == "https":
-                        headers.setdefault("Cross-Origin-Opener-Policy", "same-origin")
+        await self.app(scope, receive, altering(send, secure))
+
+
+class AnswerWhenStopped(HttpMiddleware):
+    """Answers 503 to a request that is cancelled, because the server stops before it is finished.
+
+    The cancellation ends here: uvicorn would write a traceback for each, and answer with a plain 500. Where the answer
+    has begun, uvicorn closes the connection, so that nobody takes it for whole.
+    """
+
+    async def _handle(self, scope: Scope, receive: Receive, send: Send) -> None:
+        begun = False
+
+        async def noting(message: Message) -> None:
+            nonlocal begun
+            begun = True
             await send(message)
 
-        await self.app(scope, receive, marking)
+        try:
+            await self.app(scope, receive, noting)
+        except asyncio.CancelledError:
+            if begun:
+                return
+            detail, headers = "the server stopped before the answer was made", {"Retry-After": str(RESTART_SECONDS)}
+            await problem(scope["path"], _STOPPING, detail, headers=headers)(scope, receive, send)

@@ -4,7 +4,11 @@ import re
 from collections.abc import Sequence
 
 from starlette.datastructures import Headers, MutableHeaders
-from starlette.types import ASGIApp, Message, Receive, Scope, Send
+from starlette.types import Message, Receive, Scope, Send
+
+from seafoam.api.http.asgi import HttpMiddleware, altering
+from seafoam.api.http.errors import RANGE_PROBLEM, problem
+from seafoam.api.http.problems import FieldProblem
 
 OFFERED = ("br", "gzip")
 """Codings that answers may have, the better one first: Brotli of files that the build packed, gzip of all text."""
@@ -42,21 +46,15 @@ def _is_range(text: str) -> bool:
     )
 
 
-class Negotiate:
+class Negotiate(HttpMiddleware):
     """ASGI middleware: what lies within finds Accept-Encoding reduced to :func:`accepted`, lists on one line, and no
     malformed Range.
 
     A tag of what was compressed is made weak, since the same bytes without a coding have it too; 304 has the tag that
-    the client has, and Vary as its 200.
+    the client has, and Vary as its 200. A range outside of a file is a problem (416), for which Starlette has no words.
     """
 
-    def __init__(self, app: ASGIApp) -> None:
-        self.app = app
-
-    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        if scope["type"] != "http":
-            await self.app(scope, receive, send)
-            return
+    async def _handle(self, scope: Scope, receive: Receive, send: Send) -> None:
         headers = Headers(scope=scope)
         known = ", ".join(headers.getlist("if-none-match"))
         joined = {"accept-encoding": ", ".join(accepted(headers.getlist("accept-encoding"))), "if-none-match": known}
@@ -67,17 +65,39 @@ class Negotiate:
             (name.encode(), value.encode("latin-1")) for name, value in joined.items() if value
         ]
 
-        async def marking(message: Message) -> None:
-            if message["type"] == "http.response.start":
-                own = MutableHeaders(scope=message)
-                unmodified = message["status"] == 304
-                varying = [each.strip() for line in own.getlist("vary") for each in line.split(",")]
-                if varying or unmodified:
-                    varying += ["Accept-Encoding"] * unmodified
-                    own["Vary"] = ", ".join(dict.fromkeys(varying))
-                tag = own.get("etag", "W/")
-                if not tag.startswith("W/") and ("content-encoding" in own or (unmodified and f"W/{tag}" in known)):
-                    own["ETag"] = f"W/{tag}"
+        def mark(status: int, own: MutableHeaders) -> None:
+            unmodified = status == 304
+            varying = [each.strip() for line in own.getlist("vary") for each in line.split(",")]
+            if varying or unmodified:
+                varying += ["Accept-Encoding"] * unmodified
+                own["Vary"] = ", ".join(dict.fromkeys(varying))
+            tag = own.get("etag", "W/")
+            if not tag.startswith("W/") and ("content-encoding" in own or (unmodified and f"W/{tag}" in known)):
+                own["ETag"] = f"W/{tag}"
+
+        await self.app(scope, receive, _explaining(scope, receive, altering(send, mark)))
+
+
+def _explaining(scope: Scope, receive: Receive, send: Send) -> Send:
+    """Return a ``send`` that replaces an empty answer 416 by a problem that names the bytes there are."""
+    replaced = False
+
+    async def explained(message: Message) -> None:
+        nonlocal replaced
+        if message["type"] == "http.response.start" and message["status"] == 416:
+            replaced = True
+            total = Headers(raw=message["headers"])["content-range"]
+            last = int(total.removeprefix("bytes */")) - 1
+            error = FieldProblem(
+                parameter="Range",
+                detail=f"Range: the file has bytes 0 to {last}",
+                allowed={"minimum": 0, "maximum": last},
+            )
+            answer = problem(
+                scope["path"], RANGE_PROBLEM, error.detail, errors=[error], headers={"Content-Range": total}
+            )
+            await answer(scope, receive, send)
+        elif not replaced:
             await send(message)
 
-        await self.app(scope, receive, marking)
+    return explained

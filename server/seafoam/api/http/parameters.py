@@ -37,19 +37,37 @@ def _same(info: FieldInfo, description: str = "", *, required: bool = False, **o
     return Field(default=default, description=description or info.description, **(bounds | override))
 
 
-def _budget() -> Any:
-    return Field(
-        default=None,
+def _axis(index: int, description: str, example: float, *, required: bool = False) -> Any:
+    (info,) = (rule for rule in get_args(get_args(Camera.model_fields["position"].annotation)[index])[1:])
+    return _same(info, description, required=required, examples=[example])
+
+
+Time = Annotated[float, Field(ge=-TIME_LIMIT, le=TIME_LIMIT, description="Time, s", examples=[12.5])]
+Budget = Annotated[
+    float | None,
+    Field(
         gt=0.0,
         le=1e6,
         description="With quality auto: maximum frame time, ms, without readback and encoding",
         examples=[8.0],
-    )
-
-
-def _axis(index: int, description: str, example: float, *, required: bool = False) -> Any:
-    (info,) = (rule for rule in get_args(get_args(Camera.model_fields["position"].annotation)[index])[1:])
-    return _same(info, description, required=required, examples=[example])
+    ),
+]
+Dither = Annotated[
+    bool,
+    Field(description="Of png and webp: dither 8 bits from 16, against bands in skies; false: rounded, as in the page"),
+]
+ExrPrecision = Annotated[
+    Precision, Field(description="Of exr: 16-bit or 32-bit floating-point numbers", examples=["float"])
+]
+OwnCamera = Annotated[Camera | None, Field(description="Camera; absent: the scene's")]
+OriginalPreset = Annotated[
+    str | None,
+    Field(
+        max_length=80,
+        description="Name of the preset that the scene began from; it changes no pixel and is kept in the recipe",
+        examples=["default"],
+    ),
+]
 
 
 class SceneOverrides(Parameters):
@@ -87,17 +105,6 @@ class PlanParameters(SceneOverrides):
     )
 
 
-def _dither() -> Any:
-    return Field(
-        default=True,
-        description="Of png and webp: dither 8 bits from 16, against bands in skies; false: rounded, as in the page",
-    )
-
-
-def _precision() -> Any:
-    return Field(default="half", description="Of exr: 16-bit or 32-bit floating-point numbers", examples=["float"])
-
-
 FORMATS = "png, webp (lossless), exr (linear, OpenEXR), or npy (linear float32)"
 
 
@@ -110,7 +117,7 @@ class FrameParameters(SceneOverrides):
         "single settings require POST",
         examples=["high"],
     )
-    budget_ms: float | None = _budget()
+    budget_ms: Budget = None
 
     time: float | None = Field(
         default=None,
@@ -128,8 +135,8 @@ class FrameParameters(SceneOverrides):
     pitch: float | None = _same(Camera.model_fields["pitch"], examples=[-0.2])
     roll: float | None = _same(Camera.model_fields["roll"], examples=[0.0])
     fov: float | None = _same(Camera.model_fields["fov"], examples=[0.9])
-    dither: bool = _dither()
-    precision: Precision = _precision()
+    dither: Dither = True
+    precision: ExrPrecision = "half"
 
     def camera(self, own: Camera) -> Camera:
         """Return the preset's camera with the given parameters replaced."""
@@ -162,14 +169,14 @@ class ViewParameters(Parameters):
 class PlanFrameParameters(ViewParameters):
     """Parameters of a frame of a plan. All that the picture depends on is required, since its address is immutable."""
 
-    dither: bool = _dither()
-    precision: Precision = _precision()
+    dither: Dither = True
+    precision: ExrPrecision = "half"
 
 
 class StreamFrameParameters(ViewParameters):
     """Parameters of a frame of a stream."""
 
-    time: float = Field(ge=-TIME_LIMIT, le=TIME_LIMIT, description="Time, s", examples=[12.5])
+    time: Time
 
 
 class ThumbnailParameters(Parameters):
@@ -224,16 +231,6 @@ class PlanRequest(SceneRequest):
     )
 
 
-def preset_of_origin() -> Any:
-    """Return the field of a request that names the preset of its scene."""
-    return Field(
-        default=None,
-        max_length=80,
-        description="Name of the preset that the scene began from; it changes no pixel and is kept in the recipe",
-        examples=["default"],
-    )
-
-
 class FrameRequest(SceneRequest):
     """A frame to render: scene, quality, time, size and camera."""
 
@@ -242,24 +239,21 @@ class FrameRequest(SceneRequest):
         description="A tier, the settings that differ from tier standard, or auto: the most exact quality "
         "predicted to render within budget_ms",
     )
-    budget_ms: float | None = _budget()
-    time: float = Field(default=0.0, ge=-TIME_LIMIT, le=TIME_LIMIT, description="Time, s", examples=[12.5])
+    budget_ms: Budget = None
+    time: Time = 0.0
     width: int = Field(default=DEFAULT_WIDTH, ge=1, description="Width, pixels", examples=[640])
     height: int = Field(default=DEFAULT_HEIGHT, ge=1, description="Height, pixels", examples=[360])
     format: FrameFormat = Field(default="png", description=FORMATS)
-    dither: bool = _dither()
-    precision: Precision = _precision()
-    camera: Camera | None = Field(default=None, description="Camera; absent: the scene's")
-    preset: str | None = preset_of_origin()
+    dither: Dither = True
+    precision: ExrPrecision = "half"
+    camera: OwnCamera = None
+    preset: OriginalPreset = None
 
 
-class ExportRequest(SceneRequest):
+class ExportRequest(PlanRequest):
     """A scene to take home: what is drawn, how exactly, and the frame that it opens with."""
 
-    quality: TierOrQuality = Field(
-        default="standard", description="A tier, or the settings that differ from tier standard"
-    )
-    time: float = Field(default=0.0, ge=-TIME_LIMIT, le=TIME_LIMIT, description="Time, s", examples=[12.5])
+    time: Time = 0.0
     width: int = Field(
         default=DEFAULT_WIDTH, ge=1, le=4096, description="Width of the frame that the uniforms are listed for, pixels"
     )
@@ -269,5 +263,5 @@ class ExportRequest(SceneRequest):
         le=4096,
         description="Height of the frame that the uniforms are listed for, pixels",
     )
-    camera: Camera | None = Field(default=None, description="Camera; absent: the scene's")
-    preset: str | None = preset_of_origin()
+    camera: OwnCamera = None
+    preset: OriginalPreset = None

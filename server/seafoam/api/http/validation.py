@@ -2,15 +2,18 @@
 
 import json
 import re
-from typing import Annotated, Any, TypeVar
+from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
-from fastapi import Request
+from fastapi import Query, Request
 from fastapi.exceptions import RequestValidationError
 from pydantic import BaseModel, BeforeValidator, ValidationError
 
+from seafoam.api.http.parameters import Parameters
 from seafoam.api.http.problems import BadRequestError, FieldProblem, UnsupportedMediaError
 
 M = TypeVar("M", bound=BaseModel)
+NoParameters = Annotated[Parameters, Query()]
+"""Query of an operation that has no parameters: any is refused."""
 _SURROGATE = re.compile("[\ud800-\udfff]")
 
 
@@ -23,8 +26,7 @@ def one_value_each(request: Request) -> None:
         raise BadRequestError(*errors)
 
 
-def strictly(model: type[M]) -> Any:
-    """Parse a JSON body without pydantic's conversions: neither the string "1" nor true is a number."""
+def _strictly(model: type[M]) -> Any:
 
     def validate(body: Any) -> Any:
         if isinstance(body, bytes):
@@ -41,6 +43,16 @@ def strictly(model: type[M]) -> Any:
             raise RequestValidationError(items, body=body) from error
 
     return Annotated[model, BeforeValidator(validate)]
+
+
+if TYPE_CHECKING:
+    Strict = Annotated[M, _strictly]
+else:
+
+    class Strict:
+        """A JSON body, read without pydantic's conversions: neither the string "1" nor true is a number."""
+
+        __class_getitem__ = staticmethod(_strictly)
 
 
 def _no_text(body: Any) -> tuple[str | int, ...] | None:

@@ -10,7 +10,7 @@ from seafoam.api.settings import Settings
 from seafoam.render.service.errors import DeadlineError, RenderError, RendererUnavailableError, RenderQueueFullError
 from seafoam.render.service.jobs import FrameJob
 from seafoam.render.service.pool import RenderPool
-from seafoam.render.service.slots import Turn
+from seafoam.render.service.priority import Ticket
 from seafoam.sequences.errors import SequenceError
 from seafoam.sequences.service import SequenceService
 from seafoam.sequences.workers import Drawn, Unit
@@ -53,7 +53,7 @@ class PoolWorkers:
     async def _frame(self, job: FrameJob) -> bytes:
         for attempt in range(1, _ATTEMPTS + 1):
             try:
-                return (await self._pool.render(job, Turn(background=True))).content
+                return (await self._pool.render(job, Ticket(background=True))).content
             except (DeadlineError, RenderQueueFullError) as error:
                 if attempt == _ATTEMPTS:
                     raise SequenceError(f"a frame could not be drawn: {error}") from error

@@ -7,10 +7,9 @@ from concurrent.futures import TimeoutError as NotYet
 from seafoam.accuracy.cache import Store
 from seafoam.accuracy.model import Running, Sweep
 from seafoam.accuracy.sweep import Rig, Subject, SweepSettings
-from seafoam.accuracy.sweep_service import SweepQueueFullError, SweepService
+from seafoam.accuracy.sweep_service import SweepService
 from seafoam.accuracy.truth import SweepStoppedError
 from seafoam.api.context import Context
-from seafoam.api.http.problems import BusyError
 from seafoam.api.settings import Settings
 from seafoam.extras import require_reports
 from seafoam.render.service.errors import RendererUnavailableError
@@ -19,7 +18,6 @@ from seafoam.render.service.pool import RenderPool
 
 LONGEST_WAIT = 15
 """Maximum delay between requests for a running measurement, s."""
-FULL_WAIT = 30
 _POLL_SECONDS = 0.2
 
 
@@ -56,10 +54,7 @@ async def measured(context: Context, subject: Subject) -> Sweep | Running:
     """
     require_reports()
     await context.pool.wait_until_settled()
-    try:
-        return await context.plans.run(context.sweeps.sweep, subject)
-    except SweepQueueFullError as error:
-        raise BusyError(str(error), FULL_WAIT) from error
+    return await context.plans.run(context.sweeps.sweep, subject)
 
 
 def retry_seconds(running: Running) -> int:

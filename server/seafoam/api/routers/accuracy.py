@@ -2,41 +2,33 @@
 
 import io
 from collections.abc import Callable
-from typing import Annotated, Any
+from typing import Any
 
 import numpy as np
-from fastapi import APIRouter, Query, Request
+from fastapi import APIRouter, Request
 from starlette.responses import JSONResponse, Response
 
 from seafoam.accuracy.model import Points, Running, Sweep
 from seafoam.accuracy.points import points_of
 from seafoam.accuracy.sweep import Subject, truth_info
-from seafoam.accuracy.sweep_service import SweepQueueFullError
 from seafoam.accuracy.truth import Truth
 from seafoam.api.context import Context, InContext
 from seafoam.api.frames.presets import PresetName, find_preset
-from seafoam.api.http.errors import problem_responses
 from seafoam.api.http.etags import NO_STORE, REVALIDATE, not_modified, tag_of
-from seafoam.api.http.parameters import Parameters
-from seafoam.api.http.problems import BusyError
-from seafoam.api.jobs.sweeps import FULL_WAIT, measured, retry_seconds
+from seafoam.api.http.openapi import NOT_MODIFIED, TEXT, Responses, content, headers_of, problem_responses
+from seafoam.api.http.validation import NoParameters
+from seafoam.api.jobs.sweeps import measured, retry_seconds
 
 router = APIRouter(prefix="/api", tags=["accuracy"])
 
-_RETRY = {"Retry-After": {"description": "Delay before the next request, s", "schema": {"type": "string"}}}
-_RUNNING: dict[int | str, dict[str, Any]] = {
+_RUNNING: Responses = {
     202: {
         "model": Running,
         "description": "The measurement is running; the first request starts it",
-        "headers": _RETRY,
+        "headers": headers_of({"Retry-After": "Delay before the next request, s"}),
     },
-    304: {"description": "Not modified: the copy named by If-None-Match is current"},
+    **NOT_MODIFIED,
 }
-
-
-def _answers(description: str, media: str) -> dict[int | str, dict[str, Any]]:
-    content = {media: {"schema": {"type": "string", "format": "binary"} if media != "text/csv" else {"type": "string"}}}
-    return {200: {"description": description, "content": content}}
 
 
 def _wait(running: Running) -> Response:
@@ -90,48 +82,39 @@ def _csv(sweep: Sweep) -> bytes:
 
 @router.get(
     "/accuracy/{preset}.csv",
-    responses=_answers("CSV with one row per point; times in milliseconds", "text/csv")
+    responses=content("CSV with one row per point; times in milliseconds", "text/csv", schema=TEXT)
     | _RUNNING
     | problem_responses(404, 422, 500, 501, 503, 504),
     response_class=Response,
 )
-async def get_accuracy_csv(
-    preset: PresetName, _: Annotated[Parameters, Query()], request: Request, context: InContext
-) -> Response:
+async def get_accuracy_csv(preset: PresetName, _: NoParameters, request: Request, context: InContext) -> Response:
     """Get the measured cost of accuracy of a preset as CSV."""
     return await _shown(preset, request, context, _csv, "text/csv")
 
 
 @router.get(
     "/accuracy/{preset}.png",
-    responses=_answers("Plot of time against error, with the Pareto front", "image/png")
+    responses=content("Plot of time against error, with the Pareto front", "image/png")
     | _RUNNING
     | problem_responses(404, 422, 500, 501, 503, 504),
     response_class=Response,
 )
-async def get_accuracy_plot(
-    preset: PresetName, _: Annotated[Parameters, Query()], request: Request, context: InContext
-) -> Response:
+async def get_accuracy_plot(preset: PresetName, _: NoParameters, request: Request, context: InContext) -> Response:
     """Get the measured cost of accuracy of a preset as a plot."""
     return await _shown(preset, request, context, _plot, "image/png")
 
 
 @router.get(
     "/accuracy/{preset}/truth.npy",
-    responses=_answers("float32 (height, width, 4): linear RGB and foam coverage; top row first", "application/x-npy")
+    responses=content("float32 (height, width, 4): linear RGB and foam coverage; top row first", "application/x-npy")
     | _RUNNING
     | problem_responses(404, 422, 500, 501, 503),
     response_class=Response,
 )
-async def get_truth(
-    preset: PresetName, _: Annotated[Parameters, Query()], request: Request, context: InContext
-) -> Response:
+async def get_truth(preset: PresetName, _: NoParameters, request: Request, context: InContext) -> Response:
     """Get the converged float64 picture against which errors are measured. Requires no renderer."""
     subject = _subject(preset)
-    try:
-        found = await context.plans.run(context.sweeps.truth, subject)
-    except SweepQueueFullError as error:
-        raise BusyError(str(error), FULL_WAIT) from error
+    found = await context.plans.run(context.sweeps.truth, subject)
     if isinstance(found, Running):
         return _wait(found)
     content = await context.plans.run(_npy, found)
@@ -140,7 +123,7 @@ async def get_truth(
 
 
 @router.get("/accuracy/{preset}/points", responses=problem_responses(404, 422, 501, 503))
-async def get_points(preset: PresetName, _: Annotated[Parameters, Query()], context: InContext) -> Points:
+async def get_points(preset: PresetName, _: NoParameters, context: InContext) -> Points:
     """List the qualities that are measured for a preset: every tier, and tier standard with one setting changed.
 
     Responds at once, without measuring.
@@ -157,9 +140,7 @@ async def get_points(preset: PresetName, _: Annotated[Parameters, Query()], cont
     | problem_responses(404, 422, 500, 501, 503, 504),
     response_class=Response,
 )
-async def get_accuracy(
-    preset: PresetName, _: Annotated[Parameters, Query()], request: Request, context: InContext
-) -> Response:
+async def get_accuracy(preset: PresetName, _: NoParameters, request: Request, context: InContext) -> Response:
     """Get the measured cost of accuracy of a preset: times, errors, Pareto front, and the effect of each setting.
 
     The first request starts the measurement, which takes several minutes; until it is done, the status is 202.

@@ -1,49 +1,43 @@
 """``/api/export``: a scene to take home, as a zip archive that runs without a server."""
 
-from typing import Any
-
 from fastapi import APIRouter
 from starlette.responses import Response, StreamingResponse
 
 from seafoam.api.context import InContext
 from seafoam.api.export.archive import zipped
 from seafoam.api.export.bundle import Export, entries, player_files, texture_bytes
-from seafoam.api.frames.compile import compile_scene
+from seafoam.api.frames.plans import compile_scene
 from seafoam.api.frames.presets import known_preset
-from seafoam.api.http.errors import problem_responses
 from seafoam.api.http.etags import NO_STORE
+from seafoam.api.http.openapi import content, problem_responses
 from seafoam.api.http.parameters import ExportRequest, quality_of
-from seafoam.api.http.validation import strictly
+from seafoam.api.http.validation import Strict
 from seafoam.render.service.jobs import FrameJob
-from seafoam.render.service.recipe import recipe_of
 from seafoam.scene.presets import load_preset
 
 router = APIRouter(prefix="/api", tags=["export"])
 
 ANY_RENDERER = {"renderer": "WebGL2", "version": "drawn by the browser that opens it"}
-_RESPONSES: dict[int | str, dict[str, Any]] = {
-    200: {
-        "description": "A zip archive; its index.html draws the scene when it is opened from the file system. The same "
-        "request gives the same bytes",
-        "content": {"application/zip": {"schema": {"type": "string", "format": "binary"}}},
-        "headers": {"Seafoam-Plan": {"description": "SHA-256 of the frame plan", "schema": {"type": "string"}}},
-    }
-}
+_RESPONSES = content(
+    "A zip archive; its index.html draws the scene when it is opened from the file system. The same request gives the "
+    "same bytes",
+    "application/zip",
+    headers={"Seafoam-Plan": "SHA-256 of the frame plan"},
+)
 
 
 @router.post(
     "/export", responses=_RESPONSES | problem_responses(413, 415, 422, 501, 503), response_class=StreamingResponse
 )
-async def export_scene(asked: strictly(ExportRequest), context: InContext) -> Response:  # type: ignore[valid-type]
+async def export_scene(body: Strict[ExportRequest], context: InContext) -> Response:
     """Pack a scene sent as JSON with its programs, textures, uniforms and a player."""
-    body: ExportRequest = asked
     known_preset(body.preset)
     quality = quality_of(body.quality)
     compiled = await context.plans.run(compile_scene, body.scene, quality, scene_at="/scene")
     camera = body.camera or body.scene.camera
     job = FrameJob(body.scene, quality, body.time, camera, body.width, body.height, "png", body.preset)
     title = load_preset(body.preset).title if body.preset else "A scene"
-    made = Export(job, compiled.plan, compiled.content, recipe_of(job, ANY_RENDERER, compiled.sha256), title)
+    made = Export(job, compiled.plan, compiled.content, job.recipe(ANY_RENDERER, compiled.sha256), title)
     player = player_files()
     # Before the first byte: what fails now is a problem, what fails later only a broken archive.
     textures = await context.masks.run(texture_bytes, compiled.plan)

@@ -3,7 +3,7 @@
 ``/api/plans/{plan}/frames``: frames by the hash of their plan, at addresses whose picture never changes.
 """
 
-from typing import Annotated, Any
+from typing import Annotated
 
 from fastapi import APIRouter, Path, Query, Request
 from pydantic import BeforeValidator
@@ -11,13 +11,13 @@ from starlette.responses import Response
 
 from seafoam.accuracy.sweep import Subject
 from seafoam.api.context import Context, InContext
-from seafoam.api.frames.auto_quality import Asked, resolve
-from seafoam.api.frames.compile import compile_scene
+from seafoam.api.frames.auto_quality import RequestedQuality, choose_quality
+from seafoam.api.frames.plans import compile_scene
 from seafoam.api.frames.presets import PresetName, find_preset, known_preset
-from seafoam.api.frames.request_cache import Identified
-from seafoam.api.frames.respond import FRAME_RESPONSES, NOT_MODIFIED, answer, asked_before, identify
-from seafoam.api.http.errors import problem_responses
+from seafoam.api.frames.request_cache import ResolvedFrame
+from seafoam.api.frames.respond import FRAME_RESPONSES, answer, resolve_frame, resolved_before
 from seafoam.api.http.etags import IMMUTABLE, NO_STORE, REVALIDATE
+from seafoam.api.http.openapi import NOT_MODIFIED, Responses, headers_of, problem_responses
 from seafoam.api.http.parameters import (
     FORMATS,
     TIME_LIMIT,
@@ -27,7 +27,7 @@ from seafoam.api.http.parameters import (
     ThumbnailParameters,
 )
 from seafoam.api.http.problems import NotFoundError
-from seafoam.api.http.validation import strictly
+from seafoam.api.http.validation import Strict
 from seafoam.numerals import numeral
 from seafoam.quality import TIERS
 from seafoam.render.encode import FrameFormat
@@ -39,10 +39,9 @@ _CHOICE = {
     "Seafoam-Quality": "With quality auto: ID of the measured quality that was chosen",
     "Seafoam-Quality-Why": "With quality auto: predicted time, error and number of candidates",
 }
-_HEADERS = FRAME_RESPONSES[200]["headers"] | {
-    name: {"description": text, "schema": {"type": "string"}} for name, text in _CHOICE.items()
+_RESPONSES: Responses = {
+    200: {**FRAME_RESPONSES[200], "headers": FRAME_RESPONSES[200]["headers"] | headers_of(_CHOICE)}
 }
-_RESPONSES: dict[int | str, dict[str, Any]] = {200: FRAME_RESPONSES[200] | {"headers": _HEADERS}}
 _FORMAT = Path(description=FORMATS)
 
 
@@ -61,7 +60,7 @@ async def get_plan_frame(
         BeforeValidator(numeral),  # after the bounds, which the schema then names
     ],
     format: Annotated[FrameFormat, Path(description=FORMATS)],
-    asked: Annotated[PlanFrameParameters, Query()],
+    query: Annotated[PlanFrameParameters, Query()],
     request: Request,
     context: InContext,
 ) -> Response:
@@ -69,24 +68,21 @@ async def get_plan_frame(
 
     Frames of presets and scenes name this address in their header Link.
     """
-    identified = await asked_before(context, request, lambda: _plan_frame(plan, time, format, asked, request, context))
-    return await answer(identified, request, context)
+    resolved = await resolved_before(context, request, lambda: _plan_frame(plan, time, format, query, request, context))
+    return await answer(resolved, request, context)
 
 
 async def _plan_frame(
-    plan: str, time: float, format: FrameFormat, asked: PlanFrameParameters, request: Request, context: Context
-) -> Identified:
+    plan: str, time: float, format: FrameFormat, query: PlanFrameParameters, request: Request, context: Context
+) -> ResolvedFrame:
     source = await context.plans.run(context.plan_index.find, plan)
     if source is None:
         raise NotFoundError(
             f"plan {plan} was not made by this server, or long ago: post its scene to /api/plans first", "plan"
         )
-    scene, quality = source.scene, source.quality
-    context.settings.frame_limits.check(asked.width, asked.height, quality.samples_drawn)
-    size = asked.width, asked.height
-    job = FrameJob(scene, quality, time, asked.camera, *size, format, None, asked.dither, asked.precision)
-    compiled = await context.plans.run(compile_scene, scene, quality, scene_at=None)
-    return await identify(job, compiled, request, {"Cache-Control": IMMUTABLE}, "../..")
+    view = query.camera, query.width, query.height
+    job = FrameJob(source.scene, source.quality, time, *view, format, None, query.dither, query.precision)
+    return await resolve_frame(job, request, {"Cache-Control": IMMUTABLE}, "../..")
 
 
 @router.get(
@@ -97,56 +93,54 @@ async def _plan_frame(
 async def get_frame(
     preset: PresetName,
     format: Annotated[FrameFormat, _FORMAT],
-    asked: Annotated[FrameParameters, Query()],
+    query: Annotated[FrameParameters, Query()],
     request: Request,
     context: InContext,
 ) -> Response:
     """Render a frame of a preset. Parameters that are absent take the preset's values."""
-    if asked.quality == "auto":  # once more is measured, the same request is answered by another quality
-        identified = await _identified(preset, format, asked, request, context)
+    if query.quality == "auto":  # once more is measured, the same request is answered by another quality
+        resolved = await _preset_frame(preset, format, query, request, context)
     else:
-        identified = await asked_before(context, request, lambda: _identified(preset, format, asked, request, context))
-    return await answer(identified, request, context)
+        resolved = await resolved_before(
+            context, request, lambda: _preset_frame(preset, format, query, request, context)
+        )
+    return await answer(resolved, request, context)
 
 
-async def _identified(
-    preset: str, format: FrameFormat, asked: FrameParameters, request: Request, context: Context
-) -> Identified:
+async def _preset_frame(
+    preset: str, format: FrameFormat, query: FrameParameters, request: Request, context: Context
+) -> ResolvedFrame:
     loaded = find_preset(preset)
-    width = loaded.size[0] if asked.width is None else asked.width
-    height = loaded.size[1] if asked.height is None else asked.height
-    scene = asked.apply(loaded.scene)
-    time = loaded.time if asked.time is None else asked.time
-    subject = Subject(None if asked.changed else loaded.name, scene, loaded.time, loaded.size)
-    given = Asked(asked.quality, asked.budget_ms, width, height, parameter=True)
-    if asked.quality == "auto":  # a scene that cannot be planned is refused before it is measured
-        await context.plans.run(compile_scene, scene, TIERS["standard"], scene_at=None, parameters=asked.changed)
-    quality, chosen = await resolve(given, subject, context)
-    context.settings.frame_limits.check(width, height, quality.samples_drawn)
-    camera = asked.camera(scene.camera)
-    job = FrameJob(scene, quality, time, camera, width, height, format, preset, asked.dither, asked.precision)
-    compiled = await context.plans.run(compile_scene, scene, quality, scene_at=None, parameters=asked.changed)
-    return await identify(job, compiled, request, {"Cache-Control": REVALIDATE, **chosen}, "../plans")
+    width = loaded.size[0] if query.width is None else query.width
+    height = loaded.size[1] if query.height is None else query.height
+    scene = query.apply(loaded.scene)
+    time = loaded.time if query.time is None else query.time
+    subject = Subject(None if query.changed else loaded.name, scene, loaded.time, loaded.size)
+    given = RequestedQuality(query.quality, query.budget_ms, width, height, parameter=True)
+    if query.quality == "auto":  # a scene that cannot be planned is refused before it is measured
+        await context.plans.run(compile_scene, scene, TIERS["standard"], scene_at=None, parameters=query.changed)
+    quality, chosen = await choose_quality(given, subject, context)
+    camera = query.camera(scene.camera)
+    job = FrameJob(scene, quality, time, camera, width, height, format, preset, query.dither, query.precision)
+    headers = {"Cache-Control": REVALIDATE, **chosen}
+    return await resolve_frame(job, request, headers, "../plans", parameters=query.changed)
 
 
 @router.post(
     "/frames", responses=_RESPONSES | problem_responses(413, 415, 422, 500, 501, 503, 504), response_class=Response
 )
-async def render_frame(asked: strictly(FrameRequest), request: Request, context: InContext) -> Response:  # type: ignore[valid-type]
+async def render_frame(body: Strict[FrameRequest], request: Request, context: InContext) -> Response:
     """Render a frame of a scene sent as JSON."""
-    body: FrameRequest = asked
     known_preset(body.preset)
-    given = Asked(body.quality, body.budget_ms, body.width, body.height, parameter=False)
+    given = RequestedQuality(body.quality, body.budget_ms, body.width, body.height, parameter=False)
     if body.quality == "auto":
         await context.plans.run(compile_scene, body.scene, TIERS["standard"], scene_at="/scene")
-    quality, chosen = await resolve(given, Subject.of_scene(body.scene), context)
-    context.settings.frame_limits.check(body.width, body.height, quality.samples_drawn)
+    quality, chosen = await choose_quality(given, Subject.of_scene(body.scene), context)
     camera = body.camera or body.scene.camera
     size = body.width, body.height
     job = FrameJob(body.scene, quality, body.time, camera, *size, body.format, body.preset, body.dither, body.precision)
-    compiled = await context.plans.run(compile_scene, body.scene, quality, scene_at="/scene")
-    identified = await identify(job, compiled, request, {"Cache-Control": NO_STORE, **chosen}, "plans")
-    return await answer(identified, request, context)
+    headers = {"Cache-Control": NO_STORE, **chosen}
+    return await answer(await resolve_frame(job, request, headers, "plans", scene_at="/scene"), request, context)
 
 
 @router.get(
@@ -157,20 +151,18 @@ async def render_frame(asked: strictly(FrameRequest), request: Request, context:
 async def get_thumbnail(
     preset: PresetName,
     format: Annotated[FrameFormat, _FORMAT],
-    asked: Annotated[ThumbnailParameters, Query()],
+    query: Annotated[ThumbnailParameters, Query()],
     request: Request,
     context: InContext,
 ) -> Response:
     """Get a small frame of a preset at its own time. It is drawn when no other frame waits, within 60 s."""
-    identified = await asked_before(context, request, lambda: _thumbnail(preset, format, asked.width, request, context))
-    return await answer(identified, request, context, background=True)
+    resolved = await resolved_before(context, request, lambda: _thumbnail(preset, format, query.width, request))
+    return await answer(resolved, request, context, background=True)
 
 
-async def _thumbnail(preset: str, format: FrameFormat, width: int, request: Request, context: Context) -> Identified:
+async def _thumbnail(preset: str, format: FrameFormat, width: int, request: Request) -> ResolvedFrame:
     loaded = find_preset(preset)
     height = max(1, round(width * loaded.size[1] / loaded.size[0]))
-    quality, scene = TIERS["standard"], loaded.scene
-    context.settings.frame_limits.check(width, height, quality.samples_drawn)
-    job = FrameJob(scene, quality, loaded.time, scene.camera, width, height, format, preset)
-    compiled = await context.plans.run(compile_scene, scene, quality, scene_at=None)
-    return await identify(job, compiled, request, {"Cache-Control": REVALIDATE}, "../../plans")
+    scene = loaded.scene
+    job = FrameJob(scene, TIERS["standard"], loaded.time, scene.camera, width, height, format, preset)
+    return await resolve_frame(job, request, {"Cache-Control": REVALIDATE}, "../../plans")

@@ -2,17 +2,17 @@
 
 import math
 import time
-from typing import Annotated, Literal
+from typing import Literal
 
-from fastapi import APIRouter, Query
+from fastapi import APIRouter
 from pydantic import BaseModel, Field
 from starlette.responses import JSONResponse, Response
 
 from seafoam.api.context import InContext
-from seafoam.api.http.errors import problem_responses
 from seafoam.api.http.etags import NO_STORE
-from seafoam.api.http.parameters import Parameters
+from seafoam.api.http.openapi import TEXT, content, problem_responses
 from seafoam.api.http.problems import BusyError
+from seafoam.api.http.validation import NoParameters
 from seafoam.api.watch.metrics import CONTENT_TYPE_LATEST
 from seafoam.render.service.errors import RendererUnavailableError
 
@@ -47,14 +47,14 @@ class Ready(BaseModel):
 
 
 @router.get("/healthz", responses=problem_responses(422))
-async def get_health(_: Annotated[Parameters, Query()], response: Response) -> Alive:
+async def get_health(_: NoParameters, response: Response) -> Alive:
     """Check whether the web process responds."""
     response.headers["Cache-Control"] = NO_STORE
     return Alive()
 
 
 @router.get("/readyz", response_model=Ready, responses=problem_responses(422, 503))
-async def get_readiness(_: Annotated[Parameters, Query()], context: InContext) -> Response:
+async def get_readiness(_: NoParameters, context: InContext) -> Response:
     """Check whether frames are rendered, by the age of the last one, and by which renderer.
 
     An idle renderer draws a test frame every minute. Plans, masks and the page need none.
@@ -85,10 +85,9 @@ async def get_readiness(_: Annotated[Parameters, Query()], context: InContext) -
 @router.get(
     "/metrics",
     response_class=Response,
-    responses=problem_responses(422)
-    | {200: {"description": "Prometheus' text format", "content": {"text/plain": {"schema": {"type": "string"}}}}},
+    responses=problem_responses(422) | content("Prometheus' text format", "text/plain", schema=TEXT),
 )
-async def get_metrics(_: Annotated[Parameters, Query()], context: InContext) -> Response:
+async def get_metrics(_: NoParameters, context: InContext) -> Response:
     """Get counters and durations for Prometheus."""
     return Response(
         context.metrics.exposition(), headers={"Cache-Control": NO_STORE, "Content-Type": CONTENT_TYPE_LATEST}

@@ -4,19 +4,22 @@ import asyncio
 import json
 import math
 from collections.abc import AsyncIterator, Callable
+from dataclasses import dataclass
 from functools import lru_cache
 from typing import Annotated, Any, Literal
 
-from fastapi import APIRouter, Path, Query, Request
+from fastapi import APIRouter, Depends, Path, Query, Request
 from pydantic import BaseModel, Field
 from starlette.responses import Response, StreamingResponse
 
 from seafoam.api.context import Context, InContext
-from seafoam.api.http.errors import problem_responses
 from seafoam.api.http.etags import NO_STORE, REVALIDATE, not_modified, tag_of
+from seafoam.api.http.openapi import NOT_MODIFIED, Responses, content, problem_responses
 from seafoam.api.http.parameters import Parameters
 from seafoam.api.http.problems import BadRequestError, FieldProblem, NotFoundError
+from seafoam.api.http.validation import NoParameters
 from seafoam.extras import require_reports
+from seafoam.masks import formats
 from seafoam.masks.catalogue import (
     ON_REQUEST_SECONDS,
     Mask,
@@ -42,7 +45,6 @@ from seafoam.masks.families import (
     check_parameters,
     sigma_range,
 )
-from seafoam.masks.formats import to_dds, to_npy, to_png8, to_png16, to_u16
 from seafoam.masks.torus import Ranks
 
 router = APIRouter(prefix="/api", tags=["masks"])
@@ -58,10 +60,10 @@ MaskFormatPath = Annotated[
 ]
 
 ENCODERS: dict[MaskFormat, tuple[str, Callable[[Ranks], bytes]]] = {
-    "png": ("image/png", to_png16),
-    "npy": ("application/x-npy", to_npy),
-    "u16": ("application/octet-stream", to_u16),
-    "dds": ("image/vnd-ms.dds", to_dds),
+    "png": ("image/png", formats.to_png16),
+    "npy": ("application/x-npy", formats.to_npy),
+    "u16": ("application/octet-stream", formats.to_u16),
+    "dds": ("image/vnd-ms.dds", formats.to_dds),
 }
 BACKGROUND_SECONDS = 900.0
 """Expected construction time above which masks are refused in the background, s: more than any takes."""
@@ -89,14 +91,26 @@ class CustomMask(Parameters):
     )
     size: int = Field(default=256, ge=SIDE_MIN, le=SIDE_MAX, description="Side of the tile, texels", examples=[128])
     width: int | None = Field(
-        default=None, ge=SIDE_MIN, le=SIDE_MAX, description="Width of the tile, texels; absent: size", examples=[128]
+        default=None,
+        ge=SIDE_MIN,
+        le=SIDE_MAX,
+        description="Width of the tile, texels; absent: size",
+        examples=[128],
     )
     height: int | None = Field(
-        default=None, ge=SIDE_MIN, le=SIDE_MAX, description="Height of the tile, texels; absent: size", examples=[128]
+        default=None,
+        ge=SIDE_MIN,
+        le=SIDE_MAX,
+        description="Height of the tile, texels; absent: size",
+        examples=[128],
     )
     seed: int = Field(default=0, ge=0, le=SEED_MAX, description="Random seed", examples=[2011])
     aspect: float = Field(
-        default=1.0, ge=1.0, le=ASPECT_MAX, description="Aspect ratio of the cells along x (lace only)", examples=[1.0]
+        default=1.0,
+        ge=1.0,
+        le=ASPECT_MAX,
+        description="Aspect ratio of the cells along x (lace only)",
+        examples=[1.0],
     )
     age: float = Field(
         default=0.0,
@@ -133,38 +147,42 @@ class MaskInfo(BaseModel):
     license: str
 
 
-_BYTES = {"schema": {"type": "string", "format": "binary"}}
-_NOT_MODIFIED: dict[int | str, dict[str, Any]] = {
-    304: {"description": "Not modified: the copy named by If-None-Match is current"}
-}
-
-
 _EVENT_SECONDS = 1.0
 """Between events of a mask that is being generated."""
-_EVENTS: dict[int | str, dict[str, Any]] = {
-    200: {
-        "description": "Server-sent events: `progress`, whose data is the share that is done, 0 to 1, every second; at "
-        "the end `done`, whose data is the description of the mask as JSON",
-        "content": {"text/event-stream": {"schema": {"type": "object", "required": ["event", "data"]}}},
-    }
-}
-
-
-def _answers(description: str, *media: str, custom: bool) -> dict[int | str, dict[str, Any]]:
-    content = {kind: {} if kind == "application/json" else _BYTES for kind in media}
-    responses: dict[int | str, dict[str, Any]] = {200: {"description": description, "content": content}}
-    return responses | _NOT_MODIFIED | problem_responses(*((422, 503) if custom else (404, 422, 503)))
-
-
-_DATA = ("Mask data", *(media for media, _ in ENCODERS.values()))
-_DATA8 = ("8-bit greyscale PNG of floor(rank 256/N)", "image/png")
-_SIDECAR = ("Metadata: construction parameters, hash, filtering tables and spectrum", "application/json")
-_SPECTRUM = ("Radially averaged power spectrum and anisotropy by grey level", "application/json")
-_SHAPES = (
-    "Connected components, holes and chord lengths of the foam by saturation; lengths in texels",
-    "application/json",
+_EVENTS = content(
+    "Server-sent events: `progress`, whose data is the share that is done, 0 to 1, every second; at the end `done`, "
+    "whose data is the description of the mask as JSON",
+    "text/event-stream",
+    schema={"type": "object", "required": ["event", "data"]},
 )
-_PLOT = ("Plot of the radially averaged power spectrum and the anisotropy", "image/png")
+
+
+@dataclass(frozen=True, slots=True)
+class _Answers:
+    """What an operation answers, with the problems of custom and of shipped masks."""
+
+    described: Responses
+    problems: tuple[int, ...] = ()
+
+    @property
+    def custom(self) -> Responses:
+        return self.described | NOT_MODIFIED | problem_responses(422, 503) | problem_responses(*self.problems)
+
+    @property
+    def shipped(self) -> Responses:
+        return self.described | NOT_MODIFIED | problem_responses(404, 422, 503) | problem_responses(*self.problems)
+
+
+def _json(description: str) -> Responses:
+    return {200: {"description": description, "content": {"application/json": {}}}}
+
+
+_DATA = _Answers(content("Mask data", *(media for media, _ in ENCODERS.values())))
+_DATA8 = _Answers(content("8-bit greyscale PNG of floor(rank 256/N)", "image/png"))
+_SIDECAR = _Answers(_json("Metadata: construction parameters, hash, filtering tables and spectrum"))
+_SPECTRUM = _Answers(_json("Radially averaged power spectrum and anisotropy by grey level"))
+_SHAPES = _Answers(_json("Connected components, holes and chord lengths of the foam by saturation; lengths in texels"))
+_PLOT = _Answers(content("Plot of the radially averaged power spectrum and the anisotropy", "image/png"), (501,))
 
 
 def _shipped(name: str) -> Mask:
@@ -174,32 +192,32 @@ def _shipped(name: str) -> Mask:
         raise NotFoundError(f"mask {name!r} was not found", "mask", tuple(load_catalogue())) from None
 
 
-def check_custom(asked: CustomMask, *, slow: bool = False) -> MaskSpec:
+def check_custom(query: CustomMask, *, slow: bool = False) -> MaskSpec:
     """Return the mask's parameters; reject what the family does not allow, with the allowed range.
 
     Unless ``slow``, reject also what would take too long. Raises :class:`BadRequestError`.
     """
-    width, height = asked.width or asked.size, asked.height or asked.size
+    width, height = query.width or query.size, query.height or query.size
     tile = f"{width} × {height} texels"
-    least, greatest = sigma_range(asked.family, min(width, height))
-    if asked.sigma is not None and not least <= asked.sigma <= greatest:
-        detail = f"sigma: must be {least:g} to {greatest:g} texels for family {asked.family} on {tile}"
+    least, greatest = sigma_range(query.family, min(width, height))
+    if query.sigma is not None and not least <= query.sigma <= greatest:
+        detail = f"sigma: must be {least:g} to {greatest:g} texels for family {query.family} on {tile}"
         raise BadRequestError(
             FieldProblem(parameter="sigma", detail=detail, allowed={"minimum": least, "maximum": greatest})
         )
-    if asked.family != "lace":
+    if query.family != "lace":
         refused = [
             FieldProblem(
                 parameter=name,
-                detail=f"{name}: allowed only for family lace, not {asked.family}",
+                detail=f"{name}: allowed only for family lace, not {query.family}",
                 allowed={"enum": [unset]},
             )
             for name, unset in (("aspect", 1.0), ("age", 0.0))
-            if getattr(asked, name) != unset
+            if getattr(query, name) != unset
         ]
         if refused:
             raise BadRequestError(*refused)
-    made = check_parameters(asked.family, asked.sigma, (width, height), asked.seed, asked.aspect, asked.age)
+    made = check_parameters(query.family, query.sigma, (width, height), query.seed, query.aspect, query.age)
     seconds = estimated_seconds(made.family, made.sigma, (width, height))
     limit = BACKGROUND_SECONDS if slow else ON_REQUEST_SECONDS
     if seconds > limit and not is_kept(made):
@@ -213,10 +231,6 @@ def check_custom(asked: CustomMask, *, slow: bool = False) -> MaskSpec:
         )
         raise BadRequestError(FieldProblem(parameter="sigma", detail=detail, allowed=allowed))
     return made
-
-
-def _custom(asked: CustomMask) -> Mask:
-    return made_on_request(check_custom(asked))
 
 
 class _Making:
@@ -246,12 +260,12 @@ class _Making:
             task.cancel()
 
 
-def _ranks_as(encoder: Callable[[Ranks], bytes]) -> Callable[[Mask], bytes]:
-    return lambda mask: encoder(mask.ranks)
-
-
 def _info(mask: Mask) -> bytes:
     return json.dumps(mask.entry.to_json()).encode()
+
+
+def _data8(mask: Mask) -> bytes:
+    return formats.to_png8(mask.ranks)
 
 
 def _sidecar(mask: Mask) -> bytes:
@@ -275,50 +289,66 @@ def _plot(mask: Mask) -> bytes:
     return plot_spectrum(mask.spectrum, mask.entry.title)
 
 
-async def _answer(
-    source: Callable[[], Mask],
-    encode: Callable[[Mask], bytes],
-    media_type: str,
-    request: Request,
-    context: Context,
-    file: str = "",
-) -> Response:
-    """Return a mask as bytes, or 304 before they are encoded."""
-    mask = await context.masks.run(source)
-    headers = {"Cache-Control": REVALIDATE}
-    if file:
-        headers["Content-Disposition"] = f'inline; filename="{mask.entry.name}{file}"'
-    tag = tag_of(mask.entry.to_json(), request.url.path.rpartition("/")[2])
-    if current := not_modified(request, tag, headers):
-        return current
-    content = await context.masks.run(encode, mask)
-    return Response(content, headers={"ETag": tag, **headers}, media_type=media_type)
+@dataclass(frozen=True, slots=True)
+class _MaskAnswer:
+    """A mask that a request asks for. ``find``: loads or generates it, in a thread."""
+
+    find: Callable[[], Mask]
+    request: Request
+    context: Context
+
+    async def answer(self, encode: Callable[[Mask], bytes], media_type: str, file: str = "") -> Response:
+        """Return the mask as bytes, or 304 before they are encoded. file: end of the name to save it under."""
+        mask = await self.context.masks.run(self.find)
+        headers = {"Cache-Control": REVALIDATE}
+        if file:
+            headers["Content-Disposition"] = f'inline; filename="{mask.entry.name}{file}"'
+        tag = tag_of(mask.entry.to_json(), self.request.url.path.rpartition("/")[2])
+        if current := not_modified(self.request, tag, headers):
+            return current
+        data = await self.context.masks.run(encode, mask)
+        return Response(data, headers={"ETag": tag, **headers}, media_type=media_type)
+
+    async def answer_data(self, format: MaskFormat) -> Response:
+        """Return the mask's ranks in a format."""
+        media_type, encoder = ENCODERS[format]
+        return await self.answer(lambda mask: encoder(mask.ranks), media_type, f".{format}")
+
+
+def _custom_mask(query: Annotated[CustomMask, Query()], request: Request, context: InContext) -> _MaskAnswer:
+    return _MaskAnswer(lambda: made_on_request(check_custom(query)), request, context)
+
+
+def _shipped_mask(mask: MaskName, _: NoParameters, request: Request, context: InContext) -> _MaskAnswer:
+    return _MaskAnswer(lambda: _shipped(mask), request, context)
+
+
+Custom = Annotated[_MaskAnswer, Depends(_custom_mask)]
+Shipped = Annotated[_MaskAnswer, Depends(_shipped_mask)]
 
 
 @router.get("/masks", response_model=list[MaskInfo], responses=problem_responses(422))
-async def list_masks(_: Annotated[Parameters, Query()]) -> list[dict[str, Any]]:
+async def list_masks(_: NoParameters) -> list[dict[str, Any]]:
     """List the shipped masks."""
     entries: list[MaskEntry] = list(load_catalogue().values())
     return [entry.to_json() for entry in entries]
 
 
 @router.get(
-    "/masks/custom",
-    responses=problem_responses(422, 503) | {200: {"model": MaskInfo}},
-    response_class=Response,
+    "/masks/custom", responses=problem_responses(422, 503) | {200: {"model": MaskInfo}}, response_class=Response
 )
-async def get_custom_mask(asked: Annotated[CustomMask, Query()], request: Request, context: InContext) -> Response:
+async def get_custom_mask(mask: Custom) -> Response:
     """Generate a custom mask and get its description. Its data is below this path, with the same parameters."""
-    return await _answer(lambda: _custom(asked), _info, "application/json", request, context)
+    return await mask.answer(_info, "application/json")
 
 
 @router.get("/masks/custom/events", responses=_EVENTS | problem_responses(422, 503), response_class=StreamingResponse)
-async def get_custom_events(asked: Annotated[CustomMask, Query()], context: InContext) -> Response:
+async def get_custom_events(query: Annotated[CustomMask, Query()], context: InContext) -> Response:
     """Generate a custom mask in the background and follow it: one at a time, until the connection is closed.
 
     After the event `done`, its data is below `/api/masks/custom`, with the same parameters, as of any other mask.
     """
-    making = _Making(check_custom(asked, slow=True))
+    making = _Making(check_custom(query, slow=True))
     task = asyncio.create_task(context.slow_masks.run(making.run))
     # The task begins: a full queue is an answer of its own.
     await asyncio.sleep(0)
@@ -328,107 +358,83 @@ async def get_custom_events(asked: Annotated[CustomMask, Query()], context: InCo
     return StreamingResponse(making.events(task), headers=headers, media_type="text/event-stream")
 
 
-@router.get("/masks/custom/data.{format}", responses=_answers(*_DATA, custom=True), response_class=Response)
-async def get_custom_data(
-    format: MaskFormatPath, asked: Annotated[CustomMask, Query()], request: Request, context: InContext
-) -> Response:
+@router.get("/masks/custom/data.{format}", responses=_DATA.custom, response_class=Response)
+async def get_custom_data(format: MaskFormatPath, mask: Custom) -> Response:
     """Get the data of a custom mask."""
-    media, encoder = ENCODERS[format]
-    return await _answer(lambda: _custom(asked), _ranks_as(encoder), media, request, context, f".{format}")
+    return await mask.answer_data(format)
 
 
-@router.get("/masks/custom/data8.png", responses=_answers(*_DATA8, custom=True), response_class=Response)
-async def get_custom_data8(asked: Annotated[CustomMask, Query()], request: Request, context: InContext) -> Response:
+@router.get("/masks/custom/data8.png", responses=_DATA8.custom, response_class=Response)
+async def get_custom_data8(mask: Custom) -> Response:
     """Get a custom mask in 8 bits."""
-    return await _answer(lambda: _custom(asked), _ranks_as(to_png8), "image/png", request, context, "-8bit.png")
+    return await mask.answer(_data8, "image/png", "-8bit.png")
 
 
-@router.get("/masks/custom/sidecar", responses=_answers(*_SIDECAR, custom=True), response_class=Response)
-async def get_custom_sidecar(asked: Annotated[CustomMask, Query()], request: Request, context: InContext) -> Response:
+@router.get("/masks/custom/sidecar", responses=_SIDECAR.custom, response_class=Response)
+async def get_custom_sidecar(mask: Custom) -> Response:
     """Get the metadata of a custom mask."""
-    return await _answer(lambda: _custom(asked), _sidecar, "application/json", request, context, ".json")
+    return await mask.answer(_sidecar, "application/json", ".json")
 
 
-@router.get("/masks/custom/spectrum", responses=_answers(*_SPECTRUM, custom=True), response_class=Response)
-async def get_custom_spectrum(asked: Annotated[CustomMask, Query()], request: Request, context: InContext) -> Response:
+@router.get("/masks/custom/spectrum", responses=_SPECTRUM.custom, response_class=Response)
+async def get_custom_spectrum(mask: Custom) -> Response:
     """Get the measured spectrum of a custom mask."""
-    return await _answer(lambda: _custom(asked), _spectrum, "application/json", request, context)
+    return await mask.answer(_spectrum, "application/json")
 
 
-@router.get("/masks/custom/shapes", responses=_answers(*_SHAPES, custom=True), response_class=Response)
-async def get_custom_shapes(asked: Annotated[CustomMask, Query()], request: Request, context: InContext) -> Response:
+@router.get("/masks/custom/shapes", responses=_SHAPES.custom, response_class=Response)
+async def get_custom_shapes(mask: Custom) -> Response:
     """Get the measured foam shapes of a custom mask."""
-    return await _answer(lambda: _custom(asked), _shapes, "application/json", request, context)
+    return await mask.answer(_shapes, "application/json")
 
 
-@router.get(
-    "/masks/custom/spectrum.png",
-    responses=_answers(*_PLOT, custom=True) | problem_responses(501),
-    response_class=Response,
-)
-async def get_custom_plot(asked: Annotated[CustomMask, Query()], request: Request, context: InContext) -> Response:
+@router.get("/masks/custom/spectrum.png", responses=_PLOT.custom, response_class=Response)
+async def get_custom_plot(mask: Custom) -> Response:
     """Get the measured spectrum of a custom mask as a plot."""
-    return await _answer(lambda: _custom(asked), _plot, "image/png", request, context, "-spectrum.png")
+    return await mask.answer(_plot, "image/png", "-spectrum.png")
 
 
 @router.get(
     "/masks/{mask}", responses=problem_responses(404, 422, 503) | {200: {"model": MaskInfo}}, response_class=Response
 )
-async def get_mask(mask: MaskName, _: Annotated[Parameters, Query()], request: Request, context: InContext) -> Response:
+async def get_mask(mask: Shipped) -> Response:
     """Get the description of a shipped mask: size, family, sigma, seed, hash and construction."""
-    return await _answer(lambda: _shipped(mask), _info, "application/json", request, context)
+    return await mask.answer(_info, "application/json")
 
 
-@router.get("/masks/{mask}/data.{format}", responses=_answers(*_DATA, custom=False), response_class=Response)
+@router.get("/masks/{mask}/data.{format}", responses=_DATA.shipped, response_class=Response)
 async def get_data(
-    mask: MaskName,
-    format: MaskFormatPath,
-    _: Annotated[Parameters, Query()],
-    request: Request,
-    context: InContext,
+    mask: MaskName, format: MaskFormatPath, _: NoParameters, request: Request, context: InContext
 ) -> Response:
     """Get the data of a shipped mask."""
-    media, encoder = ENCODERS[format]
-    return await _answer(lambda: _shipped(mask), _ranks_as(encoder), media, request, context, f".{format}")
+    return await _shipped_mask(mask, _, request, context).answer_data(format)
 
 
-@router.get("/masks/{mask}/data8.png", responses=_answers(*_DATA8, custom=False), response_class=Response)
-async def get_data8(
-    mask: MaskName, _: Annotated[Parameters, Query()], request: Request, context: InContext
-) -> Response:
+@router.get("/masks/{mask}/data8.png", responses=_DATA8.shipped, response_class=Response)
+async def get_data8(mask: Shipped) -> Response:
     """Get a shipped mask in 8 bits."""
-    return await _answer(lambda: _shipped(mask), _ranks_as(to_png8), "image/png", request, context, "-8bit.png")
+    return await mask.answer(_data8, "image/png", "-8bit.png")
 
 
-@router.get("/masks/{mask}/sidecar", responses=_answers(*_SIDECAR, custom=False), response_class=Response)
-async def get_sidecar(
-    mask: MaskName, _: Annotated[Parameters, Query()], request: Request, context: InContext
-) -> Response:
+@router.get("/masks/{mask}/sidecar", responses=_SIDECAR.shipped, response_class=Response)
+async def get_sidecar(mask: Shipped) -> Response:
     """Get the metadata of a shipped mask."""
-    return await _answer(lambda: _shipped(mask), _sidecar, "application/json", request, context, ".json")
+    return await mask.answer(_sidecar, "application/json", ".json")
 
 
-@router.get("/masks/{mask}/spectrum", responses=_answers(*_SPECTRUM, custom=False), response_class=Response)
-async def get_spectrum(
-    mask: MaskName, _: Annotated[Parameters, Query()], request: Request, context: InContext
-) -> Response:
+@router.get("/masks/{mask}/spectrum", responses=_SPECTRUM.shipped, response_class=Response)
+async def get_spectrum(mask: Shipped) -> Response:
     """Get the measured spectrum of a shipped mask."""
-    return await _answer(lambda: _shipped(mask), _spectrum, "application/json", request, context)
+    return await mask.answer(_spectrum, "application/json")
 
 
-@router.get("/masks/{mask}/shapes", responses=_answers(*_SHAPES, custom=False), response_class=Response)
-async def get_shapes(
-    mask: MaskName, _: Annotated[Parameters, Query()], request: Request, context: InContext
-) -> Response:
+@router.get("/masks/{mask}/shapes", responses=_SHAPES.shipped, response_class=Response)
+async def get_shapes(mask: Shipped) -> Response:
     """Get the measured foam shapes of a shipped mask."""
-    return await _answer(lambda: _shipped(mask), _shapes, "application/json", request, context)
+    return await mask.answer(_shapes, "application/json")
 
 
-@router.get(
-    "/masks/{mask}/spectrum.png",
-    responses=_answers(*_PLOT, custom=False) | problem_responses(501),
-    response_class=Response,
-)
-async def get_plot(mask: MaskName, _: Annotated[Parameters, Query()], request: Request, context: InContext) -> Response:
+@router.get("/masks/{mask}/spectrum.png", responses=_PLOT.shipped, response_class=Response)
+async def get_plot(mask: Shipped) -> Response:
     """Get the measured spectrum of a shipped mask as a plot."""
-    return await _answer(lambda: _shipped(mask), _plot, "image/png", request, context, "-spectrum.png")
+    return await mask.answer(_plot, "image/png", "-spectrum.png")

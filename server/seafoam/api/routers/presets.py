@@ -2,19 +2,19 @@
 
 from functools import cache
 from threading import Lock
-from typing import Annotated, Any
+from typing import Any
 
-from fastapi import APIRouter, Query
+from fastapi import APIRouter
 from pydantic import BaseModel, Field
 
 from seafoam.accuracy.model import ParameterInfo
 from seafoam.accuracy.parameters import every_parameter
 from seafoam.api.context import InContext
-from seafoam.api.frames.compile import compile_scene
+from seafoam.api.frames.plans import compile_scene
 from seafoam.api.frames.presets import PresetName, find_preset
-from seafoam.api.http.errors import problem_responses
-from seafoam.api.http.parameters import Parameters
+from seafoam.api.http.openapi import problem_responses
 from seafoam.api.http.thread_pool import ThreadPool
+from seafoam.api.http.validation import NoParameters
 from seafoam.quality import TIERS, Quality, Tier
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import Group, load_preset, preset_names
@@ -74,13 +74,13 @@ async def warm(plans: ThreadPool) -> None:
 
 
 @router.get("/presets", responses=problem_responses(422, 503))
-async def list_presets(_: Annotated[Parameters, Query()], context: InContext) -> list[PresetSummary]:
+async def list_presets(_: NoParameters, context: InContext) -> list[PresetSummary]:
     """List all presets, in menu order."""
     return await context.plans.run(lambda: [_summary(name) for name in preset_names()])
 
 
 @router.get("/presets/{preset}", responses=problem_responses(404, 422, 503))
-async def get_preset(preset: PresetName, _: Annotated[Parameters, Query()], context: InContext) -> PresetDetail:
+async def get_preset(preset: PresetName, _: NoParameters, context: InContext) -> PresetDetail:
     """Get a preset with its scene, which can be changed and posted to /api/frames and /api/plans."""
     loaded = find_preset(preset)
     summary = await context.plans.run(_summary, preset)
@@ -88,7 +88,7 @@ async def get_preset(preset: PresetName, _: Annotated[Parameters, Query()], cont
 
 
 @router.get("/quality", responses=problem_responses(422))
-async def get_quality(_: Annotated[Parameters, Query()]) -> QualityTiers:
+async def get_quality(_: NoParameters) -> QualityTiers:
     """Get the quality tiers with the value of every setting, and the allowed values of each setting."""
     measured = [
         ParameterInfo(

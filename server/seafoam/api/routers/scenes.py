@@ -2,16 +2,15 @@
 
 import json
 import re
-from typing import Annotated, Any
+from typing import Any
 
-from fastapi import APIRouter, Query, Request
+from fastapi import APIRouter, Request
 from pydantic import BaseModel, Field
 
 from seafoam.api.context import InContext
-from seafoam.api.frames.compile import compile_scene
-from seafoam.api.http.errors import problem_responses
-from seafoam.api.http.parameters import Parameters
-from seafoam.api.http.validation import strictly
+from seafoam.api.frames.plans import compile_scene
+from seafoam.api.http.openapi import problem_responses
+from seafoam.api.http.validation import NoParameters, Strict
 from seafoam.quality import TIERS, Tier
 from seafoam.scene.models import Scene
 
@@ -47,14 +46,13 @@ def reduced(document: dict[str, Any]) -> dict[str, Any]:
 
 
 @router.get("/schema", responses=problem_responses(422))
-async def get_schema(_: Annotated[Parameters, Query()], request: Request) -> Schemas:
+async def get_schema(_: NoParameters, request: Request) -> Schemas:
     """Get the JSON schemas of scene and quality alone, a third of the OpenAPI document."""
     return Schemas(tiers=list(TIERS), components={"schemas": reduced(request.app.openapi())})
 
 
 @router.post("/scenes", responses=problem_responses(413, 415, 422, 501, 503))
-async def complete_scene(asked: strictly(Scene), context: InContext) -> Scene:  # type: ignore[valid-type]
+async def complete_scene(scene: Strict[Scene], context: InContext) -> Scene:
     """Check a scene sent as JSON, and return it with the default of every absent field."""
-    scene: Scene = asked
     await context.plans.run(compile_scene, scene, TIERS["standard"], scene_at="")
     return scene

@@ -2,40 +2,37 @@
 
 import asyncio
 from collections.abc import AsyncIterator
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
-from fastapi import APIRouter, Path, Query, Request
+from fastapi import APIRouter, Path, Request
 from pydantic import Discriminator, Field, Tag
 from starlette.responses import FileResponse, JSONResponse, Response, StreamingResponse
 
 from seafoam.api.context import Context, InContext
-from seafoam.api.frames.compile import compile_scene
+from seafoam.api.frames.plans import compile_scene
 from seafoam.api.frames.presets import known_preset
-from seafoam.api.http.errors import problem_responses
 from seafoam.api.http.etags import NO_STORE, file_unless_current
+from seafoam.api.http.openapi import TEXT, Responses, content, headers_of, problem_responses
 from seafoam.api.http.parameters import (
     DEFAULT_HEIGHT,
     DEFAULT_WIDTH,
     TIME_LIMIT,
-    Parameters,
-    SceneRequest,
-    TierOrQuality,
-    preset_of_origin,
+    OriginalPreset,
+    OwnCamera,
+    PlanRequest,
     quality_of,
 )
-from seafoam.api.http.problems import BadRequestError, BusyError, FieldProblem, NotFoundError
-from seafoam.api.http.validation import strictly
+from seafoam.api.http.problems import BadRequestError, FieldProblem
+from seafoam.api.http.validation import NoParameters, Strict
 from seafoam.render.service.jobs import FrameJob
-from seafoam.scene.camera import Camera
 from seafoam.sequences.errors import OutputError
-from seafoam.sequences.service import FINISHED, SequenceQueueFullError, SequenceStatus, UnknownSequenceError
+from seafoam.sequences.service import FINISHED, SequenceStatus, UnknownSequenceError
 from seafoam.sequences.spec import GREATEST_FPS, LEAST_FPS, SequenceSpec, sequence_of
 from seafoam.sequences.video import Codec
 
 router = APIRouter(prefix="/api", tags=["sequences"])
 
 MEDIA_TYPES = {"zip": "application/zip", "webp": "image/webp", "mp4": "video/mp4"}
-RETRY_SECONDS = 30
 _EVENT_SECONDS = 0.25
 """Between looks whether a sequence has moved on."""
 _QUIET_LOOKS = 60
@@ -52,12 +49,9 @@ Rate = Annotated[
 ]
 
 
-class SequenceRequest(SceneRequest):
+class SequenceRequest(PlanRequest):
     """A sequence to render: frames of a scene from ``start`` to before ``stop``."""
 
-    quality: TierOrQuality = Field(
-        default="standard", description="A tier, or the settings that differ from tier standard"
-    )
     start: float = Field(default=0.0, ge=-TIME_LIMIT, le=TIME_LIMIT, description="Time of the first frame, s")
     stop: float = Field(
         ge=-TIME_LIMIT,
@@ -76,38 +70,32 @@ class SequenceRequest(SceneRequest):
         default="mp4", description="zip: of PNG frames; webp: animated, lossless; mp4: video"
     )
     codec: Codec = Field(default="h264", description="Of a video; av1 needs sides of at least 64 pixels")
-    camera: Camera | None = Field(default=None, description="Camera; absent: the scene's")
-    preset: str | None = preset_of_origin()
+    camera: OwnCamera = None
+    preset: OriginalPreset = None
 
 
-_STARTED: dict[int | str, dict[str, Any]] = {
+_STARTED: Responses = {
     202: {
         "description": "The sequence is being made, or was made before",
-        "headers": {"Location": {"description": "Address of its status", "schema": {"type": "string"}}},
+        "headers": headers_of({"Location": "Address of its status"}),
     }
 }
-_EVENTS: dict[int | str, dict[str, Any]] = {
-    200: {
-        "description": "Server-sent events named `status`, whose data is the status as JSON; the last one is final",
-        "content": {"text/event-stream": {"schema": {"type": "string"}}},
-    }
-}
-_FILE: dict[int | str, dict[str, Any]] = {
-    200: {
-        "description": "The file",
-        "content": {media: {"schema": {"type": "string", "format": "binary"}} for media in MEDIA_TYPES.values()},
-    },
-    304: {"description": "Not modified: the copy named by If-None-Match or If-Modified-Since is current"},
+_EVENTS = content(
+    "Server-sent events named `status`, whose data is the status as JSON; the last one is final",
+    "text/event-stream",
+    schema=TEXT,
+)
+_FILE = content("The file", *MEDIA_TYPES.values()) | {
+    304: {"description": "Not modified: the copy named by If-None-Match or If-Modified-Since is current"}
 }
 
 
 @router.post("/sequences", status_code=202, responses=_STARTED | problem_responses(413, 415, 422, 501, 503, 504))
-async def start_sequence(asked: strictly(SequenceRequest), context: InContext) -> SequenceStatus:  # type: ignore[valid-type]
+async def start_sequence(body: Strict[SequenceRequest], context: InContext) -> SequenceStatus:
     """Render a sequence in the background, behind the frames of visitors.
 
     The same request has the same name: it goes on where it stopped, or is there at once.
     """
-    body: SequenceRequest = asked
     known_preset(body.preset)
     spec = _spec(body, context)
     await context.plans.run(compile_scene, body.scene, spec.job.quality, scene_at="/scene")
@@ -116,19 +104,17 @@ async def start_sequence(asked: strictly(SequenceRequest), context: InContext) -
         status = await context.plans.run(context.sequences.submit, spec, body.format, body.codec)
     except OutputError as error:
         raise _refused(error) from error
-    except SequenceQueueFullError as error:
-        raise BusyError(str(error), RETRY_SECONDS) from error
     headers = {"Location": f"/api/sequences/{status.id}", "Cache-Control": NO_STORE}
     return JSONResponse(status.model_dump(mode="json"), 202, headers)  # type: ignore[return-value]
 
 
 @router.get("/sequences/{sequence}", responses=problem_responses(404, 422, 503))
 async def get_sequence(
-    sequence: SequenceName, _: Annotated[Parameters, Query()], context: InContext, response: Response
+    sequence: SequenceName, _: NoParameters, context: InContext, response: Response
 ) -> SequenceStatus:
     """Get how far a sequence is, with the estimated time left."""
     response.headers["Cache-Control"] = NO_STORE
-    return await _status(sequence, context)
+    return await context.plans.run(context.sequences.status, sequence)
 
 
 @router.get(
@@ -136,24 +122,21 @@ async def get_sequence(
     responses=_EVENTS | problem_responses(404, 422, 503),
     response_class=StreamingResponse,
 )
-async def get_events(sequence: SequenceName, _: Annotated[Parameters, Query()], context: InContext) -> Response:
+async def get_events(sequence: SequenceName, _: NoParameters, context: InContext) -> Response:
     """Follow a sequence: an event whenever it has moved on, until it ends."""
-    first = await _status(sequence, context)
+    first = await context.plans.run(context.sequences.status, sequence)
     headers = {"Cache-Control": NO_STORE, "X-Accel-Buffering": "no"}
     return StreamingResponse(_events(first, context), headers=headers, media_type="text/event-stream")
 
 
 @router.get(
-    "/sequences/{sequence}/file", responses=_FILE | problem_responses(404, 409, 422, 503), response_class=FileResponse
+    "/sequences/{sequence}/file",
+    responses=_FILE | problem_responses(404, 409, 416, 422, 503),
+    response_class=FileResponse,
 )
-async def get_file(
-    sequence: SequenceName, _: Annotated[Parameters, Query()], request: Request, context: InContext
-) -> Response:
+async def get_file(sequence: SequenceName, _: NoParameters, request: Request, context: InContext) -> Response:
     """Download a finished sequence. Parts can be requested with the header Range."""
-    try:
-        path = await context.plans.run(context.sequences.file, sequence)
-    except UnknownSequenceError:
-        raise _not_found(sequence) from None
+    path = await context.plans.run(context.sequences.file, sequence)
     media = MEDIA_TYPES[path.suffix[1:]]
     return file_unless_current(
         request, FileResponse(path, media_type=media, filename=path.name, stat_result=path.stat())
@@ -161,12 +144,9 @@ async def get_file(
 
 
 @router.delete("/sequences/{sequence}", status_code=204, responses=problem_responses(404, 422, 503))
-async def delete_sequence(sequence: SequenceName, _: Annotated[Parameters, Query()], context: InContext) -> None:
+async def delete_sequence(sequence: SequenceName, _: NoParameters, context: InContext) -> None:
     """Cancel a sequence, or forget a finished one, and remove its files: for all who asked for the same."""
-    try:
-        await context.plans.run(context.sequences.cancel, sequence)
-    except UnknownSequenceError:
-        raise _not_found(sequence) from None
+    await context.plans.run(context.sequences.cancel, sequence)
 
 
 def _spec(body: SequenceRequest, context: Context) -> SequenceSpec:
@@ -186,13 +166,6 @@ def _spec(body: SequenceRequest, context: Context) -> SequenceSpec:
         detail = f"stop must be at most {greatest:.12g} s: {limit}"
         raise BadRequestError(FieldProblem(pointer="/stop", detail=detail, allowed={"maximum": greatest}))
     return spec
-
-
-async def _status(sequence: str, context: Context) -> SequenceStatus:
-    try:
-        return await context.plans.run(context.sequences.status, sequence)
-    except UnknownSequenceError:
-        raise _not_found(sequence) from None
 
 
 async def _events(first: SequenceStatus, context: Context) -> AsyncIterator[str]:
@@ -218,7 +191,3 @@ def _event(status: SequenceStatus) -> str:
 
 def _refused(error: OutputError) -> BadRequestError:
     return BadRequestError(FieldProblem(pointer=f"/{error.field}", detail=str(error)))
-
-
-def _not_found(sequence: str) -> NotFoundError:
-    return NotFoundError(f"sequence {sequence!r} was not found; finished ones are kept for a while", "sequence")

@@ -7,28 +7,24 @@ from fastapi import APIRouter, Path, Query, Request, Response
 from pydantic import BaseModel, Field
 
 from seafoam.api.context import Context, InContext
-from seafoam.api.frames.compile import compile_scene
-from seafoam.api.frames.respond import CLIENT_CLOSED_REQUEST, stages, unless_gone
+from seafoam.api.frames.plans import compile_scene
+from seafoam.api.frames.respond import CLIENT_CLOSED_REQUEST, server_timing, unless_gone
 from seafoam.api.frames.streams import LEASE_SECONDS, Stream
-from seafoam.api.http.errors import problem_responses
 from seafoam.api.http.etags import NO_STORE
-from seafoam.api.http.parameters import Parameters, PlanRequest, StreamFrameParameters, quality_of
+from seafoam.api.http.openapi import content, problem_responses
+from seafoam.api.http.parameters import PlanRequest, StreamFrameParameters, quality_of
 from seafoam.api.http.problems import NotFoundError, StreamsFullError
-from seafoam.api.http.validation import strictly
+from seafoam.api.http.validation import NoParameters, Strict
 from seafoam.quality import Quality
 from seafoam.render.service.jobs import EncodedFrame, FrameJob
-from seafoam.render.service.slots import Turn
+from seafoam.render.service.priority import Ticket
 
 router = APIRouter(prefix="/api/streams", tags=["frames"])
 
 NO_STREAMS_RETRY = 60
 """Retry-After of a server that gives no streams, s."""
-_FRAME: dict[int | str, dict[str, Any]] = {
-    200: {
-        "description": "The frame, lossy, without recipe",
-        "content": {"image/webp": {"schema": {"type": "string", "format": "binary"}}},
-    },
-    204: {"description": "No frame: later ones of the stream were asked for"},
+_FRAME = content("The frame, lossy, without recipe", "image/webp") | {
+    204: {"description": "No frame: later ones of the stream were asked for"}
 }
 StreamId = Annotated[str, Path(max_length=64, description="ID of the stream", examples=["Zk1uY2F0c2Vh"])]
 
@@ -51,18 +47,17 @@ class OpenStream(StreamState):
 
 
 @router.get("", responses=problem_responses(422))
-async def get_streams(_: Annotated[Parameters, Query()], context: InContext) -> StreamState:
+async def get_streams(_: NoParameters, context: InContext) -> StreamState:
     """Get how many streams there are and may be, and how fast this server draws them."""
     return StreamState(**_state(context))
 
 
 @router.post("", status_code=201, responses=problem_responses(413, 415, 422, 501, 503))
-async def open_stream(asked: strictly(PlanRequest), response: Response, context: InContext) -> OpenStream:  # type: ignore[valid-type]
+async def open_stream(body: Strict[PlanRequest], response: Response, context: InContext) -> OpenStream:
     """Open a stream of frames of a scene. It ends when it is deleted, or not asked for a frame for a while.
 
     Single frames go before those of streams. Where all streams are taken, the answer is 503 with Retry-After.
     """
-    body: PlanRequest = asked
     streams = context.streams
     # Before the scene is planned, too: a crowd that is refused costs little.
     stream = streams.open(body.scene, await _planned(body, context)) if len(streams) < streams.limit else None
@@ -75,15 +70,14 @@ async def open_stream(asked: strictly(PlanRequest), response: Response, context:
 
 
 @router.put("/{stream}", status_code=204, responses=problem_responses(404, 413, 415, 422, 501, 503))
-async def change_stream(stream: StreamId, asked: strictly(PlanRequest), context: InContext) -> None:  # type: ignore[valid-type]
+async def change_stream(stream: StreamId, body: Strict[PlanRequest], context: InContext) -> None:
     """Show another scene, or in another quality."""
-    body: PlanRequest = asked
     found = _find(stream, context)
     found.quality, found.scene = await _planned(body, context), body.scene
 
 
 @router.delete("/{stream}", status_code=204, responses=problem_responses(422))
-async def close_stream(stream: StreamId, _: Annotated[Parameters, Query()], context: InContext) -> None:
+async def close_stream(stream: StreamId, _: NoParameters, context: InContext) -> None:
     """End a stream, if it has not ended."""
     context.streams.close(stream)
 
@@ -94,13 +88,13 @@ async def close_stream(stream: StreamId, _: Annotated[Parameters, Query()], cont
     response_class=Response,
 )
 async def get_stream_frame(
-    stream: StreamId, asked: Annotated[StreamFrameParameters, Query()], request: Request, context: InContext
+    stream: StreamId, query: Annotated[StreamFrameParameters, Query()], request: Request, context: InContext
 ) -> Response:
     """Get a frame of a stream as lossy WebP. A third one that is asked for gives up the oldest that waits (204)."""
     found = _find(stream, context)
-    context.settings.frame_limits.check(asked.width, asked.height, found.quality.samples_drawn)
-    camera, size = asked.camera, (asked.width, asked.height)
-    job = FrameJob(found.scene, found.quality, asked.time, camera, *size, "webp", None, dither=False, lossy=True)
+    context.settings.frame_limits.check(query.width, query.height, found.quality.samples_drawn)
+    camera, size = query.camera, (query.width, query.height)
+    job = FrameJob(found.scene, found.quality, query.time, camera, *size, "webp", None, dither=False, lossy=True)
     try:
         frame = await unless_gone(request, _drawn(found, job, context))
     except asyncio.CancelledError:
@@ -112,26 +106,26 @@ async def get_stream_frame(
     if frame is None:
         return Response(status_code=CLIENT_CLOSED_REQUEST)
     context.metrics.count_frame(frame, "webp")
-    context.streams.drawn(asked.width * asked.height, sum(frame.timings.values()) - frame.timings["queue"])
-    headers = {"Cache-Control": NO_STORE, "Server-Timing": stages(frame)}
+    context.streams.drawn(query.width * query.height, sum(frame.timings.values()) - frame.timings["queue"])
+    headers = {"Cache-Control": NO_STORE, "Server-Timing": server_timing(frame)}
     return Response(frame.content, headers=headers, media_type="image/webp")
 
 
 async def _drawn(stream: Stream, job: FrameJob, context: Context) -> EncodedFrame:
     """Draw a frame in one of the stream's places; the task that this runs in is cancelled if a later one takes it."""
-    turn = Turn(stream=True)
+    ticket = Ticket(stream=True)
     try:
-        async with stream.place(turn, context.pool.waits):
-            return await context.pool.render(job, turn)
+        async with stream.place(ticket, context.pool.waits):
+            return await context.pool.render(job, ticket)
     finally:
         # It may have taken longer than the lease.
         context.streams.renew(stream)
 
 
-async def _planned(asked: PlanRequest, context: Context) -> Quality:
+async def _planned(body: PlanRequest, context: Context) -> Quality:
     """Return the quality, of a scene that can be planned with it."""
-    quality = quality_of(asked.quality)
-    await context.plans.run(compile_scene, asked.scene, quality, scene_at="/scene")
+    quality = quality_of(body.quality)
+    await context.plans.run(compile_scene, body.scene, quality, scene_at="/scene")
     return quality
 
 

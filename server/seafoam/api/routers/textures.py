@@ -1,15 +1,15 @@
 """``/api/textures``: bytes of the textures that plans refer to."""
 
 import gzip
-from typing import Annotated, Any
+from typing import Annotated
 
 from fastapi import APIRouter, Path, Query, Request
 from pydantic import Field
 from starlette.responses import Response
 
 from seafoam.api.context import InContext
-from seafoam.api.http.errors import problem_responses
 from seafoam.api.http.etags import IMMUTABLE, REVALIDATE, not_modified
+from seafoam.api.http.openapi import NOT_MODIFIED, content, problem_responses
 from seafoam.api.http.parameters import Parameters
 from seafoam.api.http.problems import BadRequestError, FieldProblem, NotFoundError
 from seafoam.textures import TextureData, TexturePart, spec_at, texture
@@ -35,27 +35,23 @@ class TextureParameters(Parameters):
     )
 
 
-_RESPONSES: dict[int | str, dict[str, Any]] = {
-    200: {
-        "description": "All mip levels, largest first; rows from v = 0, tightly packed, little-endian",
-        "content": {"application/octet-stream": {"schema": {"type": "string", "format": "binary"}}},
-        "headers": {
-            "ETag": {
-                "description": "Quoted SHA-256 of the bytes, weak where the answer is compressed",
-                "schema": {"type": "string"},
-            }
-        },
-    },
-    304: {"description": "Not modified: the copy named by If-None-Match is current"},
-}
+_RESPONSES = content(
+    "All mip levels, largest first; rows from v = 0, tightly packed, little-endian",
+    "application/octet-stream",
+    headers={"ETag": "Quoted SHA-256 of the bytes, weak where the answer is compressed"},
+)
 
 
-@router.get("/textures/{name:path}", responses=_RESPONSES | problem_responses(404, 422, 503), response_class=Response)
+@router.get(
+    "/textures/{name:path}",
+    responses=_RESPONSES | NOT_MODIFIED | problem_responses(404, 422, 503),
+    response_class=Response,
+)
 async def get_texture(
     name: Annotated[
         str, Path(description="Name of a texture in a plan", examples=["mask/vac-24/ranks"], max_length=9000)
     ],
-    asked: Annotated[TextureParameters, Query()],
+    query: Annotated[TextureParameters, Query()],
     request: Request,
     context: InContext,
 ) -> Response:
@@ -64,16 +60,16 @@ async def get_texture(
         found = await context.masks.run(lambda: texture(spec_at(name)))
     except (KeyError, ValueError):
         raise NotFoundError(f"texture {name!r} was not found", "name") from None
-    if asked.sha256 not in (None, found.sha256):
+    if query.sha256 not in (None, found.sha256):
         detail = f"sha256: texture {name!r} has the hash {found.sha256}; the plan is from another version"
         raise BadRequestError(FieldProblem(parameter="sha256", detail=detail, allowed={"enum": [found.sha256]}))
-    headers = {"Cache-Control": IMMUTABLE if asked.sha256 else REVALIDATE, "Vary": "Accept-Encoding"}
-    tag = f'"{found.sha256}"' if asked.part is None else f'"{found.sha256}-{asked.part}"'
+    headers = {"Cache-Control": IMMUTABLE if query.sha256 else REVALIDATE, "Vary": "Accept-Encoding"}
+    tag = f'"{found.sha256}"' if query.part is None else f'"{found.sha256}-{query.part}"'
     current = not_modified(request, tag, headers)
     if current is not None:
         return current
     try:
-        content, packed = await context.masks.run(lambda: _content(found, asked.part, request))
+        content, packed = await context.masks.run(lambda: _content(found, query.part, request))
     except ValueError as error:
         raise BadRequestError(FieldProblem(parameter="part", detail=str(error))) from None
     if packed:

@@ -11,9 +11,10 @@ from http import HTTPStatus
 from typing import Any, Literal
 
 from starlette.datastructures import Headers, MutableHeaders
-from starlette.types import ASGIApp, Message, Receive, Scope, Send
+from starlette.types import ASGIApp, Receive, Scope, Send
 
 from seafoam.api.frames.streams import is_frame
+from seafoam.api.http.asgi import CountingSend, HttpMiddleware, altering, route_of
 
 REQUEST_ID = "X-Request-ID"
 PROBES = ("/healthz", "/readyz", "/metrics")
@@ -27,56 +28,47 @@ request_id: ContextVar[str | None] = ContextVar("request_id", default=None)
 log = logging.getLogger(__name__)
 
 
-class LogRequests:
+class LogRequests(HttpMiddleware):
     """ASGI middleware: gives each request an id, returns it, and writes a line when the request has been answered.
 
     An id that the client sends in ``X-Request-ID`` is kept if it is sane. written: False: ids only.
     """
 
     def __init__(self, app: ASGIApp, written: bool) -> None:
-        self.app = app
+        super().__init__(app)
         self.written = written
 
-    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        if scope["type"] != "http":
-            await self.app(scope, receive, send)
-            return
+    async def _handle(self, scope: Scope, receive: Receive, send: Send) -> None:
         asked = Headers(scope=scope).get(REQUEST_ID, "")
         identity = asked if _SANE.fullmatch(asked) else uuid.uuid4().hex
         # Not reset: each request is a task of its own, and the answer to an unexpected error is made outside of this.
         request_id.set(identity)
         scope.setdefault("state", {})
         began = time.perf_counter()
-        status, sent = 500, 0
+        sent = CountingSend(send)
 
-        async def marking(message: Message) -> None:
-            nonlocal status, sent
-            if message["type"] == "http.response.start":
-                status = message["status"]
-                MutableHeaders(scope=message)[REQUEST_ID] = identity
-            elif message["type"] == "http.response.body":
-                sent += len(message.get("body", b""))
-            await send(message)
+        def mark(_: int, headers: MutableHeaders) -> None:
+            headers[REQUEST_ID] = identity
 
         try:
-            await self.app(scope, receive, marking)
+            await self.app(scope, receive, altering(sent, mark))
         finally:
-            if self.written and not _too_many(scope["path"], status):
-                _write(scope, status, sent, time.perf_counter() - began)
+            if self.written and not _too_many(scope["path"], sent.status):
+                _write(scope, sent, time.perf_counter() - began)
 
 
-def _write(scope: Scope, status: int, sent: int, seconds: float) -> None:
-    route = getattr(scope.get("route"), "path_format", "(page)")
+def _write(scope: Scope, sent: CountingSend, seconds: float) -> None:
+    route = route_of(scope)
     fields = {
         "method": scope["method"],
         "route": route,
         "path": scope["path"],
-        "status": status,
+        "status": sent.status,
         "duration_ms": round(1000 * seconds, 3),
-        "bytes": sent,
+        "bytes": sent.bytes,
         "client": scope["state"].get("client") or (scope.get("client") or ("",))[0],
     }
-    log.info("%s %s %d", scope["method"], route, status, extra={"fields": fields})
+    log.info("%s %s %d", scope["method"], route, sent.status, extra={"fields": fields})
 
 
 class JsonLines(logging.Formatter):

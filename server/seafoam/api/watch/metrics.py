@@ -1,25 +1,26 @@
 """Prometheus metrics of one application, in a registry of its own."""
 
 import time
+from collections.abc import Iterator
+from typing import get_args
 
 from prometheus_client import CONTENT_TYPE_LATEST, CollectorRegistry, Counter, Gauge, Histogram, generate_latest
 from prometheus_client.core import CounterMetricFamily
 from prometheus_client.registry import Collector
-from starlette.types import ASGIApp, Message, Receive, Scope, Send
+from starlette.types import ASGIApp, Receive, Scope, Send
 
-from seafoam.render.service.jobs import EncodedFrame
+from seafoam.api.http.asgi import CountingSend, HttpMiddleware, route_of
+from seafoam.render.service.frame_cache import FrameCache
+from seafoam.render.service.jobs import EncodedFrame, Origin
 from seafoam.render.service.pool import RenderPool, State
-from seafoam.render.service.source import FrameSource, Origin
 
 _SECONDS = (0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0)
-_ORIGINS: tuple[Origin, ...] = ("memory", "disk", "shared", "drawn")
-_STATES: tuple[State, ...] = ("starting", "ready", "unavailable", "stopped")
 
 
 class Metrics:
     """Metrics with the prefix ``seafoam_``; durations in seconds."""
 
-    def __init__(self, pool: RenderPool, source: FrameSource) -> None:
+    def __init__(self, pool: RenderPool, frames: FrameCache) -> None:
         self.registry = CollectorRegistry()
         self.requests = Counter(
             "seafoam_requests", "Requests answered", ("method", "route", "status"), registry=self.registry
@@ -54,10 +55,9 @@ class Metrics:
             ("state",),
             registry=self.registry,
         )
-        for name in _STATES:
+        for name in get_args(State):
             state.labels(name).set_function(lambda name=name: float(pool.state == name))  # type: ignore[misc]
-        self.registry.register(_Restarts(pool))
-        self.registry.register(_Origins(source))
+        self.registry.register(_Counts(pool, frames))
 
     def count_frame(self, frame: EncodedFrame, format: str) -> None:
         """Count a rendered frame."""
@@ -70,64 +70,49 @@ class Metrics:
         return generate_latest(self.registry)
 
 
-class _Restarts(Collector):
-    def __init__(self, pool: RenderPool) -> None:
+class _Counts(Collector):
+    """Counters that pool and caches keep themselves."""
+
+    def __init__(self, pool: RenderPool, frames: FrameCache) -> None:
         self._pool = pool
+        self._frames = frames
 
-    def collect(self) -> list[CounterMetricFamily]:
-        family = CounterMetricFamily("seafoam_worker_restarts", "Render workers replaced", labels=("reason",))
+    def collect(self) -> Iterator[CounterMetricFamily]:
+        """Yield each with its present values."""
+        restarts = CounterMetricFamily("seafoam_worker_restarts", "Render workers replaced", labels=("reason",))
         for reason in ("deadline", "crash", "recycled"):
-            family.add_metric((reason,), self._pool.restarts[reason])
-        return [family]
+            restarts.add_metric((reason,), self._pool.restarts[reason])
+        yield restarts
+        origins = CounterMetricFamily("seafoam_frame_origins", "Frames by where they came from", labels=("origin",))
+        for origin in get_args(Origin):
+            origins.add_metric((origin,), self._frames.origins[origin])
+        yield origins
+        disk = self._frames.disk
+        yield CounterMetricFamily(
+            "seafoam_cache_damaged", "Files of the cache that were damaged, and removed", disk.damaged if disk else 0
+        )
+        yield CounterMetricFamily(
+            "seafoam_cache_failures", "Writes to the cache that failed", disk.failures if disk else 0
+        )
 
 
-class _Origins(Collector):
-    def __init__(self, source: FrameSource) -> None:
-        self._source = source
-
-    def collect(self) -> list[CounterMetricFamily]:
-        family = CounterMetricFamily("seafoam_frame_origins", "Frames by where they came from", labels=("origin",))
-        for origin in _ORIGINS:
-            family.add_metric((origin,), self._source.origins[origin])
-        disk = self._source.disk
-        damaged = CounterMetricFamily("seafoam_cache_damaged", "Files of the cache that were damaged, and removed")
-        damaged.add_metric((), disk.damaged if disk else 0)
-        failures = CounterMetricFamily("seafoam_cache_failures", "Writes to the cache that failed")
-        failures.add_metric((), disk.failures if disk else 0)
-        return [family, damaged, failures]
-
-
-class MeasureRequests:
+class MeasureRequests(HttpMiddleware):
     """ASGI middleware: counts requests, their duration and bytes, by route template."""
 
     def __init__(self, app: ASGIApp, metrics: Metrics) -> None:
-        self.app = app
+        super().__init__(app)
         self.metrics = metrics
 
-    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        if scope["type"] != "http":
-            await self.app(scope, receive, send)
-            return
+    async def _handle(self, scope: Scope, receive: Receive, send: Send) -> None:
         began = time.perf_counter()
-        status = 500
-        sent = 0
-
-        async def counting(message: Message) -> None:
-            nonlocal status, sent
-            if message["type"] == "http.response.start":
-                status = message["status"]
-            elif message["type"] == "http.response.body":
-                sent += len(message.get("body", b""))
-            await send(message)
-
+        sent = CountingSend(send)
         try:
-            await self.app(scope, receive, counting)
+            await self.app(scope, receive, sent)
         finally:
-            # A path as it stands would be a label for every misspelling.
-            route = getattr(scope.get("route"), "path_format", "(page)")
-            self.metrics.requests.labels(scope["method"], route, str(status)).inc()
+            route = route_of(scope)
+            self.metrics.requests.labels(scope["method"], route, str(sent.status)).inc()
             self.metrics.durations.labels(scope["method"], route).observe(time.perf_counter() - began)
-            self.metrics.sent.labels(route).inc(sent)
+            self.metrics.sent.labels(route).inc(sent.bytes)
 
 
 __all__ = ["CONTENT_TYPE_LATEST", "MeasureRequests", "Metrics"]

@@ -1,10 +1,12 @@
 """Jobs of render workers, their results, and the functions that run them."""
 
+import json
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache, partial
-from typing import Any, Literal, Protocol
+from importlib.metadata import version
+from typing import Any, Generic, Literal, Protocol, TypeVar, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +15,7 @@ from seafoam.framegraph.plan import FramePlan
 from seafoam.planner import make_geometry_plan, make_plan
 from seafoam.quality import Quality
 from seafoam.render.encode import BYTES_PER_PIXEL, FrameFormat, Output, Precision, encode, encode_lossy, output_of
-from seafoam.render.service.recipe import recipe_of
+from seafoam.render.service.recipe import RECIPE_VERSION, described, renderer_of
 from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
 
@@ -56,27 +58,67 @@ class FrameJob:
         """Of its pixels before they are encoded."""
         return self.width * self.height * BYTES_PER_PIXEL[self.output] * (2 if self.has_geometry else 1)
 
+    def recipe(self, info: Mapping[str, str], plan: str) -> str:
+        """Return the recipe as JSON with sorted keys: the same job on the same renderer gives the same text.
+
+        ``time`` is in seconds, ``width`` and ``height`` in pixels; ``scene``, ``quality``, ``camera`` and ``preset``
+        are what ``/api/frames`` takes, as are ``dither`` and ``precision``, which only the formats that they concern
+        have. info: the renderer's ``renderer`` and ``version``. plan: SHA-256 of the frame plan.
+        """
+        document = {
+            "recipe": RECIPE_VERSION,
+            "seafoam": version("seafoam"),
+            "renderer": renderer_of(info),
+            "plan": plan,
+            "format": self.format,
+            "preset": self.preset,
+            # With the frame's camera, whether it was sent in the scene or beside it: the same frame has the same bytes.
+            "scene": self.scene.model_copy(update={"camera": self.camera}).model_dump(mode="json"),
+            "quality": described(self.quality),
+            "camera": self.camera.model_dump(mode="json"),
+            "time": self.time,
+            "width": self.width,
+            "height": self.height,
+            **({"dither": self.dither} if self.format in ("png", "webp") else {}),
+            **({"precision": self.precision} if self.format == "exr" else {}),
+        }
+        return json.dumps(document, sort_keys=True, separators=(",", ":"), ensure_ascii=False)
+
+
+P = TypeVar("P")
+Q = TypeVar("Q")
+
 
 @dataclass(frozen=True, slots=True)
-class Picture:
+class Picture(Generic[P]):
     """What a renderer drew for a job, before it is encoded. ``timings``: seconds by ``plan``, ``render``, ``read``."""
 
-    pixels: NDArray[Any]
+    pixels: P
     """(height, width, 4), top row first, as :func:`seafoam.render.encode.output_of` says; or (height, width, 8) with
-    normal and distance (:func:`seafoam.planner.make_geometry_plan`)."""
+    normal and distance (:func:`seafoam.planner.make_geometry_plan`). Between processes, where they are."""
     plan: str
     """SHA-256 of the frame plan."""
     info: Mapping[str, str]
     """The renderer's ``vendor``, ``renderer`` and ``version``."""
     timings: Mapping[str, float]
 
+    def with_pixels(self, pixels: Q) -> "Picture[Q]":
+        """Return the same picture with its pixels elsewhere."""
+        return Picture(pixels, self.plan, self.info, self.timings)
+
+
+Origin = Literal["memory", "disk", "shared", "drawn"]
+"""Where a frame came from; ``shared``: drawn once for several requests."""
+
 
 @dataclass(frozen=True, slots=True)
 class EncodedFrame:
-    """An encoded frame and its times: seconds by ``queue``, ``plan``, ``render``, ``read``, ``encode``."""
+    """An encoded frame and its times, if it was drawn: seconds by ``queue``, ``plan``, ``render``, ``read``,
+    ``encode``."""
 
     content: bytes
     timings: Mapping[str, float]
+    origin: Origin = "drawn"
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,6 +133,7 @@ class Draw:
 
 Timer = Literal["wall", "processor"]
 """``processor``: of all threads, for software renderers on machines with other work."""
+TIMERS: tuple[Timer, ...] = get_args(Timer)
 
 
 @dataclass(frozen=True, slots=True)
@@ -137,25 +180,18 @@ class Renderer(Protocol):
         """``vendor``, ``renderer`` and ``version``."""
 
     def render(
-        self,
-        plan: FramePlan,
-        *,
-        time: float,
-        camera: Camera,
-        width: int,
-        height: int,
-        output: Output,
+        self, plan: FramePlan, *, time: float, camera: Camera, width: int, height: int, output: Output
     ) -> RendererResult:
         """Draw one frame."""
 
 
-@lru_cache(maxsize=128)
+@lru_cache(maxsize=8192)
 def plan_hash(scene: Scene, quality: Quality) -> str:
     """Return the SHA-256 of a scene's frame plan. Raises :class:`seafoam.planner.PlanError`."""
     return make_plan(scene, quality).sha256
 
 
-def draw_frame(renderer: Renderer, job: FrameJob) -> Picture:
+def draw_frame(renderer: Renderer, job: FrameJob) -> Picture[NDArray[Any]]:
     """Plan and render one frame in this process.
 
     Raises :class:`seafoam.planner.PlanError` for a scene that cannot be planned, and what the renderer raises.
@@ -175,13 +211,13 @@ def draw_frame(renderer: Renderer, job: FrameJob) -> Picture:
     return Picture(pixels, digest, dict(renderer.info), timings)
 
 
-def encode_frame(picture: Picture, job: FrameJob) -> EncodedFrame:
+def encode_frame(picture: Picture[NDArray[Any]], job: FrameJob) -> EncodedFrame:
     """Encode what was drawn for a job; needs no renderer, so that it can run beside the next frame."""
     began = time.perf_counter()
     if job.lossy:
         content = encode_lossy(picture.pixels)
     else:
-        recipe = recipe_of(job, picture.info, picture.plan)
+        recipe = job.recipe(picture.info, picture.plan)
         content = encode(picture.pixels, job.format, recipe, precision=job.precision)
     return EncodedFrame(content, {**picture.timings, "encode": time.perf_counter() - began})
 

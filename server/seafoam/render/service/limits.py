@@ -45,3 +45,7 @@ class FrameLimits:
                 1,
                 max_height,
             )
+
+
+IN_PROCESS = FrameLimits(side=8192, sampled_side=16384, samples=16384 * 8192)
+"""Greatest frame of a program or a command, which memory limits too."""

@@ -31,10 +31,10 @@ from concurrent.futures.process import BrokenProcessPool
 from dataclasses import replace
 from typing import Any, Literal
 
+from numpy.typing import NDArray
 from pebble import ProcessExpired, ProcessPool
 
 from seafoam.render.gl.executor import Executor
-from seafoam.render.service.canvas import Canvas, Canvases
 from seafoam.render.service.errors import (
     DeadlineError,
     RenderError,
@@ -44,18 +44,9 @@ from seafoam.render.service.errors import (
     StartingError,
 )
 from seafoam.render.service.jobs import Drawn, EncodedFrame, FrameJob, MeasureJob, Picture, Renderer, encode_frame
-from seafoam.render.service.slots import Slots, Turn
-from seafoam.render.service.worker import (
-    Answer,
-    Expired,
-    Failed,
-    T,
-    Unavailable,
-    start_worker,
-    work_canary,
-    work_frame,
-    work_measure,
-)
+from seafoam.render.service.priority import PrioritySemaphore, Ticket
+from seafoam.render.service.shared_buffer import BufferPool, SharedBuffer
+from seafoam.render.service.worker import Answer, T, start_worker, work_canary, work_frame, work_measure
 
 log = logging.getLogger(__name__)
 
@@ -115,7 +106,7 @@ class RenderPool:
         self.succeeded_at = -math.inf
         """Time of the last test picture or frame, of ``time.time()``."""
         self.active = 0
-        self._turns: set[Turn] = set()
+        self._tickets: set[Ticket] = set()
         self.restarts: Counter[Literal["deadline", "crash", "recycled"]] = Counter()
         self._recycle = recycle
         self._check_seconds = check_seconds
@@ -126,10 +117,10 @@ class RenderPool:
         self._recent_seconds = 1.0
         self._processes: ProcessPool | None = None
         self._settled = asyncio.Event()
-        self._slots = Slots(workers)
+        self._free_workers = PrioritySemaphore(workers)
         # One frame of each worker is encoded while it draws the next; more would only collect in memory.
-        self._desks = Slots(2 * workers)
-        self._canvases = Canvases(2 * workers)
+        self._free_encoders = PrioritySemaphore(2 * workers)
+        self._buffers = BufferPool(2 * workers)
         self._encoders: ThreadPoolExecutor | None = None
         self._tasks: set[asyncio.Task[None]] = set()
 
@@ -138,7 +129,7 @@ class RenderPool:
         self.state, self.active = "starting", 0
         # They belong to the event loop that first waits for them, and a restart has a new loop.
         self._settled = asyncio.Event()
-        self._slots, self._desks = Slots(self.workers), Slots(2 * self.workers)
+        self._free_workers, self._free_encoders = PrioritySemaphore(self.workers), PrioritySemaphore(2 * self.workers)
         self._encoders = ThreadPoolExecutor(self.workers, "encode")
         self._keep(self._watch())
 
@@ -150,7 +141,7 @@ class RenderPool:
         await asyncio.gather(*self._tasks, return_exceptions=True)
         if self._encoders is not None:
             self._encoders.shutdown(wait=False, cancel_futures=True)
-        self._canvases.close()
+        self._buffers.close()
         processes, self._processes = self._processes, None
         if processes is not None:
             await asyncio.to_thread(_discard, processes)
@@ -158,21 +149,21 @@ class RenderPool:
     @property
     def waiting(self) -> int:
         """Number of visitors' frames in the queue."""
-        return sum(turn.rank == 0 for turn in self._turns)
+        return sum(ticket.rank == 0 for ticket in self._tickets)
 
     @property
     def waiting_background(self) -> int:
         """Number of frames that wait until no visitor's does."""
-        return sum(turn.background for turn in self._turns)
+        return sum(ticket.background for ticket in self._tickets)
 
-    def waits(self, turn: Turn) -> bool:
+    def waits(self, ticket: Ticket) -> bool:
         """Whether a frame is in the queue: not yet drawn."""
-        return turn in self._turns
+        return ticket in self._tickets
 
-    async def render(self, job: FrameJob, turn: Turn | None = None) -> EncodedFrame:
+    async def render(self, job: FrameJob, ticket: Ticket | None = None) -> EncodedFrame:
         """Render one frame in a worker, and encode it here in a thread, while the worker draws the next.
 
-        turn: absent: a visitor's. A frame in the background has a queue and a deadline of its own; one of a stream
+        ticket: absent: a visitor's. A frame in the background has a queue and a deadline of its own; one of a stream
         takes no place in the queue, since its stream bounds how many wait. The deadline of both is for waiting; once
         begun they have :attr:`deadline`.
 
@@ -180,55 +171,57 @@ class RenderPool:
         :class:`RenderFailedError`. If the call is cancelled while it waits, it leaves the queue; a frame
         that is being rendered is finished, because stopping it would kill the worker.
         """
-        turn = turn or Turn()
+        ticket = ticket or Ticket()
         began = time.time()
-        expires = began + (BACKGROUND_SECONDS if turn.background else self.deadline)
-        self._admit(turn)
-        self._turns.add(turn)
+        expires = began + (BACKGROUND_SECONDS if ticket.background else self.deadline)
+        self._admit(ticket)
+        self._tickets.add(ticket)
         try:
             await self.wait_until_settled()
             # The worker first: one that waits in the background must not hold what a visitor needs.
-            await self._take(self._slots, expires, turn)
+            await self._take(self._free_workers, expires, ticket)
             try:
-                await self._take(self._desks, expires, turn)
+                await self._take(self._free_encoders, expires, ticket)
             except BaseException:
-                self._slots.release()
+                self._free_workers.release()
                 raise
         finally:
-            self._turns.discard(turn)
+            self._tickets.discard(ticket)
         # What waits for all others often begins late, and must not cost the worker, which is killed at the deadline.
         # A renderer that hangs is found as soon as in any frame.
         late = time.time() + self.deadline
-        expires = min(expires, late) if turn.rank == 0 else late
-        canvas = self._canvases.take(job.bytes)
+        expires = min(expires, late) if ticket.rank == 0 else late
+        buffer = self._buffers.take(job.bytes)
         try:
-            sent = await self._run(work_frame, (job, expires, canvas.address), expires, COMPILE_SECONDS)
-            picture = Picture(canvas.received(sent.pixels), sent.plan, sent.info, sent.timings)
+            sent = await self._run(work_frame, (job, expires, buffer.address), expires, COMPILE_SECONDS)
+            picture = sent.with_pixels(buffer.received(sent.pixels))
         except BaseException:
             # Closed, since the worker may still write to it.
-            canvas.close()
-            self._desks.release()
+            buffer.close()
+            self._free_encoders.release()
             raise
-        frame = await self._encode(picture, job, canvas, expires)
+        frame = await self._encode(picture, job, buffer, expires)
         worked = sum(frame.timings.values())
         self._recent_seconds += 0.2 * (worked - self._recent_seconds)
         return replace(frame, timings={"queue": max(0.0, time.time() - began - worked), **frame.timings})
 
-    async def _encode(self, picture: Picture, job: FrameJob, canvas: Canvas, expires: float) -> EncodedFrame:
-        """Encode in a thread; desk and canvas are free when the thread is, whether or not the caller still waits."""
+    async def _encode(
+        self, picture: Picture[NDArray[Any]], job: FrameJob, buffer: SharedBuffer, expires: float
+    ) -> EncodedFrame:
+        """Encode in a thread; encoder and buffer are free when it ends, whether or not the caller still waits."""
         assert self._encoders is not None
         loop = asyncio.get_running_loop()
         encoding = loop.run_in_executor(self._encoders, encode_frame, picture, job)
-        encoding.add_done_callback(lambda _: self._encoded(canvas))
+        encoding.add_done_callback(lambda _: self._encoded(buffer))
         try:
             async with asyncio.timeout(max(0.0, expires - time.time())):
                 return await asyncio.shield(encoding)
         except TimeoutError:
             raise DeadlineError("timeout: the frame was drawn, but not encoded before its deadline") from None
 
-    def _encoded(self, canvas: Canvas) -> None:
-        self._canvases.give_back(canvas)
-        self._desks.release()
+    def _encoded(self, buffer: SharedBuffer) -> None:
+        self._buffers.give_back(buffer)
+        self._free_encoders.release()
 
     async def measure(self, job: MeasureJob) -> tuple[Drawn, ...]:
         """Measure in a worker, in turn with the frames, without taking a place in their queue.
@@ -237,7 +230,7 @@ class RenderPool:
         """
         expires = time.time() + MEASURE_SECONDS
         await self.wait_until_settled()
-        await self._take(self._slots, expires)
+        await self._take(self._free_workers, expires)
         return await self._run(work_measure, (job, expires), expires)
 
     async def wait_until_settled(self) -> None:
@@ -250,23 +243,23 @@ class RenderPool:
         if self.state != "ready":
             raise RendererUnavailableError(self.remedy or "the renderer is stopped")
 
-    def _admit(self, turn: Turn) -> None:
+    def _admit(self, ticket: Ticket) -> None:
         """Refuse a frame for which there is neither a worker nor a place in the queue."""
         if self.state in ("unavailable", "stopped"):
             raise RendererUnavailableError(self.remedy or "the renderer is stopped")
-        if turn.stream:
+        if ticket.stream:
             return
         waiting, capacity = (
-            (self.waiting_background, BACKGROUND_QUEUE) if turn.background else (self.waiting, self.queue)
+            (self.waiting_background, BACKGROUND_QUEUE) if ticket.background else (self.waiting, self.queue)
         )
-        if waiting >= capacity and (self.state == "starting" or self._slots.locked()):
+        if waiting >= capacity and (self.state == "starting" or self._free_workers.locked()):
             ahead = math.ceil(self._recent_seconds * (waiting + 1) / self.workers)
             raise RenderQueueFullError(waiting, max(EARLIEST_RETRY, ahead))
 
-    async def _take(self, slots: Slots, expires: float, turn: Turn | None = None) -> None:
+    async def _take(self, places: PrioritySemaphore, expires: float, ticket: Ticket | None = None) -> None:
         try:
             async with asyncio.timeout(max(0.0, expires - time.time())):
-                await slots.acquire(turn)
+                await places.acquire(ticket)
         except TimeoutError:
             raise DeadlineError("timeout: no render worker was free before the frame's deadline") from None
 
@@ -280,7 +273,7 @@ class RenderPool:
         except (ProcessExpired, BrokenProcessPool, CancelledFuture) as error:
             # A frame depends only on its job, so it can be tried again in another worker.
             log.warning("A render worker died: %r", error)
-            await self._take(self._slots, expires)
+            await self._take(self._free_workers, expires)
             try:
                 answer = await self._attempt(work, args, expires, grace)
             except (ProcessExpired, BrokenProcessPool, CancelledFuture) as again:
@@ -293,7 +286,7 @@ class RenderPool:
         try:
             future = self._schedule(work, args, max(0.01, expires - time.time()) + grace)
         except BaseException:
-            self._slots.release()
+            self._free_workers.release()
             raise
         loop = asyncio.get_running_loop()
         self.active += 1
@@ -324,17 +317,18 @@ class RenderPool:
         if self._jobs_of_worker[answer.worker] == self._recycle:
             del self._jobs_of_worker[answer.worker]
             self.restarts["recycled"] += 1
-        value = answer.value
-        if isinstance(value, Unavailable):
-            self._give_up(value.remedy)
-            raise RendererUnavailableError(value.remedy)
-        if isinstance(value, Failed):
-            log.error("A frame failed:\n%s", value.traceback)
-            raise RenderFailedError("the renderer failed; the server log has the details")
-        if isinstance(value, Expired):
-            raise DeadlineError(f"timeout: the frame was not started within {self.deadline:g} s")
-        self.succeeded_at = time.time()
-        return value
+        match answer.value:
+            case RendererUnavailableError() as error:
+                self._give_up(str(error))
+                raise error
+            case RenderFailedError() as error:
+                log.error("A frame failed:\n%s", error)
+                raise RenderFailedError("the renderer failed; the server log has the details")
+            case RenderError():
+                raise DeadlineError(f"timeout: the frame was not started within {self.deadline:g} s")
+            case value:
+                self.succeeded_at = time.time()
+                return value
 
     def _schedule(self, work: Callable[..., Answer[T]], args: tuple[Any, ...], timeout: float) -> Future[Answer[T]]:
         if self._processes is not None:
@@ -364,7 +358,7 @@ class RenderPool:
     def _free(self, late: bool) -> None:
         self.active -= 1
         self.restarts["deadline"] += late
-        self._slots.release()
+        self._free_workers.release()
 
     async def _replace_if_stuck(self, future: Future[Answer[T]], grace: float) -> None:
         await asyncio.sleep(grace + STUCK_SECONDS)
@@ -376,13 +370,13 @@ class RenderPool:
         """Draw a test picture at the start, and again whenever nothing was drawn for a while."""
         while True:
             if self.state != "ready" or (
-                time.time() - self.succeeded_at >= self._check_seconds and not self._slots.locked()
+                time.time() - self.succeeded_at >= self._check_seconds and not self._free_workers.locked()
             ):
                 await self._check()
             await asyncio.sleep(self._check_seconds)
 
     async def _check(self) -> None:
-        await self._slots.acquire()
+        await self._free_workers.acquire()
         try:
             self.info = await self._run(work_canary, (), time.time() + START_SECONDS)
             self.state, self.remedy = "ready", ""

@@ -5,7 +5,7 @@ import os
 import signal
 import time
 import traceback
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from typing import Any, Generic, NoReturn, TypeVar
@@ -16,8 +16,9 @@ from numpy.typing import NDArray
 from seafoam.planner import make_geometry_plan, make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.render.gl.executor import NoRendererError
-from seafoam.render.service.canvas import Address, Sent, send
-from seafoam.render.service.jobs import Drawn, FrameJob, MeasureJob, Renderer, draw_frame, measure
+from seafoam.render.service.errors import DeadlineError, RenderError, RendererUnavailableError, RenderFailedError
+from seafoam.render.service.jobs import Drawn, FrameJob, MeasureJob, Picture, Renderer, draw_frame, measure
+from seafoam.render.service.shared_buffer import BufferAddress, SharedPixels, send
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 
@@ -35,46 +36,25 @@ def draw_canary(renderer: Renderer, scene: Scene | None = None, quality: Quality
     Drivers can fail without an error: a lost context reads as zeros. scene: absent: an open sea.
     """
     scene = scene or Scene()
-    rendered = renderer.render(
-        make_plan(scene, quality),
-        time=0.0,
-        camera=scene.camera,
-        width=CANARY_SIDE,
-        height=CANARY_SIDE,
-        output="rgba8",
-    )
+    plan, side = make_plan(scene, quality), CANARY_SIDE
+    rendered = renderer.render(plan, time=0.0, camera=scene.camera, width=side, height=side, output="rgba8")
     if np.ptp(rendered.pixels[..., :3]) == 0:
         raise NoRendererError(f"{renderer.info['renderer']} draws blank frames; update or reinstall its driver")
 
 
 @dataclass(frozen=True, slots=True)
-class Unavailable:
-    """Response of a worker without a renderer."""
-
-    remedy: str
-
-
-@dataclass(frozen=True, slots=True)
-class Failed:
-    """Response of a worker that raised an error; not all exceptions can be pickled."""
-
-    traceback: str
-
-
-@dataclass(frozen=True, slots=True)
-class Expired:
-    """Response to a job that reached its worker after its deadline."""
-
-
-@dataclass(frozen=True, slots=True)
 class Answer(Generic[T]):
-    """Response of a worker, and which worker sent it."""
+    """Response of a worker, and which worker sent it.
+
+    value: the result; or :class:`RendererUnavailableError`, :class:`DeadlineError` of a job that arrived too late, or
+    :class:`RenderFailedError` with the traceback, for not all exceptions can be pickled.
+    """
 
     worker: int
-    value: T | Unavailable | Failed | Expired
+    value: T | RenderError
 
 
-_renderer: Renderer | Unavailable = Unavailable("this process is not a render worker")
+_renderer: Renderer | RendererUnavailableError = RendererUnavailableError("this process is not a render worker")
 
 
 def start_worker(factory: Callable[[], Renderer], threads: int) -> None:
@@ -86,14 +66,14 @@ def start_worker(factory: Callable[[], Renderer], threads: int) -> None:
         draw_canary(renderer)
         _renderer = renderer
     except NoRendererError as error:
-        _renderer = Unavailable(str(error))
+        _renderer = RendererUnavailableError(str(error))
     except Exception as error:
-        _renderer = Unavailable(f"the renderer does not start: {error!r}")
+        _renderer = RendererUnavailableError(f"the renderer does not start: {error!r}")
 
 
 def work_canary() -> Answer[dict[str, str]]:
     """Draw the default picture, small, so that its programs are compiled, and report the renderer."""
-    if isinstance(_renderer, Unavailable):
+    if isinstance(_renderer, RendererUnavailableError):
         return Answer(os.getpid(), _renderer)
     try:
         draw_canary(_renderer, load_preset("default").scene, TIERS["standard"])
@@ -108,26 +88,16 @@ def _give_way() -> NoReturn:
     os._exit(1)
 
 
-def _failed(renderer: Renderer, error: Exception) -> Failed:
+def _failed(renderer: Renderer, error: Exception) -> RenderFailedError:
     """Return the response to an error, if there is memory left and the renderer still draws; else end this process."""
     if isinstance(error, MemoryError):
         _give_way()
-    failed = Failed(traceback.format_exc())
+    failed = RenderFailedError(traceback.format_exc())
     try:
         draw_canary(renderer)
     except Exception:
         _give_way()
     return failed
-
-
-@dataclass(frozen=True, slots=True)
-class Posted:
-    """A picture on its way to the parent: its pixels, if not here, in the parent's memory."""
-
-    pixels: NDArray[Any] | Sent
-    plan: str
-    info: Mapping[str, str]
-    timings: Mapping[str, float]
 
 
 _compiled: set[tuple[str, str]] = set()
@@ -159,40 +129,52 @@ def _ended_at(expires: float) -> Iterator[None]:
         signal.setitimer(signal.ITIMER_REAL, 0.0)
 
 
-def work_frame(job: FrameJob, expires: float, canvas: Address | None) -> Answer[Posted]:
-    """Render one frame, unless it has expired; the parent encodes it, beside the next.
-
-    expires: of ``time.time()``; from then on the process may only compile. canvas: the parent's memory for the pixels.
-    """
-    if isinstance(_renderer, Unavailable):
+def _answer(expires: float, work: Callable[[Renderer], T]) -> Answer[T]:
+    """Do work, unless it arrives too late (``expires``: of ``time.time()``). work: may raise DeadlineError itself."""
+    if isinstance(_renderer, RendererUnavailableError):
         return Answer(os.getpid(), _renderer)
-    if time.time() >= expires:
-        return Answer(os.getpid(), Expired())
     try:
-        _compile(_renderer, job)
-        if time.time() >= expires:
-            return Answer(os.getpid(), Expired())
-        with _ended_at(expires):
-            drawn = draw_frame(_renderer, job)
-            if not drawn.pixels.any():
-                # A night may be black in float32; a lost context is, without an error.
-                draw_canary(_renderer)
-        posted = Posted(send(drawn.pixels, canvas), drawn.plan, drawn.info, drawn.timings)
-        return Answer(os.getpid(), posted)
+        _check_time(expires)
+        return Answer(os.getpid(), work(_renderer))
+    except DeadlineError as error:
+        return Answer(os.getpid(), error)
     except Exception as error:
         return Answer(os.getpid(), _failed(_renderer, error))
+
+
+def _check_time(expires: float) -> None:
+    if time.time() >= expires:
+        raise DeadlineError("the job has expired")
+
+
+def work_frame(
+    job: FrameJob, expires: float, buffer: BufferAddress | None
+) -> Answer[Picture[NDArray[Any] | SharedPixels]]:
+    """Render one frame, unless it has expired; the parent encodes it, beside the next.
+
+    expires: of ``time.time()``; from then on the process may only compile. buffer: the parent's memory for the pixels.
+    """
+
+    def draw(renderer: Renderer) -> Picture[NDArray[Any] | SharedPixels]:
+        _compile(renderer, job)
+        _check_time(expires)
+        with _ended_at(expires):
+            drawn = draw_frame(renderer, job)
+            if not drawn.pixels.any():
+                # A night may be black in float32; a lost context is, without an error.
+                draw_canary(renderer)
+        return drawn.with_pixels(send(drawn.pixels, buffer))
+
+    return _answer(expires, draw)
 
 
 def work_measure(job: MeasureJob, expires: float) -> Answer[tuple[Drawn, ...]]:
     """Measure, unless the job has expired. expires: of ``time.time()``."""
-    if isinstance(_renderer, Unavailable):
-        return Answer(os.getpid(), _renderer)
-    if time.time() >= expires:
-        return Answer(os.getpid(), Expired())
-    try:
-        drawn = measure(_renderer, job)
+
+    def draw(renderer: Renderer) -> tuple[Drawn, ...]:
+        drawn = measure(renderer, job)
         # A lost context takes time too, and draws zeros, without an error.
-        draw_canary(_renderer)
-        return Answer(os.getpid(), drawn)
-    except Exception as error:
-        return Answer(os.getpid(), _failed(_renderer, error))
+        draw_canary(renderer)
+        return drawn
+
+    return _answer(expires, draw)

@@ -8,9 +8,9 @@ import pytest
 
 from seafoam.quality import TIERS
 from seafoam.render.encode import encode
-from seafoam.render.service.canvas import KEPT_BYTES, LEAST_BYTES, Canvas, Canvases, Sent, send
 from seafoam.render.service.jobs import FrameJob
 from seafoam.render.service.pool import RenderPool
+from seafoam.render.service.shared_buffer import KEPT_BYTES, LEAST_BYTES, BufferPool, SharedBuffer, SharedPixels, send
 from seafoam.scene.models import Scene
 from support.api_fakes import FakeRenderer
 
@@ -22,56 +22,56 @@ def noise(seed: int, type: type = np.uint16) -> np.ndarray:
 
 
 @pytest.mark.parametrize("type", [np.uint8, np.uint16, np.float32])
-def test_pixels_arrive_and_stay_after_the_canvas_is_closed(type: type) -> None:
-    canvas = Canvas(noise(1, type).nbytes)
-    sent = send(noise(1, type), canvas.address)
-    assert isinstance(sent, Sent)
-    pixels = canvas.received(sent)
-    canvas.close()
+def test_pixels_arrive_and_stay_after_the_buffer_is_closed(type: type) -> None:
+    buffer = SharedBuffer(noise(1, type).nbytes)
+    sent = send(noise(1, type), buffer.address)
+    assert isinstance(sent, SharedPixels)
+    pixels = buffer.received(sent)
+    buffer.close()
     np.testing.assert_array_equal(pixels, noise(1, type))
 
 
 def test_small_pixels_and_those_that_do_not_fit_go_with_the_answer() -> None:
-    assert Canvas(LEAST_BYTES - 1).address is None
-    canvas = Canvas(LEAST_BYTES)
-    for address in (None, canvas.address):
+    assert SharedBuffer(LEAST_BYTES - 1).address is None
+    buffer = SharedBuffer(LEAST_BYTES)
+    for address in (None, buffer.address):
         assert send(noise(2), address) is not None
-        assert not isinstance(send(noise(2), address), Sent)
+        assert not isinstance(send(noise(2), address), SharedPixels)
     pixels = noise(2)
-    assert canvas.received(pixels) is pixels
-    canvas.close()
+    assert buffer.received(pixels) is pixels
+    buffer.close()
 
 
-def test_a_canvas_that_the_parent_has_closed_is_not_written_to() -> None:
-    first = Canvas(noise(3).nbytes)
+def test_a_buffer_that_the_parent_has_closed_is_not_written_to() -> None:
+    first = SharedBuffer(noise(3).nbytes)
     address = first.address
     first.close()
     np.testing.assert_array_equal(send(noise(3), address), noise(3))
-    # Its file's number is another canvas's now.
-    second = Canvas(noise(3).nbytes)
+    # Its file's number is another buffer's now.
+    second = SharedBuffer(noise(3).nbytes)
     assert second.address is not None
     assert address is not None
     assert second.address.serial != address.serial
     second.close()
 
 
-def test_canvases_are_used_again_within_bounds() -> None:
-    canvases = Canvases(2)
-    taken = [canvases.take(1 << 20) for _ in range(3)]
+def test_buffers_are_used_again_within_bounds() -> None:
+    buffers = BufferPool(2)
+    taken = [buffers.take(1 << 20) for _ in range(3)]
     open_before = len(os.listdir("/proc/self/fd"))
-    for canvas in taken:
-        canvases.give_back(canvas)
+    for buffer in taken:
+        buffers.give_back(buffer)
     assert len(os.listdir("/proc/self/fd")) < open_before
-    assert canvases.take(1 << 19) in taken
-    assert canvases.take(1 << 14) not in taken  # far too large for it
-    large = canvases.take(KEPT_BYTES + 1)
-    canvases.give_back(large)
+    assert buffers.take(1 << 19) in taken
+    assert buffers.take(1 << 14) not in taken  # far too large for it
+    large = buffers.take(KEPT_BYTES + 1)
+    buffers.give_back(large)
     assert large.address is None
-    canvases.close()
+    buffers.close()
 
 
 def test_frames_of_a_pool_are_what_its_renderer_drew() -> None:
-    """Several at once and in turn, in one size, so that canvases are used again."""
+    """Several at once and in turn, in one size, so that buffers are used again."""
     scene = Scene()
 
     async def run() -> list[bytes]:

@@ -8,7 +8,7 @@ STREAMED = 8
 
 
 @dataclass(eq=False, slots=True)
-class Turn:
+class Ticket:
     """A caller's place in the queue. ``background``: only when no other caller waits; may change while it waits.
 
     ``stream``: one of many frames of a stream, after single frames and mostly before the background.
@@ -23,12 +23,12 @@ class Turn:
         return 2 if self.background else int(self.stream)
 
 
-class Slots:
+class PrioritySemaphore:
     """A counter of free workers, for one event loop. Those who wait are served by kind, then in order of arrival."""
 
     def __init__(self, count: int) -> None:
         self._free = count
-        self._waiting: list[tuple[Turn, asyncio.Future[None]]] = []
+        self._waiting: list[tuple[Ticket, asyncio.Future[None]]] = []
         self._streamed = 0
         """Frames of streams since one of the background that waits."""
 
@@ -36,12 +36,12 @@ class Slots:
         """Whether every worker is taken."""
         return self._free == 0
 
-    async def acquire(self, turn: Turn | None = None) -> None:
-        """Take a worker, waiting for one if none is free; absent turn: a visitor's."""
+    async def acquire(self, ticket: Ticket | None = None) -> None:
+        """Take a worker, waiting for one if none is free; absent ticket: a visitor's."""
         if self._free > 0:
             self._free -= 1
             return
-        entry = turn or Turn(), asyncio.get_running_loop().create_future()
+        entry = ticket or Ticket(), asyncio.get_running_loop().create_future()
         self._waiting.append(entry)
         try:
             await entry[1]

@@ -24,7 +24,7 @@ KEPT_MAPPINGS = 4
 
 
 @dataclass(frozen=True, slots=True)
-class Address:
+class BufferAddress:
     """Where a worker finds the memory. ``serial``: never used again, which the path can be."""
 
     path: str
@@ -33,18 +33,18 @@ class Address:
 
 
 @dataclass(frozen=True, slots=True)
-class Sent:
+class SharedPixels:
     """Pixels that were written to the memory: their shape and type."""
 
     shape: tuple[int, ...]
     dtype: str
 
 
-class Canvas:
+class SharedBuffer:
     """Memory for one frame, in the parent. ``address``: None where pixels must go through the pipe."""
 
     def __init__(self, size: int) -> None:
-        self.address: Address | None = None
+        self.address: BufferAddress | None = None
         self._file = -1
         self._memory: mmap.mmap | None = None
         if size < LEAST_BYTES or not hasattr(os, "memfd_create"):
@@ -56,11 +56,11 @@ class Canvas:
         except OSError:
             self.close()
             return
-        self.address = Address(f"/proc/{os.getpid()}/fd/{self._file}", size, next(_serials))
+        self.address = BufferAddress(f"/proc/{os.getpid()}/fd/{self._file}", size, next(_serials))
 
-    def received(self, pixels: NDArray[Any] | Sent) -> NDArray[Any]:
+    def received(self, pixels: NDArray[Any] | SharedPixels) -> NDArray[Any]:
         """Return the pixels that a worker sent. They stay valid after :meth:`close`."""
-        if not isinstance(pixels, Sent):
+        if not isinstance(pixels, SharedPixels):
             return pixels
         assert self._memory is not None
         count = int(np.prod(pixels.shape))
@@ -76,26 +76,26 @@ class Canvas:
 _serials = itertools.count()
 
 
-class Canvases:
-    """Canvases for one event loop, used again when their frame is encoded. limit: how many are kept."""
+class BufferPool:
+    """BufferPool for one event loop, used again when their frame is encoded. limit: how many are kept."""
 
     def __init__(self, limit: int) -> None:
         self._limit = limit
-        self._free: list[Canvas] = []
+        self._free: list[SharedBuffer] = []
 
-    def take(self, size: int) -> Canvas:
-        """Return a canvas for ``size`` bytes."""
-        for index, canvas in enumerate(self._free):
-            if canvas.address is not None and size <= canvas.address.size <= 4 * size:
+    def take(self, size: int) -> SharedBuffer:
+        """Return a buffer for ``size`` bytes."""
+        for index, buffer in enumerate(self._free):
+            if buffer.address is not None and size <= buffer.address.size <= 4 * size:
                 return self._free.pop(index)
-        return Canvas(size)
+        return SharedBuffer(size)
 
-    def give_back(self, canvas: Canvas) -> None:
-        """Take back a canvas to which no worker writes and whose pixels nobody reads any more."""
-        if canvas.address is None or canvas.address.size > KEPT_BYTES:
-            canvas.close()
+    def give_back(self, buffer: SharedBuffer) -> None:
+        """Take back a buffer to which no worker writes and whose pixels nobody reads any more."""
+        if buffer.address is None or buffer.address.size > KEPT_BYTES:
+            buffer.close()
             return
-        self._free.append(canvas)
+        self._free.append(buffer)
         while len(self._free) > self._limit:
             self._free.pop(0).close()
 
@@ -109,7 +109,7 @@ _mapped: OrderedDict[int, mmap.mmap] = OrderedDict()
 """A worker's mappings, by serial."""
 
 
-def send(pixels: NDArray[Any], address: Address | None) -> NDArray[Any] | Sent:
+def send(pixels: NDArray[Any], address: BufferAddress | None) -> NDArray[Any] | SharedPixels:
     """Write pixels to the parent's memory, in a worker; returns the pixels themselves where that is not possible."""
     if address is None or pixels.nbytes > address.size:
         return pixels
@@ -118,10 +118,10 @@ def send(pixels: NDArray[Any], address: Address | None) -> NDArray[Any] | Sent:
     except OSError:  # the parent no longer waits and has closed it
         return pixels
     np.copyto(np.frombuffer(memory, pixels.dtype, pixels.size).reshape(pixels.shape), pixels)
-    return Sent(pixels.shape, pixels.dtype.str)
+    return SharedPixels(pixels.shape, pixels.dtype.str)
 
 
-def _mapping(address: Address) -> mmap.mmap:
+def _mapping(address: BufferAddress) -> mmap.mmap:
     if address.serial not in _mapped:
         file = os.open(address.path, os.O_RDWR)
         try:

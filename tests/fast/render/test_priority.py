@@ -5,8 +5,8 @@ from collections.abc import Callable
 
 import pytest
 
-from seafoam.render.service.sharing import Sharing
-from seafoam.render.service.slots import STREAMED, Slots, Turn
+from seafoam.render.service.frame_cache import InFlight
+from seafoam.render.service.priority import STREAMED, PrioritySemaphore, Ticket
 
 
 async def settle() -> None:
@@ -16,18 +16,18 @@ async def settle() -> None:
 
 def test_visitors_go_before_the_background_in_order_of_arrival() -> None:
     async def run() -> None:
-        slots, served = Slots(1), []
+        slots, served = PrioritySemaphore(1), []
         await slots.acquire()
-        turns = {"b1": Turn(True), "b2": Turn(True), "v1": Turn(), "b3": Turn(True), "v2": Turn()}
+        tickets = {"b1": Ticket(True), "b2": Ticket(True), "v1": Ticket(), "b3": Ticket(True), "v2": Ticket()}
 
         async def wait(name: str) -> None:
-            await slots.acquire(turns[name])
+            await slots.acquire(tickets[name])
             served.append(name)
 
-        tasks = [asyncio.ensure_future(wait(name)) for name in turns]
+        tasks = [asyncio.ensure_future(wait(name)) for name in tickets]
         await settle()
-        turns["b3"].background = False  # a visitor asks for the same
-        for _ in turns:
+        tickets["b3"].background = False  # a visitor asks for the same
+        for _ in tickets:
             slots.release()
             await settle()
         assert served == ["v1", "b3", "v2", "b1", "b2"]
@@ -39,21 +39,23 @@ def test_visitors_go_before_the_background_in_order_of_arrival() -> None:
     asyncio.run(run())
 
 
-def served(turns: dict[str, Turn], new: Callable[[str], tuple[str, Turn] | None] = lambda name: None) -> list[str]:
+def served(
+    tickets: dict[str, Ticket], new: Callable[[str], tuple[str, Ticket] | None] = lambda name: None
+) -> list[str]:
     """In which order one worker serves callers. new: who comes when a caller has been served."""
 
     async def run() -> list[str]:
-        slots, order = Slots(1), []
+        slots, order = PrioritySemaphore(1), []
         await slots.acquire()
         tasks = []
 
-        async def wait(name: str, turn: Turn) -> None:
-            await slots.acquire(turn)
+        async def wait(name: str, ticket: Ticket) -> None:
+            await slots.acquire(ticket)
             order.append(name)
             if (come := new(name)) is not None:
                 tasks.append(asyncio.ensure_future(wait(*come)))
 
-        tasks += [asyncio.ensure_future(wait(name, turn)) for name, turn in turns.items()]
+        tasks += [asyncio.ensure_future(wait(name, ticket)) for name, ticket in tickets.items()]
         await settle()
         while len(order) < len(tasks):
             slots.release()
@@ -65,27 +67,27 @@ def served(turns: dict[str, Turn], new: Callable[[str], tuple[str, Turn] | None]
 
 
 def test_frames_of_streams_go_between_visitors_and_the_background() -> None:
-    turns = {"b1": Turn(True), "s1": Turn(stream=True), "v1": Turn(), "s2": Turn(stream=True), "v2": Turn()}
-    assert served(turns) == ["v1", "v2", "s1", "s2", "b1"]
+    tickets = {"b1": Ticket(True), "s1": Ticket(stream=True), "v1": Ticket(), "s2": Ticket(stream=True), "v2": Ticket()}
+    assert served(tickets) == ["v1", "v2", "s1", "s2", "b1"]
 
 
 def test_the_background_is_served_while_streams_always_wait() -> None:
     """Two streams ask for the next frame whenever one has come."""
     left = iter(range(5 * STREAMED))
 
-    def again(name: str) -> tuple[str, Turn] | None:
-        return (name, Turn(stream=True)) if name == "stream" and next(left, None) is not None else None
+    def again(name: str) -> tuple[str, Ticket] | None:
+        return (name, Ticket(stream=True)) if name == "stream" and next(left, None) is not None else None
 
-    turns = {f"b{number}": Turn(True) for number in range(2)}
-    turns |= {"stream": Turn(stream=True), "v": Turn()}
-    order = served(turns, again)
+    tickets = {f"b{number}": Ticket(True) for number in range(2)}
+    tickets |= {"stream": Ticket(stream=True), "v": Ticket()}
+    order = served(tickets, again)
     assert order[0] == "v"
     assert [place for place, name in enumerate(order) if name.startswith("b")] == [STREAMED + 1, 2 * STREAMED + 2]
 
 
 def test_no_worker_is_lost_with_a_caller_that_gives_up() -> None:
     async def run() -> None:
-        slots = Slots(1)
+        slots = PrioritySemaphore(1)
         await slots.acquire()
         first, second = (asyncio.ensure_future(slots.acquire()) for _ in range(2))
         await settle()
@@ -108,55 +110,55 @@ def test_no_worker_is_lost_with_a_caller_that_gives_up() -> None:
 
 def test_identical_calls_share_a_run_and_its_failure() -> None:
     async def run() -> None:
-        sharing: Sharing[int] = Sharing()
+        runs: InFlight[int] = InFlight()
         starts = []
 
-        async def work(turn: Turn) -> int:
-            starts.append(turn)
+        async def work(ticket: Ticket) -> int:
+            starts.append(ticket)
             await asyncio.sleep(0.01)
             if len(starts) == 2:
                 raise KeyError("lost")
             return len(starts)
 
         async def three(background: bool) -> list[int | BaseException]:
-            calls = (sharing.run("a", work, background=background) for _ in range(3))
+            calls = (runs.run("a", work, background=background) for _ in range(3))
             return await asyncio.gather(*calls, return_exceptions=True)
 
         assert await three(False) == [1, 1, 1]
         assert [type(error) for error in await three(True)] == [KeyError] * 3
         assert await three(True) == [3, 3, 3]
-        assert [turn.background for turn in starts] == [False, True, True]
+        assert [ticket.background for ticket in starts] == [False, True, True]
 
     asyncio.run(run())
 
 
 def test_a_run_ends_with_its_last_caller_and_goes_to_the_front_with_its_first_visitor() -> None:
     async def run() -> None:
-        sharing: Sharing[int] = Sharing()
-        turns: list[Turn] = []
+        runs: InFlight[int] = InFlight()
+        tickets: list[Ticket] = []
         ended: list[bool] = []
 
-        async def work(turn: Turn) -> int:
-            turns.append(turn)
+        async def work(ticket: Ticket) -> int:
+            tickets.append(ticket)
             try:
                 await asyncio.sleep(60)
             finally:
                 ended.append(True)
             return 0
 
-        background = asyncio.ensure_future(sharing.run("a", work, background=True))
+        background = asyncio.ensure_future(runs.run("a", work, background=True))
         await settle()
-        visitor = asyncio.ensure_future(sharing.run("a", work, background=False))
+        visitor = asyncio.ensure_future(runs.run("a", work, background=False))
         await settle()
-        assert len(turns) == 1
-        assert not turns[0].background
+        assert len(tickets) == 1
+        assert not tickets[0].background
         background.cancel()
         await settle()
         assert not ended
         visitor.cancel()
         await settle()
         assert ended
-        assert not sharing.in_flight("a")
+        assert "a" not in runs
         for task in (background, visitor):
             with pytest.raises(asyncio.CancelledError):
                 await task

@@ -1,0 +1,209 @@
+"""Frames from the fastest place that has them: memory, disk, a render in flight, or a render worker."""
+
+import asyncio
+import hashlib
+import json
+import threading
+from collections import Counter, OrderedDict
+from collections.abc import Callable, Coroutine, Mapping
+from dataclasses import replace
+from functools import lru_cache
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any, Generic, TypeVar
+
+from seafoam.render.encode import ENCODERS
+from seafoam.render.service.disk import DiskCache
+from seafoam.render.service.errors import DeadlineError
+from seafoam.render.service.jobs import EncodedFrame, FrameJob, Origin
+from seafoam.render.service.pool import RenderPool
+from seafoam.render.service.priority import Ticket
+
+K = TypeVar("K")
+V = TypeVar("V")
+T = TypeVar("T")
+
+_PACKAGE = Path(__file__).resolve().parent.parent.parent
+_DRAWING = ("framegraph", "render", "scene/camera.py", "textures")
+"""Sources that frames depend on beside their plans: a changed checkout must not be answered by what it drew before."""
+
+
+class LruCache(Generic[K, V]):
+    """Values by key, whose weights sum up to ``limit`` at most; the least recently used go first. Thread-safe."""
+
+    def __init__(self, limit: int, weigh: Callable[[V], int] = lambda value: 1) -> None:
+        self.limit = limit
+        self._weigh = weigh
+        self._total = 0
+        self._held: OrderedDict[K, V] = OrderedDict()
+        self._lock = threading.Lock()
+
+    def __contains__(self, key: K) -> bool:
+        return key in self._held
+
+    def get(self, key: K) -> V | None:
+        """Return what is held under a key, or None."""
+        with self._lock:
+            if key not in self._held:
+                return None
+            self._held.move_to_end(key)
+            return self._held[key]
+
+    def put(self, key: K, value: V) -> None:
+        """Hold a value under a key, unless it exceeds the limit alone."""
+        weight = self._weigh(value)
+        if weight > self.limit:
+            return
+        with self._lock:
+            if key in self._held:
+                self._total -= self._weigh(self._held.pop(key))
+            self._held[key] = value
+            self._total += weight
+            while self._total > self.limit:
+                self._total -= self._weigh(self._held.popitem(last=False)[1])
+
+
+class _Run(Generic[T]):
+    def __init__(self, ticket: Ticket, task: asyncio.Task[T]) -> None:
+        self.ticket = ticket
+        self.task = task
+        self.waiting = 0
+
+
+class InFlight(Generic[T]):
+    """Runs by key, for one event loop: identical calls share one."""
+
+    def __init__(self) -> None:
+        self._runs: dict[str, _Run[T]] = {}
+
+    def __contains__(self, key: str) -> bool:
+        return key in self._runs
+
+    async def run(self, key: str, start: Callable[[Ticket], Coroutine[Any, Any, T]], *, background: bool) -> T:
+        """Return the result of the run with this key, which is started if there is none.
+
+        A visitor who joins a run that waits in the background moves it to the front. A run whose callers have all
+        been cancelled is cancelled. Raises what the run raises.
+        """
+        run = self._runs.get(key)
+        if run is None:
+            ticket = Ticket(background)
+            run = self._runs[key] = _Run(ticket, asyncio.ensure_future(start(ticket)))
+            run.task.add_done_callback(lambda task: self._ended(key, task))
+        run.ticket.background &= background
+        run.waiting += 1
+        try:
+            return await asyncio.shield(run.task)
+        finally:
+            run.waiting -= 1
+            if run.waiting == 0 and not run.task.done():
+                # Before the task has ended: who asks now must not join what is being cancelled.
+                self._forget(key, run.task)
+                run.task.cancel()
+
+    def _ended(self, key: str, task: asyncio.Task[T]) -> None:
+        self._forget(key, task)
+        # Retrieves the exception, which asyncio would report if no caller waits any more.
+        if not task.cancelled():
+            task.exception()
+
+    def _forget(self, key: str, task: asyncio.Task[T]) -> None:
+        if key in self._runs and self._runs[key].task is task:
+            del self._runs[key]
+
+
+class FrameCache:
+    """Frames for one event loop: each is drawn once while it is asked for, and again only when no cache has it.
+
+    disk: absent: nothing is kept on disk. memory: bytes of frames kept in memory.
+    """
+
+    def __init__(self, pool: RenderPool, disk: DiskCache | None, memory: int) -> None:
+        self.pool = pool
+        self.disk = disk
+        self.memory: LruCache[str, bytes] = LruCache(memory, len)
+        self.origins: Counter[Origin] = Counter()
+        """Frames by where they came from."""
+        self._in_flight: InFlight[EncodedFrame] = InFlight()
+        self._writing: set[asyncio.Task[Any]] = set()
+
+    def key(self, job: FrameJob, plan: str) -> str:
+        """Return the key of a frame: a hash of everything that its bytes depend on. plan: SHA-256 of its frame plan.
+
+        The renderer must be known (:meth:`RenderPool.wait_until_settled`).
+        """
+        return frame_key(job, plan, self.pool.info)
+
+    def at_hand(self, key: str) -> bytes | None:
+        """Return a frame from memory, at once, or None."""
+        content = self.memory.get(key)
+        if content is not None:
+            self.origins["memory"] += 1
+        return content
+
+    async def frame(self, job: FrameJob, key: str, *, background: bool = False) -> EncodedFrame:
+        """Return a frame by its key. background: drawn only when no visitor's frame waits.
+
+        Raises what :meth:`RenderPool.render` raises. If the call is cancelled and no other call wants the frame, it
+        leaves the queue.
+        """
+        if (content := self.at_hand(key)) is not None:
+            return EncodedFrame(content, {}, "memory")
+        loop = asyncio.get_running_loop()
+        expires = loop.time() + self.pool.deadline
+        while True:
+            joined = key in self._in_flight
+            running = self._in_flight.run(key, lambda ticket: self._make(job, key, ticket), background=background)
+            try:
+                # Who comes first has the pool's deadline, which also ends a renderer that hangs.
+                async with asyncio.timeout_at(expires if joined and not background else None):
+                    frame = await running
+            except TimeoutError:
+                raise DeadlineError("timeout: the frame, which others wait for too, was not finished in time") from None
+            except DeadlineError:
+                # The deadline of those who came first is not the caller's.
+                if not joined or loop.time() >= expires:
+                    raise
+                continue
+            if joined and frame.origin == "drawn":
+                frame = replace(frame, origin="shared")
+            self.origins[frame.origin] += 1
+            return frame
+
+    async def close(self) -> None:
+        """Wait until what was drawn is written."""
+        await asyncio.gather(*self._writing, return_exceptions=True)
+
+    async def _make(self, job: FrameJob, key: str, ticket: Ticket) -> EncodedFrame:
+        if self.disk is not None and (content := await asyncio.to_thread(self.disk.get, key)) is not None:
+            self.memory.put(key, content)
+            return EncodedFrame(content, {}, "disk")
+        frame = await self.pool.render(job, ticket)
+        self.memory.put(key, frame.content)
+        if self.disk is not None:
+            # Nobody waits for the disk.
+            writing = asyncio.ensure_future(asyncio.to_thread(self.disk.put, key, frame.content))
+            self._writing.add(writing)
+            writing.add_done_callback(self._writing.discard)
+        return frame
+
+
+def frame_key(job: FrameJob, plan: str, info: Mapping[str, str]) -> str:
+    """Return the hash of everything that a frame's bytes depend on, 40 hexadecimal digits.
+
+    The recipe says more than the plan does: also what the plan leaves out. plan: SHA-256 of the frame plan. info: the
+    renderer's.
+    """
+    parts = (version("seafoam"), _drawing(), ENCODERS, plan, job.recipe(info, plan), dict(info), job.format)
+    text = json.dumps(parts, sort_keys=True, separators=(",", ":"))
+    return hashlib.sha256(text.encode()).hexdigest()[:40]
+
+
+@lru_cache(maxsize=1)
+def _drawing() -> str:
+    digest = hashlib.sha256()
+    for part in _DRAWING:
+        path = _PACKAGE / part
+        for file in sorted(path.rglob("*.py")) if path.is_dir() else [path]:
+            digest.update(file.relative_to(_PACKAGE).as_posix().encode() + b"\0" + file.read_bytes())
+    return digest.hexdigest()
