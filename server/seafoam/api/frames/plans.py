@@ -1,0 +1,112 @@
+"""Frame plans of requests: compiled, kept, and found again by their hash (``/api/plans/{plan}/frames``)."""
+
+import json
+from collections.abc import Collection
+from dataclasses import dataclass
+from functools import lru_cache
+
+from seafoam.api.http.problems import BadRequestError, FieldProblem
+from seafoam.framegraph.plan import FramePlan
+from seafoam.planner import PlanError, make_plan
+from seafoam.quality import Quality
+from seafoam.render.service.disk import DiskCache
+from seafoam.render.service.frame_cache import LruCache
+from seafoam.render.service.jobs import plan_hash
+from seafoam.scene.models import Scene
+
+KEPT = 1024
+"""Plans whose scene and quality are in memory; one is a few kilobytes."""
+
+
+@dataclass(frozen=True, slots=True)
+class CompiledPlan:
+    """A plan, its canonical JSON and the SHA-256 of that JSON."""
+
+    plan: FramePlan
+    content: bytes
+    sha256: str
+
+
+@lru_cache(maxsize=64)
+def _compiled(scene: Scene, quality: Quality) -> CompiledPlan:
+    plan = make_plan(scene, quality)
+    return CompiledPlan(plan, plan.canonical_json(), plan_hash(scene, quality))
+
+
+def compile_scene(
+    scene: Scene, quality: Quality, *, scene_at: str | None, parameters: Collection[str] = ()
+) -> CompiledPlan:
+    """Compile a scene into a plan.
+
+    A scene that cannot be planned raises :class:`BadRequestError`, which names the member of the body (``scene_at``:
+    JSON pointer of the scene in it) or the query parameter (among ``parameters``) that set the value.
+    """
+    try:
+        return _compiled(scene, quality)
+    except PlanError as error:
+        member = error.pointer.rpartition("/")[2]
+        parameter = member if scene_at is None and member in parameters else None
+        pointer = None if parameter else f"{scene_at or ''}{error.pointer}"
+        raise BadRequestError(
+            FieldProblem(
+                pointer=pointer, parameter=parameter, detail=f"{parameter or pointer or 'scene'}: {error.message}"
+            )
+        ) from error
+
+
+@dataclass(frozen=True, slots=True)
+class PlanSource:
+    """A scene and a quality, from which a plan is made."""
+
+    scene: Scene
+    quality: Quality
+
+
+class PlanIndex:
+    """Scenes and qualities by the hash of their plan: in memory, and on disk where there is a cache. Thread-safe.
+
+    Scenes that differ only in what cannot be seen have the same plan; the first one stands for them.
+    """
+
+    def __init__(self, disk: DiskCache | None) -> None:
+        self._disk = disk
+        self._held: LruCache[str, PlanSource] = LruCache(KEPT)
+
+    def holds(self, plan: str) -> bool:
+        """Whether a plan is in memory."""
+        return plan in self._held
+
+    def remember(self, plan: str, scene: Scene, quality: Quality) -> None:
+        """Remember what a plan was made from."""
+        if self.holds(plan):
+            return
+        stored = self._read(plan)
+        if stored is None and self._disk is not None:
+            parts = {"scene": scene.model_dump(mode="json"), "quality": quality.model_dump(mode="json")}
+            self._disk.put(_key(plan), json.dumps(parts, sort_keys=True).encode())
+        self._held.put(plan, stored or PlanSource(scene, quality))
+
+    def find(self, plan: str) -> PlanSource | None:
+        """Return what a plan is made from, or None if this server has not made it."""
+        if (held := self._held.get(plan)) is not None:
+            return held
+        stored = self._read(plan)
+        if stored is not None:
+            self._held.put(plan, stored)
+        return stored
+
+    def _read(self, plan: str) -> PlanSource | None:
+        content = None if self._disk is None else self._disk.get(_key(plan))
+        if content is None:
+            return None
+        try:
+            parts = json.loads(content)
+            source = PlanSource(Scene.model_validate(parts["scene"]), Quality.model_validate(parts["quality"]))
+            # Another version of the program may make another plan of the same scene, or none.
+            return source if plan_hash(source.scene, source.quality) == plan else None
+        except (ValueError, KeyError, PlanError):
+            return None
+
+
+def _key(plan: str) -> str:
+    return f"{plan}-plan"

@@ -1,0 +1,86 @@
+"""What the OpenAPI document says of answers, and what it lacks without help: the problem schema, limits of settings."""
+
+from collections.abc import Mapping
+from http import HTTPStatus
+from typing import Any
+
+from fastapi import FastAPI
+from fastapi.openapi.utils import get_openapi
+
+from seafoam.api.http.errors import MEDIA_TYPE, PROBLEM_TYPES, Problem
+from seafoam.quality import QualityExtensions
+from seafoam.scene.models import SceneExtensions
+
+Responses = dict[int | str, dict[str, Any]]
+"""Descriptions of answers by their status."""
+
+TEXT = {"type": "string"}
+BINARY = {"type": "string", "format": "binary"}
+NOT_MODIFIED: Responses = {304: {"description": "Not modified: the copy named by If-None-Match is current"}}
+
+_SIZED = (
+    "/api/frames/{preset}.{format}",
+    "/api/plans/{plan}/frames/{time}.{format}",
+    "/api/streams/{stream}/frame.webp",
+)
+"""Paths whose parameters ``width`` and ``height`` the settings limit."""
+
+
+def problem_responses(*statuses: int) -> Responses:
+    """Describe the problems that an operation can answer with."""
+    content = {MEDIA_TYPE: {"schema": {"$ref": "#/components/schemas/Problem"}}}
+    described: Responses = {}
+    for status in sorted(statuses):
+        titles = dict.fromkeys(kind.title for kind in PROBLEM_TYPES.values() if kind.status == status)
+        described[status] = {"description": "; ".join(titles) or HTTPStatus(status).phrase, "content": content}
+    return described
+
+
+def content(
+    description: str, *media_types: str, schema: Mapping[str, Any] = BINARY, headers: Mapping[str, str] | None = None
+) -> Responses:
+    """Describe an answer of status 200 that is no JSON. headers: descriptions by name."""
+    described = {"description": description, "content": {media: {"schema": schema} for media in media_types}}
+    return {200: described if headers is None else {**described, "headers": headers_of(headers)}}
+
+
+def headers_of(descriptions: Mapping[str, str]) -> dict[str, Any]:
+    """Describe headers. descriptions: by name."""
+    return {name: {"description": text, "schema": TEXT} for name, text in descriptions.items()}
+
+
+def install(app: FastAPI, max_side: int) -> None:
+    """Add the problem schema and the greatest side of a frame, pixels, to the application's document."""
+
+    def openapi() -> dict[str, Any]:
+        if app.openapi_schema is None:
+            app.openapi_schema = _document(app, max_side)
+        return app.openapi_schema
+
+    app.openapi = openapi  # type: ignore[method-assign]
+
+
+def _document(app: FastAPI, max_side: int) -> dict[str, Any]:
+    document = get_openapi(
+        title=app.title,
+        version=app.version,
+        description=app.description,
+        routes=app.routes,
+        servers=app.servers,
+        # A scene is one type in the clients' code, whichever way it travels.
+        separate_input_output_schemas=False,
+    )
+    schemas = document["components"]["schemas"]
+    problem = Problem.model_json_schema(ref_template="#/components/schemas/{model}")
+    schemas |= problem.pop("$defs") | {"Problem": problem}
+    for unused in (one for one in (SceneExtensions, QualityExtensions) if not one.known):
+        del schemas[unused.__name__]
+    sides = [schemas["FrameRequest"]["properties"][name] for name in ("width", "height")]
+    for path in _SIZED:
+        parameters = document["paths"][path]["get"]["parameters"]
+        sides += [each["schema"] for each in parameters if each["name"] in ("width", "height")]
+    for schema in sides:
+        for alternative in schema.get("anyOf", [schema]):
+            if alternative["type"] == "integer":
+                alternative["maximum"] = max_side
+    return document
