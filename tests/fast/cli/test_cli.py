@@ -255,7 +255,7 @@ def test_a_plan_lists_its_passes_and_prints_a_program_with_the_names_of_its_file
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (("default", "--program", "nothing"), "--program: must be one of surface; "),
+        (("default", "--program", "nothing"), "--program: must be one of "),
         (("default", "--quality", "best"), "--quality: must be one of draft; standard; high; reference, not 'best'"),
         (("default", "--program", "surface", "--stage", "geometry"), "--stage: must be one of fragment; vertex"),
         (("atlantis",), "PRESET: 'atlantis' was not found"),
