@@ -2,10 +2,9 @@
 
 import math
 
-INDEX = 1.34
-"""Refractive index of water against air, visible light; ``lib/refraction.glsl`` has the same."""
+from seafoam.ocean.constants import WATER_INDEX
 
 
-def refracted_cosine(cosine: float, index: float = INDEX) -> float:
+def refracted_cosine(cosine: float, index: float = WATER_INDEX) -> float:
     """Cosine of the refracted ray to the normal from the cosine of incidence, 0 to 1: Snell's law."""
     return math.sqrt(1.0 - (1.0 - cosine * cosine) / index**2)

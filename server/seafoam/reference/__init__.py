@@ -1,10 +1,11 @@
 """The float64 oracle: a second, independent writing of docs/formulae.md that frames of the GPU are judged by.
 
-It shares the description of a scene, the masks and the foam texture with the renderer, and no line of its formulas.
+It shares the description of a scene, the masks and the foam texture with the renderer, and no line of its formulas. The
+births of spray and the strands of a drop alone repeat the shaders' hashes, so that a frame has the same drops.
 Arrays are float64 unless said otherwise. Lengths are in metres, angles in radians, times in seconds.
 """
 
-from seafoam.reference.renderer.assets import Assets
+from seafoam.reference.foam.coverage import Assets
 from seafoam.reference.renderer.frame import ReferenceFrame, render
 from seafoam.reference.renderer.state import Mode
 from seafoam.reference.truth import Truth, load_truth, scene_sha256, truth_is_current

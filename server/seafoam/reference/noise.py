@@ -1,11 +1,14 @@
-"""Section 9: noise on whole-number hashes: value noise, gradient noise in any number of dimensions, and its octaves."""
+"""Section 9: noise on whole-number hashes: value noise, gradient noise in any number of dimensions, and its octaves.
+
+And section 8: patterns that noise makes, averaged over footprints.
+"""
 
 from itertools import product
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from seafoam.reference.types import Floats, Indices, smoothstep
+from seafoam.reference.types import Floats, Footprints, Gradient, Indices, smoothstep
 
 KEY = 0x9031965F
 """Hash key of the noise that textures ground and foam."""
@@ -16,38 +19,37 @@ STRENGTH = {2: 4.6207, 3: 4.2631}
 """Amplitude of the first octave, by dimensions, so that infinitely many octaves have standard deviation 1."""
 BITS = {2: 16, 3: 10}
 SHIFT = (0.37, 0.71, 0.53)
-_LOW = np.uint64(0xFFFFFFFF)
-_Words = NDArray[np.uint64]
+TORN = 0.25, 0.72
+"""Range of a sum of noises over which patches of foam grow from nothing to full."""
+LOW = np.uint64(0xFFFFFFFF)
+Words = NDArray[np.uint64]
+"""32-bit words, in 64 bits."""
 
 
-def pcg(word: _Words) -> _Words:
-    """One output of PCG-RXS-M-XS 32 (O'Neill 2014) for 32-bit words stored in 64 bits."""
-    state = (word * np.uint64(747796405) + np.uint64(2891336453)) & _LOW
-    mixed = (((state >> ((state >> np.uint64(28)) + np.uint64(4))) ^ state) * np.uint64(277803737)) & _LOW
-    result: _Words = (mixed >> np.uint64(22)) ^ mixed
+def pcg(word: Words) -> Words:
+    """One output of PCG-RXS-M-XS 32 (O'Neill 2014)."""
+    state = (word * np.uint64(747796405) + np.uint64(2891336453)) & LOW
+    mixed = (((state >> ((state >> np.uint64(28)) + np.uint64(4))) ^ state) * np.uint64(277803737)) & LOW
+    result: Words = (mixed >> np.uint64(22)) ^ mixed
     return result
 
 
-def share(word: _Words) -> Floats:
+def share(word: Words) -> Floats:
     """The upper 24 of 32 bits, in [0, 1)."""
-    result: Floats = (word >> np.uint64(8)).astype(np.float64) / 2.0**24
-    return result
+    return (word >> np.uint64(8)).astype(np.float64) / 2.0**24
 
 
-def chained(seed: int, *cells: Indices) -> _Words:
-    """pcg(... pcg(pcg(seed ⊕ i) ⊕ j) ...) of whole numbers modulo 256; of their shape."""
-    word = np.full(cells[0].shape, seed & 0xFFFFFFFF, np.uint64)
+def number(word: Words, k: int | Indices) -> Floats:
+    """The k-th random number in [0, 1) that goes with each word."""
+    return share(pcg(word + np.asarray(k, np.uint64)))
+
+
+def chained(seed: int, *cells: ArrayLike, period: int = 2**32) -> Words:
+    """pcg(... pcg(pcg(seed ⊕ i) ⊕ j) ...) of whole numbers modulo a period; of their shape, (1,) or more."""
+    word = np.atleast_1d(np.uint64(seed & 0xFFFFFFFF))
     for cell in cells:
-        word = pcg(word ^ (np.asarray(cell, np.int64) % PERIOD).astype(np.uint64))
+        word = pcg(word ^ (np.asarray(cell, np.int64) % period).astype(np.uint64))
     return word
-
-
-def corner(key: int, i: Indices, j: Indices) -> Floats:
-    """A random number in [0, 1) for integer coordinates (i, j) modulo 2³²; of their shape."""
-    word = np.full(i.shape, key & 0xFFFFFFFF, np.uint64)
-    for cell in (i, j):
-        word = pcg(word ^ (np.asarray(cell, np.int64).astype(np.uint64) & _LOW))
-    return share(word)
 
 
 def value(key: int, x: Floats, z: Floats) -> Floats:
@@ -55,10 +57,8 @@ def value(key: int, x: Floats, z: Floats) -> Floats:
     i, j = np.floor(x), np.floor(z)
     u, v = smoothstep(0.0, 1.0, x - i), smoothstep(0.0, 1.0, z - j)
     a, b = i.astype(np.int64), j.astype(np.int64)
-    near = corner(key, a, b) * (1.0 - u) + corner(key, a + 1, b) * u
-    far = corner(key, a, b + 1) * (1.0 - u) + corner(key, a + 1, b + 1) * u
-    result: Floats = near * (1.0 - v) + far * v
-    return result
+    near, far = (share(chained(key, a, b + k)) * (1.0 - u) + share(chained(key, a + 1, b + k)) * u for k in (0, 1))
+    return near * (1.0 - v) + far * v
 
 
 def perlin(x: Floats, seed: int) -> Floats:
@@ -71,7 +71,7 @@ def perlin(x: Floats, seed: int) -> Floats:
     cells = base.astype(np.int64)
     total = np.zeros(count)
     for corner in product((0, 1), repeat=dimensions):
-        word = chained(seed, *(cells[:, axis] + step for axis, step in enumerate(corner)))
+        word = chained(seed, *(cells + np.array(corner)).T, period=PERIOD)
         weight, rise = np.ones(count), np.zeros(count)
         for axis, step in enumerate(corner):
             field = (word >> np.uint64(bits * axis)) & np.uint64(2**bits - 1)
@@ -81,20 +81,60 @@ def perlin(x: Floats, seed: int) -> Floats:
     return total
 
 
-def fractal(x: Floats, width: Floats, octaves: int, seed: int) -> Floats:
+def fractal(x: Floats, width: Floats, count: int, seed: int) -> Floats:
     """Octaves of :func:`perlin` at (r, n), filtered to a width (r,) in cells; (r,), standard deviation 1 unfiltered."""
+    return octaves(x, width, (0, count), seed)[0]
+
+
+def octaves(x: Floats, width: Floats, span: tuple[int, int], seed: int) -> tuple[Floats, Floats]:
+    """Octaves ``span`` of :func:`fractal`, and the variance that they lack of 1; (r,)."""
     dimensions = x.shape[1]
-    strength, place, scale = STRENGTH[dimensions], x, 1.0
-    total = np.zeros(x.shape[0])
-    for octave in range(octaves):
-        kept = 1.0 - smoothstep(0.15, 0.6, width * scale)
-        seen = np.flatnonzero(kept > 0.0)
-        if seen.size:
+    strength, place, scale, variance = STRENGTH[dimensions], x, 1.0, 1.0 - GAIN * GAIN
+    total, lost = np.zeros(x.shape[0]), np.ones(x.shape[0])
+    for octave in range(span[1]):
+        if octave >= span[0]:
+            kept = 1.0 - smoothstep(0.15, 0.6, width * scale)
+            seen = np.flatnonzero(kept > 0.0)
             total[seen] += strength * kept[seen] * perlin(place[seen], seed + octave)
+            lost -= variance * kept * kept
         finer = [2.0 * place[:, 0] + place[:, 1] + SHIFT[0], 2.0 * place[:, 1] - place[:, 0] + SHIFT[1]]
         if dimensions == 3:
             finer.append(2.0 * place[:, 2] + SHIFT[2])
         place = np.stack(finer, axis=-1)
         scale *= FINER
         strength *= GAIN
-    return total
+        variance *= GAIN * GAIN
+    return total, lost
+
+
+def filtered_step(low: ArrayLike, high: ArrayLike, x: Floats, variance: Floats | float) -> Floats:
+    """Mean of smoothstep(low, high, x) where x has this variance; (r,)."""
+    begin, end = np.asarray(low, np.float64), np.asarray(high, np.float64)
+    reach = np.sqrt(0.25 * (end - begin) ** 2 + 5.0 * variance)
+    q = np.clip((x - 0.5 * (begin + end) + reach) / (2.0 * reach), 0.0, 1.0)
+    return q * q * (3.0 - 2.0 * q)
+
+
+def patches(noises: list[tuple[float, float, Floats]], footprints: Footprints | None) -> Floats:
+    """How far patches of foam that a sum of noises tears have grown, averaged over footprints; (r,) in [0, 1].
+
+    Each noise: its share, the size of its cells (m), and its values in [0, 1].
+    """
+    if footprints is None:
+        return smoothstep(*TORN, np.sum([weight * noise for weight, _, noise in noises], axis=0))
+    x, y = footprints
+    mean, lost = np.full(x.shape[0], 0.5), np.zeros(x.shape[0])
+    for weight, cell, noise in noises:
+        per = 3.23 / 12.0 / cell**2
+        area = per * (x[:, 0] * y[:, 1] - x[:, 1] * y[:, 0])
+        kept = 1.0 / (1.0 + per * ((x**2).sum(axis=1) + (y**2).sum(axis=1)) + area**2)
+        mean += weight * np.sqrt(kept) * (noise - 0.5)
+        lost += weight**2 * 0.046 * (1.0 - kept)
+    return filtered_step(*TORN, mean, lost)
+
+
+def footprint_variance(gradient: Gradient, footprints: Footprints | None) -> Floats | float:
+    """Variance under footprints of a quantity with this gradient, per metre; (r,), without footprints 0."""
+    if footprints is None:
+        return 0.0
+    return sum((gradient[0] * side[:, 0] + gradient[1] * side[:, 1]) ** 2 / 12.0 for side in footprints)

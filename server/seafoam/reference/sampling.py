@@ -25,22 +25,19 @@ def box_chain(image: Floats) -> list[Floats]:
 
 def thresholds(ranks: Ranks) -> Floats:
     """m = (rank + ½)/N of each texel, in (0, 1)."""
-    result: Floats = (ranks.astype(np.float64) + 0.5) / ranks.size
-    return result
+    return (ranks.astype(np.float64) + 0.5) / ranks.size
 
 
 def nearest(image: Floats, u: Floats, v: Floats) -> Floats:
     """The texel that (u, v) lies in; (r,) or (r, channels)."""
     size = image.shape[0]
-    result: Floats = image[_wrapped(np.floor(v * size), size), _wrapped(np.floor(u * size), size)]
-    return result
+    return image[_wrapped(np.floor(v * size), size), _wrapped(np.floor(u * size), size)]
 
 
 def texel(image: Floats, column: Floats, row: Floats) -> Floats:
     """The texels with these integer coordinates; (r,) or (r, channels)."""
     size = image.shape[0]
-    result: Floats = image[_wrapped(row, size), _wrapped(column, size)]
-    return result
+    return image[_wrapped(row, size), _wrapped(column, size)]
 
 
 def bilinear(image: Floats, u: Floats, v: Floats) -> Floats:
@@ -88,14 +85,12 @@ class SplineSample:
 
     def along(self, step: Floats) -> Floats:
         """Derivative along steps (r, 2), 1 a tile; (r,)."""
-        result: Floats = self.u * step[:, 0] + self.v * step[:, 1]
-        return result
+        return self.u * step[:, 0] + self.v * step[:, 1]
 
     def bend(self, step: Floats) -> Floats:
         """Second derivative along steps (r, 2); (r,)."""
         x, y = step[:, 0], step[:, 1]
-        result: Floats = self.uu * x * x + self.vv * y * y + 2.0 * self.uv * x * y
-        return result
+        return self.uu * x * x + self.vv * y * y + 2.0 * self.uv * x * y
 
 
 def bspline(image: Floats, u: Floats, v: Floats) -> SplineSample:

@@ -1,5 +1,7 @@
-"""Array types of the reference, and the smoothstep that every section uses."""
+"""Array types of the reference, what its sections pass to each other, and functions that all of them use."""
 
+from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -10,12 +12,39 @@ Bools = NDArray[np.bool_]
 Indices = NDArray[np.intp]
 Ranks = NDArray[np.uint32] | NDArray[np.int64]
 
+Footprints = tuple[Floats, Floats]
+"""Both sides of samples' footprints on a surface: their x and z, (r, 2) m each."""
+
+Gradient = tuple[Floats | float, Floats | float]
+"""Derivatives by x and z, (r,) each, or the same everywhere."""
+
+Sunlight = Callable[[Floats, Footprints], Floats]
+"""Share (r,) of the sunlight that reaches places (r, 3), m from the origin, averaged over footprints."""
+
+
+@dataclass(frozen=True)
+class SurfacePoints:
+    """Points of the surface at which sources of foam are evaluated."""
+
+    x: Floats
+    """(r,) m from ``origin``."""
+    z: Floats
+    height: Floats
+    """(r,) m over still water."""
+    footprints: Footprints | None
+    """Both sides of each sample's footprint, (r, 2) m; None: no average over footprints."""
+    cap: float
+    """Upper limit of the saturation."""
+    time: float
+    """s."""
+    origin: tuple[float, float]
+    """World coordinates (x, z) of the point below the camera, m."""
+
 
 def smoothstep(low: float, high: float, x: ArrayLike) -> Floats:
     """3q² − 2q³ of q = (x − low)/(high − low) clamped to [0, 1]; low < high; of the shape of ``x``."""
     q = np.clip((np.asarray(x, np.float64) - low) / (high - low), 0.0, 1.0)
-    result: Floats = q * q * (3.0 - 2.0 * q)
-    return result
+    return q * q * (3.0 - 2.0 * q)
 
 
 def dot(a: Floats, b: Floats) -> Floats:
@@ -27,5 +56,9 @@ def dot(a: Floats, b: Floats) -> Floats:
 def unit(a: Floats) -> Floats:
     """Vectors along the last axis scaled to length 1; a zero vector stays zero."""
     length = np.sqrt(dot(a, a))[..., None]
-    result: Floats = a / np.where(length > 0.0, length, 1.0)
-    return result
+    return a / np.where(length > 0.0, length, 1.0)
+
+
+def unshadowed(place: Floats, footprints: Footprints) -> Floats:
+    """The :data:`Sunlight` of places on which nothing throws a shadow."""
+    return np.ones(len(place))

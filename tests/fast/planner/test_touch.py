@@ -10,7 +10,7 @@ from seafoam.effects.effect import PlanError
 from seafoam.framegraph.plan import FramePlan
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.reference.waves.touch import touch_set
+from seafoam.reference.waves.rings import touch_set
 from seafoam.scene.current import Current
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names

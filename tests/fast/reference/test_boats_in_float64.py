@@ -28,7 +28,7 @@ def test_smoothing_is_the_mean_over_a_disc() -> None:
         turns = np.linspace(0.0, math.pi, 20001)
         bessel = np.trapezoid(np.cos(turns - k_r * np.sin(turns)), turns) / math.pi
         for heading in (0.0, 0.3, 0.5):
-            wave = floating.felt(
+            wave = floating.mean_height(
                 lambda x, z, h=heading, n=k: np.cos(n * (x * math.cos(h) + z * math.sin(h))), (0.0, 0.0), reach
             )
             assert abs(wave - 2.0 * bessel / k_r) <= allowed
@@ -93,7 +93,7 @@ def test_the_pose_is_as_small_as_the_fleet() -> None:
 def test_white_water_lies_along_a_moving_hull_alone() -> None:
     """Beside the drawn water line, at the bow densest, aft widest; none at rest, none a beam away; within its limit."""
     boat = Boat(length=10.0, speed=4.0, heel=0.0, radius=200.0)
-    at = floating.course(boat, 0.0, (0.0, 0.0))
+    at = floating.course_of(boat, 0.0, (0.0, 0.0))
     source = WakeSaturation(amount=0.0, bow=0.0, contact=1.0)
     form = FORMS["sail"]
     for ahead, low, high in ((0.35, 0.01, 0.05), (0.0, 0.02, 0.09), (-0.4, 0.03, 0.12)):

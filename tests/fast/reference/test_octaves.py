@@ -32,8 +32,8 @@ def amount(
 ) -> np.ndarray:
     """Cover at places under footprints of so many texels; (places,)."""
     u, v = places(3) if at is None else at
-    feet = (np.broadcast_to(side * texels / 512.0, (u.size, 2)) for side in NEEDLE)
-    return looked.coverage(Foam(octaves=octaves, fade=fade), assets, np.full(u.size, s), u, v, *feet, filtering=True)
+    points = looked.MaskPoints(u, v, *(np.broadcast_to(side * texels / 512.0, (u.size, 2)) for side in NEEDLE))
+    return looked.coverage(Foam(octaves=octaves, fade=fade), assets, np.full(u.size, s), points, filtering=True)
 
 
 @pytest.mark.parametrize("texels", 2.0 ** np.arange(-6.0, 7.0, 2.0))
@@ -85,11 +85,11 @@ def test_six_octaves_only_resolve_grey() -> None:
 def test_on_approach_whole_foam_stays_whole_and_clear_water_clear(lace: Assets) -> None:
     """In the limit at a place: more octaves change grey alone."""
     u, v = places(5)
-    none = np.zeros((u.size, 2))
+    points = looked.MaskPoints(u, v, np.zeros((u.size, 2)), np.zeros((u.size, 2)))
     for s in (0.1, 0.4, 0.8):
         far = np.full(u.size, s)
         for octaves in (2, 3, 4):
-            near = looked.coverage(Foam(octaves=octaves), lace, np.full(u.size, s), u, v, none, none, filtering=False)
+            near = looked.coverage(Foam(octaves=octaves), lace, np.full(u.size, s), points, filtering=False)
             np.testing.assert_array_equal(near[far == 1.0], 1.0)
             np.testing.assert_array_equal(near[far == 0.0], 0.0)
             far = near

@@ -22,6 +22,7 @@ from seafoam.reference.foam.front import (
     seen_phases,
 )
 from seafoam.reference.foam.saturation import front_source, height_saturation, joined
+from seafoam.reference.types import SurfacePoints
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.scene.foam import FrontSaturation
 from seafoam.scene.models import Scene
@@ -75,7 +76,7 @@ def test_flat_waves_weigh_the_same() -> None:
 def test_without_waves_there_is_no_front() -> None:
     x = np.zeros(3)
     waves = wave_set(Scene(), 2.0, (0.0, 0.0))
-    f = front_source(FrontSaturation(), waves, x, x, None, np.full(3, 2.0), 4.0)
+    f = front_source(FrontSaturation(), waves, SurfacePoints(x, x, x, None, 4.0, 2.0, (0.0, 0.0)), 2.0)
     np.testing.assert_array_equal(f, 0.0)
 
 
@@ -89,7 +90,7 @@ def test_phase_width_is_the_phase_over_the_footprint() -> None:
         return np.arctan2(at.Y, at.X)
 
     gradient = phase_gradient(group(waves, x, z, 1.2))
-    width = phase_width(gradient, np.full((99, 2), [step, 0.0]), np.full((99, 2), [0.0, 2.0 * step]))
+    width = phase_width(gradient, (np.full((99, 2), [step, 0.0]), np.full((99, 2), [0.0, 2.0 * step])))
     turn = 2.0 * math.pi
     along_x = np.abs(np.remainder(psi(x + step, z) - psi(x, z) + math.pi, turn) - math.pi)
     along_z = np.abs(np.remainder(psi(x, z + 2.0 * step) - psi(x, z) + math.pi, turn) - math.pi)
@@ -120,13 +121,13 @@ def test_seen_phases_are_those_before_the_eye(q: float, toward: float) -> None:
     sums = np.exp(1j * psi[::100][shown]).sum()
     middle = math.atan2(sums.imag, sums.real)
     one = np.ones(1)
-    moved, width = seen_phases(0.3 * one, 50.0 * one, toward * one, one, q * one, one, 1.0, 0.0)
+    moved, width = seen_phases(0.3 * one, 50.0 * one, (toward * one, one), (q * one, one), 1.0, 0.0)
     assert float(width[0]) == pytest.approx(arc, rel=0.12)
     assert float(moved[0]) == pytest.approx(middle, abs=0.15)
     # A footprint of less than the arc stays as it is; from below, troughs are crests.
-    narrow = seen_phases(0.3 * one, 0.9 * width, toward * one, one, q * one, one, 1.0, 0.0)
+    narrow = seen_phases(0.3 * one, 0.9 * width, (toward * one, one), (q * one, one), 1.0, 0.0)
     np.testing.assert_array_equal(narrow, (0.3 * one, 0.9 * width))
-    below = seen_phases(0.3 * one, 50.0 * one, toward * one, one, -q * one, one, 1.0, math.pi)
+    below = seen_phases(0.3 * one, 50.0 * one, (toward * one, one), (-q * one, one), 1.0, math.pi)
     np.testing.assert_allclose(below, (moved, width), atol=1e-12)
 
 
@@ -134,10 +135,11 @@ def test_all_phases_are_seen_from_above() -> None:
     psi, width = np.linspace(-3.0, 3.0, 50), np.geomspace(1e-3, 1e3, 50)
     one = np.ones(50)
     for q in (1.0, 1.5, 1e30):
-        np.testing.assert_allclose(seen_phases(psi, width, one, one, q * one, one, 1.0, 0.0), (psi, width), rtol=1e-12)
+        seen = seen_phases(psi, width, (one, one), (q * one, one), 1.0, 0.0)
+        np.testing.assert_allclose(seen, (psi, width), rtol=1e-12)
     # No relief, no way, no eye above: finite, and no wider than before.
     for relief, away, over in ((0.0, 1.0, 1.0), (1.0, 0.0, 1.0), (1.0, 1.0, 0.0)):
-        moved, seen = seen_phases(psi, width, one, one, over * one, away * one, relief, 0.0)
+        moved, seen = seen_phases(psi, width, (one, one), (over * one, away * one), relief, 0.0)
         assert np.isfinite(moved).all()
         assert (seen <= width).all()
 
@@ -210,7 +212,7 @@ def covered(s: float, texels: float, fade: float | None, aspect: float = 0.6) ->
     """A(s) of 20 000 footprints of the mask, as wide and as high as they are told."""
     u, v = np.random.default_rng(8).random((2, 20_000))
     foot_u, foot_v = np.full((u.size, 2), [texels / 64.0, 0.0]), np.full((u.size, 2), [0.0, aspect * texels / 64.0])
-    return looked.covered(ASSETS, np.full(u.size, s), u, v, foot_u, foot_v, fade)
+    return looked.covered(ASSETS, np.full(u.size, s), looked.MaskPoints(u, v, foot_u, foot_v), fade)
 
 
 @pytest.mark.parametrize("fade", [0.0, 0.2])

@@ -8,7 +8,6 @@ from typing import get_args
 import numpy as np
 import pytest
 
-from seafoam.masks import custom_mask
 from seafoam.reference import Assets, load_truth, render, scene_sha256, truth_is_current
 from seafoam.reference.truth import truth_bytes
 from seafoam.scene.camera import Camera
@@ -22,21 +21,19 @@ WAVES = (
     ParametricWave(amplitude=0.8, wavelength=14.0, direction=1.2, exponent=2.0),
     ParametricWave(amplitude=0.3, wavelength=6.0, direction=2.0, exponent=1.5, phase=1.0),
 )
-FOAM = Foam(saturation=(FrontSaturation(group=(0.1, 0.5)), HeightSaturation(base=0.4, full=0.9)), texture=0.4)
+FOAM = Foam(
+    saturation=(FrontSaturation(group=(0.1, 0.5)), HeightSaturation(base=0.4, full=0.9)),
+    mask="blur:1.5:64:20",
+    texture=0.4,
+)
 SEA = Scene(
     waves=WAVES, foam=FOAM, water=Water(ripples=Ripples()), camera=Camera(position=(3.0, 4.0, -2.0), pitch=-0.3)
 )
 
 
-@pytest.fixture(scope="module")
-def assets() -> Assets:
-    """A small mask and texture."""
-    return Assets.of(custom_mask("blur", 1.5, 64, 20), np.random.default_rng(20).random((64, 64)))
-
-
 def test_assets_of_a_scene() -> None:
     made = Assets.for_scene(SEA.model_copy(update={"foam": Foam(mask="blur:2:128:3")}))
-    shipped = Assets.for_scene(SEA)
+    shipped = Assets.for_scene(SEA.model_copy(update={"foam": Foam()}))
     assert made is not None
     assert shipped is not None
     assert made.thresholds.shape == (128, 128)
@@ -46,8 +43,8 @@ def test_assets_of_a_scene() -> None:
     assert Assets.for_scene(Scene()) is None
 
 
-def test_rows_run_from_the_top(assets: Assets) -> None:
-    frame = render(SEA, time=1.0, width=12, height=10, samples=2, assets=assets)
+def test_rows_run_from_the_top() -> None:
+    frame = render(SEA, time=1.0, width=12, height=10, samples=2)
     assert frame.amount.shape == frame.hit.shape == (20, 24)
     assert not frame.hit[0].any()
     assert frame.hit[-1].all()
@@ -56,14 +53,14 @@ def test_rows_run_from_the_top(assets: Assets) -> None:
     np.testing.assert_allclose(frame.amount.reshape(10, 2, 12, 2).mean(axis=(1, 3)), frame.alpha, atol=1e-14)
 
 
-def test_samples_are_pixels_of_a_finer_picture(assets: Assets) -> None:
-    fine = render(SEA, time=1.0, width=24, height=16, samples=1, assets=assets)
-    coarse = render(SEA, time=1.0, width=12, height=8, samples=2, assets=assets)
+def test_samples_are_pixels_of_a_finer_picture() -> None:
+    fine = render(SEA, time=1.0, width=24, height=16, samples=1)
+    coarse = render(SEA, time=1.0, width=12, height=8, samples=2)
     np.testing.assert_array_equal(coarse.amount, fine.alpha)
     np.testing.assert_allclose(coarse.rgb, fine.rgb.reshape(8, 2, 12, 2, 3).mean(axis=(1, 3)), rtol=1e-13)
 
 
-def test_sides(assets: Assets) -> None:
+def test_sides() -> None:
     # Yaw 0 looks along −z with +x to the right: the half of the picture toward a sun in +x is the brighter.
     low_sun = Scene(light=Light(sun_azimuth=0.0, sun_elevation=0.1), camera=Camera(pitch=0.3))
     sky = render(low_sun, time=0.0, width=8, height=4).rgb.sum(axis=2)
@@ -74,8 +71,8 @@ def test_sides(assets: Assets) -> None:
     assert (turned[-1] > turned[0]).all()
 
 
-def test_chunks_do_not_show(assets: Assets, monkeypatch: pytest.MonkeyPatch) -> None:
-    settings = {"time": 2.0, "width": 14, "height": 9, "samples": 3, "mode": "converged", "assets": assets}
+def test_chunks_do_not_show(monkeypatch: pytest.MonkeyPatch) -> None:
+    settings = {"time": 2.0, "width": 14, "height": 9, "samples": 3, "mode": "converged"}
     whole = render(SEA, **settings)
     monkeypatch.setattr("seafoam.reference.renderer.frame.CHUNK", 100)
     np.testing.assert_allclose(render(SEA, **settings).rgb, whole.rgb, rtol=1e-9)
@@ -84,10 +81,10 @@ def test_chunks_do_not_show(assets: Assets, monkeypatch: pytest.MonkeyPatch) -> 
 @pytest.mark.parametrize("look", get_args(Look))
 @pytest.mark.parametrize("mode", ["same-samples", "converged"])
 @pytest.mark.parametrize("lit", [True, False])
-def test_every_look(assets: Assets, look: str, mode: str, lit: bool) -> None:
+def test_every_look(look: str, mode: str, lit: bool) -> None:
     foam = FOAM.model_copy(update={"look": look})
     scene = SEA.model_copy(update={"foam": foam, "light": Light() if lit else None})
-    frame = render(scene, time=2.0, width=16, height=9, samples=2, mode=mode, assets=assets)
+    frame = render(scene, time=2.0, width=16, height=9, samples=2, mode=mode)
     assert np.isfinite(frame.rgb).all()
     assert (frame.rgb >= 0.0).all()
     assert (frame.amount >= 0.0).all()
@@ -120,54 +117,52 @@ SEAS = {
 
 @pytest.mark.parametrize("camera", CAMERAS)
 @pytest.mark.parametrize("sea", SEAS)
-def test_odd_scenes_are_finite(assets: Assets, camera: str, sea: str) -> None:
+def test_odd_scenes_are_finite(camera: str, sea: str) -> None:
     sun = Light(sun_elevation=-0.3 if sea == "cusp" else 0.6, sun_azimuth=-math.pi / 2)
     for width, height, ripples in ((1, 1, None), (7, 5, Ripples())):
         scene = Scene(waves=SEAS[sea], foam=FOAM, water=Water(ripples=ripples), light=sun, camera=CAMERAS[camera])
-        frame = render(scene, time=1e9 + 0.25, width=width, height=height, samples=2, assets=assets)
+        frame = render(scene, time=1e9 + 0.25, width=width, height=height, samples=2)
         assert np.isfinite(frame.rgb).all()
         assert (frame.rgb >= 0.0).all()
         assert np.isfinite(frame.alpha).all()
 
 
-def test_another_camera_stands_in(assets: Assets) -> None:
+def test_another_camera_stands_in() -> None:
     other = Camera(position=(0.0, 9.0, 0.0), pitch=-0.5)
-    by_hand = render(SEA.model_copy(update={"camera": other}), time=0.0, width=6, height=4, assets=assets)
-    np.testing.assert_array_equal(
-        render(SEA, time=0.0, width=6, height=4, camera=other, assets=assets).rgb, by_hand.rgb
-    )
+    by_hand = render(SEA.model_copy(update={"camera": other}), time=0.0, width=6, height=4)
+    np.testing.assert_array_equal(render(SEA, time=0.0, width=6, height=4, camera=other).rgb, by_hand.rgb)
 
 
-def test_both_modes_agree_where_nothing_is_sharp(assets: Assets) -> None:
+def test_both_modes_agree_where_nothing_is_sharp() -> None:
     near = Camera(position=(0.0, 3.0, 0.0), pitch=-0.9, fov=0.5)
     smooth = Scene(waves=WAVES, camera=near, light=Light(sun_azimuth=2.0))
-    same = render(smooth, time=1.0, width=16, height=12, samples=4, assets=assets)
-    converged = render(smooth, time=1.0, width=16, height=12, samples=8, mode="converged", assets=assets)
+    same = render(smooth, time=1.0, width=16, height=12, samples=4)
+    converged = render(smooth, time=1.0, width=16, height=12, samples=8, mode="converged")
     np.testing.assert_allclose(same.rgb, converged.rgb, rtol=0.02)
 
 
-def test_filtered_look_approaches_its_limit(assets: Assets) -> None:
-    foam = Foam(saturation=(HeightSaturation(base=0.0, full=1.5),), mask_tile=6.0)
+def test_filtered_look_approaches_its_limit() -> None:
+    foam = Foam(saturation=(HeightSaturation(base=0.0, full=1.5),), mask_tile=6.0, mask=FOAM.mask)
     near = Camera(position=(0.0, 3.0, 0.0), pitch=-1.0)
     scene = Scene(waves=WAVES, foam=foam, light=None, camera=near)
-    limit = render(scene, time=1.0, width=12, height=8, samples=32, mode="converged", assets=assets)
+    limit = render(scene, time=1.0, width=12, height=8, samples=32, mode="converged")
     errors = [
-        float(np.abs(render(scene, time=1.0, width=12, height=8, samples=n, assets=assets).alpha - limit.alpha).mean())
+        float(np.abs(render(scene, time=1.0, width=12, height=8, samples=n).alpha - limit.alpha).mean())
         for n in (1, 16)
     ]
     assert errors[1] < 0.02
     assert errors[1] < errors[0]
 
 
-def test_exposure_scales_light(assets: Assets) -> None:
+def test_exposure_scales_light() -> None:
     brighter = SEA.model_copy(update={"light": Light(exposure=1.0)})
-    plain = render(SEA, time=0.0, width=6, height=4, assets=assets)
-    np.testing.assert_allclose(render(brighter, time=0.0, width=6, height=4, assets=assets).rgb, 2.0 * plain.rgb)
+    plain = render(SEA, time=0.0, width=6, height=4)
+    np.testing.assert_allclose(render(brighter, time=0.0, width=6, height=4).rgb, 2.0 * plain.rgb)
 
 
 @pytest.mark.parametrize("mode", ["same-samples", "converged"])
-def test_truth_survives_the_disk(assets: Assets, tmp_path: Path, mode: str) -> None:
-    frame = render(SEA, time=2.0, width=13, height=9, samples=3, mode=mode, assets=assets)
+def test_truth_survives_the_disk(tmp_path: Path, mode: str) -> None:
+    frame = render(SEA, time=2.0, width=13, height=9, samples=3, mode=mode)
     paths = [tmp_path / name for name in ("a.npz", "b.npz")]
     for path in paths:
         path.write_bytes(truth_bytes(frame, preset="sea", scene=SEA, time=2.0, mode=mode, seconds=1.25))

@@ -102,7 +102,7 @@ def test_water_is_finite_from_everywhere(elevation: float, depth: float | None) 
     # Straight at the sun, straight away from it, and along the surface.
     d[0], d[1], d[2], n[2] = air.sun, -air.sun, [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]
     H = np.random.default_rng(3).uniform(-1.0, 1.0, 3000)
-    L = light.water(air, Water(depth=depth), (-1.0, 1.0), d, n, H)
+    L = light.water(air, Water(depth=depth), light.WaterHit(d, n, H, (-1.0, 1.0)))
     assert np.isfinite(L).all()
     assert (L >= 0.0).all()
 
@@ -110,11 +110,9 @@ def test_water_is_finite_from_everywhere(elevation: float, depth: float | None) 
 def test_thick_water_over_a_floor_is_deep_water() -> None:
     air, d, n, H = light.air(Light()), sphere(200, 4), np.tile([0.0, 1.0, 0.0], (200, 1)), np.zeros(200)
     d[:, 1] = -np.abs(d[:, 1])
-    np.testing.assert_allclose(
-        light.water(air, Water(depth=9000.0), (0.0, 1.0), d, n, H),
-        light.water(air, Water(), (0.0, 1.0), d, n, H),
-        rtol=1e-12,
-    )
+    hit = light.WaterHit(d, n, H, (0.0, 1.0))
+    deep, endless = (light.water(air, body, hit) for body in (Water(depth=9000.0), Water()))
+    np.testing.assert_allclose(deep, endless, rtol=1e-12)
 
 
 def test_haze_ends_in_the_sky_at_the_horizon() -> None:
@@ -146,7 +144,8 @@ def milky(aeration: float, f: float, depth: float | None = None, plume: float = 
     d = unit(d)
     n = np.tile((0.0, 1.0, 0.0), (200, 1))
     body = Water(aeration=aeration, plume_depth=plume, depth=depth, scattering=0.01)
-    return light.water(light.air(Light()), body, (0.0, 0.0), d, n, np.zeros(200), saturation=np.full(200, f))
+    hit = light.WaterHit(d, n, np.zeros(200), (0.0, 0.0), saturation=np.full(200, f))
+    return light.water(light.air(Light()), body, hit)
 
 
 @pytest.mark.parametrize("depth", [None, 2.0])
@@ -169,6 +168,6 @@ def test_an_endless_plume_is_water_that_scatters_as_much() -> None:
     d = unit(np.array([[0.6, -0.5, 0.2], [0.0, -1.0, 0.0]]))
     n = np.tile((0.0, 1.0, 0.0), (2, 1))
     plume = Water(aeration=0.2, plume_depth=20.0, scattering=0.1)
-    got = light.water(light.air(Light()), plume, (0.0, 0.0), d, n, np.zeros(2), saturation=np.ones(2))
-    want = light.water(light.air(Light()), Water(scattering=0.3), (0.0, 0.0), d, n, np.zeros(2))
+    hit = light.WaterHit(d, n, np.zeros(2), (0.0, 0.0), saturation=np.ones(2))
+    got, want = (light.water(light.air(Light()), body, hit) for body in (plume, Water(scattering=0.3)))
     np.testing.assert_allclose(got, want, rtol=1e-4)

@@ -17,6 +17,7 @@ from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 from seafoam.scene.waves import Sea
 from seafoam.textures import SeaSpectrum, texture
+from support.float64.tile import summed
 from support.report import Report
 from support.seas import SEAS
 from support.sweep import spread
@@ -32,7 +33,7 @@ def test_the_reference_is_the_sum_of_its_waves(report: Report, name: str) -> Non
     for i, of in enumerate(sea_tiles.cascades(sea, None)):
         count = POINTS if i == 0 else 1000
         x, z = random.uniform(0.0, of.size, (2, count))
-        wanted = truth.direct(of, 12.5, x, z)
+        wanted = summed(of, 12.5, x, z)
         got = truth.grids(of, 12.5, truth.TEXELS)
         scale = truth.TEXELS / of.size
         tile = truth.tile(of, 12.5, sea.choppiness)

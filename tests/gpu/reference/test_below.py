@@ -5,10 +5,10 @@ import math
 import numpy as np
 import pytest
 
+from seafoam.ocean.constants import WATER_INDEX
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference import render
-from seafoam.reference.light.light import INDEX
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.boats import Boat
 from seafoam.scene.camera import Camera
@@ -138,7 +138,7 @@ def test_snells_window_ends_at_the_critical_angle(executor: Executor) -> None:
     got = draw(executor, plan, camera, time=0.0, size=(side, side), output="samples")
     row = got[side // 2, :, 2]
     angle = np.degrees(np.arctan(np.abs(2.0 * (np.arange(side) + 0.5) / side - 1.0) * math.tan(1.0)))
-    critical = math.degrees(math.asin(1.0 / INDEX))
+    critical = math.degrees(math.asin(1.0 / WATER_INDEX))
     assert (row[angle > critical + 2.0] < 1e-3).all()
     assert (row[angle < critical - 1.0] > 0.1 * row.max()).all()
 

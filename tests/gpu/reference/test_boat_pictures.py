@@ -99,13 +99,14 @@ def test_a_boat_stands_before_what_is_behind_it_and_behind_what_is_before_it(exe
     )
     bare = scene.model_copy(update={"boats": ()})
     truth = render(scene, time=0.0, width=160, height=90)
-    shader = SampleShader(scene, 0.0, cameras.view(scene.camera, 160, 90), 160, 90, 1, "same-samples", None)
+    grid = cameras.SampleGrid(cameras.view(scene.camera, 160, 90), 160, 90)
+    shader = SampleShader(scene, 0.0, grid, "same-samples", None)
     assert shader.fleet is not None
     down, along = np.mgrid[0:90, 0:160]
     X, Y = 2.0 * (along.ravel() + 0.5) / 160 - 1.0, 1.0 - 2.0 * (down.ravel() + 0.5) / 90
-    D = cameras.rays(shader.view, X, Y)
+    D = cameras.rays(grid.view, X, Y)
     d = D / np.linalg.norm(D, axis=1)[:, None]
-    water = surfaces.first_crossing(shader.relief, shader.eye_y, d)
+    water = surfaces.first_crossing(shader.surface.relief, shader.eye_y, d)
     boat = shader.fleet.trace(np.array([0.0, shader.eye_y, 0.0]), d).t
     hidden = (np.isfinite(boat) & (water < boat)).reshape(90, 160)
     shown = (np.isfinite(boat) & (boat < water)).reshape(90, 160)

@@ -88,7 +88,7 @@ def water_lines(
     origin = (camera.position[0], camera.position[2])
     places, heights = [], []
     for boat, (middle, slope_x, slope_z) in zip(scene.boats, found, strict=True):
-        at = floating.course(boat, time, origin)
+        at = floating.course_of(boat, time, origin)
         for x, z in floating.hull_points(boat, at):
             places.append((x, z))
             heights.append(middle + slope_x * (x - at.place[0]) + slope_z * (z - at.place[1]))
@@ -123,12 +123,12 @@ def test_boats_float_as_in_float64(executor: Executor, report: Report, sea: str,
     boats = tuple(boat.model_copy(update={"smoothing": smoothing}) for boat in BOATS)
     scene = SEAS[sea].model_copy(update={"boats": boats})
     plan = make_plan(scene, EXACT)
-    off = 0.0
+    grid, off = cameras.SampleGrid(cameras.view(SKYWARD, 16, 9), 16, 9), 0.0
     for time in (1000003.5,) if scene.sea else (0.0, 1000003.5):
         found = poses(executor, plan, time, SKYWARD)
         places, lines = water_lines(scene, found, time, SKYWARD)
-        shader = SampleShader(scene, time, cameras.view(SKYWARD, 16, 9), 16, 9, 1, "same-samples", None)
-        want = [floating.felt(shader.relief.height, place, smoothing) for place in places]
+        shader = SampleShader(scene, time, grid, "same-samples", None)
+        want = [floating.mean_height(shader.surface.relief.height, place, smoothing) for place in places]
         off = max(off, float(np.abs(lines - np.array(want)).max()))
     report.add(
         "Water line against the float64 surface, reference quality",

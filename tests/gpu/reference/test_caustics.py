@@ -8,10 +8,11 @@ import pytest
 from numpy.typing import NDArray
 from pydantic import ValidationError
 
+from seafoam.ocean.constants import WATER_INDEX
 from seafoam.ocean.ripples import REPEATING_TILES
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
-from seafoam.reference.light.light import INDEX, air
+from seafoam.reference.light.light import air
 from seafoam.reference.water import seafloor
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.light import Caustics, Light
@@ -114,15 +115,15 @@ def test_rays_bend_by_snells_law() -> None:
     n *= -np.sign(np.einsum("ij,ij->i", d, n))[:, None]
     r = seafloor.refracted(d, n)
     assert np.abs(np.linalg.norm(r, axis=1) - 1.0).max() <= 1e-12
-    assert np.abs(np.cross(d, n) - INDEX * np.cross(r, n)).max() <= 1e-12
+    assert np.abs(np.cross(d, n) - WATER_INDEX * np.cross(r, n)).max() <= 1e-12
 
 
 def test_a_ray_lands_where_its_slope_sends_it() -> None:
     """Small slopes under a sun at the zenith: beside its entrance by depth × slope × (1 − 1/index), uphill."""
     zenith = air(Light(sun_elevation=math.pi / 2))
     slope = np.array([1e-4])
-    x, z, share = seafloor.landing(zenith, 3.0, slope, np.zeros(1), INDEX)
-    assert x[0] == pytest.approx(3.0 * 1e-4 * (1.0 - 1.0 / INDEX), rel=1e-6)
+    x, z, share = seafloor.landing(zenith, 3.0, slope, np.zeros(1), WATER_INDEX)
+    assert x[0] == pytest.approx(3.0 * 1e-4 * (1.0 - 1.0 / WATER_INDEX), rel=1e-6)
     assert abs(z[0]) <= 1e-12
     assert share[0] == pytest.approx(1.0)
 

@@ -8,7 +8,6 @@ from gpu.reference.test_shore import patched
 from seafoam.effects.light.overcast import gap_light
 from seafoam.planner import make_plan
 from seafoam.reference.light import light as sky
-from seafoam.reference.light.cloud_shadow import sunlight
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
 from seafoam.scene.light import Light
@@ -34,7 +33,7 @@ def _truth(scene: Scene, place: NDArray[np.float64], side: float) -> NDArray[np.
     assert above is not None
     assert above.clouds is not None
     feet = np.tile((side, 0.0), (len(place), 1)), np.tile((0.0, 0.5 * side), (len(place), 1))
-    return sunlight(above.clouds, place, feet)
+    return above.clouds.sunlight(place, feet)
 
 
 def _places(far: float) -> NDArray[np.float64]:
@@ -99,6 +98,6 @@ def test_shadow_lies_where_clouds_hide_the_lamp() -> None:
         lamp = above.lit_by[None, :]
         hidden.append(float(above.behind_clouds(np.zeros((1, 3)), lamp, (np.full(1, 2e-3), np.full(1, 2e-3)))[1][0]))
         none = np.zeros((1, 2))
-        share.append(float(sunlight(above.clouds, np.array([[0.0, 1.0, 0.0]]), (none, none))[0]))
+        share.append(float(above.clouds.sunlight(np.array([[0.0, 1.0, 0.0]]), (none, none))[0]))
     shaded = np.array(share) * (1.0 - float(above.taken))
     assert np.corrcoef(1.0 - np.array(hidden), shaded)[0, 1] > 0.9

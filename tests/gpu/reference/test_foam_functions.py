@@ -149,7 +149,7 @@ def test_filtered_coverage_equals_its_float64_form(probe: Probe, mask_name: str,
     size = 512.0 * np.hypot(foot_u, foot_v)
     assets = sixteen_bits(mask)
     _, e = looks.spline_over_footprint(sampling.bspline(assets.thresholds, u, v), foot_u, foot_v)
-    want = looked.covered(assets, s, u, v, foot_u, foot_v, float(np.float32(fade)))
+    want = looked.covered(assets, s, looked.MaskPoints(u, v, foot_u, foot_v), float(np.float32(fade)))
     half = np.where(looks.minification(size) < 1.0, np.maximum(e, 5e-4), 0.05)
     assert np.isfinite(got).all()
     assert (got[s == 0.0] == 0.0).all()
@@ -187,7 +187,7 @@ def test_octaves_equal_their_float64_form(probe: Probe, octaves: int, fade: floa
     foot_u, foot_v = np.column_stack([w, 0 * w]), np.column_stack([0.3 * w, 0.8 * w])
     assets = sixteen_bits(mask)
     foam = Foam(octaves=octaves, fade=float(np.float32(fade)))
-    want = looked.coverage(foam, assets, s, u, v, foot_u, foot_v, filtering=True)
+    want = looked.coverage(foam, assets, s, looked.MaskPoints(u, v, foot_u, foot_v), filtering=True)
     assert np.isfinite(got).all()
     assert (got[s == 0.0] == 0.0).all()
     if fade == 0.0:

@@ -36,31 +36,32 @@ def truth(scene: Scene, camera: Camera) -> NDArray[np.float64]:
     """Normal and distance in float64, (height, width, 4)."""
     width, height = SIZE
     view = cameras.view(camera, width, height)
-    state = SampleShader(scene, TIME, view, width, height, 1, "same-samples", None)
+    state = SampleShader(scene, TIME, cameras.SampleGrid(view, width, height), "same-samples", None)
     X, Y = (
         2.0 * (np.arange(width) + 0.5) / width - 1.0,
         1.0 - 2.0 * (np.arange(height) + 0.5) / height,
     )
+    surface, coast = state.surface, state.surface.coast
     D = cameras.rays(view, *(one.ravel() for one in np.meshgrid(X, Y)))
     d = unit(D)
     found = np.zeros((len(d), 4))
-    water = intersect.first_crossing(state.relief, state.eye_y, d)
+    water = intersect.first_crossing(surface.relief, state.eye_y, d)
     ground = np.full(len(d), np.inf)
-    if state.below is not None:
+    if state.under and state.seabed is not None:
         here = np.zeros(len(d))
-        ground = state.below.reach(here, here, here + state.eye_y, d)
-    elif state.coast is not None:
-        ground = intersect.land_crossing(state.coast.land, state.eye_y, d, *state.coast.within(d))
+        ground = state.seabed.reach(here, here, here + state.eye_y, d)
+    elif coast is not None:
+        ground = intersect.land_crossing(coast.land, state.eye_y, d, *coast.within(d))
     dry, wet = ground < water, (water <= ground) & np.isfinite(water)
     x, z = d[:, 0], d[:, 2]
     if dry.any():
         found[dry, :3], found[dry, 3] = (0.0, 1.0, 0.0), ground[dry]
-        if state.coast is not None:
-            places = state.coast.place(x[dry] * ground[dry], z[dry] * ground[dry])
-            _, g_x, g_z, _ = state.coast.ground(*places)
+        if coast is not None:
+            places = coast.place(x[dry] * ground[dry], z[dry] * ground[dry])
+            _, g_x, g_z, _ = coast.ground(*places)
             found[dry, :3] = unit(intersect.normal(g_x, g_z))
     if wet.any():
-        _, (h_x, h_z), (c_x, c_z) = state.slopes(x[wet] * water[wet], z[wet] * water[wet])
+        _, (h_x, h_z), (c_x, c_z) = surface.slopes(x[wet] * water[wet], z[wet] * water[wet])
         found[wet, :3], found[wet, 3] = unit(intersect.normal(h_x + c_x, h_z + c_z)), water[wet]
     return found.reshape(height, width, 4)
 

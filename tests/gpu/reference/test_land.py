@@ -34,8 +34,8 @@ def test_soil(side: float, executor: Executor, report: Report) -> None:
     q_x, q_z = sea.place(x, z)
     height = sea.ground(q_x, q_z)[0]
     feet = _feet(side, x.size)
-    dark, film = truth.wetness(sea, q_x, q_z, height)
-    want = truth.detailed(sea, q_x, q_z, feet, (dark, film))
+    dark, film = sea.wetness(q_x, q_z, height)
+    want = truth.detailed(sea.shore, (q_x, q_z), sea.ground(q_x, q_z), feet, (dark, film))
     body = _text(side) + "vec4 ground = shore_floor(q); Soil soil = land_soil(q, ground, fp, land_wet(q, ground.x));"
     colour = probe(executor, HIGH, body + "o_color = vec4(soil.albedo, soil.film);", name="land")
     relief = probe(executor, HIGH, body + "o_color = vec4(soil.normal, 0.0);", name="land")[:, :3]
@@ -68,11 +68,12 @@ def test_sand_goes_on_under_the_waters_edge(executor: Executor) -> None:
     height = sea.ground(q_x, q_z)[0]
     feet = _feet(0.05, x.size)
     down, up = np.tile((0.0, -1.0, 0.0), (x.size, 1)), np.tile((0.0, 1.0, 0.0), (x.size, 1))
-    _, want = sea.bed(x, z, height + 1e-3, down, up, *feet)
+    want = sea.bed(x, z, height + 1e-3, down, up, feet).albedo
     body = _text(0.05) + "o_color = vec4(floor_albedo(q, shore_floor(q), fp), 0.0);"
     got = probe(executor, HIGH, body)[:, :3]
     assert np.quantile(np.abs(got - want), 0.99) <= 2e-3
-    soaked = truth.detailed(sea, q_x, q_z, feet, (np.ones_like(x), np.ones_like(x)), floor=True).albedo
+    wet = np.ones_like(x), np.ones_like(x)
+    soaked = truth.detailed(sea.shore, (q_x, q_z), sea.ground(q_x, q_z), feet, wet, floor=True).albedo
     edge = (height > -0.1) & (height < 0.5)
     assert np.count_nonzero(edge) > 50
     np.testing.assert_allclose(want[edge], soaked[edge], atol=1e-9)
@@ -92,7 +93,7 @@ def test_wetness_is_the_last_swashs(executor: Executor) -> None:
     turn = sea[0].turn(sea[0].field.value(q_x, q_z)[:, 0])
     inside = (height > 0.3 * swash) & (height < swash)
     ages = 1.0 - turn
-    films = [truth.wetness(one, q_x, q_z, height)[1] for one in sea]
+    films = [one.wetness(q_x, q_z, height)[1] for one in sea]
     drying = inside & (ages < 0.95) & (films[0] > 0.05)
     assert np.count_nonzero(drying) > 20
     assert (films[1] <= films[0] + 0.02)[drying].all()
@@ -107,9 +108,10 @@ def test_what_the_footprint_hides_goes_over_into_its_mean(executor: Executor, re
     q_x, q_z = sea.place(x, z)
     height = sea.ground(q_x, q_z)[0]
     land = height > 1.0
-    dry = np.zeros(int(land.sum())), np.zeros(int(land.sum()))
+    place, dry = (q_x[land], q_z[land]), (np.zeros(int(land.sum())), np.zeros(int(land.sum())))
+    ground = sea.ground(*place)
     means = {
-        side: truth.detailed(sea, q_x[land], q_z[land], _feet(side, int(land.sum())), dry).albedo.mean(axis=0)
+        side: truth.detailed(sea.shore, place, ground, _feet(side, int(land.sum())), dry).albedo.mean(axis=0)
         for side in (0.005, 0.5, 3.0, 8.0)
     }
     shown = {f"{side} m": ", ".join(f"{c:.4f}" for c in mean) for side, mean in means.items()}

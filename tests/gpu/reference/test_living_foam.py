@@ -11,11 +11,11 @@ from seafoam.ocean.stokes import first_harmonic, foam_drift
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference import render
-from seafoam.reference.foam import living
-from seafoam.reference.foam.front import History, living_front
-from seafoam.reference.foam.patches import FrontPatches
+from seafoam.reference.foam import aging
+from seafoam.reference.foam.front import STILL, decaying_front
 from seafoam.reference.renderer.relief import Relief
 from seafoam.reference.shore.shore import Coast
+from seafoam.reference.types import SurfacePoints
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
@@ -95,9 +95,7 @@ def test_patches_break_up_the_lattice_of_two_waves() -> None:
 
     def foam(variation: float, shift: float) -> Any:
         one = source.model_copy(update={"variation": variation, "variation_size": 25.0})
-        patches = FrontPatches(one, 3.0, (0.0, 0.0), (0.0, 0.0)) if variation else None
-        set_of = wave_set(scene, 3.0, (0.0, 0.0))
-        return living_front(one, 3.0, set_of, x + shift, z, None, np.ones_like(x), History((0.0, 0.0), False, patches))
+        return foam_of(scene, one, 3.0, x + shift, z)
 
     even, uneven = ([foam(variation, shift) for shift in (0.0, 20.0)] for variation in (0.0, 0.2))
     assert np.corrcoef(*even)[0, 1] > 0.999
@@ -126,7 +124,7 @@ def test_water_carries_its_foam_in_circles() -> None:
     s = np.linspace(0.0, 8.0, 4001)
     x, z = s * math.cos(0.4), s * math.sin(0.4)
     waves = wave_set(scene, 1.3, (0.0, 0.0))
-    way = waves.carry(x, z)
+    way = waves.to_rest(x, z)
     along = way[0] * math.cos(0.4) + way[1] * math.sin(0.4)
     assert np.abs(way[1] * math.cos(0.4) - way[0] * math.sin(0.4)).max() < 1e-12
     assert along.max() == pytest.approx(a, rel=1e-6)
@@ -143,7 +141,7 @@ def test_windrows_share_out_what_there_is(report: Report) -> None:
     scene = Scene(foam=Foam(life=life))
     x, z = places(400_000)
     for s in (0.0, 0.03, 0.4, 0.8, 1.0):
-        rows = living.gathered(scene, 7.0, (0.0, 0.0), np.full(x.shape, s), x, z)
+        rows = aging.gathered(scene, 7.0, (0.0, 0.0), np.full(x.shape, s), x, z)
         assert rows.min() >= 0.0
         assert rows.max() <= 1.0
         assert rows.mean() == pytest.approx(s, abs=0.003)
@@ -159,7 +157,7 @@ def test_rows_lie_along_the_wind() -> None:
 
     def alike(dx: float, dz: float) -> float:
         here, there = (
-            living.gathered(scene, 0.0, (0.0, 0.0), np.full(x.shape, 0.5), x + m * dx, z + m * dz) for m in (0, 1)
+            aging.gathered(scene, 0.0, (0.0, 0.0), np.full(x.shape, 0.5), x + m * dx, z + m * dz) for m in (0, 1)
         )
         return float(np.corrcoef(here, there)[0, 1])
 
@@ -172,11 +170,11 @@ def test_masks_of_all_ages_cover_what_one_would() -> None:
     f = np.linspace(0.005, 0.99, 2000)
     s = 0.9 * f
     for masks in (1, 2, 3):
-        shares = living.shares(masks, s, f)
+        shares = aging.shares(masks, s, f)
         free = np.prod([1.0 - one.s for one in shares], axis=0)
         assert np.abs(1.0 - free - s).max() < 1e-12
         assert np.abs(sum(one.weight for one in shares) - 1.0).max() < 1e-12
-    young, torn, streak = living.shares(3, s, f)
+    young, torn, streak = aging.shares(3, s, f)
     assert (young.weight[f > 0.9] == 1.0).all()
     assert (torn.weight[np.abs(f - math.exp(-0.8)) < 0.02] == 1.0).all()
     assert (streak.weight[f < math.exp(-1.6)] == 1.0).all()
@@ -189,7 +187,7 @@ def foam_of(scene: Scene, source: FrontSaturation, time: float, x: Any, z: Any) 
     """Saturation at places of still water, (r,)."""
     assert source.decay is not None
     waves = wave_set(scene, time, (0.0, 0.0))
-    return living_front(source, source.decay, waves, x, z, None, np.ones_like(x), History((0.0, 0.0), False))
+    return decaying_front(source, waves, SurfacePoints(x, z, 0.0 * x, None, 1.0, time, (0.0, 0.0)), 1.0, STILL)
 
 
 @pytest.mark.parametrize("decay", [1.5, 3.7])

@@ -10,7 +10,7 @@ from seafoam.effects.foam.height import NODES as HEIGHT_NODES
 from seafoam.effects.foam.height import visible_heights
 from seafoam.effects.shader import Inline
 from seafoam.ocean.dispersion import wavevector
-from seafoam.reference.foam import saturation
+from seafoam.reference.foam import front, saturation
 from seafoam.reference.waves import parametric as waves
 from seafoam.scene.foam import Foam, HeightSaturation
 from seafoam.scene.models import Scene
@@ -150,16 +150,8 @@ def test_seen_phases_equal_their_float64_form(probe: Probe, eye_height: float, r
         uniforms={"u_eye_height": eye_height, "u_front_relief": relief},
     )
     away, share, psi, width = inputs.astype(np.float64).T
-    psi_seen, width_seen = saturation.seen_phases(
-        psi,
-        width,
-        0.3 * share,
-        np.full(count, 0.3),
-        np.full(count, eye_height - 0.25),
-        away,
-        float(np.float32(relief)),
-        0.569,
-    )
+    change, eye = (0.3 * share, np.full(count, 0.3)), (np.full(count, eye_height - 0.25), away)
+    psi_seen, width_seen = front.seen_phases(psi, width, change, eye, float(np.float32(relief)), 0.569)
     assert np.isfinite(got).all()
     turn = 2.0 * math.pi
     off = np.abs(np.remainder(got[:, 0] - psi_seen + math.pi, turn) - math.pi)

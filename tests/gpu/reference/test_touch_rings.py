@@ -8,7 +8,7 @@ from seafoam.framegraph.evaluation import FrameState, evaluate
 from seafoam.framegraph.rules import afloat
 from seafoam.planner import make_plan
 from seafoam.reference import render as reference
-from seafoam.reference.waves.touch import touch_set
+from seafoam.reference.waves.rings import touch_set
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
 from seafoam.scene.current import Current

@@ -12,7 +12,8 @@ from seafoam.effects.waves import parametric
 from seafoam.effects.waves.groups import group_bounds, orbit_files, wave_files
 from seafoam.planner import make_plan
 from seafoam.reference import render
-from seafoam.reference.foam.front import STILL, living_front
+from seafoam.reference.foam.front import STILL, decaying_front
+from seafoam.reference.types import SurfacePoints
 from seafoam.reference.waves.groups import group_factor
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.render.gl.executor import Executor
@@ -80,7 +81,7 @@ def test_water_in_groups_is_carried_as_far_as_its_waves_are_high(probe: Probe) -
     files = ("lib/numbers.glsl", *wave_files(scene), *orbit_files(scene))
     got = probe.contributed(contribution(scene), files, "y.xy = parametric_carry(x.xy);", places(), time=3.0)[:, :2]
     x, z = places().astype(np.float64).T
-    want = np.column_stack(wave_set(scene, 3.0, (0.0, 0.0)).carry(x, z))
+    want = np.column_stack(wave_set(scene, 3.0, (0.0, 0.0)).to_rest(x, z))
     assert np.abs(want).max() > 0.2
     assert np.abs(got - want).max() <= 1e-3
 
@@ -155,7 +156,8 @@ def test_groups_break_up_the_lattice_of_two_waves() -> None:
         scene = Scene(waves=waves, wave_groups=groups)
         of = wave_set(scene, 3.0, (0.0, 0.0))
         heights = [of.height(x + shift, z) for shift in (0.0, 20.0)]
-        foam: Any = [living_front(source, 3.0, of, x + shift, z, None, np.ones_like(x), STILL) for shift in (0.0, 20.0)]
+        points = [SurfacePoints(x + shift, z, 0.0 * x, None, 1.0, 3.0, (0.0, 0.0)) for shift in (0.0, 20.0)]
+        foam: Any = [decaying_front(source, of, one, 1.0, STILL) for one in points]
         return float(np.corrcoef(*heights)[0, 1]), float(np.corrcoef(*foam)[0, 1])
 
     assert min(alike(None)) > 0.999

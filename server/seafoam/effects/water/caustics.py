@@ -12,7 +12,8 @@ from seafoam.effects.waves.ripples import ripple_phases
 from seafoam.framegraph.passes import Grid, Points
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, target_inputs
 from seafoam.framegraph.rules import Uniform, array, constants, in_tile, number, rounded, significant, vector
-from seafoam.ocean.refraction import INDEX, refracted_cosine
+from seafoam.ocean.constants import WATER_INDEX
+from seafoam.ocean.refraction import refracted_cosine
 from seafoam.ocean.ripples import Ripple, ripple_cascades, tiles
 from seafoam.quality import Quality
 from seafoam.scene.light import Light
@@ -41,7 +42,7 @@ _MAX_FOCUS = 64.0
 """Greatest brightness of a texel relative to the light under level water; above all that the tests draw."""
 
 
-def landing(light: Light, depth: float, slope: tuple[float, float], index: float = INDEX) -> tuple[float, float]:
+def landing(light: Light, depth: float, slope: tuple[float, float], index: float = WATER_INDEX) -> tuple[float, float]:
     """Horizontal distance (x, z), m, from where sunlight enters water of this slope to where it meets the floor."""
     sun = sun_direction(light)
     size = math.sqrt(1.0 + slope[0] ** 2 + slope[1] ** 2)
@@ -87,7 +88,7 @@ class _Tile:
 
     def index(self, difference: float) -> float:
         """Refractive index for a colour; ``difference``: its entry in :data:`COLOUR_INDEX`."""
-        return INDEX + self.dispersion * difference
+        return WATER_INDEX + self.dispersion * difference
 
     def margin(self, cells: int) -> int:
         """Width of the border of cells around the tile whose light can land in it, at most the tile's own width."""

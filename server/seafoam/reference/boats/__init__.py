@@ -1,4 +1,1 @@
-"""Section 15 of docs/formulae.md in float64: boats and wakes.
-
-Nothing here comes from an effect or from GLSL; rays and pixels are in :mod:`seafoam.reference.renderer`.
-"""
+"""Section 15 of docs/formulae.md in float64: boats and wakes."""

@@ -5,15 +5,14 @@ another above its sheer. A ray is inside a convex solid on one interval of its l
 """
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 
-from seafoam.reference.boats.floating import Height, course, float_on
+from seafoam.reference.boats.floating import Height, course_of, float_on
 from seafoam.reference.boats.form import DRAUGHT, FORMS, Form, Inequality, Pose, house, paint, plane
 from seafoam.reference.light.light import Air, fresnel, sky_light
-from seafoam.reference.types import Floats, dot, smoothstep, unit
+from seafoam.reference.types import Floats, Indices, Sunlight, dot, smoothstep, unit
 from seafoam.scene.boats import Boat
 from seafoam.scene.models import Scene
 
@@ -36,14 +35,16 @@ class Hit:
     part: Floats
     boat: Floats
 
+    def subset(self, rays: Indices) -> "Hit":
+        """The hits of some rays."""
+        return Hit(self.t[rays], self.normal[rays], self.place[rays], self.part[rays], self.boat[rays])
+
 
 @dataclass(frozen=True)
 class Fleet:
     """All boats of a scene at one time."""
 
     poses: tuple[Pose, ...]
-    open_sun: Callable[[Floats, tuple[Floats, Floats]], Floats] | None = None
-    """Share (r,) of the sunlight at places (r, 3), with footprints, that land and clouds leave; None: all."""
 
     def trace(self, o: Floats, d: Floats, least: float = 0.0) -> Hit:
         """First hits of rays o + t d, o and d (r, 3), with t ≥ ``least`` m; t is infinite where there is none."""
@@ -53,21 +54,21 @@ class Fleet:
         )
         for number, pose in enumerate(self.poses):
             size = pose.boat.length
-            middle = o + 0.0 * d - (pose.at + 0.4 * size * pose.up)
+            middle = o + 0.0 * d - (pose.place + 0.4 * size * pose.up)
             along = -dot(middle, d)
             close = np.flatnonzero((dot(middle, middle) - along * along) <= (0.9 * size) ** 2)
             if close.size == 0:
                 continue
-            start = (np.broadcast_to(o, d.shape)[close] - pose.at) + along[close, None] * d[close]
-            local, way = pose.inward(start) / size, pose.inward(d[close])
+            start = (np.broadcast_to(o, d.shape)[close] - pose.place) + along[close, None] * d[close]
+            local, direction = pose.inward(start) / size, pose.inward(d[close])
             shift = along[close]
-            traced = _Boat(local, way, (least - shift) / size, pose.boat)
+            traced = _Boat(local, direction, (least - shift) / size, pose.boat)
             t = traced.t * size + shift
             better = t < nearest.t[close]
             rows = close[better]
             nearest.t[rows] = t[better]
             nearest.normal[rows] = pose.outward(traced.normal[better])
-            nearest.place[rows] = local[better] + traced.t[better, None] * way[better]
+            nearest.place[rows] = local[better] + traced.t[better, None] * direction[better]
             nearest.part[rows] = traced.part[better]
             nearest.boat[rows] = number
         return nearest
@@ -75,11 +76,13 @@ class Fleet:
     def sunlight(self, place: Floats, sun: Floats) -> Floats:
         """Share of the sunlight that boats leave to places (r, 3), (r,): none under a hull, some through a sail."""
         hit = self.trace(place, np.repeat(sun[None, :], place.shape[0], axis=0))
-        result: Floats = np.where(np.isinf(hit.t), 1.0, np.where(hit.part == SAIL, UNDER_SAIL, 0.0))
-        return result
+        return np.where(np.isinf(hit.t), 1.0, np.where(hit.part == SAIL, UNDER_SAIL, 0.0))
 
-    def light(self, of: Air, o: Floats, d: Floats, hit: Hit) -> Floats:
-        """Radiance toward where rays come from, before haze; (r, 3), for rays that hit."""
+    def light(self, air: Air, open_sun: Sunlight, o: Floats, d: Floats, hit: Hit) -> Floats:
+        """Radiance toward where rays come from, before haze; (r, 3), for rays that hit.
+
+        ``open_sun``: what land and clouds leave.
+        """
         result = np.zeros_like(d)
         for number, pose in enumerate(self.poses):
             rows = np.flatnonzero(hit.boat == number)
@@ -87,7 +90,7 @@ class Fleet:
                 continue
             n, part = hit.normal[rows], hit.part[rows]
             albedo, gloss = paint(pose, hit.place[rows], pose.inward(n), part)
-            facing = dot(n, of.sun)
+            facing = dot(n, air.sun)
             share = np.maximum(facing, 0.0)
             sail = part == SAIL
             share[sail] += THROUGH_SAIL * np.maximum(-facing[sail], 0.0)
@@ -96,17 +99,15 @@ class Fleet:
                 side = np.where(facing[lit] < 0.0, -1.0, 1.0)
                 from_here = np.broadcast_to(o, d.shape)[rows][lit] + hit.t[rows][lit, None] * d[rows][lit]
                 from_here = from_here + 3e-3 * pose.boat.length * side[:, None] * n[lit]
-                other = self.trace(from_here, np.repeat(of.sun[None, :], lit.size, axis=0))
-                share[lit] *= np.where(np.isinf(other.t), 1.0, np.where(other.part == SAIL, UNDER_SAIL, 0.0))
-                if self.open_sun is not None:
-                    none = np.zeros((lit.size, 2))
-                    share[lit] *= self.open_sun(from_here, (none, none))
-            bounced = BOUNCED * (of.sky_irradiance + of.sun_irradiance * max(float(of.sun[1]), 0.0))
-            irradiance = of.sun_irradiance * share[:, None] + sky_light(of, n[:, 1])
+                share[lit] *= self.sunlight(from_here, air.sun)
+                none = np.zeros((lit.size, 2))
+                share[lit] *= open_sun(from_here, (none, none))
+            bounced = BOUNCED * (air.sky_irradiance + air.sun_irradiance * max(float(air.sun[1]), 0.0))
+            irradiance = air.sun_irradiance * share[:, None] + sky_light(air, n[:, 1])
             irradiance = irradiance + bounced * (0.5 - 0.5 * n[:, 1])[:, None]
             bare = albedo / math.pi * irradiance
             r = d[rows] - 2.0 * dot(d[rows], n)[:, None] * n
-            seen = of.sky(np.stack((r[:, 0], np.abs(r[:, 1]), r[:, 2]), axis=-1))
+            seen = air.sky(np.stack((r[:, 0], np.abs(r[:, 1]), r[:, 2]), axis=-1))
             seen = seen * (UNDER_SAIL + (1.0 - UNDER_SAIL) * smoothstep(-0.1, 0.1, r[:, 1]))[:, None]
             mirror = gloss * fresnel(np.clip(-dot(n, d[rows]), 0.0, 1.0))
             result[rows] = bare + mirror[:, None] * (seen - bare)
@@ -179,14 +180,17 @@ class _Boat:
         self._take(late, leave, -form.above().gradient(at), DECK)
 
     def _spar(
-        self, foot: tuple[float, float, float], way: tuple[float, float, float], reach: float, radius: float
+        self, foot: tuple[float, float, float], direction: tuple[float, float, float], reach: float, radius: float
     ) -> None:
-        axis, base = np.array(way), np.array(foot)
+        axis, base = np.array(direction), np.array(foot)
         from_foot = self.o - base
         a = self.d - dot(self.d, axis)[:, None] * axis
         b = from_foot - dot(from_foot, axis)[:, None] * axis
         first, last = _roots(dot(a, a), dot(a, b), dot(b, b) - radius * radius)
-        ends = plane(way, float(axis @ base) + reach), plane((-way[0], -way[1], -way[2]), -float(axis @ base))
+        ends = (
+            plane(direction, float(axis @ base) + reach),
+            plane((-direction[0], -direction[1], -direction[2]), -float(axis @ base)),
+        )
         enter, leave, gradient = self._interval(ends)
         around = (first > enter) & np.isfinite(first)
         gradient[around] = b[around] + first[around, None] * a[around]
@@ -242,9 +246,9 @@ def _roots(a: Floats, b: Floats, c: Floats) -> tuple[Floats, Floats]:
 def fleet(scene: Scene, time: float, origin: tuple[float, float], height: Height, ground: Height | None) -> Fleet:
     """The boats of a scene, floating on a surface or, where that is too shallow, resting on the ground."""
 
-    def carried(boat: Boat) -> Height:
+    def support(boat: Boat) -> Height:
         if ground is None:
             return height
         return lambda x, z: np.maximum(height(x, z), ground(x, z) + DRAUGHT * boat.length)
 
-    return Fleet(tuple(float_on(boat, course(boat, time, origin), carried(boat)) for boat in scene.boats))
+    return Fleet(tuple(float_on(boat, course_of(boat, time, origin), support(boat)) for boat in scene.boats))

@@ -38,7 +38,7 @@ class Course:
         return -self.turn * math.sin(self.bearing), self.turn * math.cos(self.bearing)
 
 
-def course(boat: Boat, time: float, origin: tuple[float, float]) -> Course:
+def course_of(boat: Boat, time: float, origin: tuple[float, float]) -> Course:
     """The course at a time, with the bearing reduced exactly, its rate taken as a float64 number."""
     turn = 1.0 if boat.turn == "starboard" else -1.0
     angle = Fraction(boat.bearing) + Fraction(turn * boat.speed / boat.radius) * Fraction(time)
@@ -54,9 +54,9 @@ def course(boat: Boat, time: float, origin: tuple[float, float]) -> Course:
     )
 
 
-def hull_points(boat: Boat, at: Course) -> tuple[tuple[float, float], ...]:
+def hull_points(boat: Boat, course: Course) -> tuple[tuple[float, float], ...]:
     """Bow, port and starboard quarter, m from the origin."""
-    (x, z), (a, b), size = at.place, at.heading, boat.length
+    (x, z), (a, b), size = course.place, course.heading, boat.length
     return (
         (x + BOW * size * a, z + BOW * size * b),
         (x - size * (QUARTER * a - BEAM * b), z - size * (QUARTER * b + BEAM * a)),
@@ -64,7 +64,7 @@ def hull_points(boat: Boat, at: Course) -> tuple[tuple[float, float], ...]:
     )
 
 
-def felt(height: Height, place: tuple[float, float], reach: float) -> float:
+def mean_height(height: Height, place: tuple[float, float], reach: float) -> float:
     """Mean height over a disc by Radon's seven points (degree 5)."""
     turns = np.arange(6) * (math.pi / 3.0)
     x = place[0] + RADON * reach * np.concatenate(([0.0], np.cos(turns)))
@@ -74,14 +74,14 @@ def felt(height: Height, place: tuple[float, float], reach: float) -> float:
     return float(weights @ height(x, z))
 
 
-def float_on(boat: Boat, at: Course, height: Height) -> Pose:
+def float_on(boat: Boat, course: Course, height: Height) -> Pose:
     """The boat on a surface: the plane of its water line passes through the mean heights at the hull points."""
     size = boat.length
-    bow, port, starboard = (felt(height, place, boat.smoothing) for place in hull_points(boat, at))
+    bow, port, starboard = (mean_height(height, place, boat.smoothing) for place in hull_points(boat, course))
     stern = 0.5 * (port + starboard)
     along = (bow - stern) / ((BOW + QUARTER) * size)
     across = (starboard - port) / (2.0 * BEAM * size)
-    ahead = np.array([at.heading[0], 0.0, at.heading[1]])
+    ahead = np.array([course.heading[0], 0.0, course.heading[1]])
     right = np.cross(ahead, UP)
     slope = along * ahead + across * right
     slope = slope / max(float(np.linalg.norm(slope)), 1.0)
@@ -91,5 +91,5 @@ def float_on(boat: Boat, at: Course, height: Height) -> Pose:
     ahead /= np.linalg.norm(ahead)
     right = np.cross(ahead, up)
     c, s = math.cos(boat.heel), math.sin(boat.heel)
-    place = np.array([at.place[0], stern + along * QUARTER * size, at.place[1]])
+    place = np.array([course.place[0], stern + along * QUARTER * size, course.place[1]])
     return Pose(boat, place, ahead, c * up + s * right, c * right - s * up)

@@ -24,8 +24,7 @@ class Inequality:
     c: float
 
     def gradient(self, x: Floats) -> Floats:
-        result: Floats = 2.0 * (self.m * x + self.linear)
-        return result
+        return 2.0 * (self.m * x + self.linear)
 
 
 def plane(n: tuple[float, float, float], c: float) -> Inequality:
@@ -50,8 +49,7 @@ class Form:
         return self.beam / 0.62**2
 
     def sheer_at(self, x: Floats) -> Floats:
-        result: Floats = self.sheer + self.rise * (x + 0.15) ** 2
-        return result
+        return self.sheer + self.rise * (x + 0.15) ** 2
 
     def sides(self) -> tuple[Inequality, ...]:
         """±z ≤ beam − fine (x + 0.12)² − flare (y − widest)², and the transom."""
@@ -77,7 +75,7 @@ class Pose:
     """A boat as it floats: the middle of its water line, and its axes."""
 
     boat: Boat
-    at: Floats
+    place: Floats
     ahead: Floats
     up: Floats
     right: Floats
@@ -88,8 +86,7 @@ class Pose:
 
     def outward(self, v: Floats) -> Floats:
         """A direction given along the boat's axes; (r, 3)."""
-        result: Floats = v[:, :1] * self.ahead + v[:, 1:2] * self.up + v[:, 2:] * self.right
-        return result
+        return v[:, :1] * self.ahead + v[:, 1:2] * self.up + v[:, 2:] * self.right
 
 
 def house(
@@ -105,11 +102,11 @@ def house(
     )
 
 
-def paint(pose: Pose, at: Floats, n: Floats, part: Floats) -> tuple[Floats, Floats]:
+def paint(pose: Pose, place: Floats, n: Floats, part: Floats) -> tuple[Floats, Floats]:
     """Reflectance (r, 3) and gloss (r,) of places in the boat's lengths and axes."""
     motor = pose.boat.kind == "motor"
     form = FORMS[pose.boat.kind]
-    x, y, z = at.T
+    x, y, z = place.T
     strip = (y < 0.012) | (form.sheer_at(x) - y < 0.013)
     hull = np.where(strip[:, None], np.array([0.75, 0.74, 0.7]), np.array(pose.boat.hull))
     hull = np.where((y < 0.0)[:, None], np.array([0.16, 0.03, 0.02]), hull)
@@ -130,9 +127,9 @@ def paint(pose: Pose, at: Floats, n: Floats, part: Floats) -> tuple[Floats, Floa
         (np.array([0.55, 0.2, 0.05] if motor else [0.5, 0.5, 0.48]), 0.3),
         (np.array(pose.boat.sails), 0.0),
     )
-    albedo, gloss = np.zeros_like(at), np.zeros(at.shape[0])
+    albedo, gloss = np.zeros_like(place), np.zeros(place.shape[0])
     for kind, (colour, shine) in enumerate(choices):
         here = part == kind
-        albedo[here] = np.broadcast_to(colour, at.shape)[here]
+        albedo[here] = np.broadcast_to(colour, place.shape)[here]
         gloss[here] = np.broadcast_to(shine, gloss.shape)[here]
     return albedo, gloss

@@ -6,18 +6,18 @@ from dataclasses import dataclass
 import numpy as np
 
 from seafoam.ocean.wakes import Wake, wake_height, wake_slope, wakes
-from seafoam.reference.boats.floating import HULL_SPEED, Course, course
+from seafoam.reference.boats.floating import HULL_SPEED, Course, course_of
 from seafoam.reference.boats.form import FORMS, STEM
-from seafoam.reference.foam.torn import Feet, spread, torn, torn_step
-from seafoam.reference.noise import KEY, value
-from seafoam.reference.types import Bools, Floats, smoothstep
+from seafoam.reference.noise import KEY, filtered_step, footprint_variance, patches, value
+from seafoam.reference.types import Bools, Floats, Footprints, Gradient, smoothstep
 from seafoam.scene.boats import Boat
 from seafoam.scene.foam import WakeSaturation
 from seafoam.scene.models import Scene
 
 
-class WakeBounds:
-    """Bounds of several wakes as a part of the surface."""
+@dataclass(frozen=True)
+class Wakes:
+    """Wakes as a part of the surface around one origin."""
 
     wakes: tuple[Wake, ...]
     top: float
@@ -35,46 +35,58 @@ class WakeBounds:
     def shape(self) -> float:
         return min((1.0 / wake.shortest for wake in self.wakes if wake.shows), default=math.inf)
 
-
-@dataclass(frozen=True)
-class WakeSet(WakeBounds):
-    """The wakes of a scene's boats, as a part of its surface."""
-
-    boats: tuple[Boat, ...]
-    wakes: tuple[Wake, ...]
-    courses: tuple[Course, ...]
-    top: float
-    slope: float
+    def along(self, i: int, x: Floats, z: Floats) -> tuple[Floats, Floats, Gradient, Gradient]:
+        """Distance of places (x, z) behind the bow of wake i and aside (m), and the gradients of both."""
+        raise NotImplementedError
 
     def height(self, x: Floats, z: Floats) -> Floats:
         total = np.zeros_like(x)
-        for wake, at in zip(self.wakes, self.courses, strict=True):
-            behind, aside, _, _ = along(wake.boat.length, at, x, z)
+        for i, wake in enumerate(self.wakes):
+            behind, aside, _, _ = self.along(i, x, z)
             total += pattern(wake, behind, np.abs(aside))[0]
         return total
 
     def gradient(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
         h_x, h_z = np.zeros_like(x), np.zeros_like(x)
-        for wake, at in zip(self.wakes, self.courses, strict=True):
-            behind, aside, on_behind, on_aside = along(wake.boat.length, at, x, z)
+        for i, wake in enumerate(self.wakes):
+            behind, aside, on_behind, on_aside = self.along(i, x, z)
             _, rise, spread = pattern(wake, behind, np.abs(aside))
             spread = spread * np.where(aside < 0.0, -1.0, 1.0)
             h_x += rise * on_behind[0] + spread * on_aside[0]
             h_z += rise * on_behind[1] + spread * on_aside[1]
         return h_x, h_z
 
-    def foam(self, source: WakeSaturation, x: Floats, z: Floats, cap: float, feet: Feet | None) -> Floats:
+
+@dataclass(frozen=True)
+class WakeSet(Wakes):
+    """The wakes of a scene's boats."""
+
+    boats: tuple[Boat, ...]
+    courses: tuple[Course, ...]
+
+    def along(self, i: int, x: Floats, z: Floats) -> tuple[Floats, Floats, Gradient, Gradient]:
+        course = self.courses[i]
+        from_x, from_z = x + course.centre[0], z + course.centre[1]
+        out = np.hypot(from_x, from_z)
+        far = np.maximum(out, 0.1 * course.radius)
+        angle = course.turn * (course.bearing - np.arctan2(from_z, from_x))
+        angle = np.mod(angle + 0.3, 2.0 * math.pi) - 0.3
+        share = course.turn * course.radius / (far * far)
+        behind = course.radius * angle + STEM * self.boats[i].length
+        return behind, out - course.radius, (share * from_z, -share * from_x), (from_x / far, from_z / far)
+
+    def foam(self, source: WakeSaturation, x: Floats, z: Floats, cap: float, footprints: Footprints | None) -> Floats:
         """f of the boats' foam at (x, z), m from the origin, averaged over footprints; (r,) in [0, cap]."""
         total = np.zeros_like(x)
-        for boat, at in zip(self.boats, self.courses, strict=True):
+        for i, (boat, course) in enumerate(zip(self.boats, self.courses, strict=True)):
             if boat.speed < 0.5:
                 continue
             size = boat.length
-            behind, aside, on_behind, on_aside = along(size, at, x, z)
+            behind, aside, on_behind, on_aside = self.along(i, x, z)
             b, s = behind / size, np.abs(aside) / size
             past = np.maximum(b - 0.86, 0.0)
-            on_x, on_z = (x + at.centre[0]) / size, (z + at.centre[1]) / size
-            patches = wake_patches(on_x, on_z, size, feet)
+            on_x, on_z = (x + course.centre[0]) / size, (z + course.centre[1]) / size
+            torn = wake_patches(on_x, on_z, size, footprints)
             width = 0.085 + 0.055 * np.sqrt(past)
             q = np.clip((s - 0.5 * width) / (0.65 * width), 0.0, 1.0)
             band = (1.0 - q * q * (3.0 - 2.0 * q)) * smoothstep(-0.06, 0.04, b - 0.86)
@@ -83,21 +95,22 @@ class WakeSet(WakeBounds):
             edge = 0.015 + 0.105 * run * (2.0 - run) + 0.16 * np.maximum(b - 0.55, 0.0)
             off = (s - edge) / (0.02 + 0.025 * ahead)
             thrown = smoothstep(-0.01, 0.06, b) * np.exp(-np.minimum(off * off + 1.3 * ahead, 80.0))
-            if feet is not None:
-                v_b, v_s = spread(on_behind, feet) / size**2, spread(on_aside, feet) / size**2
-                band = torn_step(-1.15 * width, -0.5 * width, s, v_s) - torn_step(0.5 * width, 1.15 * width, s, v_s)
-                band = band * torn_step(-0.06, 0.04, b - 0.86, v_b)
+            if footprints is not None:
+                v_b, v_s = (footprint_variance(part, footprints) / size**2 for part in (on_behind, on_aside))
+                band = filtered_step(-1.15 * width, -0.5 * width, s, v_s)
+                band -= filtered_step(0.5 * width, 1.15 * width, s, v_s)
+                band *= filtered_step(-0.06, 0.04, b - 0.86, v_b)
                 wider = 1.0 + 2.0 * v_s / (0.02 + 0.025 * ahead) ** 2
                 bell = np.exp(-np.minimum(off * off / wider + 1.3 * ahead, 80.0)) / np.sqrt(wider)
-                thrown = torn_step(-0.01, 0.06, b, v_b) * bell
+                thrown = filtered_step(-0.01, 0.06, b, v_b) * bell
             share = min(boat.speed / (HULL_SPEED * math.sqrt(size)), 1.0)
-            total += source.amount * band * age * (0.3 + 0.9 * patches)
-            total += source.bow * share**2 * thrown * (0.3 + patches)
-            total += source.contact * share * contact(boat, at, x, z, patches, feet)
+            total += source.amount * band * age * (0.3 + 0.9 * torn)
+            total += source.bow * share**2 * thrown * (0.3 + torn)
+            total += source.contact * share * contact(boat, course, x, z, torn, footprints)
         return np.minimum(total, cap)
 
 
-def wake_patches(on_x: Floats, on_z: Floats, size: float, feet: Feet | None) -> Floats:
+def wake_patches(on_x: Floats, on_z: Floats, size: float, footprints: Footprints | None) -> Floats:
     """Share of torn foam at places in lengths of ``size`` m, averaged over footprints; (r,) in [0, 1]."""
     t_x, t_z = 0.8 * on_x - 0.6 * on_z, 0.6 * on_x + 0.8 * on_z
     noises = [
@@ -105,18 +118,16 @@ def wake_patches(on_x: Floats, on_z: Floats, size: float, feet: Feet | None) -> 
         (0.35, 0.11 * size, value(KEY, t_x / 0.11, t_z / 0.11)),
         (0.25, 0.037 * size, value(KEY, on_x / 0.037, on_z / 0.037)),
     ]
-    if feet is None:
-        return smoothstep(0.25, 0.72, np.sum([part * noise for part, _, noise in noises], axis=0))
-    return torn_step(0.25, 0.72, *torn(noises, feet))
+    return patches(noises, footprints)
 
 
-def contact(boat: Boat, at: Course, x: Floats, z: Floats, patches: Floats, feet: Feet | None) -> Floats:
+def contact(boat: Boat, course: Course, x: Floats, z: Floats, torn: Floats, footprints: Footprints | None) -> Floats:
     """Density of the white water along a hull's water line, averaged over footprints; (r,) in [0, 1.2].
 
-    ``patches``: share of torn foam at each place, in [0, 1].
+    ``torn``: share of torn foam at each place, in [0, 1].
     """
     size, form = boat.length, FORMS[boat.kind]
-    (c_x, c_z), (a_x, a_z) = at.place, at.heading
+    (c_x, c_z), (a_x, a_z) = course.place, course.heading
     ahead = ((x - c_x) * a_x + (z - c_z) * a_z) / size
     right = ((z - c_z) * a_x - (x - c_x) * a_z) / size
     c, s = math.cos(boat.heel), math.sin(boat.heel)
@@ -133,30 +144,12 @@ def contact(boat: Boat, at: Course, x: Floats, z: Floats, patches: Floats, feet:
     by_ahead, by_right = np.where(past > away, 1.0, by_ahead), np.where(past > away, 0.0, by_right)
     away = np.maximum(away, past)
     aft = np.clip((stem - ahead) / (stem + 0.45), 0.0, 1.0)
-    width = 2.0 * form.beam * (0.05 + 0.1 * aft) * (0.5 + patches)
+    width = 2.0 * form.beam * (0.05 + 0.1 * aft) * (0.5 + torn)
     gradient = (by_ahead * a_x - by_right * a_z, by_ahead * a_z + by_right * a_x)
-    variance = np.zeros_like(x) if feet is None else spread(gradient, feet) / size**2
-    band = torn_step(-width, np.zeros_like(x), away, variance) - torn_step(0.4 * width, 1.4 * width, away, variance)
-    result: Floats = (1.0 - 0.6 * aft) * band * (0.3 + 0.9 * patches)
-    return result
-
-
-def along(
-    length: float, at: Course, x: Floats, z: Floats
-) -> tuple[Floats, Floats, tuple[Floats, Floats], tuple[Floats, Floats]]:
-    """Distance of places behind the bow along the course and outward from it (m), and the gradients of both."""
-    from_x, from_z = x + at.centre[0], z + at.centre[1]
-    out = np.hypot(from_x, from_z)
-    far = np.maximum(out, 0.1 * at.radius)
-    angle = at.turn * (at.bearing - np.arctan2(from_z, from_x))
-    angle = np.mod(angle + 0.3, 2.0 * math.pi) - 0.3
-    share = at.turn * at.radius / (far * far)
-    return (
-        at.radius * angle + STEM * length,
-        out - at.radius,
-        (share * from_z, -share * from_x),
-        (from_x / far, from_z / far),
-    )
+    variance = footprint_variance(gradient, footprints) / size**2
+    band = filtered_step(-width, np.zeros_like(x), away, variance)
+    band -= filtered_step(0.4 * width, 1.4 * width, away, variance)
+    return (1.0 - 0.6 * aft) * band * (0.3 + 0.9 * torn)
 
 
 def pattern(wake: Wake, behind: Floats, aside: Floats) -> tuple[Floats, Floats, Floats]:
@@ -215,5 +208,5 @@ def _step(low: float, high: float, x: Floats) -> tuple[Floats, Floats]:
 def wake_set(scene: Scene, time: float, origin: tuple[float, float]) -> WakeSet:
     """The wakes of a scene's boats at a time (s) around an origin (x, z) in m."""
     patterns = wakes(scene.boats)
-    courses = tuple(course(boat, time, origin) for boat in scene.boats)
-    return WakeSet(scene.boats, patterns, courses, wake_height(scene.boats), wake_slope(scene.boats))
+    courses = tuple(course_of(boat, time, origin) for boat in scene.boats)
+    return WakeSet(patterns, wake_height(scene.boats), wake_slope(scene.boats), scene.boats, courses)

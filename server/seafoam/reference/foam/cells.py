@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from seafoam.reference.noise import pcg, share
+from seafoam.reference.noise import chained, number
 from seafoam.reference.types import Floats, smoothstep
 from seafoam.scene.foam import Foam
 
@@ -32,8 +32,7 @@ class Corner:
     def turned(self, foot: Floats) -> Floats:
         """Footprints (r, 2) in tiles, rotated with the cell; (r, 2)."""
         x, y = foot[:, 0], foot[:, 1]
-        result: Floats = np.stack((self.cosine * x + self.sine * y, self.cosine * y - self.sine * x), axis=-1)
-        return result
+        return np.stack((self.cosine * x + self.sine * y, self.cosine * y - self.sine * x), axis=-1)
 
 
 def corners(u: Floats, v: Floats, blended: bool) -> list[Corner]:
@@ -68,8 +67,7 @@ def corners(u: Floats, v: Floats, blended: bool) -> list[Corner]:
 def part(s: Floats, weight: Floats) -> Floats:
     """Coverage of a cell of weight w for a saturation s in [0, 1]: 1 − (1 − s)^w, with a ramp to 1 at s = 1; (r,)."""
     left = 1.0 - np.clip(s, 0.0, 1.0)
-    result: Floats = 1.0 - np.maximum(left, LAST) ** weight * smoothstep(0.0, LAST, left)
-    return result
+    return 1.0 - np.maximum(left, LAST) ** weight * smoothstep(0.0, LAST, left)
 
 
 def counted(x: Floats, z: Floats, foam: Foam, origin: tuple[float, float]) -> tuple[Floats, Floats]:
@@ -89,16 +87,14 @@ def counted(x: Floats, z: Floats, foam: Foam, origin: tuple[float, float]) -> tu
 
 
 def _corner(weight: Floats, i: Floats, j: Floats, s: Floats, t: Floats) -> Corner:
-    first = np.mod(i, COUNT).astype(np.uint64)
-    second = np.mod(j, COUNT).astype(np.uint64)
-    word = pcg(pcg(first) ^ second)
-    angle = 2.0 * math.pi * share(pcg(word))
+    word = chained(0, i, j, period=COUNT)
+    angle = 2.0 * math.pi * number(word, 0)
     cosine, sine = -np.cos(angle), -np.sin(angle)
     x, y = s + 0.5 * t, 0.5 * math.sqrt(3.0) * t
     return Corner(
         weight=weight,
-        u=cosine * x + sine * y + share(pcg(word + np.uint64(1))),
-        v=cosine * y - sine * x + share(pcg(word + np.uint64(2))),
+        u=cosine * x + sine * y + number(word, 1),
+        v=cosine * y - sine * x + number(word, 2),
         cosine=cosine,
         sine=sine,
     )

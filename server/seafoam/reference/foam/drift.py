@@ -91,8 +91,7 @@ def angular_velocity(square: Floats, radius: float, speed: float) -> Floats:
     # expm1 keeps the digits; at the centre itself the limit is 1.
     share = np.where(y > 0.0, -np.expm1(-y) / np.where(y > 0.0, y, 1.0), 1.0)
     whole = speed / radius * PEAK / -math.expm1(-PEAK)
-    result: Floats = whole * share * (1.0 - smoothstep(FADE, REACH, np.sqrt(square)))
-    return result
+    return whole * share * (1.0 - smoothstep(FADE, REACH, np.sqrt(square)))
 
 
 def flow_of(scene: Scene) -> Flow:
@@ -170,20 +169,20 @@ def copies(
     pair = []
     for i, seconds in enumerate((youngest, youngest + float(interval))):
         odd = (number - i) % 2 == 1
-        apart = tuple(share * tile if odd else 0.0 for share in APART)
+        apart = tuple(part * tile if odd else 0.0 for part in APART)
         away, turn = np.zeros((x.size, 2)), np.tile(np.eye(2), (x.size, 1, 1))
         if inside.size:
-            at = q_x[inside], q_z[inside]
-            here = _way(flow, *at, seconds)
+            place = q_x[inside], q_z[inside]
+            here = _moved_back(flow, *place, seconds)
             away[inside] = rim[inside, None] * here
             for axis, (d_x, d_z) in enumerate(((BESIDE, 0.0), (0.0, BESIDE))):
-                change = (_way(flow, at[0] + d_x, at[1] + d_z, seconds) - here) / BESIDE
+                change = (_moved_back(flow, place[0] + d_x, place[1] + d_z, seconds) - here) / BESIDE
                 turn[inside, :, axis] += rim[inside, None] * change
         pair.append(Copy(share if odd else 1.0 - share, x + away[:, 0] + apart[0], z + away[:, 1] + apart[1], turn))
     return pair
 
 
-def _way(flow: Flow, x: Floats, z: Floats, seconds: float) -> Floats:
+def _moved_back(flow: Flow, x: Floats, z: Floats, seconds: float) -> Floats:
     """Vectors from places to where their water was, (r, 2) m."""
     back = flow.back(x, z, seconds)
     return np.column_stack((back[0] - x, back[1] - z))

@@ -7,9 +7,9 @@ from typing import Literal
 
 import numpy as np
 
-from seafoam.reference.foam.patches import FrontPatches
-from seafoam.reference.types import Floats, smoothstep
-from seafoam.reference.waves.parametric import WaveSet
+from seafoam.reference.noise import fractal
+from seafoam.reference.types import Floats, Footprints, SurfacePoints, smoothstep
+from seafoam.reference.waves.parametric import WaveSet, noise_place
 from seafoam.scene.foam import FrontSaturation
 
 TURN = 2.0 * math.pi
@@ -32,6 +32,9 @@ LEAST_RATE = 1e-3
 GROUP_LEAST = 1e-4
 """Least ρ² in ∇ψ."""
 
+PATCH_OCTAVES, PATCH_SEED, PATCH_CHANGE = 3, 64 * 91, 25.0
+"""Octaves of the noise of patches, its seed, and the time in which it changes, s."""
+
 
 @dataclass(frozen=True)
 class History:
@@ -39,10 +42,8 @@ class History:
 
     drift: tuple[float, float]
     """(x, z) m/s."""
-    carried: bool
+    orbits: bool
     """Whether the waves' orbits move it to and fro."""
-    patches: FrontPatches | None = None
-    """Where fronts foam more, and less; None: the same everywhere."""
 
 
 STILL = History((0.0, 0.0), False)
@@ -81,8 +82,7 @@ class Group:
 def group_weights(waves: WaveSet) -> Floats:
     """Each wave's amplitude over the sum of all amplitudes, equal weights if that sum is 0; (waves,)."""
     total, count = float(waves.amplitude.sum()), waves.amplitude.size
-    weights: Floats = waves.amplitude / total if total > 0.0 else np.full(count, 1.0 / max(count, 1))
-    return weights
+    return waves.amplitude / total if total > 0.0 else np.full(count, 1.0 / max(count, 1))
 
 
 def group(waves: WaveSet, x: Floats, z: Floats, delta: float) -> Group:
@@ -123,8 +123,7 @@ def front_saturation(X: Floats, Y: Floats, intensity: float, base: float = math.
     cotangent = np.cos(half) / np.where(nowhere, 1.0, sine)
     exponent = np.clip(np.where(nowhere, 0.0, cotangent) * math.log(base), -EXPONENT, EXPONENT)
     f = np.minimum(np.exp(exponent) / intensity, CAP)
-    result: Floats = np.where(pole, CAP, f)
-    return result
+    return np.where(pole, CAP, f)
 
 
 class WaveFrontIntegral:
@@ -158,8 +157,7 @@ class WaveFrontIntegral:
     def mean(self, psi: Floats, width: Floats) -> Floats:
         """Mean of min(f, 1) over ψ ± Δ/2, Δ > 0, in [0, 1]; of the shape of ``psi``."""
         total = self(psi + 0.5 * width) - self(psi - 0.5 * width)
-        result: Floats = np.clip(total / width, 0.0, 1.0)
-        return result
+        return np.clip(total / width, 0.0, 1.0)
 
 
 @lru_cache(maxsize=16)
@@ -175,43 +173,55 @@ def front_saturation_filtered(psi: Floats, width: Floats, intensity: float, base
     mean = front_integral(intensity, base).mean(psi, np.where(sharp, 1.0, width))
     crosses = sharp & (np.abs(psi) < 0.5 * width)
     jump = np.clip(0.5 + psi / np.where(crosses, width, 1.0), 0.0, 1.0)
-    result: Floats = np.where(
+    return np.where(
         crosses,
         jump,
         np.where(sharp, np.minimum(front_saturation(np.cos(psi), np.sin(psi), intensity, base), 1.0), mean),
     )
-    return result
 
 
-def phase_gradient(of: Group) -> Floats:
+def phase_gradient(group: Group) -> Floats:
     """∇ψ at r places; (r, 2) rad/m."""
-    squared = np.maximum(of.X * of.X + of.Y * of.Y, GROUP_LEAST)
-    result: Floats = (of.X[:, None] * of.slope_of_y - of.Y[:, None] * of.slope_of_x) / squared[:, None]
-    return result
+    squared = np.maximum(group.X * group.X + group.Y * group.Y, GROUP_LEAST)
+    return (group.X[:, None] * group.slope_of_y - group.Y[:, None] * group.slope_of_x) / squared[:, None]
 
 
-def phase_width(gradient: Floats, foot_x: Floats, foot_y: Floats) -> Floats:
-    """Δ = |∇ψ·∂x/∂X| + |∇ψ·∂x/∂Y| over footprints (r, 2) m; (r,) rad."""
-    result: Floats = np.abs((gradient * foot_x).sum(axis=1)) + np.abs((gradient * foot_y).sum(axis=1))
+def phase_width(gradient: Floats, footprints: Footprints) -> Floats:
+    """Δ = |∇ψ·∂x/∂X| + |∇ψ·∂x/∂Y| over footprints; (r,) rad."""
+    result: Floats = sum(np.abs((gradient * side).sum(axis=1)) for side in footprints)
     return result
 
 
 def seen_phases(
-    psi: Floats, width: Floats, along: Floats, across: Floats, over: Floats, away: Floats, relief: float, crest: float
+    psi: Floats, width: Floats, change: tuple[Floats, Floats], eye: tuple[Floats, Floats], relief: float, crest: float
 ) -> tuple[Floats, Floats]:
     """ψ and Δ of the phases under a footprint that are visible, where crests hide what lies behind them; (r,) each.
 
-    ``along``: derivative of ψ along the view, ``across``: its greatest derivative in any direction (rad/m); ``over``:
-    height of the camera above the place, ``away``: its horizontal distance (m); ``relief``: slope amplitude of a
-    sinusoid with the waves' mean square slope; ``crest``: ψ at a crest.
+    ``change``: derivative of ψ along the view, and its greatest in any direction (rad/m); ``eye``: height of the camera
+    above the place, and its horizontal distance (m); ``relief``: slope amplitude of a sinusoid with the waves' mean
+    square slope; ``crest``: ψ at a crest.
     """
-    q = np.minimum(np.abs(over) * across / np.maximum(relief * np.abs(along) * away, 1e-20), 1.0)
+    (along, steepest), (over, away) = change, eye
+    q = np.minimum(np.abs(over) * steepest / np.maximum(relief * np.abs(along) * away, 1e-20), 1.0)
     before = np.sqrt(4.0 * math.pi * q)
     arc = np.maximum((q + before) / np.maximum(1.0 - q**16, 1e-6), 1e-5)
     top = np.where(over < 0.0, crest - math.pi, crest)
     middle = top + np.where(along < 0.0, 0.5, -0.5) * (before - q)
     moved = psi + smoothstep(1.0, 2.0, width / arc) * _wrapped(middle - psi)
     return _wrapped(moved), np.minimum(width, arc)
+
+
+def phases_under(
+    psi: Floats, gradient: Floats, points: SurfacePoints, eye_y: float, relief: float, crest: float
+) -> tuple[Floats, Floats]:
+    """:func:`seen_phases` under the footprints of points, of a phase ψ with a gradient (r, 2), from a height (m)."""
+    assert points.footprints is not None
+    away = np.hypot(points.x, points.z)
+    along = (gradient[:, 0] * points.x + gradient[:, 1] * points.z) / np.maximum(away, 1e-6)
+    change = along, np.hypot(gradient[:, 0], gradient[:, 1])
+    return seen_phases(
+        psi, phase_width(gradient, points.footprints), change, (eye_y - points.height, away), relief, crest
+    )
 
 
 @dataclass(frozen=True)
@@ -223,8 +233,7 @@ class _Decay:
 
     def left(self, phase: Floats) -> Floats:
         """What is left at a phase since the front, in [0, 2π]; of the shape of ``phase``."""
-        left: Floats = np.exp(np.minimum(self.born - phase, 0.0) / self.life)
-        return left
+        return np.exp(np.minimum(self.born - phase, 0.0) / self.life)
 
     def integral(self, phase: Floats) -> Floats:
         """∫₀ of :meth:`left` over the whole fronts in ``phase`` and the rest of it; of the shape of ``phase``."""
@@ -232,8 +241,7 @@ class _Decay:
         rest = phase - TURN * turns
         whole = self.born + self.life * -math.expm1((self.born - TURN) / self.life)
         decayed = self.life * -np.expm1(np.minimum(self.born - rest, 0.0) / self.life)
-        integral: Floats = turns * whole + np.minimum(rest, self.born) + decayed
-        return integral
+        return turns * whole + np.minimum(rest, self.born) + decayed
 
 
 class _Fronts:
@@ -276,40 +284,49 @@ class _Fronts:
         return np.maximum(self.strength(since), left * before), before
 
 
-def living_front(
-    source: FrontSaturation,
-    decay: float,
-    waves: WaveSet,
-    x: Floats,
-    z: Floats,
-    footprints: tuple[Floats, Floats] | None,
-    over: Floats,
-    history: History,
+def front_patches(
+    source: FrontSaturation, drift: tuple[float, float], points: SurfacePoints, x: Floats, z: Floats
 ) -> Floats:
-    """Foam that the last three fronts left on the water now at (x, z), each gated as it was; (r,) in [0, 1].
+    """What patches, in which fronts foam more or less, add to the sum of the waves at rest positions (x, z); (r,).
 
-    With footprints averaged over what a camera ``over`` (r,) m higher sees, else at the place.
+    They move with the drift, m/s, and are filtered to the footprints of the points.
     """
+    size = source.variation_size
+    if source.variation == 0.0:
+        return np.zeros_like(x)
+    width = np.zeros_like(x)
+    if points.footprints is not None:
+        width = np.maximum(*(np.hypot(side[:, 0], side[:, 1]) for side in points.footprints)) / size
+    place = np.column_stack((x / size, z / size, np.zeros_like(x)))
+    place += noise_place(size, PATCH_CHANGE, drift, points.time, points.origin)
+    return source.variation * fractal(place, width, PATCH_OCTAVES, PATCH_SEED)
+
+
+def decaying_front(
+    source: FrontSaturation, waves: WaveSet, points: SurfacePoints, eye_y: float, history: History
+) -> Floats:
+    """Foam that the last three fronts left on the water now at points, each gated as it was; (r,) in [0, 1].
+
+    With footprints averaged over what a camera at a height of ``eye_y`` m sees, else at the points.
+    """
+    assert source.decay is not None
+    x, z = points.x, points.z
     sum_of = group(waves, x, z, 0.5 * math.pi)
     gradient = phase_gradient(sum_of)
-    carried_x, carried_z = waves.carry(x, z) if history.carried else (np.zeros_like(x), np.zeros_like(x))
-    rest_x, rest_z = x + carried_x, z + carried_z
-    more = np.zeros_like(x) if history.patches is None else history.patches(rest_x, rest_z, footprints)
+    by_x, by_z = waves.to_rest(x, z) if history.orbits else (np.zeros_like(x), np.zeros_like(x))
+    rest_x, rest_z = x + by_x, z + by_z
+    more = front_patches(source, history.drift, points, rest_x, rest_z)
     fronts = _Fronts(waves, rest_x, rest_z, history.drift, source.group, more)
-    life = fronts.mean_rate * decay
+    life = fronts.mean_rate * source.decay
     decaying = _Decay(2.0 * math.atan2(1.0, math.log(source.intensity)), life)
-    # The phase where the water rests, to first order.
+    # The phase at the rest position, to first order.
     psi = np.where(sum_of.rho > 0.0, np.arctan2(sum_of.Y, sum_of.X), 0.0)
-    psi = _wrapped(psi + gradient[:, 0] * carried_x + gradient[:, 1] * carried_z)
+    psi = _wrapped(psi + gradient[:, 0] * by_x + gradient[:, 1] * by_z)
     since = np.mod(psi, TURN)
     here, before = fronts.last(since, math.exp(-TURN / life))
-    if footprints is None:
+    if points.footprints is None:
         return here * decaying.left(since)
-    away = np.hypot(x, z)
-    along = (gradient[:, 0] * x + gradient[:, 1] * z) / np.maximum(away, 1e-6)
-    across = np.hypot(gradient[:, 0], gradient[:, 1])
-    width = phase_width(gradient, *footprints)
-    psi, width = seen_phases(psi, width, along, across, over, away, waves.relief, 0.5 * math.pi)
+    psi, width = phases_under(psi, gradient, points, eye_y, waves.relief, 0.5 * math.pi)
     following = np.maximum(gate(sum_of.rho + more, source.group), math.exp(-TURN / life) * here)
     return _mean_over_fronts(decaying, np.mod(psi, TURN), np.maximum(width, 1e-5), (before, here, following))
 
@@ -326,19 +343,16 @@ def _mean_over_fronts(
     covered = here * within - before * integral(np.minimum(low, 0.0))
     covered = covered + following * np.where(high > TURN, integral(high) - whole, 0.0)
     narrow = (low > 0.0) & (high < TURN) & (width < 1e-6)
-    mean: Floats = np.where(narrow, here * decaying.left(since), np.clip(covered / width, 0.0, 1.0))
-    return mean
+    return np.where(narrow, here * decaying.left(since), np.clip(covered / width, 0.0, 1.0))
 
 
 def _wrapped(angle: Floats) -> Floats:
     """The angle in [−π, π], rad."""
-    result: Floats = angle - 2.0 * math.pi * np.round(angle / (2.0 * math.pi))
-    return result
+    return angle - 2.0 * math.pi * np.round(angle / (2.0 * math.pi))
 
 
 def _front(psi: Floats, intensity: float, base: float) -> Floats:
     """min(f, 1) of one wave for 0 < ψ ≤ 2π, where it is continuous; of the shape of ``psi``."""
     cotangent = np.cos(0.5 * psi) / np.maximum(np.sin(0.5 * psi), 1e-300)
     exponent = np.clip(cotangent * math.log(base), -EXPONENT, EXPONENT)
-    result: Floats = np.minimum(np.exp(exponent) / intensity, 1.0)
-    return result
+    return np.minimum(np.exp(exponent) / intensity, 1.0)

@@ -19,20 +19,17 @@ END = 1.0 / 256.0
 
 def textured(f: Floats, t: Floats) -> Floats:
     """clamp(f, 0, 1)·t (figure 7a)."""
-    result: Floats = np.clip(f, 0.0, 1.0) * t
-    return result
+    return np.clip(f, 0.0, 1.0) * t
 
 
 def halftone(f: Floats, m: Floats) -> Floats:
     """1 where f > m, else 0 (equation 1)."""
-    result: Floats = np.where(f > m, 1.0, 0.0)
-    return result
+    return np.where(f > m, 1.0, 0.0)
 
 
 def fading(f: Floats, m: Floats) -> Floats:
     """clamp(f/2 − m, 0, 1) where f > m, else 0 (equation 2)."""
-    result: Floats = np.where(f > m, np.clip(0.5 * f - m, 0.0, 1.0), 0.0)
-    return result
+    return np.where(f > m, np.clip(0.5 * f - m, 0.0, 1.0), 0.0)
 
 
 def halftone_textured(f: Floats, m: Floats, t: Floats) -> Floats:
@@ -42,14 +39,12 @@ def halftone_textured(f: Floats, m: Floats, t: Floats) -> Floats:
 
 def listing(f: Floats, m: Floats, t: Floats) -> Floats:
     """clamp(f − m, 0.15, 3)·t where f > m, else 0 (the published code); in [0, 3], added to the water."""
-    result: Floats = np.where(f > m, np.clip(f - m, 0.15, 3.0) * t, 0.0)
-    return result
+    return np.where(f > m, np.clip(f - m, 0.15, 3.0) * t, 0.0)
 
 
 def thinned(A: Floats, t: Floats, texture: float) -> Floats:
     """A·(1 − texture + texture·t): the filtered look under its foam texture."""
-    result: Floats = A * (1.0 - texture + texture * t)
-    return result
+    return A * (1.0 - texture + texture * t)
 
 
 def minification(size: Floats) -> Floats:
@@ -68,8 +63,7 @@ def spline_fade(table: Floats, s: Floats, fade: float) -> Floats:
     """Width of the ramp in values of the B-spline mask, so that the share ``fade`` of the plane is in it below Q(s);
     (r,)."""
     part = np.minimum(s, fade)
-    result: Floats = (quantile(table, s) - quantile(table, s - part)) * fade / np.maximum(part, 1e-30)
-    return result
+    return (quantile(table, s) - quantile(table, s - part)) * fade / np.maximum(part, 1e-30)
 
 
 def magnified_coverage(b: Floats, e: Floats, threshold: Floats, width: Floats) -> Floats:
@@ -136,8 +130,7 @@ def octave_shown(size: Floats) -> Floats:
 def converged_octave(s: Floats, b: Floats, threshold: Floats, width: Floats) -> Floats:
     """The limit of an octave for infinitely many samples: its ramp over the B-spline mask b, with the filtered ends."""
     A = np.clip((threshold - b) / width, 0.0, 1.0) * smoothstep(0.0, END, s)
-    result: Floats = 1.0 - (1.0 - A) * smoothstep(0.0, END, 1.0 - s)
-    return result
+    return 1.0 - (1.0 - A) * smoothstep(0.0, END, 1.0 - s)
 
 
 def converged_coverage(s: Floats, b: Floats, table: Floats, fade: float) -> Floats:
@@ -145,8 +138,7 @@ def converged_coverage(s: Floats, b: Floats, table: Floats, fade: float) -> Floa
     gap = quantile(table, s) - b
     if fade == 0.0:
         return np.where(gap > 0.0, 1.0, 0.0)
-    result: Floats = np.clip(gap / np.maximum(spline_fade(table, s, fade), 1e-30), 0.0, 1.0)
-    return result
+    return np.clip(gap / np.maximum(spline_fade(table, s, fade), 1e-30), 0.0, 1.0)
 
 
 def _level_coverage(s: Floats, u: Floats, v: Floats, size: Floats, image: Floats, table: Floats, fade: float) -> Floats:
@@ -176,12 +168,10 @@ def _box_shares(t: Floats, width: Floats) -> list[Floats]:
 
 def _ramp_mean(threshold: Floats, low: Floats, width: Floats, fade: float | Floats) -> Floats:
     """Mean of the ramp for thresholds uniform in [low, low + width]; (r,)."""
-    result: Floats = (_ramp(threshold - low, fade) - _ramp(threshold - low - width, fade)) / width
-    return result
+    return (_ramp(threshold - low, fade) - _ramp(threshold - low - width, fade)) / width
 
 
 def _ramp(x: Floats, fade: float | Floats) -> Floats:
     """R(x), the integral of the threshold's ramp of width ``fade``."""
     limited = np.clip(x, 0.0, fade)
-    result: Floats = limited * limited / np.maximum(2.0 * fade, 1e-30) + np.maximum(x - fade, 0.0)
-    return result
+    return limited * limited / np.maximum(2.0 * fade, 1e-30) + np.maximum(x - fade, 0.0)

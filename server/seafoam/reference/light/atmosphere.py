@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
 
 import numpy as np
 
@@ -29,8 +29,8 @@ from seafoam.ocean.skylight import (
     glow,
 )
 from seafoam.reference.light import clouds
-from seafoam.reference.light.clouds import EYE, CloudLayer, HighClouds, Spread
-from seafoam.reference.noise import fractal, pcg, share
+from seafoam.reference.light.clouds import EYE, FORWARD, CloudLayer, HighClouds, Spread
+from seafoam.reference.noise import chained, fractal, number, share
 from seafoam.reference.types import Floats, dot, smoothstep, unit
 from seafoam.scene.light import Light
 from seafoam.scene.sky import Day, Moon
@@ -39,7 +39,6 @@ RAYLEIGH = np.array([0.055, 0.108, 0.215])
 RAYLEIGH_HEIGHT, MIE_HEIGHT = 8000.0, 1200.0
 """Scale heights of molecules and of haze, m."""
 MIE_LEAST, MIE_PER_TURBIDITY = 0.01, 0.04
-FORWARD = 0.76
 CLOUD_POWER = 20.0
 MOON_POWER = 0.2 * np.array([0.75, 0.9, 1.2])
 MOON_RADIUS = 0.0045
@@ -53,6 +52,11 @@ STAR_CELLS = 64
 NODES, TURNS = 192, 384
 TAP_AIR, TAP_CLOUDS = 0.8, 1.15
 """Distance of a mirrored sky's two directions from their mean, and its clouds' deviation, over the spread."""
+
+
+def to_sun(light: Light) -> Floats:
+    """(3,) unit vector toward the sun."""
+    return toward(*((light.sun_azimuth, light.sun_elevation) if light.day is None else sun_angles(light.day)))
 
 
 def sun_angles(day: Day) -> tuple[float, float]:
@@ -89,16 +93,15 @@ def _step(low: float, high: float, x: float) -> float:
     return float(smoothstep(low, high, x))
 
 
-def _logarithm(green: Exponents, tint: Exponents, of: Series, x: Floats, s: Floats) -> Floats:
+def _logarithm(green: Exponents, tint: Exponents, series: Series, x: Floats, s: Floats) -> Floats:
     """Sums of c x^i s^j at (...,): of green, and of red and blue with what they add; (..., 3)."""
     powers = [np.ones_like(x), x, x * x, x**3, x**4, x**5], [np.ones_like(s), s, s * s, s**3]
 
     def summed(exponents: Exponents, coefficients: Floats) -> Floats:
-        result: Floats = np.stack([powers[0][i] * powers[1][j] for i, j in exponents], axis=-1) @ coefficients
-        return result
+        return np.stack([powers[0][i] * powers[1][j] for i, j in exponents], axis=-1) @ coefficients
 
-    middle, beside = summed(green, of.green), summed(tint, of.tint)
-    return np.stack((middle + beside[..., 0], middle, middle + beside[..., 1]), axis=-1)
+    middle, others = summed(green, series.green), summed(tint, series.tint)
+    return np.stack((middle + others[..., 0], middle, middle + others[..., 1]), axis=-1)
 
 
 @dataclass(frozen=True, eq=False)
@@ -136,26 +139,25 @@ class LayeredSky:
     @cached_property
     def clouds(self) -> CloudLayer | None:
         """The layer of clouds, if there is one."""
-        of = None if self.light.sky is None else self.light.sky.clouds
-        if of is None:
+        layer = None if self.light.sky is None else self.light.sky.clouds
+        if layer is None:
             return None
-        place = clouds.place(of, self.time, self.eye)
-        return CloudLayer(of, self.lit_by, self.cloud_light(of.height), self._ambient, place, self.eye[1])
+        place = clouds.place(layer, self.time, self.eye)
+        return CloudLayer(layer, self.lit_by, self.cloud_light(layer.height), self._ambient, place, self.eye[1])
 
     @cached_property
     def high(self) -> HighClouds | None:
         """The high clouds, if there are any."""
-        of = None if self.light.sky is None else self.light.sky.cirrus
-        if of is None:
+        cirrus = None if self.light.sky is None else self.light.sky.cirrus
+        if cirrus is None:
             return None
-        place = clouds.streak_place(of, self.time, self.eye)
-        return HighClouds(of, self.lit_by, self.cloud_light(of.height), self._ambient, place, self.eye[1])
+        place = clouds.streak_place(cirrus, self.time, self.eye)
+        return HighClouds(cirrus, self.lit_by, self.cloud_light(cirrus.height), self._ambient, place, self.eye[1])
 
     @property
     def _ambient(self) -> Floats:
         """Radiance of the skylight on clouds; (3,)."""
-        result: Floats = 0.6 / math.pi * self.clear_irradiance
-        return result
+        return 0.6 / math.pi * self.clear_irradiance
 
     @property
     def taken(self) -> float:
@@ -170,8 +172,7 @@ class LayeredSky:
     def depth(self, y: Floats) -> Floats:
         """Optical depth along unit directions of height y (...,); (..., 3)."""
         up = np.maximum(y, 0.0)[..., None]
-        result: Floats = (RAYLEIGH + self.mie) / (up + 0.09) + self.haze * 0.02 / (up + 0.02)
-        return result
+        return (RAYLEIGH + self.mie) / (up + 0.09) + self.haze * 0.02 / (up + 0.02)
 
     def clear(self, d: Floats, look: Floats | None = None) -> Floats:
         """Radiance of the cloudless air toward d; (..., 3). ``look``: toward which its haze scatters, if not d."""
@@ -186,10 +187,10 @@ class LayeredSky:
             total += np.exp2(_logarithm(HAZE, HAZE_TINT, lamp.glow.haze, x, s)) * forward
         return total
 
-    def passed(self, way: Floats) -> Floats:
+    def passed(self, distance: Floats) -> Floats:
         """Share of light that passes through (r,) m of air near the sea; (r, 3)."""
         haze = max(CONTRAST / self.light.visibility - float(MOLECULES[1]), 0.0)
-        result: Floats = np.exp(-way[:, None] * (haze * HAZE_COLOUR + MOLECULES))
+        result: Floats = np.exp(-distance[:, None] * (haze * HAZE_COLOUR + MOLECULES))
         return result
 
     def behind_clouds(self, air: Floats, d: Floats, spread: Spread) -> tuple[Floats, Floats]:
@@ -227,8 +228,7 @@ class LayeredSky:
         light, hidden = self.behind_clouds(self.clear(d), d, _eye(d))
         face, inside = self.moon_disc(d)
         beyond = self.sun_disc(d) + face + self.stars(d, pixel) * (1.0 - inside)[:, None]
-        result: Floats = light + (1.0 - hidden)[:, None] * beyond
-        return result
+        return light + (1.0 - hidden)[:, None] * beyond
 
     def sun_disc(self, d: Floats) -> Floats:
         """Radiance of the sun's disc; (r, 3); 0 once the moon lights the water."""
@@ -237,8 +237,7 @@ class LayeredSky:
         away = d - self.lamps[0].direction
         inside = 1.0 - smoothstep(0.0045**2, 0.0055**2, dot(away, away))
         passed = self.clear_direct / CLOUD_POWER
-        result: Floats = DISC_MOST * math.sqrt(float(passed.max())) * passed * inside[:, None]
-        return result
+        return DISC_MOST * math.sqrt(float(passed.max())) * passed * inside[:, None]
 
     def moon_disc(self, d: Floats) -> tuple[Floats, Floats]:
         """Radiance of the moon's face (r, 3), and its coverage (r,)."""
@@ -250,17 +249,17 @@ class LayeredSky:
         radius = MOON_RADIUS * moon.size
         chord = (d - to_moon) / radius
         far = dot(chord, chord)
-        at = np.flatnonzero(far < 1.2)
-        if at.size == 0:
+        near = np.flatnonzero(far < 1.2)
+        if near.size == 0:
             return colour, hides
-        a, b = dot(chord[at], right), dot(chord[at], up)
-        sphere = a[:, None] * right + b[:, None] * up - np.sqrt(np.maximum(1.0 - far[at], 0.0))[:, None] * to_moon
+        a, b = dot(chord[near], right), dot(chord[near], up)
+        sphere = a[:, None] * right + b[:, None] * up - np.sqrt(np.maximum(1.0 - far[near], 0.0))[:, None] * to_moon
         lit = np.sqrt(np.maximum(dot(sphere, self.lamps[0].direction), 0.0))
-        noise = fractal(np.column_stack((1.7 * a + 3.1, 1.7 * b + 7.7)), np.zeros(at.size), 4, 77)
+        noise = fractal(np.column_stack((1.7 * a + 3.1, 1.7 * b + 7.7)), np.zeros(near.size), 4, 77)
         dust = 1.0 - 0.55 * smoothstep(-0.2, 0.9, noise)
-        hides[at] = 1.0 - smoothstep(0.8, 1.2, far[at])
+        hides[near] = 1.0 - smoothstep(0.8, 1.2, far[near])
         through = np.exp(-0.5 * self.lamps[1].path)
-        colour[at] = MOON_FACE * moon.brightness * MOON_POWER * through * (dust * lit * hides[at])[:, None]
+        colour[near] = MOON_FACE * moon.brightness * MOON_POWER * through * (dust * lit * hides[near])[:, None]
         return colour, hides
 
     def stars(self, d: Floats, pixel: Floats) -> Floats:
@@ -278,15 +277,14 @@ class LayeredSky:
         main = d[rows, axis]
         face = 2 * axis + (main <= 0.0)
         turned = np.stack((d[rows, (axis + 1) % 3], d[rows, (axis + 2) % 3], np.abs(main)), axis=-1)
-        at = (0.5 + 0.5 * turned[:, :2] / turned[:, 2:]) * STAR_CELLS
-        cell = np.clip(np.floor(at), 0, STAR_CELLS - 1)
-        word = np.full(rows.shape, 0x5EA57A25, np.uint64) ^ face.astype(np.uint64)
-        word = pcg(pcg(pcg(word) ^ cell[:, 0].astype(np.uint64)) ^ cell[:, 1].astype(np.uint64))
+        place = (0.5 + 0.5 * turned[:, :2] / turned[:, 2:]) * STAR_CELLS
+        cell = np.clip(np.floor(place), 0, STAR_CELLS - 1)
+        word = chained(0x5EA57A25, face, *cell.T)
         middle = (cell + 0.5) / STAR_CELLS * 2.0 - 1.0
         kept = np.flatnonzero(share(word) < 0.5 * (1.0 + dot(middle, middle)) ** -1.5)
         if kept.size == 0:
             return result
-        other = [share(pcg((word[kept] + np.uint64(i)) & np.uint64(0xFFFFFFFF))) for i in range(1, 5)]
+        other = [number(word[kept], i) for i in range(1, 5)]
         star = (cell[kept] + 0.25 + 0.5 * np.stack(other[:2], axis=-1)) / STAR_CELLS * 2.0 - 1.0
         chord = turned[kept] - unit(np.column_stack((star, np.ones(kept.size))))
         radius = np.clip(1.5 * pixel[kept], 7e-4, 3e-3)
@@ -298,10 +296,10 @@ class LayeredSky:
         result[kept] = tint * shown[:, None] * through
         return result
 
-    @property
+    @cached_property
     def clear_irradiance(self) -> Floats:
         """Irradiance of a clear sky on level water; (3,)."""
-        return _integrated(self)
+        return over_hemisphere(self.clear)
 
     @property
     def irradiance(self) -> Floats:
@@ -309,13 +307,15 @@ class LayeredSky:
         clouds = self.clouds
         if clouds is None:
             return self.clear_irradiance
-        result: Floats = self.clear_irradiance + clouds.taken * (math.pi * clouds.radiance - self.clear_irradiance)
-        return result
+        return self.clear_irradiance + clouds.taken * (math.pi * clouds.radiance - self.clear_irradiance)
 
 
-@lru_cache(maxsize=8)
-def _integrated(of: LayeredSky) -> Floats:
-    """∫ clear cos over the upper hemisphere: Gauss–Legendre in the root of the height, equal steps in azimuth."""
+def over_hemisphere(radiance: Callable[[Floats], Floats]) -> Floats:
+    """∫ radiance cos over the upper hemisphere: Gauss–Legendre in height, equal steps in azimuth, where it is periodic.
+
+    ``radiance``: (..., 3) toward unit vectors (..., 3). Nodes are squares of heights, because the sky varies fastest at
+    the horizon.
+    """
     nodes, weights = np.polynomial.legendre.leggauss(NODES)
     root, weights = 0.5 * (nodes + 1.0), 0.5 * weights
     y = root * root
@@ -324,7 +324,7 @@ def _integrated(of: LayeredSky) -> Floats:
     d = np.stack(
         (level[:, None] * np.cos(around), np.repeat(y[:, None], TURNS, axis=1), level[:, None] * np.sin(around)), -1
     )
-    rings = of.clear(d).sum(axis=1) * (2.0 * math.pi / TURNS)
+    rings = radiance(d).sum(axis=1) * (2.0 * math.pi / TURNS)
     result: Floats = ((2.0 * root * y * weights)[:, None] * rings).sum(axis=0)
     return result
 
@@ -344,22 +344,21 @@ def layered_sky(light: Light, time: float, eye: tuple[float, float, float]) -> L
     sky = light.sky
     if sky is None:
         return None
-    azimuth, elevation = (light.sun_azimuth, light.sun_elevation) if light.day is None else sun_angles(light.day)
     mie = MIE_LEAST + MIE_PER_TURBIDITY * (light.turbidity - 1.0)
 
-    def lamp(at: Floats, power: Floats, least: tuple[float, float, float]) -> Lamp:
-        height = float(at[1])
+    def lamp(direction: Floats, power: Floats, least: tuple[float, float, float]) -> Lamp:
+        height = float(direction[1])
         red, green, blue = (float(value) for value in power)
         path = np.array(atmosphere(mie, sky.haze).depth(height))
-        return Lamp(at, path, power, glow(mie, sky.haze, height, (red, green, blue), least))
+        return Lamp(direction, path, power, glow(mie, sky.haze, height, (red, green, blue), least))
 
-    to_sun = toward(azimuth, elevation)
-    low = float(to_sun[1])
-    lamps = [lamp(to_sun, np.array(SUN_POWER) * adapted(low), NIGHT)]
+    sun = to_sun(light)
+    low = float(sun[1])
+    lamps = [lamp(sun, np.array(SUN_POWER) * adapted(low), NIGHT)]
     by_moon = False
     if sky.moon is not None:
         to_moon = _axes(sky.moon)[0]
-        lit = 0.5 - 0.5 * float(dot(to_sun, to_moon))
+        lit = 0.5 - 0.5 * float(dot(sun, to_moon))
         shows = lit**2 * _step(0.06, 0.12, -low) * _step(-0.02, 0.02, float(to_moon[1]))
         lamps.append(lamp(to_moon, MOON_POWER * sky.moon.brightness * shows, DARK))
         by_moon = low < -0.06
@@ -368,14 +367,13 @@ def layered_sky(light: Light, time: float, eye: tuple[float, float, float]) -> L
         direct = lamps[1].power * np.exp(-lamps[1].path)
         above, height = lamps[1].power, float(lit_by[1])
     else:
-        lit_by = to_sun
+        lit_by = sun
         direct = np.array(SUN_POWER) * np.exp(-lamps[0].path) * disc_shown(low)
         above, height = np.full(3, CLOUD_POWER * _step(-0.06, 0.02, low)), low
 
     def up_there(altitude: float) -> Floats:
         """The lamp's light through the molecules and the haze above an altitude, which thin with different heights."""
         depth = RAYLEIGH * math.exp(-altitude / RAYLEIGH_HEIGHT) + mie * math.exp(-altitude / MIE_HEIGHT)
-        result: Floats = above * np.exp(-depth / (max(height, 0.0) + 0.03))
-        return result
+        return above * np.exp(-depth / (max(height, 0.0) + 0.03))
 
     return LayeredSky(light, mie, sky.haze, tuple(lamps), lit_by, direct, up_there, time, eye)

@@ -11,9 +11,9 @@ from statistics import NormalDist
 import numpy as np
 from scipy import special
 
-from seafoam.reference.noise import FINER, GAIN, SHIFT, STRENGTH, fractal, perlin
-from seafoam.reference.types import Floats, dot, smoothstep
-from seafoam.reference.waves.parametric import reduced
+from seafoam.reference.noise import GAIN, PERIOD, fractal, octaves
+from seafoam.reference.types import Floats, Footprints, dot, smoothstep
+from seafoam.reference.waves.parametric import noise_place, reduced
 from seafoam.scene.sky import Cirrus, Clouds
 
 Spread = tuple[Floats, Floats]
@@ -21,7 +21,6 @@ Depth = Callable[[Floats], Floats]
 
 FORWARD = 0.76
 EARTH = 6.371e6
-CELLS = 256
 OCTAVES = 6
 WIDTH = 1.4
 """Width at which a cell of noise fades, over the standard deviation of the place at which it is read."""
@@ -40,6 +39,13 @@ SHADED = 0.85
 STRETCH = 8.0
 RAIN_SIZES = (2.0, 5.0, 10.0)
 RAIN_SLANT, RAIN_SPREADS, RAIN_FADES, RAIN_LIGHT = (0.2, 0.1, -0.25), 0.06, 30000.0, 0.55
+SHADOW_OCTAVES = 4
+PENUMBRA = 0.00233
+"""Standard deviation of directions over the sun's disc, rad."""
+LEAST_PASSED = 1e-4
+"""Least mean transmittance by which that of a column is divided."""
+SPAN = 0.9
+"""The farthest that slices are parted, cells."""
 EYE = (7e-4, 7e-4)
 """Standard deviation of the directions from which an eye mixes clouds, up and down, and aside, rad."""
 
@@ -131,9 +137,11 @@ class CloudLayer:
         if at.size == 0:
             return light, cover, hidden
         look = d[at]
-        way, slant = way_to(look, clouds.height - self.eye_y)
+        distance, slant = distance_to(look, clouds.height - self.eye_y)
         wide = np.maximum(spread[0][at] / slant, spread[1][at])
-        noise, ahead, lost, parted, parted_lost = self._noise(look, way, slant, WIDTH * wide * way / clouds.size)
+        noise, ahead, lost, parted, parted_lost = self._noise(
+            look, distance, slant, WIDTH * wide * distance / clouds.size
+        )
         opaque, *shines = self._column(noise, ahead)
         # Blurred clouds shine as their mean does.
         means = self.means[0][:, None] + (self.means[1] - self.means[0])[:, None] * parted
@@ -176,6 +184,30 @@ class CloudLayer:
         mixed: Floats = light * left[:, None] + RAIN_LIGHT * self.radiance * (1.0 - left)[:, None]
         return mixed, 1.0 - (1.0 - hidden) * left
 
+    def sunlight(self, place: Floats, footprints: Footprints) -> Floats:
+        """Factor (r,) of the lamp's mean light at places (r, 3), m from under the camera; at least 0."""
+        clouds = self.clouds
+        toward = self.lit_by[None, :]
+        distance, slant = (float(part[0]) for part in distance_to(toward, clouds.height))
+        tall = clouds.depth / clouds.size
+        level = distance / clouds.size + SLICES[1] * min(tall / slant, SPAN)
+        left = np.maximum(1.0 - place[:, 1] / clouds.height, 0.0)
+        slice_place = np.column_stack(
+            (
+                self.place[0] + place[:, 0] / clouds.size + left * level * self.lit_by[0],
+                self.place[1] + place[:, 2] / clouds.size + left * level * self.lit_by[2],
+                np.full(left.size, self.place[2] + SLICES[1] * tall),
+            )
+        )
+        side2 = np.maximum(dot(footprints[0], footprints[0]), dot(footprints[1], footprints[1])) / 12.0
+        penumbra = PENUMBRA * distance / math.sqrt(slant)
+        width = WIDTH * np.sqrt(side2 + penumbra**2) / clouds.size
+        noise, lost = octaves(slice_place, width, (0, SHADOW_OCTAVES), 64 * clouds.seed)
+        lost = np.maximum(lost, 0.0)
+        passed = self.passed(noise, lost)
+        under = 1.0 - float(smoothstep(0.5, 0.9, self.eye_y / clouds.height))
+        return 1.0 + under * clouds.shadows * (passed / max(1.0 - self.taken, LEAST_PASSED) - 1.0)
+
     def passed(self, noise: Floats, lost: Floats) -> Floats:
         """Transmittance (r,) of columns of noise (r,), which lacks the variance ``lost`` (r,): a normal law by the
         noise, whose mean is one less :attr:`taken`."""
@@ -204,17 +236,20 @@ class CloudLayer:
     def _start(self) -> Floats:
         """Noise above which there is cloud, in each slice; (3,)."""
         covered = min(max(self.clouds.cover, 1e-4), 1.0 - 1e-4)
-        result: Floats = -NormalDist().inv_cdf(covered) - 0.25 * self.clouds.softness + TAPER * SLICES
-        return result
+        return -NormalDist().inv_cdf(covered) - 0.25 * self.clouds.softness + TAPER * SLICES
 
-    def _noise(self, look: Floats, way: Floats, slant: Floats, width: Floats) -> tuple[Floats, ...]:
+    def _noise(self, look: Floats, distance: Floats, slant: Floats, width: Floats) -> tuple[Floats, ...]:
         """Noise of the slices (3, r) and toward the lamp (r,), narrowed by the lost variance (r,); how far the slices
         are parted, and the share of their first octave that is lost, in [0, 1] (r,)."""
         clouds = self.clouds
         seed = 64 * clouds.seed
         tall = clouds.depth / clouds.size
-        foot = np.column_stack((look[:, [0, 2]] * (way / clouds.size)[:, None], np.zeros(way.size))) + self.place
-        climb = np.column_stack((look[:, [0, 2]] * np.minimum(tall / slant, 0.9)[:, None], np.full(way.size, tall)))
+        foot = (
+            np.column_stack((look[:, [0, 2]] * (distance / clouds.size)[:, None], np.zeros(distance.size))) + self.place
+        )
+        climb = np.column_stack(
+            (look[:, [0, 2]] * np.minimum(tall / slant, 0.9)[:, None], np.full(distance.size, tall))
+        )
         middle = foot + SLICES[1] * climb
         ahead = middle + STEP * self.lit_by[[0, 2, 1]]
         coarse = [octaves(foot + share * climb, width, (0, 1), seed)[0] for share in SLICES]
@@ -240,15 +275,15 @@ class CloudLayer:
         """
         soft, thick, start = self.clouds.softness, self.clouds.thickness, self._start[:, None]
         noise = np.broadcast_to(noise, (3, noise.shape[-1]))
-        beside = noise[1] if ahead is None else ahead
+        toward = noise[1] if ahead is None else ahead
         density = smoothstep(0.0, 1.0, (noise - start) / soft)
-        shade = smoothstep(0.0, 1.0, (beside - start - 0.2 * TAPER) / soft)
+        shade = smoothstep(0.0, 1.0, (toward - start - 0.2 * TAPER) / soft)
         core = np.maximum(noise - np.maximum(start + 0.5 * soft, CORE), 0.0)
         deep = thick / 3.0 * density
         above = thick * (np.array([[0.5], [0.33], [0.17]]) * density + 0.15 * core**2)
         above[0] += deep[1] + deep[2]
         above[1] += deep[2]
-        relief = np.clip(1.0 + RELIEF * (noise[1] - beside), 0.35, 1.25)
+        relief = np.clip(1.0 + RELIEF * (noise[1] - toward), 0.35, 1.25)
         direct, diffuse = relief * np.exp(-0.5 * thick * shade), relief / (1.0 + DARK * above)
         through = np.exp(-deep.sum(axis=0))
         # A deck has as much less of a low lamp as it faces it less.
@@ -277,26 +312,26 @@ class HighClouds:
 
     def toward(self, d: Floats, spread: Spread, depth: Depth) -> tuple[Floats, Floats, Floats]:
         """As :meth:`CloudLayer.toward`."""
-        of = self.cirrus
+        cirrus = self.cirrus
         light, cover, hidden = np.zeros_like(d), np.zeros(d.shape[0]), np.zeros(d.shape[0])
-        above = float(smoothstep(0.5, 0.9, self.eye_y / of.height))
+        above = float(smoothstep(0.5, 0.9, self.eye_y / cirrus.height))
         seen = smoothstep(0.01, 0.1, d[:, 1]) * (1.0 - above)
         at = np.flatnonzero(seen > 0.0)
         if at.size == 0:
             return light, cover, hidden
         look = d[at]
-        way, slant = way_to(look, of.height - self.eye_y)
-        width = WIDTH * np.maximum(spread[0][at] / slant, spread[1][at]) * way / of.size
-        c, s = math.cos(of.direction), math.sin(of.direction)
-        along, across = (way / of.size) * (look[:, [0, 2]] @ np.array([[c, -s], [s, c]])).T
+        distance, slant = distance_to(look, cirrus.height - self.eye_y)
+        width = WIDTH * np.maximum(spread[0][at] / slant, spread[1][at]) * distance / cirrus.size
+        c, s = math.cos(cirrus.direction), math.sin(cirrus.direction)
+        along, across = (distance / cirrus.size) * (look[:, [0, 2]] @ np.array([[c, -s], [s, c]])).T
         streak = np.column_stack((along / STRETCH, across)) + self.place[:2]
         patches = np.column_stack((0.125 * along, 0.25 * across)) + self.place[2:]
-        broad = fractal(patches, 0.25 * width, 2, 64 * of.seed)
+        broad = fractal(patches, 0.25 * width, 2, 64 * cirrus.seed)
         streak[:, 1] += 0.35 * broad
-        fine = fractal(3.0 * streak, 3.0 * width, 5, 64 * of.seed + 8)
-        start = -NormalDist().inv_cdf(min(max(of.cover, 1e-3), 1.0 - 1e-3)) - 1.2
+        fine = fractal(3.0 * streak, 3.0 * width, 5, 64 * cirrus.seed + 8)
+        start = -NormalDist().inv_cdf(min(max(cirrus.cover, 1e-3), 1.0 - 1e-3)) - 1.2
         density = smoothstep(0.0, 2.4, broad - start) * smoothstep(-1.2, 2.4, fine + 0.5 * broad)
-        hidden[at] = seen[at] * (1.0 - np.exp(-of.thickness * density))
+        hidden[at] = seen[at] * (1.0 - np.exp(-cirrus.thickness * density))
         cover[at] = hidden[at] * np.exp(-0.8 * np.minimum(depth(look[:, 1])[:, 0], 60.0))
         gamma = dot(look, self.lit_by)
         forward = (1.0 - FORWARD**2) / (4.0 * math.pi * (1.0 + FORWARD**2 - 2.0 * FORWARD * gamma) ** 1.5)
@@ -304,12 +339,12 @@ class HighClouds:
         return light, cover, hidden
 
 
-def way_to(look: Floats, high: float) -> tuple[Floats, Floats]:
+def distance_to(look: Floats, high: float) -> tuple[Floats, Floats]:
     """Distance to a layer ``high`` m above the eye along (r, 3), m, and the sine of the slant there; (r,) each."""
     along = EARTH * look[:, 1]
     rest = 2.0 * EARTH * high + high * high
-    way = rest / (along + np.sqrt(along * along + rest))
-    return way, (along + way) / (EARTH + high)
+    distance = rest / (along + np.sqrt(along * along + rest))
+    return distance, (along + distance) / (EARTH + high)
 
 
 def _composite(ends: Floats) -> tuple[Floats, Floats]:
@@ -329,51 +364,21 @@ def _lattice() -> Floats:
     return np.array(normal)
 
 
-def octaves(x: Floats, width: Floats, span: tuple[int, int], seed: int) -> tuple[Floats, Floats]:
-    """Octaves ``span`` of noise at (r, 3), filtered to a width (r,), cells, and the variance they lack of 1; (r,)."""
-    strength, place, scale, variance = STRENGTH[3], x, 1.0, 1.0 - GAIN * GAIN
-    total, lost = np.zeros(x.shape[0]), np.ones(x.shape[0])
-    for octave in range(span[1]):
-        kept = 1.0 - smoothstep(0.15, 0.6, width * scale)
-        if octave >= span[0]:
-            seen = np.flatnonzero(kept > 0.0)
-            total[seen] += strength * kept[seen] * perlin(place[seen], seed + octave)
-            lost -= variance * kept * kept
-        place = np.stack(
-            (
-                2.0 * place[:, 0] + place[:, 1] + SHIFT[0],
-                2.0 * place[:, 1] - place[:, 0] + SHIFT[1],
-                2.0 * place[:, 2] + SHIFT[2],
-            ),
-            axis=-1,
-        )
-        scale *= FINER
-        strength *= GAIN
-        variance *= GAIN * GAIN
-    return total, lost
-
-
-def place(of: Clouds, time: float, eye: tuple[float, float, float]) -> tuple[float, float, float]:
+def place(clouds: Clouds, time: float, eye: tuple[float, float, float]) -> tuple[float, float, float]:
     """A camera position (m) in the clouds' noise at a time (s), cells."""
-    turn = 2.0 * math.pi / (CELLS * of.size)
-    drift = (of.wind * math.cos(of.wind_direction), of.wind * math.sin(of.wind_direction))
-    cells = CELLS / (2.0 * math.pi)
-    return (
-        cells * reduced((turn, eye[0]), (-turn * drift[0], time)),
-        cells * reduced((turn, eye[2]), (-turn * drift[1], time)),
-        cells * reduced((2.0 * math.pi / (CELLS * of.change), time)),
-    )
+    velocity = clouds.wind * math.cos(clouds.wind_direction), clouds.wind * math.sin(clouds.wind_direction)
+    return noise_place(clouds.size, clouds.change, velocity, time, (eye[0], eye[2]))
 
 
-def streak_place(of: Cirrus, time: float, eye: tuple[float, float, float]) -> tuple[float, float, float, float]:
+def streak_place(cirrus: Cirrus, time: float, eye: tuple[float, float, float]) -> tuple[float, float, float, float]:
     """A camera position (m) in the noise of streaks and of their patches at a time (s), cells."""
-    c, s = math.cos(of.direction), math.sin(of.direction)
-    cells = CELLS / (2.0 * math.pi)
+    c, s = math.cos(cirrus.direction), math.sin(cirrus.direction)
+    cells = PERIOD / (2.0 * math.pi)
 
-    def at(share: float, along: bool) -> float:
-        turn = 2.0 * math.pi / (CELLS * of.size) * share
+    def position(share: float, along: bool) -> float:
+        turn = 2.0 * math.pi / (PERIOD * cirrus.size) * share
         x, z = (c, s) if along else (-s, c)
-        drift = -turn * of.wind if along else 0.0
+        drift = -turn * cirrus.wind if along else 0.0
         return cells * reduced((turn * x, eye[0]), (turn * z, eye[2]), (drift, time))
 
-    return at(1.0 / STRETCH, True), at(1.0, False), at(0.125, True), at(0.25, False)
+    return position(1.0 / STRETCH, True), position(1.0, False), position(0.125, True), position(0.25, False)

@@ -10,8 +10,7 @@ def tone(x: Floats, curve: ToneCurve = "filmic") -> Floats:
     """The tone curve of linear light x ≥ 0 (..., 3), in [0, 1]; of the shape of ``x``. ``curve``: ``light.tone``."""
     if curve == "photographic":
         return _photographic(x)
-    result: Floats = np.clip(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0)
-    return result
+    return np.clip(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0)
 
 
 def _photographic(x: Floats) -> Floats:
@@ -25,11 +24,9 @@ def _photographic(x: Floats) -> Floats:
 
 
 def _shoulder(x: Floats) -> Floats:
-    result: Floats = np.minimum(1.01 * x * (x + 0.02) / (x * (x + 0.42) + 0.05), 1.0)
-    return result
+    return np.minimum(1.01 * x * (x + 0.02) / (x * (x + 0.42) + 0.05), 1.0)
 
 
 def srgb(x: Floats) -> Floats:
     """The sRGB curve of linear light in [0, 1]; of the shape of ``x``."""
-    result: Floats = np.where(x <= 0.0031308, 12.92 * x, 1.055 * np.maximum(x, 0.0031308) ** (1.0 / 2.4) - 0.055)
-    return result
+    return np.where(x <= 0.0031308, 12.92 * x, 1.055 * np.maximum(x, 0.0031308) ** (1.0 / 2.4) - 0.055)

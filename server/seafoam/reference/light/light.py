@@ -7,21 +7,28 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import lru_cache, partial
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 import numpy as np
 
-from seafoam.reference.light.atmosphere import LayeredSky, layered_sky, sun_angles, two_looks
+from seafoam.ocean.constants import WATER_INDEX
+from seafoam.reference.light.atmosphere import (
+    CONTRAST,
+    DISC_MOST,
+    MIE_LEAST,
+    MIE_PER_TURBIDITY,
+    RAYLEIGH,
+    LayeredSky,
+    layered_sky,
+    over_hemisphere,
+    to_sun,
+)
+from seafoam.reference.light.clouds import FORWARD
+from seafoam.reference.shore.soil import Soil
 from seafoam.reference.types import Floats, dot, smoothstep, unit
 from seafoam.scene.light import Light
 from seafoam.scene.water import Water
 
-if TYPE_CHECKING:
-    from seafoam.reference.shore.soil import Soil
-
-RAYLEIGH = np.array([0.055, 0.108, 0.215])
-MIE_LEAST = 0.01
-MIE_PER_TURBIDITY = 0.04
 AIR_MASS_OFFSET = 0.03
 VIEW_AIR_MASS_OFFSET = 0.09
 SUN_POWER = 20.0
@@ -29,12 +36,9 @@ SUN_RISE = 0.02
 TWILIGHT = 12.0
 NIGHT = 0.002
 FLAT_SHARE = 0.04
-FORWARD = 0.76
 SUN_SOLID_ANGLE = 6.8e-5
-DISC_MOST = 3000.0
 DISC_INNER = 0.0045
 DISC_OUTER = 0.0055
-INDEX = 1.34
 ENTERS = 0.95
 """Share of the light from above that enters the water."""
 BACKSCATTER = 0.4
@@ -42,9 +46,6 @@ CREST_PATH = 6.0
 LAKE_COLOUR = np.array([0.98, 0.97, 0.7])
 LAKE_STRENGTH = 0.6
 GLITTER_MOST = 1e4
-CONTRAST = 3.912
-SKY_NODES = 192
-SKY_TURNS = 384
 
 
 @dataclass(frozen=True)
@@ -67,20 +68,10 @@ class Air:
         """sky(d) without the disc; (..., 3). Directions below the horizon have the horizon's air mass."""
         return sky(self, d) if self.above is None else self.above.seen(d)
 
-    def mirrored(self, d: Floats, spread: tuple[Floats, Floats], unresolved: Floats | None = None) -> Floats:
+    def mirrored(self, d: Floats, spread: tuple[Floats, Floats]) -> Floats:
         """The sky reflected by water toward directions about d (r, 3), with standard deviations (r,) up and down, and
-        aside, rad; (r, 3).
-
-        ``unresolved`` (r,): the deviation up and down by slopes that a sample does not resolve alone, by which the
-        plain sky is blurred; default: 0, as in frames of the reference, which resolve all.
-        """
-        if self.above is not None:
-            return self.above.mirrored(d, spread)
-        if unresolved is None:
-            return sky(self, d)
-        high, low = two_looks(d, unresolved)
-        result: Floats = 0.5 * (sky(self, high) + sky(self, low))
-        return result
+        aside, rad, which blur only a layered sky; (r, 3)."""
+        return sky(self, d) if self.above is None else self.above.mirrored(d, spread)
 
     @property
     def sky_irradiance(self) -> Floats:
@@ -92,69 +83,55 @@ class Air:
 
 def air_mass(y: Floats) -> Floats:
     """M(y) = 1/(max(y, 0) + 0.03) of the height y of a unit direction."""
-    result: Floats = 1.0 / (np.maximum(y, 0.0) + AIR_MASS_OFFSET)
-    return result
+    return 1.0 / (np.maximum(y, 0.0) + AIR_MASS_OFFSET)
 
 
 def view_air_mass(y: Floats) -> Floats:
     """M_v(y) = 1/(max(y, 0) + 0.09): air mass along view rays, less at the horizon than for the sun's light."""
-    result: Floats = 1.0 / (np.maximum(y, 0.0) + VIEW_AIR_MASS_OFFSET)
-    return result
+    return 1.0 / (np.maximum(y, 0.0) + VIEW_AIR_MASS_OFFSET)
 
 
 def air(light: Light, time: float = 0.0, eye: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> Air:
     """The air under a light at a time (s) around a camera position (m)."""
-    if light.day is None:
-        azimuth, elevation = light.sun_azimuth, light.sun_elevation
-    else:
-        azimuth, elevation = sun_angles(light.day)
-    sun = np.array(
-        [
-            math.cos(elevation) * math.cos(azimuth),
-            math.sin(elevation),
-            math.cos(elevation) * math.sin(azimuth),
-        ]
-    )
-    plain = _air(sun, MIE_LEAST + MIE_PER_TURBIDITY * (light.turbidity - 1.0))
+    plain = _air(to_sun(light), MIE_LEAST + MIE_PER_TURBIDITY * (light.turbidity - 1.0))
     above = layered_sky(light, time, eye)
     if above is None:
         return plain
     return replace(plain, sun=above.lit_by, sun_irradiance=above.direct, above=above)
 
 
-def sky(of: Air, d: Floats) -> Floats:
+def sky(air: Air, d: Floats) -> Floats:
     """Radiance of the sky toward d, without the sun's disc; (..., 3)."""
-    gamma = dot(d, of.sun)[..., None]
+    gamma = dot(d, air.sun)[..., None]
     height = d[..., 1][..., None]
     rayleigh = RAYLEIGH * (3.0 / (16.0 * math.pi)) * (1.0 + gamma * gamma)
-    mie = of.mie * (1.0 - FORWARD**2) / (4.0 * math.pi * (1.0 + FORWARD**2 - 2.0 * FORWARD * gamma) ** 1.5)
-    scattered = (rayleigh + mie) / of.depth + FLAT_SHARE
-    result: Floats = of.air_light * scattered * (1.0 - np.exp(-of.depth * view_air_mass(height)))
-    return result
+    mie = air.mie * (1.0 - FORWARD**2) / (4.0 * math.pi * (1.0 + FORWARD**2 - 2.0 * FORWARD * gamma) ** 1.5)
+    scattered = (rayleigh + mie) / air.depth + FLAT_SHARE
+    return air.air_light * scattered * (1.0 - np.exp(-air.depth * view_air_mass(height)))
 
 
-def sun_disc(of: Air, d: Floats) -> Floats:
+def sun_disc(air: Air, d: Floats) -> Floats:
     """Radiance of the sun's disc toward d; (..., 3)."""
-    away = d - of.sun
+    away = d - air.sun
     inside = 1.0 - smoothstep(DISC_INNER**2, DISC_OUTER**2, dot(away, away))
-    result: Floats = np.minimum(of.sun_irradiance / SUN_SOLID_ANGLE, DISC_MOST) * inside[..., None]
-    return result
+    return np.minimum(air.sun_irradiance / SUN_SOLID_ANGLE, DISC_MOST) * inside[..., None]
 
 
 def fresnel(c: Floats) -> Floats:
     """Unpolarised Fresnel reflectance of water, index 1.34, at the cosine c in [0, 1]; in [0, 1]."""
-    q = np.sqrt(INDEX**2 - 1.0 + c * c)
+    q = np.sqrt(WATER_INDEX**2 - 1.0 + c * c)
     first = (q - c) / (q + c)
     second = (c * (q + c) - 1.0) / (c * (q - c) + 1.0)
-    result: Floats = 0.5 * first * first * (1.0 + second * second)
-    return result
+    return 0.5 * first * first * (1.0 + second * second)
 
 
-def sky_light(of: Air, up: Floats) -> Floats:
+def sky_light(air: Air, up: Floats) -> Floats:
     """E_sky(½ + ½ n.y) on ground whose unit normal has the vertical component ``up`` (...,); (..., 3)."""
-    result: Floats = of.sky_irradiance * (0.5 + 0.5 * up)[..., None]
-    return result
+    return air.sky_irradiance * (0.5 + 0.5 * up)[..., None]
 
+
+Share = Floats | float
+"""A share of the sunlight at each of r places (r,), or one of all."""
 
 Mirror = Callable[[Floats, tuple[Floats, Floats]], Floats]
 """Light (r, 3) from directions about (r, 3), of standard deviations (r,) up and down, and aside, rad."""
@@ -163,85 +140,127 @@ Glint = Callable[[Floats, Floats, Floats, float], Floats]
 """Reflection of the sun (r, 3) from d, n, cv and σ², the arguments of :func:`glint`."""
 
 
-def water(
-    of: Air,
-    body: Water,
-    span: tuple[float, float],
-    d: Floats,
-    n: Floats,
-    H: Floats,
-    bed: tuple[Floats, Floats] | None = None,
-    mirrored: Mirror | None = None,
-    sun: Glint | None = None,
-    lit: tuple[Floats, Floats, Floats] | None = None,
-    saturation: Floats | None = None,
-    past: Floats | None = None,
-    open_sun: Floats | None = None,
-) -> Floats:
-    """Radiance of the water toward the camera, before haze; (r, 3).
+class Floor(Protocol):
+    """The ground under r places of the water."""
 
-    d (r, 3) points away from the camera, n (r, 3) is the unit normal with ripples, H (r,) the height, ``span`` the
-    least and the greatest height of the surface, m. ``bed``: length of the path through the water to a shore's floor
-    and back (r,) m, and the floor's reflectance (r, 3). ``mirrored``: light from directions about (r, 3) above the
-    water, of standard deviations (r,); default: the sky's. ``sun``: replaces the smooth glint. ``lit``: a level
-    floor with its own lighting: its radiance (r, 3), the length of the path up from it, and its depth, (r,) m.
-    ``saturation`` (r,): of the foam, whose bubbles make the water milky. ``past`` (r,): the share of sunlight that
-    foam beside the place and all that throws shadows do not block; ``open_sun`` (r,): the latter; default: 1.
-    """
-    sigma2 = body.roughness**2
+    def seen(self, extinction: Floats, deep: Floats, down: Floats) -> Floats:
+        """Light (r, 3) of the ground and of the water before it.
+
+        ``extinction`` (3,) 1/m; ``deep`` (r, 3): light of water without end; ``down`` (r, 3): irradiance that enters.
+        """
+
+
+@dataclass(frozen=True, eq=False)
+class PlainFloor:
+    """A floor that light reaches as through level water."""
+
+    path: Floats
+    """(r,) length of the light's path through the water, down and back, m."""
+    albedo: Floats
+    """(r, 3), or (3,) of all."""
+
+    def seen(self, extinction: Floats, deep: Floats, down: Floats) -> Floats:
+        left = np.exp(-extinction * self.path[:, None])
+        return deep * (1.0 - left) + self.albedo * down / math.pi * left
+
+
+@dataclass(frozen=True, eq=False)
+class LitFloor:
+    """A floor with its own lighting."""
+
+    radiance: Floats
+    """(r, 3)."""
+    path: Floats
+    """(r,) length of the path up from it, m."""
+    depth: Floats
+    """(r,) m."""
+
+    def seen(self, extinction: Floats, deep: Floats, down: Floats) -> Floats:
+        scattered = deep * (1.0 - np.exp(-extinction * (self.path + self.depth)[:, None]))
+        return scattered + self.radiance * np.exp(-extinction * self.path[:, None])
+
+
+@dataclass(frozen=True, eq=False)
+class WaterHit:
+    """Where r rays meet the water."""
+
+    d: Floats
+    """(r, 3) unit vectors away from the camera."""
+    n: Floats
+    """(r, 3) unit normals with ripples."""
+    height: Floats
+    """(r,) m."""
+    heights: tuple[float, float]
+    """The least and the greatest height of the whole surface, m."""
+    floor: Floor | None = None
+    """None: level, at the depth of the scene's water, or none if it has no depth."""
+    saturation: Floats | None = None
+    """(r,) of foam, whose bubbles make the water milky."""
+
+
+@dataclass(frozen=True)
+class Illumination:
+    """Light that reaches places on the water."""
+
+    sun: Share = 1.0
+    """What all that throws shadows leaves of the sun."""
+    sun_past_foam: Share = 1.0
+    """What foam beside a place leaves too."""
+    mirrored: Mirror | None = None
+    """Light that is reflected; None: the sky's."""
+    glint: Glint | None = None
+    """None: smooth."""
+
+
+def water(air: Air, body: Water, hit: WaterHit, light: Illumination = Illumination()) -> Floats:
+    """Radiance of the water toward the camera, before haze; (r, 3)."""
+    d, n, sigma2 = hit.d, hit.n, body.roughness**2
     nv = np.maximum(-dot(n, d), 0.0)
     cv = np.sqrt(nv * nv + sigma2 * (1.0 - nv * nv))
     mirror = fresnel(cv)[:, None]
-    entering = _entering(of, n, past)
-    within = _body(of, body, entering, H, cv, bed, lit)
-    if saturation is not None and body.aeration > 0.0:
-        within = _aerated(body, entering, cv, within, saturation)
-    direct = 1.0 if open_sun is None else open_sun[:, None]
-    inner = (1.0 - mirror) * (within + direct * _crest(of, body, span, d, H))
+    entering = ENTERS * (_direct(air, n, light.sun_past_foam) + sky_light(air, n[:, 1]))
+    within = _body(body, entering, cv, hit)
+    if hit.saturation is not None and body.aeration > 0.0:
+        within = _aerated(body, entering, cv, within, hit.saturation)
+    sun = _column(light.sun)
+    inner = (1.0 - mirror) * (within + sun * _crest(air, body, hit))
     # A slope turns the reflected ray by twice its angle; across the plane of incidence less, as the look is flatter.
     spread = np.full(cv.shape, math.sqrt(2.0 * sigma2)), math.sqrt(2.0 * sigma2) * cv
-    seen = of.mirrored if mirrored is None else mirrored
-    glinting = partial(glint, of) if sun is None else sun
-    return inner + mirror * seen(_reflected(d, n, sigma2), spread) + direct * glinting(d, n, cv, sigma2)
+    mirrored, sparkle = light.mirrored or air.mirrored, light.glint or partial(glint, air)
+    return inner + mirror * mirrored(_reflected(d, n, sigma2), spread) + sun * sparkle(d, n, cv, sigma2)
 
 
-def foam(of: Air, albedo: float, N: Floats, past: Floats | None = None) -> Floats:
-    """Radiance of foam of unit normals N (r, 3), before haze; (r, 3). ``past`` (r,): factor on the sun; default: 1."""
-    direct = of.sun_irradiance * np.maximum(dot(N, of.sun), 0.0)[:, None]
-    if past is not None:
-        direct = direct * past[:, None]
-    result: Floats = albedo / math.pi * (direct + sky_light(of, N[:, 1]))
-    return result
+def foam(air: Air, albedo: float, N: Floats, sun: Share = 1.0) -> Floats:
+    """Radiance of foam of unit normals N (r, 3), before haze, ``sun`` of its sunlight left; (r, 3)."""
+    return albedo / math.pi * (_direct(air, N, sun) + sky_light(air, N[:, 1]))
 
 
-def land(of: Air, soil: "Soil", d: Floats, level: Floats, past: Floats | None = None) -> Floats:
-    """Radiance of land before haze; (r, 3). d and ``level``, the normals without detail: (r, 3) unit vectors.
+def land(air: Air, soil: Soil, d: Floats, level: Floats, sun: Share = 1.0) -> Floats:
+    """Radiance of land before haze, ``sun`` of its sunlight left; (r, 3).
 
-    ``past`` (r,): factor on the sun; default: 1.
+    d and ``level``, the normals without detail: (r, 3) unit vectors.
     """
     nv = np.maximum(-dot(level, d), 0.0)
     cv = np.sqrt(nv * nv + soil.roughness2 * (1.0 - nv * nv))
     mirror = soil.film * fresnel(cv)
-    bare = foam(of, 1.0, soil.normal, past) * soil.albedo
-    result: Floats = bare + mirror[:, None] * (of.sky(_reflected(d, level, soil.roughness2)) - bare)
+    bare = foam(air, 1.0, soil.normal, sun) * soil.albedo
+    result: Floats = bare + mirror[:, None] * (air.sky(_reflected(d, level, soil.roughness2)) - bare)
     if soil.glints:
-        glints = soil.film if past is None else soil.film * past
-        result = result + glints[:, None] * glint(of, d, level, cv, soil.roughness2)
+        result = result + (soil.film * sun)[:, None] * glint(air, d, level, cv, soil.roughness2)
     return result
 
 
-def haze(of: Air, visibility: float, L: Floats, d: Floats, distance: Floats) -> Floats:
+def haze(air: Air, visibility: float, L: Floats, d: Floats, distance: Floats) -> Floats:
     """L (r, 3) seen through (r,) m of air along d (r, 3): blended toward the sky at the horizon, or deep haze; (r, 3).
 
     For vertical rays, which have no horizon ahead, the horizon's direction is the zero vector.
     """
-    if of.above is None:
+    if air.above is None:
         through = np.exp(-CONTRAST * distance / visibility)[:, None]
-        air = sky(of, unit(d * np.array([1.0, 0.0, 1.0])))
+        behind = sky(air, unit(d * np.array([1.0, 0.0, 1.0])))
     else:
-        through, air = of.above.passed(distance), of.above.before(d)
-    result: Floats = L * through + air * (1.0 - through)
-    return result
+        through, behind = air.above.passed(distance), air.above.before(d)
+    return L * through + behind * (1.0 - through)
 
 
 def _air(sun: Floats, mie: float) -> Air:
@@ -259,90 +278,59 @@ def _air(sun: Floats, mie: float) -> Air:
 
 @lru_cache(maxsize=64)
 def _sky_irradiance(sun: tuple[float, ...], mie: float) -> Floats:
-    """∫ sky cos over the upper hemisphere: Gauss–Legendre in height, equal steps in azimuth, where it is periodic."""
-    nodes, weights = np.polynomial.legendre.leggauss(SKY_NODES)
-    # Nodes are squares of heights, because the sky varies fastest at the horizon.
-    root, weights = 0.5 * (nodes + 1.0), 0.5 * weights
-    y = root * root
-    around = np.arange(SKY_TURNS) * (2.0 * math.pi / SKY_TURNS)
-    level = np.sqrt(1.0 - y * y)
-    d = np.stack(
-        (
-            level[:, None] * np.cos(around),
-            np.repeat(y[:, None], SKY_TURNS, axis=1),
-            level[:, None] * np.sin(around),
-        ),
-        axis=-1,
-    )
-    rings = sky(_air(np.array(sun), mie), d).sum(axis=1) * (2.0 * math.pi / SKY_TURNS)
-    result: Floats = ((2.0 * root * y * weights)[:, None] * rings).sum(axis=0)
-    return result
+    plain = _air(np.array(sun), mie)
+    return over_hemisphere(lambda d: sky(plain, d))
 
 
-def _body(
-    of: Air,
-    body: Water,
-    down: Floats,
-    H: Floats,
-    cv: Floats,
-    bed: tuple[Floats, Floats] | None,
-    lit: tuple[Floats, Floats, Floats] | None,
-) -> Floats:
+def _column(share: Share) -> Floats:
+    return np.asarray(share, np.float64)[..., None]
+
+
+def _direct(air: Air, n: Floats, sun: Share) -> Floats:
+    """Irradiance (r, 3) of the sun on surfaces of unit normals n (r, 3)."""
+    return air.sun_irradiance * np.maximum(dot(n, air.sun), 0.0)[:, None] * _column(sun)
+
+
+def _body(body: Water, down: Floats, cv: Floats, hit: WaterHit) -> Floats:
     """L_body: light scattered back by the water and its floor from the irradiance ``down`` (r, 3); (r, 3)."""
     extinction = 1.0 / np.array(body.absorption_length) + body.scattering
-    deep = BACKSCATTER * body.scattering / extinction * down / math.pi
-    if lit is not None:
-        radiance, way, straight = lit
-        return deep * (1.0 - np.exp(-extinction * (way + straight)[:, None])) + radiance * np.exp(
-            -extinction * way[:, None]
-        )
-    if bed is not None:
-        left = np.exp(-extinction * bed[0][:, None])
-        seen: Floats = deep * (1.0 - left) + bed[1] * down / math.pi * left
-        return seen
-    if body.depth is None:
-        return deep
-    refracted = np.sqrt(1.0 - (1.0 - cv * cv) / INDEX**2)
-    path = np.maximum(body.depth + H, 0.0) * (1.0 + 1.0 / refracted)
-    through = np.exp(-extinction * path[:, None])
-    result: Floats = deep * (1.0 - through) + np.array(body.floor_albedo) * down / math.pi * through
-    return result
+    deep: Floats = BACKSCATTER * body.scattering / extinction * down / math.pi
+    floor = hit.floor
+    if floor is None:
+        if body.depth is None:
+            return deep
+        path = np.maximum(body.depth + hit.height, 0.0) * (1.0 + 1.0 / _refracted_cosine(cv))
+        floor = PlainFloor(path, np.array(body.floor_albedo))
+    return floor.seen(extinction, deep, down)
 
 
-def _entering(of: Air, n: Floats, past: Floats | None = None) -> Floats:
-    """Irradiance that enters water of unit normals n (r, 3), ``past`` (r,) the unblocked share of the sun; (r, 3)."""
-    direct = of.sun_irradiance * np.maximum(dot(n, of.sun), 0.0)[:, None]
-    if past is not None:
-        direct = direct * past[:, None]
-    result: Floats = ENTERS * (direct + sky_light(of, n[:, 1]))
-    return result
+def _refracted_cosine(c: Floats) -> Floats:
+    return np.sqrt(1.0 - (1.0 - c * c) / WATER_INDEX**2)
 
 
 def _aerated(body: Water, entering: Floats, cv: Floats, clear: Floats, saturation: Floats) -> Floats:
     """L_body under foam of a saturation (r,): a layer of bubbles in front of the light of ``clear`` water; (r, 3)."""
     absorption = 1.0 / np.array(body.absorption_length)
-    way = body.plume_depth * np.clip(saturation, 0.0, 1.0) * (1.0 + 1.0 / np.sqrt(1.0 - (1.0 - cv * cv) / INDEX**2))
+    path = body.plume_depth * np.clip(saturation, 0.0, 1.0) * (1.0 + 1.0 / _refracted_cosine(cv))
     down = entering / math.pi
 
     def layer(scattering: float) -> Floats:
         """Light scattered back by a layer of water of this scattering coefficient; (r, 3)."""
         extinction = absorption + scattering
-        sent: Floats = BACKSCATTER * scattering / extinction * down * (1.0 - np.exp(-extinction * way[:, None]))
-        return sent
+        return BACKSCATTER * scattering / extinction * down * (1.0 - np.exp(-extinction * path[:, None]))
 
-    below = (clear - layer(body.scattering)) * np.exp(-body.aeration * way)[:, None]
-    result: Floats = np.maximum(layer(body.scattering + body.aeration) + below, 0.0)
-    return result
+    below = (clear - layer(body.scattering)) * np.exp(-body.aeration * path)[:, None]
+    return np.maximum(layer(body.scattering + body.aeration) + below, 0.0)
 
 
-def _crest(of: Air, body: Water, span: tuple[float, float], d: Floats, H: Floats) -> Floats:
+def _crest(air: Air, body: Water, hit: WaterHit) -> Floats:
     """L_t: sunlight transmitted by thin crests; (r, 3)."""
-    trough, top = span
+    trough, top = hit.heights
     if top <= trough:
-        return np.zeros_like(d)
-    toward = np.maximum(d[:, 0] * of.sun[0] + d[:, 2] * of.sun[2], 0.0)
-    share = body.translucency / math.pi * ((H - trough) / (top - trough)) ** 2 * toward
-    result: Floats = share[:, None] * of.sun_irradiance * np.exp(-CREST_PATH / np.array(body.absorption_length))
+        return np.zeros_like(hit.d)
+    toward = np.maximum(hit.d[:, 0] * air.sun[0] + hit.d[:, 2] * air.sun[2], 0.0)
+    share = body.translucency / math.pi * ((hit.height - trough) / (top - trough)) ** 2 * toward
+    result: Floats = share[:, None] * air.sun_irradiance * np.exp(-CREST_PATH / np.array(body.absorption_length))
     return result
 
 
@@ -353,21 +341,20 @@ def _reflected(d: Floats, n: Floats, sigma2: float) -> Floats:
     return unit(r)
 
 
-def glint(of: Air, d: Floats, n: Floats, cv: Floats, sigma2: float) -> Floats:
+def glint(air: Air, d: Floats, n: Floats, cv: Floats, sigma2: float) -> Floats:
     """L_s: reflection of the sun by roughness below the scale of ripples (Beckmann slopes); (r, 3)."""
-    h = unit(of.sun - d)
+    h = unit(air.sun - d)
     nh2 = np.maximum(dot(n, h), 1e-3) ** 2
     slopes = np.exp(-(1.0 - nh2) / (nh2 * sigma2)) / (math.pi * sigma2 * nh2 * nh2 * 4.0 * cv)
-    mirrored = fresnel(np.maximum(dot(h, of.sun), 0.0)) * slopes
+    mirrored = fresnel(np.maximum(dot(h, air.sun), 0.0)) * slopes
     # S = d gives h = 0: no facet reflects the sun straight ahead.
     mirrored = np.where((h == 0.0).all(axis=-1), 0.0, mirrored)
-    result: Floats = np.minimum(of.sun_irradiance * mirrored[:, None], GLITTER_MOST)
-    return result
+    return np.minimum(air.sun_irradiance * mirrored[:, None], GLITTER_MOST)
 
 
-def blinn_phong(of: Air, power: float, perturb: float, d: Floats, n: Floats, cv: Floats, sigma2: float) -> Floats:
+def blinn_phong(air: Air, power: float, perturb: float, d: Floats, n: Floats, cv: Floats, sigma2: float) -> Floats:
     """The lake's highlight: around a half vector moved by the normal's tilt; (r, 3), independent of roughness."""
-    h = unit(of.sun - d + perturb * n * np.array([1.0, 0.0, 1.0]))
+    h = unit(air.sun - d + perturb * n * np.array([1.0, 0.0, 1.0]))
     nh = np.clip(dot(n, h), 0.0, 1.0)
-    result: Floats = of.sun_irradiance / math.pi * LAKE_STRENGTH * LAKE_COLOUR * np.power(nh, power)[:, None]
+    result: Floats = air.sun_irradiance / math.pi * LAKE_STRENGTH * LAKE_COLOUR * np.power(nh, power)[:, None]
     return result

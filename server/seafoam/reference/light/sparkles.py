@@ -6,10 +6,9 @@ from fractions import Fraction
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from seafoam.reference.light.light import Air, Glint, blinn_phong, glint
-from seafoam.reference.noise import pcg, share
+from seafoam.reference.noise import chained, number, pcg, share
 from seafoam.reference.types import Floats, dot, smoothstep
 from seafoam.scene.light import Light, Sparkles
 
@@ -22,15 +21,13 @@ LIGHT_LEAST = 1e-20
 SOFT = 0.25
 SOFT_LEAST = 1e-3
 """Half the width of the ramp around a probability, over the probability."""
-_Words = NDArray[np.uint64]
-_LOW = np.uint64(0xFFFFFFFF)
 
 
 @dataclass(frozen=True)
 class SparkleField:
     """The sparkles of a light at a time."""
 
-    of: Sparkles
+    sparkles: Sparkles
     epoch: int
     turn: float
     """Number of whole lives since time 0, modulo EPOCHS, and the fraction of the current one."""
@@ -39,19 +36,19 @@ class SparkleField:
     """Radius of a sparkle (rad) and size of a cell on the octahedron."""
 
     @staticmethod
-    def at(of: Sparkles, time: float, step: float) -> "SparkleField":
+    def at_time(sparkles: Sparkles, time: float, step: float) -> "SparkleField":
         """The sparkles at a time (s). ``step``: sample spacing at the centre of the picture, rad; 0: no least size."""
-        lives = Fraction(time) / Fraction(of.life)
+        lives = Fraction(time) / Fraction(sparkles.life)
         whole = math.floor(lives)
-        radius_set = 0.5 * of.size
+        radius_set = 0.5 * sparkles.size
         radius = min(max(PIXELS * step, radius_set), MOST)
         doubled = math.ceil(math.log2(radius / radius_set) - 1e-3)
-        return SparkleField(of, whole % EPOCHS, float(lives - whole), radius, 4.0 * radius_set * 2.0**doubled)
+        return SparkleField(sparkles, whole % EPOCHS, float(lives - whole), radius, 4.0 * radius_set * 2.0**doubled)
 
     @property
     def density(self) -> float:
         """Active sparkles per steradian at w = 1."""
-        return math.pi * self.of.rate * (180.0 / math.pi) ** 2 * self.of.life
+        return math.pi * self.sparkles.rate * (180.0 / math.pi) ** 2 * self.sparkles.life
 
     def light(self, d: Floats, w: Floats) -> Floats:
         """Radiance of the sparkles toward −d (r, 3) over the sun's irradiance, for a smooth glint w (r,); (r,)."""
@@ -66,13 +63,12 @@ class SparkleField:
         return total
 
     def _one(self, q: Floats, w: Floats, cell: Floats) -> Floats:
-        i, j = (cell[:, k].astype(np.int64).astype(np.uint64) & _LOW for k in (0, 1))
-        own = pcg(pcg(i) ^ j)
-        age = self.turn + share(pcg(own))
+        own = chained(0, *cell.T)
+        age = self.turn + number(own, 0)
         passed = np.floor(age)
         word = pcg(own ^ ((self.epoch + passed.astype(np.int64)) % EPOCHS).astype(np.uint64))
         s = age - passed
-        inside = np.stack([share(pcg((word + np.uint64(k)) & _LOW)) for k in (1, 2)], axis=-1)
+        inside = np.stack([number(word, k) for k in (1, 2)], axis=-1)
         centre = (cell + inside) * self.side
         C = np.stack((centre[:, 0], 1.0 - np.abs(centre).sum(axis=1), centre[:, 1]), axis=-1)
         length = np.sqrt(dot(C, C))
@@ -94,21 +90,21 @@ class SparkleField:
         total = max(float(air.sun_irradiance.sum()), LIGHT_LEAST)
         w = np.maximum(smooth.sum(axis=1) / total, LIGHT_LEAST)
         here = self.side**2 * np.abs(d).sum(axis=1) ** 3
-        apart = self.of.share * (1.0 - smoothstep(0.5, 2.0, self.density * w * here))
+        apart = self.sparkles.share * (1.0 - smoothstep(0.5, 2.0, self.density * w * here))
         result: Floats = smooth * (1.0 - apart + apart / w * self.light(d, w))[:, None]
         return result
 
 
-def sun(of: Light, air: Air, time: float, step: float) -> Glint:
-    """The sun on the water of a light at a time (s); ``step`` as for :meth:`Field.at`."""
+def sun(light: Light, air: Air, time: float, step: float) -> Glint:
+    """The sun on the water of a light at a time (s); ``step`` as for :meth:`SparkleField.at_time`."""
     smooth: Glint = (
         partial(glint, air)
-        if of.specular == "glint"
-        else partial(blinn_phong, air, of.specular_power, of.specular_perturb)
+        if light.specular == "glint"
+        else partial(blinn_phong, air, light.specular_power, light.specular_perturb)
     )
-    if of.sparkles is None:
+    if light.sparkles is None:
         return smooth
-    field = SparkleField.at(of.sparkles, time, step)
+    field = SparkleField.at_time(light.sparkles, time, step)
 
     def sparkling(d: Floats, n: Floats, cv: Floats, sigma2: float) -> Floats:
         return field.broken(air, d, smooth(d, n, cv, sigma2))

@@ -1,4 +1,1 @@
-"""The float64 renderer: rays through pixels, where they meet the surface, and the frame.
-
-Formulas of single effects are in the packages beside it.
-"""
+"""The float64 renderer: rays through pixels, where they meet the surface, and the frame."""

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -21,6 +22,41 @@ class View:
     """(3,) derivative of a ray by clip Y."""
     ray_z: Floats
     """(3,) the ray through the centre of the picture."""
+
+
+@dataclass(frozen=True)
+class SampleGrid:
+    """The samples of a camera's picture."""
+
+    view: View
+    width: int
+    """Pixels."""
+    height: int
+    samples: int = 1
+    """Along each side of a pixel."""
+
+    @property
+    def eye_y(self) -> float:
+        """Height of the camera, m."""
+        return float(self.view.eye[1])
+
+    @property
+    def origin(self) -> tuple[float, float]:
+        """World coordinates (x, z) of the point below the camera, m."""
+        return float(self.view.eye[0]), float(self.view.eye[2])
+
+    @property
+    def rows(self) -> int:
+        return self.samples * self.height
+
+    @property
+    def columns(self) -> int:
+        return self.samples * self.width
+
+    @cached_property
+    def steps(self) -> tuple[Floats, Floats]:
+        """Change of a ray from one sample to the next, along a row and along a column; (3,) each."""
+        return 2.0 * self.view.ray_x / self.columns, 2.0 * self.view.ray_y / self.rows
 
 
 def basis(yaw: float, pitch: float, roll: float) -> tuple[Floats, Floats, Floats]:
@@ -44,16 +80,14 @@ def view(camera: Camera, width: int, height: int) -> View:
     return View(np.array(camera.position, np.float64), q * (width / height) * right, q * up, forward)
 
 
-def rays(of: View, X: Floats, Y: Floats) -> Floats:
+def rays(view: View, X: Floats, Y: Floats) -> Floats:
     """D = ray_z + X ray_x + Y ray_y at clip positions in [−1, 1]; (..., 3), not normalised, never zero."""
-    result: Floats = of.ray_z + X[..., None] * of.ray_x + Y[..., None] * of.ray_y
-    return result
+    return view.ray_z + X[..., None] * view.ray_x + Y[..., None] * view.ray_y
 
 
-def depression(of: View, width: int, height: int) -> Floats:
+def depression(view: View, width: int, height: int) -> Floats:
     """Angle of each pixel's middle ray below the horizon, (height, width) rad, row 0 at the top."""
     X = 2.0 * (np.arange(width) + 0.5) / width - 1.0
     Y = 1.0 - 2.0 * (np.arange(height) + 0.5) / height
-    D = rays(of, *np.broadcast_arrays(X[None, :], Y[:, None]))
-    result: Floats = np.arctan2(-D[..., 1], np.hypot(D[..., 0], D[..., 2]))
-    return result
+    D = rays(view, *np.broadcast_arrays(X[None, :], Y[:, None]))
+    return np.arctan2(-D[..., 1], np.hypot(D[..., 0], D[..., 2]))

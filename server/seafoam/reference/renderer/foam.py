@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from seafoam.ocean.stokes import foam_life
 from seafoam.reference import sampling
-from seafoam.reference.foam import cells, living, looks
-from seafoam.reference.foam.coverage import OCTAVES_MOST, coverage, mask_place, tiles, turned_footprint
+from seafoam.reference.foam import aging, cells, looks
+from seafoam.reference.foam.coverage import OCTAVES_MOST, Assets, MaskPoints, coverage, mask_points, tiles
 from seafoam.reference.foam.drift import Copy, copies
-from seafoam.reference.light import light
-from seafoam.reference.renderer.assets import Assets
 from seafoam.reference.renderer.sources import saturation
-from seafoam.reference.renderer.state import ReferenceState
-from seafoam.reference.types import Floats, smoothstep
+from seafoam.reference.renderer.state import ReferenceState, WaterSamples
+from seafoam.reference.types import Floats, Footprints, smoothstep
 from seafoam.scene.foam import DriftSaturation, Foam
 
 LOWEST_SHADE = 0.25
@@ -38,104 +38,81 @@ class FoamStage(ReferenceState):
         assert self.assets is not None
         return self.assets
 
-    def _foam(self, x: Floats, z: Floats, H: Floats, t: Floats, D: Floats, N: Floats) -> tuple[Floats, Floats]:
-        """Foam amount at r places, in [0, 3] for the look ``listing``, else in [0, 1], and saturation f; (r,) each."""
-        foam = self.foam
-        foot_x, foot_y = self.footprints(t, D, N)
-        f = saturation(self, foam, x, z, H, (foot_x, foot_y))
-        return self._lying(f, x, z, foot_x, foot_y), f
+    def _foam(self, samples: WaterSamples) -> tuple[Floats, Floats]:
+        """Foam amount at r samples, in [0, 3] for the look ``listing``, else in [0, 1], and saturation f; (r,) each."""
+        f = saturation(self, self.foam, samples)
+        return self._mask_amount(f, samples.x, samples.z, samples.footprints), f
 
-    def _past_foam(
-        self,
-        air: light.Air,
-        amount: Floats,
-        f: Floats,
-        x: Floats,
-        z: Floats,
-        t: Floats,
-        D: Floats,
-        N: Floats,
-    ) -> tuple[Floats, Floats]:
-        """Share of the sun's light that foam beside r places leaves to their water, and the factor on their foam's
-        light."""
+    def _foam_shadow(self, sun: Floats, amount: Floats, f: Floats, samples: WaterSamples) -> tuple[Floats, Floats]:
+        """Share of the sun's light that foam toward the sun leaves to the water of r samples, and the factor on their
+        foam's light; (r,) each."""
         foam = self.foam
-        feet = self.footprints(t, D, N)
-        sides = [np.maximum(np.hypot(foot[:, 0], foot[:, 1]), 1e-6) for foot in feet]
-        way = foam.thickness / max(float(air.sun[1]), LOWEST_SHADE) * air.sun[[0, 2]]
-        near = 1.0 - smoothstep(0.25, 1.0, np.maximum(*sides) / max(float(np.hypot(*way)), 1e-6))
+        lengths = [np.maximum(np.hypot(side[:, 0], side[:, 1]), 1e-6) for side in samples.footprints]
+        offset = foam.thickness / max(float(sun[1]), LOWEST_SHADE) * sun[[0, 2]]
+        near = 1.0 - smoothstep(0.25, 1.0, np.maximum(*lengths) / max(float(np.hypot(*offset)), 1e-6))
         near = FOAM_SHADE * np.where(f > 0.0, near, 0.0)
         soft_x, soft_y = (
-            foot * np.maximum(1.0, 0.5 * foam.thickness / side)[:, None] for foot, side in zip(feet, sides, strict=True)
+            side * np.maximum(1.0, 0.5 * foam.thickness / length)[:, None]
+            for side, length in zip(samples.footprints, lengths, strict=True)
         )
-        there = self._lying(f, x, z, soft_x, soft_y, (way[0], way[1]), octaves=1)
-        beside = near * np.minimum(there, 1.0)
-        return 1.0 - beside, 1.0 + near * np.minimum(amount, 1.0) - beside
+        casting = self._mask_amount(f, samples.x, samples.z, (soft_x, soft_y), offset=(offset[0], offset[1]), octaves=1)
+        blocked = near * np.minimum(casting, 1.0)
+        return 1.0 - blocked, 1.0 + near * np.minimum(amount, 1.0) - blocked
 
-    def _lying(
+    def _mask_amount(
         self,
         f: Floats,
         x: Floats,
         z: Floats,
-        foot_x: Floats,
-        foot_y: Floats,
-        beside: tuple[float, float] = (0.0, 0.0),
-        way: tuple[Floats, Floats] | None = None,
+        footprints: Footprints,
+        offset: tuple[float, float] = (0.0, 0.0),
+        to_rest: tuple[Floats, Floats] | None = None,
         octaves: int = OCTAVES_MOST,
     ) -> Floats:
-        """Foam amount at r places of the water, or (x, z) m beside them, however its mask is moved; (r,).
+        """Foam amount at r places of the water, or ``offset`` m (x, z) from them, however its mask is moved; (r,).
 
-        ``way``: displacement to where the water rests, m; by default that of the waves. ``octaves``: maximum of the
-        mask's.
+        ``to_rest``: displacement to the water's rest position, m; by default that of the waves. ``octaves``: maximum of
+        the mask's.
         """
         if foam_life(self.scene) is not None:
-            rests = self.carry(x, z) if way is None else way
-            return self._living(f, x, z, foot_x, foot_y, beside, rests, octaves)
-        x, z = x + beside[0], z + beside[1]
-        carried = self._carried(x, z)
-        if not carried:
-            return self._look(f, x, z, foot_x, foot_y, octaves)
+            by_x, by_z = self.surface.to_rest(x, z) if to_rest is None else to_rest
+            rest = x + by_x + offset[0], z + by_z + offset[1]
+            return self._aging(self._windrows(f, x, z), f, rest, footprints, octaves)
+        x, z = x + offset[0], z + offset[1]
+        advected = self._advected(x, z)
+        if not advected:
+            return self._look(f, x, z, footprints, octaves)
         free = np.ones_like(x)
-        for copy in carried:
+        for copy in advected:
             part = cells.part(f, copy.weight)
-            turned = copy.turned(foot_x), copy.turned(foot_y)
-            amount = self._look(part, copy.x, copy.z, *turned, octaves)
+            turned = copy.turned(footprints[0]), copy.turned(footprints[1])
+            amount = self._look(part, copy.x, copy.z, turned, octaves)
             free *= np.where(copy.weight > 0.0, 1.0 - amount, 1.0)
         return 1.0 - free
 
-    def _living(
-        self,
-        f: Floats,
-        x: Floats,
-        z: Floats,
-        foot_x: Floats,
-        foot_y: Floats,
-        beside: tuple[float, float],
-        way: tuple[Floats, Floats],
-        octaves: int,
-    ) -> Floats:
-        """The same for foam with a history: drifting, in windrows, with masks by age."""
-        foam = self.foam
+    def _windrows(self, f: Floats, x: Floats, z: Floats) -> Floats:
+        """Coverage of foam of saturation f at (x, z), gathered in windrows; (r,)."""
         limited = np.clip(f, 0.0, 1.0)
-        s = looks.faded(limited, foam.fade) if foam.octaves > 1 else limited
+        s = looks.faded(limited, self.foam.fade) if self.foam.octaves > 1 else limited
         # The converged frame resolves all windrows, so they are not filtered.
-        s = living.gathered(self.scene, self.time, self.afloat, s, x, z)
-        l_x, l_z = x + way[0] + beside[0], z + way[1] + beside[1]
-        u, v = mask_place(l_x, l_z, foam, (0.0, 0.0))
-        at = living.drifted(self.scene, self.time, self.afloat)
-        feet = turned_footprint(foot_x, foam), turned_footprint(foot_y, foam)
-        t = self._texture(l_x, l_z, foot_x, foot_y)
-        free = np.ones_like(x)
+        return aging.gathered(self.scene, self.time, self.surface.afloat, s, x, z)
+
+    def _aging(self, s: Floats, f: Floats, rest: tuple[Floats, Floats], footprints: Footprints, octaves: int) -> Floats:
+        """Foam amount of a coverage s of masks by age, where the water's rest position is ``rest``; (r,)."""
+        foam = self.foam
+        points = mask_points(*rest, footprints, foam, (0.0, 0.0))
+        by_u, by_v = aging.drifted(self.scene, self.time, self.surface.afloat)
+        points = replace(points, u=points.u + by_u, v=points.v + by_v)
+        t = self._texture(*rest, footprints)
+        free = np.ones_like(s)
         masks = (self.images, *self.images.older)
-        for part in living.shares(len(masks), s, limited):
+        for part in aging.shares(len(masks), s, np.clip(f, 0.0, 1.0)):
             own = np.flatnonzero(part.weight > 0.0)
             covered = coverage(
                 foam,
                 masks[part.mask],
                 part.s[own],
-                u[own] + at[0],
-                v[own] + at[1],
-                feet[0][own],
-                feet[1][own],
+                points.subset(own),
                 filtering=self.filtering,
                 shares=True,
                 octaves=octaves,
@@ -143,34 +120,26 @@ class FoamStage(ReferenceState):
             free[own] *= 1.0 - looks.thinned(covered, t[own], foam.texture)
         return 1.0 - free
 
-    def _look(
-        self,
-        f: Floats,
-        x: Floats,
-        z: Floats,
-        foot_x: Floats,
-        foot_y: Floats,
-        octaves: int,
-    ) -> Floats:
-        """Foam amount at r places of mask and texture, over footprints (r, 2) m; (r,)."""
+    def _look(self, f: Floats, x: Floats, z: Floats, footprints: Footprints, octaves: int) -> Floats:
+        """Foam amount at r places of mask and texture, over footprints; (r,)."""
         foam = self.foam
-        filtered = foam.look == "filtered"
-        t = self._texture(x, z, foot_x, foot_y)
+        t = self._texture(x, z, footprints)
         if foam.look == "textured":
             return looks.textured(f, t)
-        feet = turned_footprint(foot_x, foam), turned_footprint(foot_y, foam)
-        if foam.cells and foam_life(self.scene) is None:
-            free = np.ones_like(x)
-            for corner in cells.corners(*cells.counted(x, z, foam, self.afloat), filtered):
-                own = np.flatnonzero(corner.weight > 0.0)
-                turned = corner.turned(feet[0])[own], corner.turned(feet[1])[own]
-                part = cells.part(f[own], corner.weight[own]) if filtered else f[own]
-                here = corner.u[own], corner.v[own]
-                free[own] *= 1.0 - self._amount(part, t[own], *here, turned, octaves)
-            return 1.0 - free
-        return self._amount(f, t, *mask_place(x, z, foam, self.afloat), feet, octaves)
+        points = mask_points(x, z, footprints, foam, self.surface.afloat)
+        if not foam.cells or foam_life(self.scene) is not None:
+            return self._amount(f, t, points, octaves)
+        filtered = foam.look == "filtered"
+        free = np.ones_like(x)
+        for corner in cells.corners(*cells.counted(x, z, foam, self.surface.afloat), filtered):
+            own = np.flatnonzero(corner.weight > 0.0)
+            turned = corner.turned(points.foot_u), corner.turned(points.foot_v)
+            part = cells.part(f[own], corner.weight[own]) if filtered else f[own]
+            cell = MaskPoints(corner.u, corner.v, *turned).subset(own)
+            free[own] *= 1.0 - self._amount(part, t[own], cell, octaves)
+        return 1.0 - free
 
-    def _carried(self, x: Floats, z: Floats) -> list[Copy]:
+    def _advected(self, x: Floats, z: Floats) -> list[Copy]:
         """The copies of the mask that a flow advects; empty without one."""
         foam = self.foam
         source = foam.source(DriftSaturation)
@@ -178,43 +147,35 @@ class FoamStage(ReferenceState):
             return []
         return copies(self.scene, source, foam.mask_tile, self.time, self.origin, x, z)
 
-    def _amount(
-        self,
-        f: Floats,
-        t: Floats,
-        u: Floats,
-        v: Floats,
-        feet: tuple[Floats, Floats],
-        octaves: int,
-    ) -> Floats:
-        """Foam amount of a masked look at mask coordinates (u, v), footprints ``feet`` in tiles; (r,)."""
+    def _amount(self, f: Floats, t: Floats, points: MaskPoints, octaves: int) -> Floats:
+        """Foam amount of a masked look; (r,)."""
         foam = self.foam
         if foam.look == "filtered":
-            covered = coverage(foam, self.images, f, u, v, *feet, filtering=self.filtering, octaves=octaves)
+            covered = coverage(foam, self.images, f, points, filtering=self.filtering, octaves=octaves)
             return looks.thinned(covered, t, foam.texture)
-        m = sampling.nearest(self.images.thresholds, u, v)
+        m = sampling.nearest(self.images.thresholds, points.u, points.v)
         if foam.look == "halftone":
             return looks.halftone(f, m)
         if foam.look == "fading":
             return looks.fading(f, m)
         return looks.halftone_textured(f, m, t) if foam.look == "halftone_textured" else looks.listing(f, m, t)
 
-    def _texture(self, x: Floats, z: Floats, foot_x: Floats, foot_y: Floats) -> Floats:
+    def _texture(self, x: Floats, z: Floats, footprints: Footprints) -> Floats:
         foam = self.foam
         if foam.look not in TEXTURED_LOOKS and not (foam.look == "filtered" and foam.texture > 0.0):
             return np.ones_like(x)
-        first = self._texture_copy(foam.texture_tile, False, x, z, foot_x, foot_y)
+        first = self._texture_copy(foam.texture_tile, False, x, z, footprints)
         if foam.texture_second is None:
             return first
-        return 0.5 * (first + self._texture_copy(foam.texture_second, True, x, z, foot_x, foot_y))
+        return 0.5 * (first + self._texture_copy(foam.texture_second, True, x, z, footprints))
 
-    def _texture_copy(self, tile: float, swapped: bool, x: Floats, z: Floats, foot_x: Floats, foot_y: Floats) -> Floats:
-        texture = self.images.texture
-        u = tiles(self.afloat[0], tile) + x / tile
-        v = tiles(self.afloat[1], tile) + z / tile
+    def _texture_copy(self, tile: float, swapped: bool, x: Floats, z: Floats, footprints: Footprints) -> Floats:
+        texture, afloat = self.images.texture, self.surface.afloat
+        u = tiles(afloat[0], tile) + x / tile
+        v = tiles(afloat[1], tile) + z / tile
         if swapped:
             u, v = v, u
         if not self.filtering:
             return sampling.bilinear(texture[0], u, v)
-        level = sampling.footprint_level(foot_x / tile, foot_y / tile, texture[0].shape[0])
+        level = sampling.footprint_level(footprints[0] / tile, footprints[1] / tile, texture[0].shape[0])
         return sampling.trilinear(texture, u, v, level)

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 
+from seafoam.reference.foam.coverage import Assets
 from seafoam.reference.renderer import camera as cameras
-from seafoam.reference.renderer.assets import Assets
 from seafoam.reference.renderer.shade import SampleShader
 from seafoam.reference.renderer.state import Mode
-from seafoam.reference.spray import births, spray
+from seafoam.reference.spray import births
+from seafoam.reference.spray.splats import splats
 from seafoam.reference.types import Bools, Floats, Indices
 from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
@@ -48,7 +48,6 @@ def render(
     samples: int = 1,
     camera: Camera | None = None,
     mode: Mode = "same-samples",
-    assets: Assets | None = None,
 ) -> ReferenceFrame:
     """Render a scene at a time (s) with ``samples``² samples per pixel.
 
@@ -56,12 +55,14 @@ def render(
     random in each cell of the grid, always the same, and replaces the filtered look by its limit and every texture
     level by level 0. ``camera`` replaces the scene's. Waves and ripples are never slope-filtered.
     """
-    if assets is None:
-        assets = Assets.for_scene(scene)
     view = cameras.view(scene.camera if camera is None else camera, width, height)
-    shader = SampleShader(scene, time, view, width, height, samples, mode, assets)
-    flying = _drops(shader, time, height * samples, width * samples)
-    pixels, grid = width * height, (height * samples, width * samples)
+    grid = cameras.SampleGrid(view, width, height, samples)
+    shader = SampleShader(scene, time, grid, mode, Assets.for_scene(scene))
+    flying = None
+    if scene.spray is not None and not shader.covered:
+        drops = births.drops(scene, time, shader.origin, view.ray_z[::2], shader.surface.coast)
+        flying = splats(scene, drops, grid, shader.surface, shader.fleet, shader.lighting)
+    pixels, shape = width * height, (grid.rows, grid.columns)
     rgb = np.empty((pixels, 3))
     alpha = np.empty(pixels)
     amount = np.empty((height, samples, width, samples))
@@ -83,14 +84,14 @@ def render(
         amount[where] = a.reshape(cells)
         hit[where] = met.reshape(cells)
     if flying is not None:
-        sampled = picture.reshape(*grid, 3)
-        spray.lay_over(sampled, clip_x.reshape(grid), clip_y.reshape(grid), flying)
+        sampled = picture.reshape(*shape, 3)
+        flying.draw_over(sampled, clip_x.reshape(shape), clip_y.reshape(shape))
         rgb[:] = sampled.reshape(height, samples, width, samples, 3).mean(axis=(1, 3)).reshape(pixels, 3)
     return ReferenceFrame(
         rgb=rgb.reshape(height, width, 3),
         alpha=alpha.reshape(height, width),
-        amount=amount.reshape(grid),
-        hit=hit.reshape(grid),
+        amount=amount.reshape(shape),
+        hit=hit.reshape(shape),
         depression=cameras.depression(view, width, height),
         samples=samples,
     )
@@ -110,23 +111,3 @@ def _samples(
     X = 2.0 * along / (samples * width) - 1.0
     Y = 1.0 - 2.0 * down / (samples * height)
     return (row, cell[:, None], column, cell), X, Y
-
-
-def _drops(state: SampleShader, time: float, rows: int, columns: int) -> spray.Seen | None:
-    """The spray's drops on a picture of ``rows`` × ``columns`` samples; None without spray or under water."""
-    settings, coast = state.scene.spray, state.coast
-    if settings is None or state.covered:
-        return None
-    flying = births.drops(state.scene, time, state.origin, state.view.ray_z[::2], coast)
-    light = state.scene.light
-    shown = spray.Shown(state.air, 1.0 if light is None else light.visibility, state.exposure, _reaching(state))
-    every = spray.beat(state.scene)
-    return spray.seen(settings, flying, every, state.view, rows, columns, state.relief, coast, state.fleet, shown)
-
-
-def _reaching(state: SampleShader) -> Callable[[Floats], Floats] | None:
-    """Share (n,) of the sun's light that reaches drops at (n, 3), m from the camera."""
-    open_sun, eye = state.open_sun, np.array([0.0, state.eye_y, 0.0])
-    if open_sun is None:
-        return None
-    return lambda away: open_sun(away + eye, (np.zeros((len(away), 2)), np.zeros((len(away), 2))))

@@ -84,8 +84,7 @@ def footprint(t: Floats, D: Floats, N: Floats, delta: Floats) -> Floats:
     """
     facing = np.minimum(dot(N, D), -1e-3 * np.sqrt(dot(N, N) * dot(D, D)))
     moved = t[:, None] * (delta - D * (dot(N, delta) / facing)[:, None])
-    result: Floats = moved[:, [0, 2]]
-    return result
+    return moved[:, [0, 2]]
 
 
 def _slab(eye_y: float, bottom: float, top: float, rise: Floats) -> tuple[Floats, Floats, Bools]:
@@ -118,8 +117,7 @@ class _Search:
 
     def _value(self, s: Floats, across: Floats, rise: Floats) -> Floats:
         x, z = across * s
-        above: Floats = self.eye_y + rise * s - self.relief.height(x, z)
-        return above
+        return self.eye_y + rise * s - self.relief.height(x, z)
 
     def _derivative(self, s: Floats, across: Floats, rise: Floats) -> Floats:
         x, z = across * s

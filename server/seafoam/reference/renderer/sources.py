@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -13,10 +12,10 @@ from seafoam.extensions import TRUTHS
 from seafoam.ocean.stokes import foam_drift
 from seafoam.reference.foam.drift import drift_saturation
 from seafoam.reference.foam.front import CAP, History
-from seafoam.reference.foam.patches import FrontPatches
 from seafoam.reference.foam.saturation import front_source, height_saturation, joined, slope_saturation
-from seafoam.reference.renderer.state import ReferenceState
+from seafoam.reference.renderer.state import ReferenceState, WaterSamples
 from seafoam.reference.types import Floats
+from seafoam.reference.types import SurfacePoints as SurfacePoints
 from seafoam.reference.waves.sea import whitecap_saturation
 from seafoam.scene.foam import (
     DriftSaturation,
@@ -30,57 +29,40 @@ from seafoam.scene.foam import (
 )
 
 
-@dataclass(frozen=True)
-class SurfacePoints:
-    """Points of the surface at which sources of foam are evaluated."""
-
-    x: Floats
-    """(r,) m from ``origin``."""
-    z: Floats
-    height: Floats
-    """(r,) m over still water."""
-    footprints: tuple[Floats, Floats] | None
-    """Both sides of each sample's footprint, (r, 2) m; None: no average over footprints."""
-    cap: float
-    """Upper limit of the saturation."""
-    time: float
-    """s."""
-    origin: tuple[float, float]
-    """World coordinates (x, z) of the point below the camera, m."""
+def _front(state: ReferenceState, source: FrontSaturation, points: SurfacePoints) -> Floats:
+    history = History(foam_drift(state.scene), state.surface.orbits)
+    return front_source(source, state.front_waves[source.constants], points, state.eye_y, history)
 
 
-def _front(of: ReferenceState, source: FrontSaturation, at: SurfacePoints) -> Floats:
-    drift = foam_drift(of.scene)
-    patches = FrontPatches(source, at.time, at.origin, drift) if source.variation > 0.0 else None
-    history = History(drift, of.carries, patches)
-    over = of.eye_y - at.height
-    return front_source(source, of.fronts[source.constants], at.x, at.z, at.footprints, over, at.cap, history)
+def _height(state: ReferenceState, source: HeightSaturation, points: SurfacePoints) -> Floats:
+    return height_saturation(points.height + state.surface.waves.level, source.base, source.full)
 
 
-def _height(of: ReferenceState, source: HeightSaturation, at: SurfacePoints) -> Floats:
-    return height_saturation(at.height + of.waves.level, source.base, source.full)
+def _slope(state: ReferenceState, source: SlopeSaturation, points: SurfacePoints) -> Floats:
+    x, z = points.x, points.z
+    return slope_saturation(lambda x, z: state.surface.slopes(x, z)[1], x, z, source.gain, source.base, source.blur)
 
 
-def _slope(of: ReferenceState, source: SlopeSaturation, at: SurfacePoints) -> Floats:
-    return slope_saturation(lambda x, z: of.slopes(x, z)[1], at.x, at.z, source.gain, source.base, source.blur)
+def _fold(state: ReferenceState, source: WhitecapSaturation, points: SurfacePoints) -> Floats:
+    return whitecap_saturation(state.scene, source, state.surface.sea, points.x, points.z)
 
 
-def _fold(of: ReferenceState, source: WhitecapSaturation, at: SurfacePoints) -> Floats:
-    return whitecap_saturation(of.scene, source, of.sea, at.x, at.z)
+def _surf(state: ReferenceState, source: SurfSaturation, points: SurfacePoints) -> Floats:
+    coast = state.surface.coast
+    if coast is None:
+        return np.zeros_like(points.x)
+    return coast.foam(source, points.x, points.z, points.height, points.footprints)
 
 
-def _surf(of: ReferenceState, source: SurfSaturation, at: SurfacePoints) -> Floats:
-    return np.zeros_like(at.x) if of.coast is None else of.coast.foam(source, at.x, at.z, at.height, at.footprints)
+def _drift(state: ReferenceState, source: DriftSaturation, points: SurfacePoints) -> Floats:
+    return drift_saturation(state.scene, source, points.time, points.origin, points.x, points.z)
 
 
-def _drift(of: ReferenceState, source: DriftSaturation, at: SurfacePoints) -> Floats:
-    return drift_saturation(of.scene, source, at.time, at.origin, at.x, at.z)
-
-
-def _wake(of: ReferenceState, source: WakeSaturation, at: SurfacePoints) -> Floats:
-    if of.stones is not None and of.stones.wakes:
-        return of.stones.foam(source, at.x, at.z, at.cap, at.footprints)
-    return np.zeros_like(at.x) if of.wakes is None else of.wakes.foam(source, at.x, at.z, at.cap, at.footprints)
+def _wake(state: ReferenceState, source: WakeSaturation, points: SurfacePoints) -> Floats:
+    wakes = state.surface.wakes
+    if wakes is None:
+        return np.zeros_like(points.x)
+    return wakes.foam(source, points.x, points.z, points.cap, points.footprints)
 
 
 _SOURCES: dict[type[BaseModel], Callable[[ReferenceState, Any, SurfacePoints], Floats]] = {
@@ -94,15 +76,16 @@ _SOURCES: dict[type[BaseModel], Callable[[ReferenceState, Any, SurfacePoints], F
 }
 
 
-def saturation(of: ReferenceState, foam: Foam, x: Floats, z: Floats, H: Floats, feet: tuple[Floats, Floats]) -> Floats:
-    """f at (x, z), m from the origin, where the surface is at height H; (r,) in [0, 1] or, for other looks, [0, 4].
+def saturation(state: ReferenceState, foam: Foam, samples: WaterSamples) -> Floats:
+    """f where samples meet the water; (r,) in [0, 1] or, for other looks than the filtered one, [0, 4].
 
-    ``feet``: both sides of the samples' footprints, (r, 2) m. Parts of effects outside the package that have a
-    saturation are sources like the foam's own.
+    Parts of effects outside the package that have a saturation are sources like the foam's own.
     """
     filtered = foam.look == "filtered"
-    footprints = feet if filtered and of.filtering else None
-    at = SurfacePoints(x, z, H, footprints, 1.0 if filtered else CAP, of.time, of.origin)
-    parts = [_SOURCES[type(source)](of, source, at) for source in foam.saturation]
-    parts += [TRUTHS[type(part)](part, of.scene, at) for _, part in of.scene.extensions if type(part) in TRUTHS]
-    return joined(parts, foam.combine, at.cap)
+    footprints = samples.footprints if filtered and state.filtering else None
+    cap = 1.0 if filtered else CAP
+    points = SurfacePoints(samples.x, samples.z, samples.height, footprints, cap, state.time, state.origin)
+    parts = [_SOURCES[type(source)](state, source, points) for source in foam.saturation]
+    outside = (part for _, part in state.scene.extensions if type(part) in TRUTHS)
+    parts += [TRUTHS[type(part)](part, state.scene, points) for part in outside]
+    return joined(parts, foam.combine, cap)

@@ -1,149 +1,246 @@
-"""The part of a frame's state that all samples share."""
+"""What all samples of a frame share: the surface, its light, and the view."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import replace
+from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
 
 from seafoam.ocean.stokes import foam_life
-from seafoam.reference.boats import boat as fleets
-from seafoam.reference.boats.stones import stone_set
-from seafoam.reference.boats.wake import wake_set
+from seafoam.reference.boats.boat import Fleet, fleet
+from seafoam.reference.boats.stones import StoneSet, stone_set
+from seafoam.reference.boats.wake import WakeSet, wake_set
+from seafoam.reference.foam.coverage import Assets
 from seafoam.reference.foam.front import FRONT_CONSTANTS
 from seafoam.reference.light import light, sparkles
-from seafoam.reference.renderer import camera as cameras
 from seafoam.reference.renderer import intersect
-from seafoam.reference.renderer.assets import Assets
+from seafoam.reference.renderer.camera import SampleGrid
 from seafoam.reference.renderer.relief import Relief, ReliefPart
-from seafoam.reference.renderer.sunlight import open_sun, sunlight
+from seafoam.reference.shore.shadow import LandShadow
 from seafoam.reference.shore.shore import Coast
-from seafoam.reference.types import Floats
-from seafoam.reference.water.seafloor import bed_of, under_of
-from seafoam.reference.waves.current import afloat
-from seafoam.reference.waves.gusts import GustField
-from seafoam.reference.waves.parametric import RippleSet, WaveSet, ripple_set, wave_set
-from seafoam.reference.waves.rings import ring_set
-from seafoam.reference.waves.sea import sea_surface
-from seafoam.reference.waves.touch import touch_set
+from seafoam.reference.types import Floats, Footprints, Sunlight, dot, unit, unshadowed
+from seafoam.reference.water.seafloor import Seabed, ShoreSeabed
+from seafoam.reference.waves.parametric import RippleSet, WaveSet, afloat, gust_field, ripple_set, wave_set
+from seafoam.reference.waves.rings import RingSet, ring_set, touch_set
+from seafoam.reference.waves.sea import SeaSurface, sea_surface
 from seafoam.scene.foam import FrontSaturation
+from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 
 Mode = Literal["same-samples", "converged"]
 
 
-class ReferenceState:
-    """Surface, light, sources of foam and view of a frame at one time, shared by its samples."""
+@dataclass(frozen=True, eq=False)
+class Surface:
+    """The water at one time around one origin, all that raises and tilts it, and the land."""
 
-    def __init__(
-        self,
-        scene: Scene,
-        time: float,
-        view: cameras.View,
-        width: int,
-        height: int,
-        samples: int,
-        mode: Mode,
-        assets: Assets | None,
-    ) -> None:
-        self.scene = scene
-        self.time = time
-        self.view = view
-        self.filtering = mode == "same-samples"
-        self.assets = assets
-        self.delta_x = 2.0 * view.ray_x / (samples * width)
-        self.delta_y = 2.0 * view.ray_y / (samples * height)
-        self.eye_y = float(view.eye[1])
-        self.origin = (float(view.eye[0]), float(view.eye[2]))
-        eye = (self.origin[0], self.eye_y, self.origin[1])
-        self.afloat = afloat(scene, time, self.origin)
-        self.air = None if scene.light is None else light.air(scene.light, time, eye)
-        self.sun: light.Glint | None = None
-        if scene.light is not None and self.air is not None:
-            step = max(math.sqrt(float(side @ side)) for side in (self.delta_x, self.delta_y))
-            self.sun = sparkles.sun(scene.light, self.air, time, step if self.filtering else 0.0)
-        self.waves = wave_set(scene, time, self.afloat)
-        self.sea = sea_surface(scene, time, self.afloat)
-        self.wakes = wake_set(scene, time, self.origin) if scene.boats else None
-        parts: tuple[ReliefPart, ...] = (self.waves, ring_set(scene, time, self.origin))
-        if self.wakes is not None:
-            parts = (*parts, self.wakes)
-        self.stones = None if scene.current is None else stone_set(scene.current, self.origin)
-        if self.stones is not None:
-            parts = (*parts, self.stones)
-        open_sea = Relief(parts if self.sea is None else (*parts, self.sea))
-        self.coast = None if scene.shore is None else Coast(scene.shore, time, self.origin, open_sea)
-        self.relief: ReliefPart = open_sea if self.coast is None else self.coast
-        coast = self.coast
-        ground = None if coast is None else lambda x, z: coast.ground(*coast.place(x, z))[0]
-        self.fleet = fleets.fleet(scene, time, self.origin, self.relief.height, ground) if scene.boats else None
-        self.open_sun = open_sun(scene, self.air, self.coast)
-        if self.fleet is not None:
-            self.fleet = replace(self.fleet, open_sun=self.open_sun)
-        self.sunlight = sunlight(self.air, self.fleet, self.open_sun)
-        self.gusts = GustField(scene.water.ripples, time, self.origin)
+    afloat: tuple[float, float]
+    """The origin in the frame of the flowing water, m."""
+    waves: WaveSet
+    sea: SeaSurface | None
+    wakes: WakeSet | StoneSet | None
+    """The wakes that leave foam."""
+    coast: Coast | None
+    relief: ReliefPart
+    """The sum of all that raises the water."""
+    ripples: RippleSet
+    touches: RingSet
+    orbits: bool
+    """Whether waves move foam to and fro."""
+
+    @staticmethod
+    def of(scene: Scene, time: float, origin: tuple[float, float]) -> Surface:
+        """The surface of a scene at a time (s) around an origin (x, z) in m."""
+        floating = afloat(scene, time, origin)
+        waves, sea = wave_set(scene, time, floating), sea_surface(scene, time, floating)
+        boats = wake_set(scene, time, origin) if scene.boats else None
+        stones = None if scene.current is None else stone_set(scene.current, origin)
+        parts = (waves, ring_set(scene, time, origin), boats, stones, sea)
+        open_sea = Relief(tuple(part for part in parts if part is not None))
+        coast = None if scene.shore is None else Coast(scene.shore, time, origin, open_sea)
         repeats = scene.light is not None and scene.light.caustics is not None
-        self.ripples: RippleSet = ripple_set(scene.water.ripples, time, self.afloat, repeats)
-        self.touches = touch_set(scene, time, self.origin)
-        self.bed = bed_of(scene, self.air, time, self.origin)
-        at_eye = float(self.relief.height(np.zeros(1), np.zeros(1))[0])
-        self.covered = self.eye_y < at_eye
-        self.under = scene.water.view_below and self.covered
-        self.below = under_of(scene, self.air, time, self.origin, self.coast) if self.under else None
-        for floor in (self.bed, self.below):
-            if floor is not None:
-                floor.sun_reaches = self.sunlight
-        self.fronts = _front_waves(scene, time, self.afloat)
-
-    @property
-    def exposure(self) -> float:
-        return 1.0 if self.scene.light is None else 2.0**self.scene.light.exposure
+        life, ripples = foam_life(scene), scene.water.ripples
+        return Surface(
+            afloat=floating,
+            waves=waves,
+            sea=sea,
+            wakes=stones if stones is not None and stones.wakes else boats,
+            coast=coast,
+            relief=open_sea if coast is None else coast,
+            ripples=ripple_set(ripples, time, floating, repeats, gust_field(ripples, time, origin)),
+            touches=touch_set(scene, time, origin),
+            orbits=life is not None and life.carried,
+        )
 
     def slopes(self, x: Floats, z: Floats) -> tuple[tuple[Floats, Floats], ...]:
         """Slopes at (x, z): of the surface for rays, of that for shading, and of waves without height; (r,) each."""
         met_x, met_z = self.relief.gradient(x, z)
         c_x, c_z = self.ripples.gradient(x, z)
-        if self.gusts.gusts is not None:
-            gust = self.gusts(x, z)
-            c_x, c_z = gust * c_x, gust * c_z
         t_x, t_z = self.touches.gradient(x, z)
         c_x, c_z = c_x + t_x, c_z + t_z
         if self.sea is None:
             return (met_x, met_z), (met_x, met_z), (c_x, c_z)
         # Rays intersect the bilinear sea; shading uses its spline.
-        (seen_x, seen_z), (own_x, own_z), (s_x, s_z) = (
-            self.sea.shading(x, z),
-            self.sea.gradient(x, z),
-            self.sea.detail(x, z),
-        )
+        (seen_x, seen_z), (own_x, own_z) = self.sea.shading(x, z), self.sea.gradient(x, z)
+        s_x, s_z = self.sea.detail(x, z)
         return (met_x, met_z), (met_x + (seen_x - own_x), met_z + (seen_z - own_z)), (c_x + s_x, c_z + s_z)
 
-    @property
-    def carries(self) -> bool:
-        life = foam_life(self.scene)
-        return life is not None and life.carried
-
-    def carry(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
-        """Displacement from (x, z) to where the water there rests, m; (r,) each."""
-        way_x, way_z = np.zeros_like(x), np.zeros_like(x)
-        if not self.carries:
-            return way_x, way_z
+    def to_rest(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
+        """Displacement from (x, z) to the rest position of the foam there, m; (r,) each."""
+        by_x, by_z = np.zeros_like(x), np.zeros_like(x)
+        if not self.orbits:
+            return by_x, by_z
         for part in (self.waves, self.sea):
             if part is not None:
-                more_x, more_z = part.carry(x, z)
-                way_x, way_z = way_x + more_x, way_z + more_z
-        return (way_x, way_z) if self.coast is None else self.coast.carry((way_x, way_z), x, z)
+                part_x, part_z = part.to_rest(x, z)
+                by_x, by_z = by_x + part_x, by_z + part_z
+        return (by_x, by_z) if self.coast is None else self.coast.to_rest((by_x, by_z), x, z)
 
-    def footprints(self, t: Floats, D: Floats, N: Floats) -> tuple[Floats, Floats]:
+
+@dataclass(frozen=True, eq=False)
+class Lighting:
+    """A scene's light at one time around one origin."""
+
+    settings: Light
+    air: light.Air
+    glint: light.Glint
+    open_sun: Sunlight
+    """What land and clouds leave of the sun."""
+    sunlight: Sunlight
+    """What boats leave too."""
+
+    @staticmethod
+    def of(
+        scene: Scene, time: float, grid: SampleGrid, filtering: bool, coast: Coast | None, fleet: Fleet | None
+    ) -> Lighting | None:
+        """The light on a coast and a fleet; None: the scene has no light. ``filtering``: sparkles are at least as
+        large as samples are apart."""
+        settings = scene.light
+        if settings is None:
+            return None
+        air = light.air(settings, time, (grid.origin[0], grid.eye_y, grid.origin[1]))
+        step = max(math.sqrt(float(side @ side)) for side in grid.steps) if filtering else 0.0
+        past_scenery = open_sun(air, coast)
+
+        def past_boats(place: Floats, footprints: Footprints) -> Floats:
+            past = past_scenery(place, footprints)
+            return past if fleet is None else fleet.sunlight(place, air.sun) * past
+
+        return Lighting(settings, air, sparkles.sun(settings, air, time, step), past_scenery, past_boats)
+
+    @property
+    def exposure(self) -> float:
+        """Factor on radiance."""
+        return float(2.0**self.settings.exposure)
+
+    def haze(self, L: Floats, d: Floats, distance: Floats) -> Floats:
+        """L (r, 3) seen through (r,) m of air along d (r, 3); (r, 3)."""
+        return light.haze(self.air, self.settings.visibility, L, d, distance)
+
+
+def open_sun(air: light.Air, coast: Coast | None) -> Sunlight:
+    """The product of the shares that land and clouds leave."""
+    parts: list[Sunlight] = []
+    if coast is not None and coast.shore.shadows:
+        parts.append(LandShadow(coast, air.sun).sunlight)
+    layer = None if air.above is None else air.above.clouds
+    if layer is not None and layer.clouds.shadows > 0.0 and layer.taken > 0.0:
+        parts.append(layer.sunlight)
+    if not parts:
+        return unshadowed
+
+    def product(place: Floats, footprints: Footprints) -> Floats:
+        result: Floats = np.prod([part(place, footprints) for part in parts], axis=0)
+        return result
+
+    return product
+
+
+@dataclass(frozen=True, eq=False)
+class WaterSamples:
+    """Where r rays meet the water."""
+
+    d: Floats
+    """(r, 3) unit vectors along the rays."""
+    distance: Floats
+    """(r,) m."""
+    x: Floats
+    """(r,) m from the origin."""
+    z: Floats
+    height: Floats
+    """(r,) m."""
+    footprints: Footprints
+    normal: Floats
+    """(r, 3) unit vectors, with ripples."""
+    foam_normal: Floats
+    """The same with half of the ripples, which foam damps."""
+
+
+class ReferenceState:
+    """Surface, light, sources of foam and view of a frame at one time, shared by its samples."""
+
+    def __init__(self, scene: Scene, time: float, grid: SampleGrid, mode: Mode, assets: Assets | None) -> None:
+        self.scene = scene
+        self.time = time
+        self.grid = grid
+        self.filtering = mode == "same-samples"
+        self.assets = assets
+        self.origin, self.eye_y = grid.origin, grid.eye_y
+        self.surface = Surface.of(scene, time, self.origin)
+        coast, relief = self.surface.coast, self.surface.relief
+        self.fleet = None
+        if scene.boats:
+            ground = None if coast is None else lambda x, z: coast.ground(*coast.place(x, z))[0]
+            self.fleet = fleet(scene, time, self.origin, relief.height, ground)
+        self.lighting = Lighting.of(scene, time, grid, self.filtering, coast, self.fleet)
+        self.covered = self.eye_y < float(relief.height(np.zeros(1), np.zeros(1))[0])
+        self.under = scene.water.view_below and self.covered
+        self.seabed = seabed_of(scene, time, self.origin, self.lighting, coast, self.under)
+        self.front_waves = front_waves(scene, time, self.surface.afloat)
+
+    @property
+    def exposure(self) -> float:
+        """Factor on radiance."""
+        return 1.0 if self.lighting is None else self.lighting.exposure
+
+    def footprints(self, t: Floats, D: Floats, N: Floats) -> Footprints:
         """Footprints (r, 2) m of samples along both sides, where rays tD meet a surface of normal N."""
-        return intersect.footprint(t, D, N, self.delta_x), intersect.footprint(t, D, N, self.delta_y)
+        along, down = (intersect.footprint(t, D, N, step) for step in self.grid.steps)
+        return along, down
+
+    def water_samples(self, D: Floats, d: Floats, distance: Floats, side: float = 1.0) -> WaterSamples:
+        """Where rays D (r, 3) of directions d meet the surface, ``distance`` (r,) m away; ``side`` −1: from below."""
+        x, z = d[:, 0] * distance, d[:, 2] * distance
+        met, (h_x, h_z), (c_x, c_z) = self.surface.slopes(x, z)
+        footprints = self.footprints(distance / np.sqrt(dot(D, D)), D, side * intersect.normal(*met))
+        normal, damped = (unit(intersect.normal(h_x + part * c_x, h_z + part * c_z)) for part in (1.0, 0.5))
+        return WaterSamples(d, distance, x, z, self.surface.relief.height(x, z), footprints, normal, damped)
 
 
-def _front_waves(scene: Scene, time: float, afloat: tuple[float, float]) -> dict[str, WaveSet]:
+def seabed_of(
+    scene: Scene,
+    time: float,
+    origin: tuple[float, float],
+    lighting: Lighting | None,
+    coast: Coast | None,
+    under: bool,
+) -> Seabed | None:
+    """The floor that rays meet: from ``under`` water any, from above one that is level and not uniform; None without
+    one."""
+    if lighting is None:
+        return None
+    uniform = lighting.settings.caustics is None and scene.water.floor_tile is None
+    if not under and (coast is not None or scene.water.depth is None or uniform):
+        return None
+    parts = scene, lighting.air, time, origin, lighting.sunlight
+    return Seabed(*parts) if coast is None else ShoreSeabed(*parts, coast)
+
+
+def front_waves(scene: Scene, time: float, origin: tuple[float, float]) -> dict[str, WaveSet]:
     """The waves whose groups make fronts, by the name of their constants; none: the scene has no fronts."""
     front = None if scene.foam is None else scene.foam.source(FrontSaturation)
     if front is None:
         return {}
-    return {front.constants: wave_set(scene, time, afloat, FRONT_CONSTANTS[front.constants].spatial)}
+    return {front.constants: wave_set(scene, time, origin, FRONT_CONSTANTS[front.constants].spatial)}

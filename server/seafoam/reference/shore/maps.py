@@ -50,8 +50,7 @@ def signed_distance(land: Bools) -> Floats:
         return np.where(land, -1.0, 1.0) * float(land.shape[1])
     inland: Floats = ndimage.distance_transform_edt(land)
     offshore: Floats = ndimage.distance_transform_edt(~land)
-    result: Floats = np.where(land, 0.5 - inland, offshore - 0.5)
-    return result
+    return np.where(land, 0.5 - inland, offshore - 0.5)
 
 
 def gaussian(values: Floats, deviation: float) -> Floats:
@@ -144,8 +143,7 @@ def travel(shore: Shore, d: Floats) -> Floats:
     least = max(SWASH * shore.surf.height, LEAST)
     out, inward = np.maximum(d, 0.0), np.minimum(d, 0.0)
     seconds = 2.0 * out / (math.sqrt(least) + np.sqrt(least + shore.slope * out)) + inward / math.sqrt(least)
-    result: Floats = seconds / (math.sqrt(GRAVITY) * shore.surf.period)
-    return result
+    return seconds / (math.sqrt(GRAVITY) * shore.surf.period)
 
 
 def shore_map(shore: Shore, time: float) -> Floats:

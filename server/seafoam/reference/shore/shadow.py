@@ -4,17 +4,13 @@ from __future__ import annotations
 
 import math
 from functools import lru_cache
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from seafoam.reference.foam.torn import Feet
 from seafoam.reference.shore.maps import QuadraticSpline, floor_spline
-from seafoam.reference.types import Floats, dot
-
-if TYPE_CHECKING:
-    from seafoam.reference.shore.shore import Coast
-    from seafoam.scene.shore import Shore
+from seafoam.reference.shore.shore import Coast
+from seafoam.reference.types import Floats, Footprints, dot
+from seafoam.scene.shore import Shore
 
 CELLS = 128
 """Cells along a side of the map."""
@@ -38,33 +34,32 @@ class LandShadow:
         x, y, z = (float(part) for part in sun)
         level = max(math.hypot(x, z), 1e-6)
         elevation = math.atan2(y, math.hypot(x, z))
-        self.way = x / level, z / level
+        self.toward = x / level, z / level
         self.rises = tuple(
             max(math.tan(min(elevation + side * SUN_RADIUS, most)), LOWEST_RISE)
             for side, most in ((1.0, STEEPEST), (-1.0, STEEPEST - 0.01))
         )
-        self.seen_from = QuadraticSpline(_heights(coast.shore.ground, self.way, self.rises), coast.shore.size)
+        self.seen_from = QuadraticSpline(_heights(coast.shore.ground, self.toward, self.rises), coast.shore.size)
 
-    def sunlight(self, place: Floats, feet: Feet) -> Floats:
+    def sunlight(self, place: Floats, footprints: Footprints) -> Floats:
         """Share of the sunlight that the land leaves to places (r, 3), m from the origin, with footprints; (r,)."""
         size = self.coast.shore.size
         q = self.coast.place(place[:, 0], place[:, 2])
         enters = [
-            np.maximum(-0.5 * size - math.copysign(1.0, u) * at, 0.0) / max(abs(u), 1e-6)
-            for u, at in zip(self.way, q, strict=True)
+            np.maximum(-0.5 * size - math.copysign(1.0, u) * part, 0.0) / max(abs(u), 1e-6)
+            for u, part in zip(self.toward, q, strict=True)
         ]
-        way = np.maximum(enters[0], enters[1])
-        here, along_x, along_z = self.seen_from.all(q[0] + way * self.way[0], q[1] + way * self.way[1])
+        far = np.maximum(enters[0], enters[1])
+        here, along_x, along_z = self.seen_from.all(q[0] + far * self.toward[0], q[1] + far * self.toward[1])
         slope = np.stack((along_x[:, 1], along_z[:, 1]), axis=-1)
-        soft = 0.5 * (np.abs(dot(slope, feet[0])) + np.abs(dot(slope, feet[1]))) + SOFT * self.rises[1] * size / CELLS
-        low, high = (here[:, i] - way * rise for i, rise in enumerate(self.rises))
+        soft = 0.5 * sum(np.abs(dot(slope, side)) for side in footprints) + SOFT * self.rises[1] * size / CELLS
+        low, high = (here[:, i] - far * rise for i, rise in enumerate(self.rises))
         t = np.clip((place[:, 1] - low + soft) / (high - low + 2.0 * soft), 0.0, 1.0)
-        result: Floats = t * t * (3.0 - 2.0 * t)
-        return result
+        return t * t * (3.0 - 2.0 * t)
 
 
 @lru_cache(maxsize=8)
-def _heights(shore: Shore, way: tuple[float, float], rises: tuple[float, ...]) -> Floats:
+def _heights(shore: Shore, toward: tuple[float, float], rises: tuple[float, ...]) -> Floats:
     """Heights from which the sun's upper and lower rim are seen over the land, (CELLS, CELLS, 2), rows along z, m."""
     floor = floor_spline(shore)
     side = shore.size / CELLS
@@ -73,6 +68,6 @@ def _heights(shore: Shore, way: tuple[float, float], rises: tuple[float, ...]) -
     highest = np.full((x.size, 2), -np.inf)
     for s in np.linspace(0.0, 1.0, STEPS):
         far = side + (FARTHEST * shore.size - side) * s * (0.25 + 0.75 * s)
-        ground = floor.value(x + far * way[0], z + far * way[1])[:, 0]
+        ground = floor.value(x + far * toward[0], z + far * toward[1])[:, 0]
         highest = np.maximum(highest, ground[:, None] - far * np.array(rises))
     return highest.reshape(CELLS, CELLS, 2)

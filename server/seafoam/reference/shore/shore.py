@@ -11,9 +11,9 @@ from functools import cached_property
 import numpy as np
 from scipy import ndimage
 
-from seafoam.reference.foam.torn import Feet, spread, torn, torn_step
-from seafoam.reference.light.light import INDEX
-from seafoam.reference.noise import KEY, value
+from seafoam.ocean.constants import WATER_INDEX
+from seafoam.reference.light.light import PlainFloor
+from seafoam.reference.noise import KEY, filtered_step, footprint_variance, patches, value
 from seafoam.reference.renderer.relief import ReliefPart
 from seafoam.reference.shore.maps import (
     FLOOR,
@@ -26,8 +26,8 @@ from seafoam.reference.shore.maps import (
     profiles,
     shore_map,
 )
-from seafoam.reference.shore.soil import Soil, detailed, wetness
-from seafoam.reference.types import Floats, dot, smoothstep, unit
+from seafoam.reference.shore.soil import Soil, detailed
+from seafoam.reference.types import Floats, Footprints, dot, smoothstep, unit
 from seafoam.reference.waves.parametric import reduced
 from seafoam.scene.foam import SurfSaturation
 from seafoam.scene.shore import Shore
@@ -47,25 +47,26 @@ REFRACTION_STEPS = 16
 PLAIN_FILM_ROUGHNESS2 = 0.02
 """Mean square slope of the film of water on land without detail."""
 
+DRYING = 4.0, 40.0
+"""Times in which the film of water and the sand dry to 1/e, s."""
+
 SAFE_STEPS = 20000
 
 WEED = np.array([0.08, 0.085, 0.05])
-
-TORN = 0.25, 0.72
-"""Range of noise over which patches of foam grow from nothing to full."""
 
 EDGE = 1e-3, 0.15
 """Minimum and maximum of the change of depth over a footprint at the water's edge, m."""
 
 
-def _noises(x: Floats, z: Floats) -> list[tuple[float, float, Floats]]:
-    """Noises that tear the surf's patches at (x, z), m from the centre of the square: shares, cells (m) and values."""
+def _patches(x: Floats, z: Floats, footprints: Footprints | None = None) -> Floats:
+    """Factor that tears the surf's foam into patches, at (x, z), m from the centre of the square; (r,) in [0, 1]."""
     t_x, t_z = 0.8 * x - 0.6 * z, 0.6 * x + 0.8 * z
-    return [
+    noises = [
         (0.4, 6.0, value(KEY, t_x / 6.0, t_z / 6.0)),
         (0.35, 1.7, value(KEY, x / 1.7, z / 1.7)),
         (0.25, 0.5, value(KEY, t_x / 0.5, t_z / 0.5)),
     ]
+    return patches(noises, footprints)
 
 
 def _swing(here: Floats, map_x: Floats, map_z: Floats, turn: Floats) -> tuple[Floats, Floats]:
@@ -73,11 +74,6 @@ def _swing(here: Floats, map_x: Floats, map_z: Floats, turn: Floats) -> tuple[Fl
     length = np.maximum(np.hypot(map_x[:, 0], map_z[:, 0]), 1e-6)
     swing = 1.5 * here[:, 1] * np.sin(2.0 * math.pi * turn) / length
     return swing * map_x[:, 0], swing * map_z[:, 0]
-
-
-def _patches(x: Floats, z: Floats) -> Floats:
-    """Factor that tears the surf's foam into patches, at (x, z), m from the centre of the square; (r,) in [0, 1]."""
-    return smoothstep(*TORN, np.sum([share * noise for share, _, noise in _noises(x, z)], axis=0))
 
 
 class Coast:
@@ -147,16 +143,17 @@ class Coast:
         miss."""
         low, high = np.zeros(d.shape[0]), np.full(d.shape[0], np.inf)
         for axis, offset, start in zip((0, 2), self.offset, (x, z), strict=True):
-            way = np.where(np.abs(d[:, axis]) < 1e-12, 1e-12, d[:, axis])
-            ends = np.sort(np.stack([(side * self.shore.size - offset - start) / way for side in (-0.5, 0.5)]), axis=0)
+            along = np.where(np.abs(d[:, axis]) < 1e-12, 1e-12, d[:, axis])
+            ends = np.sort(
+                np.stack([(side * self.shore.size - offset - start) / along for side in (-0.5, 0.5)]), axis=0
+            )
             low, high = np.maximum(low, ends[0]), np.minimum(high, ends[1])
         return low, high
 
     def turn(self, phase: Floats) -> Floats:
         """Phase of a place in its wave, in periods: 0 on the crest, increasing toward the shore."""
-        of = self.time - phase
-        result: Floats = of - np.floor(of)
-        return result
+        turns = self.time - phase
+        return turns - np.floor(turns)
 
     def height(self, x: Floats, z: Floats) -> Floats:
         """Height of the sea at (x, z); (r,) m."""
@@ -189,49 +186,50 @@ class Coast:
             result.append(np.where(beyond, rise, joined))
         return result[0], result[1]
 
-    def carry(self, way: tuple[Floats, Floats], x: Floats, z: Floats) -> tuple[Floats, Floats]:
-        """The open sea's displacement ``way`` from (x, z) to where water rests, reduced by the coast, m; (r,) each."""
+    def to_rest(self, sea: tuple[Floats, Floats], x: Floats, z: Floats) -> tuple[Floats, Floats]:
+        """Displacement from (x, z) to the rest position of the water there, m; (r,) each. ``sea``: the open sea's."""
         here, map_x, map_z = self.field.all(*self.place(x, z))
         swing_x, swing_z = _swing(here, map_x, map_z, self.turn(here[:, 0]))
-        return here[:, 3] * way[0] + swing_x, here[:, 3] * way[1] + swing_z
+        return here[:, 3] * sea[0] + swing_x, here[:, 3] * sea[1] + swing_z
 
-    def foam(self, source: SurfSaturation, x: Floats, z: Floats, H: Floats, feet: Feet | None) -> Floats:
+    def foam(self, source: SurfSaturation, x: Floats, z: Floats, H: Floats, footprints: Footprints | None) -> Floats:
         """Saturation of the surf's foam at (x, z), where the sea has height H, averaged over footprints; (r,)."""
         q_x, q_z = self.place(x, z)
         here, map_x, map_z = self.field.all(q_x, q_z)
         turn = self.turn(here[:, 0])
         front = np.maximum(1.0 - smoothstep(0.01, 0.09, turn), smoothstep(0.8, 1.0, turn))
         age = np.exp((turn - 1.0) / source.life)
-        if feet is not None:
-            turns = np.minimum(spread((map_x[:, 0], map_z[:, 0]), feet), 0.04)
-            front = torn_step(0.8, 1.0, turn, turns) - torn_step(1.01, 1.09, turn, turns)
-            front += torn_step(0.8, 1.0, turn + 1.0, turns) - torn_step(1.01, 1.09, turn + 1.0, turns)
+        if footprints is not None:
+            turns = np.minimum(footprint_variance((map_x[:, 0], map_z[:, 0]), footprints), 0.04)
+            front = filtered_step(0.8, 1.0, turn, turns) - filtered_step(1.01, 1.09, turn, turns)
+            front += filtered_step(0.8, 1.0, turn + 1.0, turns) - filtered_step(1.01, 1.09, turn + 1.0, turns)
             even = source.life * (1.0 - math.exp(-1.0 / source.life))
             age = age + smoothstep(0.0, 0.04, turns) * (even - age)
         scale = max(self.shore.surf.height, 1e-6)
         breaking = smoothstep(0.45, 0.9, here[:, 2]) * smoothstep(0.12, 0.4, here[:, 1] / scale)
         swing_x, swing_z = _swing(here, map_x, map_z, turn)
-        c_x, c_z = q_x + swing_x, q_z + swing_z
-        patches = _patches(c_x, c_z) if feet is None else torn_step(*TORN, *torn(_noises(c_x, c_z), feet))
+        torn = _patches(q_x + swing_x, q_z + swing_z, footprints)
         ground, g_x, g_z, _ = self.ground(q_x, q_z)
         film = 1.0 - smoothstep(0.0, 0.15, H - ground)
-        torn_front, torn_wake = front * (0.65 + 0.55 * patches), age * (0.3 + 0.9 * patches)
-        left = source.amount * np.maximum(torn_front, torn_wake) * (1.0 + film)
-        result: Floats = breaking * (left + 2.0 * source.veil * patches)
-        if feet is None:
+        at_front, behind = front * (0.65 + 0.55 * torn), age * (0.3 + 0.9 * torn)
+        left = source.amount * np.maximum(at_front, behind) * (1.0 + film)
+        result: Floats = breaking * (left + 2.0 * source.veil * torn)
+        if footprints is None:
             return result
         h_x, h_z = self.gradient(x, z)
-        change = sum(np.abs((h_x - g_x) * foot[:, 0] + (h_z - g_z) * foot[:, 1]) for foot in feet)
+        change = sum(np.abs((h_x - g_x) * foot[:, 0] + (h_z - g_z) * foot[:, 1]) for foot in footprints)
         share = np.clip(2.0 * (H - ground) / np.clip(change, *EDGE), 0.0, 1.0)
-        swept = self._swept(source, here, (map_x[:, 0], map_z[:, 0]), ground, patches, feet)
+        swept = self._swept(source, here, (map_x[:, 0], map_z[:, 0]), ground, torn, footprints)
         result = swept + share * (np.minimum(result, 1.0) - swept)
         return result
 
-    def left(self, source: SurfSaturation, x: Floats, z: Floats, ground: Floats, feet: Feet | None) -> Floats:
+    def swash_foam(
+        self, source: SurfSaturation, x: Floats, z: Floats, ground: Floats, footprints: Footprints | None
+    ) -> Floats:
         """Saturation of the foam that the swash leaves at (x, z) on ground of that height (r,) m; (r,)."""
         q_x, q_z = self.place(x, z)
         here, map_x, map_z = self.field.all(q_x, q_z)
-        return self._swept(source, here, (map_x[:, 0], map_z[:, 0]), ground, _patches(q_x, q_z), feet)
+        return self._swept(source, here, (map_x[:, 0], map_z[:, 0]), ground, _patches(q_x, q_z), footprints)
 
     def _swept(
         self,
@@ -240,7 +238,7 @@ class Coast:
         phase: tuple[Floats, Floats],
         ground: Floats,
         patches: Floats,
-        feet: Feet | None,
+        footprints: Footprints | None,
     ) -> Floats:
         """The same with given map, gradient of its phase and patches; at most 1 when averaged over footprints."""
         reach = ground / np.maximum(here[:, 1], 1e-3)
@@ -251,12 +249,11 @@ class Coast:
 
         def after(since: Floats) -> Floats:
             both = swept * np.exp(since / source.life) + turned * np.exp(since / (3.0 * source.life))
-            result: Floats = source.line * ran_up * (0.3 + 0.9 * patches) * both
-            return result
+            return source.line * ran_up * (0.3 + 0.9 * patches) * both
 
-        if feet is None:
+        if footprints is None:
             return after(since)
-        width = np.clip(sum(np.abs(phase[0] * foot[:, 0] + phase[1] * foot[:, 1]) for foot in feet), 1e-5, 1.0)
+        width = np.clip(sum(np.abs(phase[0] * foot[:, 0] + phase[1] * foot[:, 1]) for foot in footprints), 1e-5, 1.0)
         late = since < -0.5
         share = np.maximum(0.5 - np.where(late, since + 1.0, -since) / width, 0.0)
         own, beyond = np.minimum(after(since), 1.0), np.minimum(after(np.where(late, 0.0, -1.0)), 1.0)
@@ -273,27 +270,27 @@ class Coast:
 
         By steps that cannot pass the ground, until they are 10⁻⁹ of the distance.
         """
-        way = np.zeros_like(x)
+        far = np.zeros_like(x)
         result = np.full_like(x, farthest)
         left = np.arange(x.size)
         closing = np.maximum(self.steepest * np.hypot(d[:, 0], d[:, 2]) - d[:, 1], 1e-9)
         for _ in range(SAFE_STEPS):
-            s, ray = way[left], d[left]
+            s, ray = far[left], d[left]
             here = self.ground(*self.place(x[left] + s * ray[:, 0], z[left] + s * ray[:, 2]))[0]
             gap = y[left] + s * ray[:, 1] - here
             met = gap <= 1e-9 * (1.0 + s)
             result[left[met]] = s[met]
             gone = (s > farthest) | ((ray[:, 1] > 0.0) & (y[left] + s * ray[:, 1] > self.highest))
-            way[left] = s + gap / closing[left]
+            far[left] = s + gap / closing[left]
             left = left[~met & ~gone]
             if left.size == 0:
                 return result
-        result[left] = way[left]
+        result[left] = far[left]
         return np.minimum(result, farthest)
 
     @cached_property
     def highest(self) -> float:
-        """Size of the ground's texels, m."""
+        """Greatest height of the ground, m."""
         return float(self.floor.texels[..., 0].max())
 
     @cached_property
@@ -302,37 +299,33 @@ class Coast:
         heights, step = self.floor.texels[..., 0], self.floor.size / self.floor.texels.shape[0]
         return 1.01 * math.hypot(*(float(np.abs(np.diff(heights, axis=axis)).max()) / step for axis in (0, 1)))
 
-    def bed(
-        self, x: Floats, z: Floats, H: Floats, d: Floats, n: Floats, foot_x: Floats, foot_y: Floats
-    ) -> tuple[Floats, Floats]:
-        """Length of the light's path through the water (r,) m, down and back, and reflectance (r, 3) of the floor.
-
-        d (r, 3) points away from the camera, n (r, 3) is the unit normal of the water.
-        """
+    def bed(self, x: Floats, z: Floats, H: Floats, d: Floats, n: Floats, footprints: Footprints) -> PlainFloor:
+        """The floor along rays d (r, 3) refracted at (x, z), where the water has height H and unit normals n (r, 3)."""
         q_x, q_z = self.place(x, z)
         c = dot(n, d)
-        root = np.sqrt(1.0 - (1.0 - c * c) / INDEX**2)
-        r = d / INDEX - (c / INDEX + root)[:, None] * n
+        root = np.sqrt(1.0 - (1.0 - c * c) / WATER_INDEX**2)
+        r = d / WATER_INDEX - (c / WATER_INDEX + root)[:, None] * n
         fall = np.maximum(-r[:, 1], FALL_LEAST)
         at_x, at_z = q_x, q_z
         under = np.maximum(H - self.floor.value(q_x, q_z)[:, 0], 0.0)
         for _ in range(REFRACTION_STEPS):
             at_x, at_z = q_x + r[:, 0] * under / fall, q_z + r[:, 2] * under / fall
             under = np.maximum(H - self.floor.value(at_x, at_z)[:, 0], 0.0)
-        colour = self.albedo(at_x, at_z, foot_x, foot_y)
+        colour = self.albedo(at_x, at_z, footprints)
         deep = smoothstep(*SHALLOW, -self.floor.value(at_x, at_z)[:, 0])
         near = np.flatnonzero(deep < 1.0)
         if self.shore.detail > 0.0 and near.size:
-            soaked = np.ones(near.size)
-            soil = detailed(self, at_x[near], at_z[near], (foot_x[near], foot_y[near]), (soaked, soaked), floor=True)
+            soaked, place = np.ones(near.size), (at_x[near], at_z[near])
+            sides = footprints[0][near], footprints[1][near]
+            soil = detailed(self.shore, place, self.ground(*place), sides, (soaked, soaked), floor=True)
             colour[near] = soil.albedo + deep[near, None] * (colour[near] - soil.albedo)
-        return under * (1.0 + 1.0 / fall), colour
+        return PlainFloor(under * (1.0 + 1.0 / fall), colour)
 
-    def albedo(self, q_x: Floats, q_z: Floats, foot_x: Floats, foot_y: Floats) -> Floats:
+    def albedo(self, q_x: Floats, q_z: Floats, footprints: Footprints) -> Floats:
         """Reflectance of the ground; (r, 3)."""
         shore = self.shore
         height, g_x, g_z, tint = self.ground(q_x, q_z)
-        fine = grain(q_x, q_z, foot_x, foot_y)
+        fine = grain(q_x, q_z, footprints)
         rocky = smoothstep(0.35, 0.6, np.hypot(g_x, g_z) + 0.25 * (fine - 0.5))
         above = height + 4.0 * (tint - 0.5) + 1.5 * (fine - 0.5)
         grown = smoothstep(shore.plants_from, 1.25 * shore.plants_from + 0.5, above)
@@ -344,17 +337,32 @@ class Coast:
             (rocky, np.array(shore.rock) * (0.5 + fine)[:, None]),
         ):
             colour = colour + share[:, None] * (other - colour)
-        result: Floats = colour * (1.0 - 0.45 * self.wet(height))[:, None]
-        return result
+        return colour * (1.0 - 0.45 * self.wet(height))[:, None]
 
-    def soil(self, q_x: Floats, q_z: Floats, feet: Feet, *, still: bool) -> Soil:
+    def soil(self, q_x: Floats, q_z: Floats, footprints: Footprints, *, still: bool) -> Soil:
         """What land looks like; ``still``: as wet as by its height alone."""
-        height, g_x, g_z, _ = self.ground(q_x, q_z)
+        ground = self.ground(q_x, q_z)
+        height, g_x, g_z, _ = ground
         by_height = self.wet(height), 0.6 * self.wet(height)
         if self.shore.detail > 0.0:
-            return detailed(self, q_x, q_z, feet, by_height if still else wetness(self, q_x, q_z, height))
+            wet = by_height if still else self.wetness(q_x, q_z, height)
+            return detailed(self.shore, (q_x, q_z), ground, footprints, wet)
         normal = unit(np.stack((-g_x, np.ones_like(g_x), -g_z), axis=-1))
-        return Soil(normal, self.albedo(q_x, q_z, *feet), by_height[1], PLAIN_FILM_ROUGHNESS2, glints=False)
+        return Soil(normal, self.albedo(q_x, q_z, footprints), by_height[1], PLAIN_FILM_ROUGHNESS2, glints=False)
+
+    def wetness(self, q_x: Floats, q_z: Floats, height: Floats) -> tuple[Floats, Floats]:
+        """How dark the swash left the ground, and how much of it mirrors; (r,) each."""
+        surf, dark = self.shore.surf, self.wet(height)
+        if surf.height <= 0.0:
+            return dark, 0.6 * dark
+        swash = SWASH * surf.height
+        film = 1.0 - smoothstep(0.1 * swash, 0.6 * swash + 0.03, height)
+        here = self.field.value(q_x, q_z)
+        swept = 1.0 - smoothstep(0.8, 1.05, height / np.maximum(here[:, 1], 1e-3))
+        since = (self.turn(here[:, 0]) - 1.0) * surf.period
+        near = height <= 1.3 * swash + 0.2
+        after = [np.where(near, swept * np.exp(since / drying), 0.0) for drying in DRYING]
+        return np.maximum(dark, after[1]), np.maximum(film, after[0])
 
     def wet(self, height: Floats) -> Floats:
         """Wetness of ground of a height (m): 1 where every wave reaches it; of the shape of ``height``."""
@@ -380,8 +388,7 @@ class Land:
 
     def height(self, x: Floats, z: Floats) -> Floats:
         """Height of the land, 0 where there is none; (r,) m."""
-        result: Floats = np.maximum(self.coast.floor.value(*self.coast.place(x, z))[:, 0], 0.0)
-        return result
+        return np.maximum(self.coast.floor.value(*self.coast.place(x, z))[:, 0], 0.0)
 
     def gradient(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
         """(h_x, h_z); (r,) each."""
@@ -390,9 +397,9 @@ class Land:
         return np.where(dry, g_x, 0.0), np.where(dry, g_z, 0.0)
 
 
-def grain(q_x: Floats, q_z: Floats, foot_x: Floats, foot_y: Floats) -> Floats:
+def grain(q_x: Floats, q_z: Floats, footprints: Footprints) -> Floats:
     """Texture of the ground in [0, 1]: octaves of noise, faded out before they are smaller than footprints; (r,)."""
-    reach = np.sqrt(np.maximum(dot(foot_x, foot_x), dot(foot_y, foot_y)))
+    reach = np.sqrt(np.maximum(*(dot(side, side) for side in footprints)))
     total = np.full(q_x.shape, 0.5)
     cell = GRAIN_CELL
     for _ in range(GRAIN_OCTAVES):

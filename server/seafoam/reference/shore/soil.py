@@ -2,16 +2,12 @@
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from seafoam.reference.foam.torn import Feet, torn_step
-from seafoam.reference.noise import pcg, share
-from seafoam.reference.types import Floats, Indices, dot, smoothstep, unit
-
-if TYPE_CHECKING:
-    from seafoam.reference.shore.shore import Coast
+from seafoam.reference.noise import chained, filtered_step, share
+from seafoam.reference.types import Floats, Footprints, Indices, dot, smoothstep, unit
+from seafoam.scene.shore import Shore
 
 KEY = 0x51ED270B
 CELL = 64.0
@@ -38,8 +34,64 @@ DIP = np.array([0.21, -0.13])
 WRACK = np.array([0.08, 0.06, 0.04])
 FILM_ROUGHNESS2 = 0.003
 """Mean square slope of the film of water on sand."""
-DRYING = 4.0, 40.0
-"""Times in which the film of water and the sand dry to 1/e, s."""
+LAYERS = 7.0, 1.7, 0.37
+"""Thickness of the layers of rock, m."""
+SUNKEN = 8.0
+"""How much lower the ground below still water lies for its look, m."""
+
+
+@dataclass(frozen=True)
+class Pattern:
+    """A pattern on the ground: a weighted sum of octaves of noise, and the range over which it grows to full.
+
+    Weights: of the octaves of 64 and 20 m together, of 6 m, of 2 m, of all finer ones together, and of all by their
+    shares.
+    """
+
+    broad: float = 0.0
+    six: float = 0.0
+    two: float = 0.0
+    fine: float = 0.0
+    all: float = 0.0
+    grows: tuple[float, float] = (0.0, 1.0)
+
+    def sum(self, noise: "_Noise", start: Floats | float = 0.0) -> Floats:
+        """The sum (r,), added to ``start``."""
+        weights = (self.broad, self.six, self.two, self.fine, self.all)
+        total = start + np.zeros_like(noise.pattern)
+        for weight, band in zip(weights, (*noise.bands.T, noise.pattern), strict=True):
+            total = total + weight * band
+        return total
+
+    def grown(self, noise: "_Noise") -> Floats:
+        """How far it has grown at each place; (r,) in [0, 1]."""
+        return smoothstep(*self.grows, self.sum(noise))
+
+    def grown_under(self, noise: "_Noise") -> Floats:
+        """The same as a mean under footprints, which hide a part of the octaves."""
+        return filtered_step(*self.grows, self.sum(noise), 0.5 * noise.hidden)
+
+
+SAND_TONE = Pattern(broad=0.06, six=0.05, two=0.05, fine=0.11)
+"""Lightness of sand, about 1."""
+RIPPLE_BEND = Pattern(two=2.2, fine=1.2)
+"""By how much ripples of the wind are off their straight lines, rad."""
+RIPPLED = Pattern(broad=0.5, six=1.0, grows=(-0.6, 1.0))
+"""Where the wind has combed the sand."""
+STRAND_BEND = Pattern(six=0.5, two=0.35)
+"""By how much the strand line is off a contour of height, over its width."""
+STRINGS = Pattern(two=0.6, fine=1.8, grows=(0.3, 1.8))
+"""Where wrack lies on the strand line."""
+LAYER_BEND = Pattern(broad=0.9, six=0.35, two=0.12)
+"""By how much layers of rock are off their plane, m."""
+CRACKED_ROCK = Pattern(six=1.0, fine=1.0, grows=(-0.5, 1.2))
+"""Where rock has cracks."""
+CROWNS = Pattern(six=0.5, two=0.7, fine=0.6, grows=(-1.4, 1.6))
+"""Crowns of plants between their shadows."""
+DRY_PLANTS = Pattern(broad=1.0, six=0.4, grows=(-0.4, 1.6))
+"""Where plants are yellow."""
+BARE_EARTH = Pattern(broad=0.8, all=-0.7, grows=(0.9, 1.7))
+"""Earth between plants."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,9 +117,7 @@ def slopes(key: int, x: Floats, z: Floats) -> tuple[Floats, Floats, Floats]:
     columns, rows = i.astype(np.int64), j.astype(np.int64)
 
     def word(column: Indices, row: Indices) -> tuple[Floats, Floats]:
-        low = np.uint64(0xFFFFFFFF)
-        first = pcg((column.astype(np.uint64) & low) ^ np.uint64(key & 0xFFFFFFFF))
-        drawn = pcg(first ^ (row.astype(np.uint64) & low))
+        drawn = chained(key, column, row)
         x_part = (drawn & np.uint64(0xFFFF)).astype(np.float64) / 32767.5 - 1.0
         return x_part, (drawn >> np.uint64(16)).astype(np.float64) / 32767.5 - 1.0
 
@@ -100,7 +150,7 @@ class _Noise:
     """(r, 3, 2): slopes on sand, rock and plants."""
 
 
-def _noise(q_x: Floats, q_z: Floats, ground: tuple[Floats, Floats, Floats], feet: Feet) -> _Noise:
+def _noise(q_x: Floats, q_z: Floats, ground: tuple[Floats, Floats, Floats], footprints: Footprints) -> _Noise:
     """Noise in the level plane, and on walls in the upright planes; ``ground``: height and its gradient."""
     count = q_x.size
     result = _Noise(
@@ -116,7 +166,7 @@ def _noise(q_x: Floats, q_z: Floats, ground: tuple[Floats, Floats, Floats], feet
     upward = np.stack((g_x, g_z), axis=-1)
     planes = (((q_x, q_z), level_x, level_z), ((q_x, y), level_x, upward), ((q_z, y), level_z, upward))
     for i, (place, along, up) in enumerate(planes):
-        _add_octaves(result, place, (along, up), KEY + 8 * i, (gains[i], shares[i]), feet)
+        _add_octaves(result, place, (along, up), KEY + 8 * i, (gains[i], shares[i]), footprints)
     result.hidden = np.maximum(result.hidden, 0.0)
     return result
 
@@ -127,14 +177,14 @@ def _add_octaves(
     axes: tuple[Floats, Floats],
     key: int,
     weights: tuple[Floats, Floats],
-    feet: Feet,
+    footprints: Footprints,
 ) -> None:
     """Adds octaves at ``place`` in a plane whose coordinates have the gradients ``axes`` (r, 2) in x and z.
 
     ``weights``: gain of the noise, and share of means, (r,) each.
     """
     gain, part_of_means = weights
-    x, y = (np.stack([dot(axis, foot) for axis in axes], axis=-1) for foot in feet)
+    x, y = (np.stack([dot(axis, side) for axis in axes], axis=-1) for side in footprints)
     longer = np.sqrt(np.maximum(dot(x, x), dot(y, y)))
     area = np.abs(x[:, 0] * y[:, 1] - x[:, 1] * y[:, 0])
     reach = np.maximum(area / np.maximum(longer, 1e-9), 0.3 * longer)
@@ -166,114 +216,111 @@ def _layer(key: int, x: Floats, width: Floats) -> tuple[Floats, Floats]:
     """Value noise along a line, mean 0, and its derivative, under a width; (r,)."""
     base = np.floor(x)
     t = x - base
-    low, first = np.uint64(0xFFFFFFFF), pcg(np.array([key & 0xFFFFFFFF], np.uint64))
-    a, b = (share(pcg(first ^ ((base.astype(np.int64) + k).astype(np.uint64) & low))) for k in (0, 1))
+    a, b = (share(chained(0, np.full(base.shape, key), base + k)) for k in (0, 1))
     kept = 1.0 - smoothstep(0.15, 0.6, width)
     return kept * (a + (b - a) * t * t * (3.0 - 2.0 * t) - 0.5), kept * (b - a) * 6.0 * t * (1.0 - t)
 
 
 def _mix(a: Floats, b: Floats, part: Floats) -> Floats:
-    result: Floats = a + (b - a) * part[:, None]
-    return result
-
-
-def wetness(coast: "Coast", q_x: Floats, q_z: Floats, height: Floats) -> tuple[Floats, Floats]:
-    """How dark the swash left the ground, and how much of it mirrors; (r,) each."""
-    surf = coast.shore.surf
-    dark = coast.wet(height)
-    if surf.height <= 0.0:
-        return dark, 0.6 * dark
-    swash = 0.3 * surf.height
-    film = 1.0 - smoothstep(0.1 * swash, 0.6 * swash + 0.03, height)
-    here, _, _ = coast.field.all(q_x, q_z)
-    swept = 1.0 - smoothstep(0.8, 1.05, height / np.maximum(here[:, 1], 1e-3))
-    since = (coast.turn(here[:, 0]) - 1.0) * surf.period
-    near = height <= 1.3 * swash + 0.2
-    after = [np.where(near, swept * np.exp(since / drying), 0.0) for drying in DRYING]
-    return np.maximum(dark, after[1]), np.maximum(film, after[0])
-
-
-def _strand(surf: float, y: Floats, of_6: Floats, of_2: Floats) -> Floats:
-    """How near the line of the last swash is, in [0, 1], of surf so high (m), at heights y over still water (m)."""
-    line = 0.4 * surf + 0.12
-    strand = (y - line) / (0.2 * line + 0.02) + 0.5 * of_6 + 0.35 * of_2
-    return 1.0 - smoothstep(0.0, 1.0, np.abs(strand))
+    return a + (b - a) * part[:, None]
 
 
 def detailed(
-    coast: "Coast", q_x: Floats, q_z: Floats, feet: Feet, wet: tuple[Floats, Floats], *, floor: bool = False
+    shore: Shore,
+    place: tuple[Floats, Floats],
+    ground: tuple[Floats, Floats, Floats, Floats],
+    footprints: Footprints,
+    wet: tuple[Floats, Floats],
+    *,
+    floor: bool = False,
 ) -> Soil:
-    """Land in detail at (q_x, q_z), m from the square's centre, of a wetness (darkness, mirror).
+    """Land in detail at places (x, z), m from the square's centre, of a wetness (darkness, mirror), (r,) each.
 
-    ``floor``: below still water as if it lay 8 m lower, without plants.
+    ``ground``: its height (m), gradient (x, z) and tint, (r,) each. ``floor``: below still water as if it lay
+    ``SUNKEN`` m lower, without plants.
     """
-    shore = coast.shore
     d = shore.detail
-    y, g_x, g_z, tint = coast.ground(q_x, q_z)
+    y, g_x, g_z, tint = ground
     if floor:
-        y = y - 8.0 * smoothstep(0.0, 0.15, -y)
-    ground = np.stack((g_x, g_z), axis=-1)
+        y = y - SUNKEN * smoothstep(0.0, 0.15, -y)
+    gradient = np.stack((g_x, g_z), axis=-1)
     steep = np.hypot(g_x, g_z)
-    of = _noise(q_x, q_z, (y, g_x, g_z), feet)
-    broad, of_6, of_2, fine = of.bands.T
-    spread = d * d * of.hidden
+    noise = _noise(*place, (y, g_x, g_z), footprints)
+    lost = d * d * noise.hidden
 
-    ragged = 0.15 * d * of.pattern * (wet[0] < 1.0)
-    damp = torn_step(0.25, 0.6, wet[0] + ragged, 0.02 * spread)
-    tone = np.maximum(1.0 + d * (0.06 * broad + 0.05 * of_6 + 0.05 * of_2 + 0.11 * fine), 0.2)
-    sand = np.array(shore.sand) * tone[:, None]
-    phases = np.stack([foot @ WIND for foot in feet])
-    combed = np.exp(-np.minimum((phases**2).sum(axis=0), 1800.0) / 24.0) * (1.0 - damp)
-    combed *= smoothstep(-0.6, 1.0, of_6 + 0.5 * broad) * (1.0 - smoothstep(0.15, 0.35, steep))
-    turn = WIND[0] * q_x + WIND[1] * q_z + 2.2 * of_2 + 1.2 * fine
-    slope = (1.0 - 0.85 * damp)[:, None] * of.relief[:, 0]
-    slope = slope + (0.28 * combed * np.cos(turn))[:, None] * WIND / math.hypot(*WIND)
-    sand = sand * (1.0 + d * 0.08 * combed * np.sin(turn))[:, None]
+    ragged = 0.15 * d * noise.pattern * (wet[0] < 1.0)
+    damp = filtered_step(0.25, 0.6, wet[0] + ragged, 0.02 * lost)
+    sand, slope = _sand(shore, place, steep, noise, footprints, damp)
     albedo = _mix(sand, 0.68 * sand / (1.77 - 0.77 * sand), damp)
+    albedo = _mix(albedo, WRACK, _wrack(shore, y, noise))
 
-    strings = np.minimum(1.5 * of.strings * smoothstep(0.3, 1.8, 0.6 * of_2 + 1.8 * fine), 1.0)
-    albedo = _mix(albedo, WRACK, 0.6 * d * _strand(shore.surf.height, y, of_6, of_2) * strings)
-
-    rock, rock_slope = _rock(coast, of, y + q_x * DIP[0] + q_z * DIP[1], ground + DIP, feet)
+    rock, rock_slope = _rock(shore, noise, y + place[0] * DIP[0] + place[1] * DIP[1], gradient + DIP, footprints)
     rock = rock * (1.0 - 0.5 * damp)[:, None]
     rough = np.minimum(1.6 * steep, 0.5) * d
-    leaning = ground + rough[:, None] * of.relief[:, 1]
-    rough2 = 0.45 * rough**2 * of.hidden
-    uneven = 0.3 * np.minimum(steep, 0.5) * d * of.pattern
-    rocky = torn_step(0.35, 0.6, np.sqrt(dot(leaning, leaning) + rough2) + uneven, 0.02 * spread + 0.6 * rough2)
+    leaning = gradient + rough[:, None] * noise.relief[:, 1]
+    rough2 = 0.45 * rough**2 * noise.hidden
+    uneven = 0.3 * np.minimum(steep, 0.5) * d * noise.pattern
+    rocky = filtered_step(0.35, 0.6, np.sqrt(dot(leaning, leaning) + rough2) + uneven, 0.02 * lost + 0.6 * rough2)
 
-    above = y + 4.0 * (tint - 0.5) + 1.1 * d * of.pattern
-    grown = torn_step(shore.plants_from, 1.25 * shore.plants_from + 0.5, above, 1.2 * spread)
-    lit = torn_step(-1.4, 1.6, 0.5 * of_6 + 0.7 * of_2 + 0.6 * fine, 0.5 * of.hidden)
-    drier = d * smoothstep(-0.4, 1.6, broad + 0.4 * of_6)
-    green = np.array(shore.plants) * _mix(np.ones((y.size, 3)), np.array([2.3, 1.65, 1.5]), drier)
-    green = green * (1.0 + d * (0.3 + 1.5 * lit - 1.0))[:, None]
-    bare = d * torn_step(0.9, 1.7, 0.8 * broad - 0.7 * of.pattern, 0.5 * of.hidden)
+    above = y + 4.0 * (tint - 0.5) + 1.1 * d * noise.pattern
+    grown = filtered_step(shore.plants_from, 1.25 * shore.plants_from + 0.5, above, 1.2 * lost)
+    bare = d * BARE_EARTH.grown_under(noise)
     earth = 0.75 * (0.4 * sand + 0.6 * np.array(shore.rock))
 
-    albedo = _mix(albedo, _mix(green, earth, bare), grown)
-    slope = _mix(slope, _mix(of.relief[:, 2], 0.5 * of.relief[:, 1], bare), grown)
+    albedo = _mix(albedo, _mix(_plants(shore, noise), earth, bare), grown)
+    slope = _mix(slope, _mix(noise.relief[:, 2], 0.5 * noise.relief[:, 1], bare), grown)
     albedo, slope = _mix(albedo, rock, rocky), _mix(slope, rock_slope, rocky)
     film = wet[1] * (1.0 - rocky) * (1.0 - grown)
-    film = torn_step(0.1, 0.75, film + 0.1 * d * of.pattern * wet[1], 0.01 * spread)
-    leans = ground + (d * (1.0 - 0.9 * film))[:, None] * slope
+    film = filtered_step(0.1, 0.75, film + 0.1 * d * noise.pattern * wet[1], 0.01 * lost)
+    leans = gradient + (d * (1.0 - 0.9 * film))[:, None] * slope
     normal = unit(np.stack((-leans[:, 0], np.ones_like(y), -leans[:, 1]), axis=-1))
     return Soil(normal, np.minimum(albedo, 0.95), film, FILM_ROUGHNESS2, glints=True)
 
 
-def _rock(coast: "Coast", of: _Noise, level: Floats, across: Floats, feet: Feet) -> tuple[Floats, Floats]:
+def _sand(
+    shore: Shore, place: tuple[Floats, Floats], steep: Floats, noise: _Noise, footprints: Footprints, damp: Floats
+) -> tuple[Floats, Floats]:
+    """Reflectance (r, 3) and slopes (r, 2) of dry sand, combed by the wind where it is level and not ``damp`` (r,)."""
+    d = shore.detail
+    tone = np.maximum(1.0 + d * SAND_TONE.sum(noise), 0.2)
+    phases = np.stack([side @ WIND for side in footprints])
+    combed = np.exp(-np.minimum((phases**2).sum(axis=0), 1800.0) / 24.0) * (1.0 - damp)
+    combed *= RIPPLED.grown(noise) * (1.0 - smoothstep(0.15, 0.35, steep))
+    turn = RIPPLE_BEND.sum(noise, WIND[0] * place[0] + WIND[1] * place[1])
+    slope = (1.0 - 0.85 * damp)[:, None] * noise.relief[:, 0]
+    slope = slope + (0.28 * combed * np.cos(turn))[:, None] * WIND / math.hypot(*WIND)
+    sand = np.array(shore.sand) * tone[:, None]
+    return sand * (1.0 + d * 0.08 * combed * np.sin(turn))[:, None], slope
+
+
+def _wrack(shore: Shore, y: Floats, noise: _Noise) -> Floats:
+    """Share (r,) of the ground that wrack covers, on the line of the last swash, at heights y over still water, m."""
+    line = 0.4 * shore.surf.height + 0.12
+    strand = STRAND_BEND.sum(noise, (y - line) / (0.2 * line + 0.02))
+    strings = np.minimum(1.5 * noise.strings * STRINGS.grown(noise), 1.0)
+    return 0.6 * shore.detail * (1.0 - smoothstep(0.0, 1.0, np.abs(strand))) * strings
+
+
+def _plants(shore: Shore, noise: _Noise) -> Floats:
+    """Reflectance (r, 3) of plants."""
+    d = shore.detail
+    drier = d * DRY_PLANTS.grown(noise)
+    green = np.array(shore.plants) * _mix(np.ones((drier.size, 3)), np.array([2.3, 1.65, 1.5]), drier)
+    return green * (1.0 + d * (0.3 + 1.5 * CROWNS.grown_under(noise) - 1.0))[:, None]
+
+
+def _rock(shore: Shore, noise: _Noise, level: Floats, across: Floats, footprints: Footprints) -> tuple[Floats, Floats]:
     """Reflectance (r, 3) and slopes (r, 2) of rock; ``level``: height over its layers, ``across``: gradient of that."""
-    d = coast.shore.detail
-    broad, of_6, of_2, fine = of.bands.T
-    layer = level + d * (0.9 * broad + 0.35 * of_6 + 0.12 * of_2)
-    width = np.sqrt(sum((across * foot).sum(axis=1) ** 2 for foot in feet))
+    d = shore.detail
+    layer = level + d * LAYER_BEND.sum(noise)
+    width = np.sqrt(sum((across * side).sum(axis=1) ** 2 for side in footprints))
     (thick, thick_s), (middle, middle_s), (thin, thin_s) = (
-        _layer(KEY + 32 + i, layer / size, width / size) for i, size in enumerate((7.0, 1.7, 0.37))
+        _layer(KEY + 32 + i, layer / size, width / size) for i, size in enumerate(LAYERS)
     )
-    tone = np.maximum(1.0 + d * (0.75 * (thick + middle + 0.7 * thin) + 0.16 * of.pattern), 0.15)
-    tone *= 1.0 - d * 0.35 * np.minimum(of.cracks * smoothstep(-0.5, 1.2, of_6 + fine), 1.0)
-    warm = d * np.clip(0.8 * thick + 0.3 * of_6, -1.0, 1.0)
-    rock = np.array(coast.shore.rock) * tone[:, None] * (1.0 + warm[:, None] * np.array([0.12, 0.0, -0.14]))
+    tone = np.maximum(1.0 + d * (0.75 * (thick + middle + 0.7 * thin) + 0.16 * noise.pattern), 0.15)
+    tone *= 1.0 - d * 0.35 * np.minimum(noise.cracks * CRACKED_ROCK.grown(noise), 1.0)
+    warm = d * np.clip(0.8 * thick + 0.3 * noise.bands[:, 1], -1.0, 1.0)
+    rock = np.array(shore.rock) * tone[:, None] * (1.0 + warm[:, None] * np.array([0.12, 0.0, -0.14]))
     ledges = 0.5 * thick_s + 0.5 * middle_s + 0.4 * thin_s
-    result: Floats = of.relief[:, 1] - ledges[:, None] * across
+    result: Floats = noise.relief[:, 1] - ledges[:, None] * across
     return rock, result

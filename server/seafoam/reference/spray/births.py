@@ -6,7 +6,7 @@ import numpy as np
 
 from seafoam.reference.shore.shore import Coast
 from seafoam.reference.spray.bursts import from_bursts
-from seafoam.reference.spray.drop import Drops, none
+from seafoam.reference.spray.drop import Drops, joined, none
 from seafoam.reference.spray.rocks import from_rocks, on_rocks
 from seafoam.reference.spray.waters import from_waves
 from seafoam.reference.types import Floats
@@ -19,18 +19,13 @@ def drops(scene: Scene, time: float, origin: tuple[float, float], ahead: Floats,
     spray = scene.spray
     if spray is None:
         return none()
-    thrown = from_bursts(spray.bursts, spray, time, origin, DROPS)
-    steady = (
-        from_rocks(scene, coast, time, origin)
-        if coast is not None and on_rocks(scene)
-        else from_waves(scene, time, origin, ahead, coast)
-    )
-    if steady is None:
-        return thrown.of(thrown.strength > 0.0)
-    if not spray.bursts:
-        return steady.of(steady.strength > 0.0)
+    sources = [from_bursts(spray, time, origin, DROPS)] if spray.bursts else []
+    if coast is not None and on_rocks(scene):
+        sources.append(from_rocks(scene, coast, time, origin))
+    else:
+        sources += from_waves(scene, time, origin, ahead, coast)
+    if not sources:
+        return none()
     # Of two sources each has half of the drops.
-    first = np.arange(DROPS // 2)
-    of_bursts = thrown.of(first)
-    both = of_bursts.joined(steady.of(first))
-    return both.of(both.strength > 0.0)
+    both = joined([drops.subset(np.arange(DROPS // len(sources))) for drops in sources])
+    return both.subset(both.strength > 0.0)

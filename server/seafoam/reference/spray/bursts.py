@@ -8,18 +8,17 @@ from fractions import Fraction
 import numpy as np
 
 from seafoam.ocean.constants import GRAVITY
-from seafoam.reference.noise import pcg
-from seafoam.reference.spray.drop import COLUMN, MIST, Drops, none, number
+from seafoam.reference.noise import number, pcg
+from seafoam.reference.spray.drop import COLUMN, MIST, Drops
 from seafoam.reference.types import Floats
-from seafoam.scene.spray import Burst, Spray
+from seafoam.scene.spray import Spray
 
 JETS = 48
 
 
-def from_bursts(bursts: tuple[Burst, ...], spray: Spray, time: float, origin: tuple[float, float], count: int) -> Drops:
+def from_bursts(spray: Spray, time: float, origin: tuple[float, float], count: int) -> Drops:
     """Drops of blasts, by index, with a strength of 0 where there is none."""
-    if not bursts:
-        return none()
+    bursts = spray.bursts
     index = np.arange(count)
     which = index % len(bursts)
     since = []
@@ -33,15 +32,15 @@ def from_bursts(bursts: tuple[Burst, ...], spray: Spray, time: float, origin: tu
     word = pcg(pcg(index.astype(np.uint64)))
     fastest = np.sqrt(2.4 * GRAVITY * tall)
     jet = pcg(np.floor(number(word, 1) * JETS).astype(np.uint64) ^ (which.astype(np.uint64) << np.uint64(8)))
-    way, disc = (_unit(2.0 * math.pi * turn) for turn in (number(jet, 0), number(word, 2)))
+    heading, disc = (_unit(2.0 * math.pi * turn) for turn in (number(jet, 0), number(word, 2)))
     disc = np.sqrt(number(word, 3))[:, None] * disc
     rim = disc + np.array([1e-4, 0.0])
     rim /= np.hypot(rim[:, 0], rim[:, 1])[:, None]
     part, share_, late, tilt = number(word, 0), number(word, 4), number(word, 7), number(jet, 1)
     own = number(jet, 3)
-    column = np.sqrt(tilt)[:, None] * way + 0.25 * disc
+    column = np.sqrt(tilt)[:, None] * heading + 0.25 * disc
     fast = fastest * (1.0 - 0.45 * tilt) * (0.6 + 0.4 * number(jet, 2)) * np.sqrt(0.02 + 0.98 * share_)
-    leaning = (0.04 + 0.3 * tilt * tilt * own)[:, None] * way + 0.04 * column
+    leaning = (0.04 + 0.3 * tilt * tilt * own)[:, None] * heading + 0.04 * column
     choose = [part < 0.62, part < 0.76]
 
     def pick(*values: Floats) -> Floats:

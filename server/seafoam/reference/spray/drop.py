@@ -1,4 +1,9 @@
-"""Section 13: what a drop of spray is at its birth."""
+"""Section 13: what a drop of spray is at its birth.
+
+Births (:mod:`bursts`, :mod:`rocks`, :mod:`waters`) are no independent form: they repeat ``spray/births.glsl`` hash by
+hash, so that a frame has the same drops as the picture that it judges. What judges births are their statistics and the
+float64 surface on which they start (``tests/gpu/reference/test_spray.py``).
+"""
 
 from __future__ import annotations
 
@@ -7,15 +12,12 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 import numpy as np
-from numpy.typing import NDArray
 
-from seafoam.reference.noise import pcg, share
+from seafoam.reference.noise import Words
 from seafoam.reference.types import Bools, Floats, Indices
 
 SHEET, MIST, DRIFT, COLUMN = 0.0, 1.0, 2.0, 3.0
 """Kinds of drops."""
-Words = NDArray[np.uint64]
-LOW = np.uint64(0xFFFFFFFF)
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,20 +33,15 @@ class Drops:
     kind: Floats
     word: Words
 
-    def of(self, chosen: Bools | Indices) -> Drops:
+    def subset(self, chosen: Bools | Indices) -> Drops:
         """A subset, in order."""
         return Drops(*(getattr(self, name)[chosen] for name in self.__dataclass_fields__))
 
-    def joined(self, other: Drops) -> Drops:
-        """These and others."""
-        return Drops(
-            *(np.concatenate((getattr(self, name), getattr(other, name))) for name in self.__dataclass_fields__)
-        )
 
-
-def number(word: Words, k: int | Indices) -> Floats:
-    """The k-th random number in [0, 1) that goes with each word."""
-    return share(pcg((word + np.asarray(k, np.uint64)) & LOW))
+def joined(parts: list[Drops]) -> Drops:
+    """All drops of the parts, in order."""
+    fields = ([getattr(part, name) for part in parts] for name in Drops.__dataclass_fields__)
+    return Drops(*map(np.concatenate, fields))
 
 
 def none() -> Drops:

@@ -8,18 +8,16 @@ import numpy as np
 
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.rocks import rocks
-from seafoam.ocean.spray import (
-    EPOCHS,
-)
-from seafoam.reference.noise import pcg
+from seafoam.ocean.spray import EPOCHS
+from seafoam.reference.noise import chained, number, pcg
 from seafoam.reference.shore.maps import MASK, SWASH
 from seafoam.reference.shore.shore import Coast
-from seafoam.reference.spray.drop import LOW, MIST, SHEET, Drops, cycles, number
+from seafoam.reference.spray.drop import MIST, SHEET, Drops, cycles
 from seafoam.reference.types import Floats, smoothstep
 from seafoam.reference.waves.parametric import reduced, wave_set
 from seafoam.reference.waves.rings import ring_set
 from seafoam.scene.models import Scene
-from seafoam.scene.spray import DROPS, Spray
+from seafoam.scene.spray import DROPS
 
 DELAY = 1.5
 SPOT = 6.0
@@ -31,11 +29,6 @@ def on_rocks(scene: Scene) -> bool:
     """Whether there are rocks for surf to break on."""
     shore, spray = scene.shore, scene.spray
     return shore is not None and spray is not None and shore.surf.height > 0.0 and len(rocks(shore, spray.steep)) > 0
-
-
-def life_on_rocks(spray: Spray, coast: Coast) -> float:
-    """Lifetime of drops from rocks, s: they vanish before the next crest arrives."""
-    return min(spray.life, coast.shore.surf.period - DELAY)
 
 
 def from_rocks(scene: Scene, coast: Coast, time: float, origin: tuple[float, float]) -> Drops:
@@ -56,24 +49,23 @@ def from_rocks(scene: Scene, coast: Coast, time: float, origin: tuple[float, flo
     wave = np.floor(turn).astype(np.int64) - whole
     counted = (wave % EPOCHS).astype(np.uint64)
     word = pcg(own ^ counted)
-    spot = np.floor(q / SPOT).astype(np.int64).astype(np.uint64) & LOW
-    burst = pcg(pcg(pcg(spot[:, 0]) ^ spot[:, 1]) ^ counted)
+    burst = chained(0, *np.floor(q / SPOT).T, counted)
     delay = DELAY * (0.7 * number(burst, 0) + 0.3 * number(word, 1))
     age = (1.0 - (turn - np.floor(turn))) * period - delay
     strong = 0.3 + 0.7 * number(burst, 1)
     start = spray.speed * np.sqrt(GRAVITY * np.maximum(field[:, 1], 0.0) / SWASH) * strong
-    jet = np.floor(q / JET).astype(np.int64).astype(np.uint64) & LOW
-    way = pcg(pcg(pcg(jet[:, 0]) ^ jet[:, 1]) ^ counted)
-    fast = start * (0.4 + 0.6 * number(way, 0)) * (0.25 + 0.75 * number(word, 2))
-    lean = 0.3 * number(way, 1) + 0.2 * number(word, 4) - 0.05
-    aside = 0.7 * number(way, 2) + 0.3 * number(word, 7) - 0.5
+    thrown = chained(0, *np.floor(q / JET).T, counted)
+    fast = start * (0.4 + 0.6 * number(thrown, 0)) * (0.25 + 0.75 * number(word, 2))
+    lean = 0.3 * number(thrown, 1) + 0.2 * number(word, 4) - 0.05
+    aside = 0.7 * number(thrown, 2) + 0.3 * number(word, 7) - 0.5
     level = lean[:, None] * out + aside[:, None] * along
     velocity = fast[:, None] * np.stack((level[:, 0], 0.8 + 0.2 * number(word, 3), level[:, 1]), axis=-1)
-    at = q - np.array(coast.offset)
-    height = surf_then(coast, q, field, age, time) + field[:, 3] * _swell_then(scene, time, origin, at, age)
-    birth = np.stack((at[:, 0], height, at[:, 1]), axis=-1)
+    place = q - np.array(coast.offset)
+    height = surf_then(coast, q, field, age, time) + field[:, 3] * _swell_then(scene, time, origin, place, age)
+    birth = np.stack((place[:, 0], height, place[:, 1]), axis=-1)
     mist = number(word, 5) < spray.mist
-    life = np.full(DROPS, life_on_rocks(spray, coast))
+    # They vanish before the next crest arrives.
+    life = np.full(DROPS, min(spray.life, period - DELAY))
     alive = (age >= 0.0) & (age < life) & (start > spray.threshold)
     return Drops(
         birth=birth,
@@ -105,12 +97,12 @@ def surf_then(coast: Coast, q: Floats, field: Floats, age: Floats, time: float) 
     return np.maximum(field[:, 1] * ratio, 0.0) * profile
 
 
-def _swell_then(scene: Scene, time: float, origin: tuple[float, float], at: Floats, age: Floats) -> Floats:
+def _swell_then(scene: Scene, time: float, origin: tuple[float, float], place: Floats, age: Floats) -> Floats:
     """Height of single waves and rings ages (n,) ago at places (n, 2) from the camera, m."""
     total = np.zeros_like(age)
     if scene.waves:
-        total += wave_set(scene, time, origin).height_before(at[:, 0], at[:, 1], age)
+        total += wave_set(scene, time, origin).height_before(place[:, 0], place[:, 1], age)
     for i in range(len(age) if scene.rings else 0):
         then = ring_set(scene, time - float(age[i]), origin)
-        total[i] += then.height(at[i : i + 1, 0], at[i : i + 1, 1])[0]
+        total[i] += then.height(place[i : i + 1, 0], place[i : i + 1, 1])[0]
     return total

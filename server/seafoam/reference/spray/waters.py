@@ -25,10 +25,10 @@ from seafoam.ocean.spray import (
     fold_limits,
     torn_share,
 )
-from seafoam.reference.noise import pcg
+from seafoam.reference.noise import Words, chained, number, pcg
 from seafoam.reference.renderer.relief import Relief, ReliefPart
 from seafoam.reference.shore.shore import Coast
-from seafoam.reference.spray.drop import DRIFT, MIST, SHEET, Drops, Words, cycles, number
+from seafoam.reference.spray.drop import DRIFT, MIST, SHEET, Drops, cycles, joined
 from seafoam.reference.spray.rocks import surf_then
 from seafoam.reference.types import Bools, Floats, dot, smoothstep
 from seafoam.reference.waves.parametric import wave_set
@@ -77,24 +77,41 @@ class _Sea:
                 np.floor((now[..., j] + math.fmod(self.origin[j], size)) / size * SEA_TEXELS + 0.5).astype(np.int64)
                 for j in (0, 1)
             ]
-            at = place[1] % SEA_TEXELS, place[0] % SEA_TEXELS
-            total += folds[at]
+            texel = place[1] % SEA_TEXELS, place[0] % SEA_TEXELS
+            total += folds[texel]
             if i == 0:
-                now = now + chop * np.stack((d_x[at], d_z[at]), axis=-1)
+                now = now + chop * np.stack((d_x[texel], d_z[texel]), axis=-1)
         return (self.threshold - total) / self.width, now
 
 
 @dataclass(frozen=True, eq=False)
 class _Waters:
-    """The open water at one birth."""
+    """The open water at one birth, or the surf of a beach."""
 
     scene: Scene
+    spray: Spray
+    age: float
+    """How long ago the birth was, s."""
     time: float
+    """Of the birth, s."""
+    now: float
     origin: tuple[float, float]
     sea: _Sea | None
     coast: Coast | None
     """The shore now."""
-    now: float
+
+    @classmethod
+    def of(cls, scene: Scene, now: float, age: float, origin: tuple[float, float], coast: Coast | None) -> _Waters:
+        assert scene.spray is not None
+        then = float(Fraction(now) - Fraction(age))
+        sea = None if coast is not None else _Sea.of(scene, then, origin)
+        return cls(scene, scene.spray, age, then, now, origin, sea, coast)
+
+    @property
+    def wind(self) -> Sea | None:
+        """The sea whose wind throws the drops; None on a beach and without wind."""
+        sea = self.scene.sea
+        return None if self.coast is not None or sea is None or sea.wind <= 0.0 else sea
 
     def breaks(self, p: Floats) -> tuple[Floats, Floats, Floats, Floats]:
         """How hard the water breaks that rests at p (n, 2), where it is, the front's velocity (n, 3) and strength."""
@@ -114,12 +131,11 @@ class _Waters:
         )
         if not self.scene.waves:
             return folds, p, onward, strong
-        assert self.scene.spray is not None
         waves = wave_set(self.scene, self.time, self.origin)
         x, z = p[..., 0].ravel(), p[..., 1].ravel()
         rise = waves.rise(x, z).reshape(folds.shape)
         slope = np.stack(waves.gradient(x, z), axis=-1).reshape(*folds.shape, 2)
-        steep = 2.0 * (rise / max(self.scene.spray.threshold, 0.1) - 1.0)
+        steep = 2.0 * (rise / max(self.spray.threshold, 0.1) - 1.0)
         level = -slope * (rise / np.maximum(dot(slope, slope), CREST_SLOPE2))[..., None]
         fronts = np.stack((level[..., 0], rise, level[..., 1]), axis=-1)
         front = steep > folds
@@ -127,7 +143,6 @@ class _Waters:
 
     def _surf(self, coast: Coast, p: Floats) -> tuple[Floats, Floats, Floats, Floats]:
         """The same of surf on a beach."""
-        assert self.scene.spray is not None
         shape, period = p.shape[:-1], coast.shore.surf.period
         q = p.reshape(-1, 2) + np.array(coast.offset)
         field, map_x, map_z = coast.field.all(q[:, 0], q[:, 1])
@@ -136,7 +151,7 @@ class _Waters:
         rise = (ends[0] - ends[1]) / (2.0 * MOMENT)
         slope = np.stack((map_x[:, 0], map_z[:, 0]), axis=-1)
         level = -slope / (np.maximum(dot(slope, slope), 1e-4) * period)[:, None]
-        steep = 2.0 * (rise / max(self.scene.spray.threshold, 0.1) - 1.0)
+        steep = 2.0 * (rise / max(self.spray.threshold, 0.1) - 1.0)
         steep = np.where((np.abs(q) > 0.5 * coast.shore.size).any(axis=-1) | (field[:, 1] <= 0.0), 0.0, steep)
         onward = np.stack((level[:, 0], rise, level[:, 1]), axis=-1)
         return steep.reshape(shape), p, onward.reshape(*shape, 3), np.ones(shape)
@@ -157,81 +172,65 @@ class _Waters:
 
 def from_waves(
     scene: Scene, time: float, origin: tuple[float, float], ahead: Floats, coast: Coast | None
-) -> Drops | None:
-    """Drops that breaking waves throw up, by index, with a strength of 0 where there is none; at a shore, its surf."""
+) -> list[Drops]:
+    """Drops that breaking waves throw up, by index, with a strength of 0 where there is none; at a shore, its surf.
+
+    Empty where no wave can break.
+    """
     spray = scene.spray
     assert spray is not None
     still = sum(wave.amplitude for wave in scene.waves) == 0.0
     calm = coast is not None and coast.shore.surf.height == 0.0
     if calm or (coast is None and still and _Sea.of(scene, time, origin) is None):
-        return None
+        return []
     step = spray.life / BATCHES
     whole, left = cycles(time, step)
-    parts = [
-        _batch(scene, whole - batch, (left + batch) * step, time, origin, ahead, coast, batch)
-        for batch in range(BATCHES)
-    ]
+    parts = []
+    for batch in range(BATCHES):
+        waters = _Waters.of(scene, time, (left + batch) * step, origin, coast)
+        parts.append(_batch(waters, ahead, batch, whole - batch))
     index = np.concatenate([np.arange(batch, DROPS, BATCHES) for batch in range(BATCHES)])
-    joined = parts[0]
-    for part in parts[1:]:
-        joined = joined.joined(part)
-    return joined.of(np.argsort(index, kind="stable"))
+    return [joined(parts).subset(np.argsort(index, kind="stable"))]
 
 
-def _batch(
-    scene: Scene,
-    epoch: int,
-    age: float,
-    time: float,
-    origin: tuple[float, float],
-    ahead: Floats,
-    coast: Coast | None,
-    batch: int,
-) -> Drops:
-    """A batch of drops, born ``age`` s ago."""
-    spray = scene.spray
-    assert spray is not None
-    then = float(Fraction(time) - Fraction(age))
-    sea = None if coast is not None else scene.sea
-    folds = None if sea is None else _Sea.of(scene, then, origin)
-    waters = _Waters(scene, then, origin, folds, coast, time)
+def _batch(waters: _Waters, ahead: Floats, batch: int, epoch: int) -> Drops:
+    """The drops of a batch. ``epoch``: its number since time 0."""
+    spray, origin = waters.spray, waters.origin
+    # The drops of a batch are divided among grids of cells, and those of a cell among clusters.
     index = np.arange(batch, DROPS, BATCHES)
-    level = index // BATCHES % LEVELS
-    rest = index // (BATCHES * LEVELS)
-    side = np.array(cell_sides(spray))[level]
+    level, rest = index // BATCHES % LEVELS, index // (BATCHES * LEVELS)
+    side, member = np.array(cell_sides(spray))[level], rest // (CELLS * CELLS)
     eye = np.stack([np.mod([float(Fraction(part) / Fraction(s)) for s in cell_sides(spray)], 256.0) for part in origin])
     eye = eye.T[level]
     cell = np.stack((rest % CELLS, rest // CELLS % CELLS), axis=-1)
     cell = cell + np.floor(eye + 0.35 * CELLS * ahead - 0.5 * CELLS + 0.5).astype(np.int64)
-    member = rest // (CELLS * CELLS)
-    own = pcg((member // CLUSTER * LEVELS + level).astype(np.uint64))
-    for axis in (0, 1):
-        own = pcg(own ^ (cell[:, axis] & 255).astype(np.uint64))
-    cluster = pcg(own ^ np.uint64(epoch % EPOCHS))
+
+    cluster = chained(0, member // CLUSTER * LEVELS + level, *(cell & 255).T, epoch % EPOCHS)
     word = pcg(cluster ^ (member % CLUSTER).astype(np.uint64))
+
+    # A cluster starts where, of some places of its cell, the water breaks hardest; its drops beside each other.
     looked = 16 + 2 * np.arange(PLACES)
     chance = np.stack([number(cluster[:, None], looked + i) for i in (0, 1)], axis=-1)
-    rests = (cell[:, None] + chance - eye[:, None]) * side[:, None, None]
-    found = waters.breaks(rests)[0]
-    best = np.argmax(found, axis=1)
-    rows = np.arange(index.size)
-    heading = 0.0 if sea is None or sea.wind <= 0.0 else sea.wind_direction
-    way = np.array([math.cos(heading), math.sin(heading)])
-    beside = BESIDE * side[:, None] * (np.stack((number(word, 12), number(word, 13)), axis=-1) - 0.5) * (0.25, 1.0)
-    place = rests[rows, best] + beside[:, :1] * way + beside[:, 1:] * np.array([-way[1], way[0]])
-    most, at, onward, strong = waters.breaks(place)
-    far = np.hypot(at[:, 0], at[:, 1])
+    candidates = (cell[:, None] + chance - eye[:, None]) * side[:, None, None]
+    found = waters.breaks(candidates)[0]
+    best = np.arange(index.size), np.argmax(found, axis=1)
+    angle = 0.0 if waters.wind is None else waters.wind.wind_direction
+    heading = np.array([math.cos(angle), math.sin(angle)])
+    apart = BESIDE * side[:, None] * (np.stack((number(word, 12), number(word, 13)), axis=-1) - 0.5) * (0.25, 1.0)
+    start = candidates[best] + apart[:, :1] * heading + apart[:, 1:] * np.array([-heading[1], heading[0]])
+    most, place, onward, strong = waters.breaks(start)
+
+    far = np.hypot(place[:, 0], place[:, 1])
     middle = 0.5 * spray.reach * np.exp2(level - LEVELS + 1.0)
     strength = strong * smoothstep(0.25, 0.7, most) * _share(far, middle, level == 0)
-    strength = np.where(found[rows, best] > 0.0, strength, 0.0)
-    height = np.zeros(index.size)
-    born = strength > 0.0
-    height[born] = waters.height(at[born, 0], at[born, 1])
-    kind = _kinds(spray, sea, word)
+    strength = np.where(found[best] > 0.0, strength, 0.0)
+    height, born = np.zeros(index.size), strength > 0.0
+    height[born] = waters.height(place[born, 0], place[born, 1])
+    kind = _kinds(spray, waters.wind, word)
     return Drops(
-        birth=np.stack((at[:, 0], height, at[:, 1]), axis=-1),
+        birth=np.stack((place[:, 0], height, place[:, 1]), axis=-1),
         velocity=_velocities(spray, onward, kind, cluster, word),
-        age=np.full(index.size, age),
+        age=np.full(index.size, waters.age),
         life=np.full(index.size, spray.life),
         radius=1.4 * spray.size * side * (0.4 + 0.6 * strong),
         strength=strength,
@@ -242,10 +241,9 @@ def _batch(
 
 def _kinds(spray: Spray, sea: Sea | None, word: Words) -> Floats:
     """Kinds of drops (n,)."""
-    torn = 0.0 if sea is None or sea.wind <= 0.0 else torn_share(sea, spray)
+    torn = 0.0 if sea is None else torn_share(sea, spray)
     chosen = number(word, 5)
-    kinds: Floats = np.where(chosen < torn, DRIFT, np.where(chosen < torn + (1.0 - torn) * spray.mist, MIST, SHEET))
-    return kinds
+    return np.where(chosen < torn, DRIFT, np.where(chosen < torn + (1.0 - torn) * spray.mist, MIST, SHEET))
 
 
 def _velocities(spray: Spray, onward: Floats, kind: Floats, cluster: Words, word: Words) -> Floats:
@@ -262,5 +260,4 @@ def _velocities(spray: Spray, onward: Floats, kind: Floats, cluster: Words, word
 def _share(far: Floats, middle: Floats, nearest: Bools) -> Floats:
     """Share of a place's drops that a grid has."""
     steps = np.log2(np.maximum(far, 0.01) / middle)
-    result: Floats = np.where(nearest & (steps < 0.0), 1.0, np.maximum(1.0 - np.abs(steps), 0.0))
-    return result
+    return np.where(nearest & (steps < 0.0), 1.0, np.maximum(1.0 - np.abs(steps), 0.0))

@@ -8,18 +8,17 @@ B-spline over the texels around the point where it lands.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from functools import lru_cache
 
 import numpy as np
 
+from seafoam.ocean.constants import WATER_INDEX
 from seafoam.ocean.ripples import ripple_cascades, tiles
-from seafoam.reference.light.light import BACKSCATTER, ENTERS, GLITTER_MOST, INDEX, Air, air, fresnel
-from seafoam.reference.noise import corner
+from seafoam.reference.light.light import BACKSCATTER, ENTERS, GLITTER_MOST, Air, LitFloor, air, fresnel
+from seafoam.reference.noise import chained, share
 from seafoam.reference.shore.shore import Coast
-from seafoam.reference.types import Floats, dot, unit
-from seafoam.reference.waves.current import afloat
-from seafoam.reference.waves.parametric import reduced
+from seafoam.reference.types import Floats, Footprints, Sunlight, dot, unit
+from seafoam.reference.waves.parametric import afloat, reduced
 from seafoam.scene.light import Caustics, Light
 from seafoam.scene.models import Scene
 from seafoam.scene.water import Ripples, Water
@@ -42,11 +41,10 @@ FARTHEST = 1e6
 """Upper limit of distances to the floor, m."""
 
 
-def refracted(d: Floats, n: Floats, index: float = INDEX) -> Floats:
+def refracted(d: Floats, n: Floats, index: float = WATER_INDEX) -> Floats:
     """Directions in water of d (..., 3) in air, refracted at normals n (..., 3); unit vectors."""
     c = np.maximum(-dot(d, n), 0.0)[..., None]
-    result: Floats = d / index + (c / index - np.sqrt(1.0 - (1.0 - c * c) / index**2)) * n
-    return result
+    return d / index + (c / index - np.sqrt(1.0 - (1.0 - c * c) / index**2)) * n
 
 
 def landing(air_: Air, depth: float, h_x: Floats, h_z: Floats, index: float) -> tuple[Floats, Floats, Floats]:
@@ -54,21 +52,21 @@ def landing(air_: Air, depth: float, h_x: Floats, h_z: Floats, index: float) -> 
     share."""
     n = unit(np.stack((-h_x, np.ones_like(h_x), -h_z), axis=-1))
     ray = refracted(np.broadcast_to(-air_.sun, n.shape), n, index)
-    way = depth / np.maximum(-ray[..., 1], LEAST_FALL)
+    path = depth / np.maximum(-ray[..., 1], LEAST_FALL)
     share = np.maximum(dot(n, air_.sun), 0.0) / (n[..., 1] * max(float(air_.sun[1]), LEAST_SUN))
-    return ray[..., 0] * way, ray[..., 2] * way, share
+    return ray[..., 0] * path, ray[..., 2] * path, share
 
 
 def tile_slopes(ripples: Ripples, time: float, count: int) -> tuple[Floats, Floats]:
     """Slopes of tiling ripples at the nodes of a tile's grid, (count, count) each, rows along z."""
     drawn = [wave for cascade in ripple_cascades(ripples, True) for wave in cascade]
-    at = np.arange(count) * (tiles(True)[0] / count)
+    nodes = np.arange(count) * (tiles(True)[0] / count)
     phase = np.array([reduced((wave.omega, time), plus=wave.phase) for wave in drawn])
     kx, kz = np.array([wave.kx for wave in drawn]), np.array([wave.kz for wave in drawn])
     slope = np.array([wave.slope for wave in drawn]) / np.hypot(kx, kz)
     # cos(phase - kx x - kz z) is a sum of products of functions of x and of z.
-    along = np.exp(-1j * np.outer(kx, at))
-    across = np.exp(1j * (phase[:, None] - np.outer(kz, at)))
+    along = np.exp(-1j * np.outer(kx, nodes))
+    across = np.exp(1j * (phase[:, None] - np.outer(kz, nodes)))
     both = [-((across * (slope * k)[:, None]).T @ along).real for k in (kx, kz)]
     return both[0], both[1]
 
@@ -93,7 +91,7 @@ def _photon_map(
 ) -> Floats:
     lighting = air(light)
     h_x, h_z = tile_slopes(ripples, time, photons)
-    flat_x, flat_z = (float(part[0]) for part in landing(lighting, depth, np.zeros(1), np.zeros(1), INDEX)[:2])
+    flat_x, flat_z = (float(part[0]) for part in landing(lighting, depth, np.zeros(1), np.zeros(1), WATER_INDEX)[:2])
     start = np.arange(photons) * (texels / photons)
     per_metre = texels / tiles(True)[0]
     sheets: list[Floats] = []
@@ -101,7 +99,7 @@ def _photon_map(
         if caustics.dispersion == 0.0 and sheets:
             sheets.append(sheets[0])
             continue
-        x, z, share = landing(lighting, depth, h_x, h_z, INDEX + caustics.dispersion * bent)
+        x, z, share = landing(lighting, depth, h_x, h_z, WATER_INDEX + caustics.dispersion * bent)
         u = start[None, :] + (x - flat_x) * per_metre
         v = start[:, None] + (z - flat_z) * per_metre
         sheets.append(_splat(u.ravel(), v.ravel(), share.ravel() * (texels / photons) ** 2, texels))
@@ -134,58 +132,51 @@ def _spline(t: Floats) -> tuple[Floats, Floats, Floats, Floats]:
 class Seabed:
     """A level floor under a light, at one time around one origin."""
 
-    def __init__(self, scene: Scene, made: Air, time: float, origin: tuple[float, float]) -> None:
+    def __init__(self, scene: Scene, air: Air, time: float, origin: tuple[float, float], sunlight: Sunlight) -> None:
         water, light = scene.water, scene.light
         assert light is not None
-        self.air = made
+        self.air = air
         self.water: Water = water
         self.depth = 1e6 if water.depth is None else water.depth
         self.origin = origin
         self.afloat = afloat(scene, time, origin)
         self.extinction = 1.0 / np.array(water.absorption_length) + water.scattering
         self.map: Floats | None = None
-        self.sun_reaches: Callable[[Floats, tuple[Floats, Floats]], Floats] | None = None
+        self.unblocked = sunlight
         if light.caustics is not None and water.ripples is not None and water.depth is not None:
             self.map = photon_map(scene, time)
-            flat = landing(made, water.depth, np.zeros(1), np.zeros(1), INDEX)
+            flat = landing(air, water.depth, np.zeros(1), np.zeros(1), WATER_INDEX)
             self.flat = float(flat[0][0]), float(flat[1][0])
 
-    def seen(
-        self, x: Floats, z: Floats, H: Floats, d: Floats, n: Floats, feet: tuple[Floats, Floats]
-    ) -> tuple[Floats, Floats, Floats]:
-        """The floor along rays d (r, 3) refracted at (x, z), where the surface has height H and normals n.
-
-        Its radiance (r, 3), the length of the path up from it, and its depth, (r,) m.
-        """
+    def seen(self, x: Floats, z: Floats, H: Floats, d: Floats, n: Floats, footprints: Footprints) -> LitFloor:
+        """The floor along rays d (r, 3) refracted at (x, z), where the surface has height H and normals n."""
         ray = refracted(d, n)
         down = np.maximum(self.depth + H, 0.0)
-        way = down / np.maximum(-ray[:, 1], LEAST_FALL)
-        radiance = self.light(x + way * ray[:, 0], z + way * ray[:, 2], down, feet)
-        return radiance, way, down
+        path = down / np.maximum(-ray[:, 1], LEAST_FALL)
+        radiance = self.light(x + path * ray[:, 0], z + path * ray[:, 2], down, footprints)
+        return LitFloor(radiance, path, down)
 
-    def light(self, x: Floats, z: Floats, down: Floats, feet: tuple[Floats, Floats]) -> Floats:
+    def light(self, x: Floats, z: Floats, down: Floats, footprints: Footprints) -> Floats:
         """Radiance (r, 3) of the floor at (x, z), m from the origin, at a depth of ``down`` m."""
         if self.water.depth is None:
             return np.zeros((x.size, 3))
-        return self.lit(self.albedo(x, z, feet), self.sunlight(x, z) * self._reached(x, z, down, feet), down)
+        sunlight = self.sunlight(x, z) * self._reached(x, z, down, footprints)
+        return self.lit(self.albedo(x, z, footprints), sunlight, down)
 
-    def _reached(self, x: Floats, z: Floats, down: Floats, feet: tuple[Floats, Floats]) -> Floats:
+    def _reached(self, x: Floats, z: Floats, down: Floats, footprints: Footprints) -> Floats:
         """Share (r, 1) of the sunlight that shadows leave to the floor at (x, z), ``down`` m under level water."""
-        if self.sun_reaches is None:
-            return np.ones((x.size, 1))
-        lean = self.air.sun / (INDEX * math.sqrt(1.0 - (1.0 - float(self.air.sun[1]) ** 2) / INDEX**2))
+        lean = self.air.sun / (WATER_INDEX * math.sqrt(1.0 - (1.0 - float(self.air.sun[1]) ** 2) / WATER_INDEX**2))
         enters = np.stack((x + down * lean[0], np.zeros_like(x), z + down * lean[2]), axis=-1)
-        return self.sun_reaches(enters, feet)[:, None]
+        return self.unblocked(enters, footprints)[:, None]
 
     def lit(self, albedo: Floats, sunlight: Floats, down: Floats) -> Floats:
         """Radiance (r, 3) of ground of an albedo (r, 3) under sunlight, given relative to that under level water (r,
         3)."""
         upright = float(self.air.sun[1])
-        slant = math.sqrt(1.0 - (1.0 - upright**2) / INDEX**2)
+        slant = math.sqrt(1.0 - (1.0 - upright**2) / WATER_INDEX**2)
         sun = self.air.sun_irradiance * max(upright, 0.0) * np.exp(-self.extinction * (down / slant)[:, None])
         sky = self.air.sky_irradiance * np.exp(-self.extinction * down[:, None])
-        result: Floats = ENTERS / math.pi * albedo * (sun * sunlight + sky)
-        return result
+        return ENTERS / math.pi * albedo * (sun * sunlight + sky)
 
     def sunlight(self, x: Floats, z: Floats) -> Floats:
         """Sunlight over that under level water, (r, 3): the map, bilinear."""
@@ -203,7 +194,7 @@ class Seabed:
         result: Floats = first * (1.0 - t) + second * t
         return result
 
-    def albedo(self, x: Floats, z: Floats, feet: tuple[Floats, Floats]) -> Floats:
+    def albedo(self, x: Floats, z: Floats, footprints: Footprints) -> Floats:
         """Reflectance (r, 3): uniform, or of tiles, with the share of joints in the footprint's bounding box."""
         bare = np.broadcast_to(np.array(self.water.floor_albedo), (x.size, 3))
         side = self.water.floor_tile
@@ -212,17 +203,16 @@ class Seabed:
         open_share = np.ones_like(x)
         wide = np.zeros_like(x)
         cells = []
-        for i, (at, start) in enumerate(((x, self.origin[0]), (z, self.origin[1]))):
-            place = at / side + math.fmod(start, TILES_APART * side) / side
-            width = np.maximum((np.abs(feet[0][:, i]) + np.abs(feet[1][:, i])) / side, NARROWEST)
+        for i, (position, start) in enumerate(((x, self.origin[0]), (z, self.origin[1]))):
+            place = position / side + math.fmod(start, TILES_APART * side) / side
+            width = np.maximum((np.abs(footprints[0][:, i]) + np.abs(footprints[1][:, i])) / side, NARROWEST)
             open_share *= 1.0 - (_joints(place + 0.5 * width) - _joints(place - 0.5 * width)) / width
             wide = np.maximum(wide, width)
             cells.append(np.floor(place).astype(np.int64) % TILES_APART)
         q = np.clip(wide - 0.5, 0.0, 1.0)
-        shade = (corner(TILE_KEY, cells[0], cells[1]) - 0.5) * (1.0 - q * q * (3.0 - 2.0 * q))
+        shade = (share(chained(TILE_KEY, *cells)) - 0.5) * (1.0 - q * q * (3.0 - 2.0 * q))
         limited = np.clip(open_share, 0.0, 1.0)[:, None]
-        result: Floats = JOINT_ALBEDO * (1.0 - limited) + bare * (1.0 + 0.24 * shade)[:, None] * limited
-        return result
+        return JOINT_ALBEDO * (1.0 - limited) + bare * (1.0 + 0.24 * shade)[:, None] * limited
 
     def glow(self, depth: Floats, fall: Floats, reach: Floats) -> Floats:
         """Light (r, 3) scattered by water along paths of length (r,) m that start at ``depth`` m and descend by
@@ -231,87 +221,66 @@ class Seabed:
         deep = BACKSCATTER * self.water.scattering / self.extinction * lit
         both = np.maximum(1.0 + fall, 1e-12)[:, None]
         gone = -np.expm1(-self.extinction * both * reach[:, None]) / both
-        result: Floats = 2.0 * deep * np.exp(-self.extinction * np.maximum(depth, 0.0)[:, None]) * gone
-        return result
+        return 2.0 * deep * np.exp(-self.extinction * np.maximum(depth, 0.0)[:, None]) * gone
 
     def reach(self, x: Floats, z: Floats, y: Floats, d: Floats) -> Floats:
         """Distance to the floor along rays d (r, 3) from (x, z) at heights y, m; (r,), at most FARTHEST."""
         if self.water.depth is None:
             return np.full_like(x, FARTHEST)
-        result: Floats = np.minimum(np.maximum(self.depth + y, 0.0) / np.maximum(-d[:, 1], 1e-6), FARTHEST)
-        return result
+        return np.minimum(np.maximum(self.depth + y, 0.0) / np.maximum(-d[:, 1], 1e-6), FARTHEST)
 
-    def below(self, x: Floats, z: Floats, y: Floats, d: Floats, reach: Floats, feet: tuple[Floats, Floats]) -> Floats:
+    def below(self, x: Floats, z: Floats, y: Floats, d: Floats, reach: Floats, footprints: Footprints) -> Floats:
         """Light (r, 3) of floor and water along rays d (r, 3) from (x, z) at heights y to the floor."""
         down = np.maximum(-y - reach * d[:, 1], 0.0)
-        bed = self.light(x + reach * d[:, 0], z + reach * d[:, 2], down, feet)
-        result: Floats = bed * np.exp(-self.extinction * reach[:, None]) + self.glow(-y, -d[:, 1], reach)
-        return result
+        bed = self.light(x + reach * d[:, 0], z + reach * d[:, 2], down, footprints)
+        return bed * np.exp(-self.extinction * reach[:, None]) + self.glow(-y, -d[:, 1], reach)
 
     def underside(
-        self, x: Floats, z: Floats, y: Floats, d: Floats, n: Floats, reach: Floats, feet: tuple[Floats, Floats]
+        self, x: Floats, z: Floats, y: Floats, d: Floats, n: Floats, reach: Floats, footprints: Footprints
     ) -> Floats:
         """Light (r, 3) along −d, transmitted or totally reflected by the surface at (x, y, z)."""
         sigma2 = self.water.roughness**2
         nv = np.maximum(dot(n, d), 0.0)
         cv2 = np.minimum(nv * nv + sigma2 * (1.0 - nv * nv), 1.0)
-        out2 = 1.0 - INDEX**2 * (1.0 - cv2)
+        out2 = 1.0 - WATER_INDEX**2 * (1.0 - cv2)
         out = np.sqrt(np.maximum(out2, 0.0))
         mirror = np.where(out2 > 0.0, fresnel(out), 1.0)[:, None]
-        through = INDEX * d + (out - INDEX * nv)[:, None] * n
+        through = WATER_INDEX * d + (out - WATER_INDEX * nv)[:, None] * n
         through[:, 1] = np.sqrt(np.maximum(through[:, 1], 0.0) ** 2 + sigma2)
         through = unit(through)
         away = through - self.air.sun
-        spread = 0.5 * (INDEX - 1.0) ** 2 * sigma2
+        spread = 0.5 * (WATER_INDEX - 1.0) ** 2 * sigma2
         lobe = np.exp(-dot(away, away) / (2.0 * spread)) / (2.0 * math.pi * spread)
         sun = self.air.sun_irradiance * np.minimum(lobe, GLITTER_MOST)[:, None]
         back = d - 2.0 * dot(d, n)[:, None] * n
         back[:, 1] = -np.sqrt(np.maximum(-back[:, 1], 0.0) ** 2 + sigma2)
         back = unit(back)
-        way = self.reach(x, z, y, back)
-        wider = (1.0 + way / np.maximum(reach, 1e-3))[:, None]
-        down = self.below(x, z, y, back, way, (feet[0] * wider, feet[1] * wider))
-        result: Floats = (1.0 - mirror) * (self.air.sky(through) + sun) + mirror * down
-        return result
+        far = self.reach(x, z, y, back)
+        wider = (1.0 + far / np.maximum(reach, 1e-3))[:, None]
+        down = self.below(x, z, y, back, far, (footprints[0] * wider, footprints[1] * wider))
+        return (1.0 - mirror) * (self.air.sky(through) + sun) + mirror * down
 
 
 class ShoreSeabed(Seabed):
     """The floor of a shore."""
 
-    def __init__(self, scene: Scene, made: Air, time: float, origin: tuple[float, float], coast: Coast) -> None:
-        super().__init__(scene, made, time, origin)
+    def __init__(
+        self, scene: Scene, air: Air, time: float, origin: tuple[float, float], sunlight: Sunlight, coast: Coast
+    ) -> None:
+        super().__init__(scene, air, time, origin, sunlight)
         self.coast = coast
 
     def reach(self, x: Floats, z: Floats, y: Floats, d: Floats) -> Floats:
         """Distance to the ground along rays d (r, 3), m; (r,), at most FARTHEST."""
         return self.coast.crossing(x, y, z, d, FARTHEST)
 
-    def light(self, x: Floats, z: Floats, down: Floats, feet: tuple[Floats, Floats]) -> Floats:
+    def light(self, x: Floats, z: Floats, down: Floats, footprints: Footprints) -> Floats:
         """Radiance (r, 3) of the floor at (x, z), m from the origin, at a depth of ``down`` m."""
-        lit = np.ones((x.size, 3)) * self._reached(x, z, down, feet)
-        return self.lit(self.coast.albedo(*self.coast.place(x, z), *feet), lit, down)
-
-
-def bed_of(scene: Scene, made: Air | None, time: float, origin: tuple[float, float]) -> Seabed | None:
-    """The level floor of a scene with caustics or tiles; None without one, or if the floor is uniform."""
-    water, light = scene.water, scene.light
-    if light is None or made is None or scene.shore is not None or water.depth is None:
-        return None
-    looked_at = light.caustics is not None or water.floor_tile is not None
-    return Seabed(scene, made, time, origin) if looked_at else None
-
-
-def under_of(
-    scene: Scene, made: Air | None, time: float, origin: tuple[float, float], coast: Coast | None
-) -> Seabed | None:
-    """The seabed for views from under the surface; None without light."""
-    if made is None:
-        return None
-    return Seabed(scene, made, time, origin) if coast is None else ShoreSeabed(scene, made, time, origin, coast)
+        lit = np.ones((x.size, 3)) * self._reached(x, z, down, footprints)
+        return self.lit(self.coast.albedo(*self.coast.place(x, z), footprints), lit, down)
 
 
 def _joints(x: Floats) -> Floats:
     """Total width of the joints between 0 and x, in tiles."""
     whole = np.floor(x)
-    result: Floats = JOINT * whole + np.maximum(x - whole - (1.0 - JOINT), 0.0)
-    return result
+    return JOINT * whole + np.maximum(x - whole - (1.0 - JOINT), 0.0)

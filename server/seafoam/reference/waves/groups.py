@@ -30,8 +30,7 @@ class GroupFactor:
     def __call__(self, x: Floats, z: Floats, ago: Floats | float = 0.0) -> Floats:
         """Factor at (x, z), m from the origin, ``ago`` s before; in [1 − contrast, 1]."""
         noise = self._noise(x + self.velocity[0] * ago, z + self.velocity[1] * ago)[0]
-        result: Floats = 1.0 - self.contrast * (1.0 - noise)
-        return result
+        return 1.0 - self.contrast * (1.0 - noise)
 
     def gradient(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
         """Its derivatives, 1/m."""
@@ -70,7 +69,7 @@ def group_factor(scene: Scene, time: float, origin: tuple[float, float]) -> Grou
     if groups is None or not in_groups(scene):
         return None
     along, velocity = group_cells(scene, groups), group_velocity(scene)
-    way = [Fraction(at) - Fraction(speed) * Fraction(time) for at, speed in zip(origin, velocity, strict=True)]
+    moved = [Fraction(start) - Fraction(speed) * Fraction(time) for start, speed in zip(origin, velocity, strict=True)]
     k_x, k_z = Fraction(along[0]), Fraction(along[1])
-    place = (float((k_x * way[0] + k_z * way[1]) % PERIOD), float((k_x * way[1] - k_z * way[0]) % PERIOD))
+    place = (float((k_x * moved[0] + k_z * moved[1]) % PERIOD), float((k_x * moved[1] - k_z * moved[0]) % PERIOD))
     return GroupFactor(group_corners(groups.seed), along, groups.contrast, velocity, place)

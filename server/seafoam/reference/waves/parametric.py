@@ -15,9 +15,11 @@ from scipy import special
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.ripples import ripple_cascades
 from seafoam.ocean.stokes import orbit
+from seafoam.reference.noise import PERIOD, fractal
 from seafoam.reference.types import Floats
 from seafoam.reference.waves.groups import GroupFactor, group_factor
 from seafoam.scene.models import Scene
+from seafoam.scene.sky import Gusts
 from seafoam.scene.water import Ripples
 from seafoam.scene.waves import ParametricWave
 
@@ -26,6 +28,7 @@ _TWO_PI = 2 * Fraction("3.14159265358979323846264338327950288419716939937510")
 BOUND_SAMPLES = 8192
 RELIEF_SAMPLES = 256
 """Phases over which slopes are averaged; their number affects K < ½, where the slope is infinite at troughs."""
+GUST_OCTAVES = 3
 STEEPEST = 1e9
 """Value used for an infinite slope."""
 TROUGH = 1e-4
@@ -110,8 +113,7 @@ class WaveSet:
 
     def theta(self, x: Floats, z: Floats) -> Floats:
         """Phases at (x, z), m from the origin, shape (r,): (n, r) rad, not reduced."""
-        result: Floats = self.phase[:, None] - self.kx[:, None] * x - self.kz[:, None] * z
-        return result
+        return self.phase[:, None] - self.kx[:, None] * x - self.kz[:, None] * z
 
     def height(self, x: Floats, z: Floats) -> Floats:
         """Σ y over the waves at (x, z), minus its mean, times the factor of the groups; (r,) m."""
@@ -142,8 +144,7 @@ class WaveSet:
             return total
         by_x, by_z = self.groups.gradient(x, z)
         passing = -(self.groups.velocity[0] * by_x + self.groups.velocity[1] * by_z)
-        result: Floats = self.groups(x, z) * total + self._even_height(x, z, 0.0) * passing
-        return result
+        return self.groups(x, z) * total + self._even_height(x, z, 0.0) * passing
 
     def _even_height(self, x: Floats, z: Floats, ago: Floats | float) -> Floats:
         """The height ``ago`` s before, without groups; (r,) m."""
@@ -155,14 +156,29 @@ class WaveSet:
     def _grouped(self, values: Floats, x: Floats, z: Floats, ago: Floats | float = 0.0) -> Floats:
         return values if self.groups is None else values * self.groups(x, z, ago)
 
-    def carry(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
-        """Displacement from (x, z) to where the water there rests, to first order in the slope, m; (r,) each."""
-        way_x, way_z = np.zeros_like(x), np.zeros_like(x)
+    def to_rest(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
+        """Displacement from (x, z) to the rest position of the water, to first order in the slope, m; (r,) each."""
+        by_x, by_z = np.zeros_like(x), np.zeros_like(x)
         for i, theta in enumerate(self.theta(x, z)):
-            way = self.orbit[i] * np.cos(theta) / math.hypot(self.kx[i], self.kz[i])
-            way_x += self.kx[i] * way
-            way_z += self.kz[i] * way
-        return self._grouped(way_x, x, z), self._grouped(way_z, x, z)
+            moved = self.orbit[i] * np.cos(theta) / math.hypot(self.kx[i], self.kz[i])
+            by_x += self.kx[i] * moved
+            by_z += self.kz[i] * moved
+        return self._grouped(by_x, x, z), self._grouped(by_z, x, z)
+
+
+@dataclass(frozen=True)
+class GustField:
+    """Section 9: the factor of gusts on the ripples' amplitude, which varies over the water."""
+
+    gusts: Gusts
+    place: tuple[float, float, float]
+    """The origin in their noise, cells."""
+
+    def __call__(self, x: Floats, z: Floats) -> Floats:
+        """The factor at (x, z), m from the origin; (r,), in [0, 2]."""
+        place = np.column_stack((x / self.gusts.size, z / self.gusts.size, np.zeros_like(x))) + self.place
+        noise = fractal(place, np.zeros_like(x), GUST_OCTAVES, 64 * self.gusts.seed)
+        return 1.0 + self.gusts.strength * np.clip(0.8 * noise, -1.0, 1.0)
 
 
 @dataclass(frozen=True)
@@ -173,6 +189,7 @@ class RippleSet:
     kx: Floats
     kz: Floats
     phase: Floats
+    gusts: GustField | None = None
 
     def gradient(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
         """(c_x, c_z) = −Σ s k̂ cos θ at (x, z); (r,) each."""
@@ -182,7 +199,10 @@ class RippleSet:
             k = math.hypot(self.kx[i], self.kz[i])
             c_x -= self.slope[i] * self.kx[i] / k * wave
             c_z -= self.slope[i] * self.kz[i] / k * wave
-        return c_x, c_z
+        if self.gusts is None:
+            return c_x, c_z
+        factor = self.gusts(x, z)
+        return factor * c_x, factor * c_z
 
 
 def wave_height(theta: Floats, A: float, K: float) -> Floats:
@@ -190,8 +210,7 @@ def wave_height(theta: Floats, A: float, K: float) -> Floats:
     # (sin θ + 1)/2 is sin²(θ/2 + π/4), which has no cancellation at the trough.
     p = np.sin(0.5 * theta + 0.25 * math.pi)
     u = p * p
-    result: Floats = A * (_whole_power(u, int(K)) if int(K) == K and K <= 16 else np.power(u, K))
-    return result
+    return A * (_whole_power(u, int(K)) if int(K) == K and K <= 16 else np.power(u, K))
 
 
 def wave_derivative(theta: Floats, A: float, K: float) -> Floats:
@@ -201,8 +220,7 @@ def wave_derivative(theta: Floats, A: float, K: float) -> Floats:
     magnitude = np.abs(p)
     if K < 0.5:
         magnitude = np.maximum(magnitude, TROUGH)
-    result: Floats = A * K * np.power(magnitude, 2.0 * K - 1.0) * np.sign(p) * np.cos(half)
-    return result
+    return A * K * np.power(magnitude, 2.0 * K - 1.0) * np.sign(p) * np.cos(half)
 
 
 def slope_bound(A: float, K: float) -> float:
@@ -226,6 +244,21 @@ def reduced(*terms: tuple[float, float], plus: float = 0.0) -> float:
     """Σ ab + plus modulo 2π, exact up to the last rounding; in [0, 2π)."""
     value = sum((Fraction(a) * Fraction(b) for a, b in terms), Fraction(plus))
     return float(value % _TWO_PI)
+
+
+def noise_place(
+    size: float, change: float, velocity: tuple[float, float], time: float, origin: tuple[float, float]
+) -> tuple[float, float, float]:
+    """An origin (x, z) in m at a time (s) in noise of period ``PERIOD``, with cells of ``size`` m; cells.
+
+    The noise drifts with a velocity (m/s), and changes in ``change`` s.
+    """
+    turn, cells = 2.0 * math.pi / (PERIOD * size), PERIOD / (2.0 * math.pi)
+    return (
+        cells * reduced((turn, origin[0]), (-turn * velocity[0], time)),
+        cells * reduced((turn, origin[1]), (-turn * velocity[1], time)),
+        cells * reduced((2.0 * math.pi / (PERIOD * change), time)),
+    )
 
 
 def angular_frequency(wave: ParametricWave) -> float:
@@ -252,6 +285,17 @@ def wavenumber(wavelength: float, depth: float | None) -> float:
     return 0.5 * (low + high)
 
 
+def afloat(scene: Scene, time: float, origin: tuple[float, float]) -> tuple[float, float]:
+    """The origin (x, z) in the frame of the flowing water, which is the ground's at time 0; m."""
+    if scene.current is None:
+        return origin
+    x, z = (
+        float(Fraction(place) - Fraction(part) * Fraction(time))
+        for place, part in zip(origin, scene.current.velocity, strict=True)
+    )
+    return x, z
+
+
 def wave_set(scene: Scene, time: float, origin: tuple[float, float], spatial: float = 1.0) -> WaveSet:
     """The scene's waves at a time (s) around an origin (x, z) in m; ``spatial`` scales the wavenumbers."""
     k = np.array([wavenumber(wave.wavelength, scene.water.depth) * spatial for wave in scene.waves], np.float64)
@@ -274,8 +318,14 @@ def wave_set(scene: Scene, time: float, origin: tuple[float, float], spatial: fl
     )
 
 
-def ripple_set(ripples: Ripples | None, time: float, origin: tuple[float, float], repeats: bool = False) -> RippleSet:
-    """The ripples of a ripples at a time (s) around an origin (x, z) in m; empty without one."""
+def ripple_set(
+    ripples: Ripples | None,
+    time: float,
+    origin: tuple[float, float],
+    repeats: bool = False,
+    gusts: GustField | None = None,
+) -> RippleSet:
+    """Ripples at a time (s) around an origin (x, z) in m; empty without one."""
     drawn = [] if ripples is None else [ripple for cascade in ripple_cascades(ripples, repeats) for ripple in cascade]
     phase = [
         reduced((ripple.omega, time), (-ripple.kx, origin[0]), (-ripple.kz, origin[1]), plus=ripple.phase)
@@ -286,7 +336,17 @@ def ripple_set(ripples: Ripples | None, time: float, origin: tuple[float, float]
         kx=np.array([ripple.kx for ripple in drawn], np.float64),
         kz=np.array([ripple.kz for ripple in drawn], np.float64),
         phase=np.array(phase, np.float64),
+        gusts=gusts,
     )
+
+
+def gust_field(ripples: Ripples | None, time: float, origin: tuple[float, float]) -> GustField | None:
+    """The gusts over ripples at a time (s) around an origin (x, z) in m; None without any."""
+    if ripples is None or ripples.gusts is None:
+        return None
+    gusts, angle = ripples.gusts, ripples.wind_direction
+    velocity = gusts.speed * math.cos(angle), gusts.speed * math.sin(angle)
+    return GustField(gusts, noise_place(gusts.size, gusts.change, velocity, time, origin))
 
 
 def _whole_power(base: Floats, exponent: int) -> Floats:

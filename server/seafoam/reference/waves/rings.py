@@ -5,7 +5,7 @@ Ages and vectors are differences of float64 numbers, exact up to one rounding. L
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 
@@ -94,8 +94,25 @@ class RingSet:
 def ring_set(scene: Scene, time: float, origin: tuple[float, float]) -> RingSet:
     """The scene's active rings at a time (s) around an origin (x, z) in m."""
     states = [one_ring(ring, scene.water.depth, time, origin) for ring in scene.rings]
-    alive = tuple(ring for ring in states if ring.amplitude > 0.0 and ring.front > 0.0)
-    return RingSet(rings=alive, top=highest(scene), slope=ring_slope(scene), curvature=ring_curvature(scene))
+    return RingSet(_active(states), top=highest(scene), slope=ring_slope(scene), curvature=ring_curvature(scene))
+
+
+def touch_set(scene: Scene, time: float, origin: tuple[float, float]) -> RingSet:
+    """The rings of the scene's touches, carried by its current; they have slopes without height."""
+    states = []
+    for touch in scene.touches:
+        ring, since = one_ring(touch.ring, None, time, origin), Fraction(time) - Fraction(touch.time)
+        velocity = (0.0, 0.0) if scene.current is None else scene.current.velocity
+        x, z = (
+            float(Fraction(place) + Fraction(part) * since - Fraction(middle))
+            for place, part, middle in zip(touch.place, velocity, origin, strict=True)
+        )
+        states.append(replace(ring, x=x, z=z))
+    return RingSet(_active(states), top=0.0, slope=0.0, curvature=0.0)
+
+
+def _active(rings: list[OneRing]) -> tuple[OneRing, ...]:
+    return tuple(ring for ring in rings if ring.amplitude > 0.0 and ring.front > 0.0)
 
 
 def one_ring(ring: Ring, depth: float | None, time: float, origin: tuple[float, float]) -> OneRing:
@@ -120,8 +137,7 @@ def ring_height(ring: OneRing, x: Floats, z: Floats) -> Floats:
     """η at (x, z); (r,) m."""
     rho = _rho(ring, x, z)[0]
     head, tail, _, _ = _windows(ring, rho)
-    result: Floats = ring.amplitude * np.cos(ring.k * rho - ring.theta) * head * tail
-    return result
+    return ring.amplitude * np.cos(ring.k * rho - ring.theta) * head * tail
 
 
 def ring_slope_outward(ring: OneRing, x: Floats, z: Floats) -> tuple[Floats, Floats]:
@@ -144,8 +160,7 @@ def _rho(ring: OneRing, x: Floats, z: Floats) -> tuple[Floats, Floats]:
 def _reached(ring: OneRing, x: Floats, z: Floats) -> Bools:
     """Mask of places with r ≤ front + a, where ρ can be behind the front."""
     reach = ring.front + ROUND * ring.length
-    result: Bools = (x - ring.x) ** 2 + (z - ring.z) ** 2 <= reach * reach
-    return result
+    return (x - ring.x) ** 2 + (z - ring.z) ** 2 <= reach * reach
 
 
 def _windows(ring: OneRing, rho: Floats) -> tuple[Floats, Floats, Floats, Floats]:

@@ -38,42 +38,25 @@ class TileSample:
 
     def jacobian(self, choppiness: float) -> Floats:
         """det(1 + λ ∂D/∂x)."""
-        result: Floats = (1.0 + choppiness * self.xx) * (1.0 + choppiness * self.zz) - (choppiness * self.xz) ** 2
-        return result
+        return (1.0 + choppiness * self.xx) * (1.0 + choppiness * self.zz) - (choppiness * self.xz) ** 2
 
 
-def amplitudes(of: Cascade, time: float) -> NDArray[np.complex128]:
+def amplitudes(cascade: Cascade, time: float) -> NDArray[np.complex128]:
     """h₀ e^{−iωt}, with ωt reduced in whole turns: exact at any time, s."""
     turns = math.fmod(time, LOOP) / LOOP
-    angle = 2.0 * math.pi * np.mod(of.turns * turns, 1.0)
-    result: NDArray[np.complex128] = of.h0 * np.exp(-1j * angle)
+    angle = 2.0 * math.pi * np.mod(cascade.turns * turns, 1.0)
+    result: NDArray[np.complex128] = cascade.h0 * np.exp(-1j * angle)
     return result
 
 
-def direct(of: Cascade, time: float, x: Floats, z: Floats) -> TileSample:
-    """The field as a sum of all waves at every place (m, (r,)), with which tests compare the grids."""
-    step = 2.0 * math.pi / of.size
-    rows, columns = np.nonzero(of.h0)
-    kx, kz = step * (columns - BAND), step * (rows - BAND)
-    k = np.hypot(kx, kz)
-    h = 2.0 * amplitudes(of, time)[rows, columns]
-    parts: list[list[Floats]] = []
-    for start in range(0, x.size, 256):
-        here = slice(start, start + 256)
-        wave = np.exp(1j * (kx[:, None] * x[here] + kz[:, None] * z[here]))
-        factors = (1.0, 1j * kx, 1j * kz, 1j * kx / k, 1j * kz / k, -kx * kx / k, -kx * kz / k, -kz * kz / k)
-        parts.append([np.real((h * factor) @ wave) for factor in factors])
-    return TileSample(*(np.concatenate(part) for part in zip(*parts, strict=True)))
-
-
-def grids(of: Cascade, time: float, texels: int, moved: tuple[float, float] = (0.0, 0.0)) -> TileSample:
+def grids(cascade: Cascade, time: float, texels: int, moved: tuple[float, float] = (0.0, 0.0)) -> TileSample:
     """The field at texel corners x = j·size/texels, (texels, texels), row z, shifted by (x, z) m; by inverse FFT."""
     number = np.fft.fftfreq(texels, 1.0 / texels).round().astype(np.int64)
     spectrum = np.zeros((texels, texels), np.complex128)
-    rows, columns = np.nonzero(of.h0)
-    step = 2.0 * math.pi / of.size
+    rows, columns = np.nonzero(cascade.h0)
+    step = 2.0 * math.pi / cascade.size
     turned = np.exp(-1j * step * ((columns - BAND) * moved[0] + (rows - BAND) * moved[1]))
-    spectrum[(rows - BAND) % texels, (columns - BAND) % texels] = amplitudes(of, time)[rows, columns] * turned
+    spectrum[(rows - BAND) % texels, (columns - BAND) % texels] = amplitudes(cascade, time)[rows, columns] * turned
     kx, kz = step * number[None, :], step * number[:, None]
     k = np.maximum(np.hypot(kx, kz), 1e-300)
     factors = (np.ones_like(k), 1j * kx, 1j * kz, 1j * kx / k, 1j * kz / k, -kx * kx / k, -kx * kz / k, -kz * kz / k)
@@ -98,11 +81,11 @@ class Tile:
     label_z: Floats
 
 
-def tile(of: Cascade, time: float, wanted: float, texels: int = TEXELS) -> Tile:
+def tile(cascade: Cascade, time: float, wanted: float, texels: int = TEXELS) -> Tile:
     """Converts a displaced tile to a height field: x + λD(x) = p solved for each corner p."""
-    field = grids(of, time, texels)
-    choppiness = of.choppiness(wanted)
-    scale = choppiness * texels / of.size
+    field = grids(cascade, time, texels)
+    choppiness = cascade.choppiness(wanted)
+    scale = choppiness * texels / cascade.size
     p_z, p_x = np.meshgrid(np.arange(texels, dtype=np.float64), np.arange(texels, dtype=np.float64), indexing="ij")
     splines = {name: coefficients(getattr(field, name)) for name in ("h", "h_x", "h_z", "d_x", "d_z", "xx", "xz", "zz")}
 
@@ -128,9 +111,9 @@ def tile(of: Cascade, time: float, wanted: float, texels: int = TEXELS) -> Tile:
         (a_xx * rest.h_z - a_xz * rest.h_x) / bounded,
     )
     length = np.hypot(h_x, h_z)
-    kept = np.minimum(1.0, of.max_slope / np.maximum(length, 1e-300))
-    height = np.clip(rest.h, -of.limit, of.limit)
-    return Tile(of.size, height, h_x * kept, h_z * kept, a_xx + a_zz - 2.0, jacobian, x, z)
+    kept = np.minimum(1.0, cascade.max_slope / np.maximum(length, 1e-300))
+    height = np.clip(rest.h, -cascade.limit, cascade.limit)
+    return Tile(cascade.size, height, h_x * kept, h_z * kept, a_xx + a_zz - 2.0, jacobian, x, z)
 
 
 @dataclass(frozen=True, eq=False)
@@ -148,7 +131,7 @@ class SeaSurface:
     @property
     def top(self) -> float:
         """Sum of the tiles' upper bounds, m."""
-        return sum(of.limit for of in self.cascades[:RAISED])
+        return sum(cascade.limit for cascade in self.cascades[:RAISED])
 
     @property
     def trough(self) -> float:
@@ -160,7 +143,7 @@ class SeaSurface:
         steepest = 0.0
         for tile in self._raised:
             across = [
-                np.abs(np.diff(tile.height, axis=axis, append=_first(tile.height, axis))).max() for axis in (0, 1)
+                np.abs(np.diff(tile.height, axis=axis, append=tile.height.take([0], axis))).max() for axis in (0, 1)
             ]
             steepest += math.hypot(float(across[0]), float(across[1])) * tile.height.shape[0] / tile.size
         return 1.001 * steepest
@@ -221,16 +204,16 @@ class SeaSurface:
             left += share * np.clip((model.old[0] - folded) / model.old[1], 0.0, 1.0)
         return self._at(self.tiles[0], left, x, z)
 
-    def carry(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
-        """Displacement from (x, z) to where the water there rests, m; (r,) each."""
-        way_x, way_z = np.zeros_like(x), np.zeros_like(x)
+    def to_rest(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
+        """Displacement from (x, z) to the rest position of the water there, m; (r,) each."""
+        by_x, by_z = np.zeros_like(x), np.zeros_like(x)
         for tile in self._raised:
             texels = tile.label_x.shape[0]
             corner = np.arange(0, texels, 2)
             scale = tile.size / texels
-            way_x += self._at(tile, scale * (tile.label_x[::2, ::2] - corner[None, :]), x, z)
-            way_z += self._at(tile, scale * (tile.label_z[::2, ::2] - corner[:, None]), x, z)
-        return way_x, way_z
+            by_x += self._at(tile, scale * (tile.label_x[::2, ::2] - corner[None, :]), x, z)
+            by_z += self._at(tile, scale * (tile.label_z[::2, ::2] - corner[:, None]), x, z)
+        return by_x, by_z
 
     def _slopes(self, tiles: tuple[Tile, ...], x: Floats, z: Floats) -> tuple[Floats, Floats]:
         h_x, h_z = np.zeros_like(x), np.zeros_like(x)
@@ -239,20 +222,20 @@ class SeaSurface:
             h_z += self._smooth(tile, tile.h_z, x, z)
         return h_x, h_z
 
-    def _smooth(self, of: Tile, values: Floats, x: Floats, z: Floats) -> Floats:
+    def _smooth(self, tile: Tile, values: Floats, x: Floats, z: Floats) -> Floats:
         """The uniform cubic B-spline with ``values`` as coefficients, at (x, z), m from the origin."""
-        scale = values.shape[0] / of.size
-        u = (math.fmod(self.origin[0], of.size) + x) * scale
-        v = (math.fmod(self.origin[1], of.size) + z) * scale
+        scale = values.shape[0] / tile.size
+        u = (math.fmod(self.origin[0], tile.size) + x) * scale
+        v = (math.fmod(self.origin[1], tile.size) + z) * scale
         result: Floats = map_coordinates(values, (v, u), order=3, mode="grid-wrap", prefilter=False)
         return result
 
-    def _at(self, of: Tile, values: Floats, x: Floats, z: Floats) -> Floats:
+    def _at(self, tile: Tile, values: Floats, x: Floats, z: Floats) -> Floats:
         """``values`` of a tile, bilinear, at (x, z), m from the origin."""
         texels = values.shape[0]
-        scale = texels / of.size
-        u = x * scale + math.fmod(self.origin[0], of.size) * scale
-        v = z * scale + math.fmod(self.origin[1], of.size) * scale
+        scale = texels / tile.size
+        u = x * scale + math.fmod(self.origin[0], tile.size) * scale
+        v = z * scale + math.fmod(self.origin[1], tile.size) * scale
         i, j = np.floor(u), np.floor(v)
         s, t = u - i, v - j
         i0, j0 = i.astype(np.intp) & (texels - 1), j.astype(np.intp) & (texels - 1)
@@ -271,21 +254,21 @@ def _drawn(
     sea: Sea, depth: float | None, time: float, texels: int, drift: tuple[float, float], lasting: bool
 ) -> tuple[tuple[Tile, ...], tuple[tuple[Floats, ...], ...], tuple[Floats, ...]]:
     drawn = cascades(sea, depth)
-    tiles = tuple(tile(of, time, sea.choppiness, texels) for of in drawn)
+    tiles = tuple(tile(cascade, time, sea.choppiness, texels) for cascade in drawn)
 
-    def then(of: Cascade, now: Tile, size: int, times: list[float]) -> tuple[Floats, ...]:
+    def then(cascade: Cascade, now: Tile, size: int, times: list[float]) -> tuple[Floats, ...]:
         """λ div D on ``size``² texels at earlier times, at every second texel, at the rest position of its water."""
         finer = texels // size
         place = now.label_z[::2, ::2] / finer, now.label_x[::2, ::2] / finer
         series = []
         for ago in times:
-            field = grids(of, time - ago, size, (drift[0] * ago, drift[1] * ago))
-            linear = of.choppiness(sea.choppiness) * (field.xx + field.zz)
+            field = grids(cascade, time - ago, size, (drift[0] * ago, drift[1] * ago))
+            linear = cascade.choppiness(sea.choppiness) * (field.xx + field.zz)
             series.append(map_coordinates(linear, place, order=1, mode="grid-wrap"))
         return tuple(series)
 
     ages = [AGE_STEP * step for step in range(1, AGE_STEPS + 1)]
-    earlier = tuple(then(of, now, texels // 2, ages) for of, now in zip(drawn[:RAISED], tiles, strict=False))
+    earlier = tuple(then(cascade, now, texels // 2, ages) for cascade, now in zip(drawn[:RAISED], tiles, strict=False))
     old = then(drawn[0], tiles[0], OLD_TEXELS, old_times(AGE_STEPS, AGE_STEP)) if lasting else ()
     return tiles, earlier, old
 
@@ -306,7 +289,7 @@ def raised_surface(scene: Scene, time: float, origin: tuple[float, float], texel
     if scene.sea is None or scene.sea.wind <= 0.0:
         return None
     raised = cascades(scene.sea, scene.water.depth)[:RAISED]
-    tiles = tuple(tile(of, time, scene.sea.choppiness, texels) for of in raised)
+    tiles = tuple(tile(cascade, time, scene.sea.choppiness, texels) for cascade in raised)
     return SeaSurface(tiles, raised, origin, ())
 
 
@@ -332,10 +315,4 @@ def coefficients(values: Floats) -> Floats:
     """Coefficients of the periodic cubic B-spline through ``values``."""
     texels = values.shape[0]
     filtered = (2.0 + np.cos(2.0 * math.pi * np.fft.fftfreq(texels))) / 3.0
-    result: Floats = np.real(np.fft.ifft2(np.fft.fft2(values) / (filtered[:, None] * filtered[None, :])))
-    return result
-
-
-def _first(values: Floats, axis: int) -> Floats:
-    """Append the first row or column, which closes the tile."""
-    return np.take(values, [0], axis=axis)
+    return np.real(np.fft.ifft2(np.fft.fft2(values) / (filtered[:, None] * filtered[None, :])))

@@ -1,9 +1,12 @@
-"""Section 13: drops in flight, their quadrilaterals on a picture, and what their water hides."""
+"""Section 13: drops in flight, and as splats on a picture.
+
+Flight, visibility, size and light of a drop are written from the page. What its water hides within the splat is, like
+the births, a transcript of the shader: a picture with other strands could not be compared sample by sample.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,17 +14,18 @@ import numpy as np
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.spray import BATCHES
 from seafoam.reference.boats.boat import Fleet
-from seafoam.reference.light import light
+from seafoam.reference.light.atmosphere import CONTRAST
+from seafoam.reference.noise import number
 from seafoam.reference.renderer import intersect
-from seafoam.reference.renderer.camera import View
+from seafoam.reference.renderer.camera import SampleGrid, View
 from seafoam.reference.renderer.relief import ReliefPart
+from seafoam.reference.renderer.state import Lighting, Surface
 from seafoam.reference.sampling import bilinear
 from seafoam.reference.shore.shore import Coast
-from seafoam.reference.spray.drop import COLUMN, DRIFT, MIST, SHEET, Drops, number
+from seafoam.reference.spray.drop import COLUMN, DRIFT, MIST, SHEET, Drops
 from seafoam.reference.spray.rocks import on_rocks
 from seafoam.reference.types import Floats, dot, smoothstep, unit
 from seafoam.scene.models import Scene
-from seafoam.scene.spray import Spray
 from seafoam.textures.spray import STRANDS, strand_levels
 
 NEAREST = 0.3
@@ -38,8 +42,8 @@ ONWARD = 0.8
 
 
 @dataclass(frozen=True, eq=False)
-class Seen:
-    """Drops on the picture, as quadrilaterals; (n,) each unless said otherwise."""
+class Splats:
+    """Drops on the picture, as ellipses; (n,) each unless said otherwise."""
 
     X: Floats
     Y: Floats
@@ -63,56 +67,47 @@ class Seen:
     sun: Floats
     """(n, 3) toward the sun: along, across, toward the eye."""
 
+    def draw_over(self, picture: Floats, X: Floats, Y: Floats) -> None:
+        """Draw the drops over samples (H, W, 3), in place. X, Y (H, W): clip positions of the samples."""
+        rows, columns = X.shape
+        thick, total = np.zeros((rows, columns)), np.zeros((rows, columns, 3))
+        for i in range(self.X.size):
+            along = self.along[i]
+            across = np.array([-along[1], along[0]])
+            reach = np.abs(along) * self.half[i, 0] + np.abs(across) * self.half[i, 1] + 1.0
+            middle = 0.5 * (self.X[i] + 1.0) * columns, 0.5 * (1.0 - self.Y[i]) * rows
+            if not all(-r < m < side + r for m, r, side in zip(middle, reach, (columns, rows), strict=True)):
+                continue
+            left, right = (int(np.clip(math.floor(middle[0] + s * reach[0]), 0, columns - 1)) for s in (-1.0, 1.0))
+            top, bottom = (int(np.clip(math.floor(middle[1] + s * reach[1]), 0, rows - 1)) for s in (-1.0, 1.0))
+            here = (slice(top, bottom + 1), slice(left, right + 1))
+            right_of, above = (X[here] - self.X[i]) * 0.5 * columns, (Y[here] - self.Y[i]) * 0.5 * rows
+            a = (right_of * along[0] + above * along[1]) / self.half[i, 0]
+            b = (right_of * across[0] + above * across[1]) / self.half[i, 1]
+            square = a * a + b * b
+            within = square < 1.0
+            if within.any():
+                depth, colour = self._water(i, a[within], b[within], square[within])
+                thick[here][within] += depth
+                total[here][within] += colour
+        wet = thick >= 1e-4
+        cover = 1.0 - np.exp(-thick[wet])
+        picture[wet] = picture[wet] * (1.0 - cover)[:, None] + total[wet] * (cover / thick[wet])[:, None]
 
-class Shown:
-    """How drops are lit, and seen through the air."""
-
-    def __init__(
-        self,
-        air: light.Air | None,
-        visibility: float,
-        exposure: float,
-        reaches: Callable[[Floats], Floats] | None = None,
-    ) -> None:
-        self.air = air
-        self.reaches = reaches
-        """Share (n,) of the sun's light that reaches drops at (n, 3), m from the camera; None: all."""
-        self.visibility = visibility
-        self.exposure = exposure
-
-    def scattered(self, away: Floats, face: Floats) -> Floats:
-        """Light (n, 3) scattered all round by drops at (n, 3), m from the camera, on a side that faces so (n, 3)."""
-        if self.air is None:
-            return np.ones_like(away)
-        sun = self.air.sun_irradiance * (self._reached(away) * (0.5 + 0.4 * dot(face, self.air.sun)))[:, None]
-        total = (sun + 0.9 * self.air.sky_irradiance) / math.pi
-        distance = np.sqrt(dot(away, away))
-        result: Floats = light.haze(self.air, self.visibility, total, unit(away), distance) * self.exposure
-        return np.minimum(result, BRIGHTEST)
-
-    def onward(self, away: Floats) -> Floats:
-        """Light (n, 3) of the sun that drops at (n, 3) send on nearly as it came."""
-        if self.air is None:
-            return np.zeros_like(away)
-        g = ONWARD
-        phase = (1.0 - g * g) / (1.0 + g * g - 2.0 * g * dot(unit(away), self.air.sun)) ** 1.5 / (2.0 * math.pi)
-        distance = np.sqrt(dot(away, away))
-        through = np.exp(-light.CONTRAST / self.visibility * distance)
-        return np.minimum(
-            self.air.sun_irradiance * (self._reached(away) * phase * through)[:, None] * self.exposure, BRIGHTEST
-        )
-
-    def _reached(self, away: Floats) -> Floats:
-        return np.ones(len(away)) if self.reaches is None else self.reaches(away)
-
-    def sun(self, view: View, along: Floats) -> Floats:
-        """(n, 3) toward the sun: along directions of the picture (n, 2), across, and toward the eye."""
-        if self.air is None:
-            return np.zeros((len(along), 3))
-        aside = np.array([unit(axis) @ self.air.sun for axis in (view.ray_x, view.ray_y)])
-        across = np.stack((-along[:, 1], along[:, 0]), axis=-1)
-        eye = np.full(len(along), -float(self.air.sun @ view.ray_z))
-        return np.stack((along @ aside, across @ aside, eye), axis=-1)
+    def _water(self, i: int, a: Floats, b: Floats, square: Floats) -> tuple[Floats, Floats]:
+        """Optical depth (n,) of a drop at places in it, and its light times that (n, 3)."""
+        u, v, stretch = self.window[i]
+        by_u, by_v = a * stretch, b * 0.5 * WINDOW
+        within = 1.0 - square
+        rank = strands(u + by_u, v + by_v, float(self.level[i]))
+        cover = np.clip((self.cover[i] * within - rank) / self.soft[i] + 0.5, 0.0, 1.0)
+        finer = strands(v + FINER * by_v, u - FINER * by_u, float(self.level[i]) + math.log2(FINER))
+        cover = cover + self.fine[i] * (np.clip((cover - finer) / 0.3 + 0.5, 0.0, 1.0) - cover)
+        depth = self.depth[i] * within * cover
+        along, across, eye = self.sun[i]
+        facing = 0.75 + 0.25 * (a * along + b * across + np.sqrt(within) * eye)
+        colour = self.scattered[i] * facing[:, None] + self.onward[i] * np.exp(-1.5 * depth)[:, None]
+        return depth, colour * depth[:, None]
 
 
 def flight(
@@ -120,15 +115,13 @@ def flight(
 ) -> Floats:
     """Positions (n, 3) of drops ``age`` s after their start: ballistics with linear drag, τ and weight (n,) each."""
     last = _last(tau, weight, wind)
-    result: Floats = birth + last * age[:, None] + (velocity - last) * (-tau * np.expm1(-age / tau))[:, None]
-    return result
+    return birth + last * age[:, None] + (velocity - last) * (-tau * np.expm1(-age / tau))[:, None]
 
 
 def speed(velocity: Floats, age: Floats, tau: Floats, weight: Floats, wind: tuple[float, float]) -> Floats:
     """Velocities (n, 3), m/s."""
     last = _last(tau, weight, wind)
-    result: Floats = last + (velocity - last) * np.exp(-age / tau)[:, None]
-    return result
+    return last + (velocity - last) * np.exp(-age / tau)[:, None]
 
 
 def _last(tau: Floats, weight: Floats, wind: tuple[float, float]) -> Floats:
@@ -183,48 +176,40 @@ def _form(kind: Floats, age: Floats, life: Floats, vary: Floats, other: Floats) 
     )
 
 
-def beat(scene: Scene) -> float:
-    """Time between batches of drops, s; 0 at rocks, where none come in batches."""
-    spray = scene.spray
-    return 0.0 if spray is None or on_rocks(scene) else spray.life / BATCHES
-
-
-def seen(
-    spray: Spray,
-    drops: Drops,
-    every: float,
-    view: View,
-    rows: int,
-    columns: int,
-    relief: ReliefPart,
-    coast: Coast | None,
-    fleet: Fleet | None,
-    shown: Shown,
-) -> Seen:
-    """The drops on a picture of ``rows`` × ``columns`` samples. ``every``: time between batches, s."""
+def splats(
+    scene: Scene, drops: Drops, grid: SampleGrid, surface: Surface, fleet: Fleet | None, lighting: Lighting | None
+) -> Splats:
+    """The drops on a picture."""
+    spray, view = scene.spray, grid.view
+    assert spray is not None
+    # Drops of waves come in batches, each of which begins at a time of its own; those at rocks do not.
+    every = 0.0 if on_rocks(scene) else spray.life / BATCHES
     seed = drops.word >> np.uint64(8)
     vary = number(seed, 6)
     wind = (spray.wind * math.cos(spray.wind_direction), spray.wind * math.sin(spray.wind_direction))
     tau, weight = falls(drops.kind, spray.drag * (0.6 + 0.8 * vary))
-    away = flight(drops.birth, drops.velocity, drops.age, tau, weight, wind) - np.array([0.0, view.eye[1], 0.0])
+    away = flight(drops.birth, drops.velocity, drops.age, tau, weight, wind) - np.array([0.0, grid.eye_y, 0.0])
     depth = away @ view.ray_z
     chosen = np.flatnonzero(depth >= NEAREST)
-    clear, over = _clear(away[chosen], float(view.eye[1]), 0.35 * drops.radius[chosen] + 0.02, relief, coast, fleet)
+    soft = 0.35 * drops.radius[chosen] + 0.02
+    clear, over = _visible(away[chosen], grid.eye_y, soft, surface.relief, surface.coast, fleet)
     chosen, over, clear = chosen[clear > 0.0], over[clear > 0.0], clear[clear > 0.0]
-    drops, seed, away, depth, vary = drops.of(chosen), seed[chosen], away[chosen], depth[chosen], vary[chosen]
+    drops, seed, away, depth, vary = drops.subset(chosen), seed[chosen], away[chosen], depth[chosen], vary[chosen]
+
     moving = speed(drops.velocity, drops.age, tau[chosen], weight[chosen], wind)
     wait = np.select([drops.kind == SHEET, drops.kind == COLUMN], [0.35, 0.0], 0.9)
     form = _form(drops.kind, drops.age - every * number(seed, 8) * wait, drops.life, vary, number(seed, 9))
-    X, Y, along, size = _ellipses(view, (columns, rows), away, moving, drops.radius, form, over)
+    X, Y, along, size = _ellipses(view, (grid.columns, grid.rows), away, moving, drops.radius, form, over)
     half = np.maximum(size, NARROWEST)
     thin = size.prod(axis=-1) / half.prod(axis=-1)
     sharp = np.log2(0.5 * WINDOW * STRANDS / half[:, 1])
     level = np.clip(sharp, 0.0, 5.0)
-    tangent = size[:, 0] * math.sqrt(float(view.ray_y @ view.ray_y)) / (0.5 * rows)
+    tangent = size[:, 0] * math.sqrt(float(view.ray_y @ view.ray_y)) / (0.5 * grid.rows)
     apart = np.where(drops.kind == COLUMN, 1.0, 1.0 - smoothstep(*AROUND, tangent))
     hides = 1.0 - np.exp(-form.depth * drops.strength * clear * smoothstep(NEAREST, 1.0, depth) * apart)
     stretch = 0.5 * WINDOW * np.minimum(half[:, 0] / half[:, 1], 2.0)
-    return Seen(
+    scattered, onward, sun = _light(lighting, view, away, drops.velocity, along)
+    return Splats(
         X=X,
         Y=Y,
         along=along,
@@ -235,10 +220,38 @@ def seen(
         level=level,
         fine=1.0 - np.clip((sharp + 2.0) / 2.0, 0.0, 1.0),
         window=np.stack((number(seed, 10), number(seed, 11), stretch), axis=-1),
-        scattered=shown.scattered(away, _faces(drops.velocity)),
-        onward=shown.onward(away),
-        sun=shown.sun(view, along),
+        scattered=scattered,
+        onward=onward,
+        sun=sun,
     )
+
+
+def _light(
+    lighting: Lighting | None, view: View, away: Floats, thrown: Floats, along: Floats
+) -> tuple[Floats, Floats, Floats]:
+    """Of drops at (n, 3), m from the camera, thrown with velocities (n, 3) and flying along (n, 2) on the picture.
+
+    The light that they scatter all round, that of the sun that they send on nearly as it came, and the direction to
+    the sun: along, across, and toward the eye; (n, 3) each.
+    """
+    if lighting is None:
+        return np.ones_like(away), np.zeros_like(away), np.zeros_like(away)
+    air, none = lighting.air, np.zeros((len(away), 2))
+    reached = lighting.open_sun(away + np.array([0.0, view.eye[1], 0.0]), (none, none))
+    distance = np.sqrt(dot(away, away))
+    sun = air.sun_irradiance * (reached * (0.5 + 0.4 * dot(_faces(thrown), air.sun)))[:, None]
+    scattered = lighting.haze((sun + 0.9 * air.sky_irradiance) / math.pi, unit(away), distance) * lighting.exposure
+
+    g = ONWARD
+    phase = (1.0 - g * g) / (1.0 + g * g - 2.0 * g * dot(unit(away), air.sun)) ** 1.5 / (2.0 * math.pi)
+    through = np.exp(-CONTRAST / lighting.settings.visibility * distance)
+    onward = air.sun_irradiance * (reached * phase * through)[:, None] * lighting.exposure
+
+    aside = np.array([unit(axis) @ air.sun for axis in (view.ray_x, view.ray_y)])
+    across = np.stack((-along[:, 1], along[:, 0]), axis=-1)
+    eye = np.full(len(along), -float(air.sun @ view.ray_z))
+    toward_sun = np.stack((along @ aside, across @ aside, eye), axis=-1)
+    return np.minimum(scattered, BRIGHTEST), np.minimum(onward, BRIGHTEST), toward_sun
 
 
 def _ellipses(
@@ -274,7 +287,7 @@ def _faces(velocity: Floats) -> Floats:
     return np.stack((0.8 * level[:, 0], np.full(len(level), 0.6), 0.8 * level[:, 1]), axis=-1)
 
 
-def _clear(
+def _visible(
     away: Floats, eye_y: float, soft: Floats, relief: ReliefPart, coast: Coast | None, fleet: Fleet | None
 ) -> tuple[Floats, Floats]:
     """What is seen of drops (n, 3): nothing of those below or behind water or ground, or behind a boat; in [0, 1].
@@ -299,50 +312,6 @@ def _clear(
     return result, over
 
 
-def lay_over(picture: Floats, X: Floats, Y: Floats, over: Seen) -> None:
-    """Lay drops over samples (H, W, 3), in place. X, Y (H, W): clip positions of the samples."""
-    rows, columns = X.shape
-    thick, total = np.zeros((rows, columns)), np.zeros((rows, columns, 3))
-    for i in range(over.X.size):
-        along = over.along[i]
-        across = np.array([-along[1], along[0]])
-        reach = np.abs(along) * over.half[i, 0] + np.abs(across) * over.half[i, 1] + 1.0
-        middle = 0.5 * (over.X[i] + 1.0) * columns, 0.5 * (1.0 - over.Y[i]) * rows
-        if not all(-r < m < side + r for m, r, side in zip(middle, reach, (columns, rows), strict=True)):
-            continue
-        left, right = (int(np.clip(math.floor(middle[0] + s * reach[0]), 0, columns - 1)) for s in (-1.0, 1.0))
-        top, bottom = (int(np.clip(math.floor(middle[1] + s * reach[1]), 0, rows - 1)) for s in (-1.0, 1.0))
-        here = (slice(top, bottom + 1), slice(left, right + 1))
-        right_of, above = (X[here] - over.X[i]) * 0.5 * columns, (Y[here] - over.Y[i]) * 0.5 * rows
-        a = (right_of * along[0] + above * along[1]) / over.half[i, 0]
-        b = (right_of * across[0] + above * across[1]) / over.half[i, 1]
-        square = a * a + b * b
-        within = square < 1.0
-        if within.any():
-            depth, colour = _water(over, i, a[within], b[within], square[within])
-            thick[here][within] += depth
-            total[here][within] += colour
-    wet = thick >= 1e-4
-    cover = 1.0 - np.exp(-thick[wet])
-    picture[wet] = picture[wet] * (1.0 - cover)[:, None] + total[wet] * (cover / thick[wet])[:, None]
-
-
-def _water(over: Seen, i: int, a: Floats, b: Floats, square: Floats) -> tuple[Floats, Floats]:
-    """Optical depth (n,) of a drop at places in it, and its light times that (n, 3)."""
-    u, v, stretch = over.window[i]
-    way_u, way_v = a * stretch, b * 0.5 * WINDOW
-    within = 1.0 - square
-    rank = strands(u + way_u, v + way_v, float(over.level[i]))
-    cover = np.clip((over.cover[i] * within - rank) / over.soft[i] + 0.5, 0.0, 1.0)
-    finer = strands(v + FINER * way_v, u - FINER * way_u, float(over.level[i]) + math.log2(FINER))
-    cover = cover + over.fine[i] * (np.clip((cover - finer) / 0.3 + 0.5, 0.0, 1.0) - cover)
-    depth = over.depth[i] * within * cover
-    along, across, eye = over.sun[i]
-    facing = 0.75 + 0.25 * (a * along + b * across + np.sqrt(within) * eye)
-    colour = over.scattered[i] * facing[:, None] + over.onward[i] * np.exp(-1.5 * depth)[:, None]
-    return depth, colour * depth[:, None]
-
-
 def strands(u: Floats, v: Floats, level: float) -> Floats:
     """The strands' ranks at (u, v) in tiles, linear between texels and between levels; of u's shape."""
     levels = strand_levels()
@@ -351,5 +320,4 @@ def strands(u: Floats, v: Floats, level: float) -> Floats:
     near = bilinear(levels[low], u, v)
     if level == low:
         return near
-    result: Floats = near + (bilinear(levels[low + 1], u, v) - near) * (level - low)
-    return result
+    return near + (bilinear(levels[low + 1], u, v) - near) * (level - low)

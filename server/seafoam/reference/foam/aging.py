@@ -47,8 +47,7 @@ def gathered(scene: Scene, time: float, origin: tuple[float, float], s: Floats, 
         at_eye = reduced((turn * a, origin[0]), (turn * b, origin[1]), (-turn * (a * drift[0] + b * drift[1]), time))
         place.append(cells * at_eye + a * x + b * z)
     ridge = np.maximum(1.0 - RIDGE * np.abs(perlin(np.column_stack(place), ROW_SEED)), -1.0)
-    result: Floats = s + life.windrows * ridge * s * (1.0 - s)
-    return result
+    return s + life.windrows * ridge * s * (1.0 - s)
 
 
 def shares(masks: int, s: Floats, f: Floats) -> list[Share]:
