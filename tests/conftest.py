@@ -25,7 +25,7 @@ os.environ |= {"SEAFOAM_CACHE_SIZE": "0", "SEAFOAM_CACHE_MEMORY": "0"}
 BROWSER = Path(__file__).with_name("browser")
 DRAWING = (Path(__file__).with_name("gpu"), BROWSER)
 """Where a case takes seconds."""
-MOST = 3
+MOST = 2
 """Cases of one test function there, but for the sweep."""
 
 

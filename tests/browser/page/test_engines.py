@@ -6,7 +6,7 @@ import os
 import shutil
 import subprocess
 import urllib.request
-from collections.abc import Callable, Container, Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 import pytest
@@ -44,12 +44,10 @@ OVERLAPS = """(() => {
 })()"""
 
 
-def sizes(webkit: Container[str]) -> pytest.MarkDecorator:
-    """Both sizes in Firefox, and these in WebKitGTK; the sweep has the other."""
+def engines_at(**usual: str) -> pytest.MarkDecorator:
+    """These engines at these sizes; the sweep has the others."""
     cases = [
-        pytest.param(
-            engine, size, id=f"{engine}-{name}", marks=REST if engine == "webkit" and name not in webkit else ()
-        )
+        pytest.param(engine, size, id=f"{engine}-{name}", marks=() if name in usual.get(engine, "") else REST)
         for engine in ENGINES
         for name, size in SIZES.items()
     ]
@@ -119,7 +117,7 @@ def test_presets_are_the_servers_pixels(engine: Engine, server: str) -> None:
     assert engine.complaints == []
 
 
-@sizes({"desktop", "phone"})
+@engines_at(firefox="desktop, phone", webkit="desktop, phone")
 def test_nothing_lies_over_anything(engine: Engine, server: str, size: tuple[int, int]) -> None:
     opened(engine, server, "paper-threshold", size)
     assert engine.evaluate("document.querySelectorAll('.strip a').length") > 20
@@ -169,7 +167,7 @@ def test_a_touch_raises_a_ring(engine: Engine, server: str, kind: str, size: tup
     assert engine.complaints == []
 
 
-@sizes({"phone"})
+@engines_at(firefox="phone", webkit="phone")
 def test_a_water_is_found_by_words(engine: Engine, server: str, size: tuple[int, int]) -> None:
     opened(engine, server, "paper-threshold", size)
     engine.evaluate("document.dispatchEvent(new KeyboardEvent('keydown', { key: '/', bubbles: true }))")
@@ -184,7 +182,7 @@ def test_a_water_is_found_by_words(engine: Engine, server: str, size: tuple[int,
     assert engine.complaints == []
 
 
-@sizes({"desktop"})
+@engines_at(firefox="desktop", webkit="desktop")
 def test_a_lost_context_comes_back(engine: Engine, server: str, size: tuple[int, int]) -> None:
     opened(engine, server, "paper-threshold", size)
     draw = f"window.seafoam.render('default', {{ time: {TIME}, width: 64, height: 36, quality: 'draft' }})"
@@ -197,7 +195,7 @@ def test_a_lost_context_comes_back(engine: Engine, server: str, size: tuple[int,
     assert engine.complaints == []
 
 
-@sizes(())
+@engines_at(firefox="phone")
 def test_the_server_draws_where_it_is_asked_to(engine: Engine, server: str, size: tuple[int, int]) -> None:
     engine.size(*size)
     engine.visit(f"{server}/?draw=server#paused=1&quality=draft&preset=paper-threshold&time={TIME}")
@@ -209,7 +207,7 @@ def test_the_server_draws_where_it_is_asked_to(engine: Engine, server: str, size
     assert engine.complaints == []
 
 
-@sizes(())
+@engines_at(firefox="desktop")
 def test_the_picture_stays_while_the_server_is_away_or_slow(engine: Engine, server: str, size: tuple[int, int]) -> None:
     opened(engine, server, "paper-threshold", size)
     engine.evaluate("(window.own = fetch, window.fetch = () => Promise.reject(new TypeError('away')), true)")
@@ -253,7 +251,7 @@ def sound(engine: Engine, size: tuple[int, int]) -> None:
     assert engine.complaints == []
 
 
-@sizes({"phone"})
+@engines_at(firefox="desktop", webkit="phone")
 def test_surfaces_beside_the_picture(engine: Engine, server: str, size: tuple[int, int]) -> None:
     """Plan view, take home, list of waters, undo."""
     opened(engine, server, "paper-threshold", size)
@@ -269,7 +267,7 @@ def test_surfaces_beside_the_picture(engine: Engine, server: str, size: tuple[in
     sound(engine, size)
 
 
-@sizes(())
+@engines_at(firefox="phone")
 def test_the_accuracy_benchmark_opens(engine: Engine, server: str, size: tuple[int, int]) -> None:
     opened(engine, server, "paper-threshold", size)
     click(engine, "Accuracy benchmark")
@@ -278,7 +276,7 @@ def test_the_accuracy_benchmark_opens(engine: Engine, server: str, size: tuple[i
     sound(engine, size)
 
 
-@sizes({"desktop"})
+@engines_at(firefox="phone", webkit="desktop")
 def test_chapter_and_laboratories(engine: Engine, server: str, size: tuple[int, int]) -> None:
     engine.size(*size)
     engine.visit(f"{server}/learn/")

@@ -19,12 +19,12 @@ from support.browser.lanes import Lane, opened, rendered
 from support.exact import UNFILTERED
 from support.pictures import draw
 from support.report import REPORT
-from support.sweep import crossed
+from support.sweep import crossed, spread
 
 TIMES = (0.0, 2.7, 1e9)
-SIZE = (320, 180)
-ELSEWHERE, SMALLER = TIMES[1:], (160, 90)
-"""Times and size on the other renderer, which takes as long for a frame as all else together."""
+ELSEWHERE = TIMES[1:]
+"""On the other renderer, which takes as long for a frame as all else together."""
+SIZE = (160, 90)
 HARD = {"mean": 3.0, "share_over_2": 0.06}
 SOFT = {"mean": 0.6, "share_over_2": 0.025}
 """What SwiftShader may differ by: mean difference in levels, and share of pixels that differ by more than 2 levels.
@@ -44,14 +44,12 @@ broken by ripples, cuts the water, the last bit of a ray decides which it meets,
 order of the same sums. Shallows has most: 0.09 and 0.02 %."""
 
 
-def apart(
-    page: Page, executor: Executor, preset: str, time: float, tier: Tier = "standard", size: tuple[int, int] = SIZE
-) -> NDArray[np.int64]:
+def apart(page: Page, executor: Executor, preset: str, time: float, tier: Tier = "standard") -> NDArray[np.int64]:
     """By how many levels each pixel of the page's frame of a preset differs from the server's; it is no blank one."""
-    pixels = rendered(page, preset, time=time, size=size, quality=tier)
+    pixels = rendered(page, preset, time=time, size=SIZE, quality=tier)
     assert pixels[..., :3].std() > 5.0, "a blank picture"
     scene = load_preset(preset).scene
-    want = draw(executor, make_plan(scene, TIERS[tier]), scene.camera, time=time, size=size)
+    want = draw(executor, make_plan(scene, TIERS[tier]), scene.camera, time=time, size=SIZE)
     return np.abs(pixels.astype(int) - want.astype(int)).max(axis=-1)  # type: ignore[no-any-return]
 
 
@@ -60,7 +58,7 @@ def test_same_pixels_on_the_same_renderer(page: Page, executor: Executor, preset
     difference = apart(page, executor, preset, time)
     equal = float((difference == 0).mean())
     REPORT.add(
-        "Browser against server, both llvmpipe, 320 × 180",
+        "Browser against server, both llvmpipe, 160 × 90",
         preset=preset,
         time=f"{time:g} s",
         equal=f"{100 * equal:.4f} %",
@@ -94,13 +92,13 @@ def test_same_pixels_by_other_ways(page: Page, executor: Executor, preset: str, 
     """Ways to draw that no tier has."""
     scene = load_preset(preset).scene
     plan = make_plan(scene, TIERS["standard"].model_copy(update=changed))
-    pixels = rendered(page, plan, time=2.7, size=(160, 90), camera=scene.camera)
+    pixels = rendered(page, plan, time=2.7, size=SIZE, camera=scene.camera)
     assert pixels[..., :3].std() > 5.0, "a blank picture"
-    want = draw(executor, plan, scene.camera, time=2.7, size=(160, 90))
+    want = draw(executor, plan, scene.camera, time=2.7, size=SIZE)
     assert (pixels == want).all(axis=-1).mean() >= 0.9999
 
 
-@pytest.mark.parametrize("preset", ["default", "boat-race"])
+@pytest.mark.parametrize("preset", spread(preset_names(), 15))
 def test_the_driver_gets_the_text_of_the_plan(page: Page, preset: str) -> None:
     scene = load_preset(preset).scene
     plan = make_plan(scene, TIERS["draft"])
@@ -131,7 +129,7 @@ def other(swiftshader: Lane, server: str) -> Iterator[Page]:
 
 @pytest.mark.parametrize(("preset", "time"), crossed(preset_names(), ELSEWHERE, len(ELSEWHERE), 7, 1))
 def test_close_on_another_renderer(other: Page, executor: Executor, preset: str, time: float) -> None:
-    difference = apart(other, executor, preset, time, size=SMALLER)
+    difference = apart(other, executor, preset, time)
     mean, over = float(difference.mean()), float((difference > 2).mean())
     REPORT.add(
         "SwiftShader against server on llvmpipe, 160 × 90",

@@ -35,14 +35,17 @@ def shown(page: Page, side: int = 0) -> NDArray[np.uint8]:
     return np.asarray(Image.open(io.BytesIO(base64.b64decode(data))).convert("L"))
 
 
-@pytest.fixture(params=[LARGE, PHONE], ids=["desktop", "phone"])
+@pytest.fixture
 def lab(llvmpipe: Lane, server: str, request: pytest.FixtureRequest) -> Iterator[Visit]:
-    """The laboratory with one small mask."""
-    touch = {"has_touch": True, "is_mobile": True} if request.param == PHONE else {}
-    address = f"masks/#mask={FIRST}&grey=0.25"
-    with visit(llvmpipe, server, address, size=request.param, settle=False, **touch) as made:
+    """The laboratory with one small mask; on a desktop, if the test does not say otherwise."""
+    size = getattr(request, "param", LARGE)
+    touch = {"has_touch": True, "is_mobile": True} if size == PHONE else {}
+    with visit(llvmpipe, server, f"masks/#mask={FIRST}&grey=0.25", size=size, settle=False, **touch) as made:
         ready(made.page)
         yield made
+
+
+BOTH = pytest.mark.parametrize("lab", [LARGE, PHONE], ids=["desktop", "phone"], indirect=True)
 
 
 def small() -> NDArray[np.uint64]:
@@ -89,6 +92,7 @@ def test_parameters_make_another_mask(lab: Visit) -> None:
     lab.complaints[:] = [said for said in lab.complaints if "422" not in said]
 
 
+@BOTH
 def test_two_masks_beside_each_other(lab: Visit) -> None:
     page = lab.page
     page.get_by_label("Two side by side").check()
@@ -148,6 +152,7 @@ def test_every_format_downloads(lab: Visit) -> None:
         assert "aturation" in (page.locator("pre").text_content() or "")
 
 
+@BOTH
 def test_it_fits_fingers_and_keys(lab: Visit) -> None:
     page = lab.page
     page.get_by_label("Two side by side").check()
