@@ -70,8 +70,9 @@ def test_swiftshader_draws_the_page(swiftshader: Lane, server: str) -> None:
 
 
 def test_says_so_while_the_server_is_away(llvmpipe: Lane, server: str) -> None:
-    # The browser notes each request that failed; the page itself has nothing to complain of.
-    with visit(llvmpipe, server, "healthz", size=SIZE, settle=False, expected=REFUSED) as made:
+    with visit(llvmpipe, server, "healthz", size=SIZE, settle=False) as made:
+        # The browser notes each request that failed; the page itself has nothing to complain of.
+        made.expected = REFUSED
         made.page.route("**/api/**", lambda route: route.abort("connectionrefused"))
         made.page.goto(f"{server}/{STILL}")
         said = failure_text(made.page)
@@ -83,7 +84,8 @@ def test_says_so_while_the_server_is_away(llvmpipe: Lane, server: str) -> None:
 
 
 def test_the_picture_stays_when_the_server_goes(llvmpipe: Lane, server: str) -> None:
-    with visit(llvmpipe, server, STILL, size=SIZE, expected=REFUSED) as made:
+    with visit(llvmpipe, server, STILL, size=SIZE) as made:
+        made.expected = REFUSED
         before = made.picture()
         made.page.route("**/api/**", lambda route: route.abort("connectionrefused"))
         made.follow(link(scene={"/foam/look": "textured"}))
@@ -119,7 +121,8 @@ def test_an_unknown_preset_is_told(llvmpipe: Lane, server: str) -> None:
     ids=lambda parts: next(iter(parts)),
 )
 def test_a_link_that_asks_for_nonsense_still_opens(llvmpipe: Lane, server: str, parts: dict[str, object]) -> None:
-    with visit(llvmpipe, server, link(**parts), size=SIZE, expected="422") as made:
+    with visit(llvmpipe, server, link(**parts), size=SIZE) as made:
+        made.expected = "422"
         made.page.locator(".toast.error").first.wait_for()
         assert made.picture().std() > 5.0
         assert made.state()["changes"] == []

@@ -59,7 +59,8 @@ def test_a_choice_on_the_first_page_has_its_still_and_its_thumbnails(small: Visi
 
 
 def test_an_unknown_address_is_told(llvmpipe: Lane, server: str) -> None:
-    with visit(llvmpipe, server, "water/atlantis", settle=False, expected="404") as made:
+    with visit(llvmpipe, server, "water/atlantis", settle=False) as made:
+        made.expected = "404"
         assert "atlantis" in (made.page.get_by_role("heading").text_content() or "")
         made.page.get_by_role("link", name="Open Seafoam").click()
         made.page.wait_for_function("() => window.seafoam !== undefined")

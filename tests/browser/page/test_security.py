@@ -21,8 +21,8 @@ def blocked(page: Page) -> list[Any]:
 
 
 def test_the_policy_is_in_force(llvmpipe: Lane, server: str) -> None:
-    policy = "Content Security Policy"
-    with visit(llvmpipe, server, "docs", settle=False, bypass_csp=False, expected=policy) as made:
+    with visit(llvmpipe, server, "docs", settle=False, bypass_csp=False) as made:
+        made.expected = "Content Security Policy"
         made.page.evaluate(REPORTS)
         made.page.evaluate("() => document.body.setAttribute('style', 'color: red')")
         until(made.page, "() => window.blocked.length > 0")

@@ -50,6 +50,8 @@ class Visit:
     asked: list[tuple[str, str]] = field(default_factory=list)
     """Method and address of every request."""
     followed: int = 0
+    expected: str | None = None
+    """Part of the words of what the page will complain of; None: it may complain of nothing."""
 
     def settle(self) -> None:
         """Wait until the picture shows what was asked for, at rest and sharp."""
@@ -173,12 +175,11 @@ def visit(
     size: tuple[int, int] = SMALL,
     settle: bool = True,
     before: str = "",
-    expected: str | None = None,
     **context: Any,
 ) -> Iterator[Visit]:
     """The page at an address below the server's, in a browser that remembers nothing; it may complain of nothing.
 
-    before: a script that runs before the page's own. expected: of what it does complain, part of the words.
+    before: a script that runs before the page's own.
     """
     width, height = size
     opened = lane.browser.new_context(viewport={"width": width, "height": height}, **context)
@@ -194,7 +195,7 @@ def visit(
             made.settle()
             page.locator("#loading").wait_for(state="hidden")
         yield made
-        assert [one for one in made.complaints if expected is None or expected not in one] == []
+        assert [one for one in made.complaints if made.expected is None or made.expected not in one] == []
     finally:
         opened.close()
 
