@@ -5,6 +5,7 @@ Effects describe; the planner assembles.
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields, replace
+from itertools import chain
 from typing import Any, Literal, Self, TypeVar
 
 from pydantic import BaseModel
@@ -92,8 +93,8 @@ class Resources:
         """
         changes: dict[str, Any] = {}
         for name in (part.name for part in fields(Resources)):
-            first, *more = (getattr(one, name) for one in (self, *others))
-            changes[name] = _united(first, *more) if isinstance(first, dict) else sum(more, first)
+            parts = [getattr(one, name) for one in (self, *others)]
+            changes[name] = _united(*parts) if isinstance(parts[0], dict) else tuple(chain.from_iterable(parts))
         return replace(self, **changes)
 
 

@@ -112,15 +112,15 @@ class Scenery:
     def _sky(self) -> tuple[Piece, ...]:
         return self._of_slots(slots.SKY_PASS_SLOTS, self.files)
 
-    def _up_to_horizon(self, side: str) -> list[Piece]:
+    def _up_to_horizon(self, side: Piece) -> list[Piece]:
         """Return the vertex shader of a triangle on one side of the line that rays to water do not cross."""
         rise: list[Piece] = ["vertex/vertex.glsl@rise_level"]
         if not self.frame.level:
             rise = [*slot_pieces(slots.NOW, self.frame.marched), "vertex/vertex.glsl@rise"]
-        return [*COMMON, *self.frame.waves, *rise, "vertex/vertex.glsl@horizon", f"vertex/vertex.glsl@{side}"]
+        return [*COMMON, *self.frame.waves, *rise, "vertex/vertex.glsl@horizon", side]
 
     def _surface_programs(self) -> dict[str, Program]:
-        frame, falling = self.frame, self._up_to_horizon("falling")
+        frame, falling = self.frame, self._up_to_horizon("vertex/vertex.glsl@falling")
         surface = self._of_slots(self._surface_slots, self.files)
         programs = {SKY: frame.program(self._sky, depth=_HORIZON_DEPTH)}
         if self.mesh:
@@ -139,9 +139,11 @@ class Scenery:
         met = frame.pieces([*_SAMPLED, *map(SlotRef, ("waves", "find", "land", "first"))], frame.met)
         land = slots.land_slots(self.combine, frame.collection.fills(slots.LAND_FOAM.name))
         return {
-            "met": frame.program([*met, "surface/met.glsl@met_pass"], self._up_to_horizon("falling"), over=True),
+            "met": frame.program(
+                [*met, "surface/met.glsl@met_pass"], self._up_to_horizon("vertex/vertex.glsl@falling"), over=True
+            ),
             "met, rising": frame.program(
-                [*met, "surface/met.glsl@met_rising_pass"], self._up_to_horizon("rising"), over=True
+                [*met, "surface/met.glsl@met_rising_pass"], self._up_to_horizon("vertex/vertex.glsl@rising"), over=True
             ),
             "land, shown": frame.program([*_SAMPLED, "shore/land.glsl@land_shown_pass"], over=True, depth=_LAND_DEPTH),
             "land": frame.program(
