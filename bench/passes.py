@@ -11,7 +11,7 @@ from unittest.mock import patch
 from bench.frames import STEP, cost
 from bench.report import Column, Table, ms
 from bench.watch import Watch
-from seafoam.framegraph.passes import Pass
+from seafoam.framegraph.evaluation import FrameState
 from seafoam.framegraph.plan import FramePlan
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
@@ -143,13 +143,14 @@ class _Clock:
         """A context in which the executor's passes are timed."""
         draw, finish = self._executor._draw, self._executor._context.finish
 
-        def timed(plan: FramePlan, one: Pass, index: int, targets: Mapping[str, Any], *rest: Any) -> None:
+        def timed(plan: FramePlan, index: int, targets: Mapping[str, Any], frame: FrameState) -> None:
+            one = plan.passes[index]
             if one.when == "setup" and (one.state.clear or one.state.blend == "none"):
                 # A pass that is drawn only once: first to compile it, then again to time it.
-                draw(plan, one, index, targets, *rest)
+                draw(plan, index, targets, frame)
             finish()
             began = clock.perf_counter()
-            draw(plan, one, index, targets, *rest)
+            draw(plan, index, targets, frame)
             finish()
             self.taken.setdefault(index, []).append(clock.perf_counter() - began)
             self.sizes[index] = targets[one.target][0].size
