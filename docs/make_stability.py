@@ -2,10 +2,12 @@
 
 Run as ``python docs/make_stability.py`` after a change of words. After a change of what is drawn, measure first::
 
-    pytest tests/gpu/numerics/test_hard_cases.py tests/browser/pixels/test_hard_cases.py --figures hard-cases.json
+    pytest -m "sweep or not sweep" tests/gpu/numerics/test_hard_cases.py tests/gpu/numerics/test_mutations.py \\
+        tests/browser/pixels/test_hard_cases.py --figures hard-cases.json
     python docs/make_stability.py hard-cases.json
 
-What is measured stands in docs/stability.json; a run of some cases leaves the others' figures as they are.
+What is measured stands in docs/stability.json; a run of some cases leaves the others' figures as they are. With
+``--pictures`` the cases of SHOWN are drawn with and without their guards (docs/pictures/guards.webp).
 """
 
 import argparse
@@ -14,23 +16,46 @@ import json
 import sys
 from collections.abc import Mapping
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
+
+import numpy as np
+from PIL import Image
 
 from seafoam.effects import EFFECTS
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "tests"))
 
+from cases.mutations import MUTATIONS, UNSEEN
 from support.cases import HardCase, cases_of
+from support.mutations import Mutation, copied, run
 
 PAGE = Path(__file__).parent / "stability.md"
 FIGURES = Path(__file__).parent / "stability.json"
+PICTURE = Path(__file__).parent / "pictures" / "guards.webp"
 MARK = "<!-- cases -->\n"
+SHOWN = (
+    "sixteen equal waves",
+    "the moon before the sun",
+    "sparkles of a sun that sets through the horizon",
+    "the lake's highlight at its sharpest",
+    "eye above the clouds",
+    "a hundred thousand little clouds",
+    "a boat on a breaking crest",
+    "eye in a boat",
+    "an eye in a crest, below",
+    "an eye under the floor",
+)
+"""Cases whose guards are best seen where they are missing."""
+SIZE, GAP = (256, 144), 4
+"""Of a picture, pixels, and between two."""
 REFERENCE = "Hard cases against the float64 reference"
 BROWSER = "Hard cases on SwiftShader"
+GUARDS = "Guards of hard cases taken out"
 """How the titles of the tests' tables begin (tests/gpu/numerics, tests/browser)."""
 Figures = dict[str, dict[str, Any]]
 """By a case's name: ``of``, what was measured; ``mean`` (levels, null: not compared) and ``over_2`` (%) against the
-reference, ``swiftshader`` (levels)."""
+reference, ``swiftshader`` (levels), ``without``: what tests say of the case without its guard."""
 
 
 def drawn(case: HardCase) -> str:
@@ -55,6 +80,8 @@ def merged(figures: Mapping[str, Mapping[str, Any]], tables: Mapping[str, list[d
                 figure["over_2"] = None if apart else float(own[0]["over_2"].removesuffix(" %"))
             elif own and title.startswith(BROWSER):
                 figure["swiftshader"] = max(float(row["mean"]) for row in own)
+            elif own and title.startswith(GUARDS):
+                figure["without"] = own[0]["seen"]
         if "mean" in figure:
             result[case.name] = figure
     return result
@@ -72,7 +99,7 @@ def table(figures: Mapping[str, Mapping[str, Any]]) -> str:
             cells = [
                 f"{effect.name}: {case.name}",
                 case.guard,
-                case.without,
+                UNSEEN.get(case.name) or figure["without"],
                 now or "sound; not compared (below)",
                 f"{figure['swiftshader']:.2f}" if "swiftshader" in figure else "–",
             ]
@@ -87,11 +114,39 @@ def filled(text: str, figures: Mapping[str, Mapping[str, Any]]) -> str:
     return before + MARK + table(figures) + MARK + after
 
 
+def shown(name: str, mutations: tuple[Mutation, ...], folder: Path) -> Image.Image:
+    """A case as a screen shows it, drawn by sources with these mutations."""
+    with copied(folder / "sources", mutations) as environment:
+        file = folder / "pictures.npz"
+        said = run(environment, "-m", "support.case_pictures", name, str(file), *map(str, SIZE))
+        if said is not None:
+            raise ValueError(f"{name}: {said}")
+    with np.load(file) as pictures:
+        last = max(key for key in pictures if key.startswith("exact"))
+        light = np.clip(np.nan_to_num(pictures[last][..., :3]), 0.0, 1.0)
+    return Image.fromarray(np.uint8(255.0 * light ** (1.0 / 2.2) + 0.5))
+
+
+def draw_guards() -> None:
+    """A row for each two cases of SHOWN: with the guard, and without it."""
+    sheet = Image.new("RGB", (4 * SIZE[0] + 3 * GAP, len(SHOWN) // 2 * (SIZE[1] + GAP) - GAP), "white")
+    with TemporaryDirectory() as folder:
+        for i, name in enumerate(SHOWN):
+            for j, mutations in enumerate(((), MUTATIONS[name])):
+                at = (2 * (i % 2) + j) * (SIZE[0] + GAP), i // 2 * (SIZE[1] + GAP)
+                sheet.paste(shown(name, mutations, Path(folder)), at)
+    sheet.save(PICTURE, quality=80, method=6)
+
+
 def main() -> None:
-    """Merge figures where a file is named, and write the table."""
+    """Merge figures where a file is named, write the table, and draw the guards' pictures where asked."""
     parser = argparse.ArgumentParser(description="Write the table of docs/stability.md.")
     parser.add_argument("measured", nargs="?", type=Path, help="what pytest --figures wrote")
-    measured = parser.parse_args().measured
+    parser.add_argument("--pictures", action="store_true", help="draw cases with and without their guards")
+    asked = parser.parse_args()
+    if asked.pictures:
+        draw_guards()
+    measured = asked.measured
     figures = json.loads(FIGURES.read_text(encoding="utf-8"))
     if measured is not None:
         figures = merged(figures, json.loads(measured.read_text(encoding="utf-8")))

@@ -18,7 +18,6 @@ HARD = (
         name="windrows ten thousand kilometres away",
         scene=Scene(waves=(ParametricWave(),), foam=Foam(look="halftone"), extensions=LINES),
         guard="the eye's place across the wind reduced in float64 (framegraph/evaluation.py)",
-        without="in float32: lines in steps of a metre, saturation off by up to 0.5",
         camera=Camera(position=(1e7, 3.0, -1e7), pitch=-0.5),
     ),
 )

@@ -26,7 +26,7 @@ EYE = Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12)
 
 @dataclass(frozen=True)
 class HardCase:
-    """A scene, a time and a camera that provoke a failure, the guard against it, and the failure without it.
+    """A scene, a time and a camera that provoke a failure, and the guard against it: ``cases.mutations`` takes it out.
 
     Its pictures are compared, and need be no more than sound (finite, not negative) where the case says why not.
     """
@@ -34,8 +34,6 @@ class HardCase:
     name: str
     scene: Scene
     guard: str
-    without: str
-    """Result of the frame or function without the guard, measured once: a number and its unit."""
     times: tuple[float, ...] = (0.0,)
     camera: Camera = EYE
     bounds: Bounds = Bounds(mean=0.5, share=0.01)

@@ -38,7 +38,7 @@ HIDDEN = [
 
 def plainly(scene: Scene) -> HardCase:
     """A scene that is not hard, from its own camera."""
-    return HardCase("", scene, guard="", without="", camera=scene.camera)
+    return HardCase("", scene, guard="", camera=scene.camera)
 
 
 def both(

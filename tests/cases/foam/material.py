@@ -29,7 +29,6 @@ _HARD_RELIEF = (
         "foam under a low sun",
         Scene(light=Light(sun_elevation=0.1, sun_azimuth=2.0), foam=_FOAM_RELIEF),
         guard="sine of the sun's elevation at least 1/4 in the length of shadows (foam/shading.glsl@relief)",
-        without="shadows of 0.5 m instead of 0.2 m: 23 % of samples off by more than 2 levels, mean 2.2",
         camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.3),
     ),
     HardCase(
@@ -37,8 +36,6 @@ _HARD_RELIEF = (
         Scene(light=Light(sun_elevation=math.pi / 2), foam=_FOAM_RELIEF),
         guard="shadows shorter than a footprint fade out, with a length of at least 1e-6 m as divisor "
         "(foam/shading.glsl@relief)",
-        without="not faded, foam shadows itself: 9 % of samples off by more than 2 levels, mean 0.9; a length of 0: "
-        "no change on llvmpipe",
         camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.3),
     ),
     HardCase(
@@ -48,7 +45,6 @@ _HARD_RELIEF = (
             foam=_FOAM_RELIEF.model_copy(update={"thickness": 1.0, "mask_tile": 0.05}),
         ),
         guard="sides of the footprint at least 1e-6 m before they are widened (foam/shading.glsl@relief)",
-        without="half a thickness divided by 0 makes the footprint infinite: 0.13 levels in every sample",
         camera=Camera(position=(0.0, 1e-25, 0.0), pitch=-math.pi / 2),
     ),
 )
@@ -78,7 +74,6 @@ _HARD_SCATTERING = (
             water=Water(roughness=0.05),
         ),
         guard="mean cosines of lumps at least 0.001 (foam/shading.glsl@scattering)",
-        without="0/0 where neither sun nor eye sees the front of smooth foam",
         camera=Camera(position=(0.37, 1.2, -0.21), yaw=math.pi / 2, pitch=-0.01),
     ),
 )
@@ -109,7 +104,6 @@ _HARD_AERATION = (
             ),
         ),
         guard="reflected light at least 0 (water/body.glsl@bubbles)",
-        without="no change on llvmpipe: clear water never reflects more from the layer than in all",
     ),
 )
 

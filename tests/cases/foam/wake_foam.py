@@ -23,7 +23,6 @@ _HARD = (
         ),
         guard="distance from the centre at least a tenth of the radius, exponents at most 80 (boats/wake.glsl@way, "
         "foam/saturation/wake.glsl@wake)",
-        without="no change on llvmpipe: exponentials underflow to 0, and no sample is at the centre",
         camera=Camera(position=(0.0, 20.0, -30.0), pitch=-math.pi / 2),
         # An arc tangent that is off by 3e-6 moves the end of the wake, and bubbles at their threshold with it.
         bounds=Bounds(mean=1.0, share=0.01),
@@ -36,7 +35,6 @@ _HARD = (
         ),
         guard="distance at least that beyond stem and transom, where the sides go on without a hull "
         "(foam/saturation/wake.glsl@contact)",
-        without="0.23 % of samples off by more than 2 levels, the worst by 241: white water far astern and ahead",
         camera=Camera(position=(0.0, 20.0, -20.0), pitch=-math.pi / 2, fov=1.4),
     ),
 )

@@ -23,7 +23,6 @@ _HARD_STREAKS = (
         Scene(light=Light(exposure=-2.0, sky=Sky(cirrus=Cirrus(cover=0.7)))),
         guard="the camera's position in the noise is reduced in float64, along the streaks and across "
         "(framegraph/evaluation.py)",
-        without="in float32 streaks jump by whole cells at 1e9 s",
         times=(-1e9, 0.0, 1e9),
         camera=Camera(position=(1e7, 3.0, -1e7), pitch=0.3),
     ),
@@ -34,7 +33,6 @@ _HARD = (
         "clouds anywhere, at any time",
         Scene(light=Light(exposure=-2.0, sky=Sky(clouds=Clouds()))),
         guard="the camera's position in the noise is reduced in float64 (framegraph/evaluation.py)",
-        without="in float32 45 % of samples are off by more than 2 levels at 1e9 s, 1.4 % at 0 s",
         times=(-1e9, 0.0, 1e9),
         camera=Camera(position=(1e7, 3.0, -1e7), pitch=0.3),
     ),
@@ -43,21 +41,18 @@ _HARD = (
         Scene(light=Light(exposure=-2.0, sky=Sky(clouds=Clouds(height=200.0, size=300.0, cover=0.5)))),
         guard="the distance to the layer is computed as a quotient, not as a difference of two large numbers "
         "(light/clouds.glsl@layer)",
-        without="0.9 % of samples are off by more than 2 levels, the worst by 9",
         camera=Camera(position=(0.0, 2.0, 0.0), pitch=0.7, fov=1.5),
     ),
     HardCase(
         "eye above the clouds",
         Scene(light=Light(exposure=-2.0, sky=Sky(clouds=Clouds()))),
         guard="there are no clouds for a camera above nine tenths of their height (light/clouds.glsl@layer)",
-        without="the root of a negative number: 21 % of samples are off by more than 2 levels",
         camera=Camera(position=(0.0, 9e4, 0.0), pitch=0.1),
     ),
     HardCase(
         "lamp overhead",
         Scene(light=Light(sun_elevation=math.pi / 2, exposure=-2.5, sky=Sky(clouds=Clouds(cover=0.7)))),
         guard="the lamp's horizontal direction is divided by at least 1e-6 (light/clouds.glsl@layer)",
-        without="0/0: 42 % of samples are off by more than 2 levels",
         camera=Camera(position=(0.0, 3.0, 0.0), pitch=0.5),
     ),
     HardCase(
@@ -68,14 +63,12 @@ _HARD = (
             )
         ),
         guard="the level part of a look is at least 0.001 of it (light/clouds.glsl@rain)",
-        without="0/0 straight up",
         camera=Camera(position=(0.0, 3.0, 0.0), pitch=1.4, fov=1.5),
     ),
     HardCase(
         "a hundred thousand little clouds",
         Scene(light=Light(exposure=-2.0, sky=Sky(clouds=Clouds(height=15000.0, size=500.0, cover=0.5)))),
         guard="octaves that a sample does not resolve are replaced by their mean (lib/noise.glsl@perlin_3)",
-        without="noise finer than a sample: 80 % of samples are off by more than 2 levels",
         camera=Camera(position=(0.0, 3.0, 0.0), pitch=0.2),
     ),
 )

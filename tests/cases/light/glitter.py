@@ -18,7 +18,6 @@ _HARD = (
         "into the sun on the horizon",
         Scene(light=Light(sun_elevation=0.0, exposure=10.0), water=Water(roughness=0.01)),
         guard="the half vector h is divided by at least 1e-6 (light/glitter.glsl@beckmann)",
-        without="no difference on llvmpipe, whose max(0/0, x) is x: only h is NaN",
         camera=Camera(position=(0.0, 1.0, 0.0), yaw=math.pi / 2, pitch=0.0, fov=0.01),
     ),
     HardCase(
@@ -29,14 +28,12 @@ _HARD = (
             water=Water(roughness=0.01),
         ),
         guard="n·h is at least 1e-3 (light/glitter.glsl@beckmann)",
-        without="facets that face away reflect the sun: 10 000, the limit, instead of 0 at n·h = -1",
         camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 2, pitch=-0.3),
     ),
     HardCase(
         "the brightest path of the sun",
         Scene(light=Light(sun_elevation=0.05, exposure=10.0), water=Water(roughness=0.01, ripples=Ripples(slope=0.05))),
         guard="glitter is at most 1e4 (light/glitter.glsl@beckmann), the frame at most 65504 (surface/main.glsl)",
-        without="5.9e6, ninety times the greatest half float",
         camera=Camera(position=(0.0, 2.0, 0.0), yaw=math.pi / 2, pitch=-0.05, fov=0.3),
     ),
     HardCase(
@@ -52,7 +49,6 @@ _HARD = (
             water=Water(ripples=Ripples(slope=0.6)),
         ),
         guard="n·h is clamped to [0, 1] before the power (light/glitter.glsl@blinn_phong)",
-        without="powers of negative numbers: 65504 in a fifth of the samples, a mean error of 28 levels",
         camera=Camera(position=(0.0, 2.0, 0.0), yaw=math.pi / 2, pitch=-0.1),
     ),
 )

@@ -23,7 +23,6 @@ _MOON_HARD = (
             water=Water(ripples=Ripples()),
         ),
         guard="the depth of the sphere at its rim is the root of at least 0 (light/night.glsl@moon_disc)",
-        without="no difference on llvmpipe, whose max(NaN, 0) is 0: NaN in a ring of a twentieth of the disc",
         camera=Camera(position=(0.0, 3.0, 0.0), yaw=0.3 - math.pi / 2, pitch=0.35, fov=0.2),
     ),
     HardCase(
@@ -32,7 +31,6 @@ _MOON_HARD = (
             light=Light(sun_azimuth=0.3, sun_elevation=0.4, exposure=-6.0, sky=Sky(moon=_BEFORE)),
         ),
         guard="the irradiance of points that face away from the sun is at least 0 (light/night.glsl@moon_disc)",
-        without="the root of a negative number: the disc is 65504, an error of 229 levels",
         camera=Camera(position=(0.0, 3.0, 0.0), yaw=0.3 + math.pi / 2, pitch=0.4, fov=0.3),
     ),
 )
@@ -44,14 +42,12 @@ _STARS_HARD = (
         "stars at the corner of the cube",
         Scene(light=Light(sun_elevation=-1.0, exposure=6.0, sky=Sky(stars=10.0))),
         guard="cell indices are limited to the last of a face (light/night.glsl@stars)",
-        without="no visible difference: only a sample exactly on the edge of a face needs a cell beyond it",
         camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 4, pitch=0.6154797, fov=0.6),
     ),
     HardCase(
         "stars in the widest view",
         Scene(light=Light(sun_elevation=-1.0, exposure=6.0, sky=Sky(stars=10.0))),
         guard="a star is at most 3e-3 rad wide (light/night.glsl@stars)",
-        without="stars are cut off at the edges of their cells: 7 % of samples are off by more than 2 levels",
         camera=Camera(position=(0.0, 3.0, 0.0), yaw=0.5, pitch=0.8, fov=2.6),
     ),
 )

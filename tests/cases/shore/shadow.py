@@ -15,12 +15,10 @@ _FOAM = Foam(saturation=(SurfSaturation(),), mask="clump")
 _VIEW = Camera(position=(-42.0, 7.0, 9.0), yaw=-0.1, pitch=-0.1)
 
 
-def _case(
-    name: str, guard: str, without: str, elevation: float, azimuth: float = 0.6, camera: Camera = _VIEW
-) -> HardCase:
+def _case(name: str, guard: str, elevation: float, azimuth: float = 0.6, camera: Camera = _VIEW) -> HardCase:
     light = Light(sun_elevation=elevation, sun_azimuth=azimuth, exposure=-2.0)
     scene = Scene(shore=_ISLAND, water=Water(scattering=0.01), foam=_FOAM, light=light)
-    return HardCase(name, scene, guard=guard, without=without, camera=camera, times=(0.0,))
+    return HardCase(name, scene, guard=guard, camera=camera, times=(0.0,))
 
 
 _INVISIBLE = (
@@ -32,26 +30,22 @@ _HARD = (
     _case(
         "shadow of an island under a sun that touches the horizon",
         "sights of the sun's rims rise by at least a thousandth (effects/shore/shadow.py)",
-        "the lower rim's sight sinks: shadows without end, also on the open sea",
         0.004,
     ),
     _case(
         "shadow of an island under a sun in the zenith",
         "level part of the sun's direction at least 1e-6, its rims at most 1.5 rad high (effects/shore/shadow.py)",
-        "0/0, and a tangent that changes its sign",
         1.5707963,
     ),
     _case(
         "shadow of an island across the edge of its square",
         "beyond the square by the place where the way to the sun enters it (shore/sunlit.glsl@sunlit)",
-        "the edge's shadow goes on without end",
         0.05,
         camera=Camera(position=(-120.0, 9.0, -40.0), yaw=0.3, pitch=-0.1),
     ),
     _case(
         "shadow along an axis of the square",
         "level part of the sun's direction along an axis at least 1e-6 (shore/sunlit.glsl@sunlit)",
-        "0/0 beside the square",
         0.1,
         azimuth=0.0,
         camera=Camera(position=(-120.0, 9.0, -40.0), yaw=0.3, pitch=-0.1),

@@ -23,7 +23,6 @@ _SMALL = Shore(size=160.0, radius=25.0, depth=6.0, slope=0.1, smoothing=3.0)
 def _case(
     name: str,
     guard: str,
-    without: str,
     camera: Camera = _VIEW,
     water: Water | None = None,
     foam: Foam | None = _FOAM,
@@ -33,7 +32,7 @@ def _case(
     scene = Scene(
         shore=_SMALL.model_copy(update=fields), water=water or Water(scattering=0.01), foam=foam, light=_LIGHT
     )
-    return HardCase(name, scene, guard=guard, without=without, camera=camera, times=times)
+    return HardCase(name, scene, guard=guard, camera=camera, times=times)
 
 
 _INVISIBLE = (Scene(shore=Shore(depth=50.0, level=-900.0)), Scene(shore=Shore(level=-900.0), light=None))
@@ -42,21 +41,18 @@ _HARD = (
     _case(
         "distances without any smoothing",
         "standard deviation of the blur at least 0.01 texel (shore/maps.glsl@blur)",
-        "no change on llvmpipe, where 0/0 is not NaN here; GLSL leaves it undefined",
         smoothing=0.0,
     ),
     _case(
         "all land",
         "gradients divided by at least 1e-6; distance to the coast at most the side of the square "
         "(shore/maps.glsl@map, shore/maps.glsl@distance)",
-        "no change on llvmpipe: where a slope of 0 is divided by a length of 0 there is no wave",
         level=90.0,
         camera=Camera(position=(-42.0, 107.0, 9.0), yaw=1.4, pitch=-0.3),
     ),
     _case(
         "all water, a bank two metres down",
         "distance to the coast at most the side of the square (shore/maps.glsl@distance)",
-        "a coast at texel (-1, -1): 33 % of samples off by more than 2 levels, the worst by 61",
         kind="island",
         height=0.0,
         level=-2.0,
@@ -64,7 +60,6 @@ _HARD = (
     _case(
         "an island of one texel",
         "wave height 0 on ridges of the distance map (shore/maps.glsl@map)",
-        "waves meet at a kink on the island's ridges: up to 80 levels off",
         kind="island",
         radius=1.0,
         smoothing=0.5,
@@ -74,7 +69,6 @@ _HARD = (
     _case(
         "water a hand deep and a beach as level",
         "depths and speeds as for waves of at least 5 cm (shore/maps.glsl@map)",
-        "no change on llvmpipe: the waves are 0 m high where their phase is 0/0",
         depth=0.5,
         slope=0.01,
         height=0.1,
@@ -83,7 +77,6 @@ _HARD = (
     _case(
         "waves of no skew and of all of it",
         "profiles from a table, smoothed, with the highest branch where they overhang (textures/shore.py)",
-        "a front 2.7 times as steep, which the ray march can step over",
         surf=Surf(height=2.0, skew=0.0, sharpness=0.15),
         times=(0.0, 2.3),
         camera=Camera(position=(-42.0, 9.0, 9.0), yaw=1.4, pitch=-0.25),
@@ -91,26 +84,22 @@ _HARD = (
     _case(
         "the clearest water",
         "absorption is never 0 (scene/water.py)",
-        "with absorption and scattering 0: 0/0 in every sample of water",
         water=Water(absorption_length=(1000.0, 1000.0, 1000.0), scattering=0.0),
     ),
     _case(
         "ripples that face away",
         "the refracted ray's direction has y of at most -0.25 (shore/floor.glsl@through)",
-        "up to 0.5 levels off where ripples make the ray almost horizontal",
         water=Water(ripples=Ripples(slope=0.6), scattering=0.01),
         camera=Camera(position=(-42.0, 2.2, 9.0), yaw=1.4, pitch=-0.05),
     ),
     _case(
         "straight down on the water's edge",
         "horizontal part of the ray at least 1e-9 (shore/march.glsl@march)",
-        "no change on llvmpipe: the quotient is infinite, and the minimum takes the other side's",
         camera=Camera(position=(-1.0, 30.0, 0.0), pitch=-math.pi / 2, fov=0.5),
     ),
     _case(
         "a shore ten thousand kilometres away, after thirty years",
         "position and time reduced in float64 (framegraph/evaluation.py)",
-        "in float32 at 1e9 s: 25 % of samples off by more than 2 levels, 3.0 in the mean",
         place=(-9999900.0, 9999900.0),
         camera=Camera(position=(-9999942.0, 7.0, 9999909.0), yaw=1.4, pitch=-0.2),
         times=(-1e9, 1e9),
@@ -118,7 +107,6 @@ _HARD = (
     _case(
         "a swell that the depth bends, over a beach all but level",
         "speeds as over at least 5 cm of water, on land as well (ocean/travel.py)",
-        "with speeds of 0 on land the time there is infinite, and NaN where it is interpolated",
         kind="island",
         slope=0.02,
         surf=Surf(height=0.1, period=2.0, exposure=1.0, refraction=True),
@@ -127,7 +115,6 @@ _HARD = (
     _case(
         "rugged land of full detail, seen along the ground",
         "footprints of no width are taken as 1e-9 m wide; octaves under them as whole (shore/soil.glsl@soil)",
-        "0/0 for a footprint of no width",
         relief=1.0,
         height=60.0,
         slope=1.0,
@@ -137,14 +124,12 @@ _HARD = (
     _case(
         "smooth land",
         "none needed: without detail neither octaves nor a film of water are in the program (effects/shore/land.py)",
-        "there is no guard to remove",
         detail=0.0,
     ),
     replace(
         _case(
             "eye inside a hill",
             "the distance to land is at least 0 (shore/march.glsl@march)",
-            "mean error 36 levels: land behind the camera is drawn",
             camera=Camera(position=(40.0, 0.5, 0.0), yaw=1.4, pitch=0.1),
         ),
         apart="the reference looks for the hill from its inside, the march takes the eye's own place",
@@ -153,7 +138,6 @@ _HARD = (
         _case(
             "eye under water",
             "a search interval with its end before its start has no intersection (shore/land.glsl@find_land)",
-            "no change on llvmpipe: the loop ends at its first step, and its result is not used",
             camera=Camera(position=(-30.0, -1.0, 0.0), yaw=1.4, pitch=0.1),
         ),
         apart="the reference looks for the surface from below, the march takes the eye's own place",

@@ -19,14 +19,13 @@ _DOWN = Camera(position=(0.0, 2.0, 0.0), pitch=-1.2)
 def _case(
     name: str,
     guard: str,
-    without: str,
     water: Water,
     light: Light | None = None,
     camera: Camera = _DOWN,
     times: tuple[float, ...] = (2.0,),
 ) -> HardCase:
     scene = Scene(water=water, light=light or Light(sun_elevation=1.0, exposure=-2.5, caustics=_PLAIN))
-    return HardCase(name, scene, guard=guard, without=without, camera=camera, times=times)
+    return HardCase(name, scene, guard=guard, camera=camera, times=times)
 
 
 _INVISIBLE = (
@@ -39,7 +38,6 @@ _HARD = (
         _case(
             "the floor in the focus",
             "a triangle is at most 12 times as bright as under level water (water/caustics.glsl@grid_vertex)",
-            "single texels have 71 instead of 24 times the light: 9.7 % of samples are off by more than 2 levels",
             Water(depth=4.0, scattering=0.0, ripples=Ripples(slope=0.08)),
         ),
         # Half floats add up a hundred photons a texel, each sum rounded.
@@ -50,21 +48,18 @@ _HARD = (
     _case(
         "caustics of a sun on the horizon",
         "the sine of the sun's elevation is at least 0.05 (water/caustics.glsl@landing)",
-        "light is divided by 0: every sample is 65504, the frame's limit",
         Water(depth=1.0, ripples=Ripples(slope=0.1)),
         Light(sun_elevation=0.0, caustics=_PLAIN),
     ),
     _case(
         "caustics of the steepest ripples",
         "the cosine between a refracted ray and the vertical is at least 0.25 (water/caustics.glsl@landing)",
-        "errors of up to 24 levels; 2 % of samples are off by more than 2",
         Water(depth=3.0, ripples=Ripples(slope=0.6)),
         Light(sun_elevation=0.1, exposure=-1.0, caustics=_PLAIN),
     ),
     _case(
         "caustics after thirty years, ten thousand kilometres away",
         "phases and the camera's position in the tile are reduced in float64 (framegraph/evaluation.py)",
-        "in float32 98 % of samples are off by more than 2 levels, the mean error is 57",
         Water(depth=2.0, floor_tile=0.3, ripples=Ripples(slope=0.06)),
         camera=Camera(position=(-1e7, 2.0, 1e7), pitch=-1.2),
         times=(1e9,),
@@ -73,7 +68,6 @@ _HARD = (
         _case(
             "colours as far apart as they go",
             "the grid extends beyond the tile as far as light of any colour is displaced (effects/water/caustics.py)",
-            "with a grid as large as the tile, its edges are dark: 18 % of samples are off by more than 2 levels",
             Water(depth=6.0, absorption_length=(50.0, 50.0, 50.0), ripples=Ripples(slope=0.06)),
             Light(sun_elevation=0.3, exposure=-1.0, caustics=Caustics(dispersion=10.0)),
         ),

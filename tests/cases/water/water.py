@@ -17,7 +17,6 @@ _HARD = (
         "eye on the surface",
         Scene(foam=Foam(saturation=(HeightSaturation(base=-1.0, full=1.0),), look="halftone")),
         guard="the distance along the ray is at least 0 (surface/march.glsl@plane, surface/march.glsl@march)",
-        without="every ray hits the surface at the camera itself: a mean error of 182 levels",
         camera=Camera(position=(0.0, 0.0, 0.0), pitch=-0.3),
     ),
     HardCase(
@@ -25,7 +24,6 @@ _HARD = (
         Scene(water=Water(scattering=0.0, roughness=0.01, absorption_length=(0.01, 1000.0, 0.01))),
         guard="the roughness is at least 0.01 (scene/water.py), which keeps the cosine of incidence above 0 "
         "(light/shade.glsl@lit)",
-        without="with roughness 0 glitter is divided by 0: a mean error of 96 levels",
         camera=Camera(position=(0.0, 0.5, 0.0), pitch=0.0),
     ),
     HardCase(
@@ -33,8 +31,6 @@ _HARD = (
         Scene(),
         guard="rays that do not point downward miss (surface/march.glsl@plane, surface/march.glsl@march); lengths and "
         "quotients are limited at the horizon (light/shade.glsl@lit)",
-        without="infinite and negative distances in the middle row, 1.8 % of samples; rays that point upward hit "
-        "water behind the camera",
         camera=Camera(position=(0.0, 6.0, 0.0), pitch=0.0),
     ),
     HardCase(
@@ -42,7 +38,6 @@ _HARD = (
         Scene(water=Water(roughness=0.5, ripples=Ripples(slope=0.6))),
         guard="the unresolved slope variance, which is added to the roughness, is never negative "
         "(waves/ripples.glsl@bands)",
-        without="no difference on llvmpipe: the resolved fractions are in [0, 1]",
         camera=Camera(position=(0.0, 1e5, 0.0), pitch=-0.3, fov=2.6),
     ),
 )
@@ -52,42 +47,36 @@ _BEACH_BELOW = Shore(size=160.0, radius=25.0, depth=6.0, slope=0.1, smoothing=3.
 _POOL_BELOW = Water(depth=2.0, floor_tile=0.3, ripples=Ripples(slope=0.08))
 
 
-def _case_below(name: str, guard: str, without: str, camera: Camera, **parts: Any) -> HardCase:
+def _case_below(name: str, guard: str, camera: Camera, **parts: Any) -> HardCase:
     scene = Scene(**{"water": _POOL_BELOW, "light": Light(exposure=-1.5), **parts})
-    return HardCase(name, scene, guard=guard, without=without, camera=camera)
+    return HardCase(name, scene, guard=guard, camera=camera)
 
 
 _HARD_BELOW = (
     _case_below(
         "past the critical angle",
         "the square of the ray's cosine in air is at least 0 under the root (water/underside.glsl@main)",
-        "NaN in 83 % of samples, 65504 after the frame's limit: everywhere beyond the critical angle",
         Camera(position=(0.37, -1.2, -0.21), yaw=1.0, pitch=0.35),
     ),
     _case_below(
         "straight up, where light and sight fade alike",
         "1 + fall is at least 1e-3 (water/underside.glsl@water)",
-        "0/0 in 0.2 % of samples, 65504 after the frame's limit; where 1 + fall is a rounding error, errors "
-        "of up to 236 levels",
         Camera(position=(0.0, -1.0, 0.0), pitch=math.pi / 2, fov=0.01),
         water=_POOL_BELOW.model_copy(update={"ripples": None}),
     ),
     _case_below(
         "a hair under the surface",
         "the distance to the surface is at least 1 mm (water/underside.glsl@main)",
-        "errors of up to 73 levels, 8.9 in the mean: footprints a thousand times too wide",
         Camera(position=(0.0, -1e-7, 0.0), pitch=0.3),
     ),
     _case_below(
         "an eye under the floor",
         "the distance to the floor is at least 0 (water/seafloor.glsl@reach)",
-        "light grows along rays of negative length: 65504 after the frame's limit, a mean error of 80 levels",
         Camera(position=(0.0, -5.0, 0.0), pitch=-0.2),
     ),
     _case_below(
         "an eye in a crest, below",
         "the distance along the ray is at least 0 (water/underside.glsl@find)",
-        "no difference on llvmpipe: no Newton step goes so far back",
         Camera(position=(0.0, 0.125, 0.0), pitch=0.1),
         waves=(ParametricWave(amplitude=0.6, wavelength=5.0, phase=math.pi / 2),),
         foam=Foam(look="halftone"),
@@ -95,8 +84,6 @@ _HARD_BELOW = (
     _case_below(
         "straight up from before a beach",
         "the rate at which a ray approaches the floor is at least 1e-6 (shore/march.glsl@reach)",
-        "a mean error of 28 levels, 70 % of samples off by more than 2: rays step away from the floor and "
-        "find one overhead",
         Camera(position=(-42.0, -1.2, 9.0), pitch=math.pi / 2),
         water=Water(scattering=0.01),
         shore=_BEACH_BELOW,
@@ -104,7 +91,6 @@ _HARD_BELOW = (
     _case_below(
         "along the slope of a beach, a hand over it",
         "Newton steps are taken only where the ray approaches the floor (shore/march.glsl@reach)",
-        "a mean error of 11 levels, 50 % of samples off by more than 2: steps back behind the camera",
         Camera(position=(-60.0, -5.9, 9.0), yaw=1.4, pitch=0.09),
         water=Water(scattering=0.01),
         shore=_BEACH_BELOW,

@@ -24,7 +24,6 @@ _HARD = (
         "a current for thirty years",
         _FLOWS,
         guard="the way of the water, reduced in float64 together with each place and phase (framegraph/rules.py)",
-        without="in float32 at 1e9 s places on the water have steps of 256 m: waves and foam are anywhere",
         times=(-1e9, 1e9),
         camera=_FLOWS.camera,
     ),

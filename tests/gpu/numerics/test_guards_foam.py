@@ -1,0 +1,295 @@
+"""Guards on foam that hard cases name and whose pictures cannot show here that they guard."""
+
+import math
+
+import numpy as np
+import pytest
+
+from gpu.reference.test_foam_functions import filtered_consts
+from gpu.reference.test_shader_functions import FILTERED_FRONT, front_uniforms
+from seafoam.effects.foam import front
+from seafoam.effects.shader import Inline
+from seafoam.framegraph.rules import Constant
+from seafoam.masks import mask_by_name
+from seafoam.ocean.whitecaps import whitecap_model
+from seafoam.planner import make_plan
+from seafoam.quality import TIERS
+from seafoam.render.gl.executor import Executor
+from seafoam.scene.drift import Drift, Vortex
+from seafoam.scene.foam import DriftSaturation, Foam, FrontSaturation, WhitecapSaturation
+from seafoam.scene.models import Scene
+from seafoam.scene.waves import ParametricWave, Sea
+from seafoam.textures import FRONT_NODES, FrontIntegral, front_fading, front_full
+from support.exact import EXACT
+from support.guarded import Guarded
+from support.pictures import draw_target
+from support.probe import Probe
+
+NUMBERS = "lib/numbers.glsl"
+POINT = "Footprint(vec2(0.0), vec2(0.0))"
+
+
+FRONT = {
+    "FRONT_COUNT": 1,
+    "FRONT_GATED": False,
+    "FRONT_CREST": 0.5 * math.pi,
+    "FRONT_NODES": FRONT_NODES,
+    "FRONT_FULL": front_full(4.0, 1.0),
+    "FRONT_FADING": front_fading(4.0, 1.0),
+}
+INTEGRAL = {"u_front_integral": FrontIntegral(intensity=4.0, log_base=1.0)}
+# A sum of waves that is all but 0, and that changes by 1 a metre.
+NO_PHASE = Inline(
+    "uniform float u_eye_height;\nvec2 front_signal(vec2 p, out vec2 by_x, out vec2 by_z) {\n"
+    "    by_x = vec2(0.0, 1.0);\n    by_z = vec2(0.0);\n    return vec2(1e-9);\n}\n"
+)
+GIVEN_SLOPE = Inline("vec4 given;\nvec4 waves_shading(vec2 p, Footprint fp) {\n    return given;\n}\n")
+NO_TEXTURE = Inline("float foam_texture(vec2 p, Footprint fp) {\n    return 1.0;\n}\n")
+LOOK = (NUMBERS, "foam/mask.glsl@coordinates", NO_TEXTURE, "lib/texels.glsl@cubic_spline", "foam/look.glsl@filtered")
+MASK = mask_by_name("vac-24")
+LOWEST = np.unravel_index(int(MASK.ranks.argmin()), MASK.ranks.shape)
+ATLAS = {"u_mask_atlas": "mask/vac-24/atlas", "u_mask_quantiles": "mask/vac-24/quantiles"}
+FIELD = "struct ShoreField {\n    vec4 here;\n    vec4 along_x;\n    vec4 along_z;\n};\n"
+NONE = "ShoreField(vec4(0.0, 1.0, 0.0, 0.0), vec4(0.0), vec4(0.0))"
+NO_FIELD = Inline(
+    f"uniform float u_shore_size;\n{FIELD}ShoreField shore_field(vec2 q) {{\n    return {NONE};\n}}\n"
+    "vec2 shore_place(vec2 p) {\n    return p;\n}\nvec3 open_waves(vec2 p) {\n    return vec3(0.0);\n}\n"
+    "vec4 open_shading(vec2 p, Footprint fp) {\n    return vec4(0.0);\n}\n"
+    "vec3 bspline_weights(float t) {\n    return vec3(0.0, 1.0, 0.0);\n}\n"
+    "vec3 bspline_slopes(float t) {\n    return vec3(0.0);\n}\n"
+)
+EDGE = Inline(
+    f"uniform float u_surf_life;\nvec2 shore_tilt = vec2(0.0);\n{FIELD}"
+    "float surf_swept(ShoreField f, float ground, float patches, Footprint fp) {\n    return 0.0;\n}\n"
+)
+SUN = Inline(
+    "uniform vec3 u_sun_direction;\nuniform vec3 u_sun_irradiance;\nuniform vec3 u_sky_irradiance;\n"
+    "vec2 sun_past_foam = vec2(1.0);\nfloat widest = 0.0;\nfloat foam_amount(float f, vec2 p, Footprint fp) {\n"
+    "    widest = max(length(fp.x), length(fp.y));\n    return f;\n}\n"
+)
+COURSE = Inline("uniform vec4 u_boat_course[1];\nuniform vec4 u_boat_form[1];\n")
+GUARDED = (
+    Guarded(
+        "a front of no phase",
+        (NUMBERS, "foam/saturation/front.glsl@profile"),
+        "y.x = front_profile(x.xy, length(x.xy));",
+        (0.0, 0.0),
+        (0.25, 0.0),
+        {},
+        {"u_front_intensity": 4.0, "u_front_log_base": 1.0},
+    ),
+    Guarded(
+        "a front whose phase turns endlessly fast",
+        (
+            NUMBERS,
+            NO_PHASE,
+            "foam/saturation/front.glsl@gate",
+            "foam/saturation/front.glsl@seen",
+            "foam/saturation/front.glsl@filtered",
+        ),
+        "y.x = front_saturation(x.xy, 0.0, Footprint(vec2(1.0, 0.0), vec2(0.0)));",
+        (10.0, 0.0),
+        (1.0, 0.0),
+        FRONT,
+        {"u_eye_height": 2.0, "u_front_relief": 0.0},
+        INTEGRAL,
+    ),
+    Guarded(
+        "a front under a hair",
+        FILTERED_FRONT,
+        "y.xy = vec2(front_mean(x.x, x.z), front_mean(x.y, x.z));",
+        (2.0, 3.0, 1e-6),
+        (math.exp(1.0 / math.tan(1.0)) / 4.0, math.exp(1.0 / math.tan(1.5)) / 4.0),
+        FRONT,
+        front_uniforms(4.0, math.e),
+        INTEGRAL,
+    ),
+    Guarded(
+        "a front as high as the eye",
+        FILTERED_FRONT,
+        "float psi = 0.5;\nfloat width = 1.0;\nfront_seen(x.xy, x.z, 0.0, 0.3, psi, width);\n"
+        "y.xy = vec2(psi, 1e5 * width);",
+        (10.0, 0.0, 2.0),
+        (0.5 * math.pi, 1.0),
+        FRONT,
+        {"u_eye_height": 2.0, "u_front_relief": 0.0},
+    ),
+    Guarded(
+        "foam over no height at all",
+        (NUMBERS, "foam/saturation/height.glsl@plain"),
+        f"y.xy = vec2(height_saturation(vec2(0.0), x.x, {POINT}), height_saturation(vec2(0.0), x.y, {POINT}));",
+        (1.0005, 1.0),
+        (0.5, 0.0),
+        {},
+        {"u_height_base": 1.0, "u_height_full": 1.0},
+    ),
+    Guarded(
+        "a slope of a wall",
+        (NUMBERS, GIVEN_SLOPE, "foam/saturation/slope.glsl@lack"),
+        f"given = x;\ny.x = slope_lack(vec2(0.0), {POINT});",
+        (0.0, 1e25, 1e25, 0.0),
+        (1.0, 0.0),
+        {"SLOPE_MOST": 1.0},
+    ),
+    Guarded(
+        "a slope that the footprint filters out",
+        (NUMBERS, GIVEN_SLOPE, "foam/saturation/slope.glsl@lack"),
+        f"given = x;\ny.x = slope_lack(vec2(0.0), {POINT});",
+        (0.0, 0.0, 0.0, 3.0),
+        (0.5, 0.0),
+        {"SLOPE_MOST": 1.0},
+    ),
+    Guarded(
+        "whitecaps of nine times",
+        (NUMBERS, "foam/saturation/whitecap.glsl@whitecap"),
+        "y.x = fold_together(x.x, x.y);",
+        (8.5, 0.0),
+        (1.0, 0.0),
+        {"FOLD_TIMES": 1},
+        {"u_whitecap_variance": [1.0, 1.0, 1.0], "u_whitecap_clamped": 0.5},
+    ),
+    Guarded(
+        "the lowest threshold of a mask",
+        ("lib/texels.glsl@texel", "foam/mask.glsl@texel_u16"),
+        "y.x = 65536.0 * mask_texel(ivec2(x.xy));",
+        (float(LOWEST[1]), float(LOWEST[0])),
+        (0.5, 0.0),
+        {"MASK_SIZE": 512},
+        {},
+        {"u_mask_ranks": "mask/vac-24/ranks"},
+    ),
+    Guarded(
+        "a mask that does not change under a footprint",
+        LOOK,
+        "uvec2 row = uvec2(0x80008000u);\n"
+        "y.x = magnified_coverage(0.5, x.x, row, row, row, row, vec2(0.5), x.yy, x.yy);",
+        (32768.5 / 65536.0 + 2.5e-4, 0.0),
+        (0.75, 0.0),
+        filtered_consts(MASK, 0.0, 1),
+    ),
+    Guarded(
+        "eight tiles of a mask under a footprint",
+        LOOK,
+        "y.x = filtered_coverage(x.x, 1.0, vec2(0.3, 0.6), vec2(x.y, 0.0), vec2(0.0, x.y));",
+        (0.3, 8.0),
+        (0.3, 0.0),
+        filtered_consts(MASK, 0.0, 1),
+        {},
+        ATLAS,
+    ),
+    Guarded(
+        "a footprint without width",
+        LOOK,
+        "vec2 at = vec2(0.3, 0.6);\ny.x = form_coverage(x.x, at, x.yy, x.yy, x.yy, 0)\n"
+        "    / form_coverage(x.x, at, x.yy, x.yy, vec2(0.01), 0);",
+        (0.6, 0.0),
+        (1.0, 0.0),
+        filtered_consts(MASK, 0.0, 1),
+        {},
+        ATLAS,
+    ),
+    Guarded(
+        "covers next to whole",
+        (NUMBERS, "foam/shading.glsl@cover"),
+        "y.xy = vec2(cover_part(cover_free(x.x), x.z), cover_part(cover_free(x.y), x.z));",
+        (0.9999, 1.0, 0.5),
+        (1.0 - 1.2e-4, 1.0),
+    ),
+    Guarded(
+        "surf on level ground under level water",
+        (NUMBERS, "foam/saturation/wake.glsl@torn", EDGE, "foam/saturation/surf.glsl@front_filtered"),
+        f"y.x = surf_at_edge({NONE}, vec4(0.0), x.x, 1.0, 0.0, Footprint(x.yy, x.yy));",
+        (2.5e-4, 0.0),
+        (0.5, 0.0),
+    ),
+    Guarded(
+        "surf that no way leads from",
+        (NUMBERS, "lib/texels.glsl@texel", NO_FIELD, "shore/waves.glsl@waves"),
+        "y.xy = shore_carried(ShoreField(vec4(0.0, 1.0, 0.0, 0.0), vec4(x.y), vec4(x.y)), x.x);",
+        (0.25, 0.0),
+        (0.0, 0.0),
+        {"SURF": True, "SURFACE_FILTER": False, "PROFILE_ROWS": 2, "PROFILE_NODES": 4},
+    ),
+    Guarded(
+        "a footprint that its shade widens",
+        (NUMBERS, SUN, "foam/shading.glsl@beside", "foam/shading.glsl@relief"),
+        "foam_relief(1.0, 1.0, vec2(0.0), Footprint(vec2(x.x, 0.0), vec2(0.0, x.x)));\ny.x = widest;",
+        (1e-27,),
+        (0.0, 0.0),
+        {"FOAM_SHADE": 0.6},
+        {"u_foam_thickness": 1.0, "u_sun_direction": [0.6, 0.8, 0.0]},
+    ),
+    Guarded(
+        "smooth foam that neither sun nor eye sees",
+        (NUMBERS, SUN, "foam/shading.glsl@albedo", "foam/shading.glsl@scattering"),
+        "y.x = foam_layer(vec3(0.0, 1.0, 0.0), normalize(x.xyz), 1.0).r;",
+        (1.0, 0.5, 0.0),
+        (0.5 / 1.004, 0.0),
+        {"FOAM_ASYMMETRY": 0.0, "FOAM_PHASE": 1.0},
+        {
+            "u_sun_direction": [1.0, 0.0, 0.0],
+            "u_sun_irradiance": [1.0] * 3,
+            "u_foam_depth": 0.5,
+            "u_foam_forward": 1.0,
+            "u_foam_albedo": 1.0,
+        },
+    ),
+    Guarded(
+        "the centre of a boat's circle",
+        (NUMBERS, COURSE, "boats/wake.glsl@way"),
+        "WakeWay way = wake_way(0, x.xy);\ny.xy = way.on_behind + way.on_aside;",
+        (3.0, -4.0),
+        (0.0, 0.0),
+        {"BOAT_STEM": 0.5},
+        {"u_boat_course": [-3.0, 4.0, 0.0, 10.0], "u_boat_form": [5.0, 0.0, 0.0, 1.0]},
+    ),
+)
+
+
+@pytest.mark.whole
+@pytest.mark.parametrize("one", [pytest.param(one, id=one.name) for one in GUARDED])
+def test_functions_are_guarded(probe: Probe, one: Guarded) -> None:
+    one.check(probe)
+
+
+def test_groups_foam_over_a_range() -> None:
+    foam = Foam(saturation=(FrontSaturation(group=(0.5, 0.5)),), look="halftone")
+    made = front.EFFECT.contribute(Scene(waves=(ParametricWave(),), foam=foam), EXACT)
+    assert made is not None
+    (rule,) = made.uniforms["u_front_group"].rules
+    assert isinstance(rule, Constant)
+    assert np.float32(rule.value[1]) - np.float32(rule.value[0]) > 9e-5
+
+
+def test_a_sea_that_is_too_flat_has_no_whitecaps() -> None:
+    assert whitecap_model(Sea(wind=0.2, fetch=100.0), WhitecapSaturation(), None, 4, 0.35, 256) is None
+
+
+def test_foam_closes_before_its_saturation_is_whole(probe: Probe) -> None:
+    """Half of what a mask leaves free at 511/512 is covered, so that no hole is left at 1."""
+    at = np.random.default_rng(4).random((100_000, 2)).astype(np.float32)
+    body = "y.x = filtered_coverage(511.0 / 512.0, 1.0, x.xy, vec2(0.0), vec2(0.0));"
+    got = probe(LOOK, body, at, consts=filtered_consts(MASK, 0.0, 1), textures=ATLAS)[:, 0]
+    assert got.min() == pytest.approx(0.5, abs=1e-3)
+
+
+def test_octaves_are_alike_in_every_tile(probe: Probe) -> None:
+    """Places of 16 bits, 127 tiles apart: float32 holds them, but not what the octaves make of them."""
+    at = np.random.default_rng(4).integers(0, 65536, (4000, 2)) / 65536.0
+    body = "y.x = filtered_coverage(0.6, 1.0, x.xy, vec2(1e-5, 0.0), vec2(0.0, 1e-5));"
+    ramps = {**ATLAS, "u_mask_quantiles": "mask/vac-24/ramps"}
+    consts = filtered_consts(MASK, 0.0, 4)
+    here, there = (probe(LOOK, body, at + 127.0 * tile, consts=consts, textures=ramps) for tile in (0, 1))
+    assert np.abs(here - there).max() <= 1e-6
+
+
+def test_foam_that_is_ground_fine_does_not_flicker(executor: Executor) -> None:
+    """The oldest generation, which a vortex has wound finer than texels, from one frame to the next."""
+    eddy = Vortex(place=(0.0, -6.0), radius=1.2, speed=2.0)
+    source = DriftSaturation(life=60.0, patch=1.0)
+    drift = Drift(place=(0.0, -10.0), size=40.0, current=(0.0, 0.0), vortices=(eddy,))
+    plan = make_plan(
+        Scene(drift=drift, foam=Foam(saturation=(source,), mask="clump", mask_tile=4.0)), TIERS["standard"]
+    )
+    first, second = (draw_target(executor, plan, "drift", time)[..., 3] for time in (50.0, 50.0 + 1.0 / 60.0))
+    assert np.abs(first - second).mean() < 1e-4
