@@ -9,7 +9,6 @@ from unittest.mock import patch
 import moderngl
 
 from bench.passes import kind
-from seafoam.framegraph.passes import Pass
 from seafoam.framegraph.plan import FramePlan
 from seafoam.render.gl.executor import Executor
 
@@ -51,13 +50,13 @@ class PassTimer:
         self._names.clear()
         draw = self._executor._draw
 
-        def timed(plan: FramePlan, step: Pass, *given: Any, **named: Any) -> None:
+        def timed(plan: FramePlan, index: int, *given: Any) -> None:
             used = len(self._names)
             if used == len(self._queries):
                 self._queries.append(self._executor._context.query(time=True))
             with self._queries[used]:
-                draw(plan, step, *given, **named)
-            self._names.append(kind(step.name))
+                draw(plan, index, *given)
+            self._names.append(kind(plan.passes[index].name))
 
         with patch.object(self._executor, "_draw", timed):
             yield

@@ -4,7 +4,6 @@ from collections.abc import Callable
 
 import pytest
 
-from seafoam.framegraph.passes import Pass
 from seafoam.planner import FramePlan, make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.cache import target_bytes
@@ -29,9 +28,9 @@ def drawn(fresh: Executor, monkeypatch: pytest.MonkeyPatch) -> Callable[[FramePl
     names: list[str] = []
     draw_pass = fresh._draw
 
-    def counted(plan: FramePlan, one: Pass, *rest: object) -> None:
-        names.append(one.name)
-        draw_pass(plan, one, *rest)  # type: ignore[arg-type]
+    def counted(plan: FramePlan, index: int, *rest: object) -> None:
+        names.append(plan.passes[index].name)
+        draw_pass(plan, index, *rest)  # type: ignore[arg-type]
 
     monkeypatch.setattr(fresh, "_draw", counted)
     times = iter(range(100))
