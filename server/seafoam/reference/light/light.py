@@ -226,8 +226,8 @@ def water(air: Air, body: Water, hit: WaterHit, light: Illumination = Illuminati
     inner = (1.0 - mirror) * (within + sun * _crest(air, body, hit))
     # A slope turns the reflected ray by twice its angle; across the plane of incidence less, as the look is flatter.
     spread = np.full(cv.shape, math.sqrt(2.0 * sigma2)), math.sqrt(2.0 * sigma2) * cv
-    mirrored, sparkle = light.mirrored or air.mirrored, light.glint or partial(glint, air)
-    return inner + mirror * mirrored(_reflected(d, n, sigma2), spread) + sun * sparkle(d, n, cv, sigma2)
+    mirrored, glitter = light.mirrored or air.mirrored, light.glint or partial(glint, air)
+    return inner + mirror * mirrored(_reflected(d, n, sigma2), spread) + sun * glitter(d, n, cv, sigma2)
 
 
 def foam(air: Air, albedo: float, N: Floats, sun: Share = 1.0) -> Floats:
