@@ -117,11 +117,11 @@ def test_two_looks_are_compared(served: Visit) -> None:
     expect(page.locator(".served canvas")).to_have_count(2)
     right = page.locator(".served canvas").last
     assert right.evaluate("(image) => getComputedStyle(image).clipPath") == "inset(0px 0px 0px 40%)"
-    asked = len(served.asked)
+    asked = served.frames_asked()
     page.get_by_role("slider", name="Split position").press("ArrowRight")
     served.settle()
     expect(right).to_have_css("clip-path", "inset(0px 0px 0px 42%)")
-    assert len(served.asked) == asked, "the divider cuts the pictures that are here"
+    assert served.frames_asked() == asked, "the divider cuts the pictures that are here"
 
 
 def test_one_request_at_a_time_and_the_newest_view_next(served: Visit) -> None:

@@ -27,7 +27,7 @@ def test_foam_of_the_water_goes_over_into_that_on_the_ground() -> None:
     depth = height - ground
     narrow, wide = ((np.tile((side, 0.0), (x.size, 1)), np.tile((0.0, side), (x.size, 1))) for side in (0.05, 1.0))
     own = np.minimum(sea.foam(source, x, z, height, None), 1.0)
-    swept = sea.left(source, x, z, ground, narrow)
+    swept = sea.swash_foam(source, x, z, ground, narrow)
     found = sea.foam(source, x, z, height, narrow)
     deep = depth > truth.EDGE[1]
     assert np.abs(found - own)[deep].max() <= 0.01

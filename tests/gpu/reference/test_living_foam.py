@@ -253,7 +253,7 @@ def test_the_swash_leaves_a_line() -> None:
         ground = coast.ground(q_x, q_z)[0]
         wave = coast.field.value(q_x, q_z)[:, 1]
         dry = ground > 0.0
-        f = coast.left(source, x[dry], z[dry], ground[dry], None)
+        f = coast.swash_foam(source, x[dry], z[dry], ground[dry], None)
         beyond = ground[dry] > 1.06 * np.maximum(wave[dry], 1e-3)
         assert (f[beyond] == 0.0).all()
         reach = ground[dry] / np.maximum(wave[dry], 1e-3)

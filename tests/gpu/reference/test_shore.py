@@ -284,7 +284,7 @@ def test_foam_on_the_ground(executor: Executor, report: Report) -> None:
         )
         got = probe(executor, LINED, body)[:, 0]
         feet = np.tile((side, 0.0), (x.size, 1)), np.tile((0.0, side), (x.size, 1))
-        want = sea.left(SURF, x, z, ground, feet)
+        want = sea.swash_foam(SURF, x, z, ground, feet)
         away = np.abs(got - want)
         report.add("Foam on the sand against float64, 10,000 points", side=f"{side} m", worst=f"{away.max():.1e}")
         assert want.max() > 0.5
@@ -299,7 +299,8 @@ def test_ground_and_the_way_through_the_water(executor: Executor, report: Report
     feet = np.full((x.size, 2), 0.02)
     d = unit(np.stack((z, np.full_like(x, -40.0), x), axis=-1))
     n = np.broadcast_to(unit(np.array([[0.1, 1.0, -0.05]])), d.shape)
-    way, albedo = sea.bed(x, z, np.full_like(x, 0.3), d, n, feet, feet)
+    floor = sea.bed(x, z, np.full_like(x, 0.3), d, n, (feet, feet))
+    way, albedo = floor.path, floor.albedo
     body = look + "o_color = vec4(floor_path(shore_place(p), 0.3, d, n, there), there, 0.0);"
     paths = {}
     for steps in (1, 2, 4, 8, 16):

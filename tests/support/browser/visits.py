@@ -71,6 +71,10 @@ class Visit:
         """How often a plan was asked for."""
         return sum(method == "POST" and url.endswith("/api/plans") for method, url in self.asked)
 
+    def frames_asked(self) -> int:
+        """How often a frame of the server's was asked for."""
+        return sum(method == "POST" and url.endswith("/api/frames") for method, url in self.asked)
+
     def saved(self, button: str = "Save image as PNG") -> tuple[Pixels, str]:
         """The PNG behind a button, (height, width, 3), and its name."""
         with self.page.expect_download(timeout=180_000) as download:
