@@ -151,9 +151,12 @@ def elsewhere(lane: Lane, package: Path, attributes: str) -> Iterator[tuple[Page
         complaints: list[str] = []
         page.on("console", lambda said: complaints.append(said.text) if said.type == "error" else None)
         page.on("pageerror", lambda error: complaints.append(str(error)))
-        page.goto(f"{origin}/page.html")
-        yield page, complaints, origin
-        page.close()
+        try:
+            page.goto(f"{origin}/page.html")
+            yield page, complaints, origin
+        finally:
+            # Left open after a failure it would draw on beside all other tests.
+            page.close()
 
 
 def test_another_sites_page_shows_the_still_and_then_the_water(llvmpipe: Lane, server: str, package: Path) -> None:

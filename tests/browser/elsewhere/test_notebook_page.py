@@ -103,14 +103,16 @@ def cell(llvmpipe: Lane, server: str) -> Iterator[Cell]:
     page = context.new_page()
     page.route("**/a-notebook/", lambda route: route.fulfill(body=HTML, content_type="text/html"))
     made = Cell(page, Water("paper-halftone", time=4.0, quality="draft", playing=False))
-    page.goto(f"{server}/a-notebook/")
-    made.show()
-    yield made
-    page.evaluate("() => window.leave()")
-    assert page.locator("#cell").inner_html() == ""
-    assert page.evaluate("() => window.heard()") == 0
-    assert made.complaints == []
-    context.close()
+    try:
+        page.goto(f"{server}/a-notebook/")
+        made.show()
+        yield made
+        page.evaluate("() => window.leave()")
+        assert page.locator("#cell").inner_html() == ""
+        assert page.evaluate("() => window.heard()") == 0
+        assert made.complaints == []
+    finally:
+        context.close()
 
 
 def test_it_draws_what_python_has(cell: Cell) -> None:
