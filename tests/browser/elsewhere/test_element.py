@@ -5,7 +5,7 @@ import json
 import os
 import subprocess
 import tarfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -16,6 +16,7 @@ from playwright.sync_api import Page, expect
 
 from support.browser.lanes import Lane, complaints_of
 from support.browser.proxy import proxied, site
+from support.browser.visits import Held
 from support.command import free_port
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -142,8 +143,10 @@ def test_an_unknown_preset_is_an_error_event(llvmpipe: Lane, server: str, packag
 
 
 @contextmanager
-def elsewhere(lane: Lane, package: Path, attributes: str) -> Iterator[tuple[Page, list[str], str]]:
-    """A page of another site, its complaints and its origin."""
+def elsewhere(
+    lane: Lane, package: Path, attributes: str, before: Callable[[Page], None] = lambda page: None
+) -> Iterator[tuple[Page, list[str], str]]:
+    """A page of another site, its complaints and its origin. before: what is done with it before it loads."""
     html = HTML.format(module="dist/seafoam-water.js", attributes=attributes)
     (package.parent / "page.html").write_text(html)
     with site(package.parent) as origin:
@@ -151,6 +154,7 @@ def elsewhere(lane: Lane, package: Path, attributes: str) -> Iterator[tuple[Page
         complaints: list[str] = []
         page.on("console", lambda said: complaints.append(said.text) if said.type == "error" else None)
         page.on("pageerror", lambda error: complaints.append(str(error)))
+        before(page)
         try:
             page.goto(f"{origin}/page.html")
             yield page, complaints, origin
@@ -161,8 +165,15 @@ def elsewhere(lane: Lane, package: Path, attributes: str) -> Iterator[tuple[Page
 
 def test_another_sites_page_shows_the_still_and_then_the_water(llvmpipe: Lane, server: str, package: Path) -> None:
     attributes = f'preset="paper-halftone" quality="draft" server="{server}"'
-    with elsewhere(llvmpipe, package, attributes) as (page, complaints, _):
+    held: list[Held] = []
+    with elsewhere(llvmpipe, package, attributes, lambda page: held.append(Held(page, "**/api/plans/*"))) as (
+        page,
+        complaints,
+        _,
+    ):
         expect(page.locator("seafoam-water img")).to_have_attribute("src", f"{server}/stills/paper-halftone.avif")
+        held[0].arrived()
+        held[0].let_go()
         page.wait_for_function("() => document.querySelector('seafoam-water').frames > 3", timeout=60_000)
         assert page.locator("seafoam-water img").count() == 0
         assert shown(page).std() > 5.0
