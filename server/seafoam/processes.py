@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 
 CONNECT_SECONDS = 10.0
 """Timeout of the connection to a scheduler, s."""
+CONNECT_ATTEMPTS = 4
 SCHEDULER = "Address of a Dask scheduler, such as tcp://host:8786, whose workers do it instead of processes here."
 """Help for an option of commands."""
 
@@ -25,10 +26,15 @@ def connected(scheduler: str) -> "Client":
     """Connect to the scheduler at an address. Raises :class:`NoClusterError`."""
     from distributed import Client
 
-    try:
-        return Client(scheduler, timeout=CONNECT_SECONDS, set_as_default=False)
-    except (OSError, ValueError) as error:
-        raise NoClusterError(f"no scheduler answers at {scheduler}") from error
+    for _ in range(CONNECT_ATTEMPTS):
+        try:
+            return Client(scheduler, timeout=CONNECT_SECONDS, set_as_default=False)
+        except AssertionError:
+            # Dask's client asserts that its greeting comes alone; a busy scheduler may send more with it.
+            continue
+        except (OSError, ValueError) as error:
+            raise NoClusterError(f"no scheduler answers at {scheduler}") from error
+    raise NoClusterError(f"the scheduler at {scheduler} greeted with more than its greeting {CONNECT_ATTEMPTS} times")
 
 
 @contextmanager

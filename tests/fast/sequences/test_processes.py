@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from distributed import LocalCluster
+from distributed import Client, LocalCluster
 from typer.testing import CliRunner
 
 from seafoam import processes
@@ -45,6 +45,24 @@ def test_where_no_scheduler_is(monkeypatch: pytest.MonkeyPatch) -> None:
     told = CliRunner().invoke(app, ["accuracy", "paper-threshold", "--scheduler", address])
     assert told.exit_code != 0
     assert address in str(told.exception)
+
+
+def test_a_greeting_with_more_in_it_is_asked_for_again(scheduler: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    class Crowded(Client):
+        left = 2
+
+        def __init__(self, *given: object, **named: object) -> None:
+            if Crowded.left:
+                Crowded.left -= 1
+                raise AssertionError
+            super().__init__(*given, **named)
+
+    monkeypatch.setattr("distributed.Client", Crowded)
+    with processes.connected(scheduler) as client:
+        assert client.submit(divmod, 7, 2).result() == (3, 1)
+    Crowded.left = processes.CONNECT_ATTEMPTS
+    with pytest.raises(processes.NoClusterError, match="4 times"):
+        processes.connected(scheduler)
 
 
 def test_masks_of_a_cluster_are_those_of_this_process(
