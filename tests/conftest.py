@@ -3,17 +3,20 @@
 import json
 import os
 import sys
-from collections.abc import Iterator
+import tomllib
+from collections.abc import Generator, Iterator
 from functools import _lru_cache_wrapper, cache
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from seafoam.render.gl.executor import Executor
 from support.probe import Probe
 from support.report import REPORT, Report
-from support.room import LIMIT, Room, give_back, resident
-from support.sweep import leave_to_sweep
+from support.run.room import LIMIT, Room, give_back, resident
+from support.run.work import Work
+from support.sweep import REST, leave_to_sweep
 
 # llvmpipe compiles in half the time without LLVM's optimisations, and draws the same bytes (test_driver.py); most of
 # what tests draw is drawn once, and small. Servers and browsers that they start inherit it.
@@ -35,8 +38,21 @@ def _executor() -> Executor:
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Let no process grow too large."""
+    """Let no process grow too large, and no group of ``make test`` do more than it is granted."""
     config.pluginmanager.register(Room())
+    granted = None
+    if (group := config.getoption("group")) is not None:
+        project = tomllib.loads((config.rootpath / "pyproject.toml").read_text(encoding="utf-8"))
+        granted = project["tool"]["seafoam"]["budget"]["work"][group]
+    config.pluginmanager.register(Work(granted))
+
+
+@pytest.hookimpl(wrapper=True, tryfirst=True)
+def pytest_pycollect_makeitem(collector: pytest.Collector, obj: object) -> Generator[None, Any, Any]:
+    """Without the sweep no cases are made of functions that are its alone: some take seconds to make."""
+    made = yield
+    left_out = collector.config.getoption("markexpr") == f"not {REST.name}"
+    return [] if left_out and REST.mark in getattr(obj, "pytestmark", ()) else made
 
 
 @pytest.hookimpl(tryfirst=True)
@@ -103,7 +119,8 @@ def report() -> Report:
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """Where to write what the tests measured."""
+    """Where to write what the tests measured, and what may be done."""
+    parser.addoption("--group", help="fail if the run does more work than pyproject.toml grants this group")
     parser.addoption("--figures", type=Path, help="write what the tests measure to this file too, as JSON")
 
 

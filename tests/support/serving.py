@@ -27,8 +27,15 @@ SMALL = {"width": 24, "height": 16}
 SERVER = """
 from functools import partial
 from seafoam.api import app
+from seafoam.api.routers import presets
 from support.api_fakes import FakeRenderer
+
+async def plan_none(plans):
+    pass
+
 app.create_app = partial(app.create_app, renderer=FakeRenderer)
+# Seconds of every start: whoever asks for the list of presets has it made then.
+presets.warm = plan_none
 if __name__ == "__main__":
     from seafoam.cli import main
     main()

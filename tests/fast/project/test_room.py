@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 CONFTEST = """
-from support.room import Room
+from support.run.room import Room
 
 def pytest_configure(config):
     config.pluginmanager.register(Room({limit}))

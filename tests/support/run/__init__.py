@@ -1,0 +1,1 @@
+"""What watches over a run of the tests: its memory, its work."""
