@@ -58,7 +58,7 @@ def test_accuracy_writes_every_form(seafoam, tmp_path):
 
 def test_accuracy_says_by_which_clock_it_timed(seafoam, tmp_path):
     for clock in ("wall", "processor"):
-        code, _, err = seafoam("accuracy", "default", *SMALL, "--timer", clock, "--json", tmp_path / "a.json")
+        code, _, err = seafoam("accuracy", "paper-threshold", *SMALL, "--timer", clock, "--json", tmp_path / "a.json")
         assert code == 0, err
         assert json.loads((tmp_path / "a.json").read_text())["timing"]["timer"] == clock
 
@@ -74,10 +74,10 @@ def test_a_measurement_is_timed_by_the_clock_that_is_asked_for(monkeypatch, cloc
 
 
 def test_accuracy_of_all_presets_fills_folders(seafoam, monkeypatch, tmp_path):
-    monkeypatch.setattr("seafoam.scene.presets.preset_names", lambda: ("default", "paper-threshold"))
+    monkeypatch.setattr("seafoam.scene.presets.preset_names", lambda: ("paper-halftone", "paper-threshold"))
     code, _, err = seafoam("accuracy", "--all", *SMALL, "--html", tmp_path / "reports")
     assert code == 0, err
-    assert {path.name for path in (tmp_path / "reports").iterdir()} == {"default.html", "paper-threshold.html"}
+    assert {path.stem for path in (tmp_path / "reports").iterdir()} == {"paper-halftone", "paper-threshold"}
 
 
 @pytest.mark.parametrize(
@@ -103,7 +103,7 @@ def test_bad_input_of_accuracy(seafoam, arguments, said):
 
 def test_render_picks_a_quality_for_a_budget(seafoam, tmp_path):
     code, out, err = seafoam(
-        "render", "default", "-o", tmp_path / "a.png", "--size", "32x18", "--quality", "auto", "--budget-ms", "4"
+        "render", "paper-threshold", "-o", tmp_path / "a.png", "--size", "32x18", "--quality", "auto", "--budget-ms", "4"
     )
     assert code == 0, err
     assert "predicted" in out.splitlines()[-1]

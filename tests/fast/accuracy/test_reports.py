@@ -53,6 +53,8 @@ def measured(preset: str) -> dict[str, Measured]:
 
 def points_of_tiers(preset: str) -> dict[str, str]:
     """The point that stands for each tier: tiers of one plan are one point."""
+    if measured(preset).keys() >= TIERS.keys():
+        return {tier: tier for tier in TIERS}
     scene = load_preset(preset).scene
     by_plan = {plan_hash(scene, quality): tier for tier, quality in TIERS.items() if tier in measured(preset)}
     return {tier: by_plan[plan_hash(scene, quality)] for tier, quality in TIERS.items()}
@@ -64,7 +66,7 @@ def test_reports_are_of_todays_scenes() -> None:
         assert scenes == {scene_sha256(load_preset(preset).scene)}, f"{preset}: {AGAIN}"
 
 
-@pytest.mark.parametrize("preset", spread(preset_names(), 8, 4))
+@pytest.mark.parametrize("preset", spread(preset_names(), 12, 4))
 def test_a_report_is_of_todays_qualities(preset: str) -> None:
     points = points_of(load_preset(preset).scene)
     today = {point.id: json.loads(point.quality.model_dump_json(exclude_defaults=True)) for point in points}

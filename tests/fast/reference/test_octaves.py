@@ -10,7 +10,7 @@ from seafoam.reference.foam import coverage as looked
 from seafoam.reference.foam import looks
 from seafoam.scene.foam import Foam
 
-SIDE = 160
+SIDE = 100
 """Places along each side of the tile, one in each square."""
 NEEDLE = np.array([[1.0, 0.0], [0.3, 0.8]])
 

@@ -115,7 +115,7 @@ def test_seen_phases_are_those_before_the_eye(q: float, toward: float) -> None:
     """A sinusoid y = cos(psi)/k, looked at along x from far off by rays that fall by q of its slope."""
     psi = np.linspace(-math.pi, math.pi, 200_001)
     # Before the eye: nothing between a place and the eye rises above the ray; the nearest three waves can.
-    nearer = toward * np.arange(0.0, 8.0 * math.pi, 1e-3)
+    nearer = toward * np.arange(0.0, 8.0 * math.pi, 1e-2)
     shown = np.array([(np.cos(at) + q * (np.abs(nearer)) >= np.cos(at - nearer) - 1e-9).all() for at in psi[::100]])
     arc = 2.0 * math.pi * shown.mean()
     sums = np.exp(1j * psi[::100][shown]).sum()
