@@ -75,7 +75,7 @@ def test_a_measurement_is_timed_by_the_clock_that_is_asked_for(monkeypatch, cloc
 
 def test_accuracy_of_all_presets_fills_folders(seafoam, monkeypatch, tmp_path):
     monkeypatch.setattr("seafoam.scene.presets.preset_names", lambda: ("paper-halftone", "paper-threshold"))
-    code, _, err = seafoam("accuracy", "--all", *SMALL, "--html", tmp_path / "reports")
+    code, _, err = seafoam("accuracy", "--all", *SMALL, "--csv", tmp_path / "reports")
     assert code == 0, err
     assert {path.stem for path in (tmp_path / "reports").iterdir()} == {"paper-halftone", "paper-threshold"}
 

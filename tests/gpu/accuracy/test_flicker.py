@@ -23,7 +23,7 @@ def clip(executor: Executor, scene: Scene, time: float, samples: int) -> tuple[F
     foams, pictures = [], []
     for i in range(12):
         camera = moved(scene.camera, 0.3 * i / 60.0)
-        frame = draw(executor, plan, camera, time=time + i / 60.0, size=(128, 72), output="linear")
+        frame = draw(executor, plan, camera, time=time + i / 60.0, size=(96, 54), output="linear")
         foams.append(frame[..., 3].astype(np.float64))
         pictures.append(shown(frame, curve))
     return foams, pictures

@@ -61,8 +61,6 @@ def test_serve_answers_without_delay_and_stops_when_told(host):
         address = process.stdout.readline().split()[3]
         with urllib.request.urlopen(f"{address}/healthz", timeout=60) as response:
             assert json.load(response) == {"status": "alive"}
-        with urllib.request.urlopen(f"{address}/api/presets", timeout=60) as response:
-            assert response.status == 200
         with seafoam.connect(address) as source:
             assert source.mask("vac-24").shape == (512, 512)
     finally:
@@ -124,10 +122,10 @@ def test_a_restart_under_load_tears_no_answer(tmp_path):
         each.start()
     try:
         with serving(port, tmp_path):
-            answered(100)
+            answered(50)
         away, before = counts["away"], counts["200"]
         with serving(port, tmp_path):
-            answered(before + 100)
+            answered(before + 50)
             over.set()
             for each in clients:
                 each.join()

@@ -17,12 +17,12 @@ from seafoam.sequences.making import Output, Progress, make_sequence
 from seafoam.sequences.spec import SequenceSpec
 from support.command import run
 
-FRAMES = 300
+FRAMES = 120
 
 
 @pytest.fixture(scope="module")
 def local(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """300 frames of the command."""
+    """Frames of the command."""
     folder = tmp_path_factory.mktemp("local") / "frames"
     stop = str(FRAMES / 24)
     arguments = ("--start", "0", "--stop", stop, "--size", "64x36", "--quality", "draft", "-o", folder)

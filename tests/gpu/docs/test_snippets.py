@@ -72,9 +72,9 @@ def test_readme(server: str, executor: Executor, tmp_path: Path, monkeypatch: py
 
 
 def test_python(server: str, tmp_path: Path) -> None:
-    code = "\n".join(blocks("docs/python.md", "python")).replace(ADDRESS, server)
+    code = "\n".join(blocks("docs/python.md", "python")).replace(ADDRESS, server).replace("(640, 360)", "(64, 36)")
     checks = """
-assert sea.size == (640, 360) and coverage > 0
+assert sea.size == (64, 36) and coverage > 0
 assert thresholds.shape == (64, 64) and abs(foam.mean() - 0.3) < 1e-4
 assert first != second and image.size == (96, 54) and array.shape == (54, 96, 4)
 assert picture.size == (96, 54) and water.camera.yaw == 0.5
