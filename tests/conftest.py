@@ -21,6 +21,9 @@ from support.sweep import REST, leave_to_sweep
 # llvmpipe compiles in half the time without LLVM's optimisations, and draws the same bytes (test_driver.py); most of
 # what tests draw is drawn once, and small. Servers and browsers that they start inherit it.
 os.environ["GALLIVM_PERF"] = "nopt"
+# One for all: servers would each keep their own beside their frames, and compile every program again.
+CACHES = os.environ.get("XDG_CACHE_HOME") or str(Path.home() / ".cache")
+os.environ |= {"MESA_SHADER_CACHE_DIR": CACHES, "MESA_SHADER_CACHE_MAX_SIZE": "2G"}
 # What earlier runs drew must not answer for what is drawn now.
 os.environ |= {"SEAFOAM_CACHE_SIZE": "0", "SEAFOAM_CACHE_MEMORY": "0"}
 

@@ -102,9 +102,8 @@ def test_bad_input_of_accuracy(seafoam, arguments, said):
 
 
 def test_render_picks_a_quality_for_a_budget(seafoam, tmp_path):
-    code, out, err = seafoam(
-        "render", "paper-threshold", "-o", tmp_path / "a.png", "--size", "32x18", "--quality", "auto", "--budget-ms", "4"
-    )
+    asked = ("--size", "32x18", "--quality", "auto", "--budget-ms", "4")
+    code, out, err = seafoam("render", "paper-threshold", "-o", tmp_path / "a.png", *asked)
     assert code == 0, err
     assert "predicted" in out.splitlines()[-1]
     assert "of 4 ms at 32 x 18" in out.splitlines()[-1]
