@@ -29,6 +29,7 @@ from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.scene.presets import load_preset, preset_names
 from support.snippets import blocks, commands
+from support.sweep import spread
 
 ROOT = Path(__file__).parents[3]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
@@ -84,9 +85,11 @@ def environment(folder: Path, wheel: Path, extra: str = "", python: Path = Path(
 
 
 def _downloaded(folder: Path, wheel: Path, python: Path) -> Path:
-    subprocess.run([python, "-m", "venv", folder], check=True, capture_output=True)
+    subprocess.run([python, "-m", "venv", "--without-pip", folder], check=True, capture_output=True)
     pins = [f"{each.name}=={each.version}" for each in _needed(distribution("seafoam"), set())]
-    pip = [folder / "bin" / "python", "-m", "pip", "install", "-q", "--only-binary", ":all:"]
+    # What is imported is compiled then, a small part of the packages.
+    pip = [sys.executable, "-m", "pip", "--python", folder / "bin" / "python", "install", "-q", "--no-compile"]
+    pip += ["--only-binary", ":all:"]
     done = subprocess.run([*pip, wheel, *pins], capture_output=True, text=True)
     if done.returncode:
         why = next((line for line in done.stderr.splitlines() if line.startswith("ERROR")), "pip failed")
@@ -138,7 +141,13 @@ def test_the_wheel_carries_its_data(wheel: Path) -> None:
     assert any(name.endswith("licenses/masks/LICENSE") for name in names)
 
 
-SMALLER = {"1280x720": "64x36", "640x360": "64x36", "--stop 4": "--stop 0.1", "default -o": "default --size 64x36 -o"}
+SMALLER = {
+    "1280x720": "64x36",
+    "640x360": "64x36",
+    "--stop 4": "--stop 0.1",
+    "default -o": "default --size 64x36 -o",
+    "--size 256": "--size 64",
+}
 """Sizes of the documents -> those here."""
 EXTRAS = {"sequence": "video", "masks spectrum": "reports", "accuracy": "reports"}
 """Beginnings of README's commands -> the extra that they need."""
@@ -151,6 +160,10 @@ def bare(request: pytest.FixtureRequest, wheel: Path, tmp_path_factory: pytest.T
         pytest.skip(f"of the Pythons that the metadata admits this machine has {OWN[0]}.{OWN[1]} alone")
     python = found[min(found) if request.param == "oldest" else max(found)]
     return environment(tmp_path_factory.mktemp("bare") / "venv", wheel, python=python)
+
+
+newest = pytest.mark.parametrize("bare", ["newest"], indirect=True)
+"""For what the tests' own Python does in other tests too."""
 
 
 def test_the_metadata_names_the_pythons_that_are_tested() -> None:
@@ -180,20 +193,24 @@ def test_data_is_that_of_the_wheel(bare: Path, tmp_path: Path) -> None:
     assert all(Path(path).is_relative_to(bare.parent) for path in done.stdout.splitlines())
 
 
-def test_plans_are_the_same_in_every_python(bare: Path, tmp_path: Path) -> None:
-    code = """
+@newest
+@pytest.mark.parametrize("share", spread(range(3), 3))
+def test_plans_are_the_same_in_every_python(bare: Path, tmp_path: Path, share: int) -> None:
+    """Of a third of the presets. In the tests' own: tests/fast/planner/test_plan.py."""
+    code = f"""
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.scene.presets import load_preset, preset_names
-for name in preset_names():
+for name in preset_names()[{share}::3]:
     print(name, make_plan(load_preset(name).scene, TIERS["draft"]).sha256)
 """
     done = run(bare / "python", "-c", code, within=tmp_path)
     assert done.returncode == 0, done.stderr
-    here = {name: make_plan(load_preset(name).scene, TIERS["draft"]).sha256 for name in preset_names()}
+    here = {name: make_plan(load_preset(name).scene, TIERS["draft"]).sha256 for name in preset_names()[share::3]}
     assert dict(line.split() for line in done.stdout.splitlines()) == here
 
 
+@newest
 def test_commands_of_readme_without_extras(bare: Path, tmp_path: Path) -> None:
     found = [command.removeprefix(".venv/bin/seafoam ") for command in commands("README.md") if "/seafoam " in command]
     assert found[0].startswith("render default")
