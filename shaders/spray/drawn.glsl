@@ -68,8 +68,9 @@ SprayForm spray_form(float kind, float age, float life, float vary, float other)
         return SprayForm(grown, 0.2, 1.5, 0.9 * ends * begins / (0.4 + grown * grown), 0.85, 0.7);
     }
     if (kind == SPRAY_DRIFT) {
-        float grown = (0.3 + 0.4 * vary) * (1.0 + 3.0 * x);
-        return SprayForm(grown, 0.5, 6.0, 0.6 * (1.0 - x) * ends * begins / (0.3 + grown), 0.75, 0.5);
+        // A veil: strands that are long and sharp would stand as a comb.
+        float grown = (0.3 + 0.7 * vary) * (1.0 + 4.0 * x);
+        return SprayForm(grown, 0.3, 3.0, 0.5 * (1.0 - x) * ends * begins / (0.3 + grown), 1.0, 1.0);
     }
     if (kind == SPRAY_COLUMN) {
         float grown = (0.6 + 0.8 * vary) * (1.0 + 1.6 * x);

@@ -150,7 +150,7 @@ def _form(kind: Floats, age: Floats, life: Floats, vary: Floats, other: Floats) 
     x = np.maximum(age, 0.0) / life
     ends, begins = 1.0 - smoothstep(0.55, 1.0, x), smoothstep(0.0, 0.06, x)
     mist = (0.5 + 0.5 * vary) * (1.0 + 2.2 * x)
-    drift = (0.3 + 0.4 * vary) * (1.0 + 3.0 * x)
+    drift = (0.3 + 0.7 * vary) * (1.0 + 4.0 * x)
     column = (0.6 + 0.8 * vary) * (1.0 + 1.6 * x)
     sheet = (0.35 + 0.9 * vary * vary) * (1.0 + 1.4 * x)
 
@@ -163,16 +163,16 @@ def _form(kind: Floats, age: Floats, life: Floats, vary: Floats, other: Floats) 
     spread = smoothstep(0.05, 0.8, x)
     return _Form(
         radius=pick(mist, drift, column, sheet),
-        moment=pick(0.2, 0.5, 0.15, 0.15),
-        longest=pick(1.5, 6.0, 3.0, 2.5),
+        moment=pick(0.2, 0.3, 0.15, 0.15),
+        longest=pick(1.5, 3.0, 3.0, 2.5),
         depth=pick(
             0.9 * ends * begins / (0.4 + mist * mist),
-            0.6 * (1.0 - x) * ends * begins / (0.3 + drift),
+            0.5 * (1.0 - x) * ends * begins / (0.3 + drift),
             1.8 * ends * smoothstep(0.0, 0.02, x) / (0.4 + 0.6 * column),
             1.2 * ends * begins,
         ),
-        cover=pick(0.85, 0.75, 1.1 - 0.8 * spread, (0.8 - 0.62 * torn) * (0.6 + 0.4 * other)),
-        soft=pick(0.7, 0.5, 0.3, 0.22),
+        cover=pick(0.85, 1.0, 1.1 - 0.8 * spread, (0.8 - 0.62 * torn) * (0.6 + 0.4 * other)),
+        soft=pick(0.7, 1.0, 0.3, 0.22),
     )
 
 
