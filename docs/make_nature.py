@@ -66,7 +66,6 @@ REASONS: dict[tuple[str, ...], str] = {
     ("dense", "above"): "full foam is a layer of optical depth 12 and albedo 0.9; an albedo of 0.8 gives 0.6",
     ("effective", "above"): "full foam is too bright (see there), and old foam loses area rather than brightness",
     ("height", "above"): "single waves are added to a sea that is already as high as its fetch lets it be",
-    ("height", "above", "sunset-sparkles"): "near full growth the spectrum keeps JONSWAP's peak, which sinks there",
     ("period", "below"): "single waves, shorter than the sea's longest, have most of the energy",
     ("steepness", "above"): "the single waves' height is chosen for their look, and the sea is added to it",
 }

@@ -24,7 +24,10 @@ COVERAGE = (
     "√10 (Callaghan et al. 2012: a factor of 10 in all)"
 )
 SLOPES = "Cox and Munk 1954, regression on wind, two standard deviations"
-GROWTH = "Hasselmann et al. 1973; Kahma and Calkoen 1992, stable and unstable; full growth: {}"
+GROWTH = (
+    "least of Hasselmann et al. 1973, Kahma and Calkoen 1992 (stable, unstable) and Resio et al. 2003, to full growth "
+    "by the last or by Pierson and Moskowitz 1964"
+)
 
 
 @dataclass(frozen=True)
@@ -65,9 +68,9 @@ QUANTITIES: dict[str, Quantity] = {
     "effective": Quantity("effective reflectance of whitecaps", "", "Koepke 1984: 0.22 ± 0.11"),
     "decay": Quantity("decay time of patches, median", "s", "Callaghan et al. 2012: 0.5 to 8 s"),
     "set": Quantity("decay time that the scene sets", "s", "Monahan and Zietlow 1969: 2.5 s fresh, 3.9 s salt water"),
-    "height": Quantity("significant height", "m", GROWTH.format("0.243 U²/g (CERC 1984)")),
-    "period": Quantity("peak period", "s", GROWTH.format("Pierson and Moskowitz 1964")),
-    "steepness": Quantity("significant steepness", "", "DNV-RP-C205, 3.5.5: 1/15 to 8 s, 1/25 from 15 s, the most"),
+    "height": Quantity("significant height", "m", GROWTH),
+    "period": Quantity("peak period", "s", GROWTH),
+    "steepness": Quantity("significant steepness", "", "DNV-RP-C205: at most 1/15 to 8 s, 1/25 from 15 s"),
 }
 
 
@@ -100,10 +103,16 @@ def growth(wind: float, fetch: float) -> tuple[tuple[float, float], tuple[float,
     over = GRAVITY * fetch / wind**2
     energies = 1.6e-7 * over, 9.3e-7 * over**0.76, 5.4e-7 * over**0.94
     frequencies = 2.0 * math.pi * 3.5 * over**-0.33, 12.0 * over**-0.24, 14.2 * over**-0.28
-    full_height, full_period = 0.243 * wind**2 / GRAVITY, 2.0 * math.pi * 1.026 * wind / (0.877 * GRAVITY)
-    heights = (min(4.0 * math.sqrt(energy) * wind**2 / GRAVITY, full_height) for energy in energies)
-    periods = (min(2.0 * math.pi * wind / GRAVITY / frequency, full_period) for frequency in frequencies)
-    return (min(heights), full_height), (min(periods), full_period)
+    # The Coastal Engineering Manual has the wind's friction velocity squared.
+    stress = 0.001 * (1.1 + 0.035 * wind) * wind**2
+    beyond, aloft = GRAVITY * fetch / stress, 1.026 * wind
+    full_height = max(0.21 * aloft**2, 211.5 * stress) / GRAVITY
+    full_period = max(2.0 * math.pi / 0.877 * aloft, 239.8 * math.sqrt(stress)) / GRAVITY
+    heights = [4.0 * math.sqrt(energy) * wind**2 / GRAVITY for energy in energies]
+    heights.append(0.0413 * math.sqrt(beyond) * stress / GRAVITY)
+    periods = [2.0 * math.pi * wind / GRAVITY / frequency for frequency in frequencies]
+    periods.append(0.651 * beyond ** (1.0 / 3.0) * math.sqrt(stress) / GRAVITY)
+    return (min(*heights, full_height), full_height), (min(*periods, full_period), full_period)
 
 
 def steepest(period: float) -> float:
