@@ -24,6 +24,8 @@ os.environ["GALLIVM_PERF"] = "nopt"
 # One for all: servers would each keep their own beside their frames, and compile every program again.
 CACHES = os.environ.get("XDG_CACHE_HOME") or str(Path.home() / ".cache")
 os.environ |= {"MESA_SHADER_CACHE_DIR": CACHES, "MESA_SHADER_CACHE_MAX_SIZE": "2G"}
+# Processes that are spawned run the file of their parent's __main__ first: pytest's, whose import they need not.
+vars(sys.modules["__main__"]).pop("__file__", None)
 # What earlier runs drew must not answer for what is drawn now.
 os.environ |= {"SEAFOAM_CACHE_SIZE": "0", "SEAFOAM_CACHE_MEMORY": "0"}
 
