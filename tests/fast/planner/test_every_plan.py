@@ -1,4 +1,4 @@
-"""Plans of presets at every tier (half of them without the sweep): whole, with nothing that the scene has not, and drawn
+"""Plans of presets at every tier (half of them without the sweep): whole, with nothing that a scene has not, and drawn
 as often as need be.
 """
 
