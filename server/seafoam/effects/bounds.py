@@ -50,7 +50,7 @@ def max_displacement(scene: Scene) -> float:
 def _amplitude(scene: Scene) -> float:
     """Return the greatest amplitude of waves that are symmetric about still water: rings, wakes and open sea; m."""
     amplitude = ring_height(scene) + wake_height(scene.boats) + joint_height(stone_wakes(scene.current))
-    if scene.sea is not None and scene.sea.wind > 0.0:
+    if scene.sea is not None and scene.sea.wind_speed > 0.0:
         amplitude += summed(tile.limit for tile in cascades(scene.sea, scene.water.depth)[:RAISED])
     return amplitude
 

@@ -166,9 +166,9 @@ def slope_limit(root_mean_square: float) -> float:
 
 def largest_tile(sea: Sea, depth: float | None) -> float:
     """Return the side of the largest tile, m."""
-    if sea.wind <= 0.0:
+    if sea.wind_speed <= 0.0:
         return SMALLEST_TILE
-    omega = peak_frequency(sea.wind, sea.fetch)
+    omega = peak_frequency(sea.wind_speed, sea.fetch)
     k = omega * omega / GRAVITY
     if depth is not None:
         # k tanh(kd) = ω²/g by Newton's method from Eckart's estimate; a tile's side needs few digits.
@@ -214,7 +214,7 @@ def _fft(sea: Sea, depth: float | None, number: int, size: float, low: float) ->
     covered = (k >= low) & (k < min(BAND * 2.0 * math.pi / size, 2.0 * math.pi / SHORTEST)) & (k > 0.0)
     h0 = np.zeros(k.shape, np.complex128)
     step = 2.0 * math.pi / size
-    if sea.wind > 0.0 and covered.any():
+    if sea.wind_speed > 0.0 and covered.any():
         kx, kz = step * ix[covered].astype(np.float64), step * iz[covered].astype(np.float64)
         energy = wave_spectrum(kx, kz, sea, depth) * step * step
         phase = 2.0 * math.pi * chance(sea.seed, number, ix[covered] + BAND, iz[covered] + BAND)
@@ -230,29 +230,31 @@ def _gerstner(sea: Sea, depth: float | None, sizes: tuple[float, float]) -> tupl
     """
     tiles = [np.zeros((2 * BAND, 2 * BAND), np.complex128) for _ in sizes]
     steps = [2.0 * math.pi / size for size in sizes]
-    if sea.wind > 0.0:
+    if sea.wind_speed > 0.0:
         edges = np.geomspace(0.6 * PEAKS, 0.98 * BAND, GERSTNER_WAVES + 1) * steps[0]
         around: Floats = (np.arange(720, dtype=np.float64) + 0.5) * (2.0 * math.pi / 720) - math.pi
         share = np.cumsum(spreading(around, sea.spread, sea.against)) * (2.0 * math.pi / 720)
         for wave in range(GERSTNER_WAVES):
             inner = np.linspace(edges[wave], edges[wave + 1], 33)
             omega, group, shallow = dispersion(inner, depth)
-            density = frequency_spectrum(omega, sea.wind, sea.fetch) * shallow * group
+            density = frequency_spectrum(omega, sea.wind_speed, sea.fetch) * shallow * group
             energy = float(np.trapezoid(density, inner))
             draws = [float(chance(sea.seed, 7 + n, wave + BAND, BAND)) for n in range(3)]
             # Golden-ratio sequence of directions: evenly distributed over the spread for every seed.
-            angle = sea.wind_direction + float(np.interp((draws[0] + 0.618034 * wave) % 1.0, share, around))
+            angle = sea.downwind + float(np.interp((draws[0] + 0.618034 * wave) % 1.0, share, around))
             h0, step = tiles[wave % 2], steps[wave % 2]
             middle = math.sqrt(edges[wave] * edges[wave + 1]) / step
             ix, iz = round(middle * math.cos(angle)), round(middle * math.sin(angle))
-            if sea.against == 0.0 and ix * math.cos(sea.wind_direction) + iz * math.sin(sea.wind_direction) < 0.0:
+            if sea.against == 0.0 and ix * math.cos(sea.downwind) + iz * math.sin(sea.downwind) < 0.0:
                 continue
             if energy > 0.0 and (ix, iz) != (0, 0):
                 h0[iz + BAND, ix + BAND] += math.sqrt(0.5 * energy) * np.exp(2j * math.pi * draws[1])
         drawn = 2.0 * summed(float((np.abs(h0) ** 2).sum()) for h0 in tiles)
-        omega = np.geomspace(0.3, 60.0, 4001) * peak_frequency(sea.wind, sea.fetch)
+        omega = np.geomspace(0.3, 60.0, 4001) * peak_frequency(sea.wind_speed, sea.fetch)
         total = float(
-            np.trapezoid(frequency_spectrum(omega, sea.wind, sea.fetch) * shallow_water_factor(omega, depth), omega)
+            np.trapezoid(
+                frequency_spectrum(omega, sea.wind_speed, sea.fetch) * shallow_water_factor(omega, depth), omega
+            )
         )
         # The waves are scaled to the significant height of the whole spectrum.
         tiles = [h0 * (math.sqrt(total / drawn) if drawn > 0.0 else 0.0) for h0 in tiles]

@@ -72,7 +72,7 @@ def ripple_cascades(ripples: Ripples, repeats: bool = False) -> tuple[tuple[Ripp
     copied = has_copies(ripples, repeats)
     # Both copies' mean directions and their spread make up what is asked for.
     half = 0.5 * math.atan2(TURN[1], TURN[0]) if copied else 0.0
-    mean, spread = ripples.wind_direction - half, math.sqrt(ripples.spread**2 - half**2)
+    mean, spread = ripples.downwind - half, math.sqrt(ripples.spread**2 - half**2)
     cascades = []
     weights = []
     for cascade, tile in enumerate(tiles(repeats)):

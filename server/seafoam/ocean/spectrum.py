@@ -68,8 +68,8 @@ def wave_spectrum(kx: Floats, kz: Floats, sea: Sea, depth: float | None) -> Floa
     """Return Ψ(k), m⁴: its integral over the plane of wavevectors (rad/m, not 0) is the mean square height."""
     k = np.hypot(kx, kz)
     omega, group, shallow = dispersion(k, depth)
-    angle = np.arctan2(kz, kx) - sea.wind_direction
-    energy = frequency_spectrum(omega, sea.wind, sea.fetch) * shallow * group / k
+    angle = np.arctan2(kz, kx) - sea.downwind
+    energy = frequency_spectrum(omega, sea.wind_speed, sea.fetch) * shallow * group / k
     result: Floats = energy * spreading(angle, sea.spread, sea.against)
     return result
 

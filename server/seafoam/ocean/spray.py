@@ -45,10 +45,10 @@ def cell_sides(spray: Spray) -> tuple[float, ...]:
 
 def crest_velocity(sea: Sea) -> tuple[float, float]:
     """Velocity of breaking crests (x, z), m/s."""
-    if sea.wind <= 0.0:
+    if sea.wind_speed <= 0.0:
         return 0.0, 0.0
-    speed = CREST * GRAVITY / peak_frequency(sea.wind, sea.fetch)
-    return speed * math.cos(sea.wind_direction), speed * math.sin(sea.wind_direction)
+    speed = CREST * GRAVITY / peak_frequency(sea.wind_speed, sea.fetch)
+    return speed * math.cos(sea.downwind), speed * math.sin(sea.downwind)
 
 
 def fold_limits(sea: Sea, spray: Spray, depth: float | None) -> tuple[float, float] | None:
@@ -61,12 +61,12 @@ def fold_limits(sea: Sea, spray: Spray, depth: float | None) -> tuple[float, flo
 
 def torn_share(sea: Sea, spray: Spray) -> float:
     """Fraction of drops that are spindrift."""
-    return spray.spindrift * _between(_TORN, sea.wind)
+    return spray.spindrift * _between(_TORN, sea.wind_speed)
 
 
 def crest_strength(sea: Sea) -> float:
     """Strength of spray from breaking crests, in [0, 1]."""
-    return _between(_STRONG, sea.wind)
+    return _between(_STRONG, sea.wind_speed)
 
 
 def _between(ends: tuple[float, float], x: float) -> float:

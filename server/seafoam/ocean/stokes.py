@@ -32,10 +32,10 @@ def waves_drift(scene: Scene) -> tuple[float, float]:
         speed = first_harmonic(wave.amplitude, wave.exponent) ** 2 * angular_frequency(wave) * k
         speed *= _shallow(k, scene.water.depth)
         x, z = x + speed * math.cos(wave.direction), z + speed * math.sin(wave.direction)
-    if scene.sea is not None and scene.sea.wind > 0.0:
+    if scene.sea is not None and scene.sea.wind_speed > 0.0:
         speed = sea_drift(scene.sea, scene.water.depth)
-        x += speed * math.cos(scene.sea.wind_direction)
-        z += speed * math.sin(scene.sea.wind_direction)
+        x += speed * math.cos(scene.sea.downwind)
+        z += speed * math.sin(scene.sea.downwind)
     return x, z
 
 
@@ -50,8 +50,8 @@ def foam_drift(scene: Scene) -> tuple[float, float]:
     if life is None or scene.shore is not None:
         return 0.0, 0.0
     x, z = waves_drift(scene) if life.carried else (0.0, 0.0)
-    x += life.wind_drift * math.cos(life.wind_direction)
-    z += life.wind_drift * math.sin(life.wind_direction)
+    x += life.drift_speed * math.cos(life.downwind)
+    z += life.drift_speed * math.sin(life.downwind)
     return round(x, 6), round(z, 6)
 
 
@@ -74,7 +74,7 @@ def sea_drift(sea: Sea, depth: float | None) -> float:
     """Return the Stokes drift 2∫ ω k S(ω) dω of the sea along the wind, m/s, down to the shortest drawn wave."""
     k = np.geomspace(1e-4, 2.0 * math.pi / SHORTEST, 4096)
     omega, group, shallow = dispersion(k, depth)
-    energy = frequency_spectrum(omega, sea.wind, sea.fetch) * shallow * group
+    energy = frequency_spectrum(omega, sea.wind_speed, sea.fetch) * shallow * group
     factor = np.array([_shallow(k_i, depth) for k_i in k])
     values = 2.0 * omega * k * energy * factor
     total = float(np.sum(0.5 * (values[1:] + values[:-1]) * np.diff(k)))

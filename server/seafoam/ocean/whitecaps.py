@@ -95,7 +95,7 @@ def whitecap_model(
     raised = cascades(sea, depth)[:RAISED]
     now = summed(c.divergence_variance(sea.choppiness, texels, "spline") for c in raised)
     earlier = summed(c.divergence_variance(sea.choppiness, texels // 2, "bilinear") for c in raised)
-    coverage = foam.coverage * whitecaps(sea.wind)
+    coverage = foam.coverage * whitecaps(sea.wind_speed)
     if min(now, earlier) < 1e-8 or coverage <= 0.0:
         return None
     shares = tuple(math.exp(-j * step / foam.decay) for j in range(steps + 1))
@@ -112,7 +112,7 @@ def whitecap_model(
             for t, e in zip(times, ends, strict=True)
         )
     factors = LASTING_CLAMPED if lasting else CLAMPED
-    correction = float(np.interp(sea.wind, [entry[0] for entry in factors], [entry[1] for entry in factors]))
+    correction = float(np.interp(sea.wind_speed, [entry[0] for entry in factors], [entry[1] for entry in factors]))
     coverage *= correction
     total = summed(shares) + summed(old_shares)
 

@@ -36,7 +36,7 @@ def linked_plan(
     scene: Scene, quality: Quality, passes_of: Callable[[Frame], tuple[Stage, str]], *, economy: bool
 ) -> FramePlan:
     """Return the plan of a scene's contributions. ``passes_of``: its passes, and the target of its linear frame."""
-    scene = _steepest_waves(scene, quality.waves)
+    scene = _steepest_waves(scene.settled, quality.waves)
     given = collect((*EFFECTS, *outside()), scene, quality, economy=economy)
     stage, linear = passes_of(Frame(given, quality))
     for program in stage.programs.values():

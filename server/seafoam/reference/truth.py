@@ -47,11 +47,11 @@ class Truth:
 
 
 def scene_sha256(scene: Scene) -> str:
-    """SHA-256, in hexadecimal, of the scene's :func:`~seafoam.scene.base.non_defaults`, as canonical JSON.
+    """SHA-256, in hexadecimal, of the settled scene's :func:`~seafoam.scene.base.non_defaults`, as canonical JSON.
 
     A new field of the schema does not invalidate baked frames. A changed default does: bake with ``--force``.
     """
-    text = json.dumps(non_defaults(scene), sort_keys=True, separators=(",", ":"), allow_nan=False)
+    text = json.dumps(non_defaults(scene.settled), sort_keys=True, separators=(",", ":"), allow_nan=False)
     return hashlib.sha256(text.encode()).hexdigest()
 
 

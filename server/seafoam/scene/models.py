@@ -4,10 +4,12 @@ An effect whose part is absent is off. Unknown keys are rejected. Every number d
 OpenAPI document, the panel of the web client and the validation errors are all generated from these descriptions.
 """
 
+from typing import Self
+
 from pydantic import Field
 
 from seafoam.extensions import Extensible, Extensions
-from seafoam.scene.base import Part
+from seafoam.scene.base import Part, settled
 from seafoam.scene.boats import BOATS_MOST, Boat
 from seafoam.scene.camera import Camera
 from seafoam.scene.current import Current
@@ -16,6 +18,7 @@ from seafoam.scene.foam import Foam
 from seafoam.scene.light import Light
 from seafoam.scene.rings import RINGS_MOST, Ring
 from seafoam.scene.shore import Shore
+from seafoam.scene.sky import Wind
 from seafoam.scene.spray import Spray
 from seafoam.scene.touch import TOUCHES_MOST, Touch
 from seafoam.scene.water import Water
@@ -29,6 +32,9 @@ class SceneExtensions(Extensions):
 class Scene(Extensible, Part):
     """A scene: water, foam, shore, objects, light and camera."""
 
+    wind: Wind | None = Field(
+        default=None, description="Wind that parts follow which have none of their own; absent: each has its default"
+    )
     waves: tuple[Wave, ...] = Field(default=(), max_length=16)
     rings: tuple[Ring, ...] = Field(
         default=(), max_length=RINGS_MOST, description="Circular waves from stones, drops and blasts"
@@ -60,3 +66,8 @@ class Scene(Extensible, Part):
         exclude_if=lambda given: not dict(given),
         description="Parts of effects outside the package, by name; absent: off",
     )
+
+    @property
+    def settled(self) -> Self:
+        """The scene with its wind in its parts, where each has what of it is in effect: what all that draws reads."""
+        return settled(self.model_copy(update={"wind": None}), {} if self.wind is None else dict(self.wind))

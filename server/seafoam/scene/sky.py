@@ -1,11 +1,11 @@
 """Sky: time of day, haze, clouds, moon and stars. docs/formulae.md, section 9."""
 
 import math
-from typing import Annotated
+from typing import Annotated, ClassVar
 
 from pydantic import Field
 
-from seafoam.scene.base import Angle, Elevation, Part
+from seafoam.scene.base import Angle, Downwind, Elevation, Follows, InEffect, Part
 
 TILT = math.radians(23.44)
 """Axial tilt of the earth, rad."""
@@ -20,6 +20,13 @@ class Day(Part):
     date: float = Field(default=172.0, ge=1.0, le=366.0, description="Day of the year; 172 is 21 June")
     latitude: Elevation = Field(default=0.8, description="Latitude, rad; positive is north")
     north: Angle = Field(default=-1.5708, description="Azimuth of north, rad from +x toward +z")
+
+
+class Wind(Part):
+    """The scene's wind. Every part that the wind moves follows it, but for fields in which the part has its own."""
+
+    speed: float = Field(default=10.0, ge=0.0, le=60.0, description="U: wind speed 10 m above the water, m/s")
+    direction: Angle = Field(default=0.0, description="Direction toward which the wind blows, rad from +x toward +z")
 
 
 class Clouds(Part):
@@ -55,10 +62,12 @@ class Clouds(Part):
         le=1.0,
         description="Strength of the clouds' shadows and of the sunlit gaps between them; 0: their mean everywhere",
     )
-    wind: float = Field(default=8.0, ge=0.0, le=100.0, description="Drift speed of the clouds, m/s")
-    wind_direction: Angle = Field(
-        default=0.0, description="Direction toward which the clouds drift, rad from +x toward +z"
+    wind: Annotated[float | None, Follows("speed", alone=8.0, factor=1.6)] = Field(
+        default=None, ge=0.0, le=100.0, description="Drift speed of the clouds, m/s; null: 1.6 times the scene's wind"
     )
+    wind_speed: ClassVar[InEffect] = InEffect("wind")
+    wind_direction: Downwind = None
+    downwind: ClassVar[InEffect] = InEffect("wind_direction")
     change: float = Field(default=400.0, ge=10.0, le=1e6, description="Time scale on which a cloud changes shape, s")
     seed: int = Field(default=1, ge=0, le=65535, description="Random seed of the clouds")
 
@@ -70,10 +79,15 @@ class Cirrus(Part):
     thickness: float = Field(default=0.8, ge=0.0, le=5.0, description="Optical depth of the densest streaks")
     size: float = Field(default=4000.0, ge=500.0, le=50000.0, description="Width of the largest streaks, m")
     height: float = Field(default=9000.0, ge=3000.0, le=15000.0, description="Altitude of the streaks, m")
-    direction: Angle = Field(
-        default=0.6, description="Direction of the streaks and of their drift, rad from +x toward +z"
+    direction: Annotated[Angle | None, Follows("direction", alone=0.6)] = Field(
+        default=None,
+        description="Direction of the streaks and of their drift, rad from +x toward +z; null: as the scene's wind",
     )
-    wind: float = Field(default=25.0, ge=0.0, le=150.0, description="Drift speed of the streaks, m/s")
+    downwind: ClassVar[InEffect] = InEffect("direction")
+    wind: Annotated[float | None, Follows("speed", alone=25.0, factor=2.5)] = Field(
+        default=None, ge=0.0, le=150.0, description="Drift speed of the streaks, m/s; null: 2.5 times the scene's wind"
+    )
+    wind_speed: ClassVar[InEffect] = InEffect("wind")
     seed: int = Field(default=1, ge=0, le=65535, description="Random seed of the streaks")
 
 
@@ -110,7 +124,13 @@ class Gusts(Part):
         default=0.6, ge=0.0, le=1.0, description="Relative variation of the ripples' slope about its mean"
     )
     size: float = Field(default=25.0, ge=0.5, le=5000.0, description="Size of the largest patches, m")
-    speed: float = Field(default=3.0, ge=0.0, le=60.0, description="Speed at which the patches move with the wind, m/s")
+    speed: Annotated[float | None, Follows("speed", alone=3.0, factor=0.8)] = Field(
+        default=None,
+        ge=0.0,
+        le=60.0,
+        description="Speed at which the patches move with the wind, m/s; null: 0.8 times the scene's wind",
+    )
+    wind_speed: ClassVar[InEffect] = InEffect("speed")
     change: float = Field(default=12.0, ge=0.5, le=1e5, description="Time scale on which a patch changes shape, s")
     seed: int = Field(default=1, ge=0, le=65535, description="Random seed of the gusts")
 

@@ -1,8 +1,10 @@
 """Spray: water thrown up by waves, by surf on rocks, and by blasts. docs/formulae.md, section 13."""
 
+from typing import Annotated, ClassVar
+
 from pydantic import Field
 
-from seafoam.scene.base import Angle, Part, Place, Share
+from seafoam.scene.base import Downwind, Follows, InEffect, Part, Place, Share
 
 DROPS = 16384
 """Number of drops; a quality that draws fewer draws each larger."""
@@ -71,10 +73,16 @@ class Spray(Part):
         description="Time constant of air drag: a drop's velocity relative to the wind falls to 1/e, s",
     )
     life: float = Field(default=2.5, ge=0.2, le=8.0, description="Lifetime of a drop, s")
-    wind: float = Field(default=3.0, ge=0.0, le=40.0, description="Speed of the wind that carries the drops, m/s")
-    wind_direction: Angle = Field(
-        default=0.0, description="Direction toward which the wind blows, rad from +x toward +z"
+    wind: Annotated[float | None, Follows("speed", alone=3.0, factor=8.0 / 11.0)] = Field(
+        default=None,
+        ge=0.0,
+        le=40.0,
+        description="Speed of the wind that carries the drops, m/s; null: 8/11 of the scene's wind, as 1 m above a "
+        "rough sea",
     )
+    wind_speed: ClassVar[InEffect] = InEffect("wind")
+    wind_direction: Downwind = None
+    downwind: ClassVar[InEffect] = InEffect("wind_direction")
     reach: float = Field(
         default=60.0,
         ge=5.0,

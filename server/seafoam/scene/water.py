@@ -1,19 +1,18 @@
 """Water of a scene: its ripples, its body and its floor."""
 
-from typing import Annotated
+from typing import Annotated, ClassVar
 
 from pydantic import Field
 
-from seafoam.scene.base import Angle, Part, Rgb
+from seafoam.scene.base import Downwind, InEffect, Part, Rgb
 from seafoam.scene.sky import Gusts
 
 
 class Ripples(Part):
     """Wind ripples: they tilt the surface normal but do not change the surface height."""
 
-    wind_direction: Angle = Field(
-        default=0.0, description="Direction toward which the wind blows, rad from +x toward +z"
-    )
+    wind_direction: Downwind = None
+    downwind: ClassVar[InEffect] = InEffect("wind_direction")
     slope: float = Field(default=0.12, ge=0.0, le=0.6, description="Root mean square slope of the ripples")
     spread: float = Field(
         default=1.0,

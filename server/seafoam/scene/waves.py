@@ -1,10 +1,10 @@
 """Waves of a scene: parametric ones, and the sea that a wind raises."""
 
-from typing import Literal
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
-from seafoam.scene.base import Angle, Part, Share
+from seafoam.scene.base import Angle, Downwind, Follows, InEffect, Part, Share
 
 
 class ParametricWave(Part):
@@ -45,21 +45,21 @@ class Sea(Part):
         default="fft",
         description="gerstner: dozens of waves on two tiles; fft: the whole spectrum on four tiles (Tessendorf 2001)",
     )
-    wind: float = Field(
-        default=10.0,
+    wind: Annotated[float | None, Follows("speed", alone=10.0)] = Field(
+        default=None,
         ge=0.0,
         le=60.0,
-        description="U: wind speed 10 m above the sea, m/s; sets wave height and peak period",
+        description="U: wind speed at 10 m, m/s; sets wave height and peak period; null: as the scene's wind",
     )
+    wind_speed: ClassVar[InEffect] = InEffect("wind")
     fetch: float = Field(
         default=2e5,
         ge=100.0,
         le=1e7,
         description="Fetch: distance over which the wind blows across the sea, m; longer gives higher and longer waves",
     )
-    wind_direction: Angle = Field(
-        default=0.0, description="Direction toward which the wind blows, rad from +x toward +z"
-    )
+    wind_direction: Downwind = None
+    downwind: ClassVar[InEffect] = InEffect("wind_direction")
     spread: float = Field(
         default=6.0,
         ge=0.0,

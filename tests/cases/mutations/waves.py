@@ -95,10 +95,10 @@ _PARAMETRIC = {
 
 _SEA = {
     "a sea without wind": (
-        Mutation("effects/waves/sea.py", ((" or scene.sea.wind <= 0.0", ""),), error="ZeroDivisionError"),
+        Mutation("effects/waves/sea.py", ((" or scene.sea.wind_speed <= 0.0", ""),), error="ZeroDivisionError"),
         Mutation(
             "ocean/cascades.py",
-            (("if sea.wind <= 0.0:", "if sea.wind < 0.0:"), ("sea.wind > 0.0 and", "")),
+            (("if sea.wind_speed <= 0.0:", "if sea.wind_speed < 0.0:"), ("sea.wind_speed > 0.0 and", "")),
             error="ZeroDivisionError",
         ),
         Mutation("ocean/spectrum.py", (("if wind <= 0.0:", "if wind < 0.0:"),), error="ZeroDivisionError"),

@@ -67,7 +67,7 @@ def heights(scene: Scene, x: float, z: float, times: Floats) -> Floats:
         single += wave.amplitude * (0.5 + 0.5 * np.sin(theta)) ** wave.exponent - wave_level(wave)
     groups = group_factor(scene, 0.0, (x, z))
     total += single if groups is None else single * groups(np.zeros_like(times), np.zeros_like(times), -times)
-    if scene.sea is not None and scene.sea.wind > 0.0:
+    if scene.sea is not None and scene.sea.wind_speed > 0.0:
         for tile in cascades(scene.sea, scene.water.depth)[:RAISED]:
             total += tile_heights(tile, scene.sea.choppiness, x, z, times)
     return total

@@ -94,8 +94,8 @@ def test_a_river_has_no_wave_against_its_wind() -> None:
         river = sea.model_copy(update={"against": 0.0, "wind": 6.0, "fetch": 2e3})
         for of in sea_tiles.cascades(river, 3.0):
             rows, columns = np.nonzero(of.h0)
-            along = (columns - sea_tiles.BAND) * math.cos(river.wind_direction) + (rows - sea_tiles.BAND) * math.sin(
-                river.wind_direction
+            along = (columns - sea_tiles.BAND) * math.cos(river.downwind) + (rows - sea_tiles.BAND) * math.sin(
+                river.downwind
             )
             assert (along > -1e-9).all(), name
 

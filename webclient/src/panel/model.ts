@@ -42,11 +42,12 @@ export interface GroupControl extends LabelledField {
   children: readonly Control[];
 }
 
-/** A nullable field: `inner` is its control while it is not null, `initial` its value when switched on. */
+/** A nullable field: `inner` is its control while it is not null, `initial` its value when switched on, if it does not follow another. */
 export interface OptionalControl extends LabelledField {
   kind: "optional";
   inner: Control | null;
   initial: Json;
+  follows: JsonObject | null;
 }
 
 /** A type of list items. */
@@ -84,7 +85,8 @@ export function controlOf(root: JsonObject, schema: JsonObject, value: Json | un
     const extras = { ...nullable, ...(inner["unit"] === undefined ? {} : { unit: inner["unit"] }) };
     const present = value !== null && value !== undefined;
     const control = present ? controlOf(root, extras, value, pointer, name) : null;
-    return { ...labelledField, kind: "optional", inner: control, initial: initialValue(root, nullable) };
+    const follows = isObject(inner["follows"]) ? { min: bound(nullable, "minimum"), max: bound(nullable, "maximum"), ...inner["follows"] } : null;
+    return { ...labelledField, kind: "optional", inner: control, initial: initialValue(root, nullable), follows };
   }
   if ("const" in inner) return null;
   const variants = variantsOf(root, inner);
@@ -120,6 +122,15 @@ export function controlOf(root: JsonObject, schema: JsonObject, value: Json | un
     default:
       return null;
   }
+}
+
+/** The value of a nullable field when it is switched on: where it follows another, what it was while it was null. */
+export function switchedOn({ follows, initial }: OptionalControl, scene: Json): Json {
+  if (follows === null) return initial;
+  const value = get(scene, text(follows["field"]) ?? "");
+  if (typeof value !== "number") return follows["alone"] ?? initial;
+  const own = Number(follows["factor"]) * (value - Number(follows["calm"]));
+  return Math.min(Number(follows["max"] ?? Infinity), Math.max(Number(follows["min"] ?? -Infinity), own));
 }
 
 /** A field's default, or the defaults of its fields. */

@@ -4,7 +4,7 @@ import { Pane } from "tweakpane";
 import type { Choice } from "../api";
 import { child, get, type Json, steps } from "../scene/json";
 import { element } from "../ui/dom";
-import { type Control, type GroupControl, labelOf, type ListControl, type NumberControl, type OptionalControl, sameControls } from "./model";
+import { type Control, type GroupControl, labelOf, type ListControl, type NumberControl, type OptionalControl, sameControls, switchedOn } from "./model";
 import { format, toDisplayed, fromDisplayed } from "./values";
 
 interface PaneEvents {
@@ -149,7 +149,7 @@ export class ScenePane {
     const bound = { on: inner !== null };
     const binding = target.addBinding(bound, "on", { label: inner?.kind === "group" ? "on" : control.label });
     describe(binding, control.label, control.hint);
-    binding.on("change", ({ value }) => this.changed(control.pointer, value ? control.initial : null));
+    binding.on("change", ({ value }) => this.changed(control.pointer, value ? switchedOn(control, this.scene) : null));
     if (inner === null) return;
     if (inner.kind === "group") for (const each of inner.children) this.add(target, each, scene);
     else this.add(target, { ...inner, label: "" }, scene);

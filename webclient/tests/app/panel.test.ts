@@ -1,6 +1,6 @@
 import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
-import { choiceControls, type Control, controlOf, schemaNamed } from "../../src/panel/model";
+import { choiceControls, type Control, controlOf, schemaNamed, switchedOn } from "../../src/panel/model";
 import { toDisplayed, fromDisplayed } from "../../src/panel/values";
 import { isObject, type Json, type JsonObject, withValue } from "../../src/scene/json";
 
@@ -22,6 +22,11 @@ const root: JsonObject = {
           tint: { type: "array", prefixItems: [0, 1, 2].map(() => ({ type: "number", minimum: 0, maximum: 1 })), default: [0, 0, 0] },
           spans: { type: "array", prefixItems: [0, 1, 2].map(() => ({ type: "number", minimum: 0.01, maximum: 1000 })), default: [1, 2, 3] },
           depth: { anyOf: [{ type: "number", minimum: 1, maximum: 10 }, { type: "null" }], default: null, description: "How deep" },
+          drift: {
+            anyOf: [{ type: "number", minimum: 0, maximum: 5 }, { type: "null" }],
+            default: null,
+            follows: { field: "/wind/speed", factor: 0.5, calm: 4, alone: 3 },
+          },
           part: { anyOf: [{ $ref: "#/components/schemas/Part" }, { type: "null" }], default: null },
           always: { $ref: "#/components/schemas/Part" },
           list: {
@@ -107,6 +112,13 @@ describe("a schema becomes a panel", () => {
     expect(model({ ...thing, depth: 2 }).get("depth")).toMatchObject({ inner: { kind: "number", max: 10 } });
     expect(model().get("part")).toMatchObject({ kind: "optional", inner: null, initial: { size: 2 } });
     expect(model().get("always")).toMatchObject({ kind: "group", children: [{ pointer: "/always/size" }] });
+  });
+
+  it("with a switch that begins where a field that follows the wind is", () => {
+    const drift = model().get("drift");
+    if (drift?.kind !== "optional") throw new Error("no switch");
+    expect([8, 2, 30].map((speed) => switchedOn(drift, { wind: { speed } }))).toEqual([2, 0, 5]);
+    expect(switchedOn(drift, { wind: null })).toBe(3);
   });
 
   it("with a folder for each of a list, by its kind", () => {

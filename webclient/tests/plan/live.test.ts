@@ -43,6 +43,7 @@ describe("a plan serves", () => {
     ["/light", null],
     ["/waves", []],
     ["/light/exposures", 1],
+    ["/light/exposure", null],
   ] as const)("no other change: %s", (pointer, value) => {
     expect(planCovers(plan, scene, withValue(scene, pointer, value as never))).toBe(false);
   });

@@ -38,7 +38,7 @@ def follows_orbits(scene: Scene) -> bool:
 
 def ageing_look(look: str, life: FoamLife) -> tuple[str, tuple[Piece, ...]]:
     """The file that replaces a look's file for foam with a history, and the files that it needs."""
-    rows: tuple[Piece, ...] = (*PERLIN_2, "foam/living.glsl@windrows") if life.windrows > 0.0 else (_NO_WINDROWS,)
+    rows: tuple[Piece, ...] = (*PERLIN_2, "foam/living.glsl@windrows") if life.row_strength > 0.0 else (_NO_WINDROWS,)
     return "foam/living.glsl@living", (
         *rows,
         "foam/shading.glsl@cover",
@@ -59,20 +59,20 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         slots.append(SlotFile("shore carry", carry if life.carried else _AT_REST))
     drift = foam_drift(scene)
     uniforms: dict[str, Uniform] = {}
-    if life.windrows > 0.0:
-        c, s = math.cos(life.wind_direction), math.sin(life.wind_direction)
+    if life.row_strength > 0.0:
+        c, s = math.cos(life.downwind), math.sin(life.downwind)
         across = 1.0 / life.windrow_spacing
         rows = ((c * across / WINDROW_LENGTH, s * across / WINDROW_LENGTH), (-s * across, c * across))
         uniforms = {
             "u_windrow_phase": drifting_phases(rows, drift, 2.0 * math.pi / CELLS),
             "u_windrow_matrix": vector((*rows[0], *rows[1])),
-            "u_windrows": number(life.windrows, "/foam/life/windrows"),
+            "u_windrows": number(life.row_strength, "/foam/life/windrows"),
         }
     return Contribution(
         why=f"foam drifts at {math.hypot(*drift):.2g} m/s"
         + (", moved by the waves' orbits" if life.carried else "")
         + (f", {len(life.masks)} masks for older foam" if life.masks else "")
-        + (f", in windrows {life.windrow_spacing:g} m apart" if life.windrows > 0.0 else ""),
+        + (f", in windrows {life.windrow_spacing:g} m apart" if life.row_strength > 0.0 else ""),
         slots=tuple(slots),
         consts={"WINDROW_RIDGE": WINDROW_RIDGE, "WINDROW_SEED": WINDROW_SEED},
         uniforms=uniforms,

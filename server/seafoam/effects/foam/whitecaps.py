@@ -181,7 +181,7 @@ def _time_uniforms(
 
 def fold_limit(source: WhitecapSaturation, scene: Scene) -> float:
     """Return the greatest fold saturation: 0 without wind."""
-    return 1.0 if scene.sea is not None and scene.sea.wind > 0.0 else 0.0
+    return 1.0 if scene.sea is not None and scene.sea.wind_speed > 0.0 else 0.0
 
 
 EFFECT = Effect(

@@ -34,7 +34,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         ),
         consts={"CLOUD_OCTAVES": quality.cloud_octaves, "CLOUD_SEED": 64 * clouds.seed},
         uniforms={
-            "u_cloud_phase": drifting_noise(clouds.size, clouds.wind, clouds.wind_direction, clouds.change),
+            "u_cloud_phase": drifting_noise(clouds.size, clouds.wind_speed, clouds.downwind, clouds.change),
             "u_cloud_shape": vector(
                 rounded((clouds.height, clouds.size, overcast.cloud_start(clouds), clouds.thickness))
             ),
@@ -65,7 +65,7 @@ def cirrus(scene: Scene, quality: Quality) -> Contribution | None:
     if light is None or light.sky is None or light.sky.cirrus is None:
         return None
     high = light.sky.cirrus
-    heading = (math.cos(high.direction), math.sin(high.direction))
+    heading = (math.cos(high.downwind), math.sin(high.downwind))
     return Contribution(
         why=f"high clouds over {100 * high.cover:.0f} % of the sky",
         slots=(SlotFile("cirrus", "light/clouds.glsl@cirrus", needs=(*PERLIN_2, "light/clouds.glsl@way")),),
@@ -88,7 +88,7 @@ _STREAKS = ((True, 1.0 / 8.0), (False, 1.0), (True, 0.125), (False, 0.25))
 def _streak(high: Cirrus, heading: tuple[float, float], along: bool, share: float) -> Phase:
     k = 2.0 * math.pi / (CELLS * high.size) * share
     axis = heading if along else (-heading[1], heading[0])
-    return Phase(offset=0.0, rate=-k * high.wind if along else 0.0, k=(k * axis[0], k * axis[1]))
+    return Phase(offset=0.0, rate=-k * high.wind_speed if along else 0.0, k=(k * axis[0], k * axis[1]))
 
 
 def _clear(scene: Scene) -> Scene:

@@ -172,7 +172,7 @@ def _open_slope(scene: Scene) -> float:
     steepest = ring_slope(scene)
     for wave in scene.waves:
         steepest += wave.amplitude * math.hypot(*wavevector(wave, scene.water.depth)) * max_profile_slope(wave.exponent)
-    if scene.sea is not None and scene.sea.wind > 0.0:
+    if scene.sea is not None and scene.sea.wind_speed > 0.0:
         steepest += summed(tile.max_slope for tile in cascades(scene.sea, scene.water.depth)[:RAISED])
     return steepest
 

@@ -194,7 +194,7 @@ def _open(scene: Scene, quality: Quality, spray: Spray) -> Births | str:
     crest, torn, heading, strong = (0.0, 0.0), 0.0, 0.0, 0.0
     if scene.sea is not None and tiles:
         crest, torn = model.crest_velocity(scene.sea), model.torn_share(scene.sea, spray)
-        heading, strong = scene.sea.wind_direction, model.crest_strength(scene.sea)
+        heading, strong = scene.sea.downwind, model.crest_strength(scene.sea)
     breaking = Births(
         words=words,
         function="open_born",

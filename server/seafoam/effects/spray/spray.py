@@ -61,8 +61,8 @@ def _consts(quality: Quality) -> dict[str, Const]:
 
 def _uniforms(spray: Spray) -> dict[str, Uniform]:
     wind = (
-        significant(spray.wind * math.cos(spray.wind_direction)),
-        significant(spray.wind * math.sin(spray.wind_direction)),
+        significant(spray.wind_speed * math.cos(spray.downwind)),
+        significant(spray.wind_speed * math.sin(spray.downwind)),
     )
     return {
         "u_spray_wind": vector(wind),

@@ -16,7 +16,7 @@ WATER = "water/underside.glsl@water"
 
 def _slope_heading(scene: Scene) -> tuple[float, float]:
     """Return how much more of the sea's slope variance lies along its wind, at twice the wind's heading."""
-    if scene.sea is None or scene.sea.wind <= 0.0:
+    if scene.sea is None or scene.sea.wind_speed <= 0.0:
         return 0.0, 0.0
     along, aside = slope_heading(cascades(scene.sea, scene.water.depth))
     # Of so few digits that every machine gets the same bytes, and no −0.

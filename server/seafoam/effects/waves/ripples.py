@@ -96,7 +96,7 @@ def _slopes(file: str, ripples: Ripples) -> Resources:
         slots=(SlotFile("detail", "waves/ripples.glsl@gusts", prefix="ripples", needs=needs),),
         consts={"GUST_SEED": 64 * gusts.seed},
         uniforms={
-            "u_gust_phase": drifting_noise(gusts.size, gusts.speed, ripples.wind_direction, gusts.change),
+            "u_gust_phase": drifting_noise(gusts.size, gusts.wind_speed, ripples.downwind, gusts.change),
             "u_gust_size": number(gusts.size),
             "u_gust_strength": number(gusts.strength, "/water/ripples/gusts/strength"),
         },

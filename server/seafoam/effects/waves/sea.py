@@ -156,7 +156,7 @@ def tile_uniforms(tile: Cascade, index: int, choppiness: float, size: int) -> di
 
 def sea_quality(sea: Sea, quality: Quality) -> Quality:
     """Return the quality with no more texels along a tile than make a visible difference in this sea."""
-    if sea.wind >= WHITECAP_WIND or not quality.surface.filter or quality.sea_size <= CALM_SIZE:
+    if sea.wind_speed >= WHITECAP_WIND or not quality.surface.filter or quality.sea_size <= CALM_SIZE:
         return quality
     return quality.model_copy(update={"sea_size": CALM_SIZE})
 
@@ -174,7 +174,7 @@ def tile_target(quality: Quality, size: int) -> Target:
 
 def drawn_tiles(scene: Scene, quality: Quality) -> tuple[Cascade, ...]:
     """Return the tiles of the scene's sea that are drawn at a quality."""
-    if scene.sea is None or scene.sea.wind <= 0.0:
+    if scene.sea is None or scene.sea.wind_speed <= 0.0:
         return ()
     return cascades(scene.sea, scene.water.depth)[: quality.sea_tiles]
 
@@ -216,7 +216,7 @@ def _why(sea: Sea, tiles: Sequence[Cascade], size: int) -> str:
     height = 4.0 * math.sqrt(summed(tile.variance for tile in tiles))
     waves = len([wave for tile in tiles for wave in tile.waves])
     how = f"{waves} waves on {len(tiles)} tiles" if sea.model == "gerstner" else f"{len(tiles)} tiles by FFT, {size}²"
-    return f"sea of {sea.wind:g} m/s wind, significant height {height:.3g} m: {how}"
+    return f"sea of {sea.wind_speed:g} m/s wind, significant height {height:.3g} m: {how}"
 
 
 def _consts(sea: Sea, tiles: Sequence[Cascade], size: int) -> dict[str, Const]:

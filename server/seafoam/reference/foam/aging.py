@@ -36,9 +36,9 @@ class Share:
 def gathered(scene: Scene, time: float, origin: tuple[float, float], s: Floats, x: Floats, z: Floats) -> Floats:
     """The coverage s (r,) at (x, z), m from the origin, concentrated in windrows; (r,)."""
     life = foam_life(scene)
-    if life is None or life.windrows == 0.0:
+    if life is None or life.row_strength == 0.0:
         return s
-    cosine, sine = math.cos(life.wind_direction), math.sin(life.wind_direction)
+    cosine, sine = math.cos(life.downwind), math.sin(life.downwind)
     across = 1.0 / life.windrow_spacing
     rows = ((cosine * across / ROW_LENGTH, sine * across / ROW_LENGTH), (-sine * across, cosine * across))
     drift, turn, cells = foam_drift(scene), 2.0 * math.pi / PERIOD, PERIOD / (2.0 * math.pi)
@@ -47,7 +47,7 @@ def gathered(scene: Scene, time: float, origin: tuple[float, float], s: Floats, 
         at_eye = reduced((turn * a, origin[0]), (turn * b, origin[1]), (-turn * (a * drift[0] + b * drift[1]), time))
         place.append(cells * at_eye + a * x + b * z)
     ridge = np.maximum(1.0 - RIDGE * np.abs(perlin(np.column_stack(place), ROW_SEED)), -1.0)
-    return s + life.windrows * ridge * s * (1.0 - s)
+    return s + life.row_strength * ridge * s * (1.0 - s)
 
 
 def shares(masks: int, s: Floats, f: Floats) -> list[Share]:

@@ -322,7 +322,7 @@ class HighClouds:
         look = d[at]
         distance, slant = distance_to(look, cirrus.height - self.eye_y)
         width = WIDTH * np.maximum(spread[0][at] / slant, spread[1][at]) * distance / cirrus.size
-        c, s = math.cos(cirrus.direction), math.sin(cirrus.direction)
+        c, s = math.cos(cirrus.downwind), math.sin(cirrus.downwind)
         along, across = (distance / cirrus.size) * (look[:, [0, 2]] @ np.array([[c, -s], [s, c]])).T
         streak = np.column_stack((along / STRETCH, across)) + self.place[:2]
         patches = np.column_stack((0.125 * along, 0.25 * across)) + self.place[2:]
@@ -366,19 +366,19 @@ def _lattice() -> Floats:
 
 def place(clouds: Clouds, time: float, eye: tuple[float, float, float]) -> tuple[float, float, float]:
     """A camera position (m) in the clouds' noise at a time (s), cells."""
-    velocity = clouds.wind * math.cos(clouds.wind_direction), clouds.wind * math.sin(clouds.wind_direction)
+    velocity = clouds.wind_speed * math.cos(clouds.downwind), clouds.wind_speed * math.sin(clouds.downwind)
     return noise_place(clouds.size, clouds.change, velocity, time, (eye[0], eye[2]))
 
 
 def streak_place(cirrus: Cirrus, time: float, eye: tuple[float, float, float]) -> tuple[float, float, float, float]:
     """A camera position (m) in the noise of streaks and of their patches at a time (s), cells."""
-    c, s = math.cos(cirrus.direction), math.sin(cirrus.direction)
+    c, s = math.cos(cirrus.downwind), math.sin(cirrus.downwind)
     cells = PERIOD / (2.0 * math.pi)
 
     def position(share: float, along: bool) -> float:
         turn = 2.0 * math.pi / (PERIOD * cirrus.size) * share
         x, z = (c, s) if along else (-s, c)
-        drift = -turn * cirrus.wind if along else 0.0
+        drift = -turn * cirrus.wind_speed if along else 0.0
         return cells * reduced((turn * x, eye[0]), (turn * z, eye[2]), (drift, time))
 
     return position(1.0 / STRETCH, True), position(1.0, False), position(0.125, True), position(0.25, False)

@@ -55,6 +55,7 @@ def render(
     random in each cell of the grid, always the same, and replaces the filtered look by its limit and every texture
     level by level 0. ``camera`` replaces the scene's. Waves and ripples are never slope-filtered.
     """
+    scene = scene.settled
     view = cameras.view(scene.camera if camera is None else camera, width, height)
     grid = cameras.SampleGrid(view, width, height, samples)
     shader = SampleShader(scene, time, grid, mode, Assets.for_scene(scene))

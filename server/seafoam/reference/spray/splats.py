@@ -186,7 +186,7 @@ def splats(
     every = 0.0 if on_rocks(scene) else spray.life / BATCHES
     seed = drops.word >> np.uint64(8)
     vary = number(seed, 6)
-    wind = (spray.wind * math.cos(spray.wind_direction), spray.wind * math.sin(spray.wind_direction))
+    wind = (spray.wind_speed * math.cos(spray.downwind), spray.wind_speed * math.sin(spray.downwind))
     tau, weight = falls(drops.kind, spray.drag * (0.6 + 0.8 * vary))
     away = flight(drops.birth, drops.velocity, drops.age, tau, weight, wind) - np.array([0.0, grid.eye_y, 0.0])
     depth = away @ view.ray_z

@@ -55,7 +55,7 @@ class _Sea:
         sea = scene.sea
         limits = (
             None
-            if sea is None or sea.wind <= 0.0 or scene.spray is None
+            if sea is None or sea.wind_speed <= 0.0 or scene.spray is None
             else fold_limits(sea, scene.spray, scene.water.depth)
         )
         if sea is None or limits is None:
@@ -111,7 +111,7 @@ class _Waters:
     def wind(self) -> Sea | None:
         """The sea whose wind throws the drops; None on a beach and without wind."""
         sea = self.scene.sea
-        return None if self.coast is not None or sea is None or sea.wind <= 0.0 else sea
+        return None if self.coast is not None or sea is None or sea.wind_speed <= 0.0 else sea
 
     def breaks(self, p: Floats) -> tuple[Floats, Floats, Floats, Floats]:
         """How hard the water breaks that rests at p (n, 2), where it is, the front's velocity (n, 3) and strength."""
@@ -214,7 +214,7 @@ def _batch(waters: _Waters, ahead: Floats, batch: int, epoch: int) -> Drops:
     candidates = (cell[:, None] + chance - eye[:, None]) * side[:, None, None]
     found = waters.breaks(candidates)[0]
     best = np.arange(index.size), np.argmax(found, axis=1)
-    angle = 0.0 if waters.wind is None else waters.wind.wind_direction
+    angle = 0.0 if waters.wind is None else waters.wind.downwind
     heading = np.array([math.cos(angle), math.sin(angle)])
     apart = BESIDE * side[:, None] * (np.stack((number(word, 12), number(word, 13)), axis=-1) - 0.5) * (0.25, 1.0)
     start = candidates[best] + apart[:, :1] * heading + apart[:, 1:] * np.array([-heading[1], heading[0]])

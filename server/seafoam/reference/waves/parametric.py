@@ -344,8 +344,8 @@ def gust_field(ripples: Ripples | None, time: float, origin: tuple[float, float]
     """The gusts over ripples at a time (s) around an origin (x, z) in m; None without any."""
     if ripples is None or ripples.gusts is None:
         return None
-    gusts, angle = ripples.gusts, ripples.wind_direction
-    velocity = gusts.speed * math.cos(angle), gusts.speed * math.sin(angle)
+    gusts, angle = ripples.gusts, ripples.downwind
+    velocity = gusts.wind_speed * math.cos(angle), gusts.wind_speed * math.sin(angle)
     return GustField(gusts, noise_place(gusts.size, gusts.change, velocity, time, origin))
 
 

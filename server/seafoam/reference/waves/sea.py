@@ -275,7 +275,7 @@ def _drawn(
 
 def sea_surface(scene: Scene, time: float, origin: tuple[float, float], texels: int = TEXELS) -> SeaSurface | None:
     """The scene's sea at a time (s) around an origin (x, z) in m, on tiles of ``texels``²; None without sea or wind."""
-    if scene.sea is None or scene.sea.wind <= 0.0:
+    if scene.sea is None or scene.sea.wind_speed <= 0.0:
         return None
     depth = scene.water.depth
     source = None if scene.foam is None else scene.foam.source(WhitecapSaturation)
@@ -286,7 +286,7 @@ def sea_surface(scene: Scene, time: float, origin: tuple[float, float], texels: 
 
 def raised_surface(scene: Scene, time: float, origin: tuple[float, float], texels: int = TEXELS) -> SeaSurface | None:
     """The same without what only tilts the surface and without foam: for heights alone."""
-    if scene.sea is None or scene.sea.wind <= 0.0:
+    if scene.sea is None or scene.sea.wind_speed <= 0.0:
         return None
     raised = cascades(scene.sea, scene.water.depth)[:RAISED]
     tiles = tuple(tile(cascade, time, scene.sea.choppiness, texels) for cascade in raised)
