@@ -50,7 +50,8 @@ def test_effects_that_do_not_run_bring_no_parameters():
     assert {owner for owner, _ in all_parameters(load_preset("default").scene)} > {"frame", "ripples", "foam look"}
 
 
-@pytest.mark.parametrize("preset", spread(preset_names(), 8))
+# Those of test_reports.py, which makes the same plans.
+@pytest.mark.parametrize("preset", spread(preset_names(), 12, 4))
 def test_points_have_plans_of_their_own(preset):
     scene = load_preset(preset).scene
     points = points_of(scene)
