@@ -63,9 +63,7 @@ REASONS: dict[tuple[str, ...], str] = {
     ("up", "below"): _SHORT,
     ("across", "below"): _SHORT + ", and the sea's short waves spread no wider than its long ones",
     ("path", "below"): "the slopes across the view are too small (see there)",
-    ("dense", "above"): "full foam is a layer of optical depth 12 and albedo 0.9; an albedo of 0.8 gives 0.6",
-    ("effective", "above"): "full foam is too bright (see there), and old foam loses area rather than brightness",
-    ("height", "above"): "single waves are added to a sea that is already as high as its fetch lets it be",
+    ("dense", "above"): "full foam is a layer of optical depth 12 and albedo 0.9; an albedo of 0.8 gives about 0.6",
     ("period", "below"): "single waves, shorter than the sea's longest, have most of the energy",
     ("steepness", "above"): "the single waves' height is chosen for their look, and the sea is added to it",
 }
@@ -73,7 +71,7 @@ REASONS: dict[tuple[str, ...], str] = {
 
 def measured_of(preset: Preset) -> str:
     """Hash of what figures are measured of: scene and time, without what is at its default."""
-    what = [non_defaults(preset.scene), preset.time]
+    what = [non_defaults(preset.scene.settled), preset.time]
     return hashlib.sha256(json.dumps(what, sort_keys=True).encode()).hexdigest()[:12]
 
 
@@ -88,13 +86,14 @@ def lamp_of(scene: Scene) -> tuple[float, float] | None:
 
 def measured(executor: Executor, preset: Preset) -> dict[str, Any]:
     """All figures of a preset, in SI units and radians."""
+    preset = preset.model_copy(update={"scene": preset.scene.settled})
     scene = preset.scene
     sea, ripples = scene.sea, scene.water.ripples
-    heading = sea.wind_direction if sea is not None else ripples.wind_direction if ripples is not None else 0.0
+    heading = sea.downwind if sea is not None else ripples.downwind if ripples is not None else 0.0
     along, across = m.slope_variances(executor, scene, heading)
     found: dict[str, Any] = {
         "of": measured_of(preset),
-        "wind": sea.wind if sea is not None else laws.calm_wind(along + across),
+        "wind": sea.wind_speed if sea is not None else laws.calm_wind(along + across),
         "fetch": sea.fetch if sea is not None else None,
         "heading": heading,
         "up": along,

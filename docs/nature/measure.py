@@ -9,8 +9,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from docs.make_whitecaps import counted, photo
-from docs.whitecaps_measure import grey
+from docs.make_whitecaps import THIN
 from numpy.typing import NDArray
 from scipy.ndimage import label
 from scipy.optimize import least_squares
@@ -104,11 +103,11 @@ def wave_periods(scene: Scene) -> list[tuple[float, float]]:
         speed = math.sqrt(GRAVITY * wave.wavelength / (2.0 * math.pi)) if wave.speed is None else wave.speed
         heights = wave.amplitude * (0.5 * (np.sin(phase) + 1.0)) ** wave.exponent
         found.append((wave.wavelength / speed, float(heights.var())))
-    if scene.sea is not None and scene.sea.wind > 0.0:
-        peak = peak_frequency(scene.sea.wind, scene.sea.fetch)
+    if scene.sea is not None and scene.sea.wind_speed > 0.0:
+        peak = peak_frequency(scene.sea.wind_speed, scene.sea.fetch)
         edges = np.geomspace(0.5 * peak, 8.0 * peak, 400)
         middles = np.sqrt(edges[1:] * edges[:-1])
-        energy = frequency_spectrum(middles, scene.sea.wind, scene.sea.fetch) * np.diff(edges)
+        energy = frequency_spectrum(middles, scene.sea.wind_speed, scene.sea.fetch) * np.diff(edges)
         found += [(float(2.0 * math.pi / omega), float(part)) for omega, part in zip(middles, energy, strict=True)]
     return found
 
@@ -158,11 +157,7 @@ def seen_by_own_camera(executor: Executor, preset: Preset) -> dict[str, float]:
         foam = frame(executor, unlit, preset.scene.camera, time, OWN_SIZE)[..., 3]
         water = distances(executor, unlit, preset.scene.camera, time, OWN_SIZE) > 0.0
         shares.append(float(foam[water].mean()))
-    return {
-        "own": float(np.mean(shares)),
-        "own_now": shares[0],
-        "own_error": float(np.std(shares, ddof=1) / math.sqrt(OWN)),
-    }
+    return with_error("own", shares)
 
 
 def rays(camera: Camera, size: FrameSize) -> Floats:
@@ -280,10 +275,10 @@ def equivalent_width(picture: Floats, view: Floats, lamp: tuple[float, float]) -
 
 
 def reflectances(executor: Executor, preset: Preset) -> dict[str, float]:
-    """Reflectance of foam from straight above: of pixels full of foam, and the mean of what a photograph shows as foam.
+    """Reflectance of foam from straight above: of pixels full of foam, and the mean of those with any foam.
 
     A sheet of white paper is the same foam, opaque and matt, of albedo 1. The second is what foam adds to the mean
-    light over what paper would send, in the area that AWE counts in the picture.
+    light over what paper would send.
     """
     scene = water_of(preset.scene)
     assert scene.foam is not None
@@ -297,9 +292,8 @@ def reflectances(executor: Executor, preset: Preset) -> dict[str, float]:
         own, white, bare = (frame(executor, one, camera, place.time, (LIT_SIZE, LIT_SIZE)) for one in scenes)
         full = white[..., 3] >= DENSE
         dense += zip(own[full, 1], white[full, 1], strict=True)
-        foam = counted(grey(photo(own.astype(np.float32))), "program")
         added += float((own[..., 1] - bare[..., 1]).sum())
-        area += float(foam.sum())
+        area += float((white[..., 3] >= THIN).sum())
     of, on = np.array(dense).T
     level = float(np.mean(on))
     return {"dense": float(np.mean(of) / level), "effective": added / area / level, "pixels": len(of)}
