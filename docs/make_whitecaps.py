@@ -147,7 +147,7 @@ def seascape(wind: float, seed: int, yaw: float, *, own: bool = True) -> Scene:
 
     own: with the preset's lasting, drifting foam, else with fixed foam of the last 3 s.
     """
-    preset = load_preset(PRESET).scene
+    preset = load_preset(PRESET).scene.settled
     assert preset.foam is not None
     assert preset.light is not None
     whitecaps = tuple(one for one in preset.foam.saturation if isinstance(one, WhitecapSaturation))

@@ -73,12 +73,11 @@ class Spray(Part):
         description="Time constant of air drag: a drop's velocity relative to the wind falls to 1/e, s",
     )
     life: float = Field(default=2.5, ge=0.2, le=8.0, description="Lifetime of a drop, s")
-    wind: Annotated[float | None, Follows("speed", alone=3.0, factor=8.0 / 11.0)] = Field(
+    wind: Annotated[float | None, Follows("speed", alone=3.0)] = Field(
         default=None,
         ge=0.0,
         le=40.0,
-        description="Speed of the wind that carries the drops, m/s; null: 8/11 of the scene's wind, as 1 m above a "
-        "rough sea",
+        description="Speed of the wind that carries the drops, m/s; null: as the scene's wind",
     )
     wind_speed: ClassVar[InEffect] = InEffect("wind")
     wind_direction: Downwind = None

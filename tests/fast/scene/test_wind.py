@@ -12,7 +12,7 @@ from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference import render, scene_sha256
 from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset
+from seafoam.scene.presets import load_preset, preset_names
 from seafoam.sums import summed
 
 STILL: dict[str, Any] = {
@@ -39,7 +39,7 @@ OWN = {
 def blown(speed: float, direction: float) -> dict[str, float]:
     """What these fields are in a wind, by docs/formulae.md."""
     factors = {"foam.life.wind_drift": 0.02, "light.sky.clouds.wind": 1.6, "light.sky.cirrus.wind": 2.5}
-    factors |= {"sea.wind": 1.0, "water.ripples.gusts.speed": 0.8, "spray.wind": 8.0 / 11.0}
+    factors |= {"sea.wind": 1.0, "water.ripples.gusts.speed": 0.8, "spray.wind": 1.0}
     found = {name: factors.get(name, 0.0) * speed or direction * name.endswith("direction") for name in OWN}
     rows = min(max((speed - 4.0) / 18.0, 0.0), 1.0)
     return {**found, "foam.life.windrows": rows, "spray.wind": min(found["spray.wind"], 40.0)}
@@ -109,3 +109,11 @@ def test_more_wind_is_a_rougher_sea_with_faster_clouds_and_more_rows_of_foam() -
         after = rough, math.hypot(x, z), rows.value[0]
         assert all(less < more for less, more in zip(before, after, strict=True))
         before = after
+
+
+@pytest.mark.parametrize("name", preset_names())
+def test_presets_say_of_the_wind_only_what_differs(name: str) -> None:
+    scene = load_preset(name).scene
+    document = scene.model_dump(mode="json")
+    for field in (field for field in OWN if found(scene, field) is not None):
+        assert scene_of(document, {field: None}, *dict(scene.wind or {}).values()).settled != scene.settled, field

@@ -73,7 +73,7 @@ def instead(plan: FramePlan, main: str) -> FramePlan:
 @cache
 def scenes() -> dict[str, Scene]:
     """Every preset whose surface is drawn and not level, boats of other speeds than theirs, and stones."""
-    found = {name: load_preset(name).scene for name in preset_names()}
+    found = {name: load_preset(name).scene.settled for name in preset_names()}
     for speed, radius in ((2.0, 20.0), (5.0, 30.0), (9.0, 80.0)):
         found[f"a boat at {speed:g} m/s"] = Scene(
             boats=(Boat(centre=(0.0, 0.0), radius=radius, speed=speed, wake=0.4),)
