@@ -13,7 +13,7 @@ import pytest
 from playwright.sync_api import Page, Playwright, expect, sync_playwright
 
 from support.browser.lanes import Lane, launched, opened
-from support.browser.visits import Visit, link, visit
+from support.browser.visits import Visit, visit
 from support.command import free_port
 
 # Beside other tests, what a page shows takes longer than the 5 s that Playwright would wait.
@@ -90,13 +90,6 @@ def shared(llvmpipe: Lane, server: str) -> Iterator[Visit]:
 @pytest.fixture
 def small(shared: Visit) -> Iterator[Visit]:
     """The page, small, as it was when it opened; nothing may have gone wrong on it by the end."""
-    shared.page.locator(".toast").evaluate_all("(toasts) => toasts.forEach((toast) => toast.remove())")
-    shared.page.evaluate("() => document.activeElement?.blur()")
-    if shared.page.locator("#settings.open").count():
-        shared.page.get_by_role("button", name="Close settings").click()
-    shared.follow(link(preset="default"))
-    shared.settle()
-    shared.complaints.clear()
-    shared.asked.clear()
+    shared.start_again()
     yield shared
     assert shared.complaints == []

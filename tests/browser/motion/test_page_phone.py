@@ -17,11 +17,18 @@ from support.browser.visits import DESKTOP, FINGER, PHONE, TARGETS, Held, Visit,
 from support.report import REPORT
 
 
-@pytest.fixture
-def phone(llvmpipe: Lane, server: str) -> Iterator[Visit]:
-    """The page on a phone, at rest."""
+@pytest.fixture(scope="module")
+def shared_phone(llvmpipe: Lane, server: str) -> Iterator[Visit]:
     with visit(llvmpipe, server, size=PHONE, has_touch=True, is_mobile=True) as made:
         yield made
+
+
+@pytest.fixture
+def phone(shared_phone: Visit) -> Iterator[Visit]:
+    """The page on a phone, at rest, as it was when it opened; it may complain of nothing."""
+    shared_phone.start_again()
+    yield shared_phone
+    assert shared_phone.complaints == []
 
 
 def test_fingers_move_the_camera(phone: Visit) -> None:

@@ -106,6 +106,17 @@ class Visit:
         self.frames(2)
         self.page.wait_for_function("() => !window.seafoam.state().busy", timeout=180_000)
 
+    def start_again(self) -> None:
+        """Put the page back to how it was when it opened, for the next test."""
+        self.page.locator(".toast").evaluate_all("(toasts) => toasts.forEach((toast) => toast.remove())")
+        self.page.evaluate("() => document.activeElement?.blur()")
+        if self.page.locator("#settings.open").count():
+            self.page.get_by_role("button", name="Close settings").click()
+        self.follow(link(preset="default"))
+        self.settle()
+        self.complaints.clear()
+        self.asked.clear()
+
     def frames(self, count: int) -> None:
         """Let that many animation frames pass."""
         self.page.evaluate(
