@@ -100,7 +100,7 @@ def at(document: Any, pointer: str) -> tuple[Any, str]:
 @pytest.mark.parametrize("preset", spread(preset_names(), 3))
 def test_live_fields_change_nothing_but_their_constants(preset: str) -> None:
     """What the client may do without asking: put the field's new value where the plan names it."""
-    scene = load_preset(preset).scene
+    scene = load_preset(preset).scene.settled
     plan = make_plan(scene, STANDARD)
     for pointer in plan.live:
         changed = scene.model_dump(mode="json")
