@@ -48,15 +48,12 @@ FULL = 300
 PATCHES = 5
 """Patches below which no decay time is given."""
 Figures = dict[str, dict[str, Any]]
-_SINGLE = "beside the sea's own whitecaps single waves break, which the wind's law does not count"
 _EVENING = "the waves break by their own steepness, in the wind of their small slopes"
 _LESS = "less breaks than at this wind on average; a scene without foam has none"
 _SHORT = "waves below 0.1 m are left to `roughness`, which is less than nature has there"
 REASONS: dict[tuple[str, ...], str] = {
-    ("above", "above"): _SINGLE,
     ("above", "above", "default"): _EVENING,
     ("above", "below"): _LESS,
-    ("own", "above"): _SINGLE,
     ("own", "above", "default"): _EVENING,
     ("own", "below"): _LESS,
     ("up", "above"): "the single waves are steeper than a sea of this wind",
@@ -64,6 +61,9 @@ REASONS: dict[tuple[str, ...], str] = {
     ("across", "below"): _SHORT + ", and the sea's short waves spread no wider than its long ones",
     ("path", "below"): "the slopes across the view are too small (see there)",
     ("dense", "above"): "full foam is a layer of optical depth 12 and albedo 0.9; an albedo of 0.8 gives about 0.6",
+    ("effective", "below"): "whitecaps are small and torn, and most of their pixels hold little foam",
+    ("set", "above"): "foam of a storm is set to outlast what was poured in a tank",
+    ("set", "below"): "small whitecaps are set to fade sooner than what was poured in a tank",
     ("period", "below"): "single waves, shorter than the sea's longest, have most of the energy",
     ("steepness", "above"): "the single waves' height is chosen for their look, and the sea is added to it",
 }
@@ -136,9 +136,11 @@ def number(value: float) -> str:
 
 
 def reason(row: laws.Row) -> str:
-    """Why a row is out of its band. Raises ``KeyError`` if that is not known: it is to be found out, and said here."""
-    own = REASONS.get((row.key, row.side, row.preset))
-    return own if own is not None else REASONS[row.key, row.side]
+    """Why a row is out of its band. Raises ``KeyError`` if that is not known: it is to be found out, and said above."""
+    for key in ((row.key, row.side, row.preset), (row.key, row.side)):
+        if key in REASONS:
+            return REASONS[key]
+    raise KeyError(f"{row.preset} lies {row.side} nature's band of {row.key}: find out why, and say so in REASONS")
 
 
 def table(rows: Sequence[laws.Row]) -> str:
