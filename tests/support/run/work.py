@@ -58,7 +58,8 @@ class Work:
 
     def _turn(self, to: str) -> None:
         now = processor_seconds()
-        self._spent[self._file] += now - self._at
+        # What processes that nobody awaited took is gone with them.
+        self._spent[self._file] += max(now - self._at, 0.0)
         self._file, self._at = to, now
 
     def over(self) -> list[str]:
@@ -69,7 +70,8 @@ class Work:
         ]
 
     def pytest_runtest_logstart(self, location: tuple[str, int | None, str]) -> None:
-        if location[0] != self._file:
+        # Of browsers after each test, before they close.
+        if location[0] != self._file or self._done["browsers"]:
             self._turn(location[0])
 
     @pytest.hookimpl(trylast=True)
