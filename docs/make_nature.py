@@ -48,7 +48,7 @@ FULL = 300
 PATCHES = 5
 """Patches below which no decay time is given."""
 Figures = dict[str, dict[str, Any]]
-_EVENING = "the waves break by their own steepness, in the wind of their small slopes"
+_EVENING = "its single waves are those of a stronger wind than the scene's, and break as often"
 _LESS = "less breaks than at this wind on average; a scene without foam has none"
 _SHORT = "waves below 0.1 m are left to `roughness`, which is less than nature has there"
 REASONS: dict[tuple[str, ...], str] = {
@@ -71,7 +71,7 @@ REASONS: dict[tuple[str, ...], str] = {
 
 def measured_of(preset: Preset) -> str:
     """Hash of what figures are measured of: scene and time, without what is at its default."""
-    what = [non_defaults(preset.scene.settled), preset.time]
+    what = [non_defaults(preset.scene), preset.time]
     return hashlib.sha256(json.dumps(what, sort_keys=True).encode()).hexdigest()[:12]
 
 
@@ -86,16 +86,17 @@ def lamp_of(scene: Scene) -> tuple[float, float] | None:
 
 def measured(executor: Executor, preset: Preset) -> dict[str, Any]:
     """All figures of a preset, in SI units and radians."""
+    of = measured_of(preset)
+    assert preset.scene.wind is not None
+    wind = preset.scene.wind
     preset = preset.model_copy(update={"scene": preset.scene.settled})
     scene = preset.scene
-    sea, ripples = scene.sea, scene.water.ripples
-    heading = sea.downwind if sea is not None else ripples.downwind if ripples is not None else 0.0
-    along, across = m.slope_variances(executor, scene, heading)
+    along, across = m.slope_variances(executor, scene, wind.direction)
     found: dict[str, Any] = {
-        "of": measured_of(preset),
-        "wind": sea.wind_speed if sea is not None else laws.calm_wind(along + across),
-        "fetch": sea.fetch if sea is not None else None,
-        "heading": heading,
+        "of": of,
+        "wind": wind.speed,
+        "fetch": scene.sea.fetch if scene.sea is not None else None,
+        "heading": wind.direction,
         "up": along,
         "across": across,
         "period": m.peak_period(scene),
@@ -206,7 +207,7 @@ def against_wind(axes: Axes, figures: Mapping[str, Mapping[str, Any]], keys: tup
         axes.plot(winds, [scale * laws.callaghan(wind) for wind in winds], color=INK, lw=1.0, ls="--")
     for figure, colour in zip(figures.values(), COLOURS, strict=True):
         for key, face in zip(keys, (colour, "none"), strict=False):
-            if scale * figure[key] > 0.0 and (column is None or figure["fetch"] is not None):
+            if figure[key] > 0.0:
                 off = scale * figure.get(f"{key}_error", 0.0)
                 axes.errorbar(figure["wind"], scale * figure[key], off, fmt="o", ms=6, color=colour, mfc=face, mew=1.4)
     axes.set_xlim(0.0, 24.0)

@@ -93,11 +93,6 @@ def slope_bands(wind: float) -> tuple[tuple[float, float], tuple[float, float]]:
     return along, across
 
 
-def calm_wind(variance: float) -> float:
-    """The wind for which Cox and Munk's total variance of slopes, 0.003 + 5.12e-3 U, is this."""
-    return max((variance - 0.003) / 5.12e-3, 0.0)
-
-
 def growth(wind: float, fetch: float) -> tuple[tuple[float, float], tuple[float, float]]:
     """Least and greatest significant height, m, and peak period, s, from this fetch to a fully developed sea."""
     over = GRAVITY * fetch / wind**2
@@ -135,8 +130,7 @@ def path_band(figure: Mapping[str, Any]) -> tuple[float, float]:
 def rows(figures: Mapping[str, Mapping[str, Any]]) -> list[Row]:
     """Every measured quantity of every preset that nature has a band for, by quantity.
 
-    Where no wind is set it is read from the slopes, which then are not compared. Heights and periods are compared
-    where wind raises the waves: where they are no faster than it lets them be.
+    Heights and periods are compared where wind raises the waves: where they are no faster than it lets them be.
     """
     found = []
     for preset, figure in figures.items():
@@ -150,11 +144,11 @@ def rows(figures: Mapping[str, Mapping[str, Any]]) -> list[Row]:
             "decay": (0.5, 8.0),
             "set": (2.5, 3.9),
             "steepness": (0.0, steepest(figure["period"])),
+            "up": along,
+            "across": across,
         }
-        if figure["fetch"] is not None:
-            bands |= {"up": along, "across": across}
-            if GRAVITY * figure["period"] / (2.0 * math.pi) < AGE * wind:
-                bands["height"], bands["period"] = growth(wind, figure["fetch"])
+        if figure["fetch"] is not None and GRAVITY * figure["period"] / (2.0 * math.pi) < AGE * wind:
+            bands["height"], bands["period"] = growth(wind, figure["fetch"])
         if "path" in figure:
             bands["path"] = path_band(figure)
         for key, (low, high) in bands.items():
