@@ -135,7 +135,7 @@ class Judge:
         with requests.Session() as session:
             for number in range(count):
                 scene = load_preset(preset_names()[number % len(preset_names())]).scene.model_dump(mode="json")
-                for part, value in (("water", "roughness"), ("foam", "mask_tile"), ("sea", "wind")):
+                for part, value in (("water", "roughness"), ("foam", "mask_tile"), ("wind", "speed")):
                     if scene[part]:
                         scene[part][value] *= chance.uniform(1.0, 1.1)
                 quality = chance.choice(("draft", "standard", "high"))
