@@ -85,7 +85,11 @@ class Quality(Extensible, QualityParameters):
     rings_size: int = Field(
         default=1024, ge=32, le=2048, description="Side of the displacement map of the rings, texels"
     )
-    sea_size: Literal[64, 128, 256, 512] = Field(default=256, description="Side of each tile of the open sea, texels")
+    sea_size: Literal[64, 128, 256, 512] = Field(
+        default=512,
+        description="Side of the height field of each tile of the open sea, texels; at most 256 where no whitecaps "
+        "are drawn",
+    )
     sea_tiles: Literal[2, 3, 4] = Field(
         default=4, description="Number of tiles of an FFT sea, the largest first; fewer leave out the shortest waves"
     )
@@ -224,7 +228,6 @@ class Quality(Extensible, QualityParameters):
 
 _FINEST: dict[str, Any] = {
     "foam_relief": True,
-    "sea_size": 512,
     "sea_digits": "float",
     "shore_floor": 512,
     "shore_profile": 256,
@@ -270,7 +273,6 @@ TIERS: dict[Tier, Quality] = {
         surface=SurfaceQuality(steps=384, tolerance=0.02),
         foam_relief=True,
         rings_size=2048,
-        sea_size=512,
         cube_size=512,
         refraction_steps=8,
         drift_size=512,

@@ -49,11 +49,12 @@ vec2 divergence_then(ivec2 k, int tile, float before) {
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     int tile = at.x / AGE_SIZE;
+    int rows = spectrum_rows(AGE_SIZE);
     ivec2 k;
     o_spectra = vec4(0.0);
-    if (wave_of(at % AGE_SIZE, AGE_SIZE, k)) {
+    if (wave_of(ivec2(at.x % AGE_SIZE, at.y % rows), AGE_SIZE, k)) {
         float scale = -(tile == 0 ? u_age_scale.x : u_age_scale.y) * length(vec2(k));
-        float first = float(at.y / AGE_SIZE * 4);
+        float first = float(at.y / rows * 4);
         vec2 a = divergence_then(k, tile, u_age_from + (first + 1.0) * u_age_step);
         vec2 b = divergence_then(k, tile, u_age_from + (first + 2.0) * u_age_step);
         vec2 c = divergence_then(k, tile, u_age_from + (first + 3.0) * u_age_step);
@@ -64,20 +65,20 @@ void main() {
 
 // @part tile_pass
 // Divergence at earlier times, carried to where their water is now: bilinear between texels, which lie twice as far apart as the sea's.
-// Four times over the next four, a tile over the next, a pass for each; each with its first row once more at its end, so that bilinear
-// reads need no wrap there.
+// Four times over the next four, a tile over the next; each with its first row once more at its end, so that bilinear reads need no wrap
+// there.
 uniform sampler2D u_age_folds;
+uniform vec3 u_sea_other; // the second tile, as the first
 
 void main() {
-    float finer = float(SEA_SIZE / AGE_SIZE);
+    float finer = float(SEA_DISPLACED) / float(AGE_SIZE);
     ivec2 at = ivec2(gl_FragCoord.xy);
     int row = at.y / (AGE_SIZE + 1);
-    if (row / AGE_ROWS != int(u_sea_block)) {
-        discard;
-    }
+    sea_block = row < AGE_ROWS ? u_sea_block : u_sea_other;
+    int tile = int(sea_block.x);
     at.y = (at.y - row * (AGE_SIZE + 1)) & (AGE_SIZE - 1);
-    row -= int(u_sea_block) * AGE_ROWS;
-    o_tile = bilinear_wrapped(u_age_folds, ivec2(int(u_sea_block), row) * AGE_SIZE, AGE_SIZE, resting(finer * vec2(at)) / finer);
+    row -= tile * AGE_ROWS;
+    o_tile = bilinear_wrapped(u_age_folds, ivec2(tile, row) * AGE_SIZE, AGE_SIZE, resting(finer * vec2(at)) / finer);
 }
 
 // @part old_foam_pass
@@ -88,8 +89,9 @@ uniform vec2 u_old_fold;     // threshold and width
 uniform vec4 u_old_share[4]; // of the foam of each time that is left
 
 void main() {
-    float finer = float(SEA_SIZE / AGE_SIZE);
-    vec2 at = resting(finer * floor(gl_FragCoord.xy)) * (float(OLD_SIZE) / float(SEA_SIZE));
+    float finer = float(SEA_DISPLACED) / float(AGE_SIZE);
+    sea_block = u_sea_block;
+    vec2 at = resting(finer * floor(gl_FragCoord.xy)) * (float(OLD_SIZE) / float(SEA_DISPLACED));
     float sum = 0.0;
     for (int row = 0; row < 4; ++row) {
         vec4 left = clamp((u_old_fold.x - bilinear_wrapped(u_old_folds, ivec2(0, row * OLD_SIZE), OLD_SIZE, at)) / u_old_fold.y, 0.0, 1.0);

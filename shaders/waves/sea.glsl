@@ -126,11 +126,11 @@ vec3 sea_detail(vec2 p, Footprint fp) {
 }
 
 // @part seen
-// What a footprint sees of a tile of sea, which seen_pass.glsl drew: mean slopes, the unresolved mean square slope, mean divergence.
+// What a footprint sees of a tile of sea, which seen_pass or seen_same_pass drew: mean slopes, the unresolved mean square slope, mean divergence.
 // side: of the tile (m); at: place in it, in tiles.
 vec4 sea_seen(sampler2D tile, float side, vec2 at, Footprint fp) {
-    float level = sea_level(side, fp) + 1.0;
-    vec4 here = textureLod(tile, at + 0.25 / float(SEA_SIZE), level);
+    float level = max(sea_level(side, fp) + SEA_FINER, 0.0);
+    vec4 here = textureLod(tile, at + 0.5 / float(SEA_SEEN), level);
     // Everything is resolved between two texels; what the sampler takes out there is its own error.
     float unresolved = min(level, 1.0) * max(here.z - dot(here.xy, here.xy), 0.0);
     return vec4(here.xy, unresolved, here.w);
@@ -150,6 +150,16 @@ uniform sampler2D u_sea_full;
 out vec4 o_seen;
 
 void main() {
-    vec4 here = sea_smooth(u_sea_full, floor(gl_FragCoord.xy) / float(2 * SEA_SIZE));
+    vec4 here = sea_smooth(u_sea_full, floor(gl_FragCoord.xy) / float(SEA_SEEN));
+    o_seen = vec4(here.yz, dot(here.yz, here.yz), here.w);
+}
+
+// @part seen_same_pass
+// A tile as footprints see it, of as many texels: slopes, their square, divergence; the levels below it are means.
+uniform sampler2D u_sea_full;
+out vec4 o_seen;
+
+void main() {
+    vec4 here = texel_at(u_sea_full, ivec2(gl_FragCoord.xy));
     o_seen = vec4(here.yz, dot(here.yz, here.yz), here.w);
 }

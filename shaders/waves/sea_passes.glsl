@@ -11,9 +11,15 @@ vec2 complex_product(vec2 a, vec2 b) {
     return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
 }
 
-// The whole wavevector of a texel of a transform of `size`; beyond the band and at Nyquist, whose wave has no partner: false.
+// Rows of a block of spectra of a transform of `size`: those beyond the band would hold nothing.
+int spectrum_rows(int size) {
+    return min(2 * SEA_BAND, size);
+}
+
+// The whole wavevector of a texel of such a block; beyond the band and at Nyquist, whose wave has no partner: false.
 bool wave_of(ivec2 texel, int size, out ivec2 k) {
-    k = texel - size * ivec2(greaterThanEqual(texel, ivec2(size / 2)));
+    ivec2 sides = ivec2(size, spectrum_rows(size));
+    k = texel - sides * ivec2(greaterThanEqual(texel, sides / 2));
     int held = min(SEA_BAND, size / 2);
     return all(lessThan(abs(k), ivec2(held))) && k != ivec2(0);
 }
@@ -59,9 +65,9 @@ out vec4 o_displaced;
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     vec3 sum = vec3(0.0);
-    ivec2 waves = gerstner_waves(at.x / SEA_SIZE);
+    ivec2 waves = gerstner_waves(at.x / SEA_DISPLACED);
     for (int i = waves.x; i < waves.y; ++i) {
-        vec2 turn = whole_sine_cosine(gerstner_theta(i, at, SEA_SIZE));
+        vec2 turn = whole_sine_cosine(gerstner_theta(i, at, SEA_DISPLACED));
         sum += u_gerstner[i].z * vec3(turn.y, -turn.x * normalize(u_gerstner[i].xy));
     }
     o_displaced = vec4(sum, 0.0);
@@ -76,9 +82,9 @@ void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     ivec2 k;
     o_spectra = vec4(0.0);
-    if (wave_of(ivec2(at.x % SEA_SIZE, at.y), SEA_SIZE, k)) {
-        vec2 spline = (2.0 + cos(vec2(k) * (TAU / float(SEA_SIZE)))) / 3.0;
-        vec2 h = amplitude(k, at.x / SEA_SIZE, 0.0) / (spline.x * spline.y);
+    if (wave_of(ivec2(at.x % SEA_DISPLACED, at.y), SEA_DISPLACED, k)) {
+        vec2 spline = (2.0 + cos(vec2(k) * (TAU / float(SEA_DISPLACED)))) / 3.0;
+        vec2 h = amplitude(k, at.x / SEA_DISPLACED, 0.0) / (spline.x * spline.y);
         vec2 way = normalize(vec2(k));
         o_spectra = vec4((1.0 - way.x) * h, way.y * vec2(-h.y, h.x));
     }
@@ -124,12 +130,40 @@ void main() {
     }
 }
 
+// @part fft_spread_pass
+// The first pass along columns, from blocks of spectrum_rows to square ones: texels between these rows are 0.
+uniform sampler2D u_fft_from;
+uniform sampler2D u_fft_twiddles; // e^(2 pi i j / 512)
+uniform vec3 u_fft;               // binary logarithm of the side of a block
+out vec4 o_sum;
+
+void main() {
+    int bits = int(u_fft.x);
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    int index = at.y & ((1 << bits) - 1);
+    int first = (at.y >> bits) * 2 * SEA_BAND + (index >> FFT_BITS);
+    int turn = (index & (FFT_RADIX - 1)) << (9 - FFT_BITS);
+    int apart = 1 << (bits - FFT_BITS);
+    int read = 2 * SEA_BAND / apart;
+    o_sum = vec4(0.0);
+    for (int i = 0; i < read; ++i) {
+        int r = 2 * i < read ? i : i + FFT_RADIX - read;
+        vec4 v = texel_at(u_fft_from, ivec2(at.x, first + i * apart));
+        vec2 w = texel_at(u_fft_twiddles, ivec2((r * turn) & 511, 0)).rg;
+        o_sum += vec4(w.x * v.x - w.y * v.y, w.x * v.y + w.y * v.x, w.x * v.z - w.y * v.w, w.x * v.w + w.y * v.z);
+    }
+}
+
 // @part tile_pass
 // A texel of the height field: what the water that is there has brought along.
+uniform float u_sea_corner; // texels of displaced water from one corner of the height field to the next
+uniform vec2 u_sea_limit;   // of height (m) and slope
+
 void main() {
-    Displaced here = displaced(resting(floor(gl_FragCoord.xy)));
+    sea_block = u_sea_block;
+    Displaced here = displaced(resting(floor(gl_FragCoord.xy) * u_sea_corner));
     vec3 a = stretch(here);
-    vec2 slope = unstretched(a, vec2(here.by_x.x, here.by_z.x) / u_sea_texel);
+    vec2 slope = unstretched(a, vec2(here.by_x.x, here.by_z.x) / sea_block.y);
     slope *= min(1.0, u_sea_limit.y / max(length(slope), 1e-30));
     o_tile = vec4(clamp(here.value.x, -u_sea_limit.x, u_sea_limit.x), slope, a.x + a.y - 2.0);
 }
@@ -204,11 +238,11 @@ vec4 sea_smooth(sampler2D tile, vec2 at) {
 // From displaced water to a height field: x + l D(x) = p solved at each corner p of the tile by Newton's method on a cubic B-spline.
 // Writes height about 0 (m), slopes, and the divergence l div D, the Jacobian less 1 to first order. docs/formulae.md, section 2.
 uniform sampler2D u_sea_displaced; // spline coefficients of (h, Dx, Dz), tiles side by side
-uniform float u_sea_block;         // which of the tiles
-uniform float u_sea_texel;         // m
-uniform float u_sea_choppiness;
-uniform vec2 u_sea_limit;          // of height (m) and slope
+uniform vec3 u_sea_block;          // which of the tiles, a texel of it (m), choppiness
 out vec4 o_tile;
+
+// The tile that is asked for, as above.
+vec3 sea_block;
 
 // Height and displacement at a place, texels, and their derivatives by it.
 struct Displaced {
@@ -225,12 +259,12 @@ Displaced displaced(vec2 at) {
     vec4 sx = spline_slopes(t.x);
     vec4 sz = spline_slopes(t.y);
     Displaced sum = Displaced(vec3(0.0), vec3(0.0), vec3(0.0));
-    int left = int(u_sea_block) * SEA_SIZE;
+    int left = int(sea_block.x) * SEA_DISPLACED;
     for (int j = 0; j < 4; ++j) {
         vec3 along = vec3(0.0);
         vec3 rise = vec3(0.0);
         for (int i = 0; i < 4; ++i) {
-            ivec2 texel = (ivec2(base) + ivec2(i - 1, j - 1)) & (SEA_SIZE - 1);
+            ivec2 texel = (ivec2(base) + ivec2(i - 1, j - 1)) & (SEA_DISPLACED - 1);
             vec3 c = texel_at(u_sea_displaced, ivec2(left + texel.x, texel.y)).xyz;
             along += wx[i] * c;
             rise += sx[i] * c;
@@ -244,7 +278,7 @@ Displaced displaced(vec2 at) {
 
 // 1 + l dD/dx: (xx, zz, xz).
 vec3 stretch(Displaced here) {
-    float scale = u_sea_choppiness / u_sea_texel;
+    float scale = sea_block.z / sea_block.y;
     return vec3(1.0 + scale * here.by_x.y, 1.0 + scale * here.by_z.z, 0.5 * scale * (here.by_x.z + here.by_z.y));
 }
 
@@ -258,7 +292,7 @@ vec2 resting(vec2 p) {
     vec2 x = p;
     for (int i = 0; i < SEA_NEWTON; ++i) {
         Displaced here = displaced(x);
-        x -= unstretched(stretch(here), x + u_sea_choppiness / u_sea_texel * here.value.yz - p);
+        x -= unstretched(stretch(here), x + sea_block.z / sea_block.y * here.value.yz - p);
     }
     return x;
 }

@@ -84,16 +84,18 @@ LASTING_CLAMPED: tuple[tuple[float, float], ...] = (
 
 
 def whitecap_model(
-    sea: Sea, foam: WhitecapSaturation, depth: float | None, steps: int, step: float, texels: int
+    sea: Sea, foam: WhitecapSaturation, depth: float | None, steps: int, step: float, texels: int, smooth: bool = True
 ) -> WhitecapModel | None:
     """Return the thresholds that give a sea its whitecap coverage, on tiles of ``texels``²; None without foam.
+
+    smooth: the present F is read by B-spline, otherwise bilinearly.
 
     In material coordinates F of a Gaussian sea is normally distributed with mean 0; per area of the compressed surface,
     with its variance as mean. So the mean of the foam has a closed form, which is solved for the threshold in standard
     deviations; ``CLAMPED`` corrects for the clamping of sums.
     """
     raised = cascades(sea, depth)[:RAISED]
-    now = summed(c.divergence_variance(sea.choppiness, texels, "spline") for c in raised)
+    now = summed(c.divergence_variance(sea.choppiness, texels, "spline" if smooth else "bilinear") for c in raised)
     earlier = summed(c.divergence_variance(sea.choppiness, texels // 2, "bilinear") for c in raised)
     coverage = foam.coverage * whitecaps(sea.wind_speed)
     if min(now, earlier) < 1e-8 or coverage <= 0.0:

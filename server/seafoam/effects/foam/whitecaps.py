@@ -10,9 +10,11 @@ from seafoam.effects.waves.sea import (
     RESAMPLED,
     WaterDrawing,
     drawn_tiles,
+    raised_blocks,
     sea_quality,
+    seen_size,
+    tile_block,
     tile_target,
-    tile_uniforms,
 )
 from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, target_inputs
 from seafoam.framegraph.rules import Uniform, constants, number, rounded, significant, vector
@@ -43,9 +45,10 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     raised = drawn_tiles(scene, quality)[:RAISED]
     if scene.sea is None or not raised:
         return Contribution.invisible("no sea whose waves could break")
-    quality = sea_quality(scene.sea, quality)
+    quality = sea_quality(scene, quality)
     steps = quality.age_steps
-    model = whitecap_model(scene.sea, source, scene.water.depth, steps, quality.age_step, quality.sea_size)
+    smooth = seen_size(quality) > quality.sea_size
+    model = whitecap_model(scene.sea, source, scene.water.depth, steps, quality.age_step, quality.sea_size, smooth)
     if model is None:
         return Contribution.invisible("a sea whose waves do not break, or a coverage of 0")
     # The Jacobian of the sample just shaded is reused, unless foam by slope evaluates the waves at other places first.
@@ -102,7 +105,7 @@ def _recent(scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Qualit
     jacobians = WaterDrawing(
         "age_a",
         "age_b",
-        Target(size=FixedSize(width=size * len(raised), height=size * rows), format="RGBA32F"),
+        (len(raised), rows),
         size,
         by_wave=("folds of earlier waves", "age_gerstner", "waves/age.glsl@gerstner_pass"),
         by_spectrum=("spectrum of earlier folds", "age_spectrum", "waves/age.glsl@spectrum_pass"),
@@ -113,16 +116,15 @@ def _recent(scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Qualit
     carried = Resources(
         inputs=target_inputs({"u_age_tiles": "age_tiles"}),
         targets={"age_tiles": tile_target(quality, size).model_copy(update={"size": over})},
-        passes=tuple(
+        passes=(
             PassSpec(
-                name=f"earlier folds, {tile.size:g} m tile",
+                name="earlier folds",
                 program="age_tile",
                 fragment=(*RESAMPLED, "lib/texels.glsl@bilinear", "waves/age.glsl@tile_pass"),
                 target="age_tiles",
                 inputs=target_inputs({"u_sea_displaced": DISPLACED, "u_age_folds": jacobians.target}),
-                uniforms=tile_uniforms(tile, i, sea.choppiness, quality.sea_size),
-            )
-            for i, tile in enumerate(raised)
+                uniforms=raised_blocks(sea, raised, quality),
+            ),
         ),
     )
     return jacobians.resources(sea, raised).joined(carried)
@@ -135,7 +137,7 @@ def _old(scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Quality, 
     jacobians = WaterDrawing(
         "old_a",
         "old_b",
-        Target(size=FixedSize(width=OLD_TEXELS, height=OLD_TEXELS * rows), format="RGBA32F"),
+        (1, rows),
         OLD_TEXELS,
         by_wave=("folds of long ago", "old_gerstner", Source("waves/age.glsl@gerstner_pass", size)),
         by_spectrum=("spectrum of folds of long ago", "old_spectrum", Source("waves/age.glsl@spectrum_pass", size)),
@@ -150,7 +152,7 @@ def _old(scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Quality, 
         target="old_foam",
         inputs=target_inputs({"u_sea_displaced": DISPLACED, "u_old_folds": jacobians.target}),
         uniforms={
-            **tile_uniforms(largest, 0, sea.choppiness, quality.sea_size),
+            "u_sea_block": tile_block(sea, largest, 0, quality),
             "u_old_fold": vector(rounded(model.old)),
             "u_old_share": constants("vec4", (shares[i : i + 4] for i in range(0, len(shares), 4))),
         },

@@ -13,8 +13,8 @@ from seafoam.effects.shore.maps import MASK_WAVES, mask_uniforms
 from seafoam.effects.waves.groups import earlier_wave_files, group_bounds
 from seafoam.effects.waves.parametric import max_profile_slope
 from seafoam.effects.waves.rings import ring_uniforms
-from seafoam.effects.waves.sea import WaterDrawing, drawn_tiles, sea_quality
-from seafoam.framegraph.resources import FixedSize, Target, TextureInput, target_inputs
+from seafoam.effects.waves.sea import WaterDrawing, drawn_tiles
+from seafoam.framegraph.resources import TextureInput, target_inputs
 from seafoam.framegraph.rules import (
     Clamp,
     Constant,
@@ -269,7 +269,7 @@ def _grids(spray: Spray) -> Resources:
 
 def _seas(sea: Sea, quality: Quality, tiles: tuple[Cascade, ...], limits: tuple[float, float] | None) -> Resources:
     """The sea at the births of batches."""
-    texels = min(sea_quality(sea, quality).sea_size, model.SEA_TEXELS)
+    texels = min(quality.sea_size, model.SEA_TEXELS)
     chops = [tile.choppiness(sea.choppiness) for tile in tiles]
     threshold, width = limits or (-1e3, 1.0)
     scale = [significant(chop * 2.0 * math.pi / tile.size) for chop, tile in zip(chops, tiles, strict=True)]
@@ -282,7 +282,7 @@ def _seas(sea: Sea, quality: Quality, tiles: tuple[Cascade, ...], limits: tuple[
     water = WaterDrawing(
         "spray_seas_a",
         "spray_seas_b",
-        Target(size=FixedSize(width=texels * len(tiles), height=texels * model.BATCHES), format="RGBA32F"),
+        (len(tiles), model.BATCHES),
         texels,
         by_wave=("waves at the births of drops", "spray_gerstner", "spray/seas.glsl@gerstner_pass"),
         by_spectrum=("spectrum at the births of drops", "spray_spectrum", "spray/seas.glsl@spectrum_pass"),

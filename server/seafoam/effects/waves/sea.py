@@ -4,6 +4,7 @@ import cmath
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import cycle, islice
 from typing import Literal
 
 from seafoam.effects.bounds import max_surface_height, min_surface_height, waves_bound
@@ -25,6 +26,7 @@ from seafoam.framegraph.rules import (
 )
 from seafoam.ocean.cascades import BAND, LEAST_JACOBIAN, LOOP, RAISED, Cascade, cascades
 from seafoam.quality import Quality
+from seafoam.scene.foam import WhitecapSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.waves import Sea
 from seafoam.sums import summed
@@ -33,9 +35,10 @@ from seafoam.textures import FftTwiddles, SeaSpectrum
 WHITECAP_WIND = 7.0
 """Wind, m/s, below which whitecaps cover less than 0.3 % (Monahan and O'Muircheartaigh 1980)."""
 CALM_SIZE = 256
-"""Maximum number of texels along a tile below that wind, if footprints filter short waves: with 512, the error against
-the reference was no smaller (swell 4.78 instead of 4.56 levels, explosion 24.3 instead of 23.0) and the time up to
-twice as long."""
+"""Maximum number of texels along a tile below that wind or without whitecaps, if footprints filter short waves: with
+512, the error against the reference was no smaller (lake-choppy 10.2 instead of 9.7 levels, swell 4.78 instead of 4.56,
+explosion 24.3 instead of 23.0) and the time longer. Foam by folds does need them: crests are up to three times
+narrower than their waves, and half of the error of open-ocean was foam beside its place."""
 NEWTON = 2
 """Newton steps that invert the horizontal displacement at a texel."""
 READ, READ_ALONE = 0.57735, 0.75
@@ -55,15 +58,16 @@ RESAMPLED = ("lib/texels.glsl@cubic_spline", "waves/sea_passes.glsl@resample_pas
 class WaterDrawing:
     """Passes that draw the water of a sea, as blocks of a target.
 
-    ``target``: it holds the result; the Fourier transforms alternate between it and ``second``. ``size``: side of a
-    block, texels. ``by_wave``, ``by_spectrum``: name, program and last file of the first pass, for a sea whose waves
-    are summed and for one by FFT. ``transforms``: in the names of these passes. ``uniforms``: of the first pass.
-    ``read``: texels along a tile of what is then read by B-spline, or 0.
+    ``target``: it holds the result; the Fourier transforms alternate between it and ``second``. ``blocks``: how many
+    side by side and over one another. ``size``: side of a block, texels. ``by_wave``, ``by_spectrum``: name, program
+    and last file of the first pass, for a sea whose waves are summed and for one by FFT. ``transforms``: in the names
+    of these passes. ``uniforms``: of the first pass. ``read``: texels along a tile of what is then read by B-spline,
+    or 0.
     """
 
     target: str
     second: str
-    block: Target
+    blocks: tuple[int, int]
     size: int
     by_wave: tuple[str, str, Piece]
     by_spectrum: tuple[str, str, Piece]
@@ -75,44 +79,66 @@ class WaterDrawing:
     def resources(self, sea: Sea, tiles: Sequence[Cascade]) -> Resources:
         """Return targets and passes of the waves of ``tiles``."""
         if sea.model == "gerstner":
-            first = self._first(self.by_wave, "waves/sea_passes.glsl@gerstner", _gerstner_uniforms(tiles, self.read))
-            return Resources(targets={self.target: self.block}, passes=(first,))
-        first = self._first(self.by_spectrum, "waves/sea_passes.glsl@spectrum", _loop_uniforms())
+            first = self._first(
+                self.by_wave, "waves/sea_passes.glsl@gerstner", _gerstner_uniforms(tiles, self.read), self.target
+            )
+            return Resources(targets={self.target: self._blocks(self.size)}, passes=(first,))
+        first = self._first(self.by_spectrum, "waves/sea_passes.glsl@spectrum", _loop_uniforms(), self._spectra[0])
         return Resources(
-            targets={self.target: self.block, self.second: self.block},
+            targets={
+                **dict.fromkeys(self._spectra, self._blocks(min(2 * BAND, self.size))),
+                **dict.fromkeys((self.target, self.second), self._blocks(self.size)),
+            },
             passes=(replace(first, inputs={"u_sea_spectrum": TextureInput(texture="sea_spectrum")}), *self._fft()),
         )
 
-    def _first(self, called: tuple[str, str, Piece], waves: str, uniforms: dict[str, Uniform]) -> PassSpec:
+    def _blocks(self, rows: int) -> Target:
+        across, down = self.blocks
+        return Target(size=FixedSize(width=across * self.size, height=down * rows), format="RGBA32F")
+
+    @property
+    def _spectra(self) -> tuple[str, str]:
+        """Targets of the transform along rows: where most rows would be 0, they are left out."""
+        if self.size <= 2 * BAND:
+            return self.target, self.second
+        return f"{self.target}_rows", f"{self.second}_rows"
+
+    def _first(self, called: tuple[str, str, Piece], waves: str, uniforms: dict[str, Uniform], target: str) -> PassSpec:
         name, program, file = called
         return PassSpec(
             name=name,
             program=program,
             fragment=("lib/numbers.glsl", waves, file),
-            target=self.target,
+            target=target,
             uniforms={**uniforms, **self.uniforms},
             stage=self.stage,
         )
 
     def _fft(self) -> Iterator[PassSpec]:
         """Passes that transform the blocks, as many along each axis: the last draws into ``target``."""
-        source, destination = self.target, self.second
+        radices = _RADICES[self.size]
+        between = list(islice(cycle(self._spectra), len(radices) + 1))
+        across = list(islice(cycle((self.target, self.second)), len(radices) + 1))[::-1]
         for axis, kind in enumerate(("rows", "columns")):
             span = 1
-            for radix in _RADICES[self.size]:
+            for i, radix in enumerate(radices):
+                spreads = axis == 1 and i == 0 and self.size > 2 * BAND
+                steps = (between, (between[-1], *across[1:]))[axis]
                 yield PassSpec(
                     name=f"{self.transforms}: {kind}, {span} to {span * radix}",
-                    program=f"fft_{radix}",
-                    fragment=(_RADIX_FILES[radix], "waves/sea_passes.glsl@fft_pass"),
-                    target=destination,
+                    program=f"fft_spread_{radix}" if spreads else f"fft_{radix}",
+                    fragment=(
+                        _RADIX_FILES[radix],
+                        "waves/sea_passes.glsl@fft_spread_pass" if spreads else "waves/sea_passes.glsl@fft_pass",
+                    ),
+                    target=steps[i + 1],
                     inputs={
-                        "u_fft_from": TargetInput(target=source),
+                        "u_fft_from": TargetInput(target=steps[i]),
                         "u_fft_twiddles": TextureInput(texture="fft_twiddles"),
                     },
                     uniforms={"u_fft": vector((math.log2(self.size), math.log2(span), float(axis)))},
                     stage=self.stage,
                 )
-                source, destination = destination, source
                 span *= radix
 
 
@@ -144,21 +170,39 @@ def _gerstner_uniforms(tiles: Sequence[Cascade], size: int) -> dict[str, Uniform
     }
 
 
-def tile_uniforms(tile: Cascade, index: int, choppiness: float, size: int) -> dict[str, Uniform]:
-    """Uniforms of passes that turn displaced water into a height field. ``index``: of the tile's block."""
-    return {
-        "u_sea_block": number(float(index)),
-        "u_sea_texel": number(significant(tile.size / size)),
-        "u_sea_choppiness": number(significant(tile.choppiness(choppiness))),
-        "u_sea_limit": vector((significant(tile.limit), significant(tile.max_slope))),
-    }
+def tile_block(sea: Sea, tile: Cascade, index: int, quality: Quality) -> Uniform:
+    """Return the uniform by which passes find a tile in the map of displaced water. ``index``: of the tile's block."""
+    texel = tile.size / displaced_size(quality)
+    return vector((float(index), significant(texel), significant(tile.choppiness(sea.choppiness))))
 
 
-def sea_quality(sea: Sea, quality: Quality) -> Quality:
-    """Return the quality with no more texels along a tile than make a visible difference in this sea."""
-    if sea.wind_speed >= WHITECAP_WIND or not quality.surface.filter or quality.sea_size <= CALM_SIZE:
+def raised_blocks(sea: Sea, raised: Sequence[Cascade], quality: Quality) -> dict[str, Uniform]:
+    """Uniforms of passes over the tiles that displace the surface, the first and, if there is one, the second."""
+    blocks = [tile_block(sea, tile, i, quality) for i, tile in enumerate(raised)]
+    return {"u_sea_block": blocks[0], "u_sea_other": blocks[-1]}
+
+
+def sea_quality(scene: Scene, quality: Quality) -> Quality:
+    """Return the quality with no more texels along a tile than make a visible difference in the scene."""
+    breaks = scene.sea is not None and scene.sea.wind_speed >= WHITECAP_WIND
+    foams = scene.foam is not None and scene.foam.source(WhitecapSaturation) is not None
+    if (breaks and foams) or not quality.surface.filter or quality.sea_size <= CALM_SIZE:
         return quality
     return quality.model_copy(update={"sea_size": CALM_SIZE})
+
+
+def displaced_size(quality: Quality) -> int:
+    """Return the side of the map of displaced water, texels: four a wave are enough for its spline.
+
+    Not so for the height field, whose crests are narrower.
+    """
+    return quality.sea_size if quality.sea_digits == "float" else min(quality.sea_size, 4 * BAND)
+
+
+def seen_size(quality: Quality) -> int:
+    """Return the side of a tile's map for shading, texels: where they are few, spline points stand between them."""
+    few = quality.sea_digits == "float" or quality.sea_size <= 4 * BAND
+    return 2 * quality.sea_size if few else quality.sea_size
 
 
 def tile_target(quality: Quality, size: int) -> Target:
@@ -187,13 +231,13 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     tiles = drawn_tiles(scene, quality)
     if not tiles:
         return Contribution.invisible("no wind, so no waves")
-    quality = sea_quality(sea, quality)
+    quality = sea_quality(scene, quality)
     raised = tiles[:RAISED]
     max_height = summed(tile.limit for tile in raised)
     contribution = Contribution(
         why=_why(sea, tiles, quality.sea_size),
         slots=_slots(scene, quality, len(tiles)),
-        consts={**_consts(sea, tiles, quality.sea_size), "SEA_READ": READ if quality.samples > 1 else READ_ALONE},
+        consts={**_consts(sea, tiles, quality), "SEA_READ": READ if quality.samples > 1 else READ_ALONE},
         chosen_consts={"SEA_READ": READ},
         bound=waves_bound(
             scene, summed(tile.max_slope for tile in tiles), max_surface_height(scene) - min_surface_height(scene)
@@ -205,7 +249,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         march_factor=2,
     )
     return contribution.joined(
-        _displaced_water(sea, scene.water.depth, tiles, quality.sea_size),
+        _displaced_water(sea, scene.water.depth, tiles, displaced_size(quality)),
         *(_height_map(sea, i, tile, quality) for i, tile in enumerate(tiles)),
         _mip_maps(tiles, quality),
         _orbits(sea, raised, quality) if follows_orbits(scene) else Resources(),
@@ -219,15 +263,18 @@ def _why(sea: Sea, tiles: Sequence[Cascade], size: int) -> str:
     return f"sea of {sea.wind_speed:g} m/s wind, significant height {height:.3g} m: {how}"
 
 
-def _consts(sea: Sea, tiles: Sequence[Cascade], size: int) -> dict[str, Const]:
+def _consts(sea: Sea, tiles: Sequence[Cascade], quality: Quality) -> dict[str, Const]:
     gerstner = sea.model == "gerstner"
     return {
-        "SEA_SIZE": size,
+        "SEA_SIZE": quality.sea_size,
+        "SEA_DISPLACED": displaced_size(quality),
+        "SEA_SEEN": seen_size(quality),
+        "SEA_FINER": math.log2(seen_size(quality) / quality.sea_size),
         "SEA_BAND": BAND,
         "SEA_LOOP": LOOP,
         "SEA_NEWTON": NEWTON if sea.choppiness > 0.0 else 0,
         "SEA_LEAST_JACOBIAN": LEAST_JACOBIAN,
-        "SEA_LEVELS": size.bit_length() - 4,
+        "SEA_LEVELS": quality.sea_size.bit_length() - 4,
         "GERSTNER_WAVES": max(len([wave for tile in tiles for wave in tile.waves]), 1) if gerstner else 2,
         "GERSTNER_FIRST": len(tiles[0].waves) if gerstner else 1,
     }
@@ -261,7 +308,7 @@ def _displaced_water(sea: Sea, depth: float | None, tiles: Sequence[Cascade], si
     water = WaterDrawing(
         DISPLACED,
         "sea_b",
-        Target(size=FixedSize(width=size * len(tiles), height=size), format="RGBA32F"),
+        (len(tiles), 1),
         size,
         by_wave=("waves of the sea", "gerstner", "waves/sea_passes.glsl@gerstner_pass"),
         by_spectrum=("spectrum of the sea", "sea_spectrum", "waves/sea_passes.glsl@displaced_pass"),
@@ -277,7 +324,8 @@ def _displaced_water(sea: Sea, depth: float | None, tiles: Sequence[Cascade], si
 
 def _height_map(sea: Sea, index: int, tile: Cascade, quality: Quality) -> Resources:
     """Height and slopes of a tile over the level plane, and its measured bounds if it displaces the surface."""
-    name, size = f"sea_tile_{index}", quality.sea_size
+    name = f"sea_tile_{index}"
+    size = quality.sea_size if index < RAISED else displaced_size(quality)
     part = Resources(
         uniforms={
             f"u_sea_offset_{index}": array("vec2", in_tile(tile.size), 1),
@@ -291,7 +339,11 @@ def _height_map(sea: Sea, index: int, tile: Cascade, quality: Quality) -> Resour
                 fragment=(*RESAMPLED, "waves/sea_passes.glsl@tile_pass"),
                 target=name,
                 inputs={"u_sea_displaced": TargetInput(target=DISPLACED)},
-                uniforms=tile_uniforms(tile, index, sea.choppiness, size),
+                uniforms={
+                    "u_sea_block": tile_block(sea, tile, index, quality),
+                    "u_sea_corner": number(displaced_size(quality) / size),
+                    "u_sea_limit": vector((significant(tile.limit), significant(tile.max_slope))),
+                },
             ),
         ),
     )
@@ -305,7 +357,9 @@ def _mip_maps(tiles: Sequence[Cascade], quality: Quality) -> Resources:
     """The tiles' slopes as shading reads them: prefiltered maps, or the tiles themselves if nothing is filtered."""
     if not quality.surface.filter:
         return Resources(inputs=target_inputs({f"u_sea_seen_{i}": f"sea_tile_{i}" for i in range(len(tiles))}))
-    size = FixedSize.square(2 * quality.sea_size)
+    size = FixedSize.square(seen_size(quality))
+    # What only tilts the normal has no more texels than the map of displaced water.
+    finer = [size.width > (quality.sea_size if i < RAISED else displaced_size(quality)) for i in range(len(tiles))]
     return Resources(
         inputs=target_inputs({f"u_sea_seen_{i}": f"sea_seen_{i}" for i in range(len(tiles))}),
         targets={
@@ -315,8 +369,8 @@ def _mip_maps(tiles: Sequence[Cascade], quality: Quality) -> Resources:
         passes=tuple(
             PassSpec(
                 name=f"sea, {tile.size:g} m tile as seen",
-                program="sea_seen",
-                fragment=(*_fetch(quality), "waves/sea.glsl@seen_pass"),
+                program="sea_seen" if finer[i] else "sea_seen_same",
+                fragment=(*_fetch(quality), f"waves/sea.glsl@{'seen_pass' if finer[i] else 'seen_same_pass'}"),
                 target=f"sea_seen_{i}",
                 inputs={"u_sea_full": TargetInput(target=f"sea_tile_{i}")},
             )
@@ -333,16 +387,15 @@ def _orbits(sea: Sea, raised: Sequence[Cascade], quality: Quality) -> Resources:
         slots=(SlotFile("carry", "foam/carry.glsl@sea", prefix="sea"),),
         inputs={"u_sea_orbits": TargetInput(target="sea_orbits")},
         targets={"sea_orbits": tile_target(quality, side).model_copy(update={"size": size})},
-        passes=tuple(
+        passes=(
             PassSpec(
-                name=f"orbits, {tile.size:g} m tile",
+                name="orbits of the sea",
                 program="sea_orbit",
                 fragment=(*RESAMPLED, "foam/carry.glsl@sea_orbit"),
                 target="sea_orbits",
                 inputs={"u_sea_displaced": TargetInput(target=DISPLACED)},
-                uniforms=tile_uniforms(tile, i, sea.choppiness, quality.sea_size),
-            )
-            for i, tile in enumerate(raised)
+                uniforms=raised_blocks(sea, raised, quality),
+            ),
         ),
     )
 
