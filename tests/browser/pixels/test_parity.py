@@ -127,7 +127,7 @@ def other(swiftshader: Lane, server: str) -> Iterator[Page]:
     made.close()
 
 
-@pytest.mark.parametrize(("preset", "time"), crossed(preset_names(), ELSEWHERE, len(ELSEWHERE), 7, 1))
+@pytest.mark.parametrize(("preset", "time"), crossed(preset_names(), ELSEWHERE, len(ELSEWHERE), 10, 1))
 def test_close_on_another_renderer(other: Page, executor: Executor, preset: str, time: float) -> None:
     difference = apart(other, executor, preset, time)
     mean, over = float(difference.mean()), float((difference > 2).mean())

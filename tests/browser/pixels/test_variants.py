@@ -1,6 +1,6 @@
 """Every program that a plan can ask for is GLSL ES 3.00, by glslang.
 
-But for the sweep, those of a third of all plans, and of them a set that has every two files which stand together.
+But for the sweep, those of a quarter of all plans, and of them a set that has every two files which stand together.
 Chromium's WebGL 2 (ANGLE) and the server's GL compile this set too.
 """
 
@@ -43,8 +43,8 @@ def every() -> dict[str, Program]:
 
 @pytest.fixture(scope="module")
 def programs() -> dict[str, Program]:
-    """Those of a third of the plans: of every scene at a tier or two, and of every quality of some presets."""
-    return named(3)
+    """Those of a quarter of the plans: of every scene at a tier, and of every quality of some presets."""
+    return named(4)
 
 
 @pytest.fixture(scope="module")
