@@ -15,6 +15,9 @@ from seafoam.scene.presets import load_preset
 from support.browser.lanes import Lane
 from support.browser.visits import DESKTOP, FINGER, PHONE, TARGETS, Held, Visit, differs, swipe, visit
 from support.report import REPORT
+from support.sweep import crossed
+
+WINDOWS = {"phone": PHONE, "desktop": DESKTOP}
 
 
 @pytest.fixture(scope="module")
@@ -126,12 +129,13 @@ def beside(letters: NDArray[np.bool_], reach: int) -> NDArray[np.bool_]:
     return near & ~letters
 
 
-@pytest.mark.whole
-@pytest.mark.parametrize("size", [DESKTOP, PHONE], ids=["desktop", "phone"])
-@pytest.mark.parametrize("preset", ["default", "storm", "moonlight", "shallows", "paper-threshold"])
-def test_words_stand_out(llvmpipe: Lane, server: str, size: tuple[int, int], preset: str) -> None:
+@pytest.mark.parametrize(
+    ("preset", "window"),
+    crossed(("default", "storm", "moonlight", "shallows", "paper-threshold"), WINDOWS, 2),
+)
+def test_words_stand_out(llvmpipe: Lane, server: str, window: str, preset: str) -> None:
     """Over pale sky, night and white dots: what lies beside letters is of another tone, by their ink or their glow."""
-    with visit(llvmpipe, server, "icon.svg", size=size, settle=False) as made:
+    with visit(llvmpipe, server, "icon.svg", size=WINDOWS[window], settle=False) as made:
         page = made.page
         # The still stands, which shows what is drawn.
         Held(page, "**/api/plans")
@@ -151,7 +155,7 @@ def test_words_stand_out(llvmpipe: Lane, server: str, size: tuple[int, int], pre
             REPORT.add(
                 f"Contrast of {part} with what lies beside its letters",
                 water=preset,
-                width=str(size[0]),
+                window=window,
                 median=f"{np.median(contrast):.1f}",
                 worst=f"{worst:.1f}",
             )
