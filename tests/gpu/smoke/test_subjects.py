@@ -40,7 +40,7 @@ def views(executor: Executor, scene: Scene, times: range, tier: str = "draft") -
 @pytest.mark.whole
 @pytest.mark.parametrize(("preset", "wind"), [("open-ocean", 13.0), ("boat-in-storm", 22.0), ("storm", 22.0)])
 def test_as_much_foam_is_seen_as_the_wind_makes(executor: Executor, report: Report, preset: str, wind: float) -> None:
-    """Monahan's share, of the water's pixels in the preset's own view: a storm is whiter than a breeze."""
+    """Monahan's share, of the water's pixels in the preset's own view; 16 frames of a breeze are sure to a third."""
     scene = load_preset(preset).scene
     water = below_horizon(scene.camera)
     shares = [float(view[..., 3][water].mean()) for view in views(executor, scene, range(0, 400, 25), "standard")]
@@ -48,7 +48,7 @@ def test_as_much_foam_is_seen_as_the_wind_makes(executor: Executor, report: Repo
     report.add(
         "Foam in the view", preset=preset, law=f"{whitecaps(wind):.3f}", seen=f"{seen:.3f}", most=f"{max(shares):.3f}"
     )
-    assert 0.75 < seen / whitecaps(wind) < 1.35
+    assert 0.6 < seen / whitecaps(wind) < 1.6
     if wind > 20.0:
         assert min(shares) > 0.5 * seen
 
