@@ -85,11 +85,7 @@ class Quality(Extensible, QualityParameters):
     rings_size: int = Field(
         default=1024, ge=32, le=2048, description="Side of the displacement map of the rings, texels"
     )
-    sea_size: Literal[64, 128, 256, 512] = Field(
-        default=512,
-        description="Side of the height field of each tile of the open sea, texels; at most 256 where no whitecaps "
-        "are drawn",
-    )
+    sea_size: Literal[64, 128, 256, 512] = Field(default=512, description="Side of each tile of the open sea, texels")
     sea_tiles: Literal[2, 3, 4] = Field(
         default=4, description="Number of tiles of an FFT sea, the largest first; fewer leave out the shortest waves"
     )

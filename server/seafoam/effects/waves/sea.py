@@ -35,10 +35,10 @@ from seafoam.textures import FftTwiddles, SeaSpectrum
 WHITECAP_WIND = 7.0
 """Wind, m/s, below which whitecaps cover less than 0.3 % (Monahan and O'Muircheartaigh 1980)."""
 CALM_SIZE = 256
-"""Maximum number of texels along a tile below that wind or without whitecaps, if footprints filter short waves: with
-512, the error against the reference was no smaller (lake-choppy 10.2 instead of 9.7 levels, swell 4.78 instead of 4.56,
-explosion 24.3 instead of 23.0) and the time longer. Foam by folds does need them: crests are up to three times
-narrower than their waves, and half of the error of open-ocean was foam beside its place."""
+"""Maximum number of texels along a tile below that wind, or without whitecaps and with one sample a pixel, if
+footprints filter short waves: with 512, the error against the reference was no smaller (lake-choppy 10.2 instead of 9.7
+levels, swell 4.78 instead of 4.56, explosion 24.3 instead of 23.0) and the time longer. Foam by folds does need them:
+crests are up to three times narrower than their waves, and half of the error of open-ocean was foam out of place."""
 NEWTON = 2
 """Newton steps that invert the horizontal displacement at a texel."""
 READ, READ_ALONE = 0.57735, 0.75
@@ -186,7 +186,7 @@ def sea_quality(scene: Scene, quality: Quality) -> Quality:
     """Return the quality with no more texels along a tile than make a visible difference in the scene."""
     breaks = scene.sea is not None and scene.sea.wind_speed >= WHITECAP_WIND
     foams = scene.foam is not None and scene.foam.source(WhitecapSaturation) is not None
-    if (breaks and foams) or not quality.surface.filter or quality.sea_size <= CALM_SIZE:
+    if (breaks and (foams or quality.samples > 1)) or not quality.surface.filter or quality.sea_size <= CALM_SIZE:
         return quality
     return quality.model_copy(update={"sea_size": CALM_SIZE})
 
