@@ -26,6 +26,8 @@ SLOW := $(addprefix tests/fast/,accuracy cli reference api/test_api_pool.py api/
 
 # What of the large tables of like cases to run: tests/support/sweep.py.
 SHARE := not sweep
+# Of make test, what a group may do: tests/support/run/work.py.
+GRANTED = $(if $(filter not,$(SHARE)),--group $(@:test-%=%))
 
 # Groups run at once on two cores: threads of BLAS would wait for one another, and use up the time of all.
 test-live test-gpu test-fast quick-plans quick-rest: export OPENBLAS_NUM_THREADS = 1
@@ -99,13 +101,13 @@ test-web: setup-test
 	cd $(WEB) && ../$(NODE) npm test --silent
 
 test-live:
-	$(BIN)/pytest -q -p no:cacheprovider -m "$(SHARE)" $(LIVE)
+	$(BIN)/pytest -q -p no:cacheprovider -m "$(SHARE)" $(GRANTED) $(LIVE)
 
 test-gpu:
-	$(BIN)/pytest -q -p no:cacheprovider -m "$(SHARE)" tests/gpu
+	$(BIN)/pytest -q -p no:cacheprovider -m "$(SHARE)" $(GRANTED) tests/gpu
 
 test-fast:
-	$(BIN)/pytest -q -p no:cacheprovider -m "$(SHARE)" $(FAST)
+	$(BIN)/pytest -q -p no:cacheprovider -m "$(SHARE)" $(GRANTED) $(FAST)
 
 sweep: setup-test
 	@$(MAKE) --no-print-directory -j3 SHARE=sweep test-live test-gpu test-fast

@@ -48,7 +48,7 @@ def pytest_configure(config: pytest.Config) -> None:
     granted = None
     if (group := config.getoption("group")) is not None:
         project = tomllib.loads((config.rootpath / "pyproject.toml").read_text(encoding="utf-8"))
-        granted = project["tool"]["seafoam"]["budget"]["work"][group]
+        granted = project["tool"]["seafoam"]["budget"]["work"].get(group)
     config.pluginmanager.register(Work(granted))
 
 
