@@ -16,6 +16,7 @@ from PIL import Image
 
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
+from seafoam.reference import scene_sha256
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.presets import Preset, load_preset, preset_names
 
@@ -43,7 +44,7 @@ EVEN = 2.5
 
 def start_of(preset: Preset) -> str:
     """SHA-256 of all that a preset's first moment depends on but the shaders' text: scene with camera, and time."""
-    text = json.dumps([preset.scene.model_dump(mode="json"), preset.time], sort_keys=True)
+    text = json.dumps([scene_sha256(preset.scene), preset.time])
     return hashlib.sha256(text.encode()).hexdigest()
 
 

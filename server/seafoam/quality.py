@@ -82,9 +82,7 @@ class Quality(Extensible, QualityParameters):
         default="map",
         description="Rings. map: read from a displacement map that is drawn each frame; exact: summed for each sample",
     )
-    rings_size: int = Field(
-        default=1024, ge=32, le=2048, description="Side of the displacement map of the rings, texels"
-    )
+    rings_size: int = Field(default=1024, ge=32, le=2048, description="Side of the rings' displacement map, texels")
     sea_size: Literal[64, 128, 256, 512] = Field(default=512, description="Side of each tile of the open sea, texels")
     sea_tiles: Literal[2, 3, 4] = Field(
         default=4, description="Number of tiles of an FFT sea, the largest first; fewer leave out the shortest waves"

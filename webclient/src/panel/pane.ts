@@ -149,7 +149,7 @@ export class ScenePane {
     const bound = { on: inner !== null };
     const binding = target.addBinding(bound, "on", { label: inner?.kind === "group" ? "on" : control.label });
     describe(binding, control.label, control.hint);
-    binding.on("change", ({ value }) => this.restructured(control.pointer, value ? switchedOn(control, this.scene) : null));
+    binding.on("change", ({ value }) => this.changed(control.pointer, value ? switchedOn(control, this.scene) : null));
     if (inner === null) return;
     if (inner.kind === "group") for (const each of inner.children) this.add(target, each, scene);
     else this.add(target, { ...inner, label: "" }, scene);
@@ -171,7 +171,7 @@ export class ScenePane {
         describe(binding, control.discriminator ?? "kind", control.variants.map((v) => `${v.name}: ${v.hint}`).join("\n"));
         binding.on("change", ({ value }) => {
           const chosen = control.variants.find((v) => v.name === value);
-          if (chosen) this.restructured(item.pointer, chosen.initial);
+          if (chosen) this.changed(item.pointer, chosen.initial);
         });
       }
       if (item.kind === "group") for (const inner of item.children) this.add(inside, inner, scene);
@@ -192,12 +192,8 @@ export class ScenePane {
   }
 
   private changed(pointer: string, value: Json): void {
-    if (!this.updating) this.events.change(pointer, value);
-  }
-
-  /** A change that builds the widgets anew: after Tweakpane has dealt with the event, which needs its widget. */
-  private restructured(pointer: string, value: Json): void {
-    if (!this.updating) queueMicrotask(() => this.changed(pointer, value));
+    // After Tweakpane has dealt with the event, for which it needs the widgets: a change may build them anew.
+    if (!this.updating) queueMicrotask(() => this.events.change(pointer, value));
   }
 }
 
