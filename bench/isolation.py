@@ -45,7 +45,7 @@ def running(scene: Scene, quality: Quality) -> frozenset[str]:
 
 
 def _shows(effect: Effect, scene: Scene, quality: Quality) -> bool:
-    contribution = effect.contribute(scene, quality)
+    contribution = effect.contribute(scene.settled, quality)
     return contribution is not None and (contribution.bound is None or contribution.bound.value >= NEGLIGIBLE)
 
 

@@ -203,7 +203,7 @@ def _uber(quality: Quality, exact_ripples: bool) -> _Uber:
 def _given(scene: Scene, quality: Quality) -> list[tuple[str, Contribution]]:
     """Contribution of each effect; fronts have phases of their own, which every scene can have."""
     with patch.object(front, "shares_phase", return_value=False):
-        given = [(effect.name, effect.contribute(scene, quality)) for effect in EFFECTS]
+        given = [(effect.name, effect.contribute(scene.settled, quality)) for effect in EFFECTS]
     return [(name, one) for name, one in given if one is not None]
 
 
