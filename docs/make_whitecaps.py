@@ -150,7 +150,8 @@ def seascape(wind: float, seed: int, yaw: float, *, own: bool = True) -> Scene:
     preset = load_preset(PRESET).scene.settled
     assert preset.foam is not None
     assert preset.light is not None
-    whitecaps = tuple(one for one in preset.foam.saturation if isinstance(one, WhitecapSaturation))
+    sources = (one for one in preset.foam.saturation if isinstance(one, WhitecapSaturation))
+    whitecaps = tuple(one.model_copy(update={"coverage": 1.0}) for one in sources)
     fixed = {"saturation": (WhitecapSaturation(),), "life": None}
     changed: dict[str, Any] = {"scattering": None} | ({"saturation": whitecaps} if own else fixed)
     azimuth = math.remainder(yaw + 0.5 * math.pi, 2.0 * math.pi)

@@ -36,7 +36,7 @@ def truth(scene: Scene, camera: Camera) -> NDArray[np.float64]:
     """Normal and distance in float64, (height, width, 4)."""
     width, height = SIZE
     view = cameras.view(camera, width, height)
-    state = SampleShader(scene, TIME, cameras.SampleGrid(view, width, height), "same-samples", None)
+    state = SampleShader(scene.settled, TIME, cameras.SampleGrid(view, width, height), "same-samples", None)
     X, Y = (
         2.0 * (np.arange(width) + 0.5) / width - 1.0,
         1.0 - 2.0 * (np.arange(height) + 0.5) / height,

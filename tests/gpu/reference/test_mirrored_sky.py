@@ -52,7 +52,9 @@ def light_of(
     executor: Executor, scene: Scene, finer: int = 1, camera: Camera = CAMERA, **quality: object
 ) -> NDArray[np.float64]:
     """Mirrored light (rows, columns, 3) of a picture's water, each pixel the mean of finer² of a larger picture."""
-    plan = mirror_alone(make_plan(scene, TIERS["standard"].model_copy(update={"target": "RGBA32F", **quality})))
+    # Of the same tiles, however many samples: what is compared is how their slopes are gathered.
+    same = {"target": "RGBA32F", "sea_size": 256}
+    plan = mirror_alone(make_plan(scene, TIERS["standard"].model_copy(update={**same, **quality})))
     size = (finer * WIDTH, finer * HEIGHT)
     drawn = draw(executor, plan, camera, time=3.0, size=size, output="linear")[..., :3].astype(np.float64)
     whole: NDArray[np.float64] = drawn.reshape(HEIGHT, finer, WIDTH, finer, 3).mean(axis=(1, 3))[WATER]
