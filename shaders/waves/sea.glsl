@@ -160,6 +160,6 @@ uniform sampler2D u_sea_full;
 out vec4 o_seen;
 
 void main() {
-    vec4 here = texel_at(u_sea_full, ivec2(gl_FragCoord.xy));
+    vec4 here = textureLod(u_sea_full, gl_FragCoord.xy / float(SEA_SEEN), 0.0);
     o_seen = vec4(here.yz, dot(here.yz, here.yz), here.w);
 }

@@ -370,7 +370,10 @@ def _mip_maps(tiles: Sequence[Cascade], quality: Quality) -> Resources:
             PassSpec(
                 name=f"sea, {tile.size:g} m tile as seen",
                 program="sea_seen" if finer[i] else "sea_seen_same",
-                fragment=(*_fetch(quality), f"waves/sea.glsl@{'seen_pass' if finer[i] else 'seen_same_pass'}"),
+                fragment=(
+                    *_fetch(quality),
+                    "waves/sea.glsl@seen_pass" if finer[i] else "waves/sea.glsl@seen_same_pass",
+                ),
                 target=f"sea_seen_{i}",
                 inputs={"u_sea_full": TargetInput(target=f"sea_tile_{i}")},
             )
