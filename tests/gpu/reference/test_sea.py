@@ -13,11 +13,14 @@ from seafoam.ocean import spectrum as sea_spectrum
 from seafoam.ocean import whitecaps as foam_of_sea
 from seafoam.planner import FramePlan, make_plan
 from seafoam.quality import TIERS
+from seafoam.reference.renderer import camera as cameras
+from seafoam.reference.renderer.frame import Assets, SampleShader
 from seafoam.reference.waves import sea as truth
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Foam, WhitecapSaturation
 from seafoam.scene.models import Scene
+from seafoam.scene.presets import load_preset
 from seafoam.scene.waves import Sea
 from support.exact import EXACT
 from support.float64.tile import summed
@@ -270,6 +273,34 @@ def test_whitecaps_counted_in_a_picture(executor: Executor, report: Report, look
     )
     assert abs(np.mean(shares[3:]) / wanted - 1.0) <= 0.2
     assert abs(np.mean(shares[:3]) / wanted - 1.0) <= 0.2
+
+
+@pytest.mark.parametrize("preset", ["open-ocean", "boat-in-storm"])
+def test_foam_lies_where_float64_has_it(executor: Executor, report: Report, preset: str) -> None:
+    """At 400 pixels of the lower half of a picture 960 wide: coverage, against 16 samples a pixel in float64."""
+    found = load_preset(preset)
+    scene, (width, height), along = found.scene.settled, (960, 540), 4
+    grid = cameras.SampleGrid(cameras.view(scene.camera, width, height), width, height, along)
+    shader = SampleShader(scene, found.time, grid, "converged", Assets.for_scene(scene))
+    random = np.random.default_rng(5)
+    x, y = random.integers(0, width, 400), random.integers(height // 2, height, 400)
+    offset = (np.indices((along, along))[..., None] + random.random((2, along, along, 400))) / along
+    X, Y = 2.0 * (x + offset[1]) / width - 1.0, 1.0 - 2.0 * (y + offset[0]) / height
+    _, amount, _ = shader.shade(X.ravel(), Y.ravel())
+    want = amount.reshape(-1, 400).mean(axis=0)
+    away = {}
+    for size in (256, 512):
+        plan = make_plan(scene, TIERS["standard"].model_copy(update={"sea_size": size}))
+        frame = draw(executor, plan, scene.camera, time=found.time, size=(width, height), output="linear")
+        away[size] = float(np.sqrt(np.mean((frame[y, x, 3] - want) ** 2)))
+    report.add(
+        "Coverage by foam at pixels against float64, root mean square",
+        preset=preset,
+        tiles_of_256=f"{away[256]:.3f}",
+        of_512=f"{away[512]:.3f}",
+    )
+    assert away[512] <= 0.1
+    assert away[512] <= 0.6 * away[256]
 
 
 @pytest.mark.parametrize("steps", [0, 4, 8])
