@@ -84,11 +84,12 @@ export class ScenePane {
   }
 
   private folder(parent: FolderApi, { pointer, hint, kind }: Control, title: string): FolderApi {
-    // Open at first: the first group that is not a list, and groups at the second level.
-    const first = this.model?.children.find((child) => child.kind !== "list" && get(this.scene, child.pointer) !== null)?.pointer;
+    // Open at first: the wind and the first group after it that is not a list, and groups at the second level.
+    const groups = this.model?.children.filter((child) => child.kind !== "list" && get(this.scene, child.pointer) !== null) ?? [];
+    const first = groups.slice(0, groups[0]?.pointer === "/wind" ? 2 : 1).some((child) => child.pointer === pointer);
     const path = steps(pointer);
     const part = kind !== "list" && path.length === 2 && !/^\d+$/.test(path[1] ?? "");
-    const open = pointer === first || part;
+    const open = first || part;
     const folder = parent.addFolder({ title, expanded: this.expanded.get(pointer) ?? open });
     folder.on("fold", ({ expanded, target }) => {
       if (target === folder) this.expanded.set(pointer, expanded);
