@@ -153,7 +153,7 @@ export class ScenePane {
     binding.on("change", ({ value }) => this.changed(control.pointer, value ? switchedOn(control, this.scene) : null));
     if (inner === null) return;
     if (inner.kind === "group") for (const each of inner.children) this.add(target, each, scene);
-    else this.add(target, { ...inner, label: "" }, scene);
+    else this.add(target, { ...inner, label: "", hint: inner.hint || control.label }, scene);
   }
 
   private addList(parent: FolderApi, control: ListControl, scene: Json): void {
