@@ -28,7 +28,7 @@ sys.path.append(str(Path(__file__).resolve().parents[1] / "tests"))
 
 from cases.mutations import MUTATIONS, UNSEEN
 from support.cases import HardCase, cases_of
-from support.mutations import Mutation, copied, run
+from support.hard.mutations import Mutation, copied, run
 
 PAGE = Path(__file__).parent / "stability.md"
 FIGURES = Path(__file__).parent / "stability.json"
@@ -118,7 +118,7 @@ def shown(name: str, mutations: tuple[Mutation, ...], folder: Path) -> Image.Ima
     """A case as a screen shows it, drawn by sources with these mutations."""
     with copied(folder / "sources", mutations) as environment:
         file = folder / "pictures.npz"
-        said = run(environment, "-m", "support.case_pictures", name, str(file), *map(str, SIZE))
+        said = run(environment, "-m", "support.hard.pictures", name, str(file), *map(str, SIZE))
         if said is not None:
             raise ValueError(f"{name}: {said}")
     with np.load(file) as pictures:

@@ -17,8 +17,8 @@ from seafoam.framegraph.shader import Program, Shader
 from seafoam.planner.glsl import parts_of
 from seafoam.render.gl.executor import Executor, ShaderError
 from seafoam.resources import data_dir
+from support.scenes.variants import covering, every_program, traits
 from support.sweep import REST
-from support.variants import covering, every_program, traits
 
 BATCH = 25
 """Programs that the page compiles in one go; it starts them all before it asks about any."""

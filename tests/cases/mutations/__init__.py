@@ -3,7 +3,7 @@
 import importlib
 import pkgutil
 
-from support.mutations import Mutation
+from support.hard.mutations import Mutation
 
 MUTATIONS: dict[str, tuple[Mutation, ...]] = {}
 UNSEEN: dict[str, str] = {}

@@ -2,10 +2,10 @@
 
 from dataclasses import replace
 
-from support.mutations import IN_FLOAT32, Mutation
+from support.hard.mutations import IN_FLOAT32, Mutation
 
-_FUNCTIONS = "tests/gpu/reference/test_shader_functions.py"
-_REFERENCE = "tests/gpu/reference/"
+_FUNCTIONS = "tests/gpu/reference/foam/test_shader_functions.py"
+_REFERENCE = "tests/gpu/reference/foam/"
 _NUMERICS = "tests/gpu/numerics/"
 _GUARDS = f"{_NUMERICS}test_guards_foam.py"
 _GUARDED = f"{_GUARDS}::test_functions_are_guarded"

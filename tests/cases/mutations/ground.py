@@ -1,6 +1,6 @@
 """Of the water's body, caustics, the view from below, shores, shadows of land, cube maps and planar mirrors."""
 
-from support.mutations import IN_FLOAT32, Mutation
+from support.hard.mutations import IN_FLOAT32, Mutation
 
 _GUARDS = "tests/gpu/numerics/test_guards_ground.py::"
 
@@ -30,7 +30,7 @@ MUTATIONS = {
         Mutation(
             "effects/water/caustics.py",
             (("margin = tile.margin(cells)", "margin = 0"),),
-            test="tests/gpu/reference/test_caustics.py::test_no_seam_shows[caustics_cells-grid]",
+            test="tests/gpu/reference/light/test_caustics.py::test_no_seam_shows[caustics_cells-grid]",
         ),
     ),
     "past the critical angle": (Mutation("water/underside.glsl", (("sqrt(max(out2, 0.0))", "sqrt(out2)"),)),),
@@ -63,7 +63,7 @@ MUTATIONS = {
         Mutation(
             "shore/maps.glsl",
             (("other.x < 0.0 ? u_viewport.x : length(other - at) - 0.5", "length(other - at) - 0.5"),),
-            test="tests/gpu/reference/test_shore.py::test_distances_are_scipys",
+            test="tests/gpu/reference/shore/test_shore.py::test_distances_are_scipys",
         ),
     ),
     "all water, a bank two metres down": (
@@ -76,7 +76,7 @@ MUTATIONS = {
         Mutation(
             "shore/maps.glsl",
             (("smooth_between(0.3, 0.8, steep)", "1.0"),),
-            test="tests/gpu/reference/test_shore.py::test_the_map_is_the_references[0.0-False-islands]",
+            test="tests/gpu/reference/shore/test_shore.py::test_the_map_is_the_references[0.0-False-islands]",
         ),
     ),
     "water a hand deep and a beach as level": (

@@ -1,6 +1,6 @@
 """Of sky, sun, moon, clouds and their shadows, glitter and sparkles, a level floor, and light in crests."""
 
-from support.mutations import IN_FLOAT32, Mutation
+from support.hard.mutations import IN_FLOAT32, Mutation
 
 _BRIGHTEST = (
     Mutation("surface/main.glsl", (("min(light, BRIGHTEST)", "light"),)),

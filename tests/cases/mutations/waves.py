@@ -1,6 +1,6 @@
 """Of waves, rings, ripples, the sea, boats and spray."""
 
-from support.mutations import Mutation
+from support.hard.mutations import Mutation
 
 _RULES = "framegraph/evaluation.py"
 _TIME = Mutation(_RULES, (("state.time", "np.float32(state.time)"),))
@@ -147,7 +147,7 @@ _RINGS = {
         Mutation(
             "waves/rings.glsl",
             (("amplitude <= 0.0 || rho", "rho"),),
-            test="tests/gpu/reference/test_rings.py::test_a_dead_ring_leaves_no_trace",
+            test="tests/gpu/reference/waves/test_rings.py::test_a_dead_ring_leaves_no_trace",
         ),
     ),
 }

@@ -15,7 +15,7 @@ from seafoam.scene.presets import load_preset, preset_names
 from seafoam.scene.water import Water
 from support.cases import HardCase, cases_of
 from support.exact import EXACT
-from support.hard_cases import HARD, QUALITIES
+from support.hard.cases import HARD, QUALITIES
 
 
 def test_every_effect_has_hard_cases_and_says_when_it_cannot_be_seen() -> None:

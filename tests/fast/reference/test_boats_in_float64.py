@@ -17,7 +17,7 @@ from seafoam.scene.boats import Boat
 from seafoam.scene.foam import Foam, WakeSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
-from support.fleet import BOATS, WAKES, around
+from support.scenes.fleet import BOATS, WAKES, around
 
 
 def test_smoothing_is_the_mean_over_a_disc() -> None:

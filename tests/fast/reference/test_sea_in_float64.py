@@ -19,7 +19,7 @@ from seafoam.scene.waves import Sea
 from seafoam.textures import SeaSpectrum, texture
 from support.float64.tile import summed
 from support.report import Report
-from support.seas import SEAS
+from support.scenes.seas import SEAS
 from support.sweep import spread
 
 POINTS = 2000

@@ -13,7 +13,7 @@ from seafoam.scene.foam import SurfSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore
 from seafoam.textures import ShoreFloor, shore_profiles, texture
-from support.coasts import KINDS, SEA, SHORE, coast, png
+from support.scenes.coasts import KINDS, SEA, SHORE, coast, png
 
 SURF = SurfSaturation(line=1.0)
 

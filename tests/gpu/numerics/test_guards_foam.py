@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from gpu.reference.test_foam_functions import filtered_consts
-from gpu.reference.test_shader_functions import FILTERED_FRONT, front_uniforms
+from gpu.reference.foam.test_foam_functions import filtered_consts
+from gpu.reference.foam.test_shader_functions import FILTERED_FRONT, front_uniforms
 from seafoam.effects.foam import front
 from seafoam.effects.shader import Inline
 from seafoam.framegraph.rules import Constant
@@ -21,7 +21,7 @@ from seafoam.scene.models import Scene
 from seafoam.scene.waves import ParametricWave, Sea
 from seafoam.textures import FRONT_NODES, FrontIntegral, front_fading, front_full
 from support.exact import EXACT
-from support.guarded import Guarded
+from support.hard.guarded import Guarded
 from support.pictures import draw_target
 from support.probe import Probe
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from gpu.reference.test_shore import drawn
-from gpu.reference.test_shore import probe as shown
+from gpu.reference.shore.test_shore import drawn
+from gpu.reference.shore.test_shore import probe as shown
 from seafoam.effects.light.light import sun_direction
 from seafoam.effects.shader import Inline
 from seafoam.planner import make_plan
@@ -22,7 +22,7 @@ from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave
 from seafoam.textures.shore import FRONT, shore_profiles
 from support.exact import EXACT
-from support.guarded import Guarded
+from support.hard.guarded import Guarded
 from support.pictures import draw_target, samples
 from support.probe import Probe
 

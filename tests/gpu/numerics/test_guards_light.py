@@ -5,7 +5,7 @@ import numpy as np
 from seafoam.effects.shader import Inline
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from support.case_pictures import BY_NAME
+from support.hard.pictures import BY_NAME
 from support.pictures import samples
 from support.probe import Probe
 

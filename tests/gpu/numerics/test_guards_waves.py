@@ -13,10 +13,10 @@ from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
 from seafoam.scene.waves import Sea
-from support.case_pictures import BY_NAME, SIZE, truth_of
 from support.exact import EXACT
-from support.guarded import Guarded
-from support.hard_cases import QUALITIES
+from support.hard.cases import QUALITIES
+from support.hard.guarded import Guarded
+from support.hard.pictures import BY_NAME, SIZE, truth_of
 from support.pictures import draw, draw_target, levels, samples
 from support.probe import Probe
 

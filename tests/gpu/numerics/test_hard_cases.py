@@ -14,10 +14,10 @@ from seafoam.scene.foam import Foam
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 from seafoam.scene.waves import ParametricWave
-from support.case_pictures import HALF, SHARE, SIZE, judged, pictures_of, truth_of, unsound
 from support.cases import HardCase
 from support.exact import EXACT
-from support.hard_cases import CASES, QUALITIES
+from support.hard.cases import CASES, QUALITIES
+from support.hard.pictures import HALF, SHARE, SIZE, judged, pictures_of, truth_of, unsound
 from support.pictures import levels, samples
 from support.probe import Probe
 from support.report import Report

@@ -7,10 +7,10 @@ import pytest
 
 from cases.mutations import MUTATIONS, UNSEEN
 from seafoam.effects.effect import Effect
-from support.case_pictures import judged, truth_of
 from support.cases import HardCase
-from support.hard_cases import CASES, HARD
-from support.mutations import copied, run
+from support.hard.cases import CASES, HARD
+from support.hard.mutations import copied, run
+from support.hard.pictures import judged, truth_of
 from support.report import Report
 from support.sweep import rested
 
@@ -33,7 +33,7 @@ def test_a_guard_that_is_taken_out_is_missed(tmp_path: Path, report: Report, eff
             seen = f"`{test.rpartition('::')[2]}` fails"
         else:
             file = tmp_path / "pictures.npz"
-            said = run(environment, "-m", "support.case_pictures", case.name, str(file))
+            said = run(environment, "-m", "support.hard.pictures", case.name, str(file))
             assert (said is None) == (error == ""), said
             assert error in (said or "")
             seen = error
@@ -54,6 +54,6 @@ def test_every_hard_case_shows_its_guard_or_says_why_it_cannot() -> None:
 def test_the_copy_without_mutations_passes(tmp_path: Path) -> None:
     case = CASES[0].values[1]
     with copied(tmp_path / "copy", ()) as environment:
-        assert run(environment, "-m", "support.case_pictures", case.name, str(tmp_path / "pictures.npz")) is None
+        assert run(environment, "-m", "support.hard.pictures", case.name, str(tmp_path / "pictures.npz")) is None
         with np.load(tmp_path / "pictures.npz") as pictures:
             assert judged(case, dict(pictures), truth_of(case)).faults == ()

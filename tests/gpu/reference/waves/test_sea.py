@@ -26,7 +26,7 @@ from support.exact import EXACT
 from support.float64.tile import summed
 from support.pictures import draw, draw_target
 from support.report import Report
-from support.seas import SEAS, seen
+from support.scenes.seas import SEAS, seen
 from support.sweep import crossed
 
 Floats = NDArray[np.float64]

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from gpu.reference.test_shore import patched
+from gpu.reference.shore.test_shore import patched
 from seafoam.effects.light.overcast import gap_light
 from seafoam.planner import make_plan
 from seafoam.reference.light import light as sky

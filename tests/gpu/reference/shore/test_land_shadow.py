@@ -5,13 +5,13 @@ import math
 import numpy as np
 import pytest
 
-from gpu.reference.test_shore import places, probe
+from gpu.reference.shore.test_shore import places, probe
 from seafoam.reference.light import light as sky
 from seafoam.reference.shore.shadow import LandShadow
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.light import Light
-from support.coasts import SEA, SHORE, coast
 from support.report import Report
+from support.scenes.coasts import SEA, SHORE, coast
 
 
 @pytest.mark.parametrize(("elevation", "azimuth"), [(0.08, 0.7), (0.25, -2.1), (0.6, 0.0)])

@@ -39,6 +39,6 @@ def test_optimised_programs_draw_the_same_bytes(preset: str, executor: Executor)
     assert os.environ["GALLIVM_PERF"] == "nopt"
     plain = {name: value for name, value in os.environ.items() if name != "GALLIVM_PERF"}
     here = Path(__file__).parent
-    command = [sys.executable, "-c", DRAW, preset, str(here), str(here.parents[1])]
+    command = [sys.executable, "-c", DRAW, preset, str(here), str(here.parents[2])]
     told = subprocess.run(command, env=plain, capture_output=True, text=True, check=True, timeout=300)
     assert told.stdout.strip() == drawn(executor, preset)

@@ -12,7 +12,7 @@ from seafoam.quality import TIERS
 from seafoam.reference import render as reference
 from seafoam.render.gl.executor import Executor
 from support.cases import HardCase
-from support.hard_cases import HARD, QUALITIES
+from support.hard.cases import HARD, QUALITIES
 from support.pictures import levels, samples
 
 SIZE = (48, 27)

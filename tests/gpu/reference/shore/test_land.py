@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from gpu.reference.test_shore import places, probe
+from gpu.reference.shore.test_shore import places, probe
 from seafoam.reference.shore import soil as truth
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Scene
-from support.coasts import SEA, SHORE, coast
 from support.exact import EXACT
 from support.report import Report
+from support.scenes.coasts import SEA, SHORE, coast
 
 HIGH = SEA.model_copy(
     update={"shore": SHORE.model_copy(update={"height": 60.0, "slope": 0.5, "relief": 1.0, "plants_from": 3.0})}

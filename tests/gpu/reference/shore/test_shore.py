@@ -28,11 +28,11 @@ from seafoam.scene.foam import Foam, SurfSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore
 from seafoam.textures import ShoreFloor, TextureData
-from support.coasts import KINDS, SEA, SHORE, coast, png
 from support.exact import EXACT
 from support.pictures import draw, draw_target
 from support.probe import WHOLE
 from support.report import Report
+from support.scenes.coasts import KINDS, SEA, SHORE, coast, png
 
 SIDE = 100
 """Points along each side of a probe: 10,000 in all."""

@@ -28,7 +28,7 @@ from support.probe import Probe
 from support.report import Report
 from support.sweep import REST
 
-REFERENCES = Path(__file__).parents[2] / "references"
+REFERENCES = Path(__file__).parents[3] / "references"
 HASH = "lib/noise.glsl@hash"
 FILES = {2: "lib/noise.glsl@perlin_2", 3: "lib/noise.glsl@perlin_3"}
 AXES = {2: "x.xy", 3: "x.xyz"}

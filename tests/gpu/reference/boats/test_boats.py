@@ -26,10 +26,10 @@ from seafoam.scene.rings import Ring
 from seafoam.scene.shore import Shore
 from seafoam.scene.waves import ParametricWave, Sea
 from support.exact import EXACT
-from support.fleet import BOATS, WAKES
 from support.pictures import draw
 from support.probe import WHOLE, Probe
 from support.report import Report
+from support.scenes.fleet import BOATS, WAKES
 
 SKYWARD = Camera(position=(3.0, 8.0, -4.0), pitch=1.57, fov=0.01)
 WATER_LINE = 5e-3
