@@ -14,14 +14,14 @@ WEB_SOURCES := $(shell find $(addprefix $(WEB)/,src public masks learn build) -t
 	$(WEB)/package-lock.json $(WEB)/vite.config.ts $(WEB)/vite.library.config.ts $(WEB)/tsconfig.json
 
 # Three groups of tests at once, each under 2 GB: browsers and the pool of workers, what draws, and all else.
-POOL := tests/fast/api/test_api_pool.py
+POOL := tests/fast/api/frames/test_api_pool.py
 LIVE := tests/browser $(POOL)
 FAST := tests/fast --ignore=$(POOL)
 
 # Tests that make many plans: half of the time that quick takes.
 PLANS := tests/fast/planner tests/fast/project
 # What quick leaves to the whole run: float64 frames, sweeps, and processes that are started, killed and awaited.
-SLOW := $(addprefix tests/fast/,accuracy cli reference api/test_api_pool.py api/test_api_accuracy.py api/test_api_sequences.py \
+SLOW := $(addprefix tests/fast/,accuracy cli reference $(addprefix api/frames/test_api_,pool.py accuracy.py sequences.py) \
 	sequences/test_fleet.py)
 
 # What of the large tables of like cases to run: tests/support/sweep.py.

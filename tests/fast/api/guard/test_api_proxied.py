@@ -26,7 +26,7 @@ PREFIX = "/water"
 PAGES = ("", "learn", "learn/laboratory", "masks", "docs", "docs/", "water", "water/default", "water/nothing")
 
 
-LOCATIONS = Path(__file__).parents[3] / "scripts" / "deploy" / "nginx-path.conf"
+LOCATIONS = Path(__file__).parents[4] / "scripts" / "deploy" / "nginx-path.conf"
 NGINX = shutil.which("nginx")
 
 

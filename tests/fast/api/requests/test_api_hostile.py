@@ -65,7 +65,7 @@ def served(folder: Path) -> Iterator[tuple[str, int]]:
     script = folder / "served.py"
     script.write_text(SERVER)
     port = free_port()
-    tests = {"PYTHONPATH": str(Path(__file__).parents[2])}
+    tests = {"PYTHONPATH": str(Path(__file__).parents[3])}
     process = subprocess.Popen([sys.executable, script, str(port)], env={**os.environ, **tests})
     address = f"http://127.0.0.1:{port}"
     try:

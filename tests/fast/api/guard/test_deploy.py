@@ -15,7 +15,7 @@ from seafoam.api.guard.cors import READABLE_ELSEWHERE
 from seafoam.api.settings import Settings
 from seafoam.render.service.pool import BACKGROUND_SECONDS
 
-DEPLOY = Path(__file__).parents[3] / "scripts" / "deploy"
+DEPLOY = Path(__file__).parents[4] / "scripts" / "deploy"
 FORWARDED = {"Connection", "Host", "X-Forwarded-For", "X-Forwarded-Prefix", "X-Forwarded-Proto"}
 
 

@@ -7,7 +7,7 @@ import pytest
 
 from seafoam.effects import register, unregister
 
-EXAMPLE = Path(__file__).parents[3] / "docs" / "example"
+EXAMPLE = Path(__file__).parents[4] / "docs" / "example"
 
 
 @pytest.fixture
