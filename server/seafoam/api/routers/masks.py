@@ -3,7 +3,7 @@
 import asyncio
 import json
 import math
-from collections.abc import AsyncIterator, Callable
+from collections.abc import AsyncIterator, Awaitable, Callable
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Annotated, Any, Literal
@@ -14,16 +14,15 @@ from starlette.responses import Response, StreamingResponse
 
 from seafoam.api.context import Context, InContext
 from seafoam.api.http.etags import NO_STORE, REVALIDATE, not_modified, tag_of
-from seafoam.api.http.openapi import NOT_MODIFIED, Responses, content, problem_responses
+from seafoam.api.http.openapi import BINARY, NOT_MODIFIED, Responses, content, problem_responses
 from seafoam.api.http.parameters import Parameters
 from seafoam.api.http.problems import BadRequestError, FieldProblem, NotFoundError
 from seafoam.api.http.validation import NoParameters
 from seafoam.extras import require_reports
-from seafoam.masks import formats
+from seafoam.masks import families, formats
 from seafoam.masks.catalogue import (
     ON_REQUEST_SECONDS,
     Mask,
-    MaskEntry,
     UnknownMaskError,
     is_kept,
     load_catalogue,
@@ -31,26 +30,14 @@ from seafoam.masks.catalogue import (
     made_on_request,
 )
 from seafoam.masks.construct import estimated_seconds
-from seafoam.masks.families import (
-    ASPECT_MAX,
-    DEFAULT_SIGMA,
-    SEED_MAX,
-    SIDE_MAX,
-    SIDE_MIN,
-    SIGMA_MAX,
-    SIGMA_MIN,
-    Family,
-    MaskSpec,
-    Method,
-    check_parameters,
-    sigma_range,
-)
+from seafoam.masks.families import Family, MaskSpec, Method
 from seafoam.masks.torus import Ranks
 
 router = APIRouter(prefix="/api", tags=["masks"])
 
 MaskName = Annotated[str, Path(description="Name of a mask; /api/masks lists them", examples=["vac-24"], max_length=40)]
 MaskFormat = Literal["png", "npy", "u16", "dds"]
+_Side = Annotated[int, Field(ge=families.SIDE_MIN, le=families.SIDE_MAX)]
 MaskFormatPath = Annotated[
     MaskFormat,
     Path(
@@ -82,33 +69,22 @@ class CustomMask(Parameters):
     )
     sigma: float | None = Field(
         default=None,
-        ge=SIGMA_MIN,
-        le=SIGMA_MAX,
+        ge=families.SIGMA_MIN,
+        le=families.SIGMA_MAX,
         description="Characteristic length, texels; at most an eighth of the shorter side, and at least 2 for bubble "
         "and mix, 4 for lace. "
-        f"Absent: {', '.join(f'{name} {sigma:g}' for name, sigma in DEFAULT_SIGMA.items())}, or the maximum for size",
+        f"Absent: {', '.join(f'{name} {sigma:g}' for name, sigma in families.DEFAULT_SIGMA.items())}, "
+        "or the maximum for size",
         examples=[3.0],
     )
-    size: int = Field(default=256, ge=SIDE_MIN, le=SIDE_MAX, description="Side of the tile, texels", examples=[128])
-    width: int | None = Field(
-        default=None,
-        ge=SIDE_MIN,
-        le=SIDE_MAX,
-        description="Width of the tile, texels; absent: size",
-        examples=[128],
-    )
-    height: int | None = Field(
-        default=None,
-        ge=SIDE_MIN,
-        le=SIDE_MAX,
-        description="Height of the tile, texels; absent: size",
-        examples=[128],
-    )
-    seed: int = Field(default=0, ge=0, le=SEED_MAX, description="Random seed", examples=[2011])
+    size: _Side = Field(default=256, description="Side of the tile, texels", examples=[128])
+    width: _Side | None = Field(default=None, description="Width of the tile, texels; absent: size", examples=[128])
+    height: _Side | None = Field(default=None, description="Height of the tile, texels; absent: size", examples=[128])
+    seed: int = Field(default=0, ge=0, le=families.SEED_MAX, description="Random seed", examples=[2011])
     aspect: float = Field(
         default=1.0,
         ge=1.0,
-        le=ASPECT_MAX,
+        le=families.ASPECT_MAX,
         description="Aspect ratio of the cells along x (lace only)",
         examples=[1.0],
     )
@@ -157,32 +133,9 @@ _EVENTS = content(
 )
 
 
-@dataclass(frozen=True, slots=True)
-class _Answers:
-    """What an operation answers, with the problems of custom and of shipped masks."""
-
-    described: Responses
-    problems: tuple[int, ...] = ()
-
-    @property
-    def custom(self) -> Responses:
-        return self.described | NOT_MODIFIED | problem_responses(422, 503) | problem_responses(*self.problems)
-
-    @property
-    def shipped(self) -> Responses:
-        return self.described | NOT_MODIFIED | problem_responses(404, 422, 503) | problem_responses(*self.problems)
-
-
-def _json(description: str) -> Responses:
-    return {200: {"description": description, "content": {"application/json": {}}}}
-
-
-_DATA = _Answers(content("Mask data", *(media for media, _ in ENCODERS.values())))
-_DATA8 = _Answers(content("8-bit greyscale PNG of floor(rank 256/N)", "image/png"))
-_SIDECAR = _Answers(_json("Metadata: construction parameters, hash, filtering tables and spectrum"))
-_SPECTRUM = _Answers(_json("Radially averaged power spectrum and anisotropy by grey level"))
-_SHAPES = _Answers(_json("Connected components, holes and chord lengths of the foam by saturation; lengths in texels"))
-_PLOT = _Answers(content("Plot of the radially averaged power spectrum and the anisotropy", "image/png"), (501,))
+_CUSTOM = NOT_MODIFIED | problem_responses(422, 503)
+_SHIPPED = NOT_MODIFIED | problem_responses(404, 422, 503)
+_DATA = content("Mask data", *(media for media, _ in ENCODERS.values()))
 
 
 def _shipped(name: str) -> Mask:
@@ -199,7 +152,7 @@ def check_custom(query: CustomMask, *, slow: bool = False) -> MaskSpec:
     """
     width, height = query.width or query.size, query.height or query.size
     tile = f"{width} × {height} texels"
-    least, greatest = sigma_range(query.family, min(width, height))
+    least, greatest = families.sigma_range(query.family, min(width, height))
     if query.sigma is not None and not least <= query.sigma <= greatest:
         detail = f"sigma: must be {least:g} to {greatest:g} texels for family {query.family} on {tile}"
         raise BadRequestError(
@@ -217,7 +170,7 @@ def check_custom(query: CustomMask, *, slow: bool = False) -> MaskSpec:
         ]
         if refused:
             raise BadRequestError(*refused)
-    made = check_parameters(query.family, query.sigma, (width, height), query.seed, query.aspect, query.age)
+    made = families.check_parameters(query.family, query.sigma, (width, height), query.seed, query.aspect, query.age)
     seconds = estimated_seconds(made.family, made.sigma, (width, height))
     limit = BACKGROUND_SECONDS if slow else ON_REQUEST_SECONDS
     if seconds > limit and not is_kept(made):
@@ -262,22 +215,6 @@ class _Making:
 
 def _info(mask: Mask) -> bytes:
     return json.dumps(mask.entry.to_json()).encode()
-
-
-def _data8(mask: Mask) -> bytes:
-    return formats.to_png8(mask.ranks)
-
-
-def _sidecar(mask: Mask) -> bytes:
-    return json.dumps(mask.sidecar()).encode()
-
-
-def _spectrum(mask: Mask) -> bytes:
-    return json.dumps(mask.spectrum.to_json()).encode()
-
-
-def _shapes(mask: Mask) -> bytes:
-    return json.dumps(mask.morphology.to_json()).encode()
 
 
 @lru_cache(maxsize=32)
@@ -327,11 +264,83 @@ Custom = Annotated[_MaskAnswer, Depends(_custom_mask)]
 Shipped = Annotated[_MaskAnswer, Depends(_shipped_mask)]
 
 
+@dataclass(frozen=True, slots=True)
+class _Part:
+    """What a mask has below its address beside its data. title: of a kind of mask. file: end of a saved file's name."""
+
+    name: str
+    title: str
+    description: str
+    encode: Callable[[Mask], bytes]
+    file: str = ""
+    problems: tuple[int, ...] = ()
+
+
+_PARTS = {
+    "data8.png": _Part(
+        "get_data8",
+        "Get a {} mask in 8 bits.",
+        "8-bit greyscale PNG of floor(rank 256/N)",
+        lambda mask: formats.to_png8(mask.ranks),
+        "-8bit.png",
+    ),
+    "sidecar": _Part(
+        "get_sidecar",
+        "Get the metadata of a {} mask.",
+        "Metadata: construction parameters, hash, filtering tables and spectrum",
+        lambda mask: json.dumps(mask.sidecar()).encode(),
+        ".json",
+    ),
+    "spectrum": _Part(
+        "get_spectrum",
+        "Get the measured spectrum of a {} mask.",
+        "Radially averaged power spectrum and anisotropy by grey level",
+        lambda mask: json.dumps(mask.spectrum.to_json()).encode(),
+    ),
+    "shapes": _Part(
+        "get_shapes",
+        "Get the measured foam shapes of a {} mask.",
+        "Connected components, holes and chord lengths of the foam by saturation; lengths in texels",
+        lambda mask: json.dumps(mask.morphology.to_json()).encode(),
+    ),
+    "spectrum.png": _Part(
+        "get_plot",
+        "Get the measured spectrum of a {} mask as a plot.",
+        "Plot of the radially averaged power spectrum and the anisotropy",
+        _plot,
+        "-spectrum.png",
+        (501,),
+    ),
+}
+
+
+def _serve_parts(path: str, kind: str, find: Callable[..., _MaskAnswer], responses: Responses) -> None:
+    """Add the routes of :data:`_PARTS` below the address of a kind of mask. find: a dependency."""
+
+    def answering(part: _Part, media_type: str) -> Callable[..., Awaitable[Response]]:
+        async def answer(mask: Annotated[_MaskAnswer, Depends(find)]) -> Response:
+            return await mask.answer(part.encode, media_type, part.file)
+
+        return answer
+
+    for below, part in _PARTS.items():
+        plain = not below.endswith(".png")
+        media_type, body = ("application/json", {}) if plain else ("image/png", {"schema": BINARY})
+        described: Responses = {200: {"description": part.description, "content": {media_type: body}}}
+        router.add_api_route(
+            f"{path}/{below}",
+            answering(part, media_type),
+            name=part.name if kind == "shipped" else part.name.replace("get_", "get_custom_"),
+            description=part.title.format(kind),
+            responses=described | responses | problem_responses(*part.problems),
+            response_class=Response,
+        )
+
+
 @router.get("/masks", response_model=list[MaskInfo], responses=problem_responses(422))
 async def list_masks(_: NoParameters) -> list[dict[str, Any]]:
     """List the shipped masks."""
-    entries: list[MaskEntry] = list(load_catalogue().values())
-    return [entry.to_json() for entry in entries]
+    return [entry.to_json() for entry in load_catalogue().values()]
 
 
 @router.get(
@@ -358,40 +367,13 @@ async def get_custom_events(query: Annotated[CustomMask, Query()], context: InCo
     return StreamingResponse(making.events(task), headers=headers, media_type="text/event-stream")
 
 
-@router.get("/masks/custom/data.{format}", responses=_DATA.custom, response_class=Response)
+@router.get("/masks/custom/data.{format}", responses=_DATA | _CUSTOM, response_class=Response)
 async def get_custom_data(format: MaskFormatPath, mask: Custom) -> Response:
     """Get the data of a custom mask."""
     return await mask.answer_data(format)
 
 
-@router.get("/masks/custom/data8.png", responses=_DATA8.custom, response_class=Response)
-async def get_custom_data8(mask: Custom) -> Response:
-    """Get a custom mask in 8 bits."""
-    return await mask.answer(_data8, "image/png", "-8bit.png")
-
-
-@router.get("/masks/custom/sidecar", responses=_SIDECAR.custom, response_class=Response)
-async def get_custom_sidecar(mask: Custom) -> Response:
-    """Get the metadata of a custom mask."""
-    return await mask.answer(_sidecar, "application/json", ".json")
-
-
-@router.get("/masks/custom/spectrum", responses=_SPECTRUM.custom, response_class=Response)
-async def get_custom_spectrum(mask: Custom) -> Response:
-    """Get the measured spectrum of a custom mask."""
-    return await mask.answer(_spectrum, "application/json")
-
-
-@router.get("/masks/custom/shapes", responses=_SHAPES.custom, response_class=Response)
-async def get_custom_shapes(mask: Custom) -> Response:
-    """Get the measured foam shapes of a custom mask."""
-    return await mask.answer(_shapes, "application/json")
-
-
-@router.get("/masks/custom/spectrum.png", responses=_PLOT.custom, response_class=Response)
-async def get_custom_plot(mask: Custom) -> Response:
-    """Get the measured spectrum of a custom mask as a plot."""
-    return await mask.answer(_plot, "image/png", "-spectrum.png")
+_serve_parts("/masks/custom", "custom", _custom_mask, _CUSTOM)
 
 
 @router.get(
@@ -402,7 +384,7 @@ async def get_mask(mask: Shipped) -> Response:
     return await mask.answer(_info, "application/json")
 
 
-@router.get("/masks/{mask}/data.{format}", responses=_DATA.shipped, response_class=Response)
+@router.get("/masks/{mask}/data.{format}", responses=_DATA | _SHIPPED, response_class=Response)
 async def get_data(
     mask: MaskName, format: MaskFormatPath, _: NoParameters, request: Request, context: InContext
 ) -> Response:
@@ -410,31 +392,4 @@ async def get_data(
     return await _shipped_mask(mask, _, request, context).answer_data(format)
 
 
-@router.get("/masks/{mask}/data8.png", responses=_DATA8.shipped, response_class=Response)
-async def get_data8(mask: Shipped) -> Response:
-    """Get a shipped mask in 8 bits."""
-    return await mask.answer(_data8, "image/png", "-8bit.png")
-
-
-@router.get("/masks/{mask}/sidecar", responses=_SIDECAR.shipped, response_class=Response)
-async def get_sidecar(mask: Shipped) -> Response:
-    """Get the metadata of a shipped mask."""
-    return await mask.answer(_sidecar, "application/json", ".json")
-
-
-@router.get("/masks/{mask}/spectrum", responses=_SPECTRUM.shipped, response_class=Response)
-async def get_spectrum(mask: Shipped) -> Response:
-    """Get the measured spectrum of a shipped mask."""
-    return await mask.answer(_spectrum, "application/json")
-
-
-@router.get("/masks/{mask}/shapes", responses=_SHAPES.shipped, response_class=Response)
-async def get_shapes(mask: Shipped) -> Response:
-    """Get the measured foam shapes of a shipped mask."""
-    return await mask.answer(_shapes, "application/json")
-
-
-@router.get("/masks/{mask}/spectrum.png", responses=_PLOT.shipped, response_class=Response)
-async def get_plot(mask: Shipped) -> Response:
-    """Get the measured spectrum of a shipped mask as a plot."""
-    return await mask.answer(_plot, "image/png", "-spectrum.png")
+_serve_parts("/masks/{mask}", "shipped", _shipped_mask, _SHIPPED)
