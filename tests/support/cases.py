@@ -4,8 +4,7 @@ import importlib
 from dataclasses import dataclass
 
 from seafoam.effects.effect import Effect
-from seafoam.scene.camera import Camera
-from seafoam.scene.models import Scene
+from support.scenes import Camera, Scene
 
 
 @dataclass(frozen=True)

@@ -13,9 +13,9 @@ from seafoam.reference import load_truth
 from seafoam.reference.bake import truth_file
 from seafoam.reference.renderer import camera as cameras
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.presets import load_preset
 from support.exact import UNFILTERED
 from support.pictures import colours, draw, rmse
+from support.scenes import load_preset
 
 REFERENCES = Path(__file__).parents[1] / "references"
 HARD = ("halftone", "fading", "halftone_textured", "listing")

@@ -9,8 +9,7 @@ from seafoam.framegraph.plan import FramePlan
 from seafoam.planner import make_plan
 from seafoam.quality import Quality
 from seafoam.render.gl.executor import Executor, Output
-from seafoam.scene.camera import Camera
-from seafoam.scene.models import Scene
+from support.scenes import Camera, Scene
 
 ROUNDED = 0.6
 """Levels that a number may be from the byte that it is written as: what Direct3D's conversion rules grant to hardware.

@@ -12,8 +12,8 @@ from seafoam.effects.shader import Inline, Piece
 from seafoam.framegraph.evaluation import FrameState, evaluate
 from seafoam.planner.glsl import assemble
 from seafoam.render.gl.executor import TEXTURE_FORMATS, Executor
-from seafoam.scene.camera import Camera
 from seafoam.textures import TextureSpec, spec_at, texture
+from support.scenes import Camera
 
 WHOLE = assemble(["vertex/vertex.glsl@fullscreen"], {"FULLSCREEN_DEPTH": 0.0})
 """The vertex shader over the whole target."""

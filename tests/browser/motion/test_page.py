@@ -9,9 +9,9 @@ import pytest
 from PIL import Image
 from playwright.sync_api import Page, expect
 
-from seafoam.scene.presets import load_preset, preset_names
 from support.browser.lanes import Lane, rendered
 from support.browser.visits import DESKTOP, PHONE, SMALL, Visit, differs, link, visit
+from support.scenes import load_preset, preset_names
 
 
 def overlap(a: dict[str, float], b: dict[str, float]) -> bool:

@@ -4,9 +4,9 @@ import re
 
 import pytest
 
-from seafoam.scene.presets import load_preset
 from support.browser.lanes import Lane
 from support.browser.visits import Visit, differs, link, visit
+from support.scenes import load_preset
 
 # Links and files
 

@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 from PIL import Image
 from playwright.sync_api import Page
 
-from seafoam.scene.presets import load_preset
 from support.browser.lanes import Lane
 from support.browser.visits import DESKTOP, FINGER, PHONE, TARGETS, Held, Visit, differs, swipe, visit
 from support.report import REPORT
+from support.scenes import load_preset
 from support.sweep import crossed
 
 WINDOWS = {"phone": PHONE, "desktop": DESKTOP}

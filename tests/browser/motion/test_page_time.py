@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from playwright.sync_api import Route
 
-from seafoam.scene.presets import load_preset
 from support.browser.lanes import Lane
 from support.browser.visits import SMALL, Visit, differs, visit
+from support.scenes import load_preset
 
 
 def test_the_resolution_is_fixed_and_set_free(small: Visit) -> None:

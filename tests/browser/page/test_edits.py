@@ -5,9 +5,9 @@ import json
 import pytest
 from playwright.sync_api import expect
 
-from seafoam.scene.presets import load_preset
 from support.browser.lanes import Lane
 from support.browser.visits import Visit, differs, link, visit
+from support.scenes import load_preset
 
 
 def test_edits_are_undone_and_redone(small: Visit) -> None:

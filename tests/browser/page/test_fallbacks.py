@@ -4,9 +4,9 @@ import pytest
 from playwright.sync_api import Page
 
 from seafoam.quality import TIERS
-from seafoam.scene.presets import load_preset
 from support.browser.lanes import Lane
 from support.browser.visits import STILL, Pixels, link, visit
+from support.scenes import load_preset
 
 SIZE = (400, 300)
 REFUSED = "ERR_CONNECTION_REFUSED"

@@ -8,9 +8,9 @@ import pytest
 from PIL import Image
 from playwright.sync_api import Page, expect
 
-from seafoam.scene.presets import load_preset, preset_names
 from support.browser.lanes import Lane
 from support.browser.visits import DESKTOP, PHONE, STILL, Visit, link, visit
+from support.scenes import load_preset, preset_names
 
 BOXES = """(selector) => [...document.querySelectorAll(selector)].map((one) => {
   const { x, y, width, height } = one.getBoundingClientRect();

@@ -11,13 +11,12 @@ from seafoam.effects import EFFECTS
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset
 from support.browser.lanes import Lane, opened, rendered
 from support.cases import HardCase, cases_of
 from support.exact import UNFILTERED
 from support.pictures import draw
 from support.report import REPORT
+from support.scenes import Scene, load_preset
 from support.sweep import rested
 
 SIZE = (48, 27)

@@ -11,13 +11,11 @@ from seafoam.planner import FramePlan, make_plan
 from seafoam.planner.glsl import assemble
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, HeightSaturation
-from seafoam.scene.models import Scene
 from seafoam.textures import MaskTexture, texture, url_of
 from support.browser.lanes import Lane, opened, rendered
 from support.pictures import draw
 from support.probe import WHOLE
+from support.scenes import Camera, Foam, HeightSaturation, Scene
 
 COMPARE = Inline("""uniform usampler2D u_drawn;
 uniform usampler2D u_made;

@@ -16,13 +16,10 @@ from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.reference import render
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, HeightSaturation
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset
 from support.browser.lanes import rendered
 from support.cases import cases_of
 from support.pictures import draw
+from support.scenes import Camera, Foam, HeightSaturation, Scene, load_preset
 
 ROOT = Path(__file__).parents[3]
 EXAMPLE = ROOT / "docs" / "example" / "windrows.py"

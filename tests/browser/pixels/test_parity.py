@@ -14,11 +14,11 @@ from seafoam.framegraph.visibility import applies_to, eye_of
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, SurfaceQuality, Tier
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.presets import load_preset, preset_names
 from support.browser.lanes import Lane, opened, rendered
 from support.exact import UNFILTERED
 from support.pictures import draw
 from support.report import REPORT
+from support.scenes import load_preset, preset_names
 from support.sweep import crossed, spread
 
 TIMES = (0.0, 2.7, 1e9)

@@ -12,11 +12,9 @@ from seafoam.framegraph.passes import Blend, Points
 from seafoam.planner import FramePlan, make_plan, planner
 from seafoam.quality import TIERS, Quality
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.light import Light
-from seafoam.scene.models import Scene
 from support.browser.lanes import rendered
 from support.pictures import draw
+from support.scenes import Camera, Light, Scene
 
 SIZE = (32, 16)
 FILES = Path(__file__).parents[2] / "support" / "stages"

@@ -6,9 +6,9 @@ import pytest
 
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.scene.presets import load_preset
 from support.browser.lanes import Lane
 from support.browser.visits import Visit, link, visit
+from support.scenes import load_preset
 
 SIZE = (900, 600)
 TEXT = "() => document.querySelector('pre.glsl').textContent"

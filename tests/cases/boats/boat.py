@@ -1,13 +1,7 @@
 """Hard cases of boats.boat, and scenes that name it but in which it is invisible."""
 
-from seafoam.scene.boats import Boat
-from seafoam.scene.camera import Camera
-from seafoam.scene.light import Light
-from seafoam.scene.models import Scene
-from seafoam.scene.shore import Shore, Surf
-from seafoam.scene.water import Water
-from seafoam.scene.waves import ParametricWave
 from support.cases import Cases, HardCase
+from support.scenes import Boat, Camera, Light, ParametricWave, Scene, Shore, Surf, Water
 
 _NEAR = Boat(centre=(0.0, -14.0), radius=15.0, bearing=1.6, speed=0.0)
 

@@ -2,11 +2,8 @@
 
 import math
 
-from seafoam.scene.boats import Boat
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, SlopeSaturation
-from seafoam.scene.models import Scene
 from support.cases import Cases, HardCase
+from support.scenes import Boat, Camera, Foam, Scene, SlopeSaturation
 
 _FAST = Boat(centre=(0.0, -30.0), radius=30.0, bearing=1.2, speed=4.0, wake=0.3)
 

@@ -2,13 +2,8 @@
 
 import math
 
-from seafoam.scene.camera import Camera
-from seafoam.scene.drift import Drift, Vortex
-from seafoam.scene.foam import DriftSaturation, Foam, HeightSaturation
-from seafoam.scene.light import Light
-from seafoam.scene.models import Scene
-from seafoam.scene.waves import ParametricWave
 from support.cases import Cases, HardCase
+from support.scenes import Camera, Drift, DriftSaturation, Foam, HeightSaturation, Light, ParametricWave, Scene, Vortex
 
 _LIGHT = Light(sun_elevation=0.7, sun_azimuth=2.0, exposure=-1.0)
 

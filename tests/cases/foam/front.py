@@ -2,11 +2,8 @@
 
 import math
 
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, FrontSaturation, HeightSaturation
-from seafoam.scene.models import Scene
-from seafoam.scene.waves import ParametricWave
 from support.cases import Cases, HardCase
+from support.scenes import Camera, Foam, FrontSaturation, HeightSaturation, ParametricWave, Scene
 
 _INVISIBLE = (
     Scene(foam=Foam()),

@@ -1,10 +1,7 @@
 """Hard cases of foam.height, and scenes that name it but in which it is invisible."""
 
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, FrontSaturation, HeightSaturation
-from seafoam.scene.models import Scene
-from seafoam.scene.waves import ParametricWave
 from support.cases import Cases, HardCase
+from support.scenes import Camera, Foam, FrontSaturation, HeightSaturation, ParametricWave, Scene
 
 _INVISIBLE = (
     Scene(

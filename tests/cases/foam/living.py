@@ -1,12 +1,7 @@
 """Hard cases of foam.living, and scenes that name it but in which it is invisible."""
 
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, HeightSaturation
-from seafoam.scene.living import FoamLife
-from seafoam.scene.models import Scene
-from seafoam.scene.shore import Shore
-from seafoam.scene.waves import ParametricWave
 from support.cases import Cases, HardCase
+from support.scenes import Camera, Foam, FoamLife, HeightSaturation, ParametricWave, Scene, Shore
 
 _LIFE = FoamLife(wind_drift=0.3, windrows=1.0, windrow_spacing=4.0)
 

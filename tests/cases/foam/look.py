@@ -2,13 +2,8 @@
 
 import math
 
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, FrontSaturation, HeightSaturation
-from seafoam.scene.light import Light
-from seafoam.scene.models import Scene
-from seafoam.scene.water import Water
-from seafoam.scene.waves import ParametricWave
 from support.cases import Bounds, Cases, HardCase
+from support.scenes import Camera, Foam, FrontSaturation, HeightSaturation, Light, ParametricWave, Scene, Water
 
 _INVISIBLE = (
     Scene(

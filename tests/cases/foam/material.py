@@ -2,14 +2,19 @@
 
 import math
 
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, FoamScattering, FrontSaturation, HeightSaturation
-from seafoam.scene.light import Light
-from seafoam.scene.living import FoamLife
-from seafoam.scene.models import Scene
-from seafoam.scene.water import Water
-from seafoam.scene.waves import ParametricWave
 from support.cases import Cases, HardCase
+from support.scenes import (
+    Camera,
+    Foam,
+    FoamLife,
+    FoamScattering,
+    FrontSaturation,
+    HeightSaturation,
+    Light,
+    ParametricWave,
+    Scene,
+    Water,
+)
 
 _FOAM_RELIEF = Foam(
     saturation=(HeightSaturation(base=-0.4, full=0.6),), mask="lace", octaves=4, thickness=0.05, life=FoamLife()

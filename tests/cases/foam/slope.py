@@ -1,11 +1,7 @@
 """Hard cases of foam.slope, and scenes that name it but in which it is invisible."""
 
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, HeightSaturation, SlopeSaturation
-from seafoam.scene.models import Scene
-from seafoam.scene.rings import Ring
-from seafoam.scene.waves import ParametricWave
 from support.cases import Cases, HardCase
+from support.scenes import Camera, Foam, HeightSaturation, ParametricWave, Ring, Scene, SlopeSaturation
 
 _INVISIBLE = (
     Scene(foam=Foam(saturation=(SlopeSaturation(),), look="halftone")),

@@ -1,11 +1,7 @@
 """Hard cases of foam.surf, and scenes that name it but in which it is invisible."""
 
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, SurfSaturation
-from seafoam.scene.light import Light
-from seafoam.scene.models import Scene
-from seafoam.scene.shore import Shore, Surf
 from support.cases import Cases, HardCase
+from support.scenes import Camera, Foam, Light, Scene, Shore, Surf, SurfSaturation
 
 _BEACH = Shore(size=160.0, depth=6.0, slope=0.1, smoothing=3.0)
 

@@ -2,11 +2,8 @@
 
 import math
 
-from seafoam.scene.boats import Boat
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, WakeSaturation
-from seafoam.scene.models import Scene
 from support.cases import Bounds, Cases, HardCase
+from support.scenes import Boat, Camera, Foam, Scene, WakeSaturation
 
 _FOAM = Foam(saturation=(WakeSaturation(),), mask="clump")
 

@@ -1,10 +1,7 @@
 """Hard cases of foam.whitecaps, and scenes that name it but in which it is invisible."""
 
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, HeightSaturation, WhitecapSaturation
-from seafoam.scene.models import Scene
-from seafoam.scene.waves import ParametricWave, Sea
 from support.cases import Cases, HardCase
+from support.scenes import Camera, Foam, HeightSaturation, ParametricWave, Scene, Sea, WhitecapSaturation
 
 _NEAR = Camera(position=(0.37, 6.0, -0.21), yaw=1.0, pitch=-0.2)
 

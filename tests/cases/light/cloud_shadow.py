@@ -2,13 +2,8 @@
 
 import math
 
-from seafoam.scene.boats import Boat
-from seafoam.scene.camera import Camera
-from seafoam.scene.light import Light
-from seafoam.scene.models import Scene
-from seafoam.scene.shore import Shore
-from seafoam.scene.sky import Clouds, Sky
 from support.cases import Cases, HardCase
+from support.scenes import Boat, Camera, Clouds, Light, Scene, Shore, Sky
 
 _CLOUDS = Clouds(size=300.0, height=400.0, depth=100.0, shadows=1.0)
 

@@ -2,11 +2,8 @@
 
 import math
 
-from seafoam.scene.camera import Camera
-from seafoam.scene.light import Light
-from seafoam.scene.models import Scene
-from seafoam.scene.sky import Cirrus, Clouds, Sky
 from support.cases import Cases, HardCase
+from support.scenes import Camera, Cirrus, Clouds, Light, Scene, Sky
 
 _THIN = Sky(clouds=Clouds(thickness=0.0))
 

@@ -2,12 +2,8 @@
 
 import math
 
-from seafoam.scene.camera import Camera
-from seafoam.scene.light import Light
-from seafoam.scene.models import Scene
-from seafoam.scene.water import Ripples, Water
-from seafoam.scene.waves import ParametricWave
 from support.cases import Cases, HardCase
+from support.scenes import Camera, Light, ParametricWave, Ripples, Scene, Water
 
 _DOWN = Light(sun_elevation=-0.1)
 

@@ -2,14 +2,8 @@
 
 import math
 
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, HeightSaturation
-from seafoam.scene.light import Light
-from seafoam.scene.models import Scene
-from seafoam.scene.sky import Moon, Sky
-from seafoam.scene.water import Ripples, Water
-from seafoam.scene.waves import ParametricWave
 from support.cases import Cases, HardCase
+from support.scenes import Camera, Foam, HeightSaturation, Light, Moon, ParametricWave, Ripples, Scene, Sky, Water
 
 _HARD = (
     HardCase(

@@ -2,12 +2,8 @@
 
 import math
 
-from seafoam.scene.camera import Camera
-from seafoam.scene.light import Light
-from seafoam.scene.models import Scene
-from seafoam.scene.sky import Moon, Sky
-from seafoam.scene.water import Ripples, Water
 from support.cases import Cases, HardCase
+from support.scenes import Camera, Light, Moon, Ripples, Scene, Sky, Water
 
 _OPPOSITE = Moon(azimuth=0.3 - math.pi, elevation=0.4, size=5.0)
 

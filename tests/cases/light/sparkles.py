@@ -3,12 +3,8 @@
 import math
 from typing import get_args
 
-from seafoam.scene.camera import Camera
-from seafoam.scene.light import Light, Sparkles
-from seafoam.scene.models import Scene
-from seafoam.scene.water import Ripples, Water
-from seafoam.scene.waves import ParametricWave
 from support.cases import Cases, HardCase
+from support.scenes import Camera, Light, ParametricWave, Ripples, Scene, Sparkles, Water
 
 _SUNSET = Light(sun_elevation=0.12, sun_azimuth=-math.pi / 2, exposure=-1.0, sparkles=Sparkles())
 

@@ -1,10 +1,7 @@
 """Hard cases of light.subsurface, and scenes that call for it and cannot show it."""
 
-from seafoam.scene.light import Light
-from seafoam.scene.models import Scene
-from seafoam.scene.water import Water
-from seafoam.scene.waves import ParametricWave
 from support.cases import Cases, HardCase
+from support.scenes import Light, ParametricWave, Scene, Water
 
 _INVISIBLE = (
     Scene(),

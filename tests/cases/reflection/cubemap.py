@@ -2,13 +2,8 @@
 
 import math
 
-from seafoam.scene.camera import Camera
-from seafoam.scene.light import Light
-from seafoam.scene.models import Scene
-from seafoam.scene.shore import Shore
-from seafoam.scene.sky import Clouds, Sky
-from seafoam.scene.waves import ParametricWave
 from support.cases import Cases, HardCase
+from support.scenes import Camera, Clouds, Light, ParametricWave, Scene, Shore, Sky
 
 _INVISIBLE = (Scene(light=Light(sun_elevation=-1.2, exposure=-3.0, reflection="cubemap")),)
 

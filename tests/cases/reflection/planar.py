@@ -1,12 +1,7 @@
 """Hard cases of reflection.planar, and scenes that call for it and cannot show it."""
 
-from seafoam.scene.boats import Boat
-from seafoam.scene.camera import Camera
-from seafoam.scene.light import Light
-from seafoam.scene.models import Scene
-from seafoam.scene.water import Ripples, Water
-from seafoam.scene.waves import ParametricWave
 from support.cases import Cases, HardCase
+from support.scenes import Boat, Camera, Light, ParametricWave, Ripples, Scene, Water
 
 _BOAT = Boat(centre=(0.0, -14.0), radius=15.0, bearing=1.6, speed=0.0)
 

@@ -1,12 +1,7 @@
 """Hard cases of shore.shadow, and scenes that name it but in which it is invisible."""
 
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, SurfSaturation
-from seafoam.scene.light import Light
-from seafoam.scene.models import Scene
-from seafoam.scene.shore import Shore
-from seafoam.scene.water import Water
 from support.cases import Cases, HardCase
+from support.scenes import Camera, Foam, Light, Scene, Shore, SurfSaturation, Water
 
 _ISLAND = Shore(
     kind="island", size=160.0, radius=25.0, depth=6.0, height=14.0, slope=0.3, smoothing=3.0, shadows=True, relief=0.5

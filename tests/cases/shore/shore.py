@@ -3,13 +3,8 @@
 import math
 from dataclasses import replace
 
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, SurfSaturation
-from seafoam.scene.light import Light
-from seafoam.scene.models import Scene
-from seafoam.scene.shore import Shore, Surf
-from seafoam.scene.water import Ripples, Water
 from support.cases import Cases, HardCase
+from support.scenes import Camera, Foam, Light, Ripples, Scene, Shore, Surf, SurfSaturation, Water
 
 _FOAM = Foam(saturation=(SurfSaturation(),), mask="clump")
 

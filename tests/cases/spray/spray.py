@@ -2,13 +2,8 @@
 
 import math
 
-from seafoam.scene.camera import Camera
-from seafoam.scene.light import Light
-from seafoam.scene.models import Scene
-from seafoam.scene.shore import Shore, Surf
-from seafoam.scene.spray import Burst, Spray
-from seafoam.scene.waves import ParametricWave, Sea
 from support.cases import Cases, HardCase
+from support.scenes import Burst, Camera, Light, ParametricWave, Scene, Sea, Shore, Spray, Surf
 
 _ROCK = Shore(
     kind="island",

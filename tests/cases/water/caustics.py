@@ -3,11 +3,8 @@
 from dataclasses import replace
 from itertools import product
 
-from seafoam.scene.camera import Camera
-from seafoam.scene.light import Caustics, Light
-from seafoam.scene.models import Scene
-from seafoam.scene.water import Ripples, Water
 from support.cases import Bounds, Cases, HardCase
+from support.scenes import Camera, Caustics, Light, Ripples, Scene, Water
 
 _PLAIN = Caustics(dispersion=0.0)
 

@@ -1,10 +1,7 @@
 """Hard cases of water.seafloor, and scenes that call for it and cannot show it."""
 
-from seafoam.scene.camera import Camera
-from seafoam.scene.models import Scene
-from seafoam.scene.water import Ripples, Water
-from seafoam.scene.waves import ParametricWave
 from support.cases import Cases, HardCase
+from support.scenes import Camera, ParametricWave, Ripples, Scene, Water
 
 _INVISIBLE = (
     Scene(water=Water(depth=11000.0)),

@@ -3,14 +3,8 @@
 import math
 from typing import Any
 
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, HeightSaturation
-from seafoam.scene.light import Light
-from seafoam.scene.models import Scene
-from seafoam.scene.shore import Shore
-from seafoam.scene.water import Ripples, Water
-from seafoam.scene.waves import ParametricWave
 from support.cases import Cases, HardCase
+from support.scenes import Camera, Foam, HeightSaturation, Light, ParametricWave, Ripples, Scene, Shore, Water
 
 _HARD = (
     HardCase(

@@ -1,11 +1,7 @@
 """Hard cases of waves.current, and scenes that name it but in which it is invisible."""
 
-from seafoam.scene.current import Current
-from seafoam.scene.foam import Foam, HeightSaturation
-from seafoam.scene.models import Scene
-from seafoam.scene.water import Ripples, Water
-from seafoam.scene.waves import ParametricWave
 from support.cases import Cases, HardCase
+from support.scenes import Current, Foam, HeightSaturation, ParametricWave, Ripples, Scene, Water
 
 _WAVES = (
     ParametricWave(amplitude=0.4, wavelength=5.0, direction=1.2),

@@ -2,14 +2,20 @@
 
 import math
 
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, FrontSaturation, SlopeSaturation
-from seafoam.scene.living import FoamLife
-from seafoam.scene.models import Scene
-from seafoam.scene.spray import Spray
-from seafoam.scene.water import Ripples, Water
-from seafoam.scene.waves import ParametricWave, WaveGroups
 from support.cases import Bounds, Cases, HardCase
+from support.scenes import (
+    Camera,
+    Foam,
+    FoamLife,
+    FrontSaturation,
+    ParametricWave,
+    Ripples,
+    Scene,
+    SlopeSaturation,
+    Spray,
+    Water,
+    WaveGroups,
+)
 
 _INVISIBLE = (
     Scene(waves=(ParametricWave(amplitude=1e-6, wavelength=10.0),), water=Water(translucency=0.0)),

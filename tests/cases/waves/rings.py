@@ -2,12 +2,8 @@
 
 import math
 
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, HeightSaturation, SlopeSaturation
-from seafoam.scene.models import Scene
-from seafoam.scene.rings import Ring
-from seafoam.scene.water import Ripples, Water
 from support.cases import Cases, HardCase
+from support.scenes import Camera, Foam, HeightSaturation, Ring, Ripples, Scene, SlopeSaturation, Water
 
 _VIEW = Camera(position=(0.0, 3.2, 0.0), pitch=-0.35)
 

@@ -1,12 +1,7 @@
 """Hard cases of waves.ripples, and scenes that call for it and cannot show it."""
 
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, HeightSaturation
-from seafoam.scene.models import Scene
-from seafoam.scene.sky import Gusts
-from seafoam.scene.water import Ripples, Water
-from seafoam.scene.waves import ParametricWave
 from support.cases import Cases, HardCase
+from support.scenes import Camera, Foam, Gusts, HeightSaturation, ParametricWave, Ripples, Scene, Water
 
 _INVISIBLE = (
     Scene(water=Water(ripples=Ripples(slope=0.0))),

@@ -1,11 +1,7 @@
 """Hard cases of waves.sea, and scenes that call for it and cannot show it."""
 
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, WhitecapSaturation
-from seafoam.scene.models import Scene
-from seafoam.scene.water import Ripples, Water
-from seafoam.scene.waves import Sea
 from support.cases import Cases, HardCase
+from support.scenes import Camera, Foam, Ripples, Scene, Sea, Water, WhitecapSaturation
 
 _NEAR = Camera(position=(0.37, 9.0, -0.21), yaw=1.0, pitch=-0.3)
 

@@ -2,11 +2,8 @@
 
 import math
 
-from seafoam.scene.camera import Camera
-from seafoam.scene.current import Current, Stone
-from seafoam.scene.foam import Foam, SlopeSaturation, WakeSaturation
-from seafoam.scene.models import Scene
 from support.cases import Cases, HardCase
+from support.scenes import Camera, Current, Foam, Scene, SlopeSaturation, Stone, WakeSaturation
 
 _STONES = (Stone(place=(0.0, -20.0), radius=0.8, waves=1.0), Stone(place=(4.0, -24.0), radius=10.0, waves=1.0))
 _FLOWS = Scene(current=Current(speed=3.0, direction=0.9, stones=_STONES))

@@ -1,13 +1,19 @@
 """Hard cases of waves.touch, and scenes that call for it and cannot show it."""
 
-from seafoam.scene.camera import Camera
-from seafoam.scene.current import Current
-from seafoam.scene.foam import Foam, HeightSaturation
-from seafoam.scene.models import Scene
-from seafoam.scene.touch import TOUCHES_MOST, Touch
-from seafoam.scene.water import Ripples, Water
-from seafoam.scene.waves import ParametricWave, Sea
 from support.cases import Cases, HardCase
+from support.scenes import (
+    TOUCHES_MOST,
+    Camera,
+    Current,
+    Foam,
+    HeightSaturation,
+    ParametricWave,
+    Ripples,
+    Scene,
+    Sea,
+    Touch,
+    Water,
+)
 
 _NEAR = Camera(position=(0.0, 2.0, 0.0), pitch=-0.45)
 _TRAIN = tuple(Touch(place=(0.35 * i - 2.0, -4.0 - 0.1 * i), time=0.15 * i - 2.0) for i in range(12))

@@ -7,8 +7,7 @@ from seafoam.accuracy import metrics
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.light import ToneCurve
-from seafoam.scene.presets import load_preset
+from support.scenes import ToneCurve, load_preset
 
 
 @pytest.mark.parametrize("curve", ["filmic", "photographic"])

@@ -8,10 +8,9 @@ from seafoam.accuracy.metrics import tone_curve
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset
 from support.pictures import draw
 from support.report import Report
+from support.scenes import Scene, load_preset
 
 Frames = list[NDArray[np.float64]]
 

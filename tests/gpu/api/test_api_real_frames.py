@@ -8,7 +8,7 @@ import OpenEXR
 import pytest
 from starlette.testclient import TestClient
 
-from seafoam.scene.presets import load_preset
+from support.scenes import load_preset
 from support.serving import frame, picture, serving
 
 

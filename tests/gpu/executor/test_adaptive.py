@@ -14,10 +14,8 @@ from seafoam.planner import make_plan
 from seafoam.planner.adaptive import MAX_CONTRAST, PARTS, RATIO
 from seafoam.quality import TIERS, Quality, SurfaceQuality
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset
 from support.pictures import draw
+from support.scenes import Camera, Scene, load_preset
 
 SIZE = (160, 90)
 STANDARD = TIERS["standard"]

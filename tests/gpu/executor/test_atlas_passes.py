@@ -8,11 +8,9 @@ from seafoam.masks.families import SIZES
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, HeightSaturation
-from seafoam.scene.models import Scene
 from seafoam.textures import MaskTexture, texture
 from support.pictures import draw
+from support.scenes import Camera, Foam, HeightSaturation, Scene
 
 CUSTOM = [f"blur:1:{size}:3" for size in SIZES if size < 512]
 

@@ -11,8 +11,8 @@ from seafoam.planner import FramePlan, make_plan
 from seafoam.quality import TIERS, SurfaceQuality
 from seafoam.render.gl import executor as module
 from seafoam.render.gl.executor import Executor, ShaderError
-from seafoam.scene.presets import load_preset
 from support.pictures import ROUNDED, draw
+from support.scenes import load_preset
 
 
 def test_programs_let_go_and_made_again_draw_the_same(executor: Executor, monkeypatch: pytest.MonkeyPatch) -> None:

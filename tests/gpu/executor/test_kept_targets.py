@@ -8,8 +8,8 @@ from seafoam.planner import FramePlan, make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.cache import target_bytes
 from seafoam.render.gl.executor import Executor, ShaderError
-from seafoam.scene.presets import load_preset, preset_names
 from support.pictures import draw
+from support.scenes import load_preset, preset_names
 
 STANDARD = TIERS["standard"]
 SHORES = [name for name in preset_names() if load_preset(name).scene.shore is not None]

@@ -6,8 +6,8 @@ from bench.passes import kind
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.presets import load_preset
 from support.pictures import draw
+from support.scenes import load_preset
 
 SIZE = (64, 36)
 

@@ -16,13 +16,10 @@ from seafoam.planner import make_plan
 from seafoam.planner.glsl import read_file
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.boats import Boat
-from seafoam.scene.current import Current, Stone
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset, preset_names
 from support.exact import UNFILTERED
 from support.pictures import draw
 from support.report import Report
+from support.scenes import Boat, Current, Scene, Stone, load_preset, preset_names
 from support.sweep import crossed
 
 SIDE = 192

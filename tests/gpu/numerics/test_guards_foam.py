@@ -15,15 +15,22 @@ from seafoam.ocean.whitecaps import whitecap_model
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.drift import Drift, Vortex
-from seafoam.scene.foam import DriftSaturation, Foam, FrontSaturation, WhitecapSaturation
-from seafoam.scene.models import Scene
-from seafoam.scene.waves import ParametricWave, Sea
 from seafoam.textures import FRONT_NODES, FrontIntegral, front_fading, front_full
 from support.exact import EXACT
 from support.hard.guarded import Guarded
 from support.pictures import draw_target
 from support.probe import Probe
+from support.scenes import (
+    Drift,
+    DriftSaturation,
+    Foam,
+    FrontSaturation,
+    ParametricWave,
+    Scene,
+    Sea,
+    Vortex,
+    WhitecapSaturation,
+)
 
 NUMBERS = "lib/numbers.glsl"
 POINT = "Footprint(vec2(0.0), vec2(0.0))"

@@ -13,18 +13,12 @@ from seafoam.effects.shader import Inline
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.boats import Boat
-from seafoam.scene.camera import Camera
-from seafoam.scene.light import Caustics, Light
-from seafoam.scene.models import Scene
-from seafoam.scene.shore import Shore, Surf
-from seafoam.scene.water import Ripples, Water
-from seafoam.scene.waves import ParametricWave
 from seafoam.textures.shore import FRONT, shore_profiles
 from support.exact import EXACT
 from support.hard.guarded import Guarded
 from support.pictures import draw_target, samples
 from support.probe import Probe
+from support.scenes import Boat, Camera, Caustics, Light, ParametricWave, Ripples, Scene, Shore, Surf, Water
 
 RAYS = ("lib/numbers.glsl", "lib/rays.glsl@camera", "lib/texels.glsl@texel")
 

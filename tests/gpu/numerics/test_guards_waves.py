@@ -10,15 +10,13 @@ from seafoam.planner.glsl import read_file
 from seafoam.quality import TIERS
 from seafoam.reference import render
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.models import Scene
-from seafoam.scene.waves import Sea
 from support.exact import EXACT
 from support.hard.cases import QUALITIES
 from support.hard.guarded import Guarded
 from support.hard.pictures import BY_NAME, SIZE, truth_of
 from support.pictures import draw, draw_target, levels, samples
 from support.probe import Probe
+from support.scenes import Camera, Scene, Sea
 
 NUMBERS = "lib/numbers.glsl"
 

@@ -9,11 +9,6 @@ from seafoam.effects.effect import Effect
 from seafoam.reference import render as reference
 from seafoam.reference.foam import front
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset
-from seafoam.scene.waves import ParametricWave
 from support.cases import HardCase
 from support.exact import EXACT
 from support.hard.cases import CASES, QUALITIES
@@ -21,6 +16,7 @@ from support.hard.pictures import HALF, SHARE, SIZE, judged, pictures_of, truth_
 from support.pictures import levels, samples
 from support.probe import Probe
 from support.report import Report
+from support.scenes import Camera, Foam, ParametricWave, Scene, load_preset
 from support.sweep import rested
 
 

@@ -8,11 +8,9 @@ import pytest
 from seafoam.planner import FramePlan, make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset
 from support.pictures import draw
 from support.probe import WHOLE
+from support.scenes import Camera, Scene, load_preset
 
 SIZES = ((48, 27), (64, 7), (5, 61), (1, 1))
 

@@ -22,17 +22,25 @@ from seafoam.ocean.rings import trains
 from seafoam.ocean.ripples import TILES, ripple_cascades
 from seafoam.quality import TIERS, Quality
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, FrontSaturation, HeightSaturation, Look, WhitecapSaturation
-from seafoam.scene.light import Light
-from seafoam.scene.models import Scene
-from seafoam.scene.rings import Ring
-from seafoam.scene.water import Ripples, Water
-from seafoam.scene.waves import ParametricWave, Sea
 from support import sweep
 from support.exact import UNFILTERED
 from support.pictures import levels, samples
 from support.report import Report
+from support.scenes import (
+    Camera,
+    Foam,
+    FrontSaturation,
+    HeightSaturation,
+    Light,
+    Look,
+    ParametricWave,
+    Ring,
+    Ripples,
+    Scene,
+    Sea,
+    Water,
+    WhitecapSaturation,
+)
 
 SIZE = (32, 18)
 QUALITIES = {

@@ -16,10 +16,9 @@ from seafoam.framegraph.plan import FramePlan
 from seafoam.planner import PlanError, make_plan, planner
 from seafoam.quality import TIERS, Quality
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset, preset_names
 from support.pictures import draw
 from support.report import Report
+from support.scenes import Scene, load_preset, preset_names
 from support.sweep import crossed, spread
 
 Path = tuple[str | int, ...]

@@ -27,7 +27,7 @@ from packaging.utils import canonicalize_name
 
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.scene.presets import load_preset, preset_names
+from support.scenes import load_preset, preset_names
 from support.snippets import blocks, commands
 from support.sweep import spread
 

@@ -5,9 +5,9 @@ import pytest
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.presets import load_preset, preset_names
 from support.parity import faults
 from support.pictures import draw
+from support.scenes import load_preset, preset_names
 
 SIZE = (64, 36)
 

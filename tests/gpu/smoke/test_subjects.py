@@ -10,11 +10,9 @@ from seafoam.ocean.whitecaps import whitecaps
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset
 from support.pictures import colours, draw
 from support.report import Report
+from support.scenes import Camera, Scene, load_preset
 
 SIZE = (160, 90)
 MINUTE = range(0, 61, 10)

@@ -10,7 +10,7 @@ from playwright.sync_api import Page, Route
 
 from seafoam.accuracy.points import points_of
 from seafoam.reference import render
-from seafoam.scene.presets import load_preset
+from support.scenes import load_preset
 
 SIZE = (32, 18)
 PRESET = "default"

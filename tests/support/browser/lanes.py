@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from playwright.sync_api import Browser, Page, Playwright
 
 from seafoam.framegraph.plan import FramePlan
-from seafoam.scene.camera import Camera
+from support.scenes import Camera
 
 COMMON = ["--no-sandbox", "--hide-scrollbars"]
 LANES = {

@@ -10,10 +10,7 @@ from PIL import Image
 from seafoam.reference.renderer.relief import Relief
 from seafoam.reference.shore import shore as truth
 from seafoam.reference.waves.parametric import wave_set
-from seafoam.scene.foam import Foam, SurfSaturation
-from seafoam.scene.models import Scene
-from seafoam.scene.shore import Shore, Surf
-from seafoam.scene.waves import ParametricWave
+from support.scenes import Foam, ParametricWave, Scene, Shore, Surf, SurfSaturation
 
 SHORE = Shore(
     kind="islands",

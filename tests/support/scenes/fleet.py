@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 from seafoam.effects.boats.wake import ASIDE
 from seafoam.ocean.wakes import Wake
 from seafoam.reference.boats import floating
-from seafoam.scene.boats import Boat
+from support.scenes import Boat
 
 BOATS = (
     Boat(centre=(0.0, -30.0), radius=25.0, bearing=1.2, speed=3.0, smoothing=0.0, length=9.0),

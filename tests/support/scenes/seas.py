@@ -1,9 +1,6 @@
 """Open seas that tests draw and compute."""
 
-from seafoam.scene.foam import Foam, WhitecapSaturation
-from seafoam.scene.models import Scene
-from seafoam.scene.water import Water
-from seafoam.scene.waves import Sea
+from support.scenes import Foam, Scene, Sea, Water, WhitecapSaturation
 
 SEAS = {
     "fft": Sea(wind=12.0, fetch=3e5, wind_direction=1.2),

@@ -9,31 +9,40 @@ from seafoam.effects import EFFECTS
 from seafoam.framegraph.shader import Program
 from seafoam.planner import FramePlan, make_geometry_plan, make_plan
 from seafoam.quality import TIERS, Quality
-from seafoam.scene.boats import Boat
-from seafoam.scene.drift import Drift, Vortex
-from seafoam.scene.foam import (
+from support.cases import cases_of
+from support.exact import UNFILTERED
+from support.scenes import (
+    Boat,
+    Burst,
+    Clouds,
+    Drift,
     DriftSaturation,
     Foam,
     FrontSaturation,
+    Gusts,
     HeightSaturation,
+    Light,
     Look,
+    Moon,
+    ParametricWave,
+    Ring,
+    Ripples,
     Saturation,
+    Scene,
+    Sea,
+    Shore,
+    Sky,
     SlopeSaturation,
+    Spray,
+    Surf,
     SurfSaturation,
+    Vortex,
     WakeSaturation,
+    Water,
     WhitecapSaturation,
+    load_preset,
+    preset_names,
 )
-from seafoam.scene.light import Light
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset, preset_names
-from seafoam.scene.rings import Ring
-from seafoam.scene.shore import Shore, Surf
-from seafoam.scene.sky import Clouds, Gusts, Moon, Sky
-from seafoam.scene.spray import Burst, Spray
-from seafoam.scene.water import Ripples, Water
-from seafoam.scene.waves import ParametricWave, Sea
-from support.cases import cases_of
-from support.exact import UNFILTERED
 
 SATURATIONS: tuple[tuple[Saturation, ...], ...] = (
     (FrontSaturation(),),

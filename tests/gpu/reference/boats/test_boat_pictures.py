@@ -11,16 +11,10 @@ from seafoam.reference.renderer import camera as cameras
 from seafoam.reference.renderer import intersect as surfaces
 from seafoam.reference.renderer.shade import SampleShader
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.boats import Boat
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, HeightSaturation
-from seafoam.scene.light import Light
-from seafoam.scene.models import Scene
-from seafoam.scene.water import Water
-from seafoam.scene.waves import ParametricWave
 from support.exact import UNFILTERED
 from support.pictures import colours, draw, levels, rmse
 from support.report import Report
+from support.scenes import Boat, Camera, Foam, HeightSaturation, Light, ParametricWave, Scene, Water
 
 
 def picture(

@@ -19,16 +19,11 @@ from seafoam.reference.boats import wake as wakes_of
 from seafoam.reference.renderer import camera as cameras
 from seafoam.reference.renderer.shade import SampleShader
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.boats import Boat
-from seafoam.scene.camera import Camera
-from seafoam.scene.models import Scene
-from seafoam.scene.rings import Ring
-from seafoam.scene.shore import Shore
-from seafoam.scene.waves import ParametricWave, Sea
 from support.exact import EXACT
 from support.pictures import draw
 from support.probe import WHOLE, Probe
 from support.report import Report
+from support.scenes import Boat, Camera, ParametricWave, Ring, Scene, Sea, Shore
 from support.scenes.fleet import BOATS, WAKES
 
 SKYWARD = Camera(position=(3.0, 8.0, -4.0), pitch=1.57, fov=0.01)

@@ -14,15 +14,11 @@ from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.reference.foam import drift as truth
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.drift import Drift, Vortex
-from seafoam.scene.foam import DriftSaturation, Foam
-from seafoam.scene.models import Scene
-from seafoam.scene.water import Water
-from seafoam.scene.waves import ParametricWave, Sea
 from support.exact import UNFILTERED
 from support.pictures import draw_target
 from support.probe import Probe
 from support.report import Report
+from support.scenes import Drift, DriftSaturation, Foam, ParametricWave, Scene, Sea, Vortex, Water
 
 Floats = NDArray[np.float64]
 

@@ -11,12 +11,9 @@ from scipy.ndimage import gaussian_filter
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, HeightSaturation, Look
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset
 from support.pictures import colours, draw
 from support.report import Report
+from support.scenes import Camera, Foam, HeightSaturation, Look, Scene, load_preset
 from support.sweep import spread
 
 TILE = 5.12

@@ -14,8 +14,8 @@ from seafoam.masks.prefilter import OCTAVE_RAMP
 from seafoam.reference import Assets, sampling
 from seafoam.reference.foam import coverage as looked
 from seafoam.reference.foam import looks
-from seafoam.scene.foam import Foam
 from support.probe import Probe, grid_of
+from support.scenes import Foam
 
 TOLERANCE = 1e-5
 NUMBERS = "lib/numbers.glsl"

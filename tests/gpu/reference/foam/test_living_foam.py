@@ -18,17 +18,22 @@ from seafoam.reference.shore.shore import Coast
 from seafoam.reference.types import SurfacePoints
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, FrontSaturation, HeightSaturation, SurfSaturation
-from seafoam.scene.light import Light
-from seafoam.scene.living import FoamLife
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset
-from seafoam.scene.shore import Shore
-from seafoam.scene.waves import ParametricWave
 from support.exact import EXACT
 from support.pictures import draw
 from support.report import Report
+from support.scenes import (
+    Camera,
+    Foam,
+    FoamLife,
+    FrontSaturation,
+    HeightSaturation,
+    Light,
+    ParametricWave,
+    Scene,
+    Shore,
+    SurfSaturation,
+    load_preset,
+)
 
 HALF = (HeightSaturation(base=-0.45, full=0.55),)
 """0.45 on still water."""

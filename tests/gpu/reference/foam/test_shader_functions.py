@@ -12,11 +12,9 @@ from seafoam.effects.shader import Inline
 from seafoam.ocean.dispersion import wavevector
 from seafoam.reference.foam import front, saturation
 from seafoam.reference.waves import parametric as waves
-from seafoam.scene.foam import Foam, HeightSaturation
-from seafoam.scene.models import Scene
-from seafoam.scene.waves import ParametricWave
 from seafoam.textures import FRONT_NODES, FrontIntegral, front_fading, front_full
 from support.probe import Probe, grid_of
+from support.scenes import Foam, HeightSaturation, ParametricWave, Scene
 
 TOLERANCE = 1e-5
 POLE = 5e-7

@@ -17,14 +17,11 @@ from seafoam.reference.foam.cells import corners
 from seafoam.reference.foam.saturation import slope_saturation
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, HeightSaturation, SlopeSaturation
-from seafoam.scene.models import Scene
-from seafoam.scene.waves import ParametricWave
 from support.exact import UNFILTERED
 from support.pictures import draw, rmse
 from support.probe import Probe
 from support.report import Report
+from support.scenes import Camera, Foam, HeightSaturation, ParametricWave, Scene, SlopeSaturation
 
 SIDE, TILE_PIXELS, HEIGHT, TILE = 256, 32, 200.0, 12.8
 ABOVE = Camera(position=(31.7, HEIGHT, -8.3), pitch=-math.pi / 2, fov=2.0 * math.atan(4.0 * TILE / HEIGHT))

@@ -11,11 +11,9 @@ from seafoam.framegraph.plan import FramePlan
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset, preset_names
 from support.pictures import colours, draw
 from support.report import Report
+from support.scenes import Camera, Scene, load_preset, preset_names
 from support.sweep import crossed
 
 SIZE = (64, 36)

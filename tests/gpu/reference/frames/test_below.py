@@ -10,20 +10,31 @@ from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference import render
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.boats import Boat
-from seafoam.scene.camera import Camera
-from seafoam.scene.drift import Drift
-from seafoam.scene.foam import DriftSaturation, Foam, HeightSaturation, SlopeSaturation, SurfSaturation
-from seafoam.scene.light import Caustics, Light
-from seafoam.scene.models import Scene
-from seafoam.scene.rings import Ring
-from seafoam.scene.shore import Shore, Surf
-from seafoam.scene.sky import Clouds, Sky
-from seafoam.scene.water import Ripples, Water
-from seafoam.scene.waves import ParametricWave, Sea
 from support.exact import EXACT
 from support.pictures import draw, levels
 from support.report import Report
+from support.scenes import (
+    Boat,
+    Camera,
+    Caustics,
+    Clouds,
+    Drift,
+    DriftSaturation,
+    Foam,
+    HeightSaturation,
+    Light,
+    ParametricWave,
+    Ring,
+    Ripples,
+    Scene,
+    Sea,
+    Shore,
+    Sky,
+    SlopeSaturation,
+    Surf,
+    SurfSaturation,
+    Water,
+)
 
 PLAIN = Light(sun_elevation=0.8, sun_azimuth=2.5, exposure=-1.5, caustics=Caustics(dispersion=0.0))
 POOL = Scene(water=Water(depth=1.9, floor_tile=0.3, ripples=Ripples(slope=0.05, seed=3)), light=PLAIN)

@@ -15,9 +15,7 @@ from seafoam.framegraph.visibility import drawn_passes
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset
+from support.scenes import Camera, Scene, load_preset
 
 MINIMAL = Path(bench.__file__).with_name("minimal")
 

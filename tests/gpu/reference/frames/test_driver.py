@@ -11,7 +11,7 @@ import pytest
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.presets import load_preset
+from support.scenes import load_preset
 from support.sweep import REST
 
 DRAW = """

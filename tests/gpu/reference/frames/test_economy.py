@@ -12,13 +12,11 @@ from seafoam.planner import make_plan
 from seafoam.planner.collect import NEGLIGIBLE
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset, preset_names
 from support.cases import cases_of
 from support.exact import EXACT
 from support.pictures import draw
 from support.report import Report
+from support.scenes import Camera, Scene, load_preset, preset_names
 from support.sweep import rested, spread
 
 VIEWS = (

@@ -9,14 +9,20 @@ import pytest
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, FrontSaturation, Look
-from seafoam.scene.light import Light
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset, preset_names
-from seafoam.scene.water import Ripples, Water
-from seafoam.scene.waves import ParametricWave
 from support.pictures import draw
+from support.scenes import (
+    Camera,
+    Foam,
+    FrontSaturation,
+    Light,
+    Look,
+    ParametricWave,
+    Ripples,
+    Scene,
+    Water,
+    load_preset,
+    preset_names,
+)
 from support.sweep import crossed
 
 CAMERAS = {

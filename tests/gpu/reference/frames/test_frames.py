@@ -10,14 +10,11 @@ from seafoam.quality import TIERS
 from seafoam.reference import load_truth, render, truth_is_current
 from seafoam.reference.bake import CONVERGED_SIZE, CONVERGED_TIME, EVERY_LOOK, TIMES, jobs_of, truth_file
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, HeightSaturation
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset, preset_names
 from support.exact import UNFILTERED
 from support.parity import HARD, REFERENCES, mean_of, parity
 from support.pictures import draw, rmse
 from support.report import Report
+from support.scenes import Camera, Foam, HeightSaturation, Scene, load_preset, preset_names
 from support.sweep import crossed
 
 

@@ -7,9 +7,9 @@ from docs.make_whitecaps import EYE, FOV, PITCH, QUALITY, seascape, shot, spread
 from seafoam.ocean.cascades import LOOP
 from seafoam.planner import make_plan
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
 from support.pictures import draw
 from support.report import Report
+from support.scenes import Camera
 from support.sweep import crossed
 
 HEIGHT = 200.0

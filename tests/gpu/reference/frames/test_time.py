@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.presets import load_preset
 from support.pictures import colours, draw
+from support.scenes import load_preset
 from support.sweep import crossed
 
 SIZE = (320, 180)

@@ -15,12 +15,9 @@ from seafoam.quality import TIERS, Quality
 from seafoam.reference.light.light import air
 from seafoam.reference.water import seafloor
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.light import Caustics, Light
-from seafoam.scene.models import Scene
-from seafoam.scene.shore import Shore
-from seafoam.scene.water import Ripples, Water
 from support.pictures import draw_target
 from support.report import Report
+from support.scenes import Caustics, Light, Ripples, Scene, Shore, Water
 
 PLAIN = Light(sun_elevation=0.8, sun_azimuth=2.5, exposure=-1.5, caustics=Caustics(dispersion=0.0))
 POOL = Scene(water=Water(depth=1.9, floor_tile=0.3, ripples=Ripples(slope=0.05, seed=3)), light=PLAIN)

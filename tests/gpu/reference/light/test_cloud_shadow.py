@@ -9,13 +9,10 @@ from seafoam.effects.light.overcast import gap_light
 from seafoam.planner import make_plan
 from seafoam.reference.light import light as sky
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.light import Light
-from seafoam.scene.models import Scene
-from seafoam.scene.sky import Clouds, Sky
 from support.exact import EXACT
 from support.pictures import draw
 from support.report import Report
+from support.scenes import Camera, Clouds, Light, Scene, Sky
 
 EYE = (120.0, 10.0, -340.0)
 SIDE = 100

@@ -10,14 +10,10 @@ from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference.light import display
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.light import Light
-from seafoam.scene.models import Scene
-from seafoam.scene.sky import Sky
-from seafoam.scene.water import Ripples, Water
 from support.float64 import glare
 from support.pictures import ROUNDED
 from support.report import Report
+from support.scenes import Camera, Light, Ripples, Scene, Sky, Water
 
 SUN = Camera(position=(0.0, 3.0, 0.0), yaw=np.pi / 2, pitch=0.1, fov=0.7)
 

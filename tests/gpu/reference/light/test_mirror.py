@@ -6,17 +6,10 @@ import pytest
 from seafoam.planner import make_plan
 from seafoam.reference import render
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.boats import Boat
-from seafoam.scene.camera import Camera
-from seafoam.scene.light import Light
-from seafoam.scene.models import Scene
-from seafoam.scene.shore import Shore, Surf
-from seafoam.scene.sky import Clouds, Sky
-from seafoam.scene.water import Ripples, Water
-from seafoam.scene.waves import ParametricWave
 from support.exact import EXACT
 from support.pictures import draw
 from support.report import Report
+from support.scenes import Boat, Camera, Clouds, Light, ParametricWave, Ripples, Scene, Shore, Sky, Surf, Water
 
 SIZE = (128, 72)
 TIME = 2.7

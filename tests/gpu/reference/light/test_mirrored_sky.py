@@ -15,15 +15,11 @@ from seafoam.reference.light.atmosphere import two_looks
 from seafoam.reference.light.clouds import CloudLayer
 from seafoam.reference.renderer.frame import render
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.light import Light
-from seafoam.scene.models import Scene
-from seafoam.scene.sky import Cirrus, Clouds, Sky
-from seafoam.scene.waves import Sea
 from support.exact import EXACT
 from support.pictures import draw
 from support.probe import Probe
 from support.report import Report
+from support.scenes import Camera, Cirrus, Clouds, Light, Scene, Sea, Sky
 
 WIDTH, HEIGHT = 80, 45
 WATER = slice(int(0.41 * HEIGHT), HEIGHT)

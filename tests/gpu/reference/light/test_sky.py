@@ -17,15 +17,11 @@ from seafoam.reference.bake import same_size, truth_file
 from seafoam.reference.light import atmosphere
 from seafoam.reference.light import light as reference_light
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.light import Light
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset
-from seafoam.scene.sky import Clouds, Day, Moon, Sky, sun_angles
 from support.exact import UNFILTERED
 from support.pictures import draw, rmse
 from support.probe import Probe
 from support.report import Report
+from support.scenes import Camera, Clouds, Day, Light, Moon, Scene, Sky, load_preset, sun_angles
 from support.sweep import REST
 
 REFERENCES = Path(__file__).parents[3] / "references"

@@ -13,14 +13,10 @@ from seafoam.quality import TIERS, Quality
 from seafoam.reference.light import light as reference_light
 from seafoam.reference.light.sparkles import EPOCHS, SparkleField
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.light import Light, Sparkles
-from seafoam.scene.models import Scene
-from seafoam.scene.water import Ripples, Water
-from seafoam.scene.waves import ParametricWave
 from support.pictures import draw
 from support.probe import Probe
 from support.report import Report
+from support.scenes import Camera, Light, ParametricWave, Ripples, Scene, Sparkles, Water
 
 SPARKLES = Sparkles(size=0.004, rate=3.0, life=0.4, share=1.0)
 FILES = (

@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 from gpu.reference.shore.test_shore import places, probe
 from seafoam.reference.shore import soil as truth
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.models import Scene
 from support.exact import EXACT
 from support.report import Report
+from support.scenes import Scene
 from support.scenes.coasts import SEA, SHORE, coast
 
 HIGH = SEA.model_copy(

@@ -9,8 +9,8 @@ from gpu.reference.shore.test_shore import places, probe
 from seafoam.reference.light import light as sky
 from seafoam.reference.shore.shadow import LandShadow
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.light import Light
 from support.report import Report
+from support.scenes import Light
 from support.scenes.coasts import SEA, SHORE, coast
 
 

@@ -23,15 +23,12 @@ from seafoam.reference.shore import maps
 from seafoam.reference.shore import shore as truth
 from seafoam.render.gl import executor as executors
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, SurfSaturation
-from seafoam.scene.models import Scene
-from seafoam.scene.shore import Shore
 from seafoam.textures import ShoreFloor, TextureData
 from support.exact import EXACT
 from support.pictures import draw, draw_target
 from support.probe import WHOLE
 from support.report import Report
+from support.scenes import Camera, Foam, Scene, Shore, SurfSaturation
 from support.scenes.coasts import KINDS, SEA, SHORE, coast, png
 
 SIDE = 100

@@ -13,17 +13,26 @@ from seafoam.quality import TIERS
 from seafoam.reference import render
 from seafoam.reference.boats.stones import stone_set
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.boats import Boat
-from seafoam.scene.camera import Camera
-from seafoam.scene.current import Current, Stone
-from seafoam.scene.foam import Foam, FrontSaturation, Look, WakeSaturation, WhitecapSaturation
-from seafoam.scene.living import FoamLife
-from seafoam.scene.models import Scene
-from seafoam.scene.rings import Ring
-from seafoam.scene.water import Ripples, Water
-from seafoam.scene.waves import ParametricWave, Sea
 from support.exact import EXACT
 from support.pictures import levels, samples
+from support.scenes import (
+    Boat,
+    Camera,
+    Current,
+    Foam,
+    FoamLife,
+    FrontSaturation,
+    Look,
+    ParametricWave,
+    Ring,
+    Ripples,
+    Scene,
+    Sea,
+    Stone,
+    WakeSaturation,
+    Water,
+    WhitecapSaturation,
+)
 
 WAVE = ParametricWave(amplitude=0.5, wavelength=6.0, direction=0.7)
 FLOW = Current(speed=2.3, direction=1.9)

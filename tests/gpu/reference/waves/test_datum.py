@@ -20,17 +20,11 @@ from seafoam.reference.waves.parametric import wave_set
 from seafoam.reference.waves.rings import ring_set
 from seafoam.reference.waves.sea import sea_surface
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.boats import Boat
-from seafoam.scene.camera import Camera
-from seafoam.scene.light import Caustics, Light
-from seafoam.scene.models import Scene
-from seafoam.scene.rings import Ring
-from seafoam.scene.water import Ripples, Water
-from seafoam.scene.waves import ParametricWave, Sea
 from support.exact import EXACT
 from support.pictures import draw
 from support.probe import WHOLE
 from support.report import Report
+from support.scenes import Boat, Camera, Caustics, Light, ParametricWave, Ring, Ripples, Scene, Sea, Water
 
 Floats = NDArray[np.float64]
 TIMES = tuple(3.7 * i for i in range(8))

@@ -11,12 +11,10 @@ from seafoam.reference.renderer import intersect
 from seafoam.reference.renderer.shade import SampleShader
 from seafoam.reference.types import unit
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset
 from support.exact import UNFILTERED
 from support.pictures import draw
 from support.report import Report
+from support.scenes import Camera, Scene, load_preset
 
 SIZE = (96, 54)
 TIME = 2.7

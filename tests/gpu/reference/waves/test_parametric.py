@@ -10,12 +10,10 @@ from numpy.typing import NDArray
 from seafoam.effects.waves import parametric
 from seafoam.effects.waves import ripples as ripples
 from seafoam.reference.waves.parametric import ripple_set, wave_set
-from seafoam.scene.models import Scene
-from seafoam.scene.water import Ripples, Water
-from seafoam.scene.waves import ParametricWave
 from support.exact import UNFILTERED
 from support.probe import Probe
 from support.report import Report
+from support.scenes import ParametricWave, Ripples, Scene, Water
 
 ORIGINS = ((0.0, 0.0), (1e7, -1e7))
 TIMES = (0.0, 12.5, 3600.0, 1e9)

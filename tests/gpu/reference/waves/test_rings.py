@@ -15,15 +15,11 @@ from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference.waves.rings import RingSet, ring_set
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset
-from seafoam.scene.rings import RINGS_MOST, Ring
-from seafoam.scene.water import Water
 from support.exact import UNFILTERED
 from support.pictures import draw, rmse
 from support.probe import Probe
 from support.report import Report
+from support.scenes import RINGS_MOST, Camera, Ring, Scene, Water, load_preset
 
 FILES = ("lib/numbers.glsl", "waves/rings.glsl@ring", "waves/rings.glsl@exact")
 ORIGINS = ((0.0, 0.0), (1e7, -1e7))

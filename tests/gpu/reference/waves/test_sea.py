@@ -17,15 +17,11 @@ from seafoam.reference.renderer import camera as cameras
 from seafoam.reference.renderer.frame import Assets, SampleShader
 from seafoam.reference.waves import sea as truth
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, WhitecapSaturation
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset
-from seafoam.scene.waves import Sea
 from support.exact import EXACT
 from support.float64.tile import summed
 from support.pictures import draw, draw_target
 from support.report import Report
+from support.scenes import Camera, Foam, Scene, Sea, WhitecapSaturation, load_preset
 from support.scenes.seas import SEAS, seen
 from support.sweep import crossed
 

@@ -10,18 +10,23 @@ from seafoam.planner import make_plan
 from seafoam.reference import render as reference
 from seafoam.reference.waves.rings import touch_set
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.current import Current
-from seafoam.scene.foam import Foam, WhitecapSaturation
-from seafoam.scene.models import Scene
-from seafoam.scene.shore import Shore
-from seafoam.scene.touch import TOUCHES_MOST, Touch
-from seafoam.scene.water import Ripples, Water
-from seafoam.scene.waves import Sea
 from support.exact import EXACT, UNFILTERED
 from support.pictures import levels, samples
 from support.probe import Probe
 from support.report import Report
+from support.scenes import (
+    TOUCHES_MOST,
+    Camera,
+    Current,
+    Foam,
+    Ripples,
+    Scene,
+    Sea,
+    Shore,
+    Touch,
+    Water,
+    WhitecapSaturation,
+)
 
 FILES = ("lib/numbers.glsl", "waves/rings.glsl@ring", "waves/rings.glsl@touch")
 SIZE = (64, 36)

@@ -17,17 +17,23 @@ from seafoam.reference.types import SurfacePoints
 from seafoam.reference.waves.groups import group_factor
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, FoamSource, FrontSaturation, SlopeSaturation
-from seafoam.scene.light import Light
-from seafoam.scene.living import FoamLife
-from seafoam.scene.models import Scene
-from seafoam.scene.water import Water
-from seafoam.scene.waves import ParametricWave, WaveGroups
 from support.exact import EXACT, UNFILTERED
 from support.pictures import draw
 from support.probe import Probe
 from support.report import Report
+from support.scenes import (
+    Camera,
+    Foam,
+    FoamLife,
+    FoamSource,
+    FrontSaturation,
+    Light,
+    ParametricWave,
+    Scene,
+    SlopeSaturation,
+    Water,
+    WaveGroups,
+)
 
 WAVES = (
     ParametricWave(amplitude=1.1, wavelength=24.0, direction=0.4, exponent=2.0),
