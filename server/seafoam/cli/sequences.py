@@ -87,13 +87,13 @@ def _output(path: Path, codec: str) -> "SequenceOutput":
 
 def _spec(preset: str, start: float | None, stop: float, fps: str, others: dict[str, object]) -> "SequenceSpec":
     from seafoam.library.errors import InvalidRequestError
-    from seafoam.library.request import job_of
+    from seafoam.library.request import FrameRequest
     from seafoam.sequences.errors import OutputError
     from seafoam.sequences.spec import sequence_of
 
     given = {name: value for name, value in others.items() if value is not None}
     try:
-        return sequence_of(job_of(preset, time=start, **given), stop, fps)  # type: ignore[arg-type]
+        return sequence_of(FrameRequest(preset, time=start, **given).job(), stop, fps)  # type: ignore[arg-type]
     except InvalidRequestError as error:
         text = str(error)
         option = text.replace("preset", "PRESET", 1) if text.startswith("preset") else f"--{text}"

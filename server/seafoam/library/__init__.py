@@ -6,9 +6,9 @@ server (:func:`connect`).
 
 from seafoam.library.connection import Connection
 from seafoam.library.embedded import HERE
-from seafoam.library.errors import InvalidRequestError
 from seafoam.library.named import named
-from seafoam.scene.presets import Preset, load_preset, preset_names
+from seafoam.library.request import preset as preset
+from seafoam.scene.presets import preset_names
 
 frame = HERE.frame
 frame_async = HERE.frame_async
@@ -26,7 +26,7 @@ def connect(url: str, *, key: str | None = None, timeout: float = 60.0) -> Conne
     """Return a source that draws on a Seafoam server, at ``http://`` or ``https://``.
 
     Nothing is sent before the first picture is asked for. key: of the server's API, where it asks for one. timeout:
-    s, of each request. Raises :class:`InvalidRequestError` for another kind of address.
+    s, of each request. Raises :class:`seafoam.InvalidRequestError` for another kind of address.
     """
     return Connection(url, key=key, timeout=timeout)
 
@@ -34,14 +34,3 @@ def connect(url: str, *, key: str | None = None, timeout: float = 60.0) -> Conne
 def presets() -> tuple[str, ...]:
     """Return the names of all presets, in the order of the page's menu."""
     return preset_names()
-
-
-def preset(name: str) -> Preset:
-    """Return a preset: scene, title, summary, recommended time (s) and size (pixels).
-
-    Raises :class:`InvalidRequestError` if there is none of this name.
-    """
-    try:
-        return load_preset(name)
-    except KeyError:
-        raise InvalidRequestError(f"preset {name!r} was not found; available: {', '.join(preset_names())}") from None

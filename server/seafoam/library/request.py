@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Mapping
+from dataclasses import KW_ONLY, dataclass
 from typing import Any, get_args
 
 from pydantic import ValidationError
@@ -15,7 +16,7 @@ from seafoam.render.service.limits import IN_PROCESS
 from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Look
 from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene.presets import Preset, load_preset, preset_names
 
 SceneLike = str | Scene | Mapping[str, Any]
 """Name of a preset, a scene, or a scene's fields as JSON has them."""
@@ -31,38 +32,54 @@ TIME_LIMIT = 1e9
 DEFAULT_SIZE: Size = (1280, 720)
 
 
-def job_of(
-    what: SceneLike = "default",
-    format: FrameFormat = "png",
-    *,
-    time: float | None = None,
-    size: Size | None = None,
-    quality: QualityLike = "standard",
-    camera: CameraLike | None = None,
-    look: str | None = None,
-    mask: str | None = None,
-) -> FrameJob:
-    """Return the job of a frame; what is absent is the preset's, or of a scene 0 s and 1280 × 720.
+@dataclass(frozen=True)
+class FrameRequest:
+    """A frame; what is absent is the preset's, or of a scene 0 s and 1280 × 720.
 
     time: s, |time| ≤ 1e9. size: pixels, each side 1 to 8192 and fewer with many samples. look, mask: of the foam.
-    Raises :class:`InvalidRequestError`.
     """
-    preset = None
-    if isinstance(what, str):
-        if what not in preset_names():
-            raise InvalidRequestError(f"preset {what!r} was not found; available: {', '.join(preset_names())}")
-        preset = load_preset(what)
-    scene = scene_of(what if preset is None else preset.scene)
-    scene = _with_foam(scene, {name: value for name, value in (("look", look), ("mask", mask)) if value is not None})
-    at = (preset.time if preset else 0.0) if time is None else time
-    if isinstance(at, bool) or not isinstance(at, int | float) or not (math.isfinite(at) and abs(at) <= TIME_LIMIT):
-        raise InvalidRequestError(f"time: must be {-TIME_LIMIT:g} to {TIME_LIMIT:g} s, not {at!r}")
-    chosen = quality_of(quality)
-    width, height = _checked((preset.size if preset else DEFAULT_SIZE) if size is None else size, chosen)
-    if format not in FRAME_FORMATS:
-        raise InvalidRequestError(f"format: must be one of {', '.join(FRAME_FORMATS)}, not {format!r}")
-    eye = camera_of(camera, scene.camera)
-    return FrameJob(scene, chosen, float(at), eye, width, height, format, preset.name if preset else None)
+
+    what: SceneLike = "default"
+    _: KW_ONLY
+    time: float | None = None
+    size: Size | None = None
+    quality: QualityLike = "standard"
+    camera: CameraLike | None = None
+    look: str | None = None
+    mask: str | None = None
+
+    def job(self, format: FrameFormat = "png") -> FrameJob:
+        """Return the job that draws it. Raises :class:`InvalidRequestError`."""
+        named = preset(self.what) if isinstance(self.what, str) else None
+        changes = {name: value for name, value in (("look", self.look), ("mask", self.mask)) if value is not None}
+        scene = _with_foam(scene_of(self.what), changes)
+        at = (named.time if named else 0.0) if self.time is None else self.time
+        if isinstance(at, bool) or not isinstance(at, int | float) or not (math.isfinite(at) and abs(at) <= TIME_LIMIT):
+            raise InvalidRequestError(f"time: must be {-TIME_LIMIT:g} to {TIME_LIMIT:g} s, not {at!r}")
+        quality = quality_of(self.quality)
+        size = _checked((named.size if named else DEFAULT_SIZE) if self.size is None else self.size, quality)
+        if format not in FRAME_FORMATS:
+            raise InvalidRequestError(f"format: must be one of {', '.join(FRAME_FORMATS)}, not {format!r}")
+        camera = camera_of(self.camera, scene.camera)
+        return FrameJob(scene, quality, float(at), camera, *size, format, named.name if named else None)
+
+
+@dataclass(frozen=True)
+class FileRequest(FrameRequest):
+    """A frame in the format of a file."""
+
+    format: FrameFormat = "png"
+
+
+def preset(name: str) -> Preset:
+    """Return a preset: scene, title, summary, recommended time (s) and size (pixels).
+
+    Raises :class:`InvalidRequestError` if there is none of this name.
+    """
+    try:
+        return load_preset(name)
+    except KeyError:
+        raise InvalidRequestError(f"preset {name!r} was not found; available: {', '.join(preset_names())}") from None
 
 
 def scene_of(what: SceneLike) -> Scene:
@@ -70,7 +87,7 @@ def scene_of(what: SceneLike) -> Scene:
     if isinstance(what, Scene):
         return what
     if isinstance(what, str):
-        return job_of(what).scene
+        return preset(what).scene
     try:
         return Scene.model_validate(what)
     except ValidationError as error:

@@ -4,7 +4,7 @@ import asyncio
 import io
 from abc import ABC, abstractmethod
 from concurrent.futures import Future
-from dataclasses import KW_ONLY, dataclass, replace
+from dataclasses import KW_ONLY, dataclass
 from typing import Any
 
 import numpy as np
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from seafoam.library.named import asking
-from seafoam.library.request import CameraLike, QualityLike, SceneLike, Size, job_of
+from seafoam.library.request import FileRequest, FrameRequest
 from seafoam.render.service.jobs import FrameJob
 
 
@@ -43,20 +43,6 @@ class MaskRequest:
         return {name: value for name, value in options.items() if value is not None}
 
 
-def _picture(
-    what: SceneLike = "default",
-    *,
-    time: float | None = None,
-    size: Size | None = None,
-    quality: QualityLike = "standard",
-    camera: CameraLike | None = None,
-    look: str | None = None,
-    mask: str | None = None,
-) -> FrameJob:
-    """:func:`job_of` for methods that give no file."""
-    return job_of(what, time=time, size=size, quality=quality, camera=camera, look=look, mask=mask)
-
-
 class PictureSource(ABC):
     """Draws frames and makes masks. Every method can be called from any thread; a source is a context manager.
 
@@ -65,8 +51,8 @@ class PictureSource(ABC):
     :class:`seafoam.library.errors.ServerError` there.
     """
 
-    @asking(_picture)
-    def frame(self, job: FrameJob) -> Image.Image:
+    @asking(FrameRequest)
+    def frame(self, asked: FrameRequest) -> Image.Image:
         """Return a frame as an RGB image, sRGB; ``info["seafoam"]`` is its recipe (JSON).
 
         what: a preset's name, a :class:`seafoam.Scene`, or a scene's fields as JSON has them. What is absent is the
@@ -75,23 +61,23 @@ class PictureSource(ABC):
         a :class:`seafoam.Camera`, or the fields that differ from the scene's. look, mask: of the foam; a mask is a
         shipped one, or ``family:sigma:size:seed[:aspect:age]``.
         """
-        return _image(self._draw(job).result())
+        return _image(self._draw(asked.job()).result())
 
-    @asking(_picture)
-    def linear(self, job: FrameJob) -> NDArray[np.float32]:
+    @asking(FrameRequest)
+    def linear(self, asked: FrameRequest) -> NDArray[np.float32]:
         """Return a frame as (height, width, 4) float32, top row first: linear RGB, and the coverage of foam, 0..1.
 
         Options: see :meth:`frame`.
         """
-        return _array(self._draw(replace(job, format="npy")).result())
+        return _array(self._draw(asked.job("npy")).result())
 
-    @asking(job_of)
-    def encoded(self, job: FrameJob) -> bytes:
+    @asking(FileRequest)
+    def encoded(self, asked: FileRequest) -> bytes:
         """Return a frame as a file: the bytes that ``seafoam render`` writes.
 
         format: ``png``, ``webp``, ``exr`` or ``npy``. Other options: see :meth:`frame`.
         """
-        return self._draw(job).result()
+        return self._draw(asked.job(asked.format)).result()
 
     @asking(MaskRequest)
     def mask(self, asked: MaskRequest) -> NDArray[np.float32]:
@@ -104,25 +90,25 @@ class PictureSource(ABC):
         """
         return _array(self._mask(asked).result())
 
-    @asking(_picture)
-    async def frame_async(self, job: FrameJob) -> Image.Image:
+    @asking(FrameRequest)
+    async def frame_async(self, asked: FrameRequest) -> Image.Image:
         """:meth:`frame`, without blocking the event loop."""
-        return _image(await asyncio.wrap_future(self._draw(job)))
+        return _image(await asyncio.wrap_future(self._draw(asked.job())))
 
-    @asking(_picture)
-    async def linear_async(self, job: FrameJob) -> NDArray[np.float32]:
+    @asking(FrameRequest)
+    async def linear_async(self, asked: FrameRequest) -> NDArray[np.float32]:
         """:meth:`linear`, without blocking the event loop."""
-        return _array(await asyncio.wrap_future(self._draw(replace(job, format="npy"))))
+        return _array(await asyncio.wrap_future(self._draw(asked.job("npy"))))
 
-    @asking(job_of)
-    async def encoded_async(self, job: FrameJob) -> bytes:
+    @asking(FileRequest)
+    async def encoded_async(self, asked: FileRequest) -> bytes:
         """:meth:`encoded`, without blocking the event loop."""
-        return await asyncio.wrap_future(self._draw(job))
+        return await asyncio.wrap_future(self._draw(asked.job(asked.format)))
 
     @asking(MaskRequest)
     async def mask_async(self, asked: MaskRequest) -> NDArray[np.float32]:
         """:meth:`mask`, without blocking the event loop."""
-        return _array(await asyncio.wrap_future(self._mask(asked)))
+        return await asyncio.to_thread(lambda: _array(self._mask(asked).result()))
 
     @abstractmethod
     def close(self) -> None:

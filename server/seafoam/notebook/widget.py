@@ -14,11 +14,11 @@ from seafoam.library.named import named
 from seafoam.library.request import (
     TIME_LIMIT,
     CameraLike,
+    FrameRequest,
     QualityLike,
     SceneLike,
     Size,
     camera_of,
-    job_of,
     quality_of,
     scene_of,
 )
@@ -104,7 +104,7 @@ class Water(anywidget.AnyWidget):
         playing: bool = True,
         panel: bool = False,
     ) -> None:
-        job = job_of(what, time=time, camera=camera, quality=quality)
+        job = FrameRequest(what, time=time, camera=camera, quality=quality).job()
         super().__init__(
             scene=job.scene,
             camera=job.camera,

@@ -20,7 +20,7 @@ import pytest
 import seafoam
 from seafoam.library.connection import Connection
 from seafoam.library.embedded import Embedded
-from seafoam.library.request import job_of
+from seafoam.library.request import FrameRequest
 from seafoam.masks.catalogue import load_mask
 from seafoam.masks.construct import make_mask
 from seafoam.quality import TIERS
@@ -79,16 +79,18 @@ def test_every_name_is_there() -> None:
 
 def test_a_job_has_the_presets_values_where_none_are_given() -> None:
     preset = load_preset("default")
-    job = job_of("default")
+    job = FrameRequest("default").job()
     assert (job.time, (job.width, job.height), job.camera) == (preset.time, preset.size, preset.scene.camera)
     assert (job.preset, job.quality, job.format) == ("default", TIERS["standard"], "png")
-    changed = job_of("default", time=3, size=SMALL, camera={"yaw": 1.0}, look="halftone", mask="vac-6", quality={})
+    changed = FrameRequest(
+        "default", time=3, size=SMALL, camera={"yaw": 1.0}, look="halftone", mask="vac-6", quality={}
+    ).job()
     assert changed.scene.foam is not None
     assert (changed.scene.foam.look, changed.scene.foam.mask) == ("halftone", "vac-6")
     assert changed.camera == preset.scene.camera.model_copy(update={"yaw": 1.0})
-    own = job_of({"sea": {"wind": 12.0}})
+    own = FrameRequest({"sea": {"wind": 12.0}}).job()
     assert (own.time, own.width, own.height, own.preset) == (0.0, 1280, 720, None)
-    assert job_of(own.scene).scene is own.scene
+    assert FrameRequest(own.scene).job().scene is own.scene
 
 
 @pytest.mark.parametrize("name", ["frame", "linear", "encoded", "mask", "connect", "Water"])
@@ -143,7 +145,7 @@ def test_an_unknown_option_of_masks_and_of_the_widget() -> None:
 )
 def test_what_is_not_allowed_is_named(what, options, said: list[str]) -> None:
     with pytest.raises(seafoam.InvalidRequestError) as refused:
-        job_of(what, **options)
+        FrameRequest(what, **options).job()
     for part in said:
         assert part in str(refused.value)
 

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from seafoam.extras import MissingExtraError
-from seafoam.library.request import job_of
+from seafoam.library.request import FrameRequest
 from seafoam.sequences.errors import MixedFleetError, SequenceError
 from seafoam.sequences.fleet import DaskWorkers
 from seafoam.sequences.folder import SequenceFolder
@@ -24,7 +24,7 @@ from support.command import free_port
 
 
 def spec(frames: int, start: float = 0.0) -> SequenceSpec:
-    job = job_of("paper-halftone", time=start, size=(64, 36), quality="draft")
+    job = FrameRequest("paper-halftone", time=start, size=(64, 36), quality="draft").job()
     return SequenceSpec(job, start + frames / 24, 24.0)
 
 

@@ -17,7 +17,7 @@ import pytest
 from PIL import Image, ImageSequence
 
 from seafoam.extras import MissingExtraError
-from seafoam.library.request import job_of
+from seafoam.library.request import FrameRequest
 from seafoam.sequences.errors import OtherSequenceError, OutputError, SequenceError, SequenceStoppedError
 from seafoam.sequences.folder import HASHES, MANIFEST, SequenceFolder, frame_name
 from seafoam.sequences.making import Kind, Output, Progress, make_sequence
@@ -42,7 +42,7 @@ class Counting(InProcess):
 
 def spec(stop: float = 0.25, fps: float | str = 24.0, **changes: object) -> SequenceSpec:
     options = {"time": 0.0, "size": (24, 16), "quality": "draft", **changes}
-    return SequenceSpec(job_of("paper-halftone", **options), stop, rate_of(fps))  # type: ignore[arg-type]
+    return SequenceSpec(FrameRequest("paper-halftone", **options).job(), stop, rate_of(fps))  # type: ignore[arg-type]
 
 
 def make(output: Output, of: SequenceSpec | None = None, **options: object) -> Counting:
