@@ -2,50 +2,38 @@
 
 import io
 import json
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from PIL import Image
 from PIL.PngImagePlugin import PngInfo
 
-from seafoam import cli
 from seafoam.cli import again as module
 from seafoam.render.encode import FRAME_FORMATS, read_recipe
+from support.api_fakes import FakeRenderer
 
 
-class Painter:
-    """Stands in for the executor: noise that depends on the frame, and on what a test changes."""
+class Painter(FakeRenderer):
+    """Of another name, and with so many black pixels as a test says."""
 
-    info = {"vendor": "A", "renderer": "B", "version": "C"}  # noqa: RUF012
     spoiled = 0
 
-    def render(self, plan, *, time, camera, width, height, output):
-        rng = np.random.default_rng(abs(hash((plan.sha256, time, camera))))
-        values = rng.random((height, width, 4))
-        pixels = {
-            "linear": values.astype(np.float32),
-            "rgba8": (values * 255).astype(np.uint8),
-            "rgba16": (values * 65535).astype(np.uint16),
-        }[output]
-        pixels[0, : self.spoiled] = 0
-        return SimpleNamespace(pixels=pixels, timings={"render": 0.0, "read": 0.0})
+    def __init__(self):
+        self.info = {"vendor": "A", "renderer": "B", "version": "C"}
+
+    def render(self, plan, **asked):
+        drawn = super().render(plan, **asked)
+        drawn.pixels[0, : self.spoiled] = 0
+        return drawn
 
 
-@pytest.fixture
-def seafoam(capsys, monkeypatch):
+@pytest.fixture(autouse=True)
+def _painter(seafoam, monkeypatch):
     monkeypatch.setattr("seafoam.render.gl.executor.Executor", Painter)
-
-    def call(*arguments):
-        with pytest.raises(SystemExit) as left:
-            cli.main(["render", *(str(argument) for argument in arguments)])
-        return left.value.code, *capsys.readouterr()
-
-    return call
 
 
 def drawn(seafoam, path, *options):
-    code, _, err = seafoam("storm", "-o", path, "--size", "48x27", "--time", "2.5", "--yaw", "0.3", *options)
+    code, _, err = seafoam("render", "storm", "-o", path, "--size", "48x27", "--time", "2.5", "--yaw", "0.3", *options)
     assert code == 0, err
     return path
 
@@ -64,10 +52,10 @@ def altered(path, **changes):
 @pytest.mark.parametrize("options", [(), ("--no-dither", "--precision", "float", "--quality", "high")])
 def test_the_same_bytes_are_drawn_again(seafoam, tmp_path, format, options):
     path = drawn(seafoam, tmp_path / f"a.{format}", *options)
-    code, out, err = seafoam("--again", path)
+    code, out, err = seafoam("render", "--again", path)
     assert (code, err) == (0, "")
     assert "the same" in out
-    assert seafoam("--again", path, "-o", tmp_path / "b")[0] == 0
+    assert seafoam("render", "--again", path, "-o", tmp_path / "b")[0] == 0
     assert (tmp_path / "b").read_bytes() == path.read_bytes()
 
 
@@ -75,7 +63,7 @@ def test_the_same_bytes_are_drawn_again(seafoam, tmp_path, format, options):
 def test_other_pixels_are_counted(seafoam, tmp_path, monkeypatch, format):
     path = drawn(seafoam, tmp_path / f"a.{format}")
     monkeypatch.setattr(Painter, "spoiled", 7)
-    code, out, _ = seafoam("--again", path)
+    code, out, _ = seafoam("render", "--again", path)
     assert code == 1
     assert f"pixels: 7 of {48 * 27:,} differ, by at most" in out
     assert ("in linear light" in out) == (format == "exr")
@@ -84,7 +72,7 @@ def test_other_pixels_are_counted(seafoam, tmp_path, monkeypatch, format):
 
 def test_what_was_otherwise_is_named(seafoam, tmp_path):
     path = altered(drawn(seafoam, tmp_path / "a.png"), seafoam="0.0.1", renderer="a GPU, 9", plan="0" * 64)
-    code, out, _ = seafoam("--again", path)
+    code, out, _ = seafoam("render", "--again", path)
     assert code == 1
     assert "version: 0.0.1 then" in out
     assert "renderer: a GPU, 9 then, B, C now" in out
@@ -94,14 +82,14 @@ def test_what_was_otherwise_is_named(seafoam, tmp_path):
 
 def test_a_recipe_of_the_page_or_of_an_earlier_version_is_drawn(seafoam, tmp_path):
     path = drawn(seafoam, tmp_path / "a.png", "--no-dither")
-    code, out, _ = seafoam("--again", altered(path, plan=None, format=None, dither=None, preset=None))
+    code, out, _ = seafoam("render", "--again", altered(path, plan=None, format=None, dither=None, preset=None))
     assert code == 1
     assert "its recipe does not name it" in out
     assert "pixels: the same" in out
 
 
 def test_a_picture_of_another_size_than_its_recipe(seafoam, tmp_path):
-    code, out, _ = seafoam("--again", altered(drawn(seafoam, tmp_path / "a.png"), width=20))
+    code, out, _ = seafoam("render", "--again", altered(drawn(seafoam, tmp_path / "a.png"), width=20))
     assert code == 1
     assert "48 × 27 of uint8 then, 20 × 27 of uint8 now" in out
 
@@ -120,7 +108,7 @@ def test_a_picture_of_another_size_than_its_recipe(seafoam, tmp_path):
     ],
 )
 def test_a_recipe_that_cannot_be_drawn_says_why(seafoam, tmp_path, changes, said):
-    code, _, err = seafoam("--again", altered(drawn(seafoam, tmp_path / "a.png"), **changes))
+    code, _, err = seafoam("render", "--again", altered(drawn(seafoam, tmp_path / "a.png"), **changes))
     assert code == 2
     assert err.count("\n") == 1
     assert said in err
@@ -130,10 +118,10 @@ def test_files_without_a_recipe(seafoam, tmp_path):
     Image.new("RGB", (4, 4)).save(tmp_path / "plain.png")
     (tmp_path / "text").write_text("no picture")
     for name in ("plain.png", "text"):
-        code, _, err = seafoam("--again", tmp_path / name)
+        code, _, err = seafoam("render", "--again", tmp_path / name)
         assert code == 2
         assert "no PNG, WebP or OpenEXR picture with a recipe" in err
-    code, _, err = seafoam("--again", tmp_path / "none.png")
+    code, _, err = seafoam("render", "--again", tmp_path / "none.png")
     assert code == 1
     assert "cannot read" in err
 

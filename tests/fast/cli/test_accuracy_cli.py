@@ -1,4 +1,4 @@
-"""``seafoam accuracy`` and ``seafoam render --quality auto``."""
+"""``seafoam accuracy`` and ``seafoam render --quality auto``. What they refuse is in test_refusals.py."""
 
 import json
 import time
@@ -7,36 +7,20 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from seafoam import cli
 from seafoam.accuracy import sweep
 from seafoam.quality import TIERS
 from seafoam.render.service import jobs
 from seafoam.scene.presets import load_preset
-from support.accuracy_rigs import INFO, grey_truth, noisy
+from support.accuracy_rigs import grey_truth, noisy
 
 
 @pytest.fixture
-def seafoam(capsys, monkeypatch, tmp_path):
-    """The command in this process, on a renderer whose times and errors are known: exit code, stdout, stderr."""
-
-    class Executor:
-        info = INFO
-
-        def render(self, plan, *, time, camera, width, height, output):
-            return SimpleNamespace(pixels=np.zeros((height, width, 4), np.uint8), timings={"render": 0.0, "read": 0.0})
-
+def seafoam(seafoam, monkeypatch, tmp_path):
+    """The command on a renderer whose times and errors are known."""
     monkeypatch.setenv("SEAFOAM_CACHE", str(tmp_path / "cache"))
     monkeypatch.setattr(sweep, "make_truth", grey_truth)
-    monkeypatch.setattr("seafoam.render.gl.executor.Executor", Executor)
     monkeypatch.setattr("seafoam.render.service.jobs.measure", lambda executor, job: noisy().measure(job))
-
-    def call(*arguments):
-        with pytest.raises(SystemExit) as left:
-            cli.main([str(argument) for argument in arguments])
-        out, err = capsys.readouterr()
-        return left.value.code, out, err
-
-    return call
+    return seafoam
 
 
 SMALL = ("--size", "32x18", "--rounds", "2", "--samples", "2")
@@ -80,39 +64,9 @@ def test_accuracy_of_all_presets_fills_folders(seafoam, monkeypatch, tmp_path):
     assert {path.stem for path in (tmp_path / "reports").iterdir()} == {"paper-halftone", "paper-threshold"}
 
 
-@pytest.mark.parametrize(
-    ("arguments", "said"),
-    [
-        (["nope"], ["PRESET", "'nope'", "default"]),
-        ([], ["PRESET or --all"]),
-        (["default", "--all"], ["PRESET or --all"]),
-        (["default", "--size", "8x8"], ["--size", "16x16"]),
-        (["default", "--rounds", "1"], ["--rounds"]),
-        (["default", "--timer", "gpu"], ["--timer", "wall; processor"]),
-        (["default", "-o", "a.gif"], ["--output", ".png"]),
-        (["default", "--html", "a.txt"], ["--html", ".html"]),
-    ],
-)
-def test_bad_input_of_accuracy(seafoam, arguments, said):
-    code, _, err = seafoam("accuracy", *arguments)
-    assert code == 2
-    assert err.count("\n") == 1
-    for part in said:
-        assert part in err
-
-
 def test_render_picks_a_quality_for_a_budget(seafoam, tmp_path):
     asked = ("--size", "32x18", "--quality", "auto", "--budget-ms", "4")
     code, out, err = seafoam("render", "paper-threshold", "-o", tmp_path / "a.png", *asked)
     assert code == 0, err
     assert "predicted" in out.splitlines()[-1]
     assert "of 4 ms at 32 x 18" in out.splitlines()[-1]
-
-
-@pytest.mark.parametrize(
-    "given", [("--quality", "auto"), ("--budget-ms", "4"), ("--quality", "auto", "--budget-ms", "0")]
-)
-def test_a_budget_goes_with_auto(seafoam, tmp_path, given):
-    code, _, err = seafoam("render", "default", "-o", tmp_path / "a.png", "--size", "32x18", *given)
-    assert code == 2
-    assert "--budget-ms" in err
