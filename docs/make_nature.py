@@ -30,7 +30,7 @@ from docs.nature import laws
 from docs.nature import measure as m
 
 from seafoam.ocean.constants import GRAVITY
-from seafoam.ocean.whitecaps import whitecaps
+from seafoam.ocean.foam.whitecaps import whitecaps
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.base import non_defaults
 from seafoam.scene.foam import FrontSaturation, WhitecapSaturation

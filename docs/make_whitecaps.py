@@ -1,4 +1,4 @@
-"""Whitecaps of the open sea against the wind: tables and plots of docs/whitecaps.md, factors of ocean/cascades.py.
+"""Whitecaps of the sea against the wind: tables and plots of docs/whitecaps.md, factors of ocean/foam/whitecaps.py.
 
 Run as ``python docs/make_whitecaps.py [--derive | --photographs | --patches]``. ``--derive`` prints new values of
 ``CLAMPED`` and ``LASTING_CLAMPED``; ``--photographs`` draws the sea as seen from a ship and counts whitecaps by AWE;
@@ -26,8 +26,8 @@ from rich.progress import Progress
 from scipy import stats
 
 from seafoam.accuracy.metrics import displayed
-from seafoam.ocean import cascades as sea_tiles
-from seafoam.ocean import whitecaps as foam_of_sea
+from seafoam.ocean.foam import whitecaps as foam_of_sea
+from seafoam.ocean.waves import cascades as sea_tiles
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference.waves.sea import sea_surface, whitecap_saturation

@@ -9,7 +9,7 @@ import numpy as np
 from docs.nature.measure import equivalent_width, glitter, path_view
 
 from seafoam.ocean.constants import GRAVITY
-from seafoam.ocean.whitecaps import whitecaps
+from seafoam.ocean.foam.whitecaps import whitecaps
 from seafoam.scene.sky import direction
 
 SCATTER = math.sqrt(10.0)

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 from scipy.ndimage import label
 from scipy.optimize import least_squares
 
-from seafoam.ocean.cascades import LOOP
+from seafoam.ocean.basics.spectrum import frequency_spectrum, peak_frequency
 from seafoam.ocean.constants import GRAVITY
-from seafoam.ocean.spectrum import frequency_spectrum, peak_frequency
+from seafoam.ocean.waves.cascades import LOOP
 from seafoam.planner import make_geometry_plan, make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor

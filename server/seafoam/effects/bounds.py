@@ -5,10 +5,10 @@ import math
 from seafoam.effects.effect import Bound
 from seafoam.effects.light.light import brightest_sun, lamp_angles, sky_irradiance
 from seafoam.effects.registry import saturation_limits
-from seafoam.ocean.cascades import RAISED, cascades
-from seafoam.ocean.levels import paper_level
-from seafoam.ocean.rings import ring_height
-from seafoam.ocean.wakes import joint_height, stone_wakes, wake_height
+from seafoam.ocean.basics.levels import paper_level
+from seafoam.ocean.waves.cascades import RAISED, cascades
+from seafoam.ocean.waves.rings import ring_height
+from seafoam.ocean.waves.wakes import joint_height, stone_wakes, wake_height
 from seafoam.scene.foam import Foam
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field, field_validator
 
-from seafoam.ocean.cascades import cascades
+from seafoam.ocean.waves.cascades import cascades
 from seafoam.scene.waves import Sea
 from seafoam.textures.spec import Image, TextureSpec
 

@@ -7,8 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field, field_validator
 
-from seafoam.ocean.seabed import floor_grid
-from seafoam.ocean.travel import travel_grid
+from seafoam.ocean.coast.seabed import floor_grid
+from seafoam.ocean.coast.travel import travel_grid
 from seafoam.scene.shore import Shore
 from seafoam.textures.spec import Image, TextureSpec
 
@@ -33,7 +33,7 @@ class ShoreFloor(TextureSpec):
         return shore.ground
 
     def image(self) -> Image:
-        """Return :func:`seafoam.ocean.seabed.floor_grid`."""
+        """Return :func:`seafoam.ocean.coast.seabed.floor_grid`."""
         return Image("RG32F", (floor_grid(self.shore, self.texels).astype("<f4"),))
 
 
@@ -51,7 +51,7 @@ class ShoreTravel(TextureSpec):
         return shore.approach
 
     def image(self) -> Image:
-        """Return :func:`seafoam.ocean.travel.travel_grid`."""
+        """Return :func:`seafoam.ocean.coast.travel.travel_grid`."""
         return Image("RG32F", (travel_grid(self.shore, self.texels).astype("<f4"),))
 
 

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field, field_validator
 
-from seafoam.ocean.rocks import rocks
+from seafoam.ocean.coast.rocks import rocks
 from seafoam.scene.shore import Shore
 from seafoam.textures.spec import Image, TextureSpec
 
@@ -18,7 +18,7 @@ _STEPS = 1024
 
 
 class SprayRocks(TextureSpec):
-    """Places on a shore's rocks, RGBA32F (1, ROCKS), see :func:`seafoam.ocean.rocks.rocks`."""
+    """Places on a shore's rocks, RGBA32F (1, ROCKS), see :func:`seafoam.ocean.coast.rocks.rocks`."""
 
     kind: ClassVar[str] = "spray-rocks"
 

@@ -25,14 +25,15 @@ _HARD = (
             sea=Sea(wind=60.0, model="gerstner"),
             foam=Foam(saturation=(WhitecapSaturation(coverage=10.0, softness=0.01, decay=60.0),), look="textured"),
         ),
-        guard="f at most 1 (foam/saturation/whitecap.glsl@whitecap), threshold found by bisection (ocean/whitecaps.py)",
+        guard="f at most 1 (foam/saturation/whitecap.glsl@whitecap), threshold found by bisection "
+        "(ocean/foam/whitecaps.py)",
         camera=Camera(position=(0.37, 90.0, -0.21), yaw=1.0, pitch=-0.3),
         times=(1e9,),
     ),
     HardCase(
         "a sea too flat to fold",
         Scene(sea=Sea(wind=0.2, fetch=100.0), foam=Foam(saturation=(WhitecapSaturation(),))),
-        guard="no foam where the mean square of J - 1, J the Jacobian, is below 1e-8 (ocean/whitecaps.py)",
+        guard="no foam where the mean square of J - 1, J the Jacobian, is below 1e-8 (ocean/foam/whitecaps.py)",
         camera=_NEAR,
     ),
 )

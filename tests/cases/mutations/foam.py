@@ -126,7 +126,7 @@ MUTATIONS = {
     ),
     "a sea too flat to fold": (
         Mutation(
-            "ocean/whitecaps.py",
+            "ocean/foam/whitecaps.py",
             (("min(now, earlier) < 1e-8 or ", ""),),
             test=f"{_GUARDS}::test_a_sea_that_is_too_flat_has_no_whitecaps",
         ),

@@ -119,7 +119,7 @@ MUTATIONS = {
     ),
     "a shore ten thousand kilometres away, after thirty years": IN_FLOAT32,
     "a swell that the depth bends, over a beach all but level": (
-        Mutation("ocean/travel.py", (("np.maximum(depth, least)", "np.maximum(depth, 0.0)"),)),
+        Mutation("ocean/coast/travel.py", (("np.maximum(depth, least)", "np.maximum(depth, 0.0)"),)),
     ),
     "eye inside a hill": (
         Mutation(

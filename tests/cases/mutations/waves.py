@@ -58,7 +58,7 @@ _PARAMETRIC = {
     ),
     "two kilometres long in 5 cm of water": (
         Mutation(
-            "ocean/dispersion.py",
+            "ocean/basics/dispersion.py",
             (("k = deep / math.sqrt(math.tanh(deep * depth))", "k = deep"), ("range(30)", "range(3)")),
         ),
     ),
@@ -97,18 +97,20 @@ _SEA = {
     "a sea without wind": (
         Mutation("effects/waves/sea.py", ((" or scene.sea.wind_speed <= 0.0", ""),), error="ZeroDivisionError"),
         Mutation(
-            "ocean/cascades.py",
+            "ocean/waves/cascades.py",
             (("if sea.wind_speed <= 0.0:", "if sea.wind_speed < 0.0:"), ("sea.wind_speed > 0.0 and", "")),
             error="ZeroDivisionError",
         ),
-        Mutation("ocean/spectrum.py", (("if wind <= 0.0:", "if wind < 0.0:"),), error="ZeroDivisionError"),
+        Mutation("ocean/basics/spectrum.py", (("if wind <= 0.0:", "if wind < 0.0:"),), error="ZeroDivisionError"),
     ),
     "the open sea at any time": (
         Mutation(_RULES, (("(_modulo(state.time + rule.offset, rule.period),)", "(state.time + rule.offset,)"),)),
     ),
     "the open sea ten thousand kilometres away": (_PLACE,),
     "a hurricane that has blown over a hundred metres": (
-        Mutation("ocean/cascades.py", (("requested if requested * slope <= TILT else TILT / slope", "requested"),)),
+        Mutation(
+            "ocean/waves/cascades.py", (("requested if requested * slope <= TILT else TILT / slope", "requested"),)
+        ),
     ),
     "a breath of wind, and no wave on the largest tile": (
         Mutation(
@@ -126,7 +128,7 @@ _SEA = {
 _RINGS = {
     "a hundred rings at one point": (
         Mutation(
-            "ocean/rings.py",
+            "ocean/waves/rings.py",
             (
                 ("total += w * train", "total = w * train"),
                 ("min(_over_the_plane(shown), _over_time(shown))", "_over_the_plane(shown)"),

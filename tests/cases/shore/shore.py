@@ -101,7 +101,7 @@ _HARD = (
     ),
     _case(
         "a swell that the depth bends, over a beach all but level",
-        "speeds as over at least 5 cm of water, on land as well (ocean/travel.py)",
+        "speeds as over at least 5 cm of water, on land as well (ocean/coast/travel.py)",
         kind="island",
         slope=0.02,
         surf=Surf(height=0.1, period=2.0, exposure=1.0, refraction=True),

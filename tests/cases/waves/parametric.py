@@ -100,7 +100,7 @@ _HARD = (
             water=Water(depth=0.05),
         ),
         guard="the dispersion relation is solved by Newton's method from Eckart's estimate, in float64 "
-        "(ocean/dispersion.py)",
+        "(ocean/basics/dispersion.py)",
         camera=Camera(position=(0.0, 60.0, 0.0), pitch=-0.3),
     ),
     HardCase(

@@ -32,7 +32,7 @@ _HARD = (
     HardCase(
         "a hundred rings at one point",
         Scene(rings=(_STONE.model_copy(update={"amplitude": 0.004}),) * 100, water=Water(ripples=Ripples())),
-        guard="height and slope are bounded by the sum over rings that can meet (ocean/rings.py)",
+        guard="height and slope are bounded by the sum over rings that can meet (ocean/waves/rings.py)",
         times=(2.0,),
         camera=_VIEW,
     ),

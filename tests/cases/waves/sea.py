@@ -11,7 +11,7 @@ _HARD = (
     HardCase(
         "a sea without wind",
         Scene(sea=Sea(wind=0.0), foam=Foam(saturation=(WhitecapSaturation(),))),
-        guard="the spectrum is 0 without wind (ocean/cascades.py)",
+        guard="the spectrum is 0 without wind (ocean/waves/cascades.py)",
         camera=_NEAR,
     ),
     HardCase(
@@ -31,7 +31,7 @@ _HARD = (
     HardCase(
         "a hurricane that has blown over a hundred metres",
         Scene(sea=Sea(wind=60.0, fetch=100.0, choppiness=1.0)),
-        guard="choppiness is reduced until the Jacobian is negative at one point in 60 000 (ocean/cascades.py)",
+        guard="choppiness is reduced until the Jacobian is negative at one point in 60 000 (ocean/waves/cascades.py)",
         camera=_NEAR.model_copy(update={"position": (0.37, 8.711393, -0.21)}),
     ),
     HardCase(

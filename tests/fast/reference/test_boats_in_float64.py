@@ -7,7 +7,7 @@ import pytest
 
 from seafoam.effects.boats import boat as effect
 from seafoam.effects.foam.wake_foam import wake_limit
-from seafoam.ocean.wakes import Wake, wake_height, wake_slope
+from seafoam.ocean.waves.wakes import Wake, wake_height, wake_slope
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference.boats import floating

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from seafoam.effects.bounds import max_surface_height
-from seafoam.ocean.cascades import BAND, RAISED, Cascade, cascades
-from seafoam.ocean.dispersion import angular_frequency, wavevector
-from seafoam.ocean.levels import wave_level
-from seafoam.ocean.rings import ring_height
-from seafoam.ocean.wakes import wake_height
+from seafoam.ocean.basics.dispersion import angular_frequency, wavevector
+from seafoam.ocean.basics.levels import wave_level
+from seafoam.ocean.waves.cascades import BAND, RAISED, Cascade, cascades
+from seafoam.ocean.waves.rings import ring_height
+from seafoam.ocean.waves.wakes import wake_height
 from seafoam.reference.types import Floats
 from seafoam.reference.waves.groups import group_factor
 from seafoam.reference.waves.sea import sea_surface

@@ -7,8 +7,8 @@ from typing import Literal
 import numpy as np
 import pytest
 
-from seafoam.ocean import cascades as sea_tiles
-from seafoam.ocean import spectrum as sea_spectrum
+from seafoam.ocean.basics import spectrum as sea_spectrum
+from seafoam.ocean.waves import cascades as sea_tiles
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference.waves import sea as truth

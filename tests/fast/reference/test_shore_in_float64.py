@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from pydantic import ValidationError
 
-from seafoam.ocean.seabed import floor_grid
+from seafoam.ocean.coast.seabed import floor_grid
 from seafoam.reference.shore import shore as truth
 from seafoam.scene.foam import SurfSaturation
 from seafoam.scene.models import Scene

@@ -7,8 +7,8 @@ import pytest
 from numpy.typing import NDArray
 from scipy import ndimage
 
-from seafoam.ocean.seabed import floor_grid
-from seafoam.ocean.travel import arrival, speed, travel_grid
+from seafoam.ocean.coast.seabed import floor_grid
+from seafoam.ocean.coast.travel import arrival, speed, travel_grid
 from seafoam.reference.shore.maps import BREAKS, shore_map
 from seafoam.scene.shore import Shore, Surf
 

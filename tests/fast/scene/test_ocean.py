@@ -11,20 +11,28 @@ import pytest
 from numpy.typing import NDArray
 from scipy.ndimage import label
 
-from seafoam.ocean import stokes
-from seafoam.ocean.cascades import cascades, slope_heading
+from seafoam.ocean.basics.dispersion import wavenumber
+from seafoam.ocean.basics.refraction import refracted_cosine
+from seafoam.ocean.basics.spectrum import frequency_spectrum, peak_frequency
+from seafoam.ocean.coast.rocks import rocks
+from seafoam.ocean.coast.seabed import floor_grid, smoothstep
 from seafoam.ocean.constants import GRAVITY
-from seafoam.ocean.dispersion import wavenumber
-from seafoam.ocean.groups import group_speed, group_velocity
-from seafoam.ocean.refraction import refracted_cosine
-from seafoam.ocean.rings import ring_height, trains
-from seafoam.ocean.ripples import SURFACE_TENSION, ripple_cascades
-from seafoam.ocean.rocks import rocks
-from seafoam.ocean.seabed import floor_grid, smoothstep
-from seafoam.ocean.spectrum import frequency_spectrum, peak_frequency
-from seafoam.ocean.spray import CELLS, SEA_TEXELS, cell_sides, crest_strength, crest_velocity, fold_limits, torn_share
-from seafoam.ocean.wakes import wakes
-from seafoam.ocean.whitecaps import whitecap_model, whitecaps
+from seafoam.ocean.foam.spray import (
+    CELLS,
+    SEA_TEXELS,
+    cell_sides,
+    crest_strength,
+    crest_velocity,
+    fold_limits,
+    torn_share,
+)
+from seafoam.ocean.foam.whitecaps import whitecap_model, whitecaps
+from seafoam.ocean.waves import stokes
+from seafoam.ocean.waves.cascades import cascades, slope_heading
+from seafoam.ocean.waves.groups import group_speed, group_velocity
+from seafoam.ocean.waves.rings import ring_height, trains
+from seafoam.ocean.waves.ripples import SURFACE_TENSION, ripple_cascades
+from seafoam.ocean.waves.wakes import wakes
 from seafoam.reference.waves.groups import group_factor
 from seafoam.scene.boats import Boat
 from seafoam.scene.foam import WhitecapSaturation

@@ -9,9 +9,9 @@ from hypothesis import strategies as st
 from pydantic import ValidationError
 from scipy.optimize import brentq
 
+from seafoam.ocean.basics.dispersion import angular_frequency, wavenumber, wavevector
 from seafoam.ocean.constants import GRAVITY
-from seafoam.ocean.dispersion import angular_frequency, wavenumber, wavevector
-from seafoam.ocean.ripples import TILES, TURN, WAVES_PER_TILE, ripple_cascades, tiles
+from seafoam.ocean.waves.ripples import TILES, TURN, WAVES_PER_TILE, ripple_cascades, tiles
 from seafoam.scene.base import non_defaults
 from seafoam.scene.foam import Foam, HeightSaturation, SlopeSaturation
 from seafoam.scene.light import Light

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from seafoam.ocean import air, skylight
+from seafoam.ocean.sky import air, skylight
 
 THIN = air.Atmosphere(mie=0.01, haze=0.0)
 

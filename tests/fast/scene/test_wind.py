@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from seafoam.ocean.cascades import cascades
+from seafoam.ocean.waves.cascades import cascades
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference import render, scene_sha256

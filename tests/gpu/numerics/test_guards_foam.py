@@ -11,7 +11,7 @@ from seafoam.effects.foam import front
 from seafoam.effects.shader import Inline
 from seafoam.framegraph.rules import Constant
 from seafoam.masks import mask_by_name
-from seafoam.ocean.whitecaps import whitecap_model
+from seafoam.ocean.foam.whitecaps import whitecap_model
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from seafoam.effects.shader import Inline
-from seafoam.ocean.cascades import RAISED, cascades
+from seafoam.ocean.waves.cascades import RAISED, cascades
 from seafoam.planner import make_plan
 from seafoam.planner.glsl import read_file
 from seafoam.quality import TIERS

@@ -16,10 +16,10 @@ from numpy.typing import NDArray
 from pydantic import BaseModel
 
 from seafoam.effects.light.light import sky_irradiance, sun_irradiance
-from seafoam.ocean.cascades import cascades
-from seafoam.ocean.dispersion import angular_frequency
-from seafoam.ocean.rings import trains
-from seafoam.ocean.ripples import TILES, ripple_cascades
+from seafoam.ocean.basics.dispersion import angular_frequency
+from seafoam.ocean.waves.cascades import cascades
+from seafoam.ocean.waves.rings import trains
+from seafoam.ocean.waves.ripples import TILES, ripple_cascades
 from seafoam.quality import TIERS, Quality
 from seafoam.render.gl.executor import Executor
 from support import sweep

@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from seafoam.effects.spray.births import fastest_rise
 from seafoam.effects.spray.spray import contribute
-from seafoam.ocean.rocks import ROCKS, rocks
-from seafoam.ocean.spray import BATCHES, cell_sides, fold_limits
+from seafoam.ocean.coast.rocks import ROCKS, rocks
+from seafoam.ocean.foam.spray import BATCHES, cell_sides, fold_limits
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.reference.renderer.camera import view

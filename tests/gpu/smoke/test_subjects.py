@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from seafoam.ocean.whitecaps import whitecaps
+from seafoam.ocean.foam.whitecaps import whitecaps
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor

@@ -5,7 +5,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from seafoam.ocean.cascades import BAND, Cascade
+from seafoam.ocean.waves.cascades import BAND, Cascade
 from seafoam.reference.waves.sea import TileSample, amplitudes
 
 

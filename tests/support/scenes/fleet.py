@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from seafoam.effects.boats.wake import ASIDE
-from seafoam.ocean.wakes import Wake
+from seafoam.ocean.waves.wakes import Wake
 from seafoam.reference.boats import floating
 from support.scenes import Boat
 

@@ -13,7 +13,7 @@ from seafoam.effects.shader import Inline, Piece, SlotFile, Source
 from seafoam.effects.waves.measured import BLOCK
 from seafoam.framegraph.resources import FixedSize, Target, target_inputs
 from seafoam.framegraph.rules import Uniform, constants, number, significant
-from seafoam.ocean.wakes import NEAR, Wake, joint_height, joint_slope, wakes
+from seafoam.ocean.waves.wakes import NEAR, Wake, joint_height, joint_slope, wakes
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.sums import summed

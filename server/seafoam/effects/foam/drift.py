@@ -29,7 +29,7 @@ from seafoam.framegraph.rules import (
     to_camera,
     vector,
 )
-from seafoam.ocean.stokes import steady_drift
+from seafoam.ocean.waves.stokes import steady_drift
 from seafoam.quality import Quality
 from seafoam.scene.drift import Drift, Vortex
 from seafoam.scene.foam import DriftSaturation, Foam

@@ -12,9 +12,9 @@ from seafoam.effects.waves.groups import front_files, front_orbit_files, signal_
 from seafoam.effects.waves.parametric import profile_square, shares_phase
 from seafoam.framegraph.resources import TextureInput
 from seafoam.framegraph.rules import Phase, Uniform, array, constants, number, rounded, significant, vector
-from seafoam.ocean.dispersion import angular_frequency, wavevector
-from seafoam.ocean.groups import group_velocity, in_groups
-from seafoam.ocean.stokes import foam_drift, orbit
+from seafoam.ocean.basics.dispersion import angular_frequency, wavevector
+from seafoam.ocean.waves.groups import group_velocity, in_groups
+from seafoam.ocean.waves.stokes import foam_drift, orbit
 from seafoam.quality import Quality
 from seafoam.scene.foam import FrontSaturation
 from seafoam.scene.models import Scene

@@ -9,8 +9,8 @@ from seafoam.effects.effect import Bound, Contribution, Effect, SaturationSource
 from seafoam.effects.shader import Const, SlotFile
 from seafoam.effects.waves.parametric import max_profile_slope
 from seafoam.framegraph.rules import Uniform, constants, number, rounded, significant, vector
-from seafoam.ocean.dispersion import wavevector
-from seafoam.ocean.levels import paper_level
+from seafoam.ocean.basics.dispersion import wavevector
+from seafoam.ocean.basics.levels import paper_level
 from seafoam.quality import Quality
 from seafoam.scene.foam import HeightSaturation
 from seafoam.scene.models import Scene

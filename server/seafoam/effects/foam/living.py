@@ -10,7 +10,7 @@ from seafoam.effects.foam.surf import surf_limit
 from seafoam.effects.noise import CELLS, PERLIN_2, drifting_phases
 from seafoam.effects.shader import Piece, SlotFile, Source, constant_function
 from seafoam.framegraph.rules import Uniform, number, vector
-from seafoam.ocean.stokes import foam_drift, foam_life
+from seafoam.ocean.waves.stokes import foam_drift, foam_life
 from seafoam.quality import Quality
 from seafoam.scene.foam import SurfSaturation
 from seafoam.scene.living import FoamLife

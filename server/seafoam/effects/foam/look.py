@@ -14,7 +14,7 @@ from seafoam.framegraph.resources import TargetInput, TextureInput
 from seafoam.framegraph.rules import Uniform, Wrap, array, number, vector
 from seafoam.masks.catalogue import Mask, drawn_mask
 from seafoam.masks.prefilter import OCTAVE_RAMP
-from seafoam.ocean.stokes import foam_drift, foam_life
+from seafoam.ocean.waves.stokes import foam_drift, foam_life
 from seafoam.quality import Quality
 from seafoam.scene.foam import Foam
 from seafoam.scene.models import Scene

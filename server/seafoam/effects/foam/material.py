@@ -10,7 +10,7 @@ from seafoam.effects.effect import Bound, Contribution, Effect, QualityParameter
 from seafoam.effects.registry import saturation_fields
 from seafoam.effects.shader import SlotFile
 from seafoam.framegraph.rules import number, significant
-from seafoam.ocean.stokes import foam_life
+from seafoam.ocean.waves.stokes import foam_life
 from seafoam.quality import Quality
 from seafoam.scene.foam import Foam
 from seafoam.scene.models import Scene

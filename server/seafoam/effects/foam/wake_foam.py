@@ -11,7 +11,7 @@ from seafoam.effects.shader import Const, SlotFile
 from seafoam.effects.waves.standing import WAY as STONE_WAY
 from seafoam.effects.waves.standing import places
 from seafoam.framegraph.rules import Uniform, constants, significant
-from seafoam.ocean.wakes import LEAST_SPEED, Wake, stone_wakes
+from seafoam.ocean.waves.wakes import LEAST_SPEED, Wake, stone_wakes
 from seafoam.quality import Quality
 from seafoam.scene.current import Current
 from seafoam.scene.foam import WakeSaturation

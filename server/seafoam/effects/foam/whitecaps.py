@@ -18,9 +18,9 @@ from seafoam.effects.waves.sea import (
 )
 from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, target_inputs
 from seafoam.framegraph.rules import Uniform, constants, number, rounded, significant, vector
-from seafoam.ocean.cascades import RAISED, Cascade
-from seafoam.ocean.stokes import foam_drift
-from seafoam.ocean.whitecaps import OLD_STEP, OLD_STEPS, OLD_TEXELS, WhitecapModel, old_times, whitecap_model
+from seafoam.ocean.foam.whitecaps import OLD_STEP, OLD_STEPS, OLD_TEXELS, WhitecapModel, old_times, whitecap_model
+from seafoam.ocean.waves.cascades import RAISED, Cascade
+from seafoam.ocean.waves.stokes import foam_drift
 from seafoam.quality import Quality
 from seafoam.scene.foam import SlopeSaturation, WhitecapSaturation
 from seafoam.scene.models import Scene

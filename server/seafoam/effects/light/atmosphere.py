@@ -5,7 +5,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from seafoam.ocean import skylight
+from seafoam.ocean.sky import skylight
 from seafoam.scene.light import Light
 from seafoam.scene.sky import Direction, direction
 from seafoam.sums import summed

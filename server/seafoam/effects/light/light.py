@@ -10,7 +10,7 @@ from seafoam.effects.light.atmosphere import ASYMMETRY, RAYLEIGH, SUN_POWER, Rgb
 from seafoam.effects.light.glow import glow_source, glow_uniforms
 from seafoam.effects.shader import SlotFile
 from seafoam.framegraph.rules import number, significant, vector
-from seafoam.ocean import skylight
+from seafoam.ocean.sky import skylight
 from seafoam.quality import Quality
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from seafoam.effects.shore.maps import MASK_WAVES, blur_deviation
 from seafoam.framegraph.rules import significant
+from seafoam.ocean.coast.seabed import floor_grid, smoothstep
+from seafoam.ocean.coast.travel import travel_grid
 from seafoam.ocean.constants import GRAVITY
-from seafoam.ocean.seabed import floor_grid, smoothstep
-from seafoam.ocean.travel import travel_grid
 from seafoam.quality import Quality
 from seafoam.scene.shore import Shore
 from seafoam.sums import summed

@@ -14,9 +14,9 @@ from seafoam.effects.water.seafloor import bed_sun
 from seafoam.effects.waves.parametric import max_profile_slope
 from seafoam.framegraph.resources import TextureInput, target_inputs
 from seafoam.framegraph.rules import Phase, Uniform, array, constants, number, significant, vector
-from seafoam.ocean.cascades import RAISED, cascades
-from seafoam.ocean.dispersion import wavevector
-from seafoam.ocean.rings import ring_slope
+from seafoam.ocean.basics.dispersion import wavevector
+from seafoam.ocean.waves.cascades import RAISED, cascades
+from seafoam.ocean.waves.rings import ring_slope
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore

@@ -30,12 +30,12 @@ from seafoam.framegraph.rules import (
     to_camera,
     vector,
 )
-from seafoam.ocean import spray as model
-from seafoam.ocean.cascades import RAISED, Cascade
+from seafoam.ocean.basics.dispersion import angular_frequency
+from seafoam.ocean.coast.rocks import ROCKS, rocks
 from seafoam.ocean.constants import GRAVITY
-from seafoam.ocean.dispersion import angular_frequency
-from seafoam.ocean.groups import group_velocity, in_groups
-from seafoam.ocean.rocks import ROCKS, rocks
+from seafoam.ocean.foam import spray as model
+from seafoam.ocean.waves.cascades import RAISED, Cascade
+from seafoam.ocean.waves.groups import group_velocity, in_groups
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore

@@ -12,9 +12,9 @@ from seafoam.effects.waves.ripples import ripple_phases
 from seafoam.framegraph.passes import Grid, Points
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, target_inputs
 from seafoam.framegraph.rules import Uniform, array, constants, in_tile, number, rounded, significant, vector
+from seafoam.ocean.basics.refraction import refracted_cosine
 from seafoam.ocean.constants import WATER_INDEX
-from seafoam.ocean.refraction import refracted_cosine
-from seafoam.ocean.ripples import Ripple, ripple_cascades, tiles
+from seafoam.ocean.waves.ripples import Ripple, ripple_cascades, tiles
 from seafoam.quality import Quality
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene

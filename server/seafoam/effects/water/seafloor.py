@@ -8,7 +8,7 @@ from seafoam.effects.light.light import lamp_angles
 from seafoam.effects.noise import VALUE_NOISE
 from seafoam.effects.shader import SlotFile
 from seafoam.framegraph.rules import Uniform, array, in_tile, number, significant, vector
-from seafoam.ocean.refraction import refracted_cosine
+from seafoam.ocean.basics.refraction import refracted_cosine
 from seafoam.quality import Quality
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene

@@ -6,7 +6,7 @@ docs/formulae.md, sections 6 and 11.
 from seafoam.effects.effect import Contribution, Effect
 from seafoam.effects.shader import SlotFile
 from seafoam.framegraph.rules import Uniform, number, vector
-from seafoam.ocean.cascades import cascades, slope_heading
+from seafoam.ocean.waves.cascades import cascades, slope_heading
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 

@@ -7,7 +7,7 @@ from seafoam.effects.effect import Resources
 from seafoam.effects.noise import HASH
 from seafoam.effects.shader import Piece, Source, constant_function
 from seafoam.framegraph.rules import Wrap, array, vector
-from seafoam.ocean.groups import PERIOD, group_cells, group_key, group_velocity, in_groups
+from seafoam.ocean.waves.groups import PERIOD, group_cells, group_key, group_velocity, in_groups
 from seafoam.scene.models import Scene
 
 PLACE = "u_wave_groups_place"

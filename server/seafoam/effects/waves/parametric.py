@@ -8,10 +8,10 @@ from seafoam.effects.foam.living import follows_orbits
 from seafoam.effects.shader import SlotFile
 from seafoam.effects.waves.groups import PLACE, group_bounds, group_part, orbit_files, wave_files
 from seafoam.framegraph.rules import Phase, array, constants, number, rounded, significant
-from seafoam.ocean.dispersion import angular_frequency, wavevector
-from seafoam.ocean.groups import in_groups
-from seafoam.ocean.levels import paper_level, wave_level
-from seafoam.ocean.stokes import orbit
+from seafoam.ocean.basics.dispersion import angular_frequency, wavevector
+from seafoam.ocean.basics.levels import paper_level, wave_level
+from seafoam.ocean.waves.groups import in_groups
+from seafoam.ocean.waves.stokes import orbit
 from seafoam.quality import Quality
 from seafoam.scene.foam import FrontSaturation, SlopeSaturation
 from seafoam.scene.models import Scene

@@ -24,7 +24,7 @@ from seafoam.framegraph.rules import (
     significant,
     to_camera,
 )
-from seafoam.ocean.rings import FRONT, SOFT, Train, ring_curvature, ring_height, ring_slope, trains
+from seafoam.ocean.waves.rings import FRONT, SOFT, Train, ring_curvature, ring_height, ring_slope, trains
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.rings import DEAD, DEAD_SHARE, Ring

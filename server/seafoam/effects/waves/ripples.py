@@ -19,7 +19,7 @@ from seafoam.framegraph.rules import (
     rounded,
     significant,
 )
-from seafoam.ocean.ripples import BANDS, SHIFTS, TURN, WAVES_PER_TILE, Ripple, ripple_cascades, tiles
+from seafoam.ocean.waves.ripples import BANDS, SHIFTS, TURN, WAVES_PER_TILE, Ripple, ripple_cascades, tiles
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.water import Ripples

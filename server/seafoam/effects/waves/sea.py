@@ -24,7 +24,7 @@ from seafoam.framegraph.rules import (
     significant,
     vector,
 )
-from seafoam.ocean.cascades import BAND, LEAST_JACOBIAN, LOOP, RAISED, Cascade, cascades
+from seafoam.ocean.waves.cascades import BAND, LEAST_JACOBIAN, LOOP, RAISED, Cascade, cascades
 from seafoam.quality import Quality
 from seafoam.scene.foam import WhitecapSaturation
 from seafoam.scene.models import Scene

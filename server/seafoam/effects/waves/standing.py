@@ -7,7 +7,7 @@ from seafoam.effects.bounds import min_surface_height
 from seafoam.effects.effect import Contribution, Effect, PlanError, Resources
 from seafoam.framegraph.rules import Constant, Rule, array, constants, number, significant, to_camera, vector
 from seafoam.ocean.constants import GRAVITY
-from seafoam.ocean.wakes import stone_wakes
+from seafoam.ocean.waves.wakes import stone_wakes
 from seafoam.quality import Quality
 from seafoam.scene.current import Current
 from seafoam.scene.models import Scene

@@ -9,7 +9,7 @@ from seafoam.effects.effect import Bound, Contribution, Effect
 from seafoam.effects.shader import SlotFile
 from seafoam.framegraph.rules import FAR, Clamp, Constant, Rule, Term, array, significant
 from seafoam.ocean.constants import GRAVITY
-from seafoam.ocean.rings import FRONT, SOFT
+from seafoam.ocean.waves.rings import FRONT, SOFT
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.rings import DEAD, DEAD_SHARE

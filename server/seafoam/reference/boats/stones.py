@@ -6,7 +6,7 @@ from fractions import Fraction
 
 import numpy as np
 
-from seafoam.ocean.wakes import LEAST_SPEED, joint_height, joint_slope, stone_wakes
+from seafoam.ocean.waves.wakes import LEAST_SPEED, joint_height, joint_slope, stone_wakes
 from seafoam.reference.boats.floating import HULL_SPEED
 from seafoam.reference.boats.wake import Wakes, wake_patches
 from seafoam.reference.noise import filtered_step, footprint_variance

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from seafoam.ocean.wakes import Wake, wake_height, wake_slope, wakes
+from seafoam.ocean.waves.wakes import Wake, wake_height, wake_slope, wakes
 from seafoam.reference.boats.floating import HULL_SPEED, Course, course_of
 from seafoam.reference.boats.form import FORMS, STEM
 from seafoam.reference.noise import KEY, filtered_step, footprint_variance, patches, value

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from seafoam.ocean.stokes import foam_drift, foam_life
+from seafoam.ocean.waves.stokes import foam_drift, foam_life
 from seafoam.reference.foam.cells import part
 from seafoam.reference.noise import PERIOD, perlin
 from seafoam.reference.types import Floats, smoothstep

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from seafoam.masks import Mask, mask_by_name
-from seafoam.ocean.stokes import foam_life
+from seafoam.ocean.waves.stokes import foam_life
 from seafoam.reference import sampling
 from seafoam.reference.foam import looks
 from seafoam.reference.types import Floats, Footprints, Indices

@@ -1,6 +1,7 @@
 """Section 14: foam advected by a steady flow over a square, traced back in float64.
 
-The flow's uniform part comes from ``ocean/stokes.py``, which shaders use too; a test compares it with water orbits.
+The flow's uniform part comes from ``ocean/waves/stokes.py``, which shaders use too; a test compares it with
+water orbits.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from statistics import NormalDist
 
 import numpy as np
 
-from seafoam.ocean.stokes import steady_drift
+from seafoam.ocean.waves.stokes import steady_drift
 from seafoam.reference.noise import pcg, value
 from seafoam.reference.types import Floats, smoothstep
 from seafoam.scene.drift import Vortex

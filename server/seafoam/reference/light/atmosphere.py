@@ -12,7 +12,7 @@ from functools import cached_property
 
 import numpy as np
 
-from seafoam.ocean.skylight import (
+from seafoam.ocean.sky.skylight import (
     DARK,
     EVEN,
     EVEN_TINT,

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from seafoam.ocean.stokes import foam_life
+from seafoam.ocean.waves.stokes import foam_life
 from seafoam.reference import sampling
 from seafoam.reference.foam import aging, cells, looks
 from seafoam.reference.foam.coverage import OCTAVES_MOST, Assets, MaskPoints, coverage, mask_points, tiles

@@ -9,7 +9,7 @@ import numpy as np
 from pydantic import BaseModel
 
 from seafoam.extensions import TRUTHS
-from seafoam.ocean.stokes import foam_drift
+from seafoam.ocean.waves.stokes import foam_drift
 from seafoam.reference.foam.drift import drift_saturation
 from seafoam.reference.foam.front import CAP, History
 from seafoam.reference.foam.saturation import front_source, height_saturation, joined, slope_saturation

@@ -8,7 +8,7 @@ from typing import Literal
 
 import numpy as np
 
-from seafoam.ocean.stokes import foam_life
+from seafoam.ocean.waves.stokes import foam_life
 from seafoam.reference.boats.boat import Fleet, fleet
 from seafoam.reference.boats.stones import StoneSet, stone_set
 from seafoam.reference.boats.wake import WakeSet, wake_set

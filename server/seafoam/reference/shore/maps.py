@@ -7,9 +7,9 @@ from functools import lru_cache
 import numpy as np
 from scipy import ndimage
 
+from seafoam.ocean.coast.seabed import floor_grid
+from seafoam.ocean.coast.travel import travel_grid
 from seafoam.ocean.constants import GRAVITY
-from seafoam.ocean.seabed import floor_grid
-from seafoam.ocean.travel import travel_grid
 from seafoam.reference.types import Bools, Floats, Indices, smoothstep
 from seafoam.reference.waves.parametric import reduced
 from seafoam.scene.shore import Shore

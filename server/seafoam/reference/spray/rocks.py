@@ -6,9 +6,9 @@ import math
 
 import numpy as np
 
+from seafoam.ocean.coast.rocks import rocks
 from seafoam.ocean.constants import GRAVITY
-from seafoam.ocean.rocks import rocks
-from seafoam.ocean.spray import EPOCHS
+from seafoam.ocean.foam.spray import EPOCHS
 from seafoam.reference.noise import chained, number, pcg
 from seafoam.reference.shore.maps import MASK, SWASH
 from seafoam.reference.shore.shore import Coast

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from seafoam.ocean.constants import GRAVITY
-from seafoam.ocean.spray import BATCHES
+from seafoam.ocean.foam.spray import BATCHES
 from seafoam.reference.boats.boat import Fleet
 from seafoam.reference.light.atmosphere import CONTRAST
 from seafoam.reference.noise import number

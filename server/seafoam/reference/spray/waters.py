@@ -8,8 +8,7 @@ from fractions import Fraction
 
 import numpy as np
 
-from seafoam.ocean.cascades import RAISED, cascades
-from seafoam.ocean.spray import (
+from seafoam.ocean.foam.spray import (
     BATCHES,
     BESIDE,
     CELLS,
@@ -25,6 +24,7 @@ from seafoam.ocean.spray import (
     fold_limits,
     torn_share,
 )
+from seafoam.ocean.waves.cascades import RAISED, cascades
 from seafoam.reference.noise import Words, chained, number, pcg
 from seafoam.reference.renderer.relief import Relief, ReliefPart
 from seafoam.reference.shore.shore import Coast

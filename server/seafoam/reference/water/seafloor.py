@@ -13,7 +13,7 @@ from functools import lru_cache
 import numpy as np
 
 from seafoam.ocean.constants import WATER_INDEX
-from seafoam.ocean.ripples import ripple_cascades, tiles
+from seafoam.ocean.waves.ripples import ripple_cascades, tiles
 from seafoam.reference.light.light import BACKSCATTER, ENTERS, GLITTER_MOST, Air, LitFloor, air, fresnel
 from seafoam.reference.noise import chained, share
 from seafoam.reference.shore.shore import Coast

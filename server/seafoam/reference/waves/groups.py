@@ -8,7 +8,7 @@ from fractions import Fraction
 
 import numpy as np
 
-from seafoam.ocean.groups import PERIOD, group_cells, group_corners, group_velocity, in_groups
+from seafoam.ocean.waves.groups import PERIOD, group_cells, group_corners, group_velocity, in_groups
 from seafoam.reference.types import Floats
 from seafoam.scene.models import Scene
 

@@ -13,8 +13,8 @@ import numpy as np
 from scipy import special
 
 from seafoam.ocean.constants import GRAVITY
-from seafoam.ocean.ripples import ripple_cascades
-from seafoam.ocean.stokes import orbit
+from seafoam.ocean.waves.ripples import ripple_cascades
+from seafoam.ocean.waves.stokes import orbit
 from seafoam.reference.noise import PERIOD, fractal
 from seafoam.reference.types import Floats
 from seafoam.reference.waves.groups import GroupFactor, group_factor

@@ -1,7 +1,7 @@
 """Section 2: rings of stones, drops and blasts, at one time, around one origin.
 
 Ages and vectors are differences of float64 numbers, exact up to one rounding. Level of still water and bounds come from
-``ocean/rings.py``, which shaders use too; the search for intersections relies on them, and tests verify them.
+``ocean/waves/rings.py``, which shaders use too; the search for intersections relies on them, and tests verify them.
 """
 
 import math
@@ -12,8 +12,8 @@ from functools import cached_property
 import numpy as np
 
 from seafoam.ocean.constants import GRAVITY
-from seafoam.ocean.rings import ring_curvature, ring_slope
-from seafoam.ocean.rings import ring_height as highest
+from seafoam.ocean.waves.rings import ring_curvature, ring_slope
+from seafoam.ocean.waves.rings import ring_height as highest
 from seafoam.reference.types import Bools, Floats
 from seafoam.reference.waves.parametric import wavenumber
 from seafoam.scene.models import Scene

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from seafoam.effects.boats.wake import ASIDE
 from seafoam.effects.shader import Inline
 from seafoam.framegraph.visibility import everywhere
-from seafoam.ocean.wakes import Wake, wake_slope
+from seafoam.ocean.waves.wakes import Wake, wake_slope
 from seafoam.planner import FramePlan, make_plan
 from seafoam.planner.glsl import assemble
 from seafoam.quality import TIERS

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from seafoam.effects.effect import Contribution, PlanError
 from seafoam.effects.foam import drift as effect
-from seafoam.ocean import stokes
+from seafoam.ocean.waves import stokes
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.reference.foam import drift as truth

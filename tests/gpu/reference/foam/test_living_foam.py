@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from seafoam.ocean.stokes import first_harmonic, foam_drift
+from seafoam.ocean.waves.stokes import first_harmonic, foam_drift
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference import render

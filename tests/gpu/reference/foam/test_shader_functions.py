@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from seafoam.effects.foam.height import NODES as HEIGHT_NODES
 from seafoam.effects.foam.height import visible_heights
 from seafoam.effects.shader import Inline
-from seafoam.ocean.dispersion import wavevector
+from seafoam.ocean.basics.dispersion import wavevector
 from seafoam.reference.foam import front, saturation
 from seafoam.reference.waves import parametric as waves
 from seafoam.textures import FRONT_NODES, FrontIntegral, front_fading, front_full

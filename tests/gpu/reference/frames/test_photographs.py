@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from docs.make_whitecaps import EYE, FOV, PITCH, QUALITY, seascape, shot, spread
 
-from seafoam.ocean.cascades import LOOP
+from seafoam.ocean.waves.cascades import LOOP
 from seafoam.planner import make_plan
 from seafoam.render.gl.executor import Executor
 from support.pictures import draw

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from pydantic import ValidationError
 
 from seafoam.ocean.constants import WATER_INDEX
-from seafoam.ocean.ripples import REPEATING_TILES
+from seafoam.ocean.waves.ripples import REPEATING_TILES
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.reference.light.light import air

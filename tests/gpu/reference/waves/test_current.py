@@ -7,7 +7,7 @@ import pytest
 
 from seafoam.effects.effect import PlanError
 from seafoam.framegraph.evaluation import FrameState, evaluate
-from seafoam.ocean.dispersion import angular_frequency
+from seafoam.ocean.basics.dispersion import angular_frequency
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference import render

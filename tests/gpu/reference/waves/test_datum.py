@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from seafoam.effects.shader import Inline
 from seafoam.framegraph.visibility import everywhere
-from seafoam.ocean.cascades import RAISED, cascades
-from seafoam.ocean.levels import wave_level
+from seafoam.ocean.basics.levels import wave_level
+from seafoam.ocean.waves.cascades import RAISED, cascades
 from seafoam.planner import make_plan
 from seafoam.planner.glsl import assemble
 from seafoam.reference import render

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from seafoam.effects.effect import Contribution
 from seafoam.effects.waves import rings as effect
 from seafoam.framegraph.evaluation import FrameState, evaluate
-from seafoam.ocean.rings import ring_curvature, ring_height, ring_slope, trains
+from seafoam.ocean.waves.rings import ring_curvature, ring_height, ring_slope, trains
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference.waves.rings import RingSet, ring_set

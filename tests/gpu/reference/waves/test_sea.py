@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 
 from seafoam.effects.waves.sea import DISPLACED
 from seafoam.framegraph.evaluation import FrameState, evaluate
-from seafoam.ocean import cascades as sea_tiles
-from seafoam.ocean import spectrum as sea_spectrum
-from seafoam.ocean import whitecaps as foam_of_sea
+from seafoam.ocean.basics import spectrum as sea_spectrum
+from seafoam.ocean.foam import whitecaps as foam_of_sea
+from seafoam.ocean.waves import cascades as sea_tiles
 from seafoam.planner import FramePlan, make_plan
 from seafoam.quality import TIERS
 from seafoam.reference.renderer import camera as cameras

@@ -2,10 +2,10 @@
 
 import math
 
-from seafoam.ocean.cascades import BAND
+from seafoam.ocean.basics.spectrum import peak_frequency
 from seafoam.ocean.constants import GRAVITY
-from seafoam.ocean.spectrum import peak_frequency
-from seafoam.ocean.whitecaps import whitecap_model
+from seafoam.ocean.foam.whitecaps import whitecap_model
+from seafoam.ocean.waves.cascades import BAND
 from seafoam.scene.foam import WhitecapSaturation
 from seafoam.scene.spray import Spray
 from seafoam.scene.waves import Sea

@@ -1,4 +1,4 @@
-"""The clear sky under one lamp in closed form, fitted to the integral of :mod:`seafoam.ocean.air`.
+"""The clear sky under one lamp in closed form, fitted to the integral of :mod:`seafoam.ocean.sky.air`.
 
 docs/formulae.md, section 9. With x = 0.1/(y + 0.1), y the height of a unit direction (at least 0), and s its component
 toward the lamp's azimuth, the radiance of green is exp2 P(x, s) + exp2 Q(x, s)·F(γ): P and Q are polynomials, F the
@@ -12,9 +12,9 @@ from functools import lru_cache
 
 import numpy as np
 
-from seafoam.ocean.air import EARTH, EYE, Atmosphere
-from seafoam.ocean.air import disc_shown as shown_from
 from seafoam.ocean.arrays import Floats
+from seafoam.ocean.sky.air import EARTH, EYE, Atmosphere
+from seafoam.ocean.sky.air import disc_shown as shown_from
 
 Rgb = tuple[float, float, float]
 Exponents = tuple[tuple[int, int], ...]

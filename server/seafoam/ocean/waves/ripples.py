@@ -4,8 +4,8 @@ import math
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
+from seafoam.ocean.basics.hash import chance
 from seafoam.ocean.constants import GRAVITY
-from seafoam.ocean.hash import chance
 from seafoam.scene.water import Ripples
 from seafoam.sums import summed
 

@@ -11,8 +11,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 
+from seafoam.ocean.basics.dispersion import wavenumber
 from seafoam.ocean.constants import GRAVITY
-from seafoam.ocean.dispersion import wavenumber
 from seafoam.scene.models import Scene
 from seafoam.scene.rings import Ring
 from seafoam.sums import summed

@@ -6,7 +6,7 @@ from functools import lru_cache
 import numpy as np
 
 from seafoam.ocean.arrays import Floats
-from seafoam.ocean.seabed import floor_grid
+from seafoam.ocean.coast.seabed import floor_grid
 from seafoam.scene.shore import Shore
 
 ROCKS = 1024

@@ -12,9 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from seafoam.ocean.arrays import Floats
-from seafoam.ocean.constants import GRAVITY
-from seafoam.ocean.hash import chance
-from seafoam.ocean.spectrum import (
+from seafoam.ocean.basics.hash import chance
+from seafoam.ocean.basics.spectrum import (
     dispersion,
     frequency_spectrum,
     peak_frequency,
@@ -22,6 +21,7 @@ from seafoam.ocean.spectrum import (
     spreading,
     wave_spectrum,
 )
+from seafoam.ocean.constants import GRAVITY
 from seafoam.scene.waves import Sea
 from seafoam.sums import summed
 

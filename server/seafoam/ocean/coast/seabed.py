@@ -6,7 +6,7 @@ from functools import lru_cache
 import numpy as np
 
 from seafoam.ocean.arrays import Floats, Integers
-from seafoam.ocean.hash import chance
+from seafoam.ocean.basics.hash import chance
 from seafoam.scene.shore import STEPS, Shore, decoded_image
 
 

@@ -6,8 +6,8 @@ from functools import lru_cache
 import numpy as np
 
 from seafoam.ocean.arrays import Floats
-from seafoam.ocean.dispersion import angular_frequency, wavenumber
-from seafoam.ocean.hash import chance
+from seafoam.ocean.basics.dispersion import angular_frequency, wavenumber
+from seafoam.ocean.basics.hash import chance
 from seafoam.scene.models import Scene
 from seafoam.scene.waves import ParametricWave, WaveGroups
 

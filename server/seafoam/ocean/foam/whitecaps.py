@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from seafoam.ocean.cascades import BAND, RAISED, cascades
+from seafoam.ocean.waves.cascades import BAND, RAISED, cascades
 from seafoam.scene.foam import WhitecapSaturation
 from seafoam.scene.waves import Sea
 from seafoam.sums import summed

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from seafoam.ocean.arrays import Floats
+from seafoam.ocean.coast.seabed import floor_grid, smoothstep
 from seafoam.ocean.constants import GRAVITY
-from seafoam.ocean.seabed import floor_grid, smoothstep
 from seafoam.scene.shore import Shore
 
 HUNT = (0.6666666667, 0.3555555556, 0.1608465608, 0.0632098765, 0.0217540484, 0.0065407983)

@@ -1,0 +1,1 @@
+"""The sea floor, the travel of swell over it, and rocks."""

@@ -1,0 +1,1 @@
+"""Whitecaps, and the spray of a sea."""

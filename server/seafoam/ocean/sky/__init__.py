@@ -1,0 +1,1 @@
+"""Light that the air scatters."""
