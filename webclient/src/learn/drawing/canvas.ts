@@ -41,12 +41,12 @@ export class Plot {
   }
 
   /** A curve through points. */
-  path(color: string, points: readonly (readonly [x: number, y: number])[], dash: number[] = []): void {
+  path(color: string, points: readonly (readonly [x: number, y: number])[], dash: number[] = [], width = 2): void {
     const { context } = this;
     context.beginPath();
     for (const [x, y] of points) context.lineTo(x, y);
     context.strokeStyle = color;
-    context.lineWidth = 2;
+    context.lineWidth = width;
     context.lineJoin = "round";
     context.setLineDash(dash);
     context.stroke();
@@ -62,13 +62,7 @@ export class Plot {
   }
 
   line(x0: number, y0: number, x1: number, y1: number, color: string = COLORS.faint): void {
-    const { context } = this;
-    context.beginPath();
-    context.moveTo(x0, y0);
-    context.lineTo(x1, y1);
-    context.strokeStyle = color;
-    context.lineWidth = 1;
-    context.stroke();
+    this.path(color, [[x0, y0], [x1, y1]], [], 1);
   }
 }
 

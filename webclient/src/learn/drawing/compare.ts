@@ -5,7 +5,6 @@ import { spectrum, unevenness } from "../maths/spectrum";
 import { Plot } from "./canvas";
 import { COLORS } from "./palette";
 import { Patch, PATCHES, patchSide } from "./patch";
-import { drawRaps } from "./raps";
 
 /** Of a pattern before its size is known, texels. */
 const SIDE = 128;
@@ -13,6 +12,11 @@ const SIDE = 128;
 const BOX = 32;
 /** Wait before spectra are computed anew: a slider may still move, ms. */
 const SETTLE = 120;
+/** Of the plot of spectra: its powers, and its highest frequency. */
+const [LEAST, MOST] = [0.01, 100];
+const HIGHEST = 0.7071;
+/** Frequencies that one drawn value averages: rings scatter. */
+const BAND = 0.008;
 
 export class Comparison {
   private readonly patches = [new Patch("Pattern of the first mask", SIDE), new Patch("Pattern of the second mask", SIDE)];
@@ -47,9 +51,40 @@ export class Comparison {
 
   private measure(first: Mask, second: Mask, grey: number): void {
     if (this.plot.width === 0) return;
-    drawRaps(this.plot, [
-      { title: first.title, color: COLORS.saturation, spectrum: spectrum(first, grey) },
-      { title: second.title, color: COLORS.other, spectrum: spectrum(second, grey) },
-    ]);
+    const curve = (mask: Mask, color: string) => ({ title: mask.title, color, points: spectrum(mask, grey) });
+    drawSpectra(this.plot, [curve(first, COLORS.saturation), curve(second, COLORS.other)]);
   }
+}
+
+/** Plots radially averaged power spectra. */
+function drawSpectra(plot: Plot, curves: readonly { title: string; color: string; points: readonly [number, number][] }[]): void {
+  const { width, height } = plot;
+  const [left, right, top, foot] = [36, width - 8, 12, height - 26];
+  const x = (frequency: number) => left + ((right - left) * frequency) / HIGHEST;
+  const y = (power: number) => foot - ((foot - top) * Math.log(Math.min(Math.max(power, LEAST), MOST) / LEAST)) / Math.log(MOST / LEAST);
+  plot.clear();
+  for (const power of [0.01, 0.1, 1, 10, 100]) {
+    plot.line(left, y(power), right, y(power));
+    plot.text(String(power), left - 6, y(power) + 4, COLORS.text, "right");
+  }
+  for (const frequency of [0, 0.25, 0.5]) plot.text(String(frequency), x(frequency), foot + 15, COLORS.text, "center");
+  plot.text("power by cycles per texel", left + 6, top + 14);
+  curves.forEach(({ title, color, points }, index) => {
+    plot.path(color, smoothed(points).map(([frequency, power]) => [x(frequency), y(power)]));
+    // Below the name of the axes, which narrow plots have no room beside.
+    plot.text(title, right - 6, top + 30 + 16 * index, color, "right");
+  });
+}
+
+/** Means of bands of frequencies. */
+function smoothed(points: readonly [frequency: number, power: number][]): [number, number][] {
+  const means: [number, number][] = [];
+  for (let i = 0; i < points.length; ) {
+    const end = (points[i]?.[0] ?? 0) + BAND;
+    const band = points.slice(i).filter(([frequency]) => frequency < end);
+    const mean = (of: 0 | 1) => band.reduce((sum, point) => sum + point[of], 0) / band.length;
+    means.push([mean(0), mean(1)]);
+    i += band.length;
+  }
+  return means;
 }

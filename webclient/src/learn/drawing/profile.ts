@@ -24,14 +24,8 @@ export function phaseAt(texel: number, time: number): number {
   return phase(texel * METRES, time, WAVELENGTH);
 }
 
-interface ProfileOptions {
-  /** Side of a texel, px. */
-  texel: number;
-  /** Also the saturation by height, for comparison. */
-  byHeight?: boolean;
-}
-
-export function drawProfile(plot: Plot, wave: WaveState, { texel, byHeight = false }: ProfileOptions): void {
+/** `texel`: its side, px; `byHeight`: also the saturation by height, for comparison. */
+export function drawProfile(plot: Plot, wave: WaveState, texel: number, byHeight = false): void {
   const { context, width, height: tall } = plot;
   const [crest, trough] = [0.56 * tall, 0.94 * tall];
   const [zero, one] = [0.5 * tall, 0.5 * tall * (1 - 1 / TOP)];

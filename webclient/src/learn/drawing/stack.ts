@@ -81,7 +81,7 @@ export class Stack {
   }
 
   draw(wave: WaveState, fade: number, seconds: number): void {
-    drawProfile(this.profile, wave, { texel: this.texel });
+    drawProfile(this.profile, wave, this.texel);
     if (this.options.thresholds) drawThresholds(this.thresholds, this.mask, wave, this.texel);
     const saturation = (texel: number) => frontSaturation(phaseAt(texel, wave.time), wave.front);
     for (const strip of [...this.strips, ...this.others]) strip.draw(saturation, fade, seconds);

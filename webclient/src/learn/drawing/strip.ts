@@ -1,9 +1,8 @@
 /** A strip of water under a passing wave, thresholded by one of the looks. */
 import { element } from "../../ui/dom";
 import { coverage, overSample, thresholdOf } from "../maths/filtered";
-import { amount, type Look } from "../maths/looks";
+import { amount, type Look, PopCounter } from "../maths/looks";
 import type { Mask } from "../maths/mask";
-import { PopCounter } from "../maths/pops";
 import { foamTextures } from "../parts/texture";
 import { Texels } from "./canvas";
 import { BLEND, shade } from "./palette";

@@ -2,26 +2,22 @@
 import { signal } from "@preact/signals";
 import { render } from "preact";
 import { Comparison } from "../drawing/compare";
-import { loadMask, WHITE } from "../maths/mask";
+import { followedMask, maskOptions, WHITE } from "../maths/mask";
 import { Select, Slider } from "../parts/controls";
 import type { FigureContext, LiveFigure } from "../parts/live";
-import { followMask, maskOptions } from "../parts/masks";
 
 export async function make({ api, plate, controls, redraw }: FigureContext): Promise<LiveFigure> {
-  const [blue, white, options] = await Promise.all([loadMask(api, "vac-1.5"), loadMask(api, WHITE), maskOptions(api)]);
   const names = [signal("vac-1.5"), signal<string>(WHITE)] as const;
-  const masks = [signal(blue), signal(white)] as const;
+  const [first, second, options] = await Promise.all([followedMask(api, names[0]), followedMask(api, names[1]), maskOptions(api)]);
   const grey = signal(0.25);
   const comparison = new Comparison(plate);
   let stale = true;
-  for (const shown of [...masks, grey]) {
+  for (const shown of [first, second, grey]) {
     shown.subscribe(() => {
       stale = true;
       redraw();
     });
   }
-  followMask(api, names[0], masks[0]);
-  followMask(api, names[1], masks[1]);
   render(
     <>
       <Slider label="Saturation" value={grey} min={0.03} max={0.9} step={0.01} />
@@ -34,7 +30,7 @@ export async function make({ api, plate, controls, redraw }: FigureContext): Pro
     resize: (width) => comparison.resize(width),
     draw: () => {
       // It does not move by itself.
-      if (stale) comparison.show(masks[0].value, masks[1].value, grey.value);
+      if (stale) comparison.show(first.value, second.value, grey.value);
       stale = false;
     },
   };

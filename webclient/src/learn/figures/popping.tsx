@@ -2,9 +2,8 @@
 import { render } from "preact";
 import { element } from "../../ui/dom";
 import { Patch, PATCHES, patchSide } from "../drawing/patch";
-import { amount } from "../maths/looks";
+import { amount, PopCounter } from "../maths/looks";
 import { loadMask } from "../maths/mask";
-import { PopCounter } from "../maths/pops";
 import { PlayButton } from "../parts/controls";
 import type { FigureContext, LiveFigure } from "../parts/live";
 import { foamTextures, loadFoamTexture } from "../parts/texture";

@@ -30,6 +30,6 @@ export function make({ plate, controls, playing, redraw }: FigureContext): Promi
       texel = width >= 640 ? 2 : 1;
       plot.resize(width, width >= 640 ? 300 : 220);
     },
-    draw: (time) => drawProfile(plot, { front: front.value, exponent: exponent.value, time }, { texel, byHeight: true }),
+    draw: (time) => drawProfile(plot, { front: front.value, exponent: exponent.value, time }, texel, true),
   });
 }

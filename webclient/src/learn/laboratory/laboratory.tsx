@@ -6,11 +6,10 @@ import { Api, messageOf } from "../../api";
 import { byId, element, prefersReducedMotion } from "../../ui/dom";
 import { Comparison } from "../drawing/compare";
 import { Stack } from "../drawing/stack";
-import { loadMask } from "../maths/mask";
+import { followedMask, maskOptions } from "../maths/mask";
 import { CONSTANTS } from "../maths/wave";
 import { PlayButton, Select, Slider } from "../parts/controls";
 import { onWidthChange } from "../parts/live";
-import { followMask, maskOptions } from "../parts/masks";
 import { loadFoamTexture } from "../parts/texture";
 import { formatState, type LabState, parseState, RANGES } from "./state";
 
@@ -54,25 +53,18 @@ async function start(): Promise<void> {
   const api = new Api(new URL("../../", document.baseURI).href);
   const state = parseState(location.hash);
   // A mask that the server does not have is replaced.
-  const known = (await maskOptions(api)) as [string, string][];
+  const known = await maskOptions(api);
   const names = new Set(known.map(([name]) => name));
   if (!names.has(state.mask.value)) state.mask.value = "vac-24";
   if (!names.has(state.other.value)) state.other.value = "white";
-  const [first, second, texture] = await Promise.all([
-    loadMask(api, state.mask.value),
-    loadMask(api, state.other.value),
-    loadFoamTexture(api),
-  ]);
-  const [mask, other] = [signal(first), signal(second)];
+  const [mask, other, texture] = await Promise.all([followedMask(api, state.mask), followedMask(api, state.other), loadFoamTexture(api)]);
   const playing = signal(!state.paused && !prefersReducedMotion());
   const [strips, patterns] = [element("div", { class: "stage" }), element("div", { class: "stage" })];
-  const stack = new Stack(strips, first, second, texture, { rows: 22, thresholds: true, others: ["halftone"] });
+  const stack = new Stack(strips, mask.value, other.value, texture, { rows: 22, thresholds: true, others: ["halftone"] });
   const comparison = new Comparison(patterns);
   byId("strips").replaceChildren(strips);
   byId("patterns").prepend(patterns);
   render(<Controls state={state} playing={playing} options={known} />, byId("controls"));
-  followMask(api, state.mask, mask);
-  followMask(api, state.other, other);
   effect(() => stack.setMasks(mask.value, other.value));
   effect(() => comparison.show(mask.value, other.value, state.numbers.grey.value));
   effect(() => {

@@ -1,5 +1,5 @@
 /** The filtered threshold where texels are larger than samples (docs/formulae.md, section 5, Magnified). */
-import type { Mask } from "./mask";
+import { type Mask, weights } from "./mask";
 
 /** Share of the plane over which coverage reaches exactly 0 and 1. */
 const END = 1 / 256;
@@ -20,7 +20,6 @@ function quantile(table: readonly number[], s: number): number {
   return low + (place - i) * (high - low);
 }
 
-const weights = (t: number) => [(1 - t) ** 3 / 6, (3 * t ** 3 - 6 * t ** 2 + 4) / 6, (-3 * t ** 3 + 3 * t ** 2 + 3 * t + 1) / 6, t ** 3 / 6];
 const slopes = (t: number) => [-((1 - t) ** 2) / 2, (3 * t ** 2 - 4 * t) / 2, (-3 * t ** 2 + 2 * t + 1) / 2, t ** 2 / 2];
 const bends = (t: number) => [1 - t, 3 * t - 2, 1 - 3 * t, t];
 

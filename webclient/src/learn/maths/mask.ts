@@ -1,4 +1,5 @@
 /** Halftone masks: the server's bytes, and white noise. */
+import { effect, type Signal, signal } from "@preact/signals";
 import type { Api } from "../../api";
 
 export interface Mask {
@@ -18,30 +19,46 @@ const SIZE = 512;
 const WHITE_SEED = 2011;
 const ENTRIES = 65;
 
-const loaded = new Map<string, Promise<Mask>>();
+const known = new Map<string, Promise<Mask>>();
 
 /** A shipped mask, or white noise; the same promise for the same name. */
 export function loadMask(api: Api, name: string): Promise<Mask> {
-  let mask = loaded.get(name);
+  let mask = known.get(name);
   if (mask === undefined) {
     mask = name === WHITE ? Promise.resolve().then(() => whiteNoise(SIZE, WHITE_SEED)) : fetchMask(api, name);
-    loaded.set(name, mask);
+    known.set(name, mask);
     // A failed request may succeed later.
-    mask.catch(() => loaded.delete(name));
+    mask.catch(() => known.delete(name));
   }
   return mask;
 }
 
-interface Sidecar {
-  title: string;
-  quantile: { entries: number[] };
+/** The mask that a control names; the last one while it loads, or if it cannot be loaded. */
+export async function followedMask(api: Api, name: Signal<string>): Promise<Signal<Mask>> {
+  const mask = signal(await loadMask(api, name.peek()));
+  effect(() => {
+    const asked = name.value;
+    loadMask(api, asked).then(
+      (loaded) => {
+        if (name.peek() === asked) mask.value = loaded;
+      },
+      () => (name.value = mask.peek().name),
+    );
+  });
+  return mask;
+}
+
+/** Names and titles of the shipped masks, and of white noise. */
+export async function maskOptions(api: Api): Promise<readonly (readonly [string, string])[]> {
+  const masks = await api.choices("api/masks");
+  return [[WHITE, "white noise"], ...masks.map(({ name, title }) => [name, title] as const)];
 }
 
 async function fetchMask(api: Api, name: string): Promise<Mask> {
   const path = `api/masks/${encodeURIComponent(name)}`;
   const [data, sidecar] = await Promise.all([
     api.fetch(`${path}/data.u16`).then((response) => response.arrayBuffer()),
-    api.fetch(`${path}/sidecar`).then((response) => response.json() as Promise<Sidecar>),
+    api.fetch(`${path}/sidecar`).then((response) => response.json() as Promise<{ title: string; quantile: { entries: number[] } }>),
   ]);
   const words = new Uint16Array(data);
   return { name, title: sidecar.title, size: Math.sqrt(words.length), values: thresholds(words), quantiles: sidecar.quantile.entries };
@@ -88,37 +105,32 @@ function whiteNoise(size: number, seed: number): Mask {
   };
 }
 
+/** Weights of the cubic B-spline of four values, at a share t of the way from the second to the third. */
+export const weights = (t: number) => [(1 - t) ** 3 / 6, (3 * t ** 3 - 6 * t ** 2 + 4) / 6, (-3 * t ** 3 + 3 * t ** 2 + 3 * t + 1) / 6, t ** 3 / 6];
+
+/** The B-spline at two places in each texel of rows of `size`, a quarter beside its middle; rows and columns change places. */
+function doubled(values: Float32Array, size: number): Float32Array {
+  const rows = values.length / size;
+  // Read backwards they are those a quarter before the next texel's middle.
+  const past = weights(0.25);
+  const result = new Float32Array(2 * values.length);
+  for (let i = 0; i < values.length; i++) {
+    const [x, y] = [i % size, Math.floor(i / size)];
+    let [near, far] = [0, 0];
+    for (let tap = 0; tap < 4; tap++) {
+      const m = values[y * size + ((x + tap - 1) & (size - 1))] ?? 0;
+      near += (past[tap] ?? 0) * m;
+      far += (past[3 - tap] ?? 0) * m;
+    }
+    result[2 * x * rows + y] = near;
+    result[(2 * x + 1) * rows + y] = far;
+  }
+  return result;
+}
+
 /** Quantiles of the B-spline, from its values at two by two places in each texel. */
 function quantileTable(values: Float32Array, size: number): number[] {
-  // Weights a quarter texel past a texel's middle; read backwards they are those a quarter before the next.
-  const weights = [0.75 ** 3 / 6, (3 * 0.25 ** 3 - 6 * 0.25 ** 2 + 4) / 6, (-3 * 0.25 ** 3 + 3 * 0.25 ** 2 + 1.75) / 6, 0.25 ** 3 / 6];
-  const last = size - 1;
-  const rows = new Float32Array(2 * size * size);
-  for (let y = 0; y < size; y++) {
-    for (let x = 0; x < size; x++) {
-      let [near, far] = [0, 0];
-      for (let tap = 0; tap < 4; tap++) {
-        const m = values[y * size + ((x + tap - 1) & last)] ?? 0;
-        near += (weights[tap] ?? 0) * m;
-        far += (weights[3 - tap] ?? 0) * m;
-      }
-      rows[y * 2 * size + 2 * x] = near;
-      rows[y * 2 * size + 2 * x + 1] = far;
-    }
-  }
-  const samples = new Float32Array(4 * size * size);
-  for (let y = 0; y < size; y++) {
-    for (let x = 0; x < 2 * size; x++) {
-      let [near, far] = [0, 0];
-      for (let tap = 0; tap < 4; tap++) {
-        const m = rows[((y + tap - 1) & last) * 2 * size + x] ?? 0;
-        near += (weights[tap] ?? 0) * m;
-        far += (weights[3 - tap] ?? 0) * m;
-      }
-      samples[(2 * y * size + x) * 2] = near;
-      samples[(2 * y * size + x) * 2 + 1] = far;
-    }
-  }
+  const samples = doubled(doubled(values, size), size);
   samples.sort();
   return Array.from({ length: ENTRIES }, (_, i) => {
     const t = i / (ENTRIES - 1);

@@ -1,6 +1,7 @@
 /** Controls of the figures. */
 import type { Signal } from "@preact/signals";
 import { useId } from "preact/hooks";
+import { Select as DropDown } from "../../ui/controls";
 
 interface SliderProps {
   label: string;
@@ -67,13 +68,7 @@ export function Select<T extends string>({ label, value, options }: ChoiceProps<
   return (
     <label class={FIELD}>
       <span>{label}</span>
-      <select class="control w-full min-w-0 bg-ground" value={value.value} onChange={(event) => (value.value = event.currentTarget.value as T)}>
-        {options.map(([option, title]) => (
-          <option key={option} value={option}>
-            {title}
-          </option>
-        ))}
-      </select>
+      <DropDown class="control w-full min-w-0 bg-ground" label={label} value={value.value} options={options} choose={(chosen) => (value.value = chosen)} />
     </label>
   );
 }
