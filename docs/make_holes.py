@@ -14,7 +14,7 @@ from PIL import Image
 from rich.progress import track
 
 from seafoam.masks import mask_by_name
-from seafoam.masks.morphology import hole_areas
+from seafoam.masks.judge.morphology import hole_areas
 
 PAGE = Path(__file__).parent / "masks.md"
 PICTURE = Path(__file__).parent / "pictures" / "mask-holes.webp"

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from seafoam.masks.catalogue import mask_by_name
-from seafoam.masks.spectrum import measure_spectrum
+from seafoam.masks.judge.spectrum import measure_spectrum
 from seafoam.reference.foam.front import front_saturation
 
 DOCS = Path(__file__).parent

@@ -8,7 +8,7 @@ from pathlib import Path
 from PIL import Image
 
 from seafoam.masks.catalogue import load_catalogue, load_mask
-from seafoam.masks.plots import contact_sheet, magnified_sheet
+from seafoam.masks.judge.plots import contact_sheet, magnified_sheet
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor

@@ -8,7 +8,7 @@ import numpy as np
 
 from seafoam.masks.catalogue import custom_mask
 from seafoam.masks.formats import quantised
-from seafoam.masks.spectrum import measure_spectrum
+from seafoam.masks.judge.spectrum import measure_spectrum
 from seafoam.reference import sampling
 from seafoam.reference.foam import front, looks
 from seafoam.reference.foam.saturation import height_saturation

@@ -52,7 +52,8 @@ def make_mask(
     from rich.console import Console
     from rich.progress import BarColumn, Progress, TaskProgressColumn, TimeElapsedColumn
 
-    from seafoam.masks import construct, families, formats
+    from seafoam.masks import families, formats
+    from seafoam.masks.construct import make as construct
 
     encoders = {
         "png": formats.to_png16 if bits == 16 else formats.to_png8,
@@ -100,7 +101,7 @@ def mask_spectrum(
         say(json.dumps(mask.spectrum.to_json()))
         return
     require_reports()
-    from seafoam.masks.plots import plot_spectrum
+    from seafoam.masks.judge.plots import plot_spectrum
 
     extension_of(output, ("png",))
     write(output, plot_spectrum(mask.spectrum, mask.entry.title))

@@ -8,7 +8,7 @@ from seafoam.effects.effect import PlanError
 from seafoam.library.errors import InvalidRequestError
 from seafoam.library.source import MaskRequest, PictureSource
 from seafoam.masks.catalogue import load_catalogue, load_mask
-from seafoam.masks.construct import make_mask
+from seafoam.masks.construct.make import make_mask
 from seafoam.masks.formats import to_npy
 from seafoam.render.gl.executor import Executor
 from seafoam.render.service.jobs import FrameJob, render_frame

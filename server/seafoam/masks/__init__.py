@@ -1,6 +1,6 @@
 """Halftone masks: construction, spectra, filtering tables, files and the shipped catalogue.
 
-The plots are in :mod:`seafoam.masks.plots`, which alone needs matplotlib, and the baking in
+The plots are in :mod:`seafoam.masks.judge.plots`, which alone needs matplotlib, and the baking in
 :mod:`seafoam.masks.bake`.
 """
 
@@ -16,7 +16,7 @@ from seafoam.masks.catalogue import (
     mask_by_name,
     rank_sha256,
 )
-from seafoam.masks.construct import estimated_seconds, make_mask
+from seafoam.masks.construct.make import estimated_seconds, make_mask
 from seafoam.masks.families import (
     FAMILIES,
     METHODS,
@@ -28,7 +28,8 @@ from seafoam.masks.families import (
     sigma_range,
 )
 from seafoam.masks.formats import to_dds, to_npy, to_png8, to_png16, to_u16
-from seafoam.masks.morphology import FoamShapes, MaskMorphology, measure_morphology
+from seafoam.masks.judge.morphology import FoamShapes, MaskMorphology, measure_morphology
+from seafoam.masks.judge.spectrum import GREY_LEVELS, GreySpectrum, MaskSpectrum, measure_spectrum
 from seafoam.masks.prefilter import (
     bspline_weights,
     footprint_deviations,
@@ -36,7 +37,6 @@ from seafoam.masks.prefilter import (
     quantile_position,
     quantile_table,
 )
-from seafoam.masks.spectrum import GREY_LEVELS, GreySpectrum, MaskSpectrum, measure_spectrum
 
 __all__ = [
     "FAMILIES",

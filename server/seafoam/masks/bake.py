@@ -16,7 +16,7 @@ from rich.progress import Progress as ProgressBar
 from seafoam.extras import MissingExtraError
 from seafoam.files import write_whole
 from seafoam.masks.catalogue import CATALOGUE_FILE, Mask, MaskTables, describe, rank_file, tables_file
-from seafoam.masks.construct import build, estimated_seconds
+from seafoam.masks.construct.make import build, estimated_seconds
 from seafoam.masks.families import check_parameters
 from seafoam.masks.formats import decode_ranks, encode_ranks
 from seafoam.masks.shipped import SHIPPED, SHIPPED_METHOD, SHIPPED_SEED, SHIPPED_SIZE, ShippedMask

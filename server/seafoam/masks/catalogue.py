@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from seafoam.masks import prefilter
-from seafoam.masks.construct import build, estimated_seconds
+from seafoam.masks.construct.make import build, estimated_seconds
 from seafoam.masks.families import (
     GENERATOR,
     LICENSE,
@@ -29,9 +29,9 @@ from seafoam.masks.families import (
     parse_parameters,
 )
 from seafoam.masks.formats import decode_ranks
-from seafoam.masks.morphology import MaskMorphology, measure_morphology
+from seafoam.masks.judge.morphology import MaskMorphology, measure_morphology
+from seafoam.masks.judge.spectrum import MaskSpectrum, measure_spectrum, spectrum_from_json
 from seafoam.masks.shipped import FAMILY_SUMMARIES, FAMILY_TITLES
-from seafoam.masks.spectrum import MaskSpectrum, measure_spectrum, spectrum_from_json
 from seafoam.masks.torus import Field, Progress, Ranks, no_progress
 from seafoam.resources import data_dir
 

@@ -15,7 +15,7 @@ from seafoam import doctor
 from seafoam.api.watch.logs import not_a_probe
 from seafoam.doctor import Finding
 from seafoam.masks.catalogue import load_mask
-from seafoam.masks.construct import make_mask
+from seafoam.masks.construct.make import make_mask
 from seafoam.masks.formats import to_u16
 from seafoam.planner import make_plan
 from seafoam.planner.glsl import read_file

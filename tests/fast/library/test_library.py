@@ -22,7 +22,7 @@ from seafoam.library.connection import Connection
 from seafoam.library.embedded import Embedded
 from seafoam.library.request import FrameRequest
 from seafoam.masks.catalogue import load_mask
-from seafoam.masks.construct import make_mask
+from seafoam.masks.construct.make import make_mask
 from seafoam.quality import TIERS
 from seafoam.scene.presets import load_preset
 from support.api_fakes import FakeRenderer

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from seafoam.masks import FAMILIES, estimated_seconds, make_mask, measure_spectrum, sigma_range
-from seafoam.masks.construct import check_parameters
+from seafoam.masks.construct.make import check_parameters
 from seafoam.masks.families import SIZES
 from seafoam.masks.torus import local_minima, rank, window_minimum, wrapped_gaussian
 

@@ -5,7 +5,7 @@ import pytest
 
 from seafoam.masks import load_mask, make_mask, measure_morphology, measure_spectrum
 from seafoam.masks.families import check_parameters, parse_parameters
-from seafoam.masks.morphology import euler_number, hole_areas, largest_piece
+from seafoam.masks.judge.morphology import euler_number, hole_areas, largest_piece
 
 SHIPPED = ("lace", "lacetorn", "streak")
 

@@ -8,8 +8,8 @@ import pytest
 from PIL import Image
 
 from seafoam.masks import load_mask, make_mask, measure_spectrum
-from seafoam.masks.plots import contact_sheet, corner_pattern, magnified_sheet, plot_spectrum
-from seafoam.masks.spectrum import spectrum_from_json
+from seafoam.masks.judge.plots import contact_sheet, corner_pattern, magnified_sheet, plot_spectrum
+from seafoam.masks.judge.spectrum import spectrum_from_json
 
 
 def white(size, seed=0):

@@ -29,7 +29,7 @@ from seafoam.masks.catalogue import (
     load_mask,
     made_on_request,
 )
-from seafoam.masks.construct import estimated_seconds
+from seafoam.masks.construct.make import estimated_seconds
 from seafoam.masks.families import Family, MaskSpec, Method
 from seafoam.masks.torus import Ranks
 
@@ -221,7 +221,7 @@ def _info(mask: Mask) -> bytes:
 def _plot(mask: Mask) -> bytes:
     require_reports()
     # Matplotlib takes a second to import, so only a server that is asked for a plot pays.
-    from seafoam.masks.plots import plot_spectrum
+    from seafoam.masks.judge.plots import plot_spectrum
 
     return plot_spectrum(mask.spectrum, mask.entry.title)
 

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from seafoam.masks import bubble, filtered, lace, void_cluster
+from seafoam.masks.construct import bubble, filtered, lace, void_cluster
 from seafoam.masks.families import MaskSpec, Method, check_method, check_parameters
 from seafoam.masks.torus import Progress, Ranks, no_progress
 
@@ -29,7 +29,7 @@ def make_mask(
     size: side of the tile, or its width and height; 32 to 1024 texels each.
     seed: 0..2^32-1, for a PCG64 generator. The same arguments give the same ranks on the same machine; across
         machines FFT rounding may order near-equal texels otherwise, so files are the reference, not this call.
-    aspect, age: of ``lace`` alone, see :func:`seafoam.masks.lace.lace`.
+    aspect, age: of ``lace`` alone, see :func:`seafoam.masks.construct.lace.lace`.
     method: how ``vac`` is ordered, ``"exact"`` (one texel at a time) or ``"batched"``; no other family reads it.
     progress: called with fractions in 0..1, not decreasing; the last is 1.
 

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from seafoam.masks import void_cluster
-from seafoam.masks.filtered import band_passed
+from seafoam.masks.construct import void_cluster
+from seafoam.masks.construct.filtered import band_passed
 from seafoam.masks.torus import Field, Progress, Ranks, Shape, rank
 
 SITE_SIGMA = 1.5

@@ -14,8 +14,8 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from seafoam.masks.judge.spectrum import LEAST_BINS, MaskSpectrum
 from seafoam.masks.prefilter import SUBTEXELS, bspline_samples, quantile_lookup
-from seafoam.masks.spectrum import LEAST_BINS, MaskSpectrum
 from seafoam.masks.torus import Ranks
 
 SHEET_GREYS: tuple[float, ...] = (0.1, 0.25, 0.5)

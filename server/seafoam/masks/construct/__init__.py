@@ -1,0 +1,1 @@
+"""Constructions of masks, a module a family."""

@@ -1,0 +1,1 @@
+"""What a mask is like: spectra, shapes of its foam, and plots of both."""
