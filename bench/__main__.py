@@ -11,29 +11,11 @@ from pathlib import Path
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
-from bench import (
-    adaptive,
-    budget,
-    compiler,
-    document,
-    economy,
-    effects,
-    engines,
-    foam,
-    frames,
-    http,
-    load,
-    machine,
-    motion,
-    page,
-    passes,
-    server,
-    streams,
-    water_page,
-    yardstick,
-)
-from bench.passes import Frame
+from bench import compiler, document, machine
+from bench.drawn import adaptive, budget, economy, effects, foam, frames, motion, passes
+from bench.drawn.passes import Frame
 from bench.report import Table, lines
+from bench.served import engines, http, load, page, server, streams, water_page, yardstick
 from bench.watch import Watch
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.presets import preset_names

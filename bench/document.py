@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from bench import plots
-from bench.passes import SIZE, Frame
+from bench.drawn.passes import SIZE, Frame
 from bench.report import Table, lines, ms
 
 DOCS = Path(__file__).resolve().parents[1] / "docs"

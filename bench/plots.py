@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 from PIL import Image
 
-from bench.passes import Frame
+from bench.drawn.passes import Frame
 from bench.report import ms
 
 _INK = "#1c2b33"

@@ -70,7 +70,7 @@ class Column:
 
 
 def ratio_columns(show: Callable[[Any], str]) -> tuple[Column, Column]:
-    """Columns for the result of ``bench.frames.ratios``."""
+    """Columns for the result of ``bench.drawn.frames.ratios``."""
     return Column("cpu_ratio", "processor time", show), Column("wall_ratio", "wall time", show)
 
 

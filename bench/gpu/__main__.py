@@ -24,8 +24,8 @@ from bench.gpu.budget import Budget
 from bench.gpu.devices import Device, choose, survey
 from bench.gpu.page import Report, Served, page
 from bench.gpu.tasks import Drawn, StaleTruthError, Task, order
-from bench.load import answered
-from bench.server import REQUEST_SECONDS, closed_loop, running
+from bench.served.load import answered
+from bench.served.server import REQUEST_SECONDS, closed_loop, running
 from seafoam.api.settings import Settings, default_workers
 from seafoam.render.gl.executor import NoRendererError
 from seafoam.scene.presets import preset_names

@@ -13,7 +13,7 @@ from itertools import product
 from pathlib import Path
 from statistics import median
 
-from bench.frames import STEP
+from bench.drawn.frames import STEP
 from bench.gpu.timers import PassTimer, distrust, loads, plausible
 from seafoam.framegraph.plan import FramePlan
 from seafoam.planner import make_plan

@@ -8,7 +8,7 @@ from unittest.mock import patch
 
 import moderngl
 
-from bench.passes import kind
+from bench.drawn.passes import kind
 from seafoam.framegraph.plan import FramePlan
 from seafoam.render.gl.executor import Executor
 

@@ -1,7 +1,7 @@
 """The page that the bench measures against draws water, on the GL that it is said to draw on."""
 
 import pytest
-from bench import water_page
+from bench.served import water_page
 
 from support.browser.lanes import Lane
 

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from bench.motion import excess, flicker
+from bench.drawn.motion import excess, flicker
 from numpy.typing import NDArray
 
 Frames = list[NDArray[np.float64]]

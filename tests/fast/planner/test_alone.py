@@ -4,8 +4,8 @@ import json
 from typing import Any
 
 import pytest
-from bench import isolation
-from bench.isolation import Switch, running, switch
+from bench.drawn import isolation
+from bench.drawn.isolation import Switch, running, switch
 
 from seafoam.effects import EFFECTS
 from seafoam.effects.effect import Effect

@@ -8,12 +8,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 from bench import document, plots
-from bench.frames import Cost
-from bench.passes import Frame, Taken
+from bench.drawn.frames import Cost
+from bench.drawn.passes import Frame, Taken
+from bench.drawn.steps import counting_shader
 from bench.report import Column, Table
-from bench.steps import counting_shader
-from bench.water_page import Frames
-from bench.yardstick import GROUPS, Measured
+from bench.served.water_page import Frames
+from bench.served.yardstick import GROUPS, Measured
 from PIL import Image
 
 from seafoam.planner import make_plan

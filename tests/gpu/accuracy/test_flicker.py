@@ -1,7 +1,7 @@
 """A drawn clip of foam flickers no more than twice its motion."""
 
 import numpy as np
-from bench.motion import MOST, excess, moved, shown
+from bench.drawn.motion import MOST, excess, moved, shown
 from numpy.typing import NDArray
 
 from seafoam.accuracy.metrics import tone_curve

@@ -1,7 +1,7 @@
 """Timer queries of ``bench.gpu`` on a real context: every pass has one, and a frame is the same with them."""
 
+from bench.drawn.passes import kind
 from bench.gpu.timers import PassTimer, loads
-from bench.passes import kind
 
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS

@@ -4,10 +4,10 @@ from pathlib import Path
 
 import bench
 import pytest
-from bench.economy import QUALITY, ByHand, by_hand, same_picture, with_surface
-from bench.passes import SIZE, measure
-from bench.steps import Steps, steps
-from bench.uber import uber_plan
+from bench.drawn.economy import QUALITY, ByHand, by_hand, same_picture, with_surface
+from bench.drawn.passes import SIZE, measure
+from bench.drawn.steps import Steps, steps
+from bench.drawn.uber import uber_plan
 from bench.watch import Watch
 from rich.progress import Progress
 

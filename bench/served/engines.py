@@ -6,7 +6,7 @@ from statistics import median
 from playwright.sync_api import Playwright, sync_playwright
 
 from bench.report import Column, Table, count, ms
-from bench.server import HOST
+from bench.served.server import HOST
 from bench.watch import Watch
 from support.browser.starts import STARTS, WINDOWS, Motion, browser_started, opened
 

@@ -145,7 +145,7 @@ def probe(port: int, path: str, found: list[float], over: threading.Event) -> No
 def probing(port: int, path: str) -> Iterator[list[float]]:
     """Probe from another process while the context lasts; the wall times are in the list when it has ended."""
     found: list[float] = []
-    command = [sys.executable, "-m", "bench.probe", str(port), path]
+    command = [sys.executable, "-m", "bench.served.probe", str(port), path]
     with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
         yield found
         output, _ = process.communicate()

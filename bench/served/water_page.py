@@ -11,11 +11,11 @@ from typing import Any
 
 from playwright.sync_api import Browser, CDPSession, Page, TimeoutError, sync_playwright
 
-from bench.page import launched
-from bench.server import HOST
+from bench.served.page import launched
+from bench.served.server import HOST
 
-ROOT = Path(__file__).resolve().parents[1]
-PAGE = Path(__file__).with_name("three")
+ROOT = Path(__file__).resolve().parents[2]
+PAGE = Path(__file__).parents[1] / "three"
 PACKAGE = ROOT / "webclient" / "node_modules" / "three"
 SIZE = (1280, 720)
 READY_SECONDS = 60.0

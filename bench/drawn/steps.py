@@ -50,7 +50,7 @@ def steps(executor: Executor, plan: FramePlan, *, time: float, camera: Camera, s
         raise RuntimeError("the counting program drew nothing")
     counts = evaluations[water] if water.any() else np.zeros(1)
     if plan.top > 0.0 and water.any() and not counts.all():
-        raise RuntimeError("waves were found without an evaluation that could be counted: see bench/steps.py")
+        raise RuntimeError("waves were found without an evaluation that could be counted: see bench/drawn/steps.py")
     return Steps(
         water=float(water.mean()),
         mean=float(counts.mean()),

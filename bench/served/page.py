@@ -9,7 +9,7 @@ from typing import Any
 from playwright.sync_api import Browser, Page, Playwright, sync_playwright
 
 from bench.report import Column, Table, count, ms
-from bench.server import HOST
+from bench.served.server import HOST
 from bench.watch import Watch
 from support.browser.lanes import COMMON, LANES, chromium, launched
 

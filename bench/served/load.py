@@ -14,7 +14,7 @@ from statistics import median, quantiles
 import numpy as np
 
 from bench.report import Column, Spread, Table, count, ms, times
-from bench.server import PROBE_SECONDS, Answer, ask, closed_loop, connected, probe, resident, running, sure
+from bench.served.server import PROBE_SECONDS, Answer, ask, closed_loop, connected, probe, resident, running, sure
 from bench.watch import Watch
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS

@@ -12,7 +12,7 @@ from functools import cache
 from statistics import median, quantiles
 
 from bench.report import Column, Table, count, ms
-from bench.server import Answer, ask, connected, probing, resident, running, sure
+from bench.served.server import Answer, ask, connected, probing, resident, running, sure
 from bench.watch import Watch
 from seafoam.scene.presets import load_preset
 

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from statistics import median
 
-from bench.frames import is_software, ratios, side_by_side
+from bench.drawn.frames import is_software, ratios, side_by_side
 from bench.report import Column, Table, ms, times
 from bench.watch import Watch
 from seafoam.accuracy.metrics import Picture, rmse

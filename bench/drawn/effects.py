@@ -1,8 +1,8 @@
 """Cost of each effect alone, switched on in the default scene, in ms and as a share of the frame."""
 
-from bench.economy import QUALITY, SIZE
-from bench.frames import side_by_side
-from bench.isolation import switch
+from bench.drawn.economy import QUALITY, SIZE
+from bench.drawn.frames import side_by_side
+from bench.drawn.isolation import switch
 from bench.report import Column, Spread, Table, count, ms
 from bench.watch import Watch
 from seafoam.effects import EFFECTS

@@ -11,9 +11,9 @@ from typing import Any
 
 import numpy as np
 
-from bench.frames import Cost, cost, ratios, side_by_side
+from bench.drawn.frames import Cost, cost, ratios, side_by_side
+from bench.drawn.uber import held_effects, slot_files, uber_plan
 from bench.report import Column, Table, count, extra, ms, ratio_columns, times
-from bench.uber import held_effects, slot_files, uber_plan
 from bench.watch import Watch
 from seafoam.effects import EFFECTS
 from seafoam.framegraph.plan import FramePlan
@@ -221,7 +221,7 @@ def _hand(executor: Executor, watch: Watch) -> list[Table]:
     drawn, programs = [], []
     for case in by_hand():
         plan = make_plan(case.scene, QUALITY)
-        text = (Path(__file__).with_name("minimal") / case.file).read_text(encoding="utf-8")
+        text = (Path(__file__).parents[1] / "minimal" / case.file).read_text(encoding="utf-8")
         plans = {"plan": plan, "hand": with_surface(plan, text)}
         plans |= {f"{name}, numbers": _with_numbers(variant) for name, variant in plans.items()}
         programs += _hand_programs(executor, watch, case, plans)

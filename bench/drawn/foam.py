@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from statistics import median
 
 from bench.compiler import Use, compiled, missing
-from bench.frames import SIZE, ratios, side_by_side
+from bench.drawn.frames import SIZE, ratios, side_by_side
 from bench.report import Column, Table, count, extra, ms, percent, ratio_columns
 from bench.watch import Watch
 from seafoam.planner import make_plan

@@ -6,7 +6,7 @@ from statistics import median, quantiles
 from typing import get_args
 
 from bench.report import Column, Table, count, ms
-from bench.server import Answer, closed_loop, connected, sure
+from bench.served.server import Answer, closed_loop, connected, sure
 from bench.watch import Watch
 from seafoam.render.encode import FRAME_FORMATS
 from seafoam.scene.foam import Look

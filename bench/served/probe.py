@@ -1,4 +1,5 @@
-"""``python -m bench.probe PORT PATH``: a probe in a process of its own, which waits for no thread of the benchmark.
+"""``python -m bench.served.probe PORT PATH``: a probe in a process of its own, which no
+thread of the benchmark delays.
 
 It asks until its standard input ends, and prints the wall times, s, as JSON.
 """
@@ -7,7 +8,7 @@ import json
 import sys
 import threading
 
-from bench.server import probe
+from bench.served.server import probe
 
 
 def main() -> None:

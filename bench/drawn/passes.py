@@ -8,7 +8,7 @@ from statistics import median
 from typing import Any
 from unittest.mock import patch
 
-from bench.frames import STEP, cost
+from bench.drawn.frames import STEP, cost
 from bench.report import Column, Table, ms
 from bench.watch import Watch
 from seafoam.framegraph.evaluation import FrameState
@@ -120,7 +120,9 @@ def _frame(executor: Executor, name: str, watch: Watch) -> Frame:
         with each.running():
             cost(executor, plan, camera, SIZE, at)
     if not each.taken:
-        raise RuntimeError(f"no pass of {name} was seen: the executor draws passes in another way, see bench/passes.py")
+        raise RuntimeError(
+            f"no pass of {name} was seen: the executor draws passes in another way, see bench/drawn/passes.py"
+        )
     passes = []
     for index, one in enumerate(plan.passes):
         seen_by = each if index in each.taken else once

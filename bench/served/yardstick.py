@@ -7,12 +7,12 @@ from dataclasses import dataclass, field
 from http.client import HTTPConnection
 from statistics import fmean, median
 
-from bench.frames import STEP, Cost, cost
+from bench.drawn.frames import STEP, Cost, cost
+from bench.drawn.steps import Steps, steps
 from bench.report import Column, Spread, Table, count, ms, times
-from bench.server import connected, sure
-from bench.steps import Steps, steps
+from bench.served.server import connected, sure
+from bench.served.water_page import SIZE, Frames, WaterPage
 from bench.watch import Watch
-from bench.water_page import SIZE, Frames, WaterPage
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor

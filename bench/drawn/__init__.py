@@ -1,0 +1,1 @@
+"""What drawing costs: frames, passes, effects, and programs against others."""

@@ -1,0 +1,1 @@
+"""What a server and the page cost, and both against three.js."""
