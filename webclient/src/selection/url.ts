@@ -38,50 +38,48 @@ const LINK_MOST = 2000;
 
 /** Shortest text of a float64. */
 const number = (x: number) => String(Object.is(x, -0) ? 0 : x);
+const same = (text: string) => text;
+
+/** Of a field of a link: its key, its text, null if it is left out, and what a text says, null if nothing. */
+type Codec<T> = readonly [key: string, write: (value: NonNullable<T>) => string | null, read: (text: string) => T | null];
+
+const CODECS: { readonly [Name in keyof LinkState]: Codec<LinkState[Name]> } = {
+  preset: ["preset", same, same],
+  time: ["time", number, finite],
+  paused: ["paused", (paused) => (paused ? "1" : "0"), (text) => text === "1"],
+  speed: ["speed", (speed) => (speed === 1 ? null : number(speed)), finite],
+  quality: ["quality", same, same],
+  camera: ["camera", ({ position, yaw, pitch, roll, fov }) => [...position, yaw, pitch, roll, fov].map(number).join(","), readCamera],
+  changes: ["scene", writeChanges, readChanges],
+  touches: ["touches", (touches) => (touches.length > 0 ? encodeTouches(touches) : null), decodeTouches],
+  split: ["split", ({ field, left, right, at }) => [field, left, right, at.toFixed(3)].join("~"), readSplit],
+  scale: ["scale", number, readScale],
+  draw: ["draw", same, frameSource],
+  accuracy: ["accuracy", (open) => (open ? "1" : null), (text) => (text === "1" ? true : null)],
+  surface: ["open", same, (text) => (text === "take" || text === "plan" ? text : null)],
+};
+
+const FIELDS = Object.entries(CODECS) as [keyof LinkState, Codec<unknown>][];
 
 /** The fragment, without the oldest touches where it would be too long with them. */
 export function encode(state: LinkState): string {
   for (let touches = state.touches ?? []; touches.length > 0; touches = touches.slice(1)) {
-    const text = encodeAll(state, touches);
+    const text = encodeAll({ ...state, touches });
     // All but ASCII is escaped, so that characters are bytes.
     if (text.length <= LINK_MOST) return text;
   }
-  return encodeAll(state, []);
+  return encodeAll({ ...state, touches: null });
 }
 
-function encodeAll(state: LinkState, touches: readonly Touch[]): string {
-  const parts = new Map<string, string>();
-  const put = (key: string, value: string | null) => {
-    if (value !== null) parts.set(key, value);
-  };
-  put("preset", state.preset);
-  put("time", state.time === null ? null : number(state.time));
-  put("paused", state.paused === null ? null : state.paused ? "1" : "0");
-  put("speed", state.speed === null || state.speed === 1 ? null : number(state.speed));
-  put("quality", state.quality);
-  if (state.camera) {
-    const { position, yaw, pitch, roll, fov } = state.camera;
-    put("camera", [...position, yaw, pitch, roll, fov].map(number).join(","));
-  }
-  if (state.changes.length > 0) {
-    const pairs = state.changes.map(([pointer, value]) => (value === undefined ? [REMOVED + pointer, 0] : [pointer, value]));
-    put("scene", JSON.stringify(Object.fromEntries(pairs)));
-  }
-  put("touches", touches.length > 0 ? encodeTouches(touches) : null);
-  if (state.split) {
-    const { field, left, right, at } = state.split;
-    put("split", [field, left, right, at.toFixed(3)].join("~"));
-  }
-  put("scale", state.scale === null ? null : number(state.scale));
-  put("draw", state.draw);
-  put("accuracy", state.accuracy ? "1" : null);
-  put("open", state.surface);
+function encodeAll(state: LinkState): string {
   // Characters that are legal in a fragment are not escaped, for readable links.
-  const escape = (text: string) =>
-    encodeURIComponent(text).replace(/%(2C|2F|3A|7B|7D|5B|5D|22)/g, (code) =>
-      code === "%22" ? code : decodeURIComponent(code),
-    );
-  return [...parts].map(([key, value]) => `${key}=${escape(value)}`).join("&");
+  const escape = (text: string) => encodeURIComponent(text).replace(/%(2C|2F|3A|7B|7D|5B|5D)/g, decodeURIComponent);
+  const parts = FIELDS.flatMap(([name, [key, write]]) => {
+    const value = state[name];
+    const text = value === null ? null : write(value);
+    return text === null ? [] : `${key}=${escape(text)}`;
+  });
+  return parts.join("&");
 }
 
 export function decode(fragment: string): LinkState {
@@ -95,22 +93,12 @@ export function decode(fragment: string): LinkState {
       // A truncated escape: this part is dropped.
     }
   }
-  const open = parts.get("open");
-  return {
-    preset: parts.get("preset") ?? null,
-    changes: changes(parts.get("scene")),
-    touches: decodeTouches(parts.get("touches")),
-    quality: parts.get("quality") ?? null,
-    time: finite(parts.get("time")),
-    paused: parts.has("paused") ? parts.get("paused") === "1" : null,
-    speed: finite(parts.get("speed")),
-    camera: camera(parts.get("camera")),
-    split: split(parts.get("split")),
-    scale: scale(parts.get("scale")),
-    draw: frameSource(parts.get("draw")),
-    accuracy: parts.get("accuracy") === "1" ? true : null,
-    surface: open === "take" || open === "plan" ? open : null,
-  };
+  const found = FIELDS.map(([name, [key, , read]]) => {
+    const text = parts.get(key);
+    return [name, text === undefined ? null : read(text)] as const;
+  });
+  const state = Object.fromEntries(found) as { [Name in keyof LinkState]: LinkState[Name] | null };
+  return { ...state, changes: state.changes ?? [] };
 }
 
 /** What a link selects of its preset. */
@@ -121,44 +109,45 @@ export function selectionFromLink(preset: Preset, link: LinkState): Selection {
   return { preset, scene, quality: link.quality ?? DEFAULT_TIER, auto: link.quality === null, split: validSplit(scene, link.split) };
 }
 
-function finite(text: string | undefined): number | null {
-  const value = text === undefined || text === "" ? NaN : Number(text);
+function finite(text: string): number | null {
+  const value = text === "" ? NaN : Number(text);
   return Number.isFinite(value) ? value : null;
 }
 
-function scale(text: string | undefined): number | null {
+function readScale(text: string): number | null {
   const value = finite(text);
   return value === null || value <= 0 ? null : Math.min(1, Math.max(MIN_SCALE, value));
 }
 
-export function frameSource(text: string | null | undefined): FrameSource | null {
+export function frameSource(text: string | null): FrameSource | null {
   return text === "browser" || text === "server" ? text : null;
 }
 
-function camera(text: string | undefined): CameraState | null {
-  const n = text?.split(",").map(Number) ?? [];
+function readCamera(text: string): CameraState | null {
+  const n = text.split(",").map(Number);
   if (n.length !== 7 || !n.every(Number.isFinite)) return null;
   const [x, y, z, yaw, pitch, roll, fov] = n as [number, number, number, number, number, number, number];
   return { position: [x, y, z], yaw, pitch, roll, fov };
 }
 
-function changes(text: string | undefined): Change[] {
-  if (text === undefined) return [];
+function writeChanges(changes: readonly Change[]): string | null {
+  const pairs = changes.map(([pointer, value]) => (value === undefined ? [REMOVED + pointer, 0] : [pointer, value]));
+  return pairs.length === 0 ? null : JSON.stringify(Object.fromEntries(pairs));
+}
+
+function readChanges(text: string): Change[] | null {
   let parsed: Json;
   try {
     parsed = JSON.parse(text) as Json;
   } catch {
-    return [];
+    return null;
   }
-  if (!isObject(parsed)) return [];
-  return Object.entries(parsed).map(([key, value]) =>
-    key.startsWith(REMOVED) ? [key.slice(REMOVED.length), undefined] : [key, value],
-  );
+  if (!isObject(parsed)) return null;
+  return Object.entries(parsed).map(([key, value]) => (key.startsWith(REMOVED) ? [key.slice(REMOVED.length), undefined] : [key, value]));
 }
 
-function split(text: string | undefined): Split | null {
-  const [field, left, right, at] = text?.split("~") ?? [];
+function readSplit(text: string): Split | null {
+  const [field, left, right, at = ""] = text.split("~");
   if (field === undefined || left === undefined || right === undefined) return null;
-  const share = finite(at) ?? 0.5;
-  return { field, left, right, at: Math.min(1, Math.max(0, share)) };
+  return { field, left, right, at: Math.min(1, Math.max(0, finite(at) ?? 0.5)) };
 }

@@ -80,8 +80,8 @@ export function encodeTouches(touches: readonly Touch[]): string {
 }
 
 /** The touches of a link's part; null without one that can be read. */
-export function decodeTouches(text: string | undefined): Touch[] | null {
-  const entries = (text ?? "").split("~").map((entry) => entry.split(",").map((word) => (word === "" ? NaN : Number(word))));
+export function decodeTouches(text: string): Touch[] | null {
+  const entries = text.split("~").map((entry) => entry.split(",").map((word) => (word === "" ? NaN : Number(word))));
   const touches = entries.filter((numbers) => numbers.length === 4 && numbers.every(Number.isFinite)).map(fromNumbers);
   return touches.length > 0 ? touches.slice(-TOUCHES_MOST) : null;
 }
