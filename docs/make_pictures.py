@@ -14,10 +14,9 @@ from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Foam, FrontSaturation
-from seafoam.scene.light import Caustics
+from seafoam.scene.light import Caustics, Day, Moon
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
-from seafoam.scene.sky import Day, Moon
 
 PICTURES = Path(__file__).parent / "pictures"
 

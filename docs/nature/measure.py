@@ -21,10 +21,9 @@ from seafoam.planner import make_geometry_plan, make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
-from seafoam.scene.light import Light
+from seafoam.scene.light import Light, direction
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import Preset
-from seafoam.scene.sky import direction
 
 Floats = NDArray[np.float64]
 FrameSize = tuple[int, int]

@@ -1,11 +1,51 @@
-"""Foam of a scene: where it comes from, and how it looks."""
+"""Foam of a scene: where it comes from, how it looks and ages, and the flow that carries it."""
 
-from typing import Annotated, Literal, Self, TypeVar
+from typing import Annotated, ClassVar, Literal, Self, TypeVar
 
 from pydantic import Field, model_validator
 
-from seafoam.scene.base import Angle, Part, Share
-from seafoam.scene.living import MASK_NAME, FoamLife
+from seafoam.scene.base import Angle, Downwind, Follows, InEffect, Part, Place, Share
+
+MASKS_MOST = 2
+"""Maximum number of masks of older foam in a scene."""
+MASK_NAME = r"^[a-z]+(-[0-9.]+)?$|^[a-z]+:[0-9.]+:[0-9]+:[0-9]+(:[0-9.]+:[0-9.]+)?$"
+"""Name in the catalogue, or the parameters of a custom mask."""
+
+_Mask = Annotated[
+    str, Field(max_length=40, pattern=MASK_NAME, json_schema_extra={"choices_from": "/api/masks"}, title="Mask")
+]
+
+
+class FoamLife(Part):
+    """Transport and ageing of foam; applies to the filtered look only."""
+
+    carried: bool = Field(
+        default=True,
+        description="Waves carry the foam to and fro with the water and stretch it; false: it stays in place",
+    )
+    masks: tuple[_Mask, ...] = Field(
+        default=("lacetorn", "streak"),
+        max_length=MASKS_MOST,
+        description="Masks for ageing foam, the oldest last; each must be as large as the foam's own mask",
+    )
+    wind_direction: Downwind = None
+    downwind: ClassVar[InEffect] = InEffect("wind_direction")
+    wind_drift: Annotated[float | None, Follows("speed", alone=0.0, factor=0.02)] = Field(
+        default=None,
+        ge=0.0,
+        le=2.0,
+        description="Drift speed of the surface with the wind, m/s; null: 2 % of the scene's wind",
+    )
+    drift_speed: ClassVar[InEffect] = InEffect("wind_drift")
+    windrows: Annotated[float | None, Follows("speed", alone=0.0, factor=1.0 / 18.0, calm=4.0)] = Field(
+        default=None,
+        ge=0.0,
+        le=1.0,
+        description="Strength with which foam gathers in windrows, rows along the wind (Langmuir 1938); 0: even; null: "
+        "by the scene's wind, 0 up to 4 m/s and 1 from 22 m/s on",
+    )
+    row_strength: ClassVar[InEffect] = InEffect("windrows")
+    windrow_spacing: float = Field(default=12.0, ge=0.5, le=500.0, description="Mean spacing of the windrows, m")
 
 
 class FoamSource(Part):
@@ -328,3 +368,41 @@ class Foam(Part):
         """The same foam without what becomes of it after its birth: born anew at each moment, uncarried, flat."""
         made = tuple(source.lying_still() for source in self.saturation)
         return self.model_copy(update={"saturation": made, "life": None, "thickness": 0.0})
+
+
+VORTICES_MOST = 12
+"""Maximum number of vortices in a scene."""
+
+_Speed = Annotated[float, Field(ge=-20.0, le=20.0)]
+
+
+class Vortex(Part):
+    """A stationary vortex: fastest at its radius, at rest at its centre and beyond six radii."""
+
+    place: tuple[Place, Place] = Field(default=(0.0, -30.0), description="Centre (x, z), m")
+    radius: float = Field(
+        default=2.0, ge=0.05, le=500.0, description="Distance from the centre at which the flow is fastest, m"
+    )
+    speed: float = Field(
+        default=1.0,
+        ge=-20.0,
+        le=20.0,
+        description="Maximum speed, m/s; positive turns from +x toward +z, negative the other way",
+    )
+
+
+class Drift(Part):
+    """A steady flow over a square, which carries the foam of a ``drift`` saturation."""
+
+    place: tuple[Place, Place] = Field(default=(0.0, -30.0), description="Centre of the square (x, z), m")
+    size: float = Field(
+        default=60.0, ge=1.0, le=5000.0, description="Side of the square, m; drifting foam exists only inside it"
+    )
+    current: tuple[_Speed, _Speed] = Field(default=(0.3, 0.0), description="Velocity of the current (x, z), m/s")
+    waves: float = Field(
+        default=1.0,
+        ge=0.0,
+        le=4.0,
+        description="Factor on the Stokes drift of the waves; 0: waves do not carry foam (Stokes 1847)",
+    )
+    vortices: tuple[Vortex, ...] = Field(default=(), max_length=VORTICES_MOST, description="Stationary vortices")

@@ -12,17 +12,12 @@ from seafoam.extensions import Extensible, Extensions
 from seafoam.scene.base import Part, settled
 from seafoam.scene.boats import BOATS_MOST, Boat
 from seafoam.scene.camera import Camera
-from seafoam.scene.current import Current
-from seafoam.scene.drift import Drift
-from seafoam.scene.foam import Foam
-from seafoam.scene.light import Light
-from seafoam.scene.rings import RINGS_MOST, Ring
+from seafoam.scene.foam import Drift, Foam
+from seafoam.scene.light import Light, Wind
 from seafoam.scene.shore import Shore
-from seafoam.scene.sky import Wind
 from seafoam.scene.spray import Spray
-from seafoam.scene.touch import TOUCHES_MOST, Touch
-from seafoam.scene.water import Water
-from seafoam.scene.waves import Sea, Wave, WaveGroups
+from seafoam.scene.water import Current, Water
+from seafoam.scene.waves import RINGS_MOST, TOUCHES_MOST, Ring, Sea, Touch, Wave, WaveGroups
 
 
 class SceneExtensions(Extensions):

@@ -17,9 +17,9 @@ from seafoam.reference import scene_sha256
 from seafoam.scene.base import Part
 from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Saturation
+from seafoam.scene.light import Wind
 from seafoam.scene.models import Scene, SceneExtensions
 from seafoam.scene.presets import load_preset, preset_names
-from seafoam.scene.sky import Wind
 
 STANDARD = TIERS["standard"]
 

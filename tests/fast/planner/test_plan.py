@@ -17,15 +17,13 @@ from seafoam.planner.glsl import PART, parts_of, read_file
 from seafoam.quality import TIERS
 from seafoam.resources import data_dir
 from seafoam.scene.camera import Camera
-from seafoam.scene.drift import Drift
-from seafoam.scene.foam import DriftSaturation, Foam, FrontSaturation, Look, SurfSaturation, WhitecapSaturation
+from seafoam.scene.foam import Drift, DriftSaturation, Foam, FrontSaturation, Look, SurfSaturation, WhitecapSaturation
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
-from seafoam.scene.rings import Ring
 from seafoam.scene.shore import Shore
 from seafoam.scene.water import Ripples, Water
-from seafoam.scene.waves import ParametricWave, Sea
+from seafoam.scene.waves import ParametricWave, Ring, Sea
 from support.sweep import spread
 
 MOST_FILES = 80

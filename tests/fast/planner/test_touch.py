@@ -11,11 +11,10 @@ from seafoam.framegraph.plan import FramePlan
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference.waves.rings import touch_set
-from seafoam.scene.current import Current
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
-from seafoam.scene.rings import Ring
-from seafoam.scene.touch import TOUCHES_MOST, Touch
+from seafoam.scene.water import Current
+from seafoam.scene.waves import TOUCHES_MOST, Ring, Touch
 
 STANDARD = TIERS["standard"]
 SOME = (Touch(place=(1.25, -7.5), time=2.0), Touch(place=(-3.0, -9.0), time=2.5, strength=0.1))

@@ -9,8 +9,8 @@ from docs import make_nature
 from docs.nature import laws, measure
 
 from seafoam.scene.camera import Camera
+from seafoam.scene.light import direction
 from seafoam.scene.presets import load_preset
-from seafoam.scene.sky import direction
 
 FIGURES = json.loads(make_nature.FIGURES.read_text(encoding="utf-8"))
 

@@ -7,8 +7,7 @@ import pytest
 
 from seafoam.reference.light import display, light
 from seafoam.reference.types import unit
-from seafoam.scene.light import Light
-from seafoam.scene.sky import Sky
+from seafoam.scene.light import Light, Sky
 from seafoam.scene.water import Water
 
 ELEVATIONS = [-1.57, -0.05, 0.0, 0.01, 0.6, 1.5707]

@@ -37,11 +37,10 @@ from seafoam.reference.waves.groups import group_factor
 from seafoam.scene.boats import Boat
 from seafoam.scene.foam import WhitecapSaturation
 from seafoam.scene.models import Scene
-from seafoam.scene.rings import Ring
 from seafoam.scene.shore import Shore
 from seafoam.scene.spray import Spray
 from seafoam.scene.water import Ripples, Water
-from seafoam.scene.waves import ParametricWave, Sea, WaveGroups
+from seafoam.scene.waves import ParametricWave, Ring, Sea, WaveGroups
 
 SEAS = ((6.0, 2e4), (10.0, 1e5), (15.0, 3e5))
 """Wind (m/s) and fetch (m)."""

@@ -32,10 +32,9 @@ from seafoam.scene.camera import Camera
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
-from seafoam.scene.rings import Ring
 from seafoam.scene.shore import Shore, Surf
 from seafoam.scene.spray import DROPS, Burst, Spray
-from seafoam.scene.waves import ParametricWave, Sea, WaveGroups
+from seafoam.scene.waves import ParametricWave, Ring, Sea, WaveGroups
 from support.exact import UNFILTERED
 from support.pictures import draw, draw_target
 from support.probe import Probe

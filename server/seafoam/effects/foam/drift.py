@@ -31,8 +31,7 @@ from seafoam.framegraph.rules import (
 )
 from seafoam.ocean.waves.stokes import steady_drift
 from seafoam.quality import Quality
-from seafoam.scene.drift import Drift, Vortex
-from seafoam.scene.foam import DriftSaturation, Foam
+from seafoam.scene.foam import Drift, DriftSaturation, Foam, Vortex
 from seafoam.scene.models import Scene
 
 GENERATIONS = 4

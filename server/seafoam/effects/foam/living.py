@@ -12,8 +12,7 @@ from seafoam.effects.shader import Piece, SlotFile, Source, constant_function
 from seafoam.framegraph.rules import Uniform, number, vector
 from seafoam.ocean.waves.stokes import foam_drift, foam_life
 from seafoam.quality import Quality
-from seafoam.scene.foam import SurfSaturation
-from seafoam.scene.living import FoamLife
+from seafoam.scene.foam import FoamLife, SurfSaturation
 from seafoam.scene.models import Scene
 
 AGE = 0.8

@@ -13,9 +13,9 @@ from seafoam.effects.waves.standing import places
 from seafoam.framegraph.rules import Uniform, constants, significant
 from seafoam.ocean.waves.wakes import LEAST_SPEED, Wake, stone_wakes
 from seafoam.quality import Quality
-from seafoam.scene.current import Current
 from seafoam.scene.foam import WakeSaturation
 from seafoam.scene.models import Scene
+from seafoam.scene.water import Current
 
 HULL_SPEED = 1.25
 """Speed over the square root of the length, √m/s, at which the bow's foam reaches its full amount."""

@@ -6,8 +6,7 @@ from functools import lru_cache
 import numpy as np
 
 from seafoam.ocean.sky import skylight
-from seafoam.scene.light import Light
-from seafoam.scene.sky import Direction, direction
+from seafoam.scene.light import Direction, Light, direction
 from seafoam.sums import summed
 
 Rgb = tuple[float, float, float]

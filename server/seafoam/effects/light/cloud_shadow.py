@@ -9,9 +9,8 @@ from seafoam.effects.noise import PERLIN_3
 from seafoam.effects.shader import SlotFile
 from seafoam.framegraph.rules import rounded, vector
 from seafoam.quality import Quality
-from seafoam.scene.light import Light
+from seafoam.scene.light import Clouds, Light
 from seafoam.scene.models import Scene
-from seafoam.scene.sky import Clouds
 
 EARTH = 6.371e6
 """Radius, m."""

@@ -8,8 +8,8 @@ from seafoam.effects.noise import CELLS, PERLIN_2, PERLIN_3, drifting_noise
 from seafoam.effects.shader import SlotFile
 from seafoam.framegraph.rules import Phase, array, number, rounded, vector
 from seafoam.quality import Quality
+from seafoam.scene.light import Cirrus, Clouds
 from seafoam.scene.models import Scene
-from seafoam.scene.sky import Cirrus, Clouds
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:

@@ -8,7 +8,7 @@ from seafoam.effects.shader import Source
 from seafoam.framegraph.rules import Constant, Uniform, array, rounded, vector
 from seafoam.ocean.arrays import Floats
 from seafoam.ocean.sky import skylight
-from seafoam.scene.sky import Direction
+from seafoam.scene.light import Direction
 
 _SERIES = tuple(f"{part}{tint}{rim}" for rim in ("", "_rim") for part in ("even", "haze") for tint in ("", "_tint"))
 _UNIFORMS = ("lamp", "level", *_SERIES)

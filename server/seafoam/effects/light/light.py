@@ -12,9 +12,8 @@ from seafoam.effects.shader import SlotFile
 from seafoam.framegraph.rules import number, significant, vector
 from seafoam.ocean.sky import skylight
 from seafoam.quality import Quality
-from seafoam.scene.light import Light
+from seafoam.scene.light import Light, direction
 from seafoam.scene.models import Scene
-from seafoam.scene.sky import direction
 
 ILLUMINATION = ("light/shade.glsl@irradiance", "light/shade.glsl@haze")
 """Irradiance of sun and sky, and the haze in front of what they light; after the sky's files."""

@@ -9,8 +9,7 @@ import numpy as np
 from seafoam.effects.light import atmosphere
 from seafoam.effects.light.atmosphere import Rgb
 from seafoam.ocean.arrays import Floats
-from seafoam.scene.light import Light
-from seafoam.scene.sky import Cirrus, Clouds
+from seafoam.scene.light import Cirrus, Clouds, Light
 
 _SLICES = np.array([[0.0], [0.4], [0.8]])
 """Heights of the slices of clouds, of their depth."""

@@ -27,7 +27,7 @@ from seafoam.framegraph.rules import (
 from seafoam.ocean.waves.rings import FRONT, SOFT, Train, ring_curvature, ring_height, ring_slope, trains
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
-from seafoam.scene.rings import DEAD, DEAD_SHARE, Ring
+from seafoam.scene.waves import DEAD, DEAD_SHARE, Ring
 
 _MIN_TEXELS = 4.0
 """Texels to the shortest wave below which a map does not resolve it, so that the rings are summed instead."""

@@ -12,11 +12,19 @@ from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.waves.rings import FRONT, SOFT
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
-from seafoam.scene.rings import DEAD, DEAD_SHARE
-from seafoam.scene.touch import CRESTS, DECAY, LEAST_LENGTH, LENGTH, TOUCHES_MOST, Touch
+from seafoam.scene.waves import (
+    DEAD,
+    DEAD_SHARE,
+    TOUCH_CRESTS,
+    TOUCH_DECAY,
+    TOUCH_LEAST_LENGTH,
+    TOUCH_LENGTH,
+    TOUCHES_MOST,
+    Touch,
+)
 from seafoam.sums import summed
 
-_LIFE = significant(math.log(1.0 / DEAD_SHARE) / DECAY + 1.0)
+_LIFE = significant(math.log(1.0 / DEAD_SHARE) / TOUCH_DECAY + 1.0)
 """Age at which every ring has ended, and a second more, s."""
 
 
@@ -33,11 +41,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         slots=(SlotFile("detail", "waves/rings.glsl@touch", prefix="touches", needs=("waves/rings.glsl@ring",)),),
         consts={
             "TOUCH_COUNT": TOUCHES_MOST,
-            "TOUCH_CRESTS": CRESTS,
-            "TOUCH_DECAY": DECAY,
+            "TOUCH_CRESTS": TOUCH_CRESTS,
+            "TOUCH_DECAY": TOUCH_DECAY,
             "TOUCH_GRAVITY": GRAVITY,
-            "TOUCH_LEAST_LENGTH": LEAST_LENGTH,
-            "TOUCH_LENGTH": LENGTH,
+            "TOUCH_LEAST_LENGTH": TOUCH_LEAST_LENGTH,
+            "TOUCH_LENGTH": TOUCH_LENGTH,
             "RING_DEAD": DEAD,
             "RING_DEAD_SHARE": DEAD_SHARE,
             "RING_SOFT": SOFT,

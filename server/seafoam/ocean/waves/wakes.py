@@ -10,7 +10,7 @@ from typing import Protocol
 
 from seafoam.ocean.constants import GRAVITY
 from seafoam.scene.boats import Boat
-from seafoam.scene.current import Current
+from seafoam.scene.water import Current
 from seafoam.sums import summed
 
 LEAST_SPEED = 0.5

@@ -11,8 +11,8 @@ from seafoam.reference.boats.floating import HULL_SPEED
 from seafoam.reference.boats.wake import Wakes, wake_patches
 from seafoam.reference.noise import filtered_step, footprint_variance
 from seafoam.reference.types import Floats, Footprints, Gradient
-from seafoam.scene.current import Current, Stone
 from seafoam.scene.foam import WakeSaturation
+from seafoam.scene.water import Current, Stone
 
 
 @dataclass(frozen=True)

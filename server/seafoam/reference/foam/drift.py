@@ -16,8 +16,7 @@ import numpy as np
 from seafoam.ocean.waves.stokes import steady_drift
 from seafoam.reference.noise import pcg, value
 from seafoam.reference.types import Floats, smoothstep
-from seafoam.scene.drift import Vortex
-from seafoam.scene.foam import DriftSaturation
+from seafoam.scene.foam import DriftSaturation, Vortex
 from seafoam.scene.models import Scene
 
 GENERATIONS = 4

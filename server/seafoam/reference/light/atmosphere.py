@@ -32,8 +32,7 @@ from seafoam.reference.light import clouds
 from seafoam.reference.light.clouds import EYE, FORWARD, CloudLayer, HighClouds, Spread
 from seafoam.reference.noise import chained, fractal, number, share
 from seafoam.reference.types import Floats, dot, smoothstep, unit
-from seafoam.scene.light import Light
-from seafoam.scene.sky import Day, Moon
+from seafoam.scene.light import Day, Light, Moon
 
 RAYLEIGH = np.array([0.055, 0.108, 0.215])
 RAYLEIGH_HEIGHT, MIE_HEIGHT = 8000.0, 1200.0

@@ -14,7 +14,7 @@ from scipy import special
 from seafoam.reference.noise import GAIN, PERIOD, fractal, octaves
 from seafoam.reference.types import Floats, Footprints, dot, smoothstep
 from seafoam.reference.waves.parametric import noise_place, reduced
-from seafoam.scene.sky import Cirrus, Clouds
+from seafoam.scene.light import Cirrus, Clouds
 
 Spread = tuple[Floats, Floats]
 Depth = Callable[[Floats], Floats]

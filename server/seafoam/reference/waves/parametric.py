@@ -18,8 +18,8 @@ from seafoam.ocean.waves.stokes import orbit
 from seafoam.reference.noise import PERIOD, fractal
 from seafoam.reference.types import Floats
 from seafoam.reference.waves.groups import GroupFactor, group_factor
+from seafoam.scene.light import Gusts
 from seafoam.scene.models import Scene
-from seafoam.scene.sky import Gusts
 from seafoam.scene.water import Ripples
 from seafoam.scene.waves import ParametricWave
 

@@ -17,7 +17,7 @@ from seafoam.ocean.waves.rings import ring_height as highest
 from seafoam.reference.types import Bools, Floats
 from seafoam.reference.waves.parametric import wavenumber
 from seafoam.scene.models import Scene
-from seafoam.scene.rings import Ring
+from seafoam.scene.waves import Ring
 
 LEAST = 1e-4
 LEAST_SHARE = 1.0 / 256.0
