@@ -114,13 +114,6 @@ def test_auto_refuses_what_cannot_be_planned_or_drawn(fresh):
     assert wide.json()["errors"][0]["parameter"] == "width"
 
 
-@pytest.mark.parametrize("path", ["", ".csv", ".png", "/points", "/truth.npy"])
-def test_there_is_no_such_preset(fresh, path):
-    response = fresh.get(f"/api/accuracy/nope{path}")
-    assert response.status_code == 404
-    assert PRESET in response.json()["errors"][0]["allowed"]["enum"]
-
-
 def test_a_finished_measurement_outlives_the_server(fresh, serve):
     found = eventually(lambda: fresh.get(URL))[-1].json()
     cache = fresh.app.state.context.settings.cache

@@ -195,36 +195,6 @@ def test_visitors_come_first(tmp_path: Path) -> None:
         assert events(client, name)[-1]["status"] == "done"
 
 
-@pytest.mark.parametrize(
-    ("changes", "pointer", "said"),
-    [
-        ({"stop": 0.0}, "/stop", "above the start"),
-        ({"start": 9.0}, "/stop", "above the start"),
-        ({"stop": 2e9}, "/stop", "1000000000"),
-        ({"stop": 1000.0}, "/stop", "24,000 frames exceed the limit of 3,600"),
-        ({"fps": 0.0}, "/fps", "0.001"),
-        ({"fps": "30000 / 1001"}, "/fps", "[0-9]"),
-        ({"fps": "1/0"}, "/fps", "30000/1001"),
-        ({"fps": None}, "/fps", "number"),
-        ({"width": 25, "format": "mp4"}, "/width", "even"),
-        ({"height": 62, "width": 64, "format": "mp4", "codec": "av1"}, "/height", "at least 64"),
-        ({"width": 9000}, "/width", "1 to 4096"),
-        ({"format": "gif"}, "/format", "mp4"),
-        ({"codec": "vp9"}, "/codec", "h264"),
-        ({"scene": {"foam": {"mask": "zzz"}}}, "/scene/foam/mask", "zzz"),
-        ({"preset": "atlantis"}, "/preset", "atlantis"),
-        ({"fsp": 3}, "/fsp", "fsp"),
-    ],
-)
-def test_what_is_refused(client: TestClient, changes: dict[str, Any], pointer: str, said: str) -> None:
-    response = client.post("/api/sequences", json=asked(**changes))
-    assert response.status_code == 422
-    assert response.headers["content-type"] == "application/problem+json"
-    (error,) = response.json()["errors"]
-    assert error["pointer"] == pointer
-    assert said in json.dumps(error)
-
-
 def test_a_rate_of_the_trade(client: TestClient) -> None:
     names = {start(client, fps=fps)["id"] for fps in (29.97, "30000/1001", "60000/2002")}
     assert len(names) == 1

@@ -124,7 +124,7 @@ def test_where_all_are_taken_the_answer_says_when_to_ask_again(streaming: TestCl
 
 def test_a_crowd_that_is_refused_is_not_planned_for(streaming: TestClient, monkeypatch: pytest.MonkeyPatch) -> None:
     first, _ = opened(streaming), opened(streaming)
-    monkeypatch.setattr("seafoam.api.routers.streams.compile_scene", None)
+    monkeypatch.setattr("seafoam.api.context.compile_scene", None)
     assert streaming.post("/api/streams", json=DRAFT).status_code == 503
     streaming.delete(f"/api/streams/{first}")
     assert streaming.post("/api/streams", json=DRAFT).status_code == 500
@@ -267,31 +267,6 @@ def test_frames_are_drawn_and_neither_kept_nor_shared() -> None:
         assert len({frame.content for frame in frames}) == 1
         assert context.metrics.frames.labels("webp")._value.get() == 3
         assert not context.frames.origins
-
-
-@pytest.mark.parametrize(
-    ("changes", "parameter", "allowed"),
-    [
-        ({"width": 0}, "width", {"minimum": 1, "maximum": 4096}),
-        ({"width": 4097}, "width", {"minimum": 1, "maximum": 4096}),
-        ({"height": "x"}, "height", {"minimum": 1, "maximum": 4096}),
-        ({"time": "nan"}, "time", {"minimum": -1e9, "maximum": 1e9}),
-        ({"time": 2e9}, "time", {"minimum": -1e9, "maximum": 1e9}),
-        ({"fov": 3.0}, "fov", {"minimum": 0.01, "maximum": 2.6}),
-        ({"x": 1e8}, "x", {"minimum": -1e7, "maximum": 1e7}),
-        ({"fov": None}, "fov", {"minimum": 0.01, "maximum": 2.6}),
-        ({"format": "png"}, "format", {"members": sorted([*SMALL, *VIEW, "time"])}),
-    ],
-)
-def test_a_bad_parameter_is_named(
-    streaming: TestClient, changes: dict[str, Any], parameter: str, allowed: dict[str, Any]
-) -> None:
-    id = opened(streaming)
-    asked = SMALL | VIEW | {"time": 1.0} | changes
-    query = {name: value for name, value in asked.items() if value is not None}
-    (error,) = problem(streaming.get(f"/api/streams/{id}/frame.webp", params=query), 422)["errors"]
-    assert error["parameter"] == parameter
-    assert error["allowed"] == allowed
 
 
 def test_a_size_beyond_the_limits_is_refused_before_it_is_drawn() -> None:

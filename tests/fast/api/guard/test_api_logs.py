@@ -1,4 +1,4 @@
-"""Request ids, the log as lines of JSON, and pages of other origins."""
+"""Request ids, and the log as lines of JSON."""
 
 import io
 import json
@@ -7,11 +7,9 @@ import re
 from collections.abc import Callable, Iterator
 
 import pytest
-from pydantic import ValidationError
 from starlette.responses import Response
 from starlette.testclient import TestClient
 
-from seafoam.api.settings import Settings
 from seafoam.api.watch import logs
 from support.serving import answering
 
@@ -125,36 +123,3 @@ def test_json_replaces_uvicorns_own_log(monkeypatch: pytest.MonkeyPatch) -> None
     monkeypatch.setattr(logging, "basicConfig", lambda **options: made.update(options))
     assert logs.configure("json") == {"log_config": None, "access_log": False}
     assert isinstance(made["handlers"][0].formatter, logs.JsonLines)  # type: ignore[index]
-
-
-def test_other_origins_are_let_in_by_setting_alone() -> None:
-    origin = {"Origin": "https://example.org"}
-    assert "Access-Control-Allow-Origin" not in answering().get("/api/streams", headers=origin).headers
-    client = answering(cors_origins="https://example.org, https://a.test:8443", api_keys="a:correct-horse-battery")
-    # An error too, so that the page can read it.
-    response = client.get("/api/quality", headers=origin)
-    assert response.status_code == 401
-    assert response.headers["Access-Control-Allow-Origin"] == "https://example.org"
-    readable = response.headers["Access-Control-Expose-Headers"]
-    assert {"ETag", "Seafoam-Plan", "Retry-After", "RateLimit"} <= set(readable.split(", "))
-    other = client.get("/api/quality", headers={"Origin": "https://example.com"})
-    assert "Access-Control-Allow-Origin" not in other.headers
-
-
-def test_a_preflight_needs_no_key() -> None:
-    client = answering(cors_origins="https://example.org", api_keys="a:correct-horse-battery")
-    asked = {
-        "Origin": "https://example.org",
-        "Access-Control-Request-Method": "POST",
-        "Access-Control-Request-Headers": "authorization,content-type",
-    }
-    assert client.options("/api/frames", headers=asked).status_code == 200
-    assert client.options("/api/frames", headers=asked | {"Origin": "https://example.com"}).status_code == 400
-
-
-@pytest.mark.parametrize(
-    "origins", ["example.org", "https://example.org/", "https://example.org/a", "https://a b", "null"]
-)
-def test_origins_are_scheme_host_and_port(origins: str) -> None:
-    with pytest.raises(ValidationError, match="cors_origins"):
-        Settings(cors_origins=origins)

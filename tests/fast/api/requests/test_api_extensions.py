@@ -24,14 +24,6 @@ def plan(client, scene, quality=None):
     return client.post("/api/plans", json=body)
 
 
-def test_an_unknown_extension_is_named(client):
-    response = plan(client, {"extensions": {"windrows": {}}})
-    assert response.status_code == 422
-    assert response.headers["Content-Type"] == "application/problem+json"
-    (error,) = response.json()["errors"]
-    assert error["pointer"] == "/scene/extensions/windrows"
-
-
 def test_a_registered_extension_is_described_and_checked(serve, windrows):
     scene = {"foam": {}, "extensions": {"windrows": {"spacing": 20.0}}}
     with serve() as client:

@@ -3,10 +3,12 @@
 from pathlib import Path
 
 import pytest
+from pydantic import ValidationError
 from starlette.testclient import TestClient
 
+from seafoam.api.settings import Settings
 from support.api_fakes import RAISE
-from support.serving import SMALL, answering
+from support.serving import SMALL, answering, problem
 
 ELSEWHERE = {"Origin": "https://elsewhere.test"}
 PUBLIC = (
@@ -48,9 +50,37 @@ def test_they_post_nothing_by_default(client: TestClient) -> None:
         assert preflight.status_code == 405
 
 
-def test_nothing_of_a_server_with_keys_is_public() -> None:
-    restricted = answering(api_keys="a:correct-horse-battery")
-    assert "Access-Control-Allow-Origin" not in restricted.get("/api/quality", headers=ELSEWHERE).headers
+def test_other_origins_are_let_in_by_setting_alone() -> None:
+    origin = {"Origin": "https://example.org"}
+    client = answering(cors_origins="https://example.org, https://a.test:8443", api_keys="a:correct-horse-battery")
+    # An error too, so that the page can read it.
+    response = client.get("/api/quality", headers=origin)
+    assert response.status_code == 401
+    assert response.headers["Access-Control-Allow-Origin"] == "https://example.org"
+    readable = response.headers["Access-Control-Expose-Headers"]
+    assert {"ETag", "Seafoam-Plan", "Retry-After", "RateLimit"} <= set(readable.split(", "))
+    # With keys nothing is public.
+    other = client.get("/api/quality", headers={"Origin": "https://example.com"})
+    assert "Access-Control-Allow-Origin" not in other.headers
+
+
+def test_a_preflight_needs_no_key() -> None:
+    client = answering(cors_origins="https://example.org", api_keys="a:correct-horse-battery")
+    asked = {
+        "Origin": "https://example.org",
+        "Access-Control-Request-Method": "POST",
+        "Access-Control-Request-Headers": "authorization,content-type",
+    }
+    assert client.options("/api/frames", headers=asked).status_code == 200
+    assert client.options("/api/frames", headers=asked | {"Origin": "https://example.com"}).status_code == 400
+
+
+@pytest.mark.parametrize(
+    "origins", ["example.org", "https://example.org/", "https://example.org/a", "https://a b", "null"]
+)
+def test_origins_are_scheme_host_and_port(origins: str) -> None:
+    with pytest.raises(ValidationError, match="cors_origins"):
+        Settings(cors_origins=origins)
 
 
 def test_an_error_has_the_headers_of_a_success(serve, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -97,6 +127,20 @@ def test_two_lines_are_a_list(client: TestClient) -> None:
     assert client.get(PLAN, headers=lines).headers["Content-Encoding"] == "gzip"
 
 
+@pytest.mark.parametrize(
+    ("url", "share"),
+    [(PLAN, 1 / 3), ("/api/textures/mask/vac-24/atlas", 0.4), ("/api/textures/mask/vac-24/ranks", None)],
+)
+def test_what_packs_well_is_packed(client: TestClient, url: str, share: float | None) -> None:
+    plain, packed = (client.get(url, headers={"Accept-Encoding": coding}) for coding in ("identity", "gzip"))
+    assert packed.content == plain.content
+    # Ranks are as good as random: there is nothing to gain.
+    assert ("Content-Encoding" in packed.headers) is (share is not None)
+    assert int(packed.headers["Content-Length"]) <= (share or 1.0) * len(plain.content)
+    assert "Content-Encoding" not in plain.headers
+    assert plain.headers["Vary"] == packed.headers["Vary"]
+
+
 @pytest.fixture
 def built(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> TestClient:
     """A client of a built page, of which one file was packed."""
@@ -120,13 +164,17 @@ def test_packed_files_are_for_who_prefers_them(built: TestClient, sent: str, cod
     with built.stream("GET", "/assets/a.js", headers={"Accept-Encoding": sent}) as response:
         assert response.headers.get("Content-Encoding") == coding
         assert response.headers["Vary"] == "Accept-Encoding"
+        assert response.headers["Content-Type"].startswith("text/javascript")
+        assert "immutable" in response.headers["Cache-Control"]
         tag = response.headers["ETag"]
     again = built.get("/assets/a.js", headers={"Accept-Encoding": sent, "If-None-Match": f'"x", {tag}'})
     assert (again.status_code, again.headers["ETag"], again.headers["Vary"]) == (304, tag, "Accept-Encoding")
 
 
 @pytest.mark.parametrize("coding", ["gzip", "identity"])
-@pytest.mark.parametrize("url", [PLAN, "/api/textures/mask/vac-24/atlas", "/api/masks/vac-6/data.png", "/"])
+@pytest.mark.parametrize(
+    "url", [PLAN, "/api/textures/mask/vac-24/atlas", "/api/masks/vac-6/data.png", "/api/masks/mix/spectrum", "/"]
+)
 def test_a_copy_is_known_by_its_tag(built: TestClient, client: TestClient, url: str, coding: str) -> None:
     asked = built if url == "/" else client
     sent = {"Accept-Encoding": coding}
@@ -140,6 +188,7 @@ def test_a_copy_is_known_by_its_tag(built: TestClient, client: TestClient, url: 
         assert again.headers["ETag"] == (strong if lines == ["*"] else again.headers["ETag"])
         assert again.headers["ETag"].removeprefix("W/") == strong
         assert set(first.headers.get("Vary", "").split(", ")) - {""} <= set(again.headers["Vary"].split(", "))
+        assert again.headers["Cache-Control"] == first.headers["Cache-Control"]
     for lines in (['"x"'], ['"x"', 'W/"y"'], [strong.strip('"')], [f'"{strong[1:-2]}"']):
         other = asked.get(url, headers=[*sent.items(), *(("If-None-Match", line) for line in lines)])
         assert other.status_code == 200
@@ -171,9 +220,7 @@ UNREADABLE = [
 def posted(client: TestClient, content: str | bytes, path: str = "/api/scenes") -> dict[str, object]:
     """The one error of a body that is refused."""
     response = client.post(path, content=content, headers={"Content-Type": "application/json"})
-    assert response.status_code == 422, response.text[:500]
-    assert response.headers["Content-Type"] == "application/problem+json"
-    (error,) = response.json()["errors"]
+    (error,) = problem(response, 422)["errors"]
     return error
 
 
@@ -227,9 +274,7 @@ def test_a_number_is_written_in_one_way(client: TestClient, url: str, parameter:
     in_path = "/frames/{}" in url
     if in_path and text == "+5":
         pytest.skip("a plus sign in a path is a plus sign")
-    response = client.get(url.format(text))
-    assert response.status_code == 422
-    (error,) = response.json()["errors"]
+    (error,) = problem(client.get(url.format(text)), 422)["errors"]
     assert error["parameter"] == parameter
 
 
@@ -251,10 +296,10 @@ def test_a_range_outside_of_a_file_is_a_problem_that_names_what_there_is(built: 
     last = len(built.get("/assets/a.js", headers={"Accept-Encoding": "identity"}).content) - 1
     asked = {"Range": f"bytes={last + 1}-", "Accept-Encoding": "identity"}
     response = built.get("/assets/a.js", headers=asked)
-    assert (response.status_code, response.headers["Content-Type"]) == (416, "application/problem+json")
+    told = problem(response, 416)
     assert response.headers["Content-Range"] == f"bytes */{last + 1}"
-    assert response.json()["type"] == "urn:seafoam:problem:range-not-satisfiable"
-    (error,) = response.json()["errors"]
+    assert told["type"] == "urn:seafoam:problem:range-not-satisfiable"
+    (error,) = told["errors"]
     assert error["allowed"] == {"minimum": 0, "maximum": last}
     assert f"0 to {last}" in error["detail"]
     bodiless = built.head("/assets/a.js", headers=asked)

@@ -145,10 +145,3 @@ def test_a_mask_that_nobody_follows_ends_early():
     asyncio.run(leave())
     assert made == []
     assert not is_kept(asked)
-
-
-def test_a_mask_that_no_scene_can_draw_is_refused(client):
-    answer = client.get("/api/frames/default.png?mask=clump:2:1024:1")
-    assert answer.status_code == 422
-    assert "32, 64, 128, 256, 512 texels" in answer.json()["errors"][0]["detail"]
-    assert client.get("/api/textures/mask/clump:2:96:1/atlas").status_code == 404
