@@ -70,15 +70,15 @@ export type Control = NumberControl | ChoiceControl | NameControl | SimpleContro
 
 const DECADES = 3;
 const RADIANS = "rad";
+const DEGREES = 180 / Math.PI;
 
 /** The control of a value; `null` if the schema has nothing to set. */
 export function controlOf(root: JsonObject, schema: JsonObject, value: Json | undefined, pointer: string, name: string): Control | null {
-  const outer = schema;
   const inner = resolve(root, schema);
   const labelledField: LabelledField = {
     pointer,
     label: labelOf(name),
-    hint: text(outer["description"]) ?? (outer["$ref"] ? "" : (text(inner["description"]) ?? "")),
+    hint: text(schema["description"]) ?? (schema["$ref"] ? "" : (text(inner["description"]) ?? "")),
   };
   const nullable = nullableMember(root, inner);
   if (nullable) {
@@ -91,7 +91,8 @@ export function controlOf(root: JsonObject, schema: JsonObject, value: Json | un
   if ("const" in inner) return null;
   const variants = variantsOf(root, inner);
   if (variants) {
-    const variant = variants.find(({ schema: s, tag }) => tag !== null && matches(root, s, value, inner)) ?? variants[0];
+    const key = discriminatorOf(root, inner) ?? "";
+    const variant = variants.find(({ tag }) => tag !== null && isObject(value) && value[key] === tag) ?? variants[0];
     return variant ? controlOf(root, variant.schema, value, pointer, name) : null;
   }
   const options = inner["enum"];
@@ -109,19 +110,21 @@ export function controlOf(root: JsonObject, schema: JsonObject, value: Json | un
     case "array":
       return array(root, inner, value, labelledField);
     case "object": {
-      const properties = isObject(inner["properties"]) ? inner["properties"] : {};
       const fields = isObject(value) ? value : {};
-      const children = Object.entries(properties).flatMap(([key, property]) => {
-        if (!isObject(property)) return [];
+      const children = propertiesOf(inner).flatMap(([key, property]) => {
         const field = fields[key] ?? (key in fields ? null : initialValue(root, property));
-        const control = controlOf(root, property, field, child(pointer, key), key);
-        return control ? [control] : [];
+        return controlOf(root, property, field, child(pointer, key), key) ?? [];
       });
       return { ...labelledField, kind: "group", children };
     }
     default:
       return null;
   }
+}
+
+function propertiesOf(schema: JsonObject): [string, JsonObject][] {
+  const properties = isObject(schema["properties"]) ? schema["properties"] : {};
+  return Object.entries(properties).filter((entry): entry is [string, JsonObject] => isObject(entry[1]));
 }
 
 /** The value of a nullable field when it is switched on: where it follows another, what it was while it was null. */
@@ -136,38 +139,17 @@ export function switchedOn({ follows, initial }: OptionalControl, scene: Json): 
 /** A field's default, or the defaults of its fields. */
 function initialValue(root: JsonObject, schema: JsonObject): Json {
   const inner = resolve(root, schema);
-  for (const from of [schema, inner]) {
-    if (from["default"] !== undefined) return from["default"];
-  }
-  if (inner["const"] !== undefined) return inner["const"];
-  const nullable = nullableMember(root, inner);
-  if (nullable) return null;
+  const stated = [schema["default"], inner["default"], inner["const"]].find((value) => value !== undefined);
+  if (stated !== undefined) return stated;
+  if (nullableMember(root, inner)) return null;
   const variants = variantsOf(root, inner);
   if (variants?.[0]) return initialValue(root, variants[0].schema);
   if (Array.isArray(inner["enum"])) return inner["enum"][0] ?? null;
-  if (isObject(inner["properties"])) {
-    return Object.fromEntries(
-      Object.entries(inner["properties"])
-        .filter((entry): entry is [string, JsonObject] => isObject(entry[1]))
-        .map(([key, property]) => [key, initialValue(root, property)]),
-    );
-  }
-  if (Array.isArray(inner["prefixItems"])) {
-    return inner["prefixItems"].filter(isObject).map((item) => initialValue(root, item));
-  }
-  switch (inner["type"]) {
-    case "array":
-      return [];
-    case "boolean":
-      return false;
-    case "string":
-      return "";
-    case "number":
-    case "integer":
-      return midpoint(bound(inner, "minimum"), bound(inner, "maximum"));
-    default:
-      return null;
-  }
+  if (isObject(inner["properties"])) return Object.fromEntries(propertiesOf(inner).map(([key, property]) => [key, initialValue(root, property)]));
+  if (Array.isArray(inner["prefixItems"])) return inner["prefixItems"].filter(isObject).map((item) => initialValue(root, item));
+  const [min, max] = [bound(inner, "minimum"), bound(inner, "maximum")];
+  const middle = min !== null && max !== null ? (min + max) / 2 : (min ?? max ?? 0);
+  return { array: [], boolean: false, string: "", number: middle, integer: middle }[text(inner["type"]) ?? ""] ?? null;
 }
 
 /** Every choice below a control, at any depth. */
@@ -214,13 +196,8 @@ function nullableMember(root: JsonObject, schema: JsonObject): JsonObject | null
   return rest.length === 1 && rest.length < members.length ? (rest[0] ?? null) : null;
 }
 
-interface TaggedSchema {
-  tag: string | null;
-  schema: JsonObject;
-}
-
 /** The members of a union, with their discriminator values. */
-function variantsOf(root: JsonObject, schema: JsonObject): TaggedSchema[] | null {
+function variantsOf(root: JsonObject, schema: JsonObject): { tag: string | null; schema: JsonObject }[] | null {
   const union = schema["oneOf"] ?? schema["anyOf"];
   if (!Array.isArray(union)) return null;
   const key = discriminatorOf(root, schema);
@@ -238,14 +215,7 @@ function tagOf(root: JsonObject, schema: JsonObject, key: string): string | null
 function discriminatorOf(root: JsonObject, schema: JsonObject): string | null {
   const stated = get(schema, "/discriminator/propertyName");
   if (typeof stated === "string") return stated;
-  const properties = resolve(root, schema)["properties"];
-  if (!isObject(properties)) return null;
-  return Object.entries(properties).find(([, property]) => isObject(property) && "const" in property)?.[0] ?? null;
-}
-
-function matches(root: JsonObject, member: JsonObject, value: Json | undefined, union: JsonObject): boolean {
-  const key = discriminatorOf(root, union);
-  return key !== null && isObject(value) && value[key] === tagOf(root, member, key);
+  return propertiesOf(resolve(root, schema)).find(([, property]) => "const" in property)?.[0] ?? null;
 }
 
 function array(root: JsonObject, schema: JsonObject, value: Json | undefined, labelled: LabelledField): Control | null {
@@ -255,10 +225,7 @@ function array(root: JsonObject, schema: JsonObject, value: Json | undefined, la
     const shares = members.every((item) => bound(item, "minimum") === 0 && bound(item, "maximum") === 1);
     if (members.length === 3 && shares) return { ...labelled, kind: "colour" };
     const names = members.length === 3 ? ["1", "2", "3"] : ["from", "to"];
-    const children = members.flatMap((item, i) => {
-      const control = controlOf(root, item, undefined, child(labelled.pointer, i), names[i] ?? String(i + 1));
-      return control ? [control] : [];
-    });
+    const children = members.flatMap((item, i) => controlOf(root, item, undefined, child(labelled.pointer, i), names[i] ?? String(i + 1)) ?? []);
     return { ...labelled, kind: "group", children };
   }
   const item = schema["items"];
@@ -308,10 +275,6 @@ function bound(schema: JsonObject, key: string): number | null {
   return typeof value === "number" ? value : null;
 }
 
-function midpoint(min: number | null, max: number | null): number {
-  return min !== null && max !== null ? (min + max) / 2 : (min ?? max ?? 0);
-}
-
 function text(value: Json | undefined): string | undefined {
   return typeof value === "string" ? value : undefined;
 }
@@ -327,4 +290,21 @@ export function sceneControls(document: SceneSchema, scene: JsonObject): GroupCo
   const control = schema && controlOf(document, schema, scene, "", "scene");
   if (control?.kind !== "group") return null;
   return { ...control, children: control.children.filter(({ pointer }) => pointer !== CAMERA_POINTER) };
+}
+
+/** A number of the scene as its control shows it. */
+export function toDisplayed(control: NumberControl, value: number): number {
+  return control.angle ? Number((value * DEGREES).toFixed(3)) : value;
+}
+
+/** Of the scene: rounded to the control's step and clamped to the schema's range. */
+export function fromDisplayed(control: NumberControl, value: number): number {
+  const rounded = control.angle ? Number((value / DEGREES).toFixed(5)) : snap(value, control.step);
+  return Math.min(control.max ?? Infinity, Math.max(control.min ?? -Infinity, rounded));
+}
+
+function snap(value: number, step: number | null): number {
+  if (step === null) return value;
+  const digits = Math.max(0, Math.ceil(-Math.log10(step)));
+  return Number((Math.round(value / step) * step).toFixed(digits));
 }

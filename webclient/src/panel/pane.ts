@@ -4,8 +4,7 @@ import { Pane } from "tweakpane";
 import type { Choice } from "../api";
 import { child, get, type Json, steps } from "../scene/json";
 import { element } from "../ui/dom";
-import { type Control, type GroupControl, labelOf, type ListControl, type NumberControl, type OptionalControl, sameControls, switchedOn } from "./model";
-import { format, toDisplayed, fromDisplayed } from "./values";
+import { type Control, fromDisplayed, type GroupControl, labelOf, type ListControl, type NumberControl, type OptionalControl, sameControls, switchedOn, toDisplayed } from "./model";
 
 interface PaneEvents {
   change(pointer: string, value: Json): void;
@@ -13,15 +12,13 @@ interface PaneEvents {
   optionsFrom(url: string): readonly Choice[];
 }
 
-/** Copies a scene's value into a widget. */
-type Refresh = (scene: Json) => void;
-
 const DEGREE = "°";
 
 export class ScenePane {
   private pane: Pane | null = null;
   private model: GroupControl | null = null;
-  private refreshers: Refresh[] = [];
+  /** Copy the scene's values into the widgets. */
+  private refreshers: (() => void)[] = [];
   /** State of folders that the user opened or closed, by pointer; kept across rebuilds. */
   private readonly expanded = new Map<string, boolean>();
   private updating = false;
@@ -35,51 +32,51 @@ export class ScenePane {
   /** Shows a scene; widgets are rebuilt only if the controls differ. */
   show(model: GroupControl, scene: Json, rebuild = false): void {
     this.scene = scene;
-    if (rebuild || this.pane === null || !sameControls(this.model, model)) this.build(model, scene);
+    if (rebuild || this.pane === null || !sameControls(this.model, model)) this.build(model);
     this.updating = true;
-    for (const refresh of this.refreshers) refresh(scene);
+    for (const refresh of this.refreshers) refresh();
     this.pane?.refresh();
     this.updating = false;
   }
 
-  private build(model: GroupControl, scene: Json): void {
+  private build(model: GroupControl): void {
     const scroll = this.container.parentElement?.scrollTop ?? 0;
     this.pane?.dispose();
     this.model = model;
     this.refreshers = [];
     this.pane = new Pane({ container: this.container });
-    for (const control of model.children) this.add(this.pane, control, scene);
+    for (const control of model.children) this.add(this.pane, control);
     if (this.container.parentElement) this.container.parentElement.scrollTop = scroll;
   }
 
-  private add(parent: FolderApi, control: Control, scene: Json): void {
+  private add(parent: FolderApi, control: Control): void {
     switch (control.kind) {
       case "group": {
         const folder = this.folder(parent, control, control.label);
-        for (const inner of control.children) this.add(folder, inner, scene);
+        for (const inner of control.children) this.add(folder, inner);
         return;
       }
       case "optional":
-        return this.addOptional(parent, control, scene);
+        return this.addOptional(parent, control);
       case "list":
-        return this.addList(parent, control, scene);
+        return this.addList(parent, control);
       case "number":
-        return this.addNumber(parent, control, scene);
+        return this.addNumber(parent, control);
       case "toggle":
-        return this.bind(parent, control, scene, {}, false);
+        return this.addPlain(parent, control, {}, false);
       case "text":
-        return this.bind(parent, control, scene, {}, "");
+        return this.addPlain(parent, control, {}, "");
       case "choice":
-        return this.bind(parent, control, scene, { options: control.options.map((value) => ({ text: labelOf(value), value })) }, "");
+        return this.addPlain(parent, control, { options: control.options.map((value) => ({ text: labelOf(value), value })) }, "");
       case "name": {
-        const current = get(scene, control.pointer);
+        const current = get(this.scene, control.pointer);
         const options = [...this.events.optionsFrom(control.url)];
         // A name that is not listed, as of a generated mask, stays selectable.
         if (typeof current === "string" && !options.some(({ name }) => name === current)) options.unshift({ name: current, title: current });
-        return this.bind(parent, control, scene, { options: options.map(({ name, title }) => ({ text: title, value: name })) }, "");
+        return this.addPlain(parent, control, { options: options.map(({ name, title }) => ({ text: title, value: name })) }, "");
       }
       case "colour":
-        return this.addColour(parent, control, scene);
+        return this.addColour(parent, control);
     }
   }
 
@@ -99,52 +96,50 @@ export class ScenePane {
     return folder;
   }
 
-  /** An object for a widget to edit, which follows the scene's value where `read` gives one. */
-  private track<T>(control: Control, scene: Json, initial: T, read: (value: Json | undefined) => T | null): { value: T } {
+  /** A widget that edits what `read` makes of the scene's value, where that gives anything; `write` turns it back. */
+  private bind<T>(parent: FolderApi, control: Control, options: object, initial: T, read: (value: Json | undefined) => T | null, write: (value: T) => Json) {
     const bound = { value: initial };
-    const refresh: Refresh = (now) => (bound.value = read(get(now, control.pointer)) ?? bound.value);
-    refresh(scene);
+    const refresh = () => (bound.value = read(get(this.scene, control.pointer)) ?? bound.value);
+    refresh();
     this.refreshers.push(refresh);
-    return bound;
-  }
-
-  /** A widget for a value without conversion. */
-  private bind(parent: FolderApi, control: Control, scene: Json, options: object, fallback: string | boolean): void {
-    const bound = this.track(control, scene, fallback, (value) => (typeof value === "string" || typeof value === "boolean" ? value : null));
     const binding = parent.addBinding(bound, "value", { label: control.label, ...options });
     describe(binding, control.label, control.hint);
-    binding.on("change", ({ value }) => this.changed(control.pointer, value));
+    binding.on("change", ({ value }) => this.changed(control.pointer, write(value)));
+    return { binding, bound };
   }
 
-  private addNumber(parent: FolderApi, control: NumberControl, scene: Json): void {
-    const bound = this.track(control, scene, 0, (value) => (typeof value === "number" ? toDisplayed(control, value) : null));
-    const { min, max } = control;
-    const span = min !== null && max !== null ? toDisplayed(control, max - min) : 100;
-    // With bounds Tweakpane adds a linear slider; a logarithmic range has its own slider.
-    const isLinear = min !== null && max !== null && !control.logarithmic;
-    const binding = parent.addBinding(bound, "value", {
-      label: control.label,
-      ...(isLinear ? { min: toDisplayed(control, min), max: toDisplayed(control, max) } : {}),
+  private addPlain(parent: FolderApi, control: Control, options: object, fallback: string | boolean): void {
+    this.bind(parent, control, options, fallback, (value) => (typeof value === "string" || typeof value === "boolean" ? value : null), (value) => value);
+  }
+
+  private addNumber(parent: FolderApi, control: NumberControl): void {
+    const { min, max, logarithmic } = control;
+    const bounded = min !== null && max !== null;
+    const span = bounded ? toDisplayed(control, max - min) : 100;
+    const options = {
+      // With bounds Tweakpane adds a linear slider; a logarithmic range has its own slider.
+      ...(bounded && !logarithmic ? { min: toDisplayed(control, min), max: toDisplayed(control, max) } : {}),
       ...(control.step === 1 ? { step: 1 } : { keyScale: span / 200, pointerScale: span / 1000 }),
-      format: (value: number) => format(value) + (control.angle ? DEGREE : ""),
-    });
-    if (control.logarithmic && min !== null && max !== null) this.refreshers.push(addLogSlider(binding, bound, min, max));
+      // At most four significant digits.
+      format: (value: number) => `${Number(value.toPrecision(4))}${control.angle ? DEGREE : ""}`,
+    };
+    const read = (value: Json | undefined) => (typeof value === "number" ? toDisplayed(control, value) : null);
+    const { binding, bound } = this.bind(parent, control, options, 0, read, (value) => fromDisplayed(control, value));
+    if (!logarithmic || !bounded) return;
+    this.refreshers.push(addLogSlider(binding, bound, min, max));
     describe(binding, control.label, control.hint);
-    binding.on("change", ({ value }) => this.changed(control.pointer, fromDisplayed(control, value)));
   }
 
-  private addColour(parent: FolderApi, control: Control, scene: Json): void {
-    const bound = this.track(control, scene, { r: 0, g: 0, b: 0 }, (value) => {
+  private addColour(parent: FolderApi, control: Control): void {
+    const read = (value: Json | undefined) => {
       if (!Array.isArray(value)) return null;
       const [r = 0, g = 0, b = 0] = value.map(Number);
       return { r, g, b };
-    });
-    const binding = parent.addBinding(bound, "value", { label: control.label, color: { type: "float" } });
-    describe(binding, control.label, control.hint);
-    binding.on("change", ({ value: { r, g, b } }) => this.changed(control.pointer, [r, g, b].map((c) => Number(c.toFixed(4)))));
+    };
+    this.bind(parent, control, { color: { type: "float" } }, { r: 0, g: 0, b: 0 }, read, ({ r, g, b }) => [r, g, b].map((c) => Number(c.toFixed(4))));
   }
 
-  private addOptional(parent: FolderApi, control: OptionalControl, scene: Json): void {
+  private addOptional(parent: FolderApi, control: OptionalControl): void {
     const { inner } = control;
     const target = inner?.kind === "group" ? this.folder(parent, control, control.label) : parent;
     const bound = { on: inner !== null };
@@ -152,11 +147,11 @@ export class ScenePane {
     describe(binding, control.label, control.hint);
     binding.on("change", ({ value }) => this.changed(control.pointer, value ? switchedOn(control, this.scene) : null));
     if (inner === null) return;
-    if (inner.kind === "group") for (const each of inner.children) this.add(target, each, scene);
-    else this.add(target, { ...inner, label: "", hint: inner.hint || control.label }, scene);
+    if (inner.kind === "group") for (const each of inner.children) this.add(target, each);
+    else this.add(target, { ...inner, label: "", hint: inner.hint || control.label });
   }
 
-  private addList(parent: FolderApi, control: ListControl, scene: Json): void {
+  private addList(parent: FolderApi, control: ListControl): void {
     const folder = this.folder(parent, control, `${control.label} (${control.items.length})`);
     const current = () => {
       const value = get(this.scene, control.pointer);
@@ -175,8 +170,8 @@ export class ScenePane {
           if (chosen) this.changed(item.pointer, chosen.initial);
         });
       }
-      if (item.kind === "group") for (const inner of item.children) this.add(inside, inner, scene);
-      else this.add(inside, item, scene);
+      if (item.kind === "group") for (const inner of item.children) this.add(inside, inner);
+      else this.add(inside, item);
       if (control.items.length > control.minItems) {
         inside.addButton({ title: "Remove" }).on("click", () => this.changed(control.pointer, current().filter((_, k) => k !== i)));
       }
@@ -199,7 +194,7 @@ export class ScenePane {
 }
 
 /** Adds a logarithmic slider beside the number; returns its refresh function. */
-function addLogSlider(binding: BindingApi, bound: { value: number }, min: number, max: number): Refresh {
+function addLogSlider(binding: BindingApi, bound: { value: number }, min: number, max: number): () => void {
   const slider = element("input", { type: "range", class: "log", min: Math.log10(min), max: Math.log10(max), step: "any" });
   const refresh = () => {
     const log = Math.log10(Math.max(bound.value, min));

@@ -1,7 +1,6 @@
 import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
-import { choiceControls, type Control, controlOf, schemaNamed, switchedOn } from "../../src/panel/model";
-import { toDisplayed, fromDisplayed } from "../../src/panel/values";
+import { choiceControls, type Control, controlOf, fromDisplayed, schemaNamed, switchedOn, toDisplayed } from "../../src/panel/model";
 import { isObject, type Json, type JsonObject, withValue } from "../../src/scene/json";
 
 /** A schema with every shape that pydantic writes, about nothing that a scene holds. */
