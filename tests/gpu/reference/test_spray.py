@@ -20,10 +20,9 @@ from seafoam.quality import TIERS, Quality
 from seafoam.reference.renderer.camera import view
 from seafoam.reference.renderer.relief import Relief
 from seafoam.reference.shore.shore import Coast
-from seafoam.reference.spray import births as throwing
-from seafoam.reference.spray import drop
-from seafoam.reference.spray import rocks as at_rocks
+from seafoam.reference.spray import births as drop
 from seafoam.reference.spray import splats as flying
+from seafoam.reference.spray.waters import drops as thrown
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.reference.waves.rings import ring_set
 from seafoam.reference.waves.sea import sea_surface
@@ -271,7 +270,8 @@ def test_a_burst_throws_a_column_of_its_height(executor: Executor, report: Repor
 def test_the_float64_frame_has_the_same_drops(executor: Executor, report: Report, scene: Scene, time: float) -> None:
     table = births(executor, scene, time)
     x, _, z = scene.camera.position
-    want = throwing.drops(scene, time, (x, z), view(scene.camera, 16, 16).ray_z[::2], None)
+    want = thrown(scene, time, (x, z), view(scene.camera, 16, 16).ray_z[::2], None)
+    assert want is not None
     born = table[2, :, 0] > 0.0
     # Which water breaks most, and whether it does, is decided by a comparison here and there.
     assert abs(int(born.sum()) - want.age.size) <= 0.01 * want.age.size
@@ -326,7 +326,8 @@ def test_gales_tear_spindrift_from_crests(executor: Executor) -> None:
 
 def test_fronts_throw_drops_where_water_rises_fast() -> None:
     assert SCENE.spray is not None
-    drops = throwing.drops(SCENE, 40.0, (0.0, 0.0), np.array([0.0, -1.0]), None)
+    drops = thrown(SCENE, 40.0, (0.0, 0.0), np.array([0.0, -1.0]), None)
+    assert drops is not None
     assert drops.age.size > 100
     for i in range(0, drops.age.size, 50):
         x, z = drops.birth[i : i + 1, 0], drops.birth[i : i + 1, 2]
@@ -389,12 +390,12 @@ def test_surf_throws_drops_from_rocks_after_its_crest() -> None:
     ages = []
     for time in (17.0, 18.5):
         coast = Coast(ROCK, time, (0.0, 0.0), Relief(()))
-        drops = at_rocks.from_rocks(Scene(shore=ROCK, spray=Spray()), coast, time, (0.0, 0.0))
+        drops = drop.from_rocks(Scene(shore=ROCK, spray=Spray()), coast, time, (0.0, 0.0))
         drops = drops.subset(drops.strength > 0.0)
         phase = coast.field.value(drops.birth[:, 0], drops.birth[:, 2])[:, 0]
         since = (1.0 - coast.turn(phase)) * ROCK.surf.period
         assert (since >= drops.age).all()
-        assert (since <= drops.age + at_rocks.DELAY).all()
+        assert (since <= drops.age + drop.DELAY).all()
         ages.append(drops.age.size)
     assert max(ages) > DROPS // 2
     assert len(rocks(Shore(slope=0.05, roughness=0.0), 0.5)) == 0
@@ -402,7 +403,7 @@ def test_surf_throws_drops_from_rocks_after_its_crest() -> None:
 
 def test_drops_end_on_water_and_ground() -> None:
     coast = Coast(ROCK, 17.5, (0.0, 0.0), Relief(()))
-    drops = at_rocks.from_rocks(Scene(shore=ROCK, spray=Spray()), coast, 17.5, (0.0, 0.0))
+    drops = drop.from_rocks(Scene(shore=ROCK, spray=Spray()), coast, 17.5, (0.0, 0.0))
     high = np.array([0.0, 300.0, 0.0])
     x, z = drops.birth[:, 0], drops.birth[:, 2]
     ground = np.maximum(coast.height(x, z), coast.ground(*coast.place(x, z))[0])

@@ -10,8 +10,8 @@ from seafoam.reference.foam.coverage import Assets
 from seafoam.reference.renderer import camera as cameras
 from seafoam.reference.renderer.shade import SampleShader
 from seafoam.reference.renderer.state import Mode
-from seafoam.reference.spray import births
 from seafoam.reference.spray.splats import splats
+from seafoam.reference.spray.waters import drops
 from seafoam.reference.types import Bools, Floats, Indices
 from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
@@ -61,8 +61,9 @@ def render(
     shader = SampleShader(scene, time, grid, mode, Assets.for_scene(scene))
     flying = None
     if scene.spray is not None and not shader.covered:
-        drops = births.drops(scene, time, shader.origin, view.ray_z[::2], shader.surface.coast)
-        flying = splats(scene, drops, grid, shader.surface, shader.fleet, shader.lighting)
+        thrown = drops(scene, time, shader.origin, view.ray_z[::2], shader.surface.coast)
+        if thrown is not None:
+            flying = splats(scene, thrown, grid, shader.surface, shader.fleet, shader.lighting)
     pixels, shape = width * height, (grid.rows, grid.columns)
     rgb = np.empty((pixels, 3))
     alpha = np.empty(pixels)

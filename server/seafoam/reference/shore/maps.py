@@ -12,7 +12,7 @@ from seafoam.ocean.coast.travel import travel_grid
 from seafoam.ocean.constants import GRAVITY
 from seafoam.reference.types import Bools, Floats, Indices, smoothstep
 from seafoam.reference.waves.parametric import reduced
-from seafoam.scene.shore import Shore
+from seafoam.scene.shore import Shore, Surf
 from seafoam.textures import shore_profiles
 
 BREAKS = 0.78
@@ -146,6 +146,16 @@ def travel(shore: Shore, d: Floats) -> Floats:
     return seconds / (math.sqrt(GRAVITY) * shore.surf.period)
 
 
+def rhythm(surf: Surf, time: float, x: Floats, z: Floats, ago: Floats | float = 0.0) -> Floats:
+    """Factor of the waves' height at (x, z), m from the square's centre, ``ago`` s before; of the shape of ``x``."""
+    total = np.zeros_like(x)
+    for i, (wavelength, heading, period) in enumerate(MASK):
+        k, omega = 2.0 * math.pi / wavelength, 2.0 * math.pi / period
+        phase = reduced((omega, time), plus=1.7 * i) - omega * ago
+        total += np.sin(phase + k * (math.cos(heading) * x + math.sin(heading) * z))
+    return 1.0 - surf.variation * smoothstep(-0.8, 0.8, 0.5 * total)
+
+
 def shore_map(shore: Shore, time: float) -> Floats:
     """(MAP, MAP, 4): phase (periods), height (m), skew (0 to 1) and share of the open sea's waves."""
     d, depth, g_x, g_z = _smooth(shore)
@@ -169,16 +179,10 @@ def shore_map(shore: Shore, time: float) -> Floats:
     shoal = np.where(depth >= breaks, (breaks / np.maximum(depth, breaks)) ** 0.25, beach)
     near = 1.0 - step_between(0.45 * shore.deep, 0.9 * shore.deep, depth)
     inland = step_between(-1.2 * max(surf.height, LEAST) / shore.slope, 0.0, d)
-    total = np.zeros_like(d)
-    for i, (wavelength, heading, period) in enumerate(MASK):
-        k = 2.0 * math.pi / wavelength
-        phase = reduced((2.0 * math.pi / period, time), plus=1.7 * i)
-        total += np.sin(phase + k * (math.cos(heading) * x + math.sin(heading) * z))
-    rhythm = 1.0 - surf.variation * step_between(-0.8, 0.8, 0.5 * total)
     return np.stack(
         (
             periods,
-            surf.height * shoal * near * inland * left * open_ * rhythm,
+            surf.height * shoal * near * inland * left * open_ * rhythm(surf, time, x, z),
             1.0 - step_between(breaks, 2.5 * breaks, depth),
             step_between(0.0, 0.6 * shore.deep, depth) * (0.1 + 0.9 * open_),
         ),

@@ -22,8 +22,7 @@ from seafoam.reference.renderer.relief import ReliefPart
 from seafoam.reference.renderer.state import Lighting, Surface
 from seafoam.reference.sampling import bilinear
 from seafoam.reference.shore.shore import Coast
-from seafoam.reference.spray.drop import COLUMN, DRIFT, MIST, SHEET, Drops
-from seafoam.reference.spray.rocks import on_rocks
+from seafoam.reference.spray.births import COLUMN, SHEET, Drops, on_rocks
 from seafoam.reference.types import Floats, dot, smoothstep, unit
 from seafoam.scene.models import Scene
 from seafoam.textures.spray import STRANDS, strand_levels
@@ -39,6 +38,18 @@ FINER = 3.7
 BRIGHTEST = 64.0
 ONWARD = 0.8
 """Mean cosine of the light that drops send on."""
+KINDS = np.array(
+    [
+        (1.0, GRAVITY, 0.35, 0.35, 0.9, 1.4, 0.15, 2.5, 0.22),
+        (1.0, 1.5, 0.9, 0.5, 0.5, 2.2, 0.2, 1.5, 0.7),
+        (0.5, 2.5, 0.9, 0.3, 0.7, 4.0, 0.3, 3.0, 1.0),
+        (4.0, GRAVITY, 0.0, 0.6, 0.8, 1.6, 0.15, 3.0, 0.3),
+    ],
+    [(name, np.float64) for name in ["drag", "weight", "wait", "least", "more", "grows", "moment", "longest", "soft"]],
+)
+"""Of sheets, mist, spindrift and columns: factor on the time constant of the drag, acceleration (m/s²), share of a
+batch's interval over which births are spread, radius at birth and what varies of it, its growth over a life, time of
+motion blur (s), greatest length over the radius, and width of the threshold of strands."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,15 +82,16 @@ class Splats:
         """Draw the drops over samples (H, W, 3), in place. X, Y (H, W): clip positions of the samples."""
         rows, columns = X.shape
         thick, total = np.zeros((rows, columns)), np.zeros((rows, columns, 3))
+        sides = np.array([columns, rows])
         for i in range(self.X.size):
             along = self.along[i]
             across = np.array([-along[1], along[0]])
             reach = np.abs(along) * self.half[i, 0] + np.abs(across) * self.half[i, 1] + 1.0
-            middle = 0.5 * (self.X[i] + 1.0) * columns, 0.5 * (1.0 - self.Y[i]) * rows
-            if not all(-r < m < side + r for m, r, side in zip(middle, reach, (columns, rows), strict=True)):
+            middle = 0.5 * np.array([self.X[i] + 1.0, 1.0 - self.Y[i]]) * sides
+            if ((middle <= -reach) | (middle >= sides + reach)).any():
                 continue
-            left, right = (int(np.clip(math.floor(middle[0] + s * reach[0]), 0, columns - 1)) for s in (-1.0, 1.0))
-            top, bottom = (int(np.clip(math.floor(middle[1] + s * reach[1]), 0, rows - 1)) for s in (-1.0, 1.0))
+            ends = (np.clip(np.floor(middle + s * reach), 0, sides - 1).astype(np.intp) for s in (-1.0, 1.0))
+            (left, top), (right, bottom) = ends
             here = (slice(top, bottom + 1), slice(left, right + 1))
             right_of, above = (X[here] - self.X[i]) * 0.5 * columns, (Y[here] - self.Y[i]) * 0.5 * rows
             a = (right_of * along[0] + above * along[1]) / self.half[i, 0]
@@ -130,9 +142,8 @@ def _last(tau: Floats, weight: Floats, wind: tuple[float, float]) -> Floats:
 
 def falls(kind: Floats, tau: Floats) -> tuple[Floats, Floats]:
     """Time constants of the drag (s) and accelerations (m/s²) of kinds of drops, (n,) each."""
-    drag = np.select([kind == DRIFT, kind == COLUMN], [0.5 * tau, 4.0 * tau], tau)
-    weight = np.select([kind == MIST, kind == DRIFT], [1.5, 2.5], GRAVITY)
-    return np.asarray(drag, np.float64), np.asarray(weight, np.float64)
+    of = KINDS[kind.astype(np.intp)]
+    return of["drag"] * tau, of["weight"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -147,33 +158,20 @@ class _Form:
 
 def _form(kind: Floats, age: Floats, life: Floats, vary: Floats, other: Floats) -> _Form:
     """How drops (n,) have spread and torn at an age."""
-    x = np.maximum(age, 0.0) / life
+    number, x = kind.astype(np.intp), np.maximum(age, 0.0) / life
+    of = KINDS[number]
+    radius = (of["least"] + of["more"] * vary * np.where(kind == SHEET, vary, 1.0)) * (1.0 + of["grows"] * x)
     ends, begins = 1.0 - smoothstep(0.55, 1.0, x), smoothstep(0.0, 0.06, x)
-    mist = (0.5 + 0.5 * vary) * (1.0 + 2.2 * x)
-    drift = (0.3 + 0.7 * vary) * (1.0 + 4.0 * x)
-    column = (0.6 + 0.8 * vary) * (1.0 + 1.6 * x)
-    sheet = (0.35 + 0.9 * vary * vary) * (1.0 + 1.4 * x)
-
-    def pick(*values: float | Floats) -> Floats:
-        full = [np.broadcast_to(np.asarray(value, np.float64), x.shape) for value in values]
-        chosen = np.select([kind == MIST, kind == DRIFT, kind == COLUMN], full[:3], full[3])
-        return np.asarray(chosen, np.float64)
-
-    torn = smoothstep(0.0, 0.6, x)
-    spread = smoothstep(0.05, 0.8, x)
-    return _Form(
-        radius=pick(mist, drift, column, sheet),
-        moment=pick(0.2, 0.3, 0.15, 0.15),
-        longest=pick(1.5, 3.0, 3.0, 2.5),
-        depth=pick(
-            0.9 * ends * begins / (0.4 + mist * mist),
-            0.5 * (1.0 - x) * ends * begins / (0.3 + drift),
-            1.8 * ends * smoothstep(0.0, 0.02, x) / (0.4 + 0.6 * column),
-            1.2 * ends * begins,
-        ),
-        cover=pick(0.85, 1.0, 1.1 - 0.8 * spread, (0.8 - 0.62 * torn) * (0.6 + 0.4 * other)),
-        soft=pick(0.7, 1.0, 0.3, 0.22),
+    torn, spread = smoothstep(0.0, 0.6, x), smoothstep(0.05, 0.8, x)
+    depths = (
+        1.2 * ends * begins,
+        0.9 * ends * begins / (0.4 + radius * radius),
+        0.5 * (1.0 - x) * ends * begins / (0.3 + radius),
+        1.8 * ends * smoothstep(0.0, 0.02, x) / (0.4 + 0.6 * radius),
     )
+    covers = (0.8 - 0.62 * torn) * (0.6 + 0.4 * other), 0.85, 1.0, 1.1 - 0.8 * spread
+    depth, cover = np.choose(number, depths), np.choose(number, covers)
+    return _Form(radius, of["moment"], of["longest"], depth, cover, of["soft"])
 
 
 def splats(
@@ -197,7 +195,7 @@ def splats(
     drops, seed, away, depth, vary = drops.subset(chosen), seed[chosen], away[chosen], depth[chosen], vary[chosen]
 
     moving = speed(drops.velocity, drops.age, tau[chosen], weight[chosen], wind)
-    wait = np.select([drops.kind == SHEET, drops.kind == COLUMN], [0.35, 0.0], 0.9)
+    wait = KINDS[drops.kind.astype(np.intp)]["wait"]
     form = _form(drops.kind, drops.age - every * number(seed, 8) * wait, drops.life, vary, number(seed, 9))
     X, Y, along, size = _ellipses(view, (grid.columns, grid.rows), away, moving, drops.radius, form, over)
     half = np.maximum(size, NARROWEST)
@@ -239,7 +237,10 @@ def _light(
     air, none = lighting.air, np.zeros((len(away), 2))
     reached = lighting.open_sun(away + np.array([0.0, view.eye[1], 0.0]), (none, none))
     distance = np.sqrt(dot(away, away))
-    sun = air.sun_irradiance * (reached * (0.5 + 0.4 * dot(_faces(thrown), air.sun)))[:, None]
+    # Where the water beside a drop ends: outward of its flight, and up.
+    level = thrown[:, ::2] / np.maximum(np.hypot(thrown[:, 0], thrown[:, 2]), 1e-3)[:, None]
+    faces = np.insert(0.8 * level, 1, 0.6, axis=1)
+    sun = air.sun_irradiance * (reached * (0.5 + 0.4 * dot(faces, air.sun)))[:, None]
     scattered = lighting.haze((sun + 0.9 * air.sky_irradiance) / math.pi, unit(away), distance) * lighting.exposure
 
     g = ONWARD
@@ -279,12 +280,6 @@ def _ellipses(
     along = np.where((moved > 1e-4)[:, None], moves / np.maximum(moved, 1e-300)[:, None], np.array([0.0, 1.0]))
     size = np.stack((wide + np.minimum(longer, form.longest * wide), wide), axis=-1)
     return X, Y, along, size
-
-
-def _faces(velocity: Floats) -> Floats:
-    """Where the water beside drops thrown so (n, 3) ends, outward of their flight: (n, 3)."""
-    level = velocity[:, ::2] / np.maximum(np.hypot(velocity[:, 0], velocity[:, 2]), 1e-3)[:, None]
-    return np.stack((0.8 * level[:, 0], np.full(len(level), 0.6), 0.8 * level[:, 1]), axis=-1)
 
 
 def _visible(
