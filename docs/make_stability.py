@@ -26,9 +26,8 @@ from seafoam.effects import EFFECTS
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "tests"))
 
-from cases.mutations import MUTATIONS, UNSEEN
 from support.cases import HardCase, cases_of
-from support.hard.mutations import Mutation, copied, run
+from support.hard.mutations import Replaced, copied, run
 
 PAGE = Path(__file__).parent / "stability.md"
 FIGURES = Path(__file__).parent / "stability.json"
@@ -99,7 +98,7 @@ def table(figures: Mapping[str, Mapping[str, Any]]) -> str:
             cells = [
                 f"{effect.name}: {case.name}",
                 case.guard,
-                UNSEEN.get(case.name) or figure["without"],
+                case.unseen or figure["without"],
                 now or "sound; not compared (below)",
                 f"{figure['swiftshader']:.2f}" if "swiftshader" in figure else "–",
             ]
@@ -114,9 +113,9 @@ def filled(text: str, figures: Mapping[str, Mapping[str, Any]]) -> str:
     return before + MARK + table(figures) + MARK + after
 
 
-def shown(name: str, mutations: tuple[Mutation, ...], folder: Path) -> Image.Image:
-    """A case as a screen shows it, drawn by sources with these mutations."""
-    with copied(folder / "sources", mutations) as environment:
+def shown(name: str, replaced: Replaced, folder: Path) -> Image.Image:
+    """A case as a screen shows it, drawn by sources with these texts replaced."""
+    with copied(folder / "sources", replaced) as environment:
         file = folder / "pictures.npz"
         said = run(environment, "-m", "support.hard.pictures", name, str(file), *map(str, SIZE))
         if said is not None:
@@ -130,11 +129,12 @@ def shown(name: str, mutations: tuple[Mutation, ...], folder: Path) -> Image.Ima
 def draw_guards() -> None:
     """A row for each two cases of SHOWN: with the guard, and without it."""
     sheet = Image.new("RGB", (4 * SIZE[0] + 3 * GAP, len(SHOWN) // 2 * (SIZE[1] + GAP) - GAP), "white")
+    without = {case.name: case.without for effect in EFFECTS for case in cases_of(effect).hard}
     with TemporaryDirectory() as folder:
         for i, name in enumerate(SHOWN):
-            for j, mutations in enumerate(((), MUTATIONS[name])):
+            for j, replaced in enumerate(({}, without[name])):
                 at = (2 * (i % 2) + j) * (SIZE[0] + GAP), i // 2 * (SIZE[1] + GAP)
-                sheet.paste(shown(name, mutations, Path(folder)), at)
+                sheet.paste(shown(name, replaced, Path(folder)), at)
     sheet.save(PICTURE, quality=80, method=6)
 
 

@@ -1,9 +1,10 @@
 """Test scenes of the effects: hard cases, scenes that cannot show an effect, variants of its shaders."""
 
 import importlib
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from seafoam.effects.effect import Effect
+from support.hard.mutations import Replaced
 from support.scenes import Camera, Scene
 
 
@@ -25,7 +26,7 @@ EYE = Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12)
 
 @dataclass(frozen=True)
 class HardCase:
-    """A scene, a time and a camera that provoke a failure, and the guard against it: ``cases.mutations`` takes it out.
+    """A scene, a time and a camera that provoke a failure, and the guard against it, which ``without`` takes out.
 
     Its pictures are compared, and need be no more than sound (finite, not negative) where the case says why not.
     """
@@ -44,6 +45,14 @@ class HardCase:
     as of presets with such a look."""
     coarse_apart: str = ""
     """Why the picture is another one there; empty: it is the same within ``coarse_share``."""
+    without: Replaced = field(default_factory=dict)
+    """The guard taken out: the pictures must fail then, or ``missed_by``."""
+    missed_by: str = ""
+    """The test that fails without the guard, as pytest names it from the repository's root; empty: the case itself."""
+    error: str = ""
+    """Words of the error with which a process ends that has no guard and draws no picture; empty: it draws one."""
+    unseen: str = ""
+    """Why neither a picture nor a function's value shows the guard; empty: ``without`` does."""
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,7 @@
 """Hard cases of boats.boat, and scenes that name it but in which it is invisible."""
 
 from support.cases import Cases, HardCase
+from support.hard.mutations import TIME_AND_PLACE, guards
 from support.scenes import Boat, Camera, Light, ParametricWave, Scene, Shore, Surf, Water
 
 _NEAR = Boat(centre=(0.0, -14.0), radius=15.0, bearing=1.6, speed=0.0)
@@ -17,6 +18,7 @@ _HARD = (
         guard="a boat tilts by at most 45 degrees (boats/pose.glsl@pass)",
         times=(0.0, 0.7, 1.4),
         camera=Camera(position=(0.0, 9.0, 16.0), pitch=-0.2),
+        without={"boats/pose.glsl": {"slope /= max(length(slope), 1.0);": ""}},
     ),
     HardCase(
         "a boat on dry land",
@@ -28,6 +30,7 @@ _HARD = (
         ),
         guard="ground above the keel supports the boat (boats/pose.glsl@aground)",
         camera=Camera(position=(-30.0, 7.0, 9.0), yaw=1.4, pitch=-0.2),
+        without={"boats/pose.glsl": {"max(waves(p).x, shore_floor(shore_place(p)).x + draught)": "waves(p).x"}},
     ),
     HardCase(
         "a boat ten thousand kilometres away, after thirty years",
@@ -38,18 +41,24 @@ _HARD = (
         guard="bearing and vector from the centre of the course reduced in float64 (framegraph/evaluation.py)",
         times=(-1e9, 1e9),
         camera=Camera(position=(-9999990.0, 9.0, 10000000.0), pitch=-0.2),
+        without=TIME_AND_PLACE,
     ),
     HardCase(
         "eye in a boat",
         Scene(boats=(Boat(centre=(0.0, -50.0), radius=50.0, length=30.0, bearing=1.57, speed=0.0),)),
         guard="intersections behind the camera are discarded (boats/hull.glsl@hull)",
         camera=Camera(position=(0.0, 1.0, 1.0), pitch=-0.2),
+        without={
+            "boats/hull.glsl": {"max(enter.w, least)": "enter.w", "leave > least": "true", ") > least": ") > -1e9"}
+        },
     ),
     HardCase(
         "rays along a boat's own axes",
         Scene(boats=(_NEAR.model_copy(update={"bearing": 0.0, "centre": (-15.0, -12.0)}),), light=Light()),
         guard="quadratic coefficients of at least 1e-7, cosines to planes of at least 1e-9 (boats/hull.glsl@hull)",
         camera=Camera(position=(0.0, 0.7, 0.0), pitch=0.0, fov=0.6),
+        without={"boats/hull.glsl": {"a = max(a, 1e-7);": "", "abs(rate) < 1e-9": "false"}},
+        missed_by=guards("waves", "functions_are_guarded[rays abeam]"),
     ),
 )
 
@@ -63,6 +72,8 @@ _HARD_SHADOWS = (
         ),
         guard="quadratic coefficients of at least 1e-7 in rays to the sun (boats/hull.glsl@hull)",
         camera=Camera(position=(0.0, 3.0, 0.0), pitch=-0.2),
+        without={"boats/hull.glsl": {"a = max(a, 1e-7);": ""}},
+        missed_by=guards("waves", "functions_are_guarded[rays abeam]"),
     ),
 )
 

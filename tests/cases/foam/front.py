@@ -3,6 +3,7 @@
 import math
 
 from support.cases import Cases, HardCase
+from support.hard.mutations import IN_FLOAT32, guards
 from support.scenes import Camera, Foam, FrontSaturation, HeightSaturation, ParametricWave, Scene
 
 _INVISIBLE = (
@@ -20,6 +21,13 @@ _HARD = (
         guard="f = 4 where the phase is exactly 0, the pole; exponent clamped to [-80, 80] "
         "(foam/saturation/front.glsl@profile)",
         camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
+        without={
+            "foam/saturation/front.glsl": {
+                "signal.y == 0.0 ? 80.0 :": "",
+                "clamp((rho + signal.x) / signal.y, -80.0, 80.0)": "(rho + signal.x) / signal.y",
+            }
+        },
+        missed_by="tests/gpu/numerics/test_hard_cases.py::test_front_at_its_pole_and_beyond_the_schemas_c[0.25]",
     ),
     HardCase(
         "the pole of the listing, C 100",
@@ -29,6 +37,14 @@ _HARD = (
         ),
         guard="the cotangent of half the phase instead of the published tangent (foam/saturation/front.glsl@profile)",
         camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
+        without={
+            "foam/saturation/front.glsl": {
+                "exp(u_front_log_base * exponent)": (
+                    "exp(-u_front_log_base * tan(0.5 * atan(signal.y, signal.x) + 0.5 * PI))"
+                )
+            }
+        },
+        missed_by="tests/gpu/numerics/test_hard_cases.py::test_front_at_its_pole_and_beyond_the_schemas_c[0.25]",
     ),
     HardCase(
         "no phase at all: waves in antiphase",
@@ -40,6 +56,12 @@ _HARD = (
         camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
         apart="the phase of a sum that is 0 is rounding",
         coarse_apart="what is drawn is rounding",
+        without={
+            "foam/saturation/front.glsl": {
+                "rho > 0.0 ? signal.y / (rho - signal.x) : 0.0": "signal.y / (rho - signal.x)"
+            }
+        },
+        missed_by=guards("foam", "functions_are_guarded[a front of no phase]"),
     ),
     HardCase(
         "filtered, where the phase turns endlessly fast",
@@ -48,6 +70,13 @@ _HARD = (
         "(foam/saturation/front.glsl@filtered)",
         apart="the phase of a sum that is 0 is rounding",
         coarse_apart="what is drawn is rounding",
+        without={
+            "foam/saturation/front.glsl": {
+                "max(dot(signal, signal), 1e-4)": "dot(signal, signal)",
+                "clamp(width, 1e-5, 1e4)": "max(width, 1e-5)",
+            }
+        },
+        missed_by=guards("foam", "functions_are_guarded[a front whose phase turns endlessly fast]"),
     ),
     HardCase(
         "patches anywhere, at any time",
@@ -58,6 +87,7 @@ _HARD = (
         guard="the camera's position in the noise is reduced in float64 (framegraph/evaluation.py)",
         times=(-1e9, 1e9),
         camera=Camera(position=(-1e7, 3.0, 1e7), yaw=1.0, pitch=-0.3),
+        without=IN_FLOAT32,
     ),
     HardCase(
         "a gate without width",
@@ -70,6 +100,8 @@ _HARD = (
             ),
         ),
         guard="upper group threshold at least 1e-4 above the lower one (effects/foam/front.py)",
+        without={"effects/foam/front.py": {"max(front.group[1], front.group[0] + 1e-4)": "front.group[1]"}},
+        missed_by=guards("foam", "groups_foam_over_a_range"),
     ),
     HardCase(
         "footprints from a hair to the horizon",
@@ -84,6 +116,8 @@ _HARD = (
         "(foam/saturation/front.glsl@filtered)",
         times=(0.0, 1e9),
         camera=Camera(position=(0.0, 0.8, 0.0), pitch=-0.2),
+        without={"foam/saturation/front.glsl": {"if (i == j && !crosses)": "if (false)"}},
+        missed_by=guards("foam", "functions_are_guarded[a front under a hair]"),
     ),
     HardCase(
         "waves that hide their backs, an eye as high as their crests",
@@ -98,6 +132,13 @@ _HARD = (
         "(foam/saturation/front.glsl@filtered)",
         times=(0.0, 1e9),
         camera=Camera(position=(0.37, 0.4375, -0.21), yaw=1.2, pitch=-0.05),
+        without={
+            "foam/saturation/front.glsl": {
+                "max(relief * length(p), 1e-20)": "(relief * length(p))",
+                "1.0 - q16, 1e-6), 1e-5)": "1.0 - q16, 1e-6), 0.0)",
+            }
+        },
+        missed_by=guards("foam", "functions_are_guarded[a front as high as the eye]"),
     ),
 )
 

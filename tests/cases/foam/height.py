@@ -1,6 +1,7 @@
 """Hard cases of foam.height, and scenes that name it but in which it is invisible."""
 
 from support.cases import Cases, HardCase
+from support.hard.mutations import guards, reference
 from support.scenes import Camera, Foam, FrontSaturation, HeightSaturation, ParametricWave, Scene
 
 _INVISIBLE = (
@@ -23,6 +24,12 @@ _HARD = (
         ),
         guard="divisor at least 1e-3 m (foam/saturation/height.glsl@plain)",
         camera=Camera(position=(0.0, 140.0, 0.0), pitch=-0.4),
+        without={
+            "foam/saturation/height.glsl": {
+                "max(u_height_full - u_height_base, 1e-3), 0.0": "(u_height_full - u_height_base), 0.0"
+            }
+        },
+        missed_by=guards("foam", "functions_are_guarded[foam over no height at all]"),
     ),
     HardCase(
         "heights that the eye sees, from between the crests and along them",
@@ -37,6 +44,14 @@ _HARD = (
         "of heights at least a thousandth of the ramp (foam/saturation/height.glsl@seen, "
         "foam/saturation/height.glsl@level)",
         camera=Camera(position=(4.5, -0.1125, 0.0), yaw=1.5707963, pitch=-0.05),
+        without={
+            "foam/saturation/height.glsl": {
+                "over > 0.0 ? min(over / (way * along) * u_height_wave.w, 1.0) : 1.0": (
+                    "min(over / (way * along) * u_height_wave.w, 1.0)"
+                )
+            }
+        },
+        missed_by=reference("foam/shader_functions", "seen_height_equals_its_float64_form[0.7]"),
     ),
 )
 

@@ -1,6 +1,7 @@
 """Hard cases of foam.slope, and scenes that name it but in which it is invisible."""
 
 from support.cases import Cases, HardCase
+from support.hard.mutations import guards, reference
 from support.scenes import Camera, Foam, HeightSaturation, ParametricWave, Ring, Scene, SlopeSaturation
 
 _INVISIBLE = (
@@ -20,6 +21,8 @@ _HARD = (
         ),
         guard="f clamped to [0, 4] (foam/saturation/slope.glsl@lack)",
         camera=Camera(position=(0.0, 6.0, 0.0), pitch=-0.5),
+        without={"foam/saturation/slope.glsl": {"u_slope_base), 0.0, SLOPE_MOST)": "u_slope_base), -1e30, 1e30)"}},
+        missed_by=reference("foam/slope_and_cells", "slope_saturation_equals_its_float64_form[4.0-0.0]"),
     ),
     HardCase(
         "foam on the steepest of many rings",
@@ -33,6 +36,8 @@ _HARD = (
         guard="the slope variance that the footprint filters out is added (foam/saturation/slope.glsl@lack)",
         times=(2.0, 4.0),
         camera=Camera(position=(0.0, 4.0, 0.0), pitch=-0.4),
+        without={"foam/saturation/slope.glsl": {"dot(wave.yz, wave.yz) + wave.w": "dot(wave.yz, wave.yz)"}},
+        missed_by=guards("foam", "functions_are_guarded[a slope that the footprint filters out]"),
     ),
 )
 

@@ -3,6 +3,7 @@
 import math
 
 from support.cases import Bounds, Cases, HardCase
+from support.hard.mutations import guards
 from support.scenes import Boat, Camera, Foam, Scene, WakeSaturation
 
 _FOAM = Foam(saturation=(WakeSaturation(),), mask="clump")
@@ -23,6 +24,8 @@ _HARD = (
         camera=Camera(position=(0.0, 20.0, -30.0), pitch=-math.pi / 2),
         # An arc tangent that is off by 3e-6 moves the end of the wake, and bubbles at their threshold with it.
         bounds=Bounds(mean=1.0, share=0.01),
+        without={"boats/wake.glsl": {"max(length(from), 0.1 * radius)": "length(from)"}},
+        missed_by=guards("foam", "functions_are_guarded[the centre of a boat's circle]"),
     ),
     HardCase(
         "white water along a heeled hull, from its keel line to far abeam",
@@ -33,6 +36,7 @@ _HARD = (
         guard="distance at least that beyond stem and transom, where the sides go on without a hull "
         "(foam/saturation/wake.glsl@contact)",
         camera=Camera(position=(0.0, 20.0, -20.0), pitch=-math.pi / 2, fov=1.4),
+        without={"foam/saturation/wake.glsl": {"if (past > away)": "if (false)"}},
     ),
 )
 

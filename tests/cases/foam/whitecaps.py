@@ -1,6 +1,7 @@
 """Hard cases of foam.whitecaps, and scenes that name it but in which it is invisible."""
 
 from support.cases import Cases, HardCase
+from support.hard.mutations import guards
 from support.scenes import Camera, Foam, HeightSaturation, ParametricWave, Scene, Sea, WhitecapSaturation
 
 _NEAR = Camera(position=(0.37, 6.0, -0.21), yaw=1.0, pitch=-0.2)
@@ -18,6 +19,7 @@ _HARD = (
         "(foam/saturation/whitecap.glsl@whitecap)",
         camera=Camera(position=(0.37, 30.0, -0.21), yaw=1.0, pitch=-0.3),
         times=(3600.0,),
+        without={"foam/saturation/whitecap.glsl": {"if (deviation < 0.02 * limits.y)": "if (false)"}},
     ),
     HardCase(
         "more foam than there is sea",
@@ -29,12 +31,20 @@ _HARD = (
         "(ocean/foam/whitecaps.py)",
         camera=Camera(position=(0.37, 90.0, -0.21), yaw=1.0, pitch=-0.3),
         times=(1e9,),
+        without={
+            "foam/saturation/whitecap.glsl": {
+                "u_whitecap_variance.z, 1.0)), 1.0)": "u_whitecap_variance.z, 1.0)), 1e30)"
+            }
+        },
+        missed_by=guards("foam", "functions_are_guarded[whitecaps of nine times]"),
     ),
     HardCase(
         "a sea too flat to fold",
         Scene(sea=Sea(wind=0.2, fetch=100.0), foam=Foam(saturation=(WhitecapSaturation(),))),
         guard="no foam where the mean square of J - 1, J the Jacobian, is below 1e-8 (ocean/foam/whitecaps.py)",
         camera=_NEAR,
+        without={"ocean/foam/whitecaps.py": {"min(now, earlier) < 1e-8 or ": ""}},
+        missed_by=guards("foam", "a_sea_that_is_too_flat_has_no_whitecaps"),
     ),
 )
 

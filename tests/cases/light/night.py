@@ -20,6 +20,7 @@ _MOON_HARD = (
         ),
         guard="the depth of the sphere at its rim is the root of at least 0 (light/night.glsl@moon_disc)",
         camera=Camera(position=(0.0, 3.0, 0.0), yaw=0.3 - math.pi / 2, pitch=0.35, fov=0.2),
+        unseen="llvmpipe's max(NaN, 0) is 0",
     ),
     HardCase(
         "the moon before the sun",
@@ -28,6 +29,7 @@ _MOON_HARD = (
         ),
         guard="the irradiance of points that face away from the sun is at least 0 (light/night.glsl@moon_disc)",
         camera=Camera(position=(0.0, 3.0, 0.0), yaw=0.3 + math.pi / 2, pitch=0.4, fov=0.3),
+        without={"light/night.glsl": {"sqrt(max(dot(normal, u_moon_sun), 0.0))": "sqrt(dot(normal, u_moon_sun))"}},
     ),
 )
 
@@ -39,12 +41,14 @@ _STARS_HARD = (
         Scene(light=Light(sun_elevation=-1.0, exposure=6.0, sky=Sky(stars=10.0))),
         guard="cell indices are limited to the last of a face (light/night.glsl@stars)",
         camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 4, pitch=0.6154797, fov=0.6),
+        unseen="no sample looks along the edge of a face",
     ),
     HardCase(
         "stars in the widest view",
         Scene(light=Light(sun_elevation=-1.0, exposure=6.0, sky=Sky(stars=10.0))),
         guard="a star is at most 3e-3 rad wide (light/night.glsl@stars)",
         camera=Camera(position=(0.0, 3.0, 0.0), yaw=0.5, pitch=0.8, fov=2.6),
+        without={"light/night.glsl": {"clamp(1.5 * pixel, 7e-4, 3e-3)": "max(1.5 * pixel, 7e-4)"}},
     ),
 )
 

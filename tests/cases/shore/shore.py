@@ -1,9 +1,9 @@
 """Hard cases of shore.shore, and scenes that name it but in which it is invisible."""
 
 import math
-from dataclasses import replace
 
 from support.cases import Cases, HardCase
+from support.hard.mutations import IN_FLOAT32, guards, reference
 from support.scenes import Camera, Foam, Light, Ripples, Scene, Shore, Surf, SurfSaturation, Water
 
 _FOAM = Foam(saturation=(SurfSaturation(),), mask="clump")
@@ -12,130 +12,162 @@ _LIGHT = Light(sun_elevation=0.7, sun_azimuth=2.0, exposure=-2.0)
 
 _VIEW = Camera(position=(-42.0, 7.0, 9.0), yaw=1.4, pitch=-0.2)
 
+_CLEAR = Water(scattering=0.01)
+
 _SMALL = Shore(size=160.0, radius=25.0, depth=6.0, slope=0.1, smoothing=3.0)
 
 
-def _case(
-    name: str,
-    guard: str,
-    camera: Camera = _VIEW,
-    water: Water | None = None,
-    foam: Foam | None = _FOAM,
-    times: tuple[float, ...] = (0.0,),
-    **fields: object,
-) -> HardCase:
-    scene = Scene(
-        shore=_SMALL.model_copy(update=fields), water=water or Water(scattering=0.01), foam=foam, light=_LIGHT
-    )
-    return HardCase(name, scene, guard=guard, camera=camera, times=times)
+def _scene(water: Water = _CLEAR, **fields: object) -> Scene:
+    return Scene(shore=_SMALL.model_copy(update=fields), water=water, foam=_FOAM, light=_LIGHT)
 
 
 _INVISIBLE = (Scene(shore=Shore(depth=50.0, level=-900.0)), Scene(shore=Shore(level=-900.0), light=None))
 
 _HARD = (
-    _case(
+    HardCase(
         "distances without any smoothing",
-        "standard deviation of the blur at least 0.01 texel (shore/maps.glsl@blur)",
-        smoothing=0.0,
+        _scene(smoothing=0.0),
+        guard="standard deviation of the blur at least 0.01 texel (shore/maps.glsl@blur)",
+        camera=_VIEW,
+        unseen="Mesa takes a constant 0 over anything for 0, which the guard gives",
     ),
-    _case(
+    HardCase(
         "all land",
-        "gradients divided by at least 1e-6; distance to the coast at most the side of the square "
+        _scene(level=90.0),
+        guard="gradients divided by at least 1e-6; distance to the coast at most the side of the square "
         "(shore/maps.glsl@map, shore/maps.glsl@distance)",
-        level=90.0,
         camera=Camera(position=(-42.0, 107.0, 9.0), yaw=1.4, pitch=-0.3),
+        without={
+            "shore/maps.glsl": {"other.x < 0.0 ? u_viewport.x : length(other - at) - 0.5": "length(other - at) - 0.5"}
+        },
+        missed_by=reference("shore/shore", "distances_are_scipys"),
     ),
-    _case(
+    HardCase(
         "all water, a bank two metres down",
-        "distance to the coast at most the side of the square (shore/maps.glsl@distance)",
-        kind="island",
-        height=0.0,
-        level=-2.0,
+        _scene(kind="island", height=0.0, level=-2.0),
+        guard="distance to the coast at most the side of the square (shore/maps.glsl@distance)",
+        camera=_VIEW,
+        without={
+            "shore/maps.glsl": {"other.x < 0.0 ? u_viewport.x : length(other - at) - 0.5": "length(other - at) - 0.5"}
+        },
     ),
-    _case(
+    HardCase(
         "an island of one texel",
-        "wave height 0 on ridges of the distance map (shore/maps.glsl@map)",
-        kind="island",
-        radius=1.0,
-        smoothing=0.5,
-        height=0.5,
-        slope=0.4,
+        _scene(kind="island", radius=1.0, smoothing=0.5, height=0.5, slope=0.4),
+        guard="wave height 0 on ridges of the distance map (shore/maps.glsl@map)",
+        camera=_VIEW,
+        without={"shore/maps.glsl": {"smooth_between(0.3, 0.8, steep)": "1.0"}},
+        missed_by=reference("shore/shore", "the_map_is_the_references[0.0-False-islands]"),
     ),
-    _case(
+    HardCase(
         "water a hand deep and a beach as level",
-        "depths and speeds as for waves of at least 5 cm (shore/maps.glsl@map)",
-        depth=0.5,
-        slope=0.01,
-        height=0.1,
-        surf=Surf(height=0.0),
+        _scene(depth=0.5, slope=0.01, height=0.1, surf=Surf(height=0.0)),
+        guard="depths and speeds as for waves of at least 5 cm (shore/maps.glsl@map)",
+        camera=_VIEW,
+        without={
+            "shore/maps.glsl": {
+                "max(0.3 * u_surf_height, 0.05)": "0.3 * u_surf_height",
+                "max(u_surf_height, 0.05)": "u_surf_height",
+            }
+        },
+        missed_by=guards("ground", "a_shore_without_surf_has_a_finite_map"),
     ),
-    _case(
+    HardCase(
         "waves of no skew and of all of it",
-        "profiles from a table, smoothed, with the highest branch where they overhang (textures/shore.py)",
-        surf=Surf(height=2.0, skew=0.0, sharpness=0.15),
+        _scene(surf=Surf(height=2.0, skew=0.0, sharpness=0.15)),
+        guard="profiles from a table, smoothed, with the highest branch where they overhang (textures/shore.py)",
         times=(0.0, 2.3),
         camera=Camera(position=(-42.0, 9.0, 9.0), yaw=1.4, pitch=-0.25),
+        without={"textures/shore.py": {"np.fft.irfft(np.fft.rfft(top) * spread, fine)": "top"}},
+        missed_by=guards("ground", "fronts_are_no_steeper_than_a_smoothed_step"),
     ),
-    _case(
+    HardCase(
         "the clearest water",
-        "absorption is never 0 (scene/water.py)",
-        water=Water(absorption_length=(1000.0, 1000.0, 1000.0), scattering=0.0),
+        _scene(water=Water(absorption_length=(1000.0, 1000.0, 1000.0), scattering=0.0)),
+        guard="absorption is never 0 (scene/water.py)",
+        camera=_VIEW,
+        without={"scene/water.py": {"Field(ge=0.01, le=1000.0)": "Field(ge=0.01, le=1e38)"}},
+        missed_by=guards("ground", "water_at_the_ends_of_its_fields[absorption_length-maximum]"),
     ),
-    _case(
+    HardCase(
         "ripples that face away",
-        "the refracted ray's direction has y of at most -0.25 (shore/floor.glsl@through)",
-        water=Water(ripples=Ripples(slope=0.6), scattering=0.01),
+        _scene(water=Water(ripples=Ripples(slope=0.6), scattering=0.01)),
+        guard="the refracted ray's direction has y of at most -0.25 (shore/floor.glsl@through)",
         camera=Camera(position=(-42.0, 2.2, 9.0), yaw=1.4, pitch=-0.05),
+        without={"shore/floor.glsl": {"max(-r.y, 0.25)": "-r.y"}},
+        missed_by=guards("ground", "functions_are_guarded[way through ripples that face the eye]"),
     ),
-    _case(
+    HardCase(
         "straight down on the water's edge",
-        "horizontal part of the ray at least 1e-9 (shore/march.glsl@march)",
+        _scene(),
+        guard="horizontal part of the ray at least 1e-9 (shore/march.glsl@march)",
         camera=Camera(position=(-1.0, 30.0, 0.0), pitch=-math.pi / 2, fov=0.5),
+        without={
+            "shore/ground.glsl": {
+                "abs(way.x) < 1e-9 ? 1e-9 : way.x": "way.x",
+                "abs(way.y) < 1e-9 ? 1e-9 : way.y": "way.y",
+            }
+        },
+        missed_by=guards("ground", "functions_are_guarded[span along the square's edge]"),
     ),
-    _case(
+    HardCase(
         "a shore ten thousand kilometres away, after thirty years",
-        "position and time reduced in float64 (framegraph/evaluation.py)",
-        place=(-9999900.0, 9999900.0),
-        camera=Camera(position=(-9999942.0, 7.0, 9999909.0), yaw=1.4, pitch=-0.2),
+        _scene(place=(-9999900.0, 9999900.0)),
+        guard="position and time reduced in float64 (framegraph/evaluation.py)",
         times=(-1e9, 1e9),
+        camera=Camera(position=(-9999942.0, 7.0, 9999909.0), yaw=1.4, pitch=-0.2),
+        without=IN_FLOAT32,
     ),
-    _case(
+    HardCase(
         "a swell that the depth bends, over a beach all but level",
-        "speeds as over at least 5 cm of water, on land as well (ocean/coast/travel.py)",
-        kind="island",
-        slope=0.02,
-        surf=Surf(height=0.1, period=2.0, exposure=1.0, refraction=True),
+        _scene(kind="island", slope=0.02, surf=Surf(height=0.1, period=2.0, exposure=1.0, refraction=True)),
+        guard="speeds as over at least 5 cm of water, on land as well (ocean/coast/travel.py)",
         times=(0.0, 1e9),
+        camera=_VIEW,
+        without={"ocean/coast/travel.py": {"np.maximum(depth, least)": "np.maximum(depth, 0.0)"}},
     ),
-    _case(
+    HardCase(
         "rugged land of full detail, seen along the ground",
-        "footprints of no width are taken as 1e-9 m wide; octaves under them as whole (shore/soil.glsl@soil)",
-        relief=1.0,
-        height=60.0,
-        slope=1.0,
-        plants_from=0.0,
+        _scene(relief=1.0, height=60.0, slope=1.0, plants_from=0.0),
+        guard="footprints of no width are taken as 1e-9 m wide; octaves under them as whole (shore/soil.glsl@soil)",
         camera=Camera(position=(-42.0, 2.0, 9.0), yaw=1.4, pitch=0.1),
+        unseen="llvmpipe's max(NaN, x) is x, which is what the guard gives",
     ),
-    _case(
+    HardCase(
         "smooth land",
-        "none needed: without detail neither octaves nor a film of water are in the program (effects/shore/land.py)",
-        detail=0.0,
+        _scene(detail=0.0),
+        guard="none needed: without detail neither octaves nor a film of water are in the program "
+        "(effects/shore/land.py)",
+        camera=_VIEW,
+        unseen="not needed: neither octaves nor a film of water are in the program",
     ),
-    replace(
-        _case(
-            "eye inside a hill",
-            "the distance to land is at least 0 (shore/march.glsl@march)",
-            camera=Camera(position=(40.0, 0.5, 0.0), yaw=1.4, pitch=0.1),
-        ),
+    HardCase(
+        "eye inside a hill",
+        _scene(),
+        guard="the distance to land is at least 0 (shore/march.glsl@march)",
+        camera=Camera(position=(40.0, 0.5, 0.0), yaw=1.4, pitch=0.1),
         apart="the reference looks for the hill from its inside, the march takes the eye's own place",
+        without={
+            "shore/ground.glsl": {
+                "max(max(min(one.x, two.x), min(one.y, two.y)), 0.0)": "max(min(one.x, two.x), min(one.y, two.y))"
+            }
+        },
+        missed_by=guards("ground", "functions_are_guarded[span from inside]"),
     ),
-    replace(
-        _case(
-            "eye under water",
-            "a search interval with its end before its start has no intersection (shore/land.glsl@find_land)",
-            camera=Camera(position=(-30.0, -1.0, 0.0), yaw=1.4, pitch=0.1),
-        ),
+    HardCase(
+        "eye under water",
+        _scene(),
+        guard="a search interval with its end before its start has no intersection (shore/land.glsl@find_land)",
+        camera=Camera(position=(-30.0, -1.0, 0.0), yaw=1.4, pitch=0.1),
         apart="the reference looks for the surface from below, the march takes the eye's own place",
+        without={
+            "shore/land.glsl": {
+                "if (enter >= leave)": "if (false)",
+                "tau < leave && gap < -fine * tau": "gap < -fine * tau",
+                "if (tau >= leave || gap >= fine * tau)": "if (gap >= fine * tau)",
+            }
+        },
+        missed_by=guards("ground", "functions_are_guarded[search that ends before it starts]"),
     ),
 )
 

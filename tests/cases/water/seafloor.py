@@ -1,6 +1,7 @@
 """Hard cases of water.seafloor, and scenes that call for it and cannot show it."""
 
 from support.cases import Cases, HardCase
+from support.hard.mutations import guards
 from support.scenes import Camera, ParametricWave, Ripples, Scene, Water
 
 _INVISIBLE = (
@@ -18,6 +19,12 @@ _HARD = (
         guard="cv is at most 1 under the root (water/body.glsl@floor)",
         camera=Camera(position=(0.0, 60.0, 0.0), pitch=-0.6),
         coarse_apart="slopes of 6000 magnify the error of SwiftShader's sine, 2e-4",
+        without={
+            "water/body.glsl": {
+                "float slant = refracted_cosine(min(cv, 1.0), INDEX)": "float slant = refracted_cosine(cv, INDEX)"
+            }
+        },
+        missed_by=guards("light", "light_at_grazing_incidence_comes_from_the_floor_as_along_the_water"),
     ),
     HardCase(
         "the clearest water over a white floor",
@@ -27,6 +34,7 @@ _HARD = (
             )
         ),
         guard="the absorption length is finite (scene/water.py), so the extinction is not 0 (light/shade.glsl@lit)",
+        unseen="the schema alone keeps absorption over 0; nothing in the program does",
     ),
 )
 

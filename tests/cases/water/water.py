@@ -4,6 +4,7 @@ import math
 from typing import Any
 
 from support.cases import Cases, HardCase
+from support.hard.mutations import guards
 from support.scenes import Camera, Foam, HeightSaturation, Light, ParametricWave, Ripples, Scene, Shore, Water
 
 _HARD = (
@@ -12,6 +13,7 @@ _HARD = (
         Scene(foam=Foam(saturation=(HeightSaturation(base=-1.0, full=1.0),), look="halftone")),
         guard="the distance along the ray is at least 0 (surface/march.glsl@plane, surface/march.glsl@march)",
         camera=Camera(position=(0.0, 0.0, 0.0), pitch=-0.3),
+        without={"surface/march.glsl": {"u_eye_height * ray.y >= 0.0": "ray.y >= 0.0"}},
     ),
     HardCase(
         "no scattering, no roughness to speak of",
@@ -19,6 +21,8 @@ _HARD = (
         guard="the roughness is at least 0.01 (scene/water.py), which keeps the cosine of incidence above 0 "
         "(light/shade.glsl@lit)",
         camera=Camera(position=(0.0, 0.5, 0.0), pitch=0.0),
+        without={"scene/water.py": {"default=0.05,\n        ge=0.01": "default=0.05,\n        ge=0.0"}},
+        missed_by=guards("ground", "water_at_the_ends_of_its_fields[roughness-minimum]"),
     ),
     HardCase(
         "the horizon exactly in the middle",
@@ -26,6 +30,7 @@ _HARD = (
         guard="rays that do not point downward miss (surface/march.glsl@plane, surface/march.glsl@march); lengths and "
         "quotients are limited at the horizon (light/shade.glsl@lit)",
         camera=Camera(position=(0.0, 6.0, 0.0), pitch=0.0),
+        without={"surface/march.glsl": {"u_eye_height * ray.y >= 0.0": "false"}},
     ),
     HardCase(
         "water as rough as it gets, a hundred kilometres up",
@@ -33,6 +38,7 @@ _HARD = (
         guard="the unresolved slope variance, which is added to the roughness, is never negative "
         "(waves/ripples.glsl@bands)",
         camera=Camera(position=(0.0, 1e5, 0.0), pitch=-0.3, fov=2.6),
+        unseen="not needed: what footprints leave of a band is in [0, 1]",
     ),
 )
 
@@ -41,53 +47,68 @@ _BEACH_BELOW = Shore(size=160.0, radius=25.0, depth=6.0, slope=0.1, smoothing=3.
 _POOL_BELOW = Water(depth=2.0, floor_tile=0.3, ripples=Ripples(slope=0.08))
 
 
-def _case_below(name: str, guard: str, camera: Camera, **parts: Any) -> HardCase:
-    scene = Scene(**{"water": _POOL_BELOW, "light": Light(exposure=-1.5), **parts})
-    return HardCase(name, scene, guard=guard, camera=camera)
+def _below(**parts: Any) -> Scene:
+    return Scene(**{"water": _POOL_BELOW, "light": Light(exposure=-1.5), **parts})
 
 
 _HARD_BELOW = (
-    _case_below(
+    HardCase(
         "past the critical angle",
-        "the square of the ray's cosine in air is at least 0 under the root (water/underside.glsl@main)",
-        Camera(position=(0.37, -1.2, -0.21), yaw=1.0, pitch=0.35),
+        _below(),
+        guard="the square of the ray's cosine in air is at least 0 under the root (water/underside.glsl@main)",
+        camera=Camera(position=(0.37, -1.2, -0.21), yaw=1.0, pitch=0.35),
+        without={"water/underside.glsl": {"sqrt(max(out2, 0.0))": "sqrt(out2)"}},
     ),
-    _case_below(
+    HardCase(
         "straight up, where light and sight fade alike",
-        "1 + fall is at least 1e-3 (water/underside.glsl@water)",
-        Camera(position=(0.0, -1.0, 0.0), pitch=math.pi / 2, fov=0.01),
-        water=_POOL_BELOW.model_copy(update={"ripples": None}),
+        _below(water=_POOL_BELOW.model_copy(update={"ripples": None})),
+        guard="1 + fall is at least 1e-3 (water/underside.glsl@water)",
+        camera=Camera(position=(0.0, -1.0, 0.0), pitch=math.pi / 2, fov=0.01),
+        without={"water/underside.glsl": {"max(1.0 + fall, 1e-3)": "1.0 + fall"}},
     ),
-    _case_below(
+    HardCase(
         "a hair under the surface",
-        "the distance to the surface is at least 1 mm (water/underside.glsl@main)",
-        Camera(position=(0.0, -1e-7, 0.0), pitch=0.3),
+        _below(),
+        guard="the distance to the surface is at least 1 mm (water/underside.glsl@main)",
+        camera=Camera(position=(0.0, -1e-7, 0.0), pitch=0.3),
+        without={"water/underside.glsl": {"max(so_far, 1e-3)": "so_far"}},
     ),
-    _case_below(
+    HardCase(
         "an eye under the floor",
-        "the distance to the floor is at least 0 (water/seafloor.glsl@reach)",
-        Camera(position=(0.0, -5.0, 0.0), pitch=-0.2),
+        _below(),
+        guard="the distance to the floor is at least 0 (water/seafloor.glsl@reach)",
+        camera=Camera(position=(0.0, -5.0, 0.0), pitch=-0.2),
+        without={"water/seafloor.glsl": {"max(u_floor_depth + y, 0.0)": "(u_floor_depth + y)"}},
     ),
-    _case_below(
+    HardCase(
         "an eye in a crest, below",
-        "the distance along the ray is at least 0 (water/underside.glsl@find)",
-        Camera(position=(0.0, 0.125, 0.0), pitch=0.1),
-        waves=(ParametricWave(amplitude=0.6, wavelength=5.0, phase=math.pi / 2),),
-        foam=Foam(look="halftone"),
+        _below(waves=(ParametricWave(amplitude=0.6, wavelength=5.0, phase=math.pi / 2),), foam=Foam(look="halftone")),
+        guard="the distance along the ray is at least 0 (water/underside.glsl@find)",
+        camera=Camera(position=(0.0, 0.125, 0.0), pitch=0.1),
+        without={
+            "water/underside.glsl": {
+                "tau = max(u_surface_trough - u_eye_height, 0.0)": "tau = (u_surface_trough - u_eye_height)",
+                "tau = max(tau, march_start(ray).r)": "tau = tau",
+            }
+        },
     ),
-    _case_below(
+    HardCase(
         "straight up from before a beach",
-        "the rate at which a ray approaches the floor is at least 1e-6 (shore/march.glsl@reach)",
-        Camera(position=(-42.0, -1.2, 9.0), pitch=math.pi / 2),
-        water=Water(scattering=0.01),
-        shore=_BEACH_BELOW,
+        _below(water=Water(scattering=0.01), shore=_BEACH_BELOW),
+        guard="the rate at which a ray approaches the floor is at least 1e-6 (shore/march.glsl@reach)",
+        camera=Camera(position=(-42.0, -1.2, 9.0), pitch=math.pi / 2),
+        without={
+            "shore/march.glsl": {
+                "max(u_shore_steepest[0] * level - ray.y, slowest)": "u_shore_steepest[0] * level - ray.y"
+            }
+        },
     ),
-    _case_below(
+    HardCase(
         "along the slope of a beach, a hand over it",
-        "Newton steps are taken only where the ray approaches the floor (shore/march.glsl@reach)",
-        Camera(position=(-60.0, -5.9, 9.0), yaw=1.4, pitch=0.09),
-        water=Water(scattering=0.01),
-        shore=_BEACH_BELOW,
+        _below(water=Water(scattering=0.01), shore=_BEACH_BELOW),
+        guard="Newton steps are taken only where the ray approaches the floor (shore/march.glsl@reach)",
+        camera=Camera(position=(-60.0, -5.9, 9.0), yaw=1.4, pitch=0.09),
+        without={"lib/rays.glsl": {"if (rate < -slowest)": "if (true)"}},
     ),
 )
 

@@ -1,6 +1,7 @@
 """Hard cases of waves.current, and scenes that name it but in which it is invisible."""
 
 from support.cases import Cases, HardCase
+from support.hard.mutations import TIME
 from support.scenes import Current, Foam, HeightSaturation, ParametricWave, Ripples, Scene, Water
 
 _WAVES = (
@@ -22,6 +23,7 @@ _HARD = (
         guard="the way of the water, reduced in float64 together with each place and phase (framegraph/rules.py)",
         times=(-1e9, 1e9),
         camera=_FLOWS.camera,
+        without=TIME,
     ),
 )
 

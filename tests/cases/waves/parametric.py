@@ -3,6 +3,7 @@
 import math
 
 from support.cases import Bounds, Cases, HardCase
+from support.hard.mutations import PLACE, TIME, TIME_AND_PLACE, guards
 from support.scenes import (
     Camera,
     Foam,
@@ -29,6 +30,8 @@ _HARD = (
         guard="|p| is at least 1e-4 in the derivative (waves/parametric.glsl)",
         # A cusp's slope bound is 158 A k: rays run out of steps before they reach the surface.
         bounds=Bounds(mean=12.0, share=0.08),
+        without={"waves/parametric.glsl": {"max(q, exponent < 0.5 ? 1e-4 : 1e-30)": "q"}},
+        missed_by=guards("waves", "functions_are_guarded[the slope of a cusp in its trough]"),
     ),
     HardCase(
         "0^K, K 100, and kinks, K 0.5 and 0.7",
@@ -41,6 +44,8 @@ _HARD = (
         ),
         guard="powers are taken of |p| = sqrt(u), which is at least 1e-30; height and slope come from one power "
         "(waves/parametric.glsl)",
+        without={"waves/parametric.glsl": {"max(q, exponent < 0.5 ? 1e-4 : 1e-30)": "q"}},
+        missed_by=guards("waves", "functions_are_guarded[a kink in its trough]"),
     ),
     HardCase(
         "any time, waves of 5 cm",
@@ -48,6 +53,7 @@ _HARD = (
         guard="phases are reduced in float64 (framegraph/evaluation.py)",
         times=(-1e9, 0.0, 1e9, 1e9 + 1e-6),
         camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
+        without=TIME,
     ),
     HardCase(
         "ten thousand kilometres from the origin",
@@ -55,6 +61,7 @@ _HARD = (
         guard="positions are relative to the camera, whose own position is reduced in float64 "
         "(framegraph/evaluation.py)",
         camera=Camera(position=(1e7, 3.0, -1e7), pitch=-math.pi / 2),
+        without=PLACE,
     ),
     HardCase(
         "opposite waves that cancel",
@@ -65,6 +72,11 @@ _HARD = (
         guard="nothing is divided by the sum of the waves, and the group threshold suppresses foam where the sum "
         "is rounding noise (foam/saturation/front.glsl@gate)",
         times=(0.0, 1.3863),
+        without={
+            "foam/saturation/front.glsl": {
+                "return FRONT_GATED ? smoothstep(u_front_group.x, u_front_group.y, rho) : 1.0;": "return 1.0;"
+            }
+        },
     ),
     HardCase(
         "sixteen equal waves",
@@ -72,6 +84,7 @@ _HARD = (
         guard="the slope bound of ray marching is the sum over all waves (effects/waves/parametric.py, "
         "surface/march.glsl@march)",
         times=(0.0, 1e9),
+        without={"surface/march.glsl": {"(now.x - less.x) * speed": "0.06 * (now.x - less.x) * speed"}},
     ),
     HardCase(
         "a wall of water, 50 m high and 5 cm long",
@@ -79,6 +92,8 @@ _HARD = (
         guard="N·D is at most -1e-3 |N||D| in the footprint (lib/rays.glsl@camera)",
         camera=Camera(position=(0.0, 60.0, 0.0), pitch=-0.6),
         coarse_apart="slopes of 6000 magnify the error of SwiftShader's sine, 2e-4",
+        without={"lib/rays.glsl": {"min(dot(normal, ray), -1e-3 * length(normal) * length(ray))": "dot(normal, ray)"}},
+        missed_by=guards("waves", "functions_are_guarded[the footprint of a ray along the surface]"),
     ),
     HardCase(
         "as good as flat",
@@ -88,6 +103,12 @@ _HARD = (
             water=Water(ripples=Ripples()),
         ),
         guard="steps are divided by at least 1e-6 |D| (surface/march.glsl@march)",
+        without={
+            "surface/march.glsl": {
+                "max((now.x - less.x) * speed - ray.y, 1e-6 * length(ray))": "(now.x - less.x) * speed - ray.y"
+            }
+        },
+        missed_by=guards("waves", "functions_are_guarded[a step along level water]"),
     ),
     HardCase(
         "two kilometres long in 5 cm of water",
@@ -102,6 +123,12 @@ _HARD = (
         guard="the dispersion relation is solved by Newton's method from Eckart's estimate, in float64 "
         "(ocean/basics/dispersion.py)",
         camera=Camera(position=(0.0, 60.0, 0.0), pitch=-0.3),
+        without={
+            "ocean/basics/dispersion.py": {
+                "k = deep / math.sqrt(math.tanh(deep * depth))": "k = deep",
+                "range(30)": "range(3)",
+            }
+        },
     ),
     HardCase(
         "a grazing ray over steep crests",
@@ -116,6 +143,8 @@ _HARD = (
         "by the last gap of ray marching (surface/march.glsl@march, surface/march.glsl@newton)",
         times=(0.0, 2.7),
         camera=Camera(position=(0.0, 1.29, 0.0), yaw=1.571, pitch=0.0),
+        without={"lib/rays.glsl": {"rate < -slowest": "rate < 0.0", "clamp(gap / rate, -limit, limit)": "gap / rate"}},
+        missed_by=guards("waves", "newtons_method_takes_no_step_too_far"),
     ),
     HardCase(
         "rays that double back on the mesh",
@@ -123,6 +152,13 @@ _HARD = (
         guard="Newton steps are at most a twentieth of the distance, and only where the ray approaches the "
         "surface (surface/march.glsl@newton)",
         camera=Camera(position=(0.0, 4.0, 0.0), yaw=1.571, pitch=-0.2),
+        without={
+            "surface/march.glsl": {
+                "if (rate < -1e-3 * length(ray)) {": "{",
+                "clamp(gap / rate, -limit, limit)": "gap / rate",
+            }
+        },
+        missed_by=guards("waves", "functions_are_guarded[steps from the mesh]"),
     ),
     HardCase(
         "eye inside a crest",
@@ -130,6 +166,12 @@ _HARD = (
         guard="the distance along the ray is never negative (surface/march.glsl@march)",
         camera=Camera(position=(0.0, 0.025, 0.0), pitch=-0.2),
         apart="the reference looks for the surface from below, the march takes the eye's own place",
+        without={
+            "lib/rays.glsl": {
+                "max(tau - clamp(gap / rate, -limit, limit), least)": "tau - clamp(gap / rate, -limit, limit)"
+            }
+        },
+        missed_by=guards("waves", "functions_are_guarded[no step behind the eye]"),
     ),
     HardCase(
         "eye far below the water",
@@ -137,6 +179,10 @@ _HARD = (
         guard="the distance at which the ray leaves the slab of the waves is never negative (surface/march.glsl@march)",
         camera=Camera(position=(0.0, -1000.0, 0.0), pitch=0.4),
         apart="the reference looks for the surface from below, the march takes the eye's own place",
+        without={
+            "surface/march.glsl": {"max(u_eye_height - u_surface_trough, 0.0)": "(u_eye_height - u_surface_trough)"}
+        },
+        missed_by=guards("waves", "functions_are_guarded[a march from far below]"),
     ),
 )
 
@@ -152,6 +198,7 @@ _IN_GROUPS = (
         "(framegraph/evaluation.py)",
         times=(-1e9, 1e9),
         camera=Camera(position=(1e7, 3.0, -1e7), pitch=-0.3),
+        without=TIME_AND_PLACE,
     ),
 )
 

@@ -1,6 +1,7 @@
 """Hard cases of waves.touch, and scenes that call for it and cannot show it."""
 
 from support.cases import Cases, HardCase
+from support.hard.mutations import PLACE, TIME, guards
 from support.scenes import (
     TOUCHES_MOST,
     Camera,
@@ -36,6 +37,25 @@ _HARD = (
         Scene(touches=(Touch(strength=0.004, time=-0.5),) * TOUCHES_MOST),
         guard="slopes without height, so no ray misses a crest (waves/rings.glsl@touch)",
         camera=_NEAR,
+        without={
+            "waves/rings.glsl": {
+                "vec3 touches_detail(vec2 p, Footprint fp) {": (
+                    "vec3 touched(vec2 p, Footprint fp, bool high);\n"
+                    "vec3 touches_waves(vec2 p) {\n"
+                    "    return touched(p, Footprint(vec2(0.0), vec2(0.0)), true);\n"
+                    "}\n"
+                    "vec4 touches_shading(vec2 p, Footprint fp) {\n"
+                    "    return vec4(touched(p, fp, true).x, touched(p, fp, false));\n"
+                    "}\nvec3 touched(vec2 p, Footprint fp, bool high) {"
+                ),
+                "sum += vec3(kept": "sum += high ? vec3(ring.x, ring.y * ring.z * way) : vec3(kept",
+            },
+            "effects/waves/touch.py": {
+                'SlotFile("detail"': 'SlotFile("waves"',
+                "bound=_bound(scene)": "bound=_bound(scene), max_height=0.004, min_height=-0.004, max_slope=1.0",
+            },
+        },
+        missed_by=guards("waves", "no_ray_misses_a_ring_of_touches"),
     ),
     HardCase(
         "touches a thousand million seconds from now",
@@ -43,12 +63,14 @@ _HARD = (
         guard="ages are reduced in float64 (framegraph/evaluation.py)",
         times=(1e9 - 8.0, 1e9, 1e9 + 0.75),
         camera=_NEAR,
+        without=TIME,
     ),
     HardCase(
         "touches ten thousand kilometres away",
         Scene(touches=_moved(_TRAIN, (1e7 - 8.0, -1e7 + 8.0)), water=Water(ripples=Ripples())),
         guard="the vector from the centre to the camera is reduced in float64 (framegraph/evaluation.py)",
         camera=Camera(position=(1e7 - 8.0, 2.0, -1e7 + 8.0), pitch=-0.45),
+        without=PLACE,
     ),
     HardCase(
         "touches long over, and touches of no strength",
@@ -56,6 +78,7 @@ _HARD = (
         guard="negative amplitudes count as 0, and strengths of 0 are passed over (waves/rings.glsl@ring)",
         times=(12.0, 1e9),
         camera=_NEAR,
+        without={"waves/rings.glsl": {"amplitude <= 0.0 || rho": "rho", "touch.w <= 0.0 || !ring": "!ring"}},
     ),
     HardCase(
         "touches of a river thirty years after its current set in",
@@ -66,6 +89,7 @@ _HARD = (
         guard="velocity times the time of the touch and velocity times time cancel in float64 (effects/waves/touch.py)",
         times=(9e8,),
         camera=_NEAR,
+        without=TIME,
     ),
 )
 

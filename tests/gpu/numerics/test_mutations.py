@@ -1,11 +1,10 @@
-"""Every guard of a hard case, taken out, is missed: by the case's pictures, or by the test that its mutation names."""
+"""Every guard of a hard case, taken out, is missed: by the case's pictures, or by the test that it names."""
 
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from cases.mutations import MUTATIONS, UNSEEN
 from seafoam.effects.effect import Effect
 from support.cases import HardCase
 from support.hard.cases import CASES, HARD
@@ -17,26 +16,23 @@ from support.sweep import rested
 TITLE = "Guards of hard cases taken out"
 MOST_UNSEEN = 21
 """Of all cases: the number may only fall."""
-MUTATED = [one for one in CASES if one.values[1].name in MUTATIONS]
+MUTATED = [one for one in CASES if one.values[1].without]
 
 
 @pytest.mark.parametrize(("effect", "case"), rested(MUTATED, 24))
 def test_a_guard_that_is_taken_out_is_missed(tmp_path: Path, report: Report, effect: Effect, case: HardCase) -> None:
-    mutations = MUTATIONS[case.name]
-    (test,) = {mutation.test for mutation in mutations}
-    (error,) = {mutation.error for mutation in mutations}
-    with copied(tmp_path / "mutated", mutations) as environment:
-        if test:
-            said = run(environment, "-m", "pytest", "-q", "-p", "no:cacheprovider", test)
-            assert said is not None, f"{test} passes without the guard"
+    with copied(tmp_path / "mutated", case.without) as environment:
+        if case.missed_by:
+            said = run(environment, "-m", "pytest", "-q", "-p", "no:cacheprovider", case.missed_by)
+            assert said is not None, f"{case.missed_by} passes without the guard"
             assert "failed" in said, said
-            seen = f"`{test.rpartition('::')[2]}` fails"
+            seen = f"`{case.missed_by.rpartition('::')[2]}` fails"
         else:
             file = tmp_path / "pictures.npz"
             said = run(environment, "-m", "support.hard.pictures", case.name, str(file))
-            assert (said is None) == (error == ""), said
-            assert error in (said or "")
-            seen = error
+            assert (said is None) == (case.error == ""), said
+            assert case.error in (said or "")
+            seen = case.error
             if said is None:
                 with np.load(file) as pictures:
                     found = judged(case, dict(pictures), truth_of(case))
@@ -46,14 +42,13 @@ def test_a_guard_that_is_taken_out_is_missed(tmp_path: Path, report: Report, eff
 
 
 def test_every_hard_case_shows_its_guard_or_says_why_it_cannot() -> None:
-    names = [case.name for _, case in HARD]
-    assert sorted((*MUTATIONS, *UNSEEN)) == sorted(names)
-    assert len(UNSEEN) <= MOST_UNSEEN
+    assert [case.name for _, case in HARD if bool(case.without) == bool(case.unseen)] == []
+    assert sum(bool(case.unseen) for _, case in HARD) <= MOST_UNSEEN
 
 
 def test_the_copy_without_mutations_passes(tmp_path: Path) -> None:
     case = CASES[0].values[1]
-    with copied(tmp_path / "copy", ()) as environment:
+    with copied(tmp_path / "copy", {}) as environment:
         assert run(environment, "-m", "support.hard.pictures", case.name, str(tmp_path / "pictures.npz")) is None
         with np.load(tmp_path / "pictures.npz") as pictures:
             assert judged(case, dict(pictures), truth_of(case)).faults == ()

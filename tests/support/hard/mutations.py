@@ -9,76 +9,72 @@ import os
 import shutil
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
 LIMIT = 300.0
 """Seconds after which a process counts as broken: a search without its guard may never end."""
+Replaced = Mapping[str, Mapping[str, str]]
+"""What stands in a text's place, by the file, a path below ``shaders`` (GLSL) or ``server/seafoam``, and the text."""
 
 
-@dataclass(frozen=True)
-class Mutation:
-    """``replaced``: text by text, in ``file``, a path below ``shaders`` (GLSL) or ``server/seafoam`` (Python).
-
-    ``test``: the test that fails with it, as pytest names it from the repository's root; empty: the hard case itself.
-    ``error``: words of the error with which the process ends, where it draws no picture without the guard.
-    """
-
-    file: str
-    replaced: tuple[tuple[str, str], ...]
-    test: str = ""
-    error: str = ""
-
-    @property
-    def path(self) -> Path:
-        """The file's path below the repository's root."""
-        return Path("shaders" if self.file.endswith(".glsl") else "server/seafoam") / self.file
-
-    def applied(self, text: str) -> str:
-        """Return the file's text with the replacements. Raises ``ValueError`` where a text is not in it."""
-        for before, after in self.replaced:
-            if before not in text:
-                raise ValueError(f"{self.file} has no text {before!r}")
-            text = text.replace(before, after)
-        return text
+def guards(subject: str, name: str) -> str:
+    """A test of ``tests/gpu/numerics`` of the guards on a subject."""
+    return f"tests/gpu/numerics/test_guards_{subject}.py::test_{name}"
 
 
-_PLACE = "(rule.k[0] * x + rule.k[1] * z)"
-IN_FLOAT32 = (
-    Mutation(
-        "framegraph/evaluation.py",
-        (
-            (
-                f"rule.offset + rule.rate * state.time + {_PLACE}",
-                f"float(np.float32(rule.offset) + np.float32(rule.rate * state.time) + np.float32({_PLACE}))",
-            ),
-            (
-                f"rule.offset + (rule.rate or 0.0) * state.time + {_PLACE}",
-                f"float(np.float32(rule.offset) + np.float32((rule.rate or 0.0) * state.time) + np.float32({_PLACE}))",
-            ),
-            (
-                "_modulo(state.time + rule.offset, rule.period)",
-                "_modulo(float(np.float32(state.time) + np.float32(rule.offset)), rule.period)",
-            ),
-        ),
-    ),
-)
+def reference(file: str, name: str) -> str:
+    """A test of ``tests/gpu/reference``; its file is named as ``waves/rings``."""
+    folder, _, subject = file.rpartition("/")
+    return f"tests/gpu/reference/{folder}/test_{subject}.py::test_{name}"
+
+
+_RULES = "framegraph/evaluation.py"
+_TIME = {"state.time": "np.float32(state.time)"}
+_PLACE = {"x, _, z = state.camera.position": "x, _, z = np.float32(state.camera.position)"}
+TIME, PLACE, TIME_AND_PLACE = {_RULES: _TIME}, {_RULES: _PLACE}, {_RULES: _TIME | _PLACE}
+"""Times or places rounded before they are reduced."""
+_WAY = "(rule.k[0] * x + rule.k[1] * z)"
+IN_FLOAT32 = {
+    _RULES: {
+        f"rule.offset + rule.rate * state.time + {_WAY}": "float(np.float32(rule.offset)"
+        f" + np.float32(rule.rate * state.time) + np.float32({_WAY}))",
+        f"rule.offset + (rule.rate or 0.0) * state.time + {_WAY}": "float(np.float32(rule.offset)"
+        f" + np.float32((rule.rate or 0.0) * state.time) + np.float32({_WAY}))",
+        "_modulo(state.time + rule.offset, rule.period)": "_modulo(float(np.float32(state.time)"
+        " + np.float32(rule.offset)), rule.period)",
+    }
+}
 """Times and places reduced in float32, as GLSL would."""
+BRIGHTEST = {
+    "surface/main.glsl": {"min(light, BRIGHTEST)": "light"},
+    "light/sky.glsl": {
+        "min(exposure() * (sky_light(d) + sun_disc(d)), BRIGHTEST)": "exposure() * (sky_light(d) + sun_disc(d))"
+    },
+}
+"""Light that half floats do not hold."""
 
 
 @contextmanager
-def copied(folder: Path, mutations: tuple[Mutation, ...]) -> Iterator[dict[str, str]]:
-    """A copy of the sources with mutations in ``folder``, as the environment of a process that imports it."""
+def copied(folder: Path, replaced: Replaced) -> Iterator[dict[str, str]]:
+    """A copy of the sources, mutated, in ``folder``, as the environment of a process that imports it.
+
+    Raises ``ValueError`` where a text is not there.
+    """
     for name in ("server", "shaders"):
         shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__"))
     for name in ("masks", "webclient"):
         (folder / name).symlink_to(ROOT / name)
-    for mutation in mutations:
-        file = folder / mutation.path
-        file.write_text(mutation.applied(file.read_text(encoding="utf-8")), encoding="utf-8")
+    for name, texts in replaced.items():
+        file = folder / ("shaders" if name.endswith(".glsl") else "server/seafoam") / name
+        content = file.read_text(encoding="utf-8")
+        for before, after in texts.items():
+            if before not in content:
+                raise ValueError(f"{name} has no text {before!r}")
+            content = content.replace(before, after)
+        file.write_text(content, encoding="utf-8")
     path = os.pathsep.join(map(str, (folder / "server", ROOT / "tests", ROOT)))
     # With CI set, no check is left out because it passed before, with its guard.
     yield {**os.environ, "PYTHONPATH": path, "PYTHONDONTWRITEBYTECODE": "1", "CI": "1"}
