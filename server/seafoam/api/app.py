@@ -5,7 +5,6 @@ from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager, suppress
 from functools import partial
 from importlib.metadata import version
-from typing import TYPE_CHECKING
 
 from fastapi import Depends, FastAPI
 from starlette.middleware import Middleware
@@ -14,10 +13,7 @@ from starlette.middleware.gzip import DEFAULT_EXCLUDED_CONTENT_TYPES, GZipMiddle
 
 from seafoam.accuracy.cache import cache_dir
 from seafoam.api.context import Context
-from seafoam.api.frames.plans import PlanIndex
-from seafoam.api.frames.request_cache import RequestCache
 from seafoam.api.frames.respond import AnswerFromMemory
-from seafoam.api.frames.streams import Streams
 from seafoam.api.guard.access_control import AccessControl
 from seafoam.api.guard.cors import OtherOrigins
 from seafoam.api.guard.proxy_headers import Proxied
@@ -26,10 +22,7 @@ from seafoam.api.http import errors, openapi
 from seafoam.api.http.middleware import AnswerWhenStopped, HeadAsGet, LimitBody, SecurityHeaders
 from seafoam.api.http.negotiation import Negotiate
 from seafoam.api.http.problems import BusyError
-from seafoam.api.http.thread_pool import ThreadPool
 from seafoam.api.http.validation import one_value_each
-from seafoam.api.jobs.sequences import sequence_service
-from seafoam.api.jobs.sweeps import sweep_service
 from seafoam.api.routers import (
     accuracy,
     export,
@@ -54,9 +47,6 @@ from seafoam.render.service.disk import DiskCache
 from seafoam.render.service.frame_cache import FrameCache
 from seafoam.render.service.jobs import Renderer
 from seafoam.render.service.pool import RenderPool
-
-if TYPE_CHECKING:
-    from seafoam.api.watch.traces import Traces
 
 GZIP_LEVEL = 4
 """Level 4 compresses plans to a tenth; level 9 gains little more."""
@@ -110,7 +100,7 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
 
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
-        context = app.state.context = _context(settings, pool, frame_cache, metrics, traces)
+        context = app.state.context = Context(settings, frame_cache, metrics, traces)
         await pool.start()
         warming = asyncio.create_task(presets.warm(context.plans))
         yield
@@ -168,24 +158,3 @@ def _middleware(settings: Settings, metrics: Metrics) -> list[Middleware]:
         Middleware(GZipMiddleware, compresslevel=GZIP_LEVEL, exclude_content_types=NOT_WORTH_GZIP),
         Middleware(LimitBody, limit=settings.max_body),
     ]
-
-
-def _context(
-    settings: Settings, pool: RenderPool, frame_cache: FrameCache, metrics: Metrics, traces: "Traces | None"
-) -> Context:
-    """Make what the handlers share; sweeps and sequences are drawn on the running event loop."""
-    return Context(
-        settings,
-        pool,
-        frame_cache,
-        PlanIndex(frame_cache.disk),
-        RequestCache(),
-        metrics,
-        traces,
-        plans=ThreadPool(2, 64),
-        masks=ThreadPool(1, 8),
-        slow_masks=ThreadPool(1, 2),
-        sweeps=sweep_service(settings, pool, asyncio.get_running_loop()),
-        sequences=sequence_service(settings, pool, asyncio.get_running_loop()),
-        streams=Streams(settings.streams),
-    )

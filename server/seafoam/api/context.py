@@ -1,48 +1,70 @@
 """State that the request handlers of an application share."""
 
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Annotated
+import asyncio
+from typing import TYPE_CHECKING, Annotated, Any
 
 from fastapi import Depends, Request
 
-from seafoam.accuracy.sweep_service import SweepService
-from seafoam.api.frames.plans import PlanIndex
+from seafoam.accuracy.model import Running, Sweep
+from seafoam.accuracy.sweep import Subject
+from seafoam.api.frames.plans import CompiledPlan, PlanIndex, compile_scene
 from seafoam.api.frames.request_cache import RequestCache
 from seafoam.api.frames.streams import Streams
 from seafoam.api.http.thread_pool import ThreadPool
+from seafoam.api.jobs.sequences import sequence_service
+from seafoam.api.jobs.sweeps import sweep_service
 from seafoam.api.settings import Settings
 from seafoam.api.watch.metrics import Metrics
+from seafoam.extras import require_reports
+from seafoam.quality import Quality
 from seafoam.render.service.frame_cache import FrameCache
-from seafoam.render.service.pool import RenderPool
-from seafoam.sequences.service import SequenceService
+from seafoam.scene.models import Scene
 
 if TYPE_CHECKING:
     from seafoam.api.watch.traces import Traces
 
 
-@dataclass(frozen=True, slots=True)
 class Context:
-    """Settings, render pool, metrics, thread pools of the web process, services for sweeps and sequences, streams.
+    """What handlers share, for the running event loop, on which sweeps and sequences are drawn.
 
-    ``frames`` gives the pool's frames, and those that it has drawn before; ``plan_index``: the plans that have
-    addresses; ``request_cache``: what earlier requests asked for; ``traces``: where spans go, if anywhere.
-    ``plans`` and ``masks`` are separate, so that generating a mask, which takes seconds, does not delay plans;
-    ``slow_masks``: those that take minutes.
+    frames: gives the pool's frames, and those that it has drawn before. traces: where spans go, if anywhere.
     """
 
-    settings: Settings
-    pool: RenderPool
-    frames: FrameCache
-    plan_index: PlanIndex
-    request_cache: RequestCache
-    metrics: Metrics
-    traces: "Traces | None"
-    plans: ThreadPool
-    masks: ThreadPool
-    slow_masks: ThreadPool
-    sweeps: SweepService
-    sequences: SequenceService
-    streams: Streams
+    def __init__(self, settings: Settings, frames: FrameCache, metrics: Metrics, traces: "Traces | None") -> None:
+        loop = asyncio.get_running_loop()
+        self.settings = settings
+        self.pool = frames.pool
+        self.frames = frames
+        self.plan_index = PlanIndex(frames.disk)
+        """The plans that have addresses."""
+        self.request_cache = RequestCache()
+        self.metrics = metrics
+        self.traces = traces
+        # Apart, so that a mask, which takes seconds, delays no plan, and one that takes minutes no other mask.
+        self.plans, self.masks, self.slow_masks = ThreadPool(2, 64), ThreadPool(1, 8), ThreadPool(1, 2)
+        self.sweeps = sweep_service(settings, self.pool, loop)
+        self.sequences = sequence_service(settings, self.pool, loop)
+        self.streams = Streams(settings.streams)
+
+    async def compiled(self, scene: Scene, quality: Quality, **where: Any) -> CompiledPlan:
+        """Compile a scene in a thread. where: options of :func:`compile_scene`; raises as it does."""
+        return await self.plans.run(compile_scene, scene, quality, **where)
+
+    async def addressed(self, scene: Scene, quality: Quality, **where: Any) -> CompiledPlan:
+        """Compile a scene, and let its plan's hash be an address of its frames. where: see :meth:`compiled`."""
+        compiled = await self.compiled(scene, quality, **where)
+        if not self.plan_index.holds(compiled.sha256):
+            await self.plans.run(self.plan_index.remember, compiled.sha256, scene, quality)
+        return compiled
+
+    async def measured(self, subject: Subject) -> Sweep | Running:
+        """Return the sweep of a subject, or its progress. Raises the pool's errors if no renderer is available.
+
+        Raises :class:`seafoam.extras.MissingExtraError` without the packages of the extra ``reports``.
+        """
+        require_reports()
+        await self.pool.wait_until_settled()
+        return await self.plans.run(self.sweeps.sweep, subject)
 
 
 def _context(request: Request) -> Context:

@@ -9,7 +9,7 @@ from seafoam.accuracy.timing import choose
 from seafoam.api.context import Context
 from seafoam.api.http.parameters import TierOrAuto, quality_of
 from seafoam.api.http.problems import BadRequestError, FieldProblem, NotMeasuredError
-from seafoam.api.jobs.sweeps import measured, retry_seconds
+from seafoam.api.jobs.sweeps import retry_seconds
 from seafoam.quality import Quality
 
 
@@ -50,7 +50,7 @@ async def choose_quality(
         raise asked.refused("quality auto requires budget_ms, the frame time allowed in milliseconds")
     limits = context.settings.frame_limits
     limits.check(asked.width, asked.height, 1)
-    sweep = await measured(context, subject)
+    sweep = await context.measured(subject)
     if isinstance(sweep, Running):
         what = f"preset {subject.preset}" if subject.preset else "this scene"
         state = "is queued for measurement" if sweep.status == "queued" else f"is {100 * sweep.progress:.0f} % measured"

@@ -10,14 +10,11 @@ from starlette.responses import Response
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from seafoam.api.context import Context
-from seafoam.api.frames.plans import compile_scene
 from seafoam.api.frames.request_cache import ResolvedFrame
 from seafoam.api.http.etags import not_modified
 from seafoam.api.http.openapi import content
-from seafoam.quality import Quality
 from seafoam.render.encode import MEDIA_TYPES
 from seafoam.render.service.jobs import EncodedFrame, FrameJob
-from seafoam.scene.models import Scene
 
 STAGES = ("queue", "plan", "render", "read", "encode")
 CLIENT_CLOSED_REQUEST = 499
@@ -92,22 +89,14 @@ async def resolve_frame(
     """
     context: Context = request.app.state.context
     context.settings.frame_limits.check(job.width, job.height, job.quality.samples_drawn)
-    compiled = await context.plans.run(compile_scene, job.scene, job.quality, scene_at=scene_at, parameters=parameters)
-    plan = compiled.sha256
+    plan = (await context.addressed(job.scene, job.quality, scene_at=scene_at, parameters=parameters)).sha256
     await context.pool.wait_until_settled()
-    await remember_plan(context, plan, job.scene, job.quality)
     own = {
         "Seafoam-Plan": plan,
         "Seafoam-Renderer": context.pool.info["renderer"],
         "Link": f'<{plans_at}/{_address(job, plan)}>; rel="canonical"',
     }
     return ResolvedFrame(job, context.frames.key(job, plan), {**own, **headers}, request.scope["route"])
-
-
-async def remember_plan(context: Context, plan: str, scene: Scene, quality: Quality) -> None:
-    """Let a plan's hash be an address of its frames."""
-    if not context.plan_index.holds(plan):
-        await context.plans.run(context.plan_index.remember, plan, scene, quality)
 
 
 async def answer(resolved: ResolvedFrame, request: Request, context: Context, *, background: bool = False) -> Response:

@@ -5,13 +5,11 @@ import math
 from concurrent.futures import TimeoutError as NotYet
 
 from seafoam.accuracy.cache import Store
-from seafoam.accuracy.model import Running, Sweep
-from seafoam.accuracy.sweep import Rig, Subject, SweepSettings
+from seafoam.accuracy.model import Running
+from seafoam.accuracy.sweep import Rig, SweepSettings
 from seafoam.accuracy.sweep_service import SweepService
 from seafoam.accuracy.truth import SweepStoppedError
-from seafoam.api.context import Context
 from seafoam.api.settings import Settings
-from seafoam.extras import require_reports
 from seafoam.render.service.errors import RendererUnavailableError
 from seafoam.render.service.jobs import Drawn, MeasureJob
 from seafoam.render.service.pool import RenderPool
@@ -45,16 +43,6 @@ def sweep_service(settings: Settings, pool: RenderPool, loop: asyncio.AbstractEv
     sizes = (settings.accuracy_width, settings.accuracy_height, settings.accuracy_samples, settings.accuracy_rounds)
     service = SweepService(Store(settings.cache), SweepSettings(*sizes), rig)
     return service
-
-
-async def measured(context: Context, subject: Subject) -> Sweep | Running:
-    """Return the sweep of a subject, or its progress. Raises the pool's errors if no renderer is available.
-
-    Raises :class:`seafoam.extras.MissingExtraError` without the packages of the extra ``reports``.
-    """
-    require_reports()
-    await context.pool.wait_until_settled()
-    return await context.plans.run(context.sweeps.sweep, subject)
 
 
 def retry_seconds(running: Running) -> int:

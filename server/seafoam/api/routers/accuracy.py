@@ -1,25 +1,23 @@
 """``/api/accuracy``: what accuracy costs in time, measured on this server."""
 
-import io
 from collections.abc import Callable
 from typing import Any
 
-import numpy as np
 from fastapi import APIRouter, Request
 from starlette.responses import JSONResponse, Response
 
 from seafoam.accuracy.model import Points, Running, Sweep
 from seafoam.accuracy.points import points_of
 from seafoam.accuracy.sweep import Subject, truth_info
-from seafoam.accuracy.truth import Truth
 from seafoam.api.context import Context, InContext
 from seafoam.api.frames.presets import PresetName, find_preset
 from seafoam.api.http.etags import NO_STORE, REVALIDATE, not_modified, tag_of
 from seafoam.api.http.openapi import NOT_MODIFIED, TEXT, Responses, content, headers_of, problem_responses
 from seafoam.api.http.validation import NoParameters
-from seafoam.api.jobs.sweeps import measured, retry_seconds
+from seafoam.api.jobs.sweeps import retry_seconds
+from seafoam.render.encode import encode
 
-router = APIRouter(prefix="/api", tags=["accuracy"])
+router = APIRouter(prefix="/api", tags=["accuracy"], default_response_class=Response)
 
 _RUNNING: Responses = {
     202: {
@@ -29,6 +27,7 @@ _RUNNING: Responses = {
     },
     **NOT_MODIFIED,
 }
+_SWEEP = _RUNNING | problem_responses(404, 422, 500, 501, 503, 504)
 
 
 def _wait(running: Running) -> Response:
@@ -51,16 +50,10 @@ async def _shown(
     preset: str, request: Request, context: Context, render: Callable[[Sweep], bytes], media: str
 ) -> Response:
     """Return the sweep of a preset in one of its formats, or its progress."""
-    sweep = await measured(context, _subject(preset))
+    sweep = await context.measured(_subject(preset))
     if isinstance(sweep, Running):
         return _wait(sweep)
     return _kept(request, await context.plans.run(render, sweep), media, sweep.model_dump(mode="json"))
-
-
-def _npy(truth: Truth) -> bytes:
-    buffer = io.BytesIO()
-    np.save(buffer, truth.astype("<f4", copy=False), allow_pickle=False)
-    return buffer.getvalue()
 
 
 def _json(sweep: Sweep) -> bytes:
@@ -82,10 +75,7 @@ def _csv(sweep: Sweep) -> bytes:
 
 @router.get(
     "/accuracy/{preset}.csv",
-    responses=content("CSV with one row per point; times in milliseconds", "text/csv", schema=TEXT)
-    | _RUNNING
-    | problem_responses(404, 422, 500, 501, 503, 504),
-    response_class=Response,
+    responses=content("CSV with one row per point; times in milliseconds", "text/csv", schema=TEXT) | _SWEEP,
 )
 async def get_accuracy_csv(preset: PresetName, _: NoParameters, request: Request, context: InContext) -> Response:
     """Get the measured cost of accuracy of a preset as CSV."""
@@ -94,10 +84,7 @@ async def get_accuracy_csv(preset: PresetName, _: NoParameters, request: Request
 
 @router.get(
     "/accuracy/{preset}.png",
-    responses=content("Plot of time against error, with the Pareto front", "image/png")
-    | _RUNNING
-    | problem_responses(404, 422, 500, 501, 503, 504),
-    response_class=Response,
+    responses=content("Plot of time against error, with the Pareto front", "image/png") | _SWEEP,
 )
 async def get_accuracy_plot(preset: PresetName, _: NoParameters, request: Request, context: InContext) -> Response:
     """Get the measured cost of accuracy of a preset as a plot."""
@@ -109,7 +96,6 @@ async def get_accuracy_plot(preset: PresetName, _: NoParameters, request: Reques
     responses=content("float32 (height, width, 4): linear RGB and foam coverage; top row first", "application/x-npy")
     | _RUNNING
     | problem_responses(404, 422, 500, 501, 503),
-    response_class=Response,
 )
 async def get_truth(preset: PresetName, _: NoParameters, request: Request, context: InContext) -> Response:
     """Get the converged float64 picture against which errors are measured. Requires no renderer."""
@@ -117,12 +103,12 @@ async def get_truth(preset: PresetName, _: NoParameters, request: Request, conte
     found = await context.plans.run(context.sweeps.truth, subject)
     if isinstance(found, Running):
         return _wait(found)
-    content = await context.plans.run(_npy, found)
+    content = await context.plans.run(encode, found, "npy")
     info = truth_info(subject, context.sweeps.settings)
     return _kept(request, content, "application/x-npy", info.model_dump(), subject.scene.model_dump(mode="json"))
 
 
-@router.get("/accuracy/{preset}/points", responses=problem_responses(404, 422, 501, 503))
+@router.get("/accuracy/{preset}/points", response_class=JSONResponse, responses=problem_responses(404, 422, 501, 503))
 async def get_points(preset: PresetName, _: NoParameters, context: InContext) -> Points:
     """List the qualities that are measured for a preset: every tier, and tier standard with one setting changed.
 
@@ -133,13 +119,7 @@ async def get_points(preset: PresetName, _: NoParameters, context: InContext) ->
     return Points(preset=preset, truth=truth_info(subject, context.sweeps.settings), points=points)
 
 
-@router.get(
-    "/accuracy/{preset}",
-    responses={200: {"model": Sweep, "description": "The measurement"}}
-    | _RUNNING
-    | problem_responses(404, 422, 500, 501, 503, 504),
-    response_class=Response,
-)
+@router.get("/accuracy/{preset}", responses={200: {"model": Sweep, "description": "The measurement"}, **_SWEEP})
 async def get_accuracy(preset: PresetName, _: NoParameters, request: Request, context: InContext) -> Response:
     """Get the measured cost of accuracy of a preset: times, errors, Pareto front, and the effect of each setting.
 

@@ -6,7 +6,6 @@ from starlette.responses import Response, StreamingResponse
 from seafoam.api.context import InContext
 from seafoam.api.export.archive import zipped
 from seafoam.api.export.bundle import Export, entries, player_files, texture_bytes
-from seafoam.api.frames.plans import compile_scene
 from seafoam.api.frames.presets import known_preset
 from seafoam.api.http.etags import NO_STORE
 from seafoam.api.http.openapi import content, problem_responses
@@ -33,7 +32,7 @@ async def export_scene(body: Strict[ExportRequest], context: InContext) -> Respo
     """Pack a scene sent as JSON with its programs, textures, uniforms and a player."""
     known_preset(body.preset)
     quality = quality_of(body.quality)
-    compiled = await context.plans.run(compile_scene, body.scene, quality, scene_at="/scene")
+    compiled = await context.compiled(body.scene, quality, scene_at="/scene")
     camera = body.camera or body.scene.camera
     job = FrameJob(body.scene, quality, body.time, camera, body.width, body.height, "png", body.preset)
     title = load_preset(body.preset).title if body.preset else "A scene"

@@ -10,9 +10,8 @@ from pydantic import BeforeValidator
 from starlette.responses import Response
 
 from seafoam.accuracy.sweep import Subject
-from seafoam.api.context import Context, InContext
+from seafoam.api.context import InContext
 from seafoam.api.frames.auto_quality import RequestedQuality, choose_quality
-from seafoam.api.frames.plans import compile_scene
 from seafoam.api.frames.presets import PresetName, find_preset, known_preset
 from seafoam.api.frames.request_cache import ResolvedFrame
 from seafoam.api.frames.respond import FRAME_RESPONSES, answer, resolve_frame, resolved_before
@@ -33,7 +32,7 @@ from seafoam.quality import TIERS
 from seafoam.render.encode import FrameFormat
 from seafoam.render.service.jobs import FrameJob
 
-router = APIRouter(prefix="/api", tags=["frames"])
+router = APIRouter(prefix="/api", tags=["frames"], default_response_class=Response)
 
 _CHOICE = {
     "Seafoam-Quality": "With quality auto: ID of the measured quality that was chosen",
@@ -42,13 +41,12 @@ _CHOICE = {
 _RESPONSES: Responses = {
     200: {**FRAME_RESPONSES[200], "headers": FRAME_RESPONSES[200]["headers"] | headers_of(_CHOICE)}
 }
-_FORMAT = Path(description=FORMATS)
+Format = Annotated[FrameFormat, Path(description=FORMATS)]
 
 
 @router.get(
     "/plans/{plan}/frames/{time}.{format}",
     responses=FRAME_RESPONSES | NOT_MODIFIED | problem_responses(404, 422, 500, 503, 504),
-    response_class=Response,
 )
 async def get_plan_frame(
     plan: Annotated[
@@ -59,7 +57,7 @@ async def get_plan_frame(
         Path(ge=-TIME_LIMIT, le=TIME_LIMIT, allow_inf_nan=False, description="Time, s", examples=[12.5]),
         BeforeValidator(numeral),  # after the bounds, which the schema then names
     ],
-    format: Annotated[FrameFormat, Path(description=FORMATS)],
+    format: Format,
     query: Annotated[PlanFrameParameters, Query()],
     request: Request,
     context: InContext,
@@ -68,73 +66,61 @@ async def get_plan_frame(
 
     Frames of presets and scenes name this address in their header Link.
     """
-    resolved = await resolved_before(context, request, lambda: _plan_frame(plan, time, format, query, request, context))
-    return await answer(resolved, request, context)
 
+    async def resolve() -> ResolvedFrame:
+        source = await context.plans.run(context.plan_index.find, plan)
+        if source is None:
+            raise NotFoundError(
+                f"plan {plan} was not made by this server, or long ago: post its scene to /api/plans first", "plan"
+            )
+        view = query.camera, query.width, query.height
+        job = FrameJob(source.scene, source.quality, time, *view, format, None, query.dither, query.precision)
+        return await resolve_frame(job, request, {"Cache-Control": IMMUTABLE}, "../..")
 
-async def _plan_frame(
-    plan: str, time: float, format: FrameFormat, query: PlanFrameParameters, request: Request, context: Context
-) -> ResolvedFrame:
-    source = await context.plans.run(context.plan_index.find, plan)
-    if source is None:
-        raise NotFoundError(
-            f"plan {plan} was not made by this server, or long ago: post its scene to /api/plans first", "plan"
-        )
-    view = query.camera, query.width, query.height
-    job = FrameJob(source.scene, source.quality, time, *view, format, None, query.dither, query.precision)
-    return await resolve_frame(job, request, {"Cache-Control": IMMUTABLE}, "../..")
+    return await answer(await resolved_before(context, request, resolve), request, context)
 
 
 @router.get(
-    "/frames/{preset}.{format}",
-    responses=_RESPONSES | NOT_MODIFIED | problem_responses(404, 422, 500, 501, 503, 504),
-    response_class=Response,
+    "/frames/{preset}.{format}", responses=_RESPONSES | NOT_MODIFIED | problem_responses(404, 422, 500, 501, 503, 504)
 )
 async def get_frame(
     preset: PresetName,
-    format: Annotated[FrameFormat, _FORMAT],
+    format: Format,
     query: Annotated[FrameParameters, Query()],
     request: Request,
     context: InContext,
 ) -> Response:
     """Render a frame of a preset. Parameters that are absent take the preset's values."""
-    if query.quality == "auto":  # once more is measured, the same request is answered by another quality
-        resolved = await _preset_frame(preset, format, query, request, context)
-    else:
-        resolved = await resolved_before(
-            context, request, lambda: _preset_frame(preset, format, query, request, context)
-        )
+
+    async def resolve() -> ResolvedFrame:
+        loaded = find_preset(preset)
+        width = loaded.size[0] if query.width is None else query.width
+        height = loaded.size[1] if query.height is None else query.height
+        scene = query.apply(loaded.scene)
+        time = loaded.time if query.time is None else query.time
+        subject = Subject(None if query.changed else loaded.name, scene, loaded.time, loaded.size)
+        given = RequestedQuality(query.quality, query.budget_ms, width, height, parameter=True)
+        if automatic:  # a scene that cannot be planned is refused before it is measured
+            await context.compiled(scene, TIERS["standard"], scene_at=None, parameters=query.changed)
+        quality, chosen = await choose_quality(given, subject, context)
+        view = query.camera(scene.camera), width, height
+        job = FrameJob(scene, quality, time, *view, format, preset, query.dither, query.precision)
+        headers = {"Cache-Control": REVALIDATE, **chosen}
+        return await resolve_frame(job, request, headers, "../plans", parameters=query.changed)
+
+    # Once more is measured, the same request is answered by another quality.
+    automatic = query.quality == "auto"
+    resolved = await (resolve() if automatic else resolved_before(context, request, resolve))
     return await answer(resolved, request, context)
 
 
-async def _preset_frame(
-    preset: str, format: FrameFormat, query: FrameParameters, request: Request, context: Context
-) -> ResolvedFrame:
-    loaded = find_preset(preset)
-    width = loaded.size[0] if query.width is None else query.width
-    height = loaded.size[1] if query.height is None else query.height
-    scene = query.apply(loaded.scene)
-    time = loaded.time if query.time is None else query.time
-    subject = Subject(None if query.changed else loaded.name, scene, loaded.time, loaded.size)
-    given = RequestedQuality(query.quality, query.budget_ms, width, height, parameter=True)
-    if query.quality == "auto":  # a scene that cannot be planned is refused before it is measured
-        await context.plans.run(compile_scene, scene, TIERS["standard"], scene_at=None, parameters=query.changed)
-    quality, chosen = await choose_quality(given, subject, context)
-    camera = query.camera(scene.camera)
-    job = FrameJob(scene, quality, time, camera, width, height, format, preset, query.dither, query.precision)
-    headers = {"Cache-Control": REVALIDATE, **chosen}
-    return await resolve_frame(job, request, headers, "../plans", parameters=query.changed)
-
-
-@router.post(
-    "/frames", responses=_RESPONSES | problem_responses(413, 415, 422, 500, 501, 503, 504), response_class=Response
-)
+@router.post("/frames", responses=_RESPONSES | problem_responses(413, 415, 422, 500, 501, 503, 504))
 async def render_frame(body: Strict[FrameRequest], request: Request, context: InContext) -> Response:
     """Render a frame of a scene sent as JSON."""
     known_preset(body.preset)
     given = RequestedQuality(body.quality, body.budget_ms, body.width, body.height, parameter=False)
     if body.quality == "auto":
-        await context.plans.run(compile_scene, body.scene, TIERS["standard"], scene_at="/scene")
+        await context.compiled(body.scene, TIERS["standard"], scene_at="/scene")
     quality, chosen = await choose_quality(given, Subject.of_scene(body.scene), context)
     camera = body.camera or body.scene.camera
     size = body.width, body.height
@@ -146,23 +132,21 @@ async def render_frame(body: Strict[FrameRequest], request: Request, context: In
 @router.get(
     "/presets/{preset}/thumbnail.{format}",
     responses=FRAME_RESPONSES | NOT_MODIFIED | problem_responses(404, 422, 500, 503, 504),
-    response_class=Response,
 )
 async def get_thumbnail(
     preset: PresetName,
-    format: Annotated[FrameFormat, _FORMAT],
+    format: Format,
     query: Annotated[ThumbnailParameters, Query()],
     request: Request,
     context: InContext,
 ) -> Response:
     """Get a small frame of a preset at its own time. It is drawn when no other frame waits, within 60 s."""
-    resolved = await resolved_before(context, request, lambda: _thumbnail(preset, format, query.width, request))
-    return await answer(resolved, request, context, background=True)
 
+    async def resolve() -> ResolvedFrame:
+        loaded = find_preset(preset)
+        scene, width = loaded.scene, query.width
+        height = max(1, round(width * loaded.size[1] / loaded.size[0]))
+        job = FrameJob(scene, TIERS["standard"], loaded.time, scene.camera, width, height, format, preset)
+        return await resolve_frame(job, request, {"Cache-Control": REVALIDATE}, "../../plans")
 
-async def _thumbnail(preset: str, format: FrameFormat, width: int, request: Request) -> ResolvedFrame:
-    loaded = find_preset(preset)
-    height = max(1, round(width * loaded.size[1] / loaded.size[0]))
-    scene = loaded.scene
-    job = FrameJob(scene, TIERS["standard"], loaded.time, scene.camera, width, height, format, preset)
-    return await resolve_frame(job, request, {"Cache-Control": REVALIDATE}, "../../plans")
+    return await answer(await resolved_before(context, request, resolve), request, context, background=True)

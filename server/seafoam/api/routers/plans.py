@@ -6,9 +6,8 @@ from fastapi import APIRouter, Query, Request
 from starlette.responses import Response
 
 from seafoam.api.context import InContext
-from seafoam.api.frames.plans import CompiledPlan, compile_scene
+from seafoam.api.frames.plans import CompiledPlan
 from seafoam.api.frames.presets import PresetName, find_preset
-from seafoam.api.frames.respond import remember_plan
 from seafoam.api.http.etags import NO_STORE, REVALIDATE, not_modified
 from seafoam.api.http.openapi import NOT_MODIFIED, Responses, headers_of, problem_responses
 from seafoam.api.http.parameters import PlanParameters, PlanRequest, quality_of
@@ -16,7 +15,7 @@ from seafoam.api.http.validation import Strict
 from seafoam.framegraph.plan import FramePlan
 from seafoam.quality import TIERS
 
-router = APIRouter(prefix="/api", tags=["plans"])
+router = APIRouter(prefix="/api", tags=["plans"], default_response_class=Response)
 
 _RESPONSES: Responses = {
     200: {
@@ -32,30 +31,22 @@ _RESPONSES: Responses = {
 }
 
 
-@router.get(
-    "/plans/{preset}",
-    responses=_RESPONSES | NOT_MODIFIED | problem_responses(404, 422, 501, 503),
-    response_class=Response,
-)
+@router.get("/plans/{preset}", responses=_RESPONSES | NOT_MODIFIED | problem_responses(404, 422, 501, 503))
 async def get_plan(
     preset: PresetName, query: Annotated[PlanParameters, Query()], request: Request, context: InContext
 ) -> Response:
     """Get the frame plan of a preset."""
     scene = query.apply(find_preset(preset).scene)
-    compiled = await context.plans.run(
-        compile_scene, scene, TIERS[query.quality], scene_at=None, parameters=query.changed
-    )
-    await remember_plan(context, compiled.sha256, scene, TIERS[query.quality])
+    compiled = await context.addressed(scene, TIERS[query.quality], scene_at=None, parameters=query.changed)
     headers = {"Cache-Control": REVALIDATE, "Seafoam-Plan": compiled.sha256}
     return not_modified(request, f'"{compiled.sha256}"', headers) or _plan(compiled, headers)
 
 
-@router.post("/plans", responses=_RESPONSES | problem_responses(413, 415, 422, 501, 503), response_class=Response)
+@router.post("/plans", responses=_RESPONSES | problem_responses(413, 415, 422, 501, 503))
 async def make_plan(body: Strict[PlanRequest], context: InContext) -> Response:
     """Compile a scene sent as JSON into a frame plan."""
     quality = quality_of(body.quality)
-    compiled = await context.plans.run(compile_scene, body.scene, quality, scene_at="/scene")
-    await remember_plan(context, compiled.sha256, body.scene, quality)
+    compiled = await context.addressed(body.scene, quality, scene_at="/scene")
     return _plan(compiled, {"Cache-Control": NO_STORE, "Seafoam-Plan": compiled.sha256})
 
 

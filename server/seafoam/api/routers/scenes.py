@@ -8,7 +8,6 @@ from fastapi import APIRouter, Request
 from pydantic import BaseModel, Field
 
 from seafoam.api.context import InContext
-from seafoam.api.frames.plans import compile_scene
 from seafoam.api.http.openapi import problem_responses
 from seafoam.api.http.validation import NoParameters, Strict
 from seafoam.quality import TIERS, Tier
@@ -54,5 +53,5 @@ async def get_schema(_: NoParameters, request: Request) -> Schemas:
 @router.post("/scenes", responses=problem_responses(413, 415, 422, 501, 503))
 async def complete_scene(scene: Strict[Scene], context: InContext) -> Scene:
     """Check a scene sent as JSON, and return it with the default of every absent field."""
-    await context.plans.run(compile_scene, scene, TIERS["standard"], scene_at="")
+    await context.compiled(scene, TIERS["standard"], scene_at="")
     return scene

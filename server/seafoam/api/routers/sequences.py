@@ -9,7 +9,6 @@ from pydantic import Discriminator, Field, Tag
 from starlette.responses import FileResponse, JSONResponse, Response, StreamingResponse
 
 from seafoam.api.context import Context, InContext
-from seafoam.api.frames.plans import compile_scene
 from seafoam.api.frames.presets import known_preset
 from seafoam.api.http.etags import NO_STORE, file_unless_current
 from seafoam.api.http.openapi import TEXT, Responses, content, headers_of, problem_responses
@@ -98,7 +97,7 @@ async def start_sequence(body: Strict[SequenceRequest], context: InContext) -> S
     """
     known_preset(body.preset)
     spec = _spec(body, context)
-    await context.plans.run(compile_scene, body.scene, spec.job.quality, scene_at="/scene")
+    await context.compiled(body.scene, spec.job.quality, scene_at="/scene")
     await context.pool.wait_until_settled()
     try:
         status = await context.plans.run(context.sequences.submit, spec, body.format, body.codec)

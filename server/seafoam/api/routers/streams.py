@@ -7,7 +7,6 @@ from fastapi import APIRouter, Path, Query, Request, Response
 from pydantic import BaseModel, Field
 
 from seafoam.api.context import Context, InContext
-from seafoam.api.frames.plans import compile_scene
 from seafoam.api.frames.respond import CLIENT_CLOSED_REQUEST, server_timing, unless_gone
 from seafoam.api.frames.streams import LEASE_SECONDS, Stream
 from seafoam.api.http.etags import NO_STORE
@@ -83,9 +82,7 @@ async def close_stream(stream: StreamId, _: NoParameters, context: InContext) ->
 
 
 @router.get(
-    "/{stream}/frame.webp",
-    responses=_FRAME | problem_responses(404, 422, 500, 503, 504),
-    response_class=Response,
+    "/{stream}/frame.webp", responses=_FRAME | problem_responses(404, 422, 500, 503, 504), response_class=Response
 )
 async def get_stream_frame(
     stream: StreamId, query: Annotated[StreamFrameParameters, Query()], request: Request, context: InContext
@@ -125,7 +122,7 @@ async def _drawn(stream: Stream, job: FrameJob, context: Context) -> EncodedFram
 async def _planned(body: PlanRequest, context: Context) -> Quality:
     """Return the quality, of a scene that can be planned with it."""
     quality = quality_of(body.quality)
-    await context.plans.run(compile_scene, body.scene, quality, scene_at="/scene")
+    await context.compiled(body.scene, quality, scene_at="/scene")
     return quality
 
 

@@ -14,7 +14,7 @@ from seafoam.api.http.parameters import Parameters
 from seafoam.api.http.problems import BadRequestError, FieldProblem, NotFoundError
 from seafoam.textures import TextureData, TexturePart, spec_at, texture
 
-router = APIRouter(prefix="/api", tags=["textures"])
+router = APIRouter(prefix="/api", tags=["textures"], default_response_class=Response)
 
 
 class TextureParameters(Parameters):
@@ -42,11 +42,7 @@ _RESPONSES = content(
 )
 
 
-@router.get(
-    "/textures/{name:path}",
-    responses=_RESPONSES | NOT_MODIFIED | problem_responses(404, 422, 503),
-    response_class=Response,
-)
+@router.get("/textures/{name:path}", responses=_RESPONSES | NOT_MODIFIED | problem_responses(404, 422, 503))
 async def get_texture(
     name: Annotated[
         str, Path(description="Name of a texture in a plan", examples=["mask/vac-24/ranks"], max_length=9000)
