@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from PIL import Image
 from rich.progress import track
 
-from seafoam.masks import mask_by_name
+from seafoam.masks.catalogue import mask_by_name
 from seafoam.masks.judge.morphology import hole_areas
 
 PAGE = Path(__file__).parent / "masks.md"

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from seafoam.masks import FAMILIES, estimated_seconds, make_mask, measure_spectrum, sigma_range
-from seafoam.masks.construct.make import check_parameters
-from seafoam.masks.families import SIZES
+from seafoam.masks.construct.make import check_parameters, estimated_seconds, make_mask
+from seafoam.masks.families import FAMILIES, SIZES, sigma_range
+from seafoam.masks.judge.spectrum import measure_spectrum
 from seafoam.masks.torus import local_minima, rank, window_minimum, wrapped_gaussian
 
 

@@ -3,9 +3,8 @@
 import numpy as np
 import pytest
 
-from seafoam.masks import MaskTooSlowError, custom_mask, rank_sha256
 from seafoam.masks.bake import bake_all
-from seafoam.masks.catalogue import Mask, Thresholds, read_catalogue
+from seafoam.masks.catalogue import Mask, MaskTooSlowError, Thresholds, custom_mask, rank_sha256, read_catalogue
 from seafoam.masks.formats import decode_ranks
 
 

@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from seafoam.masks import load_mask, make_mask, to_dds, to_npy, to_png8, to_png16, to_u16
-from seafoam.masks.formats import decode_ranks, encode_ranks
+from seafoam.masks.catalogue import load_mask
+from seafoam.masks.construct.make import make_mask
+from seafoam.masks.formats import decode_ranks, encode_ranks, to_dds, to_npy, to_png8, to_png16, to_u16
 
 SMALL = make_mask("vac", sigma=1.5, size=32, seed=1)
 EVERY_SIZE = [SMALL, make_mask("clump", sigma=1.5, size=256, seed=1), load_mask("vac-24").ranks]

@@ -3,9 +3,11 @@
 import numpy as np
 import pytest
 
-from seafoam.masks import load_mask, make_mask, measure_morphology, measure_spectrum
+from seafoam.masks.catalogue import load_mask
+from seafoam.masks.construct.make import make_mask
 from seafoam.masks.families import check_parameters, parse_parameters
-from seafoam.masks.judge.morphology import euler_number, hole_areas, largest_piece
+from seafoam.masks.judge.morphology import euler_number, hole_areas, largest_piece, measure_morphology
+from seafoam.masks.judge.spectrum import measure_spectrum
 
 SHIPPED = ("lace", "lacetorn", "streak")
 

@@ -3,11 +3,15 @@
 import numpy as np
 import pytest
 
-from seafoam.masks import bspline_weights, footprint_deviations, load_mask, prefilter, quantile_lookup
+from seafoam.masks import prefilter
+from seafoam.masks.catalogue import load_mask
 from seafoam.masks.prefilter import (
     QUANTILE_ENTRIES,
     atlas,
     bspline_samples,
+    bspline_weights,
+    footprint_deviations,
+    quantile_lookup,
     quantile_position,
     quantile_saturation,
     span_quantiles,

@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from seafoam.masks import load_mask, make_mask, measure_spectrum
+from seafoam.masks.catalogue import load_mask
+from seafoam.masks.construct.make import make_mask
 from seafoam.masks.judge.plots import contact_sheet, corner_pattern, magnified_sheet, plot_spectrum
-from seafoam.masks.judge.spectrum import spectrum_from_json
+from seafoam.masks.judge.spectrum import measure_spectrum, spectrum_from_json
 
 
 def white(size, seed=0):

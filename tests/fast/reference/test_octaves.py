@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from seafoam.masks import load_mask
+from seafoam.masks.catalogue import load_mask
 from seafoam.masks.prefilter import OCTAVE_RAMP, ramp_threshold
 from seafoam.reference import Assets
 from seafoam.reference.foam import coverage as looked

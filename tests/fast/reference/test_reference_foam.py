@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from seafoam.masks import custom_mask
+from seafoam.masks.catalogue import custom_mask
 from seafoam.reference import Assets, sampling
 from seafoam.reference.foam import coverage as looked
 from seafoam.reference.foam import looks
@@ -21,7 +21,7 @@ from seafoam.reference.foam.front import (
     phase_width,
     seen_phases,
 )
-from seafoam.reference.foam.saturation import front_source, height_saturation, joined
+from seafoam.reference.renderer.sources import front_source, height_saturation, joined
 from seafoam.reference.types import SurfacePoints
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.scene.foam import FrontSaturation

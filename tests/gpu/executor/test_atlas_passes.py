@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from seafoam.masks import load_catalogue
+from seafoam.masks.catalogue import load_catalogue
 from seafoam.masks.families import SIZES
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS

@@ -10,7 +10,7 @@ from gpu.reference.foam.test_shader_functions import FILTERED_FRONT, front_unifo
 from seafoam.effects.foam import front
 from seafoam.effects.shader import Inline
 from seafoam.framegraph.rules import Constant
-from seafoam.masks import mask_by_name
+from seafoam.masks.catalogue import mask_by_name
 from seafoam.ocean.foam.whitecaps import whitecap_model
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from seafoam.masks import Mask, mask_by_name
+from seafoam.masks.catalogue import Mask, mask_by_name
 from seafoam.ocean.waves.stokes import foam_life
 from seafoam.reference import sampling
 from seafoam.reference.foam import looks

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from scipy import ndimage
 
 from seafoam.effects.shader import Const, Inline
-from seafoam.masks import Mask, mask_by_name
+from seafoam.masks.catalogue import Mask, mask_by_name
 from seafoam.masks.prefilter import OCTAVE_RAMP
 from seafoam.reference import Assets, sampling
 from seafoam.reference.foam import coverage as looked
