@@ -8,7 +8,6 @@ import { ServerView } from "./display/serverview";
 import { Viewport } from "./display/viewport";
 import { CapabilityError } from "./gl/capabilities";
 import { openContext, openGpu } from "./gl/gpu";
-import { pinRoot } from "./root";
 import { byId, element } from "./ui/dom";
 import { LoadingScreen } from "./ui/loading";
 import { StillImage } from "./ui/still";
@@ -51,6 +50,15 @@ async function start(api: Api): Promise<void> {
   const app = new App(api, loadingScreen, still, { presets, preset, link: usable, makeDisplay });
   if (cannot !== null) byId("heading").append(element("p", { class: "notice mt-2.5 max-w-[42ch] text-note text-pretty" }, `The server draws the frames. ${cannot}`));
   if (notFound) app.toasts.show(`Preset “${link.preset}” not found. Showing “${preset.title}”.`, [], "error");
+}
+
+/**
+ * Makes the folder that holds the page and its files the base of all relative addresses. Called once, when the page opens:
+ * the path changes with the preset, and relative addresses would follow it.
+ */
+function pinRoot(): void {
+  const base = document.querySelector("base") ?? document.head.appendChild(document.createElement("base"));
+  base.href = new URL(".", document.baseURI).href;
 }
 
 /** Opens what can draw here, and says why nothing can. */

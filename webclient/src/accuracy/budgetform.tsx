@@ -1,8 +1,8 @@
 /** A slider and a field for the frame budget; both pick a quality at once. */
 import { batch } from "@preact/signals";
 import { useState } from "preact/hooks";
-import { NUMBER } from "./classes";
 import { budgetAt, budgetRange, choose, DEFAULT_BUDGET, predict, SLIDER_STEPS, stepOf } from "./measure/budget";
+import { NUMBER } from "./sections";
 import type { BenchmarkRun, Session } from "./session";
 
 export function BudgetForm({ session, run }: { session: Session; run: BenchmarkRun }) {

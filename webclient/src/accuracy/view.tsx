@@ -7,7 +7,6 @@ import { equal } from "../scene/json";
 import { Progress, Select } from "../ui/controls";
 import { download } from "../ui/dom";
 import { BudgetForm } from "./budgetform";
-import { QUIET } from "./classes";
 import { curvesOf } from "./diagram/curves";
 import { Diagram } from "./diagram/diagram";
 import { type ExportedRun, rowsOf, toCsv, toJson } from "./exportdata";
@@ -16,7 +15,7 @@ import { type Measured, measuredHere, measuredThere, ranked } from "./measure/me
 import { ErrorView } from "./pictures/errorview";
 import { InsetsView } from "./pictures/insetsview";
 import { SpectrumView } from "./pictures/spectrumview";
-import { AllQualities, Benefits, Passes, Selected } from "./sections";
+import { AllQualities, Benefits, Passes, QUIET, Selected } from "./sections";
 import type { BenchmarkRun, Session } from "./session";
 
 const KEY = "mr-1 mb-1 inline-block w-4";

@@ -5,8 +5,7 @@ import { ListedOptions } from "../panel/options";
 import type { ScenePane } from "../panel/pane";
 import { isObject, type Json, withValue } from "../scene/json";
 import { preferredField, splitAfterEdit, startSplit } from "../selection/comparison";
-import { qualityTitle } from "../selection/quality";
-import { QUALITY_FIELD, validSplit } from "../selection/selection";
+import { QUALITY_FIELD, qualityTitle, validSplit } from "../selection/selection";
 import type { Store } from "../selection/store";
 import { type ComparableField, SplitView } from "../ui/splitview";
 

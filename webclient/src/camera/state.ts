@@ -14,14 +14,7 @@ export interface CameraState {
   fov: number;
 }
 
-interface Basis {
-  right: Vec3;
-  up: Vec3;
-  forward: Vec3;
-}
-
-/** Right, up and forward vectors. */
-export function basis({ yaw, pitch, roll }: CameraState): Basis {
+export function basis({ yaw, pitch, roll }: CameraState): Record<"right" | "up" | "forward", Vec3> {
   const [cy, sy, cp, sp] = [Math.cos(yaw), Math.sin(yaw), Math.cos(pitch), Math.sin(pitch)];
   const right: Vec3 = [cy, 0, sy];
   const up: Vec3 = [-sy * sp, cp, cy * sp];

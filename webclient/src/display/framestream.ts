@@ -1,18 +1,14 @@
 /** One stream of the server's frames: opened when the first is asked for, changed with the scene, opened again if it has ended. */
 import { type Api, ApiError, type StreamView } from "../api";
 import { equal, type Json } from "../scene/json";
+import type { PlanRequest } from "./planloader";
 
 /** Share of the time without a request after which a stream counts as ended. */
 const MARGIN = 0.9;
 
-interface Shown {
-  scene: Json;
-  quality: Json;
-}
-
 export class FrameStream {
   private id: Promise<string> | null = null;
-  private shows: Shown | null = null;
+  private shows: PlanRequest | null = null;
   /** When it ends unless it is asked for a frame, ms of performance.now(). */
   private ends = Infinity;
   private lease = Infinity;
@@ -42,7 +38,7 @@ export class FrameStream {
     this.id = this.shows = null;
   }
 
-  private open(wanted: Shown): Promise<string> {
+  private open(wanted: PlanRequest): Promise<string> {
     const { id, shows } = this;
     if (id !== null && shows && equal(shows.scene, wanted.scene) && equal(shows.quality, wanted.quality)) return id;
     this.shows = wanted;
@@ -54,13 +50,13 @@ export class FrameStream {
     return opened;
   }
 
-  private async begin({ scene, quality }: Shown): Promise<string> {
+  private async begin({ scene, quality }: PlanRequest): Promise<string> {
     const { id, lease } = await this.api.openStream(scene, quality);
     this.lease = MARGIN * 1000 * lease;
     return id;
   }
 
-  private async change(id: string, wanted: Shown): Promise<string> {
+  private async change(id: string, wanted: PlanRequest): Promise<string> {
     try {
       await this.api.changeStream(id, wanted.scene, wanted.quality);
       return id;

@@ -1,11 +1,6 @@
 /** Finding presets by words, and where the keyboard goes next in a list of them. */
 import type { PresetSummary } from "../api";
 
-interface PresetGroup {
-  heading: string;
-  presets: PresetSummary[];
-}
-
 /** Presets that contain every word of the query in title, summary, group, name or effects, in the order of the list. */
 export function matching(presets: readonly PresetSummary[], query: string): PresetSummary[] {
   const words = plain(query).split(/\s+/).filter(Boolean);
@@ -16,8 +11,8 @@ export function matching(presets: readonly PresetSummary[], query: string): Pres
 }
 
 /** Consecutive presets of one group. */
-export function grouped(presets: readonly PresetSummary[]): PresetGroup[] {
-  const groups: PresetGroup[] = [];
+export function grouped(presets: readonly PresetSummary[]): { heading: string; presets: PresetSummary[] }[] {
+  const groups: ReturnType<typeof grouped> = [];
   for (const preset of presets) {
     const last = groups.at(-1);
     if (last?.heading === preset.group) last.presets.push(preset);

@@ -1,11 +1,5 @@
 /** Shares GPU resources by key, and keeps the most recently used ones after their last user. */
 
-interface Entry<V> {
-  key: string;
-  value: V;
-  users: number;
-}
-
 /** A reference to a pooled resource. */
 export interface Lease<V> {
   readonly value: V;
@@ -16,7 +10,7 @@ export interface Lease<V> {
 }
 
 export class Pool<V> {
-  private readonly entries = new Map<string, Entry<V>>();
+  private readonly entries = new Map<string, { value: V; users: number }>();
 
   /** `spare`: number of unused resources kept. */
   constructor(
@@ -29,7 +23,7 @@ export class Pool<V> {
   }
 
   acquire(key: string, make: () => V): Lease<V> {
-    const entry = this.entries.get(key) ?? { key, value: make(), users: 0 };
+    const entry = this.entries.get(key) ?? { value: make(), users: 0 };
     // Map order is order of last use: `trim` removes from the front.
     this.entries.delete(key);
     this.entries.set(key, entry);
@@ -52,8 +46,8 @@ export class Pool<V> {
   }
 
   private trim(): void {
-    const unused = [...this.entries.values()].filter(({ users }) => users === 0);
-    for (const { key, value } of unused.slice(0, Math.max(0, unused.length - this.spare))) {
+    const unused = [...this.entries].filter(([, { users }]) => users === 0);
+    for (const [key, { value }] of unused.slice(0, Math.max(0, unused.length - this.spare))) {
       this.entries.delete(key);
       this.destroy(value);
     }

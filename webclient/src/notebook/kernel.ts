@@ -11,12 +11,6 @@ export interface Model {
   send(content: JsonObject): void;
 }
 
-interface Reply {
-  id: string;
-  value?: unknown;
-  error?: string;
-}
-
 interface Answer {
   value: unknown;
   parts: readonly DataView[];
@@ -45,7 +39,7 @@ export class Kernel {
     this.waiting.clear();
   }
 
-  private readonly receive = ({ id, value, error }: Reply, parts: readonly DataView[] = []): void => {
+  private readonly receive = ({ id, value, error }: { id: string; value?: unknown; error?: string }, parts: readonly DataView[] = []): void => {
     const request = this.waiting.get(id);
     if (request === undefined) return;
     this.waiting.delete(id);

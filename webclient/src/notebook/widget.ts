@@ -1,7 +1,261 @@
-/** The widget for notebooks (server/seafoam/notebook): anywidget calls `render` for each view of it. */
-import type { Model } from "./kernel";
-import { WaterView } from "./water";
+/** The widget for notebooks (server/seafoam/notebook). */
+import { type Choice, messageOf, type SceneSchema } from "../api";
+import type { CameraState } from "../camera/state";
+import { PlanPlayer } from "../export/planplayer";
+import type { FramePlan } from "../generated/api";
+import { sceneControls } from "../panel/model";
+import { ListedOptions } from "../panel/options";
+import { ScenePane } from "../panel/pane";
+import { planCovers } from "../plan/live";
+import { equal, type Json, type JsonObject, withValue } from "../scene/json";
+import { element, prefersReducedMotion } from "../ui/dom";
+import { Kernel, type Model } from "./kernel";
+import { STYLE } from "./style";
 
+/** Between reports of camera and time to Python, ms. */
+const REPORT_INTERVAL = 500;
+
+interface Drawn {
+  player: PlanPlayer;
+  plan: FramePlan;
+  /** Scene and quality that the plan was made for. */
+  scene: JsonObject;
+  quality: Json;
+}
+
+/** One view of the widget: the picture, its controls, and the panel with the scene's fields. */
+class WaterView {
+  private readonly kernel: Kernel;
+  private readonly picture = element("div", { class: "seafoam-picture" });
+  private readonly side = element("div", { class: "seafoam-side" });
+  private readonly message = element("p", { class: "seafoam-message", role: "alert" });
+  private readonly play = element("button", { type: "button" });
+  private readonly fields = element("button", { type: "button" }, "Scene");
+  private readonly visible: IntersectionObserver;
+  private readonly reducedMotion = prefersReducedMotion();
+  private readonly listeners: [string, () => void][];
+  private readonly options = new ListedOptions(
+    async (url) => (await this.kernel.ask("choices", { url })).value as Choice[],
+    () => this.showFields(true),
+    (error) => this.failed(error),
+  );
+  private readonly reporter: number;
+  private drawn: Drawn | null = null;
+  private pane: ScenePane | null = null;
+  private schema: SceneSchema | null = null;
+  private active = false;
+  /** What Python knows. */
+  private reported: { camera: CameraState; time: number };
+  /** Number of the latest load; earlier ones are outdated. */
+  private run = 0;
+
+  constructor(
+    private readonly model: Model,
+    private readonly root: HTMLElement,
+  ) {
+    this.kernel = new Kernel(model);
+    this.reported = { camera: this.camera, time: this.time };
+    const bar = element("div", { class: "seafoam-bar" }, this.play, this.fields);
+    const main = element("div", { class: "seafoam-main" }, this.picture, bar, this.message);
+    root.classList.add("seafoam-widget");
+    root.append(element("style", {}, STYLE), main, this.side);
+    this.play.addEventListener("click", () => this.tell("playing", !this.model.get("playing")));
+    this.fields.addEventListener("click", () => this.tell("panel", !this.model.get("panel")));
+    this.listeners = [
+      ["change:scene", () => void this.load()],
+      ["change:quality", () => void this.load()],
+      ["change:camera", () => this.cameraChanged()],
+      ["change:time", () => this.timeChanged()],
+      ["change:playing", () => this.playingChanged()],
+      ["change:panel", () => void this.panelChanged()],
+      ["change:error", () => this.say(String(model.get("error")))],
+    ];
+    for (const [event, listener] of this.listeners) model.on(event, listener);
+    this.visible = new IntersectionObserver((entries) => {
+      this.active = entries.at(-1)?.isIntersecting ?? false;
+      if (this.drawn) this.drawn.player.active = this.active;
+    });
+    this.visible.observe(root);
+    this.reporter = window.setInterval(() => this.report(), REPORT_INTERVAL);
+    this.playingChanged();
+    void this.load();
+    void this.panelChanged();
+  }
+
+  dispose(): void {
+    this.run += 1;
+    this.report();
+    window.clearInterval(this.reporter);
+    this.visible.disconnect();
+    for (const [event, listener] of this.listeners) this.model.off(event, listener);
+    this.kernel.dispose();
+    this.drawn?.player.dispose();
+    this.root.replaceChildren();
+  }
+
+  private get scene(): JsonObject {
+    return this.model.get("scene") as JsonObject;
+  }
+
+  private get camera(): CameraState {
+    return this.model.get("camera") as CameraState;
+  }
+
+  private get time(): number {
+    return this.model.get("time") as number;
+  }
+
+  private get playing(): boolean {
+    return this.model.get("playing") === true && !this.reducedMotion;
+  }
+
+  private tell(name: string, value: unknown): void {
+    this.model.set(name, value);
+    this.model.save_changes();
+  }
+
+  /** Draws the model's scene: by the present plan if that covers it, else by another in its place once it is ready. */
+  private async load(): Promise<void> {
+    const { scene, drawn } = this;
+    const quality = this.model.get("quality") as Json;
+    const run = ++this.run;
+    this.showFields();
+    if (drawn && equal(drawn.quality, quality) && planCovers(drawn.plan, drawn.scene, scene)) {
+      drawn.player.scene = scene;
+      drawn.player.redraw();
+      this.say("");
+      return;
+    }
+    let next: Drawn | null = null;
+    try {
+      const plan = (await this.kernel.ask("plan", { scene, quality })).value as FramePlan;
+      if (run !== this.run) return;
+      next = this.prepare(plan, scene, quality);
+      await next.player.load();
+      if (run === this.run) this.replace(next);
+      else this.discard(next);
+    } catch (error) {
+      if (next) this.discard(next);
+      if (run === this.run) this.failed(error);
+    }
+  }
+
+  private prepare(plan: FramePlan, scene: JsonObject, quality: Json): Drawn {
+    const canvas = element("canvas", { tabindex: "0", role: "application", "aria-label": "Water" });
+    // Below the present picture, until it is drawn.
+    this.picture.prepend(canvas);
+    const camera = this.drawn ? this.drawn.player.controls.camera : this.camera;
+    const player = new PlanPlayer(canvas, {
+      plan,
+      camera,
+      bytes: async ({ url }) => bytesOf((await this.kernel.ask("texture", { url })).parts),
+      time: this.drawn?.player.time ?? this.time,
+      playing: this.playing,
+      reducedMotion: this.reducedMotion,
+    });
+    player.failed = (error) => this.failed(error);
+    // The wheel scrolls the notebook unless the picture has the focus.
+    canvas.addEventListener("wheel", (event) => document.activeElement === canvas || event.stopImmediatePropagation(), { capture: true });
+    return { player, plan, scene, quality };
+  }
+
+  private replace(next: Drawn): void {
+    const before = this.drawn;
+    this.drawn = next;
+    this.say("");
+    next.player.active = this.active;
+    next.player.playing = this.playing;
+    // Camera and time may have moved on while it was loading.
+    next.player.controls.set(before ? before.player.controls.camera : this.camera);
+    next.player.time = before ? before.player.time : this.time;
+    if (before === null) return;
+    const focused = document.activeElement === before.player.canvas;
+    this.discard(before);
+    if (focused) next.player.canvas.focus();
+  }
+
+  private discard({ player }: Drawn): void {
+    player.dispose();
+    player.canvas.remove();
+  }
+
+  private cameraChanged(): void {
+    const { camera } = this;
+    if (equal(camera as unknown as Json, this.reported.camera as unknown as Json)) return;
+    this.reported = { ...this.reported, camera };
+    this.drawn?.player.controls.set(camera);
+  }
+
+  private timeChanged(): void {
+    const { time, drawn } = this;
+    if (time === this.reported.time) return;
+    this.reported = { ...this.reported, time };
+    if (drawn === null) return;
+    drawn.player.time = time;
+    drawn.player.redraw();
+  }
+
+  private playingChanged(): void {
+    this.play.textContent = this.playing ? "Pause" : "Play";
+    if (this.drawn) this.drawn.player.playing = this.playing;
+  }
+
+  /** Tells Python camera and time, where the picture has moved on. */
+  private report(): void {
+    if (this.drawn === null) return;
+    const { controls: { camera }, time } = this.drawn.player;
+    const { reported } = this;
+    if (camera === reported.camera && time === reported.time) return;
+    this.reported = { camera, time };
+    if (camera !== reported.camera) this.model.set("camera", camera);
+    if (time !== reported.time) this.model.set("time", time);
+    this.model.save_changes();
+  }
+
+  private async panelChanged(): Promise<void> {
+    const open = this.model.get("panel") === true;
+    this.side.hidden = !open;
+    this.fields.setAttribute("aria-pressed", String(open));
+    if (!open) return;
+    try {
+      this.schema ??= (await this.kernel.ask("schema")).value as SceneSchema;
+    } catch (error) {
+      this.failed(error);
+      return;
+    }
+    this.pane ??= new ScenePane(this.side, {
+      change: (pointer, value) => this.edit(pointer, value),
+      optionsFrom: (url) => this.options.from(url),
+    });
+    this.showFields();
+  }
+
+  private showFields(rebuild = false): void {
+    const controls = this.schema && sceneControls(this.schema, this.scene);
+    if (controls) this.pane?.show(controls, this.scene, rebuild);
+  }
+
+  private edit(pointer: string, value: Json): void {
+    this.tell("scene", withValue(this.scene, pointer, value));
+  }
+
+  private failed(error: unknown): void {
+    this.say(messageOf(error));
+  }
+
+  private say(text: string): void {
+    this.message.textContent = text;
+    this.message.hidden = text === "";
+  }
+}
+
+/** The bytes of a binary answer, at an address of their own. */
+function bytesOf([part]: readonly DataView[]): ArrayBuffer {
+  if (part === undefined) throw new Error("Python sent no texture.");
+  return new Uint8Array(part.buffer, part.byteOffset, part.byteLength).slice().buffer;
+}
+
+/** Called by anywidget for each view of the widget. */
 function render({ model, el }: { model: Model; el: HTMLElement }): () => void {
   const view = new WaterView(model, el);
   return () => view.dispose();

@@ -61,11 +61,6 @@ interface BoundPass {
   bindings: Bindings;
 }
 
-interface CachedTargetLease {
-  key: string;
-  lease: Lease<CachedTarget>;
-}
-
 export class Executor {
   /** Settles when the programs that the first camera did not need are compiled. */
   complete: Promise<void> = Promise.resolve();
@@ -74,7 +69,7 @@ export class Executor {
   /** Targets that are drawn in every frame. */
   private readonly targets = new Map<string, Target>();
   /** Targets that setup passes draw once. */
-  private readonly cached = new Map<string, CachedTargetLease>();
+  private readonly cached = new Map<string, { key: string; lease: Lease<CachedTarget> }>();
   private readonly setupPasses: readonly number[];
   private disposed = false;
   /** Called after the first frame, and on disposal. */

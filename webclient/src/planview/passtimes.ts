@@ -1,22 +1,14 @@
 /** GPU time of each pass of a frame, by timer queries. */
 import { DrawTimer, timerExtension } from "../accuracy/measure/drawtimer";
 import { median } from "../accuracy/measure/statistics";
-import type { CameraState } from "../camera/state";
 import type { Pass } from "../generated/api";
 import { makeScreen } from "../gl/target";
 import type { Gpu } from "../gl/gpu";
-import type { Executor } from "../plan/executor";
+import type { Executor, Frame } from "../plan/executor";
 
 /** Frames that are measured; the median of each pass counts. The first ones compile and allocate. */
 const FRAMES = 7;
 const WARM_UP = 2;
-
-interface TimedView {
-  time: number;
-  camera: CameraState;
-  width: number;
-  height: number;
-}
 
 /** Why there are no times; null if there can be. */
 export function reasonForNoTimes(gpu: Gpu | null): string | null {
@@ -27,7 +19,7 @@ export function reasonForNoTimes(gpu: Gpu | null): string | null {
 }
 
 /** Milliseconds by pass; throws if the queries fail. Passes that this camera does not need have none. */
-export async function passTimes(gpu: Gpu, executor: Executor, view: TimedView): Promise<Map<Pass, number>> {
+export async function passTimes(gpu: Gpu, executor: Executor, view: Pick<Frame, "time" | "camera" | "width" | "height">): Promise<Map<Pass, number>> {
   const samples = new Map<Pass, number[]>();
   const screen = makeScreen(gpu.gl, view.width, view.height);
   try {

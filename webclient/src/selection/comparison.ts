@@ -2,8 +2,7 @@
 import type { PlanRequest } from "../display/planloader";
 import { get, type Json, steps, withValue } from "../scene/json";
 import type { ComparableField } from "../ui/splitview";
-import { parseQuality } from "./quality";
-import { QUALITY_FIELD, type Selection, type Split } from "./selection";
+import { parseQuality, QUALITY_FIELD, type Selection, type Split } from "./selection";
 
 /** The split after a field was edited: its right side follows the scene. */
 export function splitAfterEdit(split: Split | null, field: string, value: Json): Split | null {

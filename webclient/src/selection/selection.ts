@@ -1,6 +1,6 @@
 /** What the user has selected: a preset, its edited scene, a quality, and perhaps two values side by side. */
 import type { Preset } from "../api";
-import { get, type JsonObject } from "../scene/json";
+import { get, type Json, type JsonObject } from "../scene/json";
 
 export const DEFAULT_TIER = "standard";
 /** The field of a split that compares qualities; all others are pointers into the scene. */
@@ -29,4 +29,19 @@ export interface Selection {
 /** The split, if the scene has its field. */
 export function validSplit(scene: JsonObject, split: Split | null): Split | null {
   return split && (split.field === QUALITY_FIELD || typeof get(scene, split.field) === "string") ? split : null;
+}
+
+/** Quality for a request. */
+export function parseQuality(text: string): Json {
+  if (!text.startsWith("{")) return text;
+  try {
+    return JSON.parse(text) as Json;
+  } catch {
+    // The server reports the error.
+    return text;
+  }
+}
+
+export function qualityTitle(text: string): string {
+  return text.startsWith("{") ? text.replace(/[{}"]/g, "").replace(/[:,]/g, "$& ").replaceAll("_", " ") : text;
 }

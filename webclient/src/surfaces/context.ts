@@ -6,7 +6,7 @@ import type { ChosenDisplay } from "../display/chosendisplay";
 import type { PlanLoader } from "../display/planloader";
 import type { FramePlan } from "../generated/api";
 import type { Executor } from "../plan/executor";
-import { parseQuality } from "../selection/quality";
+import { parseQuality } from "../selection/selection";
 import type { Store } from "../selection/store";
 import { encode } from "../selection/url";
 import type { RecipeParts } from "../take/recipe";

@@ -9,7 +9,7 @@ import { type Picture, readPicture } from "../../src/accuracy/measure/npy";
 import { compare, fitModel, median, paretoFront, quantile, selectForBudget } from "../../src/accuracy/measure/statistics";
 import { heatColour } from "../../src/accuracy/pictures/colormap";
 import { logAxis, tickLabel, tickLabels } from "../../src/charts/axis";
-import { parseQuality, qualityTitle } from "../../src/selection/quality";
+import { parseQuality, qualityTitle } from "../../src/selection/selection";
 
 /** A .npy file as NumPy writes it. */
 function npy(descr: string, shape: string, data: ArrayLike<number>, version = 1, fortran = "False"): ArrayBuffer {

@@ -58,13 +58,8 @@ export function compare(before: readonly number[], after: readonly number[], err
   return { added: median(pairs.map(([a, b]) => b - a)), measurable, summary: `${time}, ${error}` };
 }
 
-interface TimeModel {
-  fixed: number;
-  perPixel: number;
-}
-
 /** time = fixed + perPixel · pixels, from two sizes. */
-export function fitModel(largeTime: number, largePixels: number, smallTime: number, smallPixels: number): TimeModel {
+export function fitModel(largeTime: number, largePixels: number, smallTime: number, smallPixels: number): { fixed: number; perPixel: number } {
   if (largePixels === smallPixels) return { fixed: 0, perPixel: largeTime / largePixels };
   const perPixel = Math.max(0, (largeTime - smallTime) / (largePixels - smallPixels));
   return { fixed: Math.max(0, largeTime - perPixel * largePixels), perPixel };

@@ -2,12 +2,12 @@
 import { useCallback, useMemo } from "preact/hooks";
 import { Canvas } from "../../charts/canvas";
 import { Table } from "../../charts/table";
-import { NUMBER, QUIET } from "../classes";
 import { formatNumber } from "../format";
 import type { QualityResult } from "../measure/benchmark";
 import { errorAtPixel, errorMap } from "../measure/errors";
 import { measuredHere } from "../measure/measured";
 import type { Picture } from "../measure/npy";
+import { NUMBER, QUIET } from "../sections";
 import type { BenchmarkRun, Session } from "../session";
 import { drawPicture } from "./colormap";
 import { equalError, equalTime, type Pixel, type Region, regionAround, worstPixel } from "./insets";

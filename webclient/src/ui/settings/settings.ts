@@ -2,10 +2,11 @@
 import "./settings.css";
 import type { CameraControls, CameraMode } from "../../camera/controls";
 import type { FrameSourceChoice } from "../../display/display";
-import { qualityTitle } from "../../selection/quality";
+import type { FramePlan } from "../../generated/api";
+import { labelOf } from "../../panel/model";
+import { qualityTitle } from "../../selection/selection";
 import { element, fillSelect } from "../dom";
 import { drawerHead, slide } from "../drawer";
-import { EffectList } from "./effects";
 
 interface SettingsEvents {
   /** null: automatic. */
@@ -22,6 +23,10 @@ const DEGREES = 180 / Math.PI;
 const AUTOMATIC = "auto";
 const AUTOMATIC_TITLE = "automatic";
 const SELECT = "pick min-h-9 min-w-0 flex-[0_0_154px] finger:min-h-11";
+/** Of the list of effects. */
+const ENTRY = "relative py-1 pl-5 before:absolute before:top-[11px] before:left-0.5 before:size-1.5 before:rounded-full";
+const ACTIVE = `active ${ENTRY} before:bg-teal`;
+const SKIPPED = `skipped ${ENTRY} before:border before:border-faint`;
 const SCALES = [1, 0.75, 0.5, 0.35, 0.25];
 
 export class SettingsPanel {
@@ -125,4 +130,28 @@ export class SettingsPanel {
     if (document.activeElement !== this.fov) this.fov.value = String(degrees);
     this.fovOutput.textContent = `${degrees}°`;
   }
+}
+
+/** Effects of the plan: active ones, and skipped ones with the plan's reason. */
+class EffectList {
+  readonly root = element("details", { class: "disclosure px-1.5" });
+
+  show(plan: FramePlan | null): void {
+    const { open } = this.root;
+    const active = plan?.effects ?? [];
+    const skipped = plan?.skipped ?? [];
+    const entry = (state: string) => (effect: FramePlan["skipped"][number]) =>
+      element("li", { class: state }, element("b", { class: "inline-block font-semibold text-ink first-letter:uppercase" }, labelOf(effect.name)), " ", effect.why, boundText(effect.bound));
+    this.root.replaceChildren(
+      element("summary", {}, `${active.length} of ${active.length + skipped.length} effects active`),
+      element("ul", { class: "mb-3 text-fine text-soft" }, ...active.map(entry(ACTIVE)), ...skipped.map(entry(SKIPPED))),
+    );
+    this.root.open = open;
+  }
+}
+
+/** Greatest pixel change that skipping the effect causes. */
+function boundText(bound: number | null | undefined): string {
+  if (typeof bound !== "number") return "";
+  return bound === 0 ? " (no pixel changes)" : ` (pixels change by at most ${Math.ceil(25500 * bound) / 100} of 255)`;
 }
