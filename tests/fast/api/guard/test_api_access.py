@@ -9,7 +9,7 @@ from starlette.testclient import TestClient
 from seafoam.api.guard.keys import Access, Signing, api_keys_of
 from seafoam.api.settings import Settings
 from support.command import run
-from support.serving import answering
+from support.serving import answering, problem
 
 KEY = "correct-horse-battery"
 OTHER = "staple-correct-horse"
@@ -53,11 +53,10 @@ def test_pages_and_health_checks_need_no_key(restricted: TestClient, url: str) -
 @pytest.mark.parametrize("url", ["/api/quality", MASK, "/api/nothing", "/api/schema"])
 def test_the_api_asks_for_a_key(restricted: TestClient, url: str) -> None:
     response = restricted.get(url)
-    assert response.status_code == 401
-    assert response.headers["Content-Type"] == "application/problem+json"
+    told = problem(response, 401)
     assert {each.split()[0] for each in response.headers["WWW-Authenticate"].split(", ")} >= {"Basic", "Bearer"}
-    assert response.json()["type"] == "urn:seafoam:problem:unauthorized"
-    assert "Bearer" in response.json()["detail"]
+    assert told["type"] == "urn:seafoam:problem:unauthorized"
+    assert "Bearer" in told["detail"]
 
 
 @pytest.mark.parametrize("headers", [bearer(KEY), bearer(OTHER), basic(KEY), {"Authorization": f"bearer {KEY}"}])
@@ -85,7 +84,7 @@ def test_an_answer_to_a_key_is_not_for_shared_caches(restricted: TestClient, sig
     assert restricted.get(signing.link(MASK)).headers["Cache-Control"].startswith("public")
 
 
-def test_a_signed_link_is_its_own_permission(restricted: TestClient, signing: Signing) -> None:
+def test_a_signed_link_is_its_own_permission_to_read(restricted: TestClient, signing: Signing) -> None:
     link = signing.link(MASK)
     response = restricted.get(link)
     assert response.status_code == 200
@@ -93,6 +92,9 @@ def test_a_signed_link_is_its_own_permission(restricted: TestClient, signing: Si
     assert restricted.head(link).status_code == 200
     assert restricted.get(link, headers={"If-None-Match": response.headers["ETag"]}).status_code == 304
     assert restricted.get(signing.link(MASK.replace("custom", "c%75stom"))).content == response.content
+    response = restricted.post(signing.link("/api/frames"), json={})
+    assert response.status_code == 405
+    assert response.headers["Allow"] == "GET, HEAD"
 
 
 def test_an_altered_link_is_refused(restricted: TestClient, signing: Signing) -> None:
@@ -113,33 +115,21 @@ def test_an_altered_link_is_refused(restricted: TestClient, signing: Signing) ->
         "/signed" + MASK,
     ]
     for each in altered:
-        response = restricted.get(each)
-        assert response.status_code == 403, each
-        assert response.json()["type"] == "urn:seafoam:problem:bad-signature"
-        assert response.headers["Cache-Control"] == "no-store"
+        assert problem(restricted.get(each), 403)["type"] == "urn:seafoam:problem:bad-signature", each
 
 
-def test_a_signature_permits_reading_alone(restricted: TestClient, signing: Signing) -> None:
-    response = restricted.post(signing.link("/api/frames"), json={})
-    assert response.status_code == 405
-    assert response.headers["Allow"] == "GET, HEAD"
-
-
-def test_with_signing_alone_every_other_request_is_refused(signing: Signing) -> None:
+def test_with_signing_alone_every_other_request_is_refused_and_without_settings_none(signing: Signing) -> None:
     client = answering(**SIGNING)
     assert client.get("/api/quality", headers=bearer(KEY)).status_code == 401
     assert client.get(signing.link("/api/quality")).status_code == 200
+    client = answering()
+    assert client.get(MASK, headers=bearer(KEY)).headers["Cache-Control"].startswith("public")
+    assert client.get(signing.link("/api/quality")).status_code == 404
 
 
 def test_repeats_are_answered_behind_the_gate() -> None:
     names = [each.cls.__name__ for each in answering().app.user_middleware]
     assert names.index("AccessControl") < names.index("AnswerFromMemory")
-
-
-def test_without_settings_the_api_is_open(signing: Signing) -> None:
-    client = answering()
-    assert client.get(MASK, headers=bearer(KEY)).headers["Cache-Control"].startswith("public")
-    assert client.get(signing.link("/api/quality")).status_code == 404
 
 
 @pytest.mark.parametrize(

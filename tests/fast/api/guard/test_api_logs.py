@@ -33,10 +33,16 @@ def client() -> TestClient:
     return answering(log_format="json")
 
 
-def test_each_request_has_an_id(client: TestClient) -> None:
+def test_each_request_has_an_id_also_where_an_error_is_unexpected(
+    client: TestClient, monkeypatch: pytest.MonkeyPatch
+) -> None:
     one, other = (client.get("/healthz").headers["X-Request-ID"] for _ in range(2))
     assert re.fullmatch("[0-9a-f]{32}", one)
     assert one != other
+    monkeypatch.setattr("seafoam.api.routers.presets.every_parameter", lambda: 1 / 0)
+    response = client.get("/api/quality", headers={"X-Request-ID": "one"})
+    assert response.status_code == 500
+    assert response.headers["X-Request-ID"] == response.json()["request_id"] == "one"
 
 
 @pytest.mark.parametrize("sent", ["abc", "01J8-X_y.z:1", "a" * 128])
@@ -52,17 +58,14 @@ def test_another_is_replaced(client: TestClient, sent: str | bytes) -> None:
     assert re.fullmatch("[0-9a-f]{32}", response.headers["X-Request-ID"])
 
 
-def test_an_unexpected_error_has_its_id_too(client: TestClient, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("seafoam.api.routers.presets.every_parameter", lambda: 1 / 0)
-    response = client.get("/api/quality", headers={"X-Request-ID": "one"})
-    assert response.status_code == 500
-    assert response.headers["X-Request-ID"] == response.json()["request_id"] == "one"
-
-
-def test_a_line_for_each_request(client: TestClient, logged: Callable[[], list[dict[str, object]]]) -> None:
+def test_a_line_for_each_request_but_for_probes(
+    client: TestClient, logged: Callable[[], list[dict[str, object]]]
+) -> None:
     response = client.get("/api/presets/none?x=1", headers={"X-Request-ID": "one"})
     client.head("/api/quality")
     client.get("/learn/")
+    client.get("/healthz")
+    client.get("/readyz")
     first, second, third = logged()
     assert re.fullmatch(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d\.\d{3}\+00:00", str(first.pop("time")))
     assert 0.0 < float(str(first.pop("duration_ms"))) < 60_000.0
@@ -84,12 +87,6 @@ def test_a_key_is_logged_by_its_name(logged: Callable[[], list[dict[str, object]
     assert key not in json.dumps(logged())
 
 
-def test_probes_are_not_logged(client: TestClient, logged: Callable[[], list[dict[str, object]]]) -> None:
-    client.get("/healthz")
-    client.get("/readyz")
-    assert logged() == []
-
-
 def test_frames_of_streams_are_logged_if_they_are_refused(
     monkeypatch: pytest.MonkeyPatch, logged: Callable[[], list[dict[str, object]]]
 ) -> None:
@@ -100,11 +97,6 @@ def test_frames_of_streams_are_logged_if_they_are_refused(
     client.get(path)
     client.get("/api/streams")
     assert [(line["path"], line["status"]) for line in logged()] == [(path, 422), ("/api/streams", 204)]
-
-
-def test_as_text_uvicorn_writes_the_lines(logged: Callable[[], list[dict[str, object]]]) -> None:
-    answering().get("/api/quality")
-    assert logged() == []
 
 
 def test_an_exception_is_part_of_its_line() -> None:
@@ -118,8 +110,12 @@ def test_an_exception_is_part_of_its_line() -> None:
     assert "ValueError: two\nlines" in line["exception"]
 
 
-def test_json_replaces_uvicorns_own_log(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_json_replaces_uvicorns_own_log_and_as_text_uvicorn_writes_the_lines(
+    monkeypatch: pytest.MonkeyPatch, logged: Callable[[], list[dict[str, object]]]
+) -> None:
     made: dict[str, object] = {}
     monkeypatch.setattr(logging, "basicConfig", lambda **options: made.update(options))
     assert logs.configure("json") == {"log_config": None, "access_log": False}
     assert isinstance(made["handlers"][0].formatter, logs.JsonLines)  # type: ignore[index]
+    answering().get("/api/quality")
+    assert logged() == []

@@ -84,18 +84,17 @@ def test_pages_lead_nowhere_else(behind: str, name: str) -> None:
         assert httpx2.get(address, follow_redirects=True, timeout=60).status_code == 200, address
 
 
-def test_previews_of_links_have_the_proxys_address(behind: str) -> None:
+def test_a_page_names_the_proxys_address_where_links_are_previewed_and_operations_listed(behind: str) -> None:
     page = httpx2.get(f"{behind}water/coastline").text
     assert f'property="og:url" content="{behind}water/coastline"' in page
     assert f'rel="canonical" href="{behind}water/coastline"' in page
     assert f'property="og:image" content="{behind}water/coastline.jpg"' in page
     assert httpx2.get(f"{behind}water/coastline.jpg", timeout=60).headers["content-type"] == "image/jpeg"
-
-
-def test_the_references_operations_are_there(behind: str) -> None:
     document = httpx2.get(f"{behind}openapi.json")
     (server,) = document.json()["servers"]
     assert urljoin(str(document.url), server["url"]) == behind
+    page = httpx2.get(f"{behind}water/").text
+    assert re.findall(r'<a href="\./([^"]+)"', page) == list(preset_names())
 
 
 def test_programs_draw_by_the_proxys_address(behind: str) -> None:
@@ -137,11 +136,6 @@ def test_a_root_path_is_a_path(value: str) -> None:
 def test_relative_addresses_lead_where_absolute_ones_do(path: str, target: str) -> None:
     here = "http://testserver" + path
     assert urljoin(here, relative(path, "http://testserver" + target)) == "http://testserver" + target
-
-
-def test_waters_are_listed(behind: str) -> None:
-    page = httpx2.get(f"{behind}water/").text
-    assert re.findall(r'<a href="\./([^"]+)"', page) == list(preset_names())
 
 
 @pytest.mark.parametrize("path", ["/api", "/api/"])

@@ -39,23 +39,20 @@ def test_a_page_runs_and_loads_nothing_but_files_of_the_server(client: TestClien
     page.feed(response.text)
     assert page.scripts >= 2
     assert page.found == []
+    others = {
+        "X-Content-Type-Options": "nosniff",
+        "X-Frame-Options": "SAMEORIGIN",
+        "Referrer-Policy": "strict-origin-when-cross-origin",
+        "Permissions-Policy": "camera=(), geolocation=(), microphone=()",
+    }
+    assert {name: response.headers.get(name) for name in others} == others
 
 
-@pytest.mark.parametrize("url", PAGES)
-def test_the_other_security_headers(client: TestClient, url: str) -> None:
-    headers = client.get(url).headers
-    assert headers["X-Content-Type-Options"] == "nosniff"
-    assert headers["X-Frame-Options"] == "SAMEORIGIN"
-    assert headers["Referrer-Policy"] == "strict-origin-when-cross-origin"
-    assert headers["Permissions-Policy"] == "camera=(), geolocation=(), microphone=()"
-
-
-def test_an_opener_policy_is_sent_only_where_browsers_heed_it(client: TestClient) -> None:
+def test_an_opener_policy_is_sent_only_where_browsers_heed_it_and_pages_alone_have_a_content_policy(
+    client: TestClient,
+) -> None:
     assert "Cross-Origin-Opener-Policy" not in client.get("http://testserver/").headers
     assert client.get("https://testserver/").headers["Cross-Origin-Opener-Policy"] == "same-origin"
-
-
-def test_what_is_no_page_needs_no_policy(client: TestClient) -> None:
     for url in ("/api/presets", "/api/presets/none", "/icon.svg"):
         headers = client.get(url).headers
         assert headers["X-Content-Type-Options"] == "nosniff"

@@ -72,7 +72,7 @@ def test_streams_go_to_the_renderers_that_all_else_goes_to() -> None:
     assert "ip_hash;" in upstreams["streams"]
 
 
-def test_the_proxy_knows_the_servers_headers() -> None:
+def test_the_proxy_knows_the_servers_headers_and_limits(compose: Any) -> None:
     conf = text("nginx.conf")
     hidden = set(re.findall(r"proxy_hide_header (\S+);", conf))
     assert hidden <= set(READABLE_ELSEWHERE)
@@ -80,10 +80,6 @@ def test_the_proxy_knows_the_servers_headers() -> None:
     assert passed == FORWARDED | {"X-Request-ID"}
     # Replaced: a visitor's own would be believed otherwise.
     assert "X-Forwarded-For $remote_addr;" in conf
-
-
-def test_the_proxys_limits_are_the_servers(compose: Any) -> None:
-    conf = text("nginx.conf")
     defaults = Settings.model_fields
     assert re.findall(r"client_max_body_size (\d+)k;", conf) == [str(defaults["max_body"].default // 1024)]
     (wait,) = re.findall(r"proxy_read_timeout (\d+)s;", conf)
@@ -93,7 +89,9 @@ def test_the_proxys_limits_are_the_servers(compose: Any) -> None:
     assert compose["services"]["proxy"]["ports"] == ["127.0.0.1:8080:8080"]
 
 
-def test_the_container_is_not_root_and_writes_where_it_may(compose: Any, paths: set[str]) -> None:
+def test_the_container_is_not_root_writes_where_it_may_and_trusts_the_proxy_alone(
+    compose: Any, paths: set[str]
+) -> None:
     stages = text("Dockerfile").split("\nFROM ")
     assert re.search(r"(?m)^USER 10001:10001$", stages[-1])
     assert re.search(r"(?m)^HEALTHCHECK", stages[-1])
@@ -107,9 +105,6 @@ def test_the_container_is_not_root_and_writes_where_it_may(compose: Any, paths: 
     assert int(variables("compose.yaml")["CACHE_SIZE"]) < 1500 * 2**20
     for copied in re.findall(r"(?m)^COPY (?!--from)(\S+)", text("Dockerfile")):
         assert (DEPLOY.parents[1] / copied).exists()
-
-
-def test_only_the_proxy_is_trusted(compose: Any) -> None:
     (network,) = compose["networks"]["inside"]["ipam"]["config"]
     assert variables("compose.yaml")["TRUSTED_PROXIES"] == network["subnet"]
     assert "ports" not in compose["services"]["seafoam"]
