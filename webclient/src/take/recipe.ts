@@ -8,7 +8,7 @@ import { type CameraState, cameraFromScene } from "../camera/state";
 import { CAMERA_POINTER } from "../plan/live";
 import { diff, isObject, type Json, type JsonObject, withValue } from "../scene/json";
 import type { Split } from "../selection/selection";
-import { decode, type LinkState } from "../selection/url";
+import type { LinkState } from "../selection/url";
 import { withoutTouches } from "../touch/touches";
 import { AFTER, BEFORE, KEYWORD, recipeText } from "./recipetext";
 
@@ -112,10 +112,11 @@ export function linkOf(recipe: Recipe, preset: { name: string; scene: JsonObject
   // The link has the camera apart from the scene's fields.
   const scene = withValue(recipe.scene, CAMERA_POINTER, preset.scene["camera"]);
   return {
-    ...decode(""),
+    preset: preset.name,
     ...withoutTouches(diff(preset.scene, scene), recipe.scene),
-    ...{ preset: preset.name, quality: typeof quality === "string" ? quality : JSON.stringify(quality), time, paused: true },
-    ...{ camera: cameraFromScene({ camera: recipe.camera }), split },
+    quality: typeof quality === "string" ? quality : JSON.stringify(quality),
+    ...{ time, paused: true, split, camera: cameraFromScene({ camera: recipe.camera }) },
+    ...{ speed: null, scale: null, draw: null, accuracy: null, surface: null },
   };
 }
 
