@@ -26,9 +26,9 @@ def list_masks() -> None:
 
     table = Table("name", "family", "sigma", "size", "seed", "sha256", "title", box=None, pad_edge=False)
     for name, entry in load_catalogue().items():
-        table.add_row(
-            name, entry.family, f"{entry.sigma:g}", f"{entry.width}", str(entry.seed), entry.sha256[:12], entry.title
-        )
+        made = entry.parameters
+        sizes = f"{made.sigma:g}", str(made.width), str(made.seed)
+        table.add_row(name, entry.family, *sizes, entry.sha256[:12], entry.title)
     Console().print(table)
 
 
@@ -116,14 +116,14 @@ def mask_shapes(
     """Measure the foam shapes of a mask by saturation: connected components, holes and chord lengths, in texels."""
     mask = mask_of(name)
     if as_json:
-        say(json.dumps(mask.morphology.to_json()))
+        say(json.dumps(mask.morphology.model_dump()))
         return
     from rich.console import Console
     from rich.table import Table
 
     columns = ("saturation", "largest component", "Euler number", "holes 10 / 50 / 90 %", "foam chord", "water chord")
     table = Table(*columns, box=None, pad_edge=False)
-    for entry in mask.morphology.shapes:
+    for entry in mask.morphology.saturations:
         holes = " / ".join(f"{diameter:.0f}" for diameter in entry.hole_diameters)
         table.add_row(
             f"{entry.saturation:g}",

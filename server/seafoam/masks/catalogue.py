@@ -13,7 +13,8 @@ from types import MappingProxyType
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
+from pydantic import BaseModel, ConfigDict, Field
 
 from seafoam.masks import prefilter
 from seafoam.masks.construct.make import build, estimated_seconds
@@ -32,7 +33,7 @@ from seafoam.masks.formats import decode_ranks
 from seafoam.masks.judge.morphology import MaskMorphology, measure_morphology
 from seafoam.masks.judge.spectrum import MaskSpectrum, measure_spectrum, spectrum_from_json
 from seafoam.masks.shipped import FAMILY_SUMMARIES, FAMILY_TITLES
-from seafoam.masks.torus import Field, Progress, Ranks, no_progress
+from seafoam.masks.torus import Progress, Ranks, no_progress
 from seafoam.resources import data_dir
 
 CATALOGUE_FILE = "catalogue.json"
@@ -77,7 +78,7 @@ class MaskTables:
             "sigma_l": list(self.sigma_l),
             "quantile": {"abscissa": QUANTILE_ABSCISSA, "entries": list(self.quantile)},
             "spectrum": self.spectrum.to_json(),
-            "morphology": self.morphology.to_json(),
+            "morphology": self.morphology.model_dump(),
         }
 
     @staticmethod
@@ -87,82 +88,46 @@ class MaskTables:
             tuple(document["sigma_l"]),
             tuple(document["quantile"]["entries"]),
             spectrum_from_json(document["spectrum"]),
-            MaskMorphology.from_json(document["morphology"]),
+            MaskMorphology.model_validate(document["morphology"]),
         )
 
 
-@dataclass(frozen=True, slots=True)
-class MaskEntry:
-    """Description and construction parameters of a mask."""
+class MaskParameters(BaseModel):
+    """Parameters that determine a mask."""
+
+    model_config = ConfigDict(frozen=True)
+
+    sigma: float = Field(description="Characteristic length of the family, texels")
+    width: int = Field(description="Width of the tile, texels")
+    height: int = Field(description="Height of the tile, texels")
+    seed: int
+    aspect: float | None = Field(description="Aspect ratio of the cells along x; null except for lace")
+    age: float | None = Field(description="Age of the foam, 0 (young) to 1 (old and torn); null except for lace")
+    method: Method | None = Field(description="Ordering method of vac; null for other families")
+
+
+class MaskInfo(BaseModel):
+    """A mask's description and construction parameters."""
+
+    model_config = ConfigDict(frozen=True)
 
     name: str
     title: str
     summary: str
     family: Family
-    sigma: float
-    width: int
-    height: int
-    seed: int
-    aspect: float | None
-    age: float | None
-    """Of `lace`; ``None`` for the other families."""
-    method: Method | None
-    """How `vac` was ordered; ``None`` for the other families."""
-    sha256: str
-    """Of the ranks as little-endian uint32, row by row."""
-    generator: str = GENERATOR
-    license: str = LICENSE
-
-    def to_json(self) -> dict[str, object]:
-        """Plain JSON values; the inverse is :meth:`from_json`."""
-        return {
-            "name": self.name,
-            "title": self.title,
-            "summary": self.summary,
-            "family": self.family,
-            "parameters": {
-                "sigma": self.sigma,
-                "width": self.width,
-                "height": self.height,
-                "seed": self.seed,
-                "aspect": self.aspect,
-                "age": self.age,
-                "method": self.method,
-            },
-            "generator": self.generator,
-            "sha256": self.sha256,
-            "value_rule": VALUE_RULE,
-            "license": self.license,
-        }
-
-    @staticmethod
-    def from_json(document: Mapping[str, Any]) -> MaskEntry:
-        """Read what :meth:`to_json` wrote. Raises ``KeyError`` if a part is missing."""
-        parameters = document["parameters"]
-        return MaskEntry(
-            name=document["name"],
-            title=document["title"],
-            summary=document["summary"],
-            family=document["family"],
-            sigma=parameters["sigma"],
-            width=parameters["width"],
-            height=parameters["height"],
-            seed=parameters["seed"],
-            aspect=parameters["aspect"],
-            age=parameters["age"],
-            method=parameters["method"],
-            sha256=document["sha256"],
-            generator=document["generator"],
-            license=document["license"],
-        )
+    parameters: MaskParameters
+    generator: str = Field(description="Version of the construction algorithm")
+    sha256: str = Field(description="SHA-256 of the ranks as little-endian uint32, in row-major order")
+    value_rule: str
+    license: str
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Thresholds:
     """Tables by which shaders threshold a mask, 65 entries a row, read-only. Half a second at 512 x 512 to compute."""
 
-    quantiles: Field
-    ramps: Field
+    quantiles: NDArray[np.float64]
+    ramps: NDArray[np.float64]
 
     @staticmethod
     def measure(quantile: ArrayLike, spans: Sequence[prefilter.Level]) -> Thresholds:
@@ -183,7 +148,7 @@ class Thresholds:
         return Thresholds._frozen(quantiles, ramps)
 
     @staticmethod
-    def _frozen(*tables: Field) -> Thresholds:
+    def _frozen(*tables: NDArray[np.float64]) -> Thresholds:
         for rows in tables:
             rows.setflags(write=False)
         return Thresholds(*tables)
@@ -193,7 +158,7 @@ class Thresholds:
 class Mask:
     """A mask with its description; everything else is computed from the ranks on first use."""
 
-    entry: MaskEntry
+    entry: MaskInfo
     ranks: Ranks
     """(height, width) uint32, read-only, each of 0..N-1 once."""
     measured: MaskTables | None = None
@@ -227,7 +192,7 @@ class Mask:
         return self.tables.quantile
 
     @cached_property
-    def thresholds(self) -> Field:
+    def thresholds(self) -> NDArray[np.float64]:
         """u = (rank + 0.5) / N; (height, width) float64, read-only."""
         values = prefilter.thresholds(self.ranks)
         values.setflags(write=False)
@@ -247,18 +212,18 @@ class Mask:
         return self.baked or Thresholds.measure(self.quantile, self.spans)
 
     @property
-    def quantiles(self) -> Field:
+    def quantiles(self) -> NDArray[np.float64]:
         """Quantile tables, 65 entries a row: of the magnified mask, then of each level of :attr:`spans`; read-only."""
         return self.filtering.quantiles
 
     @property
-    def ramps(self) -> Field:
+    def ramps(self) -> NDArray[np.float64]:
         """Tables of the ramp of an octave, see :func:`prefilter.ramp_tables`; read-only."""
         return self.filtering.ramps
 
     def sidecar(self) -> dict[str, object]:
         """Metadata of a download, as plain JSON values."""
-        return {**self.entry.to_json(), **self.tables.to_json()}
+        return {**self.entry.model_dump(), **self.tables.to_json()}
 
 
 def rank_sha256(ranks: Ranks) -> str:
@@ -266,34 +231,39 @@ def rank_sha256(ranks: Ranks) -> str:
     return hashlib.sha256(ranks.astype("<u4").tobytes()).hexdigest()
 
 
-def describe(name: str, made: MaskSpec, method: Method, ranks: Ranks) -> MaskEntry:
+def describe(name: str, made: MaskSpec, method: Method, ranks: Ranks) -> MaskInfo:
     """The entry of a mask just constructed with these arguments."""
     family = made.family
     lace = family == "lace"
     own = f", aspect {made.aspect:g}, age {made.age:g}" if lace else ""
-    return MaskEntry(
+    return MaskInfo(
         name=name,
         title=f"{FAMILY_TITLES[family]}, {'spacing' if family == 'bubble' else 'sigma'} {made.sigma:g} texels{own}",
         summary=FAMILY_SUMMARIES[family],
         family=family,
-        sigma=made.sigma,
-        width=made.width,
-        height=made.height,
-        seed=made.seed,
-        aspect=made.aspect if lace else None,
-        age=made.age if lace else None,
-        method=method if family == "vac" else None,
+        parameters=MaskParameters(
+            sigma=made.sigma,
+            width=made.width,
+            height=made.height,
+            seed=made.seed,
+            aspect=made.aspect if lace else None,
+            age=made.age if lace else None,
+            method=method if family == "vac" else None,
+        ),
+        generator=GENERATOR,
         sha256=rank_sha256(ranks),
+        value_rule=VALUE_RULE,
+        license=LICENSE,
     )
 
 
-def read_catalogue(directory: Path) -> dict[str, tuple[MaskEntry, MaskTables]]:
+def read_catalogue(directory: Path) -> dict[str, tuple[MaskInfo, MaskTables]]:
     """Entries and tables of the catalogue in a directory, by name, in shipping order.
 
     Raises ``FileNotFoundError`` if there is none.
     """
     document = json.loads((directory / CATALOGUE_FILE).read_text("utf-8"))
-    return {item["name"]: (MaskEntry.from_json(item), MaskTables.from_json(item)) for item in document["masks"]}
+    return {item["name"]: (MaskInfo.model_validate(item), MaskTables.from_json(item)) for item in document["masks"]}
 
 
 def rank_file(directory: Path, name: str) -> Path:
@@ -307,11 +277,11 @@ def tables_file(directory: Path, name: str) -> Path:
 
 
 @lru_cache(maxsize=1)
-def _shipped() -> Mapping[str, tuple[MaskEntry, MaskTables]]:
+def _shipped() -> Mapping[str, tuple[MaskInfo, MaskTables]]:
     return MappingProxyType(read_catalogue(data_dir("masks")))
 
 
-def load_catalogue() -> dict[str, MaskEntry]:
+def load_catalogue() -> dict[str, MaskInfo]:
     """The shipped masks by name, in shipping order."""
     return {name: entry for name, (entry, _tables) in _shipped().items()}
 
@@ -324,7 +294,7 @@ def load_mask(name: str) -> Mask:
         raise UnknownMaskError(f"mask {name!r} was not found; available: {', '.join(shipped)}")
     entry, tables = shipped[name]
     directory = data_dir("masks")
-    ranks = decode_ranks(rank_file(directory, name).read_bytes(), entry.width)
+    ranks = decode_ranks(rank_file(directory, name).read_bytes(), entry.parameters.width)
     ranks.setflags(write=False)
     return Mask(entry, ranks, tables, Thresholds.from_bytes(tables_file(directory, name).read_bytes()))
 

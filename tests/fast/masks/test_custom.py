@@ -11,7 +11,7 @@ from seafoam.masks.formats import decode_ranks
 def test_a_request_is_answered_from_the_cache_the_second_time():
     first = custom_mask("vac", 1.5, 64, 9)
     assert custom_mask("vac", 1.5, 64, 9) is first
-    assert first.entry.method == "batched"
+    assert first.entry.parameters.method == "batched"
     assert first.entry.name == "vac-1.5-64-9"
     assert first.entry.sha256 == rank_sha256(first.ranks)
     assert not first.ranks.flags.writeable
@@ -28,7 +28,7 @@ def test_tables_are_measured_when_asked_for():
 
 
 def test_default_sigma_is_named_in_the_entry():
-    assert custom_mask("blur", None, 64, 0).entry.sigma == 6.0
+    assert custom_mask("blur", None, 64, 0).entry.parameters.sigma == 6.0
 
 
 def test_slow_requests_are_refused_before_they_start():
@@ -54,7 +54,7 @@ def test_baking_writes_what_the_catalogue_reads(tmp_path, monkeypatch):
     catalogue = read_catalogue(tmp_path / "masks")
     assert list(catalogue) == [mask.name for mask in bake.SHIPPED]
     for name, (entry, tables) in catalogue.items():
-        ranks = decode_ranks((tmp_path / "masks" / f"{name}.ranks").read_bytes(), entry.width)
+        ranks = decode_ranks((tmp_path / "masks" / f"{name}.ranks").read_bytes(), entry.parameters.width)
         assert rank_sha256(ranks) == entry.sha256
         baked = Thresholds.from_bytes((tmp_path / "masks" / f"{name}.tables").read_bytes())
         computed = Mask(entry, ranks, tables)

@@ -24,10 +24,10 @@ def test_the_catalogue_lists_every_mask_in_order():
     assert list(catalogue) == NAMES
     for name, entry in catalogue.items():
         assert entry.name == name
-        assert (entry.width, entry.height) == (SHIPPED_SIZE, SHIPPED_SIZE)
+        assert (entry.parameters.width, entry.parameters.height) == (SHIPPED_SIZE, SHIPPED_SIZE)
         assert entry.generator == GENERATOR
         assert entry.license == "CC0-1.0"
-        assert entry.method == ("exact" if entry.family == "vac" else None)
+        assert entry.parameters.method == ("exact" if entry.family == "vac" else None)
     assert all("never published" in catalogue[name].summary for name in VAC)
 
 
@@ -63,8 +63,9 @@ def test_recorded_tables_are_those_of_the_ranks(name):
 def test_the_recorded_arguments_make_the_mask_again(name):
     """All but bitwise: another processor's FFT may order a few nearly equal texels otherwise."""
     entry = load_mask(name).entry
-    lace = {"aspect": entry.aspect, "age": entry.age} if entry.family == "lace" else {}
-    ranks = make_mask(entry.family, sigma=entry.sigma, size=entry.width, seed=entry.seed, method="exact", **lace)
+    own = entry.parameters
+    lace = {"aspect": own.aspect, "age": own.age} if entry.family == "lace" else {}
+    ranks = make_mask(entry.family, sigma=own.sigma, size=own.width, seed=own.seed, method="exact", **lace)
     moved = np.abs(ranks.astype(np.int64) - load_mask(name).ranks.astype(np.int64))
     assert np.median(moved) <= 1
 

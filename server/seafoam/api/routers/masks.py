@@ -6,10 +6,10 @@ import math
 from collections.abc import AsyncIterator, Awaitable, Callable
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 from fastapi import APIRouter, Depends, Path, Query, Request
-from pydantic import BaseModel, Field
+from pydantic import Field
 from starlette.responses import Response, StreamingResponse
 
 from seafoam.api.context import Context, InContext
@@ -23,6 +23,7 @@ from seafoam.masks import families, formats
 from seafoam.masks.catalogue import (
     ON_REQUEST_SECONDS,
     Mask,
+    MaskInfo,
     UnknownMaskError,
     is_kept,
     load_catalogue,
@@ -30,7 +31,7 @@ from seafoam.masks.catalogue import (
     made_on_request,
 )
 from seafoam.masks.construct.make import estimated_seconds
-from seafoam.masks.families import Family, MaskSpec, Method
+from seafoam.masks.families import Family, MaskSpec
 from seafoam.masks.torus import Ranks
 
 router = APIRouter(prefix="/api", tags=["masks"])
@@ -95,32 +96,6 @@ class CustomMask(Parameters):
         description="Age of the foam, 0 (young) to 1 (old and torn) (lace only)",
         examples=[0.0],
     )
-
-
-class MaskParameters(BaseModel):
-    """Parameters that determine a mask."""
-
-    sigma: float = Field(description="Characteristic length of the family, texels")
-    width: int = Field(description="Width of the tile, texels")
-    height: int = Field(description="Height of the tile, texels")
-    seed: int
-    aspect: float | None = Field(description="Aspect ratio of the cells along x; null except for lace")
-    age: float | None = Field(description="Age of the foam, 0 (young) to 1 (old and torn); null except for lace")
-    method: Method | None = Field(description="Ordering method of vac; null for other families")
-
-
-class MaskInfo(BaseModel):
-    """A mask's description and construction parameters."""
-
-    name: str
-    title: str
-    summary: str
-    family: Family
-    parameters: MaskParameters
-    generator: str = Field(description="Version of the construction algorithm")
-    sha256: str = Field(description="SHA-256 of the ranks as little-endian uint32, in row-major order")
-    value_rule: str
-    license: str
 
 
 _EVENT_SECONDS = 1.0
@@ -207,14 +182,14 @@ class _Making:
             while not task.done():
                 yield f"event: progress\ndata: {self._share:.3f}\n\n"
                 await asyncio.wait({task}, timeout=_EVENT_SECONDS)
-            yield f"event: done\ndata: {json.dumps(task.result().entry.to_json())}\n\n"
+            yield f"event: done\ndata: {json.dumps(task.result().entry.model_dump())}\n\n"
         finally:
             self._followed = False
             task.cancel()
 
 
 def _info(mask: Mask) -> bytes:
-    return json.dumps(mask.entry.to_json()).encode()
+    return json.dumps(mask.entry.model_dump()).encode()
 
 
 @lru_cache(maxsize=32)
@@ -240,7 +215,7 @@ class _MaskAnswer:
         headers = {"Cache-Control": REVALIDATE}
         if file:
             headers["Content-Disposition"] = f'inline; filename="{mask.entry.name}{file}"'
-        tag = tag_of(mask.entry.to_json(), self.request.url.path.rpartition("/")[2])
+        tag = tag_of(mask.entry.model_dump(), self.request.url.path.rpartition("/")[2])
         if current := not_modified(self.request, tag, headers):
             return current
         data = await self.context.masks.run(encode, mask)
@@ -301,7 +276,7 @@ _PARTS = {
         "get_shapes",
         "Get the measured foam shapes of a {} mask.",
         "Connected components, holes and chord lengths of the foam by saturation; lengths in texels",
-        lambda mask: json.dumps(mask.morphology.to_json()).encode(),
+        lambda mask: json.dumps(mask.morphology.model_dump()).encode(),
     ),
     "spectrum.png": _Part(
         "get_plot",
@@ -337,10 +312,10 @@ def _serve_parts(path: str, kind: str, find: Callable[..., _MaskAnswer], respons
         )
 
 
-@router.get("/masks", response_model=list[MaskInfo], responses=problem_responses(422))
-async def list_masks(_: NoParameters) -> list[dict[str, Any]]:
+@router.get("/masks", responses=problem_responses(422))
+async def list_masks(_: NoParameters) -> list[MaskInfo]:
     """List the shipped masks."""
-    return [entry.to_json() for entry in load_catalogue().values()]
+    return list(load_catalogue().values())
 
 
 @router.get(
