@@ -5,7 +5,6 @@ import ts from "typescript";
 import { describe, expect, it } from "vitest";
 
 const SOURCES = join(import.meta.dirname, "../src");
-const MOST_FILES = 12;
 
 const files = readdirSync(SOURCES, { recursive: true, withFileTypes: true }).flatMap((entry) => (entry.isFile() ? join(entry.parentPath, entry.name) : []));
 const modules = new Set(files.filter((file) => /\.tsx?$/.test(file)));
@@ -52,11 +51,5 @@ describe("the source tree", () => {
       return exported.filter((name) => ![...words].some(([other, used]) => other !== file && used.has(name))).map((name) => `${relative(SOURCES, file)}: ${name}`);
     });
     expect(unused).toEqual([]);
-  });
-
-  it(`has at most ${MOST_FILES} files in a folder`, () => {
-    const folders = [...new Set(files.map(dirname))];
-    const counts = folders.map((folder) => [relative(SOURCES, folder), files.filter((file) => dirname(file) === folder).length] as const);
-    expect(counts.filter(([, count]) => count > MOST_FILES)).toEqual([]);
   });
 });

@@ -3,69 +3,37 @@ import { expect, test } from "vitest";
 import { shortText } from "../../src/edits/edits";
 import { EditHistory } from "../../src/edits/history";
 import { sceneIn } from "../../src/edits/paste";
+import type { JsonObject } from "../../src/scene/json";
 
 const scene = (exposure: number, albedo = 0) => ({ light: { exposure }, foam: { albedo } });
 
-test("edits are undone and redone in order", () => {
+type Edit = [before: JsonObject, after: JsonObject, ms: number, gesture?: string];
+
+test.each<[string, Edit[], JsonObject[]]>([
+  ["two fields are two steps, however fast", [[scene(0), scene(1), 0], [scene(1), scene(1, 0.5), 100]], [scene(1), scene(0)]],
+  ["a drag is one step, and two slow edits of a field are two", [[scene(0), scene(1), 0], [scene(1), scene(2), 500], [scene(2), scene(3), 1000], [scene(3), scene(4), 3000]], [scene(3), scene(0)]],
+  ["a gesture is one step however slow, and two are two however fast", [[scene(0), scene(1), 0, "a"], [scene(1), scene(2), 5000, "a"], [scene(2), scene(3), 5001, "b"]], [scene(2), scene(0)]],
+  ["a gesture that was taken back is no step", [[scene(0), scene(1), 0, "a"], [scene(1), scene(2), 10, "b"], [scene(2), scene(1), 2000, "b"]], [scene(0)]],
+  ["no change is no step", [[scene(0), scene(0), 0]], []],
+])("%s", (_, edits, undone) => {
   const history = new EditHistory();
-  history.record(scene(0), scene(1), 0);
-  history.record(scene(1), scene(1, 0.5), 100);
-  expect(history.undo(scene(1, 0.5))).toEqual(scene(1));
-  expect(history.undo(scene(1))).toEqual(scene(0));
-  expect(history.undo(scene(0))).toBeNull();
-  expect(history.redo(scene(0))).toEqual(scene(1));
-  expect(history.redo(scene(1))).toEqual(scene(1, 0.5));
-  expect(history.redo(scene(1, 0.5))).toBeNull();
+  for (const edit of edits) history.record(...edit);
+  const states = [edits.at(-1)?.[1] ?? {}];
+  while (history.canUndo) states.unshift(history.undo(states[0] ?? {}) ?? {});
+  expect(states.slice(0, -1).reverse()).toEqual(undone);
+  expect(history.undo({})).toBeNull();
+  for (const [i, next] of states.slice(1).entries()) expect(history.redo(states[i] ?? {})).toEqual(next);
+  expect(history.redo({})).toBeNull();
 });
 
-test("a drag is one step, and two slow edits of a field are two", () => {
+test("an edit after an undo is a step of its own, and forgets what was undone", () => {
   const history = new EditHistory();
-  history.record(scene(0), scene(1), 0);
-  history.record(scene(1), scene(2), 500);
-  history.record(scene(2), scene(3), 1000);
-  history.record(scene(3), scene(4), 3000);
-  expect(history.undo(scene(4))).toEqual(scene(3));
-  expect(history.undo(scene(3))).toEqual(scene(0));
-  expect(history.canUndo).toBe(false);
-});
-
-test("a gesture is one step however slow it is, and two gestures are two however fast", () => {
-  const history = new EditHistory();
-  history.record(scene(0), scene(1), 0, "touch 1");
-  history.record(scene(1), scene(2), 5000, "touch 1");
-  history.record(scene(2), scene(3), 5001, "touch 2");
-  expect(history.undo(scene(3))).toEqual(scene(2));
-  expect(history.undo(scene(2))).toEqual(scene(0));
-  expect(history.canUndo).toBe(false);
-  history.record(scene(0), scene(1), 5002, "touch 2");
-  expect(history.canUndo).toBe(true);
-});
-
-test("a gesture that was taken back is no step", () => {
-  const history = new EditHistory();
-  history.record(scene(0), scene(1), 0, "touch 1");
-  history.record(scene(1), scene(2), 10, "touch 2");
-  history.record(scene(2), scene(1), 2000, "touch 2");
-  expect(history.undo(scene(1))).toEqual(scene(0));
-  expect(history.canUndo).toBe(false);
-});
-
-test("an edit after an undo forgets what was undone", () => {
-  const history = new EditHistory();
-  history.record(scene(0), scene(1), 0);
+  history.record(scene(0), scene(1), 0, "a");
   history.undo(scene(1));
-  expect(history.canRedo).toBe(true);
-  history.record(scene(0), scene(5), 100);
-  expect(history.canRedo).toBe(false);
-  expect(history.undo(scene(5))).toEqual(scene(0));
-  history.record(scene(0), scene(5), 100);
+  expect([history.canUndo, history.canRedo]).toEqual([false, true]);
+  history.record(scene(0), scene(5), 100, "a");
+  expect([history.canUndo, history.canRedo]).toEqual([true, false]);
   history.clear();
-  expect(history.canUndo).toBe(false);
-});
-
-test("no change is no step", () => {
-  const history = new EditHistory();
-  history.record(scene(0), scene(0), 0);
   expect(history.canUndo).toBe(false);
 });
 

@@ -40,7 +40,7 @@ test("the one on the page is there at once, and no earlier one is shown after it
   expect(await first).toBeNull();
 });
 
-test("a failure is told, of the latest alone", async () => {
+test("a failure is told", async () => {
   const { waiting, loader, state } = fixture();
   const loading = loader.load("storm");
   waiting.get("storm")?.reject(new Error("away"));

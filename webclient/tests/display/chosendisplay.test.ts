@@ -6,7 +6,8 @@ import type { Viewport } from "../../src/display/viewport";
 
 const VIEW = {} as ViewState;
 
-function ways() {
+/** A display, and the two ways of drawing that it chooses from; `own`: whether this browser can draw. */
+function ways(given: Rate | null = null, own = true) {
   const way = () => ({
     given: null as Rate | null,
     stalled: null as string | null,
@@ -20,9 +21,16 @@ function ways() {
     close: () => undefined,
     hide: () => undefined,
   });
-  const [browser, server, sourceChanged] = [way(), way(), vi.fn()];
-  const display = (own: boolean) => new ChosenDisplay(own ? (browser as unknown as Viewport) : null, server as unknown as ServerView, own ? null : "No WebGL 2.", { sourceChanged } as unknown as DisplayEvents);
-  return { browser, server, sourceChanged, display };
+  const [browser, server, sourceChanged] = [{ ...way(), given }, way(), vi.fn()];
+  const chosen = new ChosenDisplay(own ? (browser as unknown as Viewport) : null, server as unknown as ServerView, own ? null : "No WebGL 2.", { sourceChanged } as unknown as DisplayEvents);
+  return { browser, server, sourceChanged, chosen };
+}
+
+/** The same while this browser compiles its first plan. */
+function compiling() {
+  const all = ways();
+  Object.assign(all.browser, { blank: true, presentable: false });
+  return all;
 }
 
 describe("what a way of drawing is worth", () => {
@@ -42,21 +50,19 @@ describe("who draws", () => {
   beforeEach(() => vi.useFakeTimers({ toFake: ["performance"] }));
   afterEach(() => vi.useRealTimers());
 
-  const run = (display: ChosenDisplay, milliseconds: number) => {
+  const run = (display: ChosenDisplay, milliseconds: number, moving = true) => {
     for (let t = 0; t < milliseconds; t += 100) {
-      display.tick(performance.now(), VIEW, true);
+      display.tick(performance.now(), VIEW, moving);
       vi.advanceTimersByTime(100);
     }
   };
 
   it("is the server, with the reason, where the browser cannot", () => {
-    const { display } = ways();
-    expect(display(false)).toMatchObject({ source: "server", why: "The server draws the frames. No WebGL 2." });
+    expect(ways(null, false).chosen).toMatchObject({ source: "server", why: "The server draws the frames. No WebGL 2." });
   });
 
   it("is the browser while it is not measured, and where it gives a good picture", () => {
-    const { browser, sourceChanged, display } = ways();
-    const chosen = display(true);
+    const { browser, sourceChanged, chosen } = ways();
     run(chosen, 5000);
     browser.given = { fps: 9, scale: 0.45 };
     run(chosen, 5000);
@@ -65,27 +71,22 @@ describe("who draws", () => {
   });
 
   it("is the server at once where the browser gives no moving picture, and after a time where it gives a poor one", () => {
-    const { browser, display } = ways();
-    browser.given = { fps: 1, scale: 0.1 };
-    const chosen = display(true);
-    expect(chosen.presentable).toBe(false);
-    run(chosen, 100);
+    const still = ways({ fps: 1, scale: 0.1 }).chosen;
+    expect(still.presentable).toBe(false);
+    run(still, 100);
+    expect(still.source).toBe("server");
+    const { browser, chosen } = ways();
+    run(chosen, 2000);
+    browser.given = { fps: 6, scale: 0.3 };
+    run(chosen, 1000);
+    expect(chosen.source).toBe("browser");
+    run(chosen, 1500);
     expect(chosen.source).toBe("server");
-    const poor = ways();
-    const patient = poor.display(true);
-    run(patient, 2000);
-    poor.browser.given = { fps: 6, scale: 0.3 };
-    run(patient, 1000);
-    expect(patient.source).toBe("browser");
-    run(patient, 1500);
-    expect(patient.source).toBe("server");
   });
 
   it("is the browser again where the server gives less, and the server is not tried at once", () => {
-    const { browser, server, display } = ways();
-    browser.given = { fps: 6, scale: 0.3 };
+    const { server, chosen } = ways({ fps: 6, scale: 0.3 });
     server.given = { fps: 3, scale: 0.35 };
-    const chosen = display(true);
     vi.advanceTimersByTime(5000);
     run(chosen, 300);
     expect(chosen.source).toBe("browser");
@@ -95,11 +96,8 @@ describe("who draws", () => {
 
   it("is the browser where all streams are taken, unless it gives no moving picture", () => {
     for (const [fps, source] of [[6, "browser"], [1, "server"]] as const) {
-      const { browser, server, display } = ways();
-      browser.given = { fps, scale: 0.3 };
-      server.stalled = "all streams are taken";
-      server.retryAt = 60_000;
-      const chosen = display(true);
+      const { server, chosen } = ways({ fps, scale: 0.3 });
+      Object.assign(server, { stalled: "all streams are taken", retryAt: 60_000 });
       vi.advanceTimersByTime(5000);
       run(chosen, 300);
       expect(chosen.source).toBe(source);
@@ -107,9 +105,7 @@ describe("who draws", () => {
   });
 
   it("is the server while the browser compiles for long, until its picture is good", () => {
-    const { browser, server, display } = ways();
-    Object.assign(browser, { blank: true, presentable: false });
-    const chosen = display(true);
+    const { browser, server, chosen } = compiling();
     run(chosen, 1000);
     expect(chosen.source).toBe("browser");
     run(chosen, 1000);
@@ -125,9 +121,7 @@ describe("who draws", () => {
   });
 
   it("is the browser where the user wishes so while it compiles", () => {
-    const { browser, server, display } = ways();
-    Object.assign(browser, { blank: true, presentable: false });
-    const chosen = display(true);
+    const { server, chosen } = compiling();
     run(chosen, 2000);
     expect(chosen.source).toBe("server");
     const drawn = server.ticks;
@@ -138,20 +132,13 @@ describe("who draws", () => {
   });
 
   it("is the browser under its still while nothing moves", () => {
-    const { browser, display } = ways();
-    Object.assign(browser, { blank: true, presentable: false });
-    const chosen = display(true);
-    for (let t = 0; t < 5000; t += 100) {
-      chosen.tick(performance.now(), VIEW, false);
-      vi.advanceTimersByTime(100);
-    }
+    const { chosen } = compiling();
+    run(chosen, 5000, false);
     expect(chosen.source).toBe("browser");
   });
 
   it("is whom the user wishes", () => {
-    const { browser, display } = ways();
-    browser.given = { fps: 1, scale: 0.1 };
-    const chosen = display(true);
+    const { chosen } = ways({ fps: 1, scale: 0.1 });
     chosen.choose("browser");
     run(chosen, 5000);
     expect(chosen).toMatchObject({ source: "browser", why: "This browser draws, as you chose." });
