@@ -115,8 +115,7 @@ def _wait(
     began = time.perf_counter()
     while True:
         try:
-            done: tuple[Truth, float] = future.result(POLL_SECONDS)
-            return done
+            return future.result(POLL_SECONDS)
         except NotYet:
             if stopped():
                 raise SweepStoppedError from None

@@ -24,8 +24,7 @@ RANK_BITS = 18
 
 def quantised(ranks: Ranks, bits: int) -> NDArray[np.uint64]:
     """floor(rank 2^bits / N), of the shape of ``ranks``."""
-    values: NDArray[np.uint64] = (ranks.astype(np.uint64) << np.uint64(bits)) // np.uint64(ranks.size)
-    return values
+    return (ranks.astype(np.uint64) << np.uint64(bits)) // np.uint64(ranks.size)
 
 
 def to_u16(ranks: Ranks) -> bytes:

@@ -100,15 +100,13 @@ def quantile_position(s: ArrayLike) -> Field:
     would lie between two entries and come out much too sparse.
     """
     share = np.clip(np.asarray(s, np.float64), 0.0, 1.0)
-    position: Field = np.where(share <= 0.5, np.sqrt(share / 2.0), 1.0 - np.sqrt((1.0 - share) / 2.0))
-    return position
+    return np.where(share <= 0.5, np.sqrt(share / 2.0), 1.0 - np.sqrt((1.0 - share) / 2.0))
 
 
 def quantile_saturation(t: ArrayLike) -> Field:
     """Inverse of :func:`quantile_position`: s = 2 t^2 up to t = 1/2 and 1 - 2 (1 - t)^2 above."""
     position = np.asarray(t, np.float64)
-    saturation: Field = np.where(position <= 0.5, 2.0 * position**2, 1.0 - 2.0 * (1.0 - position) ** 2)
-    return saturation
+    return np.where(position <= 0.5, 2.0 * position**2, 1.0 - 2.0 * (1.0 - position) ** 2)
 
 
 def quantile_table(ranks: Ranks) -> list[float]:
@@ -236,12 +234,11 @@ def ramp_threshold(s: ArrayLike) -> Field:
     to T = 1 and 1 - (1 + w - T)^2 / (2 w) beyond.
     """
     share, w = np.clip(np.asarray(s, np.float64), 0.0, 1.0), OCTAVE_RAMP
-    threshold: Field = np.where(
+    return np.where(
         share < w / 2.0,
         np.sqrt(2.0 * w * share),
         np.where(share <= 1.0 - w / 2.0, share + w / 2.0, 1.0 + w - np.sqrt(2.0 * w * (1.0 - share))),
     )
-    return threshold
 
 
 def ramp_tables(quantile: ArrayLike, chain: Sequence[Level]) -> Field:

@@ -44,8 +44,7 @@ def gaussian_response(shape: Shape, sigma: float) -> Field:
     """Transfer function exp(-2 pi^2 sigma^2 f^2) of a unit-sum Gaussian on ``rfft2`` bins; (rows, columns//2+1)."""
     fy = np.fft.fftfreq(shape[0])[:, None]
     fx = np.fft.rfftfreq(shape[1])[None, :]
-    response: Field = np.exp(-2.0 * (np.pi * sigma) ** 2 * (fx * fx + fy * fy))
-    return response
+    return np.exp(-2.0 * (np.pi * sigma) ** 2 * (fx * fx + fy * fy))
 
 
 def filter_noise(rng: np.random.Generator, shape: Shape, response: Field) -> Field:

@@ -75,8 +75,7 @@ def spray_strands() -> NDArray[np.float64]:
     order = np.argsort(total, axis=None, kind="stable")
     ranks = np.empty(order.size)
     ranks[order] = np.arange(order.size) / order.size
-    result: NDArray[np.float64] = np.floor(ranks.reshape(total.shape) * _STEPS) / _STEPS
-    return result
+    return np.floor(ranks.reshape(total.shape) * _STEPS) / _STEPS
 
 
 def _noise(u: NDArray[np.float64], v: NDArray[np.float64], columns: int, rows: int, seed: int) -> NDArray[np.float64]:
@@ -90,5 +89,4 @@ def _noise(u: NDArray[np.float64], v: NDArray[np.float64], columns: int, rows: i
     i1, j1 = (i0 + 1) % columns, (j0 + 1) % rows
     low = values[j0, i0] + (values[j0, i1] - values[j0, i0]) * s
     high = values[j1, i0] + (values[j1, i1] - values[j1, i0]) * s
-    result: NDArray[np.float64] = low + (high - low) * t
-    return result
+    return low + (high - low) * t

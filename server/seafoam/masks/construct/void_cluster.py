@@ -143,8 +143,7 @@ def _initial_order(shape: Shape, sigma: float, count: int, rng: np.random.Genera
 
     def shifted(point: int) -> Field:
         y, x = divmod(point, columns)
-        view: Field = tiled[rows - y : 2 * rows - y, columns - x : 2 * columns - x]
-        return view
+        return tiled[rows - y : 2 * rows - y, columns - x : 2 * columns - x]
 
     points = rng.choice(rows * columns, count, replace=False)
     energy = _convolve(points, np.fft.rfft2(kernel), shape)

@@ -89,8 +89,7 @@ def hole_areas(ranks: Ranks, saturation: float) -> NDArray[np.int64]:
     """
     if not 0.0 <= saturation <= 1.0:
         raise ValueError(f"saturation {saturation:g} is outside [0, 1]")
-    areas: NDArray[np.int64] = np.sort(_areas(ranks >= saturation * ranks.size, diagonal=False))
-    return areas
+    return np.sort(_areas(ranks >= saturation * ranks.size, diagonal=False))
 
 
 def _shapes(ranks: Ranks, saturation: float) -> FoamShapes:
@@ -129,8 +128,7 @@ def _areas(pattern: Pattern, *, diagonal: bool) -> NDArray[np.int64]:
     seam = np.concatenate(pairs, axis=1)
     graph = coo_array((np.ones(seam.shape[1], np.int8), (seam[0], seam[1])), shape=(count, count))
     _, piece = connected_components(graph, directed=False)
-    areas: NDArray[np.int64] = np.bincount(piece[labels[pattern] - 1])
-    return areas
+    return np.bincount(piece[labels[pattern] - 1])
 
 
 def _rounded(value: float) -> float:

@@ -18,8 +18,7 @@ def chance(*words: int | NDArray[np.integer]) -> Floats:
     for part in words:
         word = _pcg(word ^ (np.asarray(part, np.int64).astype(np.uint64) & _LOW))
     shape = np.broadcast_shapes(*(np.shape(part) for part in words))
-    result: Floats = (word.astype(np.float64).reshape(shape) + 0.5) / 2.0**32
-    return result
+    return (word.astype(np.float64).reshape(shape) + 0.5) / 2.0**32
 
 
 def _pcg(word: _Words) -> _Words:

@@ -56,12 +56,10 @@ def spreading(angle: Floats, exponent: float, against: float) -> Floats:
 
     def shape(angles: Floats) -> Floats:
         weight = np.where(np.cos(angles) < 0.0, against, 1.0)
-        result: Floats = weight * np.abs(np.cos(0.5 * angles)) ** (2.0 * exponent)
-        return result
+        return weight * np.abs(np.cos(0.5 * angles)) ** (2.0 * exponent)
 
     around: Floats = (np.arange(720, dtype=np.float64) + 0.5) * (2.0 * math.pi / 720)
-    result: Floats = shape(angle) / float(shape(around).sum() * (2.0 * math.pi / 720))
-    return result
+    return shape(angle) / float(shape(around).sum() * (2.0 * math.pi / 720))
 
 
 def wave_spectrum(kx: Floats, kz: Floats, sea: Sea, depth: float | None) -> Floats:
@@ -70,8 +68,7 @@ def wave_spectrum(kx: Floats, kz: Floats, sea: Sea, depth: float | None) -> Floa
     omega, group, shallow = dispersion(k, depth)
     angle = np.arctan2(kz, kx) - sea.downwind
     energy = frequency_spectrum(omega, sea.wind_speed, sea.fetch) * shallow * group / k
-    result: Floats = energy * spreading(angle, sea.spread, sea.against)
-    return result
+    return energy * spreading(angle, sea.spread, sea.against)
 
 
 def shallow_water_factor(omega: Floats, depth: float | None) -> Floats:
@@ -80,5 +77,4 @@ def shallow_water_factor(omega: Floats, depth: float | None) -> Floats:
         return np.ones_like(omega)
     k = np.geomspace(1e-7, 1e3, 20001)
     of_k, _, factor = dispersion(k, depth)
-    result: Floats = np.interp(omega, of_k, factor)
-    return result
+    return np.interp(omega, of_k, factor)

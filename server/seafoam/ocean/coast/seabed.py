@@ -116,15 +116,13 @@ def _plain(shore: Shore, x: Floats, z: Floats) -> Floats:
         case _:
             width = 0.16 * shore.radius
             along = (x * c + z * s) / np.maximum(r, 1e-6)
-            gap: Floats = np.abs(r - shore.radius) - width + 2.2 * width * smoothstep(0.90, 0.985, along)
-            return gap
+            return np.abs(r - shore.radius) - width + 2.2 * width * smoothstep(0.90, 0.985, along)
 
 
 def smoothstep(low: float, high: float, x: Floats) -> Floats:
     """3q² − 2q³ of q = (x − low)/(high − low) clamped to [0, 1]; low < high; of the shape of ``x``."""
     q = np.clip((x - low) / (high - low), 0.0, 1.0)
-    result: Floats = q * q * (3.0 - 2.0 * q)
-    return result
+    return q * q * (3.0 - 2.0 * q)
 
 
 def _value_noise(x: Floats, z: Floats, seed: int) -> Floats:
@@ -137,8 +135,7 @@ def _value_noise(x: Floats, z: Floats, seed: int) -> Floats:
     corners, a, b = _corners(a, b, seed)
     near = corners[b, a] * (1.0 - u) + corners[b, a + 1] * u
     far = corners[b + 1, a] * (1.0 - u) + corners[b + 1, a + 1] * u
-    result: Floats = near * (1.0 - v) + far * v
-    return result
+    return near * (1.0 - v) + far * v
 
 
 def _corners(a: Integers, b: Integers, seed: int) -> tuple[Floats, Integers, Integers]:
@@ -158,8 +155,7 @@ def _fbm(x: Floats, z: Floats, cell: float, seed: int, octaves: int) -> Floats:
         total += weight * _value_noise(x / cell, z / cell, seed + 17 * octave)
         sum_of_weights += weight
         weight, cell = 0.5 * weight, 0.47 * cell
-    result: Floats = total / sum_of_weights
-    return result
+    return total / sum_of_weights
 
 
 def _ridges(x: Floats, z: Floats, cell: float, seed: int, octaves: int) -> Floats:
@@ -179,5 +175,4 @@ def _ridges(x: Floats, z: Floats, cell: float, seed: int, octaves: int) -> Float
         sum_of_strengths += strength
         weight = np.clip(1.6 * ridge, 0.0, 1.0)
         strength, cell = 0.5 * strength, 0.47 * cell
-    result: Floats = total / sum_of_strengths
-    return result
+    return total / sum_of_strengths

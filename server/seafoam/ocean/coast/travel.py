@@ -32,8 +32,7 @@ def speed(depth: Floats, period: float) -> Floats:
     for coefficient in HUNT:
         power = power * y
         total += coefficient * power
-    result: Floats = math.sqrt(rate2) * depth / np.sqrt(y * y + y / total)
-    return result
+    return math.sqrt(rate2) * depth / np.sqrt(y * y + y / total)
 
 
 def travel_grid(shore: Shore, texels: int) -> Floats:
@@ -109,8 +108,7 @@ def arrival(start: Floats, fixed: NDArray[np.bool_], delay: Floats) -> Floats:
                 time[at] = np.minimum(time[at], np.where(apart >= f, np.minimum(a, b) + f, both))
         if np.abs(time - before).max() <= 1e-6:
             break
-    result: Floats = time.reshape(rows + 2, width)[1:-1, 1:-1]
-    return result
+    return time.reshape(rows + 2, width)[1:-1, 1:-1]
 
 
 def _exposed(land: NDArray[np.bool_], heading: float) -> Floats:
@@ -136,5 +134,4 @@ def _exposed(land: NDArray[np.bool_], heading: float) -> Floats:
         clear = 1.0 - ndimage.map_coordinates(shadow, back, order=1, mode="nearest")
         total += weight * clear
         weights += weight
-    result: Floats = np.clip(total / weights, 0.0, 1.0)
-    return result
+    return np.clip(total / weights, 0.0, 1.0)

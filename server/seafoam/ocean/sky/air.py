@@ -55,14 +55,12 @@ def _densities(height: Floats) -> Floats:
 
 def _to_top(radius: Floats, cosine: Floats) -> Floats:
     """Distance to the end of the atmosphere from a radius (km) along a zenith cosine, km."""
-    result: Floats = -radius * cosine + np.sqrt(np.maximum(TOP**2 - radius**2 * (1.0 - cosine**2), 0.0))
-    return result
+    return -radius * cosine + np.sqrt(np.maximum(TOP**2 - radius**2 * (1.0 - cosine**2), 0.0))
 
 
 def _horizon(radius: Floats) -> Floats:
     """Zenith cosine of the ground's horizon seen from a radius (km)."""
-    result: Floats = -np.sqrt(np.maximum(1.0 - (EARTH / radius) ** 2, 0.0))
-    return result
+    return -np.sqrt(np.maximum(1.0 - (EARTH / radius) ** 2, 0.0))
 
 
 @lru_cache(maxsize=1)
@@ -82,8 +80,7 @@ def _columns() -> Floats:
             s = start + (end - start) * node**2
             h = np.sqrt(radius**2 + s**2 + 2.0 * radius * cosine * s) - EARTH
             total += (weight * 2.0 * node * np.abs(end - start))[..., None] * _densities(h)
-    result: Floats = np.log(np.maximum(total, 1e-12))
-    return result
+    return np.log(np.maximum(total, 1e-12))
 
 
 def _column(radius: Floats, cosine: Floats) -> Floats:
@@ -103,8 +100,7 @@ def _column(radius: Floats, cosine: Floats) -> Floats:
 def disc_shown(radius: Floats, cosine: Floats) -> Floats:
     """Share of the sun's disc above the horizon, from a radius (km) and the zenith cosine of its centre; (...,)."""
     edge = (np.clip((cosine - _horizon(radius)) / SUN_RADIUS, -1.0, 1.0) + 1.0) * 0.5
-    result: Floats = edge * edge * (3.0 - 2.0 * edge)
-    return result
+    return edge * edge * (3.0 - 2.0 * edge)
 
 
 @dataclass(frozen=True)
@@ -188,8 +184,7 @@ class Atmosphere:
 
     def _arriving(self, shown: Floats, column: Floats) -> Floats:
         """Share of a sun's light that arrives, by that of its disc (...,) and the columns of air (..., 4); (..., 3)."""
-        result: Floats = shown[..., None] * np.exp(-column @ self.extinction)
-        return result
+        return shown[..., None] * np.exp(-column @ self.extinction)
 
     def _scattering(self, dense: Floats) -> tuple[Floats, Floats, Floats]:
         """Scattering by molecules and by haze, and extinction, at these densities (..., 4), 1/km; (..., 3) each."""

@@ -135,5 +135,4 @@ def radiance(of: Glow, up: Floats, toward: Floats, gamma: Floats, asymmetry: flo
         both: Floats = np.exp2(np.stack((log + red, log, log + blue), axis=-1))
         return both
 
-    result: Floats = part(EVEN, EVEN_TINT, of.even) + part(HAZE, HAZE_TINT, of.haze) * phase
-    return result
+    return part(EVEN, EVEN_TINT, of.even) + part(HAZE, HAZE_TINT, of.haze) * phase

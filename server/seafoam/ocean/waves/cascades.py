@@ -80,8 +80,7 @@ class Cascade:
     def k(self) -> Floats:
         """Wavenumbers, rad/m."""
         i = np.arange(-BAND, BAND)
-        result: Floats = 2.0 * math.pi / self.size * np.hypot(i[None, :], i[:, None])
-        return result
+        return 2.0 * math.pi / self.size * np.hypot(i[None, :], i[:, None])
 
     @cached_property
     def variance(self) -> float:
@@ -205,8 +204,7 @@ def _wavevectors(size: float) -> tuple[NDArray[np.int64], NDArray[np.int64], Flo
 
 def _turns(k: Floats, depth: float | None) -> NDArray[np.int64]:
     omega, _, _ = dispersion(np.maximum(k, 1e-9), depth)
-    result: NDArray[np.int64] = np.round(omega * (LOOP / (2.0 * math.pi))).astype(np.int64)
-    return result
+    return np.round(omega * (LOOP / (2.0 * math.pi))).astype(np.int64)
 
 
 def _fft(sea: Sea, depth: float | None, number: int, size: float, low: float) -> Cascade:
