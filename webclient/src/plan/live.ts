@@ -9,7 +9,7 @@ export const CAMERA_POINTER = "/camera";
 const isWithin = (pointer: string, field: string) => pointer === field || pointer.startsWith(`${field}/`);
 
 /** Whether the plan of one scene also draws another. A field that becomes null has no number of its own to draw with. */
-export function planCovers(plan: FramePlan, planned: Json, requested: Json): boolean {
+export function planCovers(plan: Pick<FramePlan, "live">, planned: Json, requested: Json): boolean {
   return diff(planned, requested).every(([pointer, value]) =>
     value !== null && [CAMERA_POINTER, ...plan.live].some((field) => isWithin(pointer, field)),
   );

@@ -1,17 +1,9 @@
-import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
 import { Flip } from "../../src/accuracy/measure/flip";
 import { displayed, type ToneCurve, toneCurve } from "../../src/accuracy/measure/tone";
+import { golden as read } from "../golden";
 
-interface Golden {
-  width: number;
-  height: number;
-  flip: Record<string, number>;
-  truth: number[];
-  picture: number[];
-}
-
-const golden = JSON.parse(readFileSync(new URL("../../../tests/golden/flip.json", import.meta.url), "utf8")) as Golden;
+const golden = read<Record<"width" | "height", number> & Record<"truth" | "picture", number[]> & { flip: Record<string, number> }>("flip");
 
 /** Three values a pixel, with foam beside them. */
 function pictureOf(rgb: readonly number[]) {

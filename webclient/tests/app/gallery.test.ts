@@ -6,14 +6,7 @@ import { grouped, indexAfter, matching } from "../../src/gallery/search";
 import { presetOfPath } from "../../src/gallery/water";
 import { frameAfter } from "../../src/app/transport";
 
-const preset = (name: string, group: string, title: string, summary: string, effects: string[] = []): PresetSummary => ({
-  name,
-  group,
-  title,
-  summary,
-  effects,
-  size: [16, 9],
-});
+const preset = (name: string, group: string, title: string, summary: string, effects: string[] = []): PresetSummary => ({ name, group, title, summary, effects, size: [16, 9] });
 const PRESETS = [
   preset("storm", "Seas", "Storm at sea", "Foam in streaks", ["whitecaps"]),
   preset("swell", "Seas", "Évening swell", "Long waves", ["living_foam"]),
@@ -36,13 +29,8 @@ test("groups keep the order of the list", () => {
 });
 
 test("keys move within a list and stop at its ends", () => {
-  expect(indexAfter("ArrowRight", 0, 3)).toBe(1);
-  expect(indexAfter("ArrowDown", -1, 3)).toBe(0);
-  expect(indexAfter("ArrowUp", 0, 3)).toBe(0);
-  expect(indexAfter("ArrowRight", 2, 3)).toBe(2);
-  expect(indexAfter("Home", 2, 3)).toBe(0);
-  expect(indexAfter("End", 0, 3)).toBe(2);
-  expect(indexAfter("Enter", 0, 3)).toBeNull();
+  const moves = [["ArrowRight", 0], ["ArrowDown", -1], ["ArrowUp", 0], ["ArrowRight", 2], ["Home", 2], ["End", 0], ["Enter", 0]] as const;
+  expect(moves.map(([key, from]) => indexAfter(key, from, 3))).toEqual([1, 0, 0, 2, 0, 2, null]);
   expect(indexAfter("End", 0, 0)).toBeNull();
 });
 

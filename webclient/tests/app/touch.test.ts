@@ -1,18 +1,11 @@
-import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
 import { CameraControls, type PointerTool } from "../../src/camera/controls";
 import type { CameraState } from "../../src/camera/state";
 import { pickWater, type WaterPlace } from "../../src/touch/pick";
 import { appended, decodeTouches, encodeTouches, toJson, touchAt, TOUCHES_MOST, touchesOf, train } from "../../src/touch/touches";
+import { golden as read } from "../golden";
 
-interface Golden {
-  camera: CameraState;
-  width: number;
-  height: number;
-  picks: { x: number; y: number; place: WaterPlace | null }[];
-}
-
-const golden = JSON.parse(readFileSync(new URL("../../../tests/golden/picks.json", import.meta.url), "utf8")) as Golden[];
+const golden = read<{ camera: CameraState; width: number; height: number; picks: { x: number; y: number; place: WaterPlace | null }[] }[]>("picks");
 
 describe("the place of water that a pixel shows is the reference's", () => {
   it.each(golden.map((vector, i) => [i, vector] as const))("view %i", (_, { camera, width, height, picks }) => {

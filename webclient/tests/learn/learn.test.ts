@@ -1,10 +1,10 @@
-import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
 import { coverage, overSample, thresholdOf } from "../../src/learn/maths/filtered";
 import { amount, type Look, PopCounter, VISIBLE } from "../../src/learn/maths/looks";
 import { type Mask, shuffledRanks, thresholds } from "../../src/learn/maths/mask";
 import { spectrum, unevenness } from "../../src/learn/maths/spectrum";
 import { CONSTANTS, frontSaturation, heightSaturation, period, phase } from "../../src/learn/maths/wave";
+import { golden as read } from "../golden";
 
 interface Golden {
   fronts: { constants: string; delta: number; base: number; intensity: number; theta: number[]; saturation: number[] }[];
@@ -17,7 +17,7 @@ interface Golden {
   white: { seed: number; ranks: number[] };
 }
 
-const golden = JSON.parse(readFileSync(new URL("../../../tests/golden/foam_strips.json", import.meta.url), "utf8")) as Golden;
+const golden = read<Golden>("foam_strips");
 const mask: Mask = {
   name: "golden",
   title: "",

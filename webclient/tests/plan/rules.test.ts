@@ -1,25 +1,14 @@
-import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
-import type { CameraState } from "../../src/camera/state";
 import { evaluate, fill, type FrameState, type Rule } from "../../src/plan/rules";
+import { golden as read } from "../golden";
 
 interface Golden {
   rule: Rule;
-  state: {
-    time: number;
-    camera: CameraState;
-    width: number;
-    height: number;
-    target_width: number;
-    target_height: number;
-    pass_index: number;
-  };
+  state: Pick<FrameState, "time" | "camera" | "width" | "height"> & Record<"target_width" | "target_height" | "pass_index", number>;
   value: number[];
 }
 
-const golden = JSON.parse(
-  readFileSync(new URL("../../../tests/golden/uniform_rules.json", import.meta.url), "utf8"),
-) as Golden[];
+const golden = read<Golden[]>("uniform_rules");
 
 const frame = ({ target_width, target_height, pass_index, ...state }: Golden["state"]): FrameState => ({
   ...state,
@@ -30,9 +19,8 @@ const frame = ({ target_width, target_height, pass_index, ...state }: Golden["st
 
 describe("uniform rules agree with the server's", () => {
   it("has vectors of every rule", () => {
-    expect(new Set(golden.map(({ rule }) => rule.rule))).toEqual(
-      new Set(["constant", "phase", "wrap", "loop", "clamp", "camera", "viewport", "pass_index"]),
-    );
+    const kinds = new Set(golden.map(({ rule }) => rule.rule));
+    expect(kinds).toEqual(new Set(["constant", "phase", "wrap", "loop", "clamp", "camera", "viewport", "pass_index"]));
   });
 
   it.each(golden.map((vector, i) => [`${i} ${vector.rule.rule}`, vector] as const))("%s", (_, { rule, state, value }) => {
@@ -48,15 +36,8 @@ describe("uniform rules agree with the server's", () => {
 });
 
 describe("edges of the reductions", () => {
-  const still: FrameState = {
-    time: 0,
-    camera: { position: [0, 1, 0], yaw: 0, pitch: 0, roll: 0, fov: 1 },
-    width: 2,
-    height: 1,
-    targetWidth: 2,
-    targetHeight: 1,
-    passIndex: 0,
-  };
+  const camera = { position: [0, 1, 0], yaw: 0, pitch: 0, roll: 0, fov: 1 } as const;
+  const still: FrameState = { time: 0, camera, width: 2, height: 1, targetWidth: 2, targetHeight: 1, passIndex: 0 };
 
   it("never gives the period itself", () => {
     const tiny = { ...still, time: -1e-300 };

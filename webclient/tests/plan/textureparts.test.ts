@@ -1,16 +1,9 @@
-import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
 import type { FramePlan, Texture } from "../../src/generated/api";
 import { decoded, joined, roughTextures, TextureParts } from "../../src/plan/textureparts";
+import { golden as read } from "../golden";
 
-interface Golden {
-  width: number;
-  texels: number[];
-  upper: number[];
-  lower: number[];
-}
-
-const golden = JSON.parse(readFileSync(new URL("../../../tests/golden/texture_parts.json", import.meta.url), "utf8")) as Golden;
+const golden = read<{ width: number } & Record<"texels" | "upper" | "lower", number[]>>("texture_parts");
 const spec: Texture = { url: "/ranks", sha256: "hash", format: "R16UI", width: golden.width, height: 4, levels: 1, filter: "nearest", wrap: "repeat" };
 
 /** A server of the golden texture, and what it was asked for. */

@@ -1,8 +1,8 @@
-import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
 import type { CameraState } from "../../src/camera/state";
 import type { FramePlan } from "../../src/generated/api";
 import { drawnPasses, eyeOf } from "../../src/plan/view";
+import { golden as read } from "../golden";
 
 interface Golden {
   preset: string;
@@ -11,7 +11,7 @@ interface Golden {
   pictures: { camera: CameraState; width: number; height: number; drawn: [number, boolean][] }[];
 }
 
-const golden = JSON.parse(readFileSync(new URL("../../../tests/golden/views.json", import.meta.url), "utf8")) as Golden[];
+const golden = read<Golden[]>("views");
 
 describe("passes that a picture needs agree with the server's", () => {
   it.each(golden.map((vector) => [`${vector.preset}, ${vector.tier}`, vector] as const))("%s", (_, { plan, pictures }) => {
