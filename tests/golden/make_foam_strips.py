@@ -11,8 +11,8 @@ from seafoam.masks.formats import quantised
 from seafoam.masks.judge.spectrum import measure_spectrum
 from seafoam.reference import sampling
 from seafoam.reference.foam import front, looks
-from seafoam.reference.foam.saturation import height_saturation
 from seafoam.reference.noise import pcg
+from seafoam.reference.renderer.sources import height_saturation
 
 PATH = Path(__file__).with_name("foam_strips.json")
 

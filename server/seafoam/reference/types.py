@@ -1,5 +1,6 @@
 """Array types of the reference, what its sections pass to each other, and functions that all of them use."""
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -51,6 +52,13 @@ def dot(a: Floats, b: Floats) -> Floats:
     """Scalar product along the last axis; shapes broadcast."""
     product: Any = np.einsum("...i,...i->...", *np.broadcast_arrays(a, b))
     return np.asarray(product, np.float64)
+
+
+def henyey_greenstein(asymmetry: float, cosine: Floats) -> Floats:
+    """Phase function of Henyey and Greenstein (1941) at cosines of the scattering angle, 1/sr; of their shape."""
+    g = asymmetry
+    result: Floats = (1.0 - g**2) / (4.0 * math.pi * (1.0 + g**2 - 2.0 * g * cosine) ** 1.5)
+    return result
 
 
 def unit(a: Floats) -> Floats:

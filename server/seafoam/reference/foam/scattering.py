@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from seafoam.reference.light.light import Air, Share, sky_light
-from seafoam.reference.types import Floats, dot
+from seafoam.reference.types import Floats, dot, henyey_greenstein
 from seafoam.scene.foam import FoamScattering
 
 FORWARD = 0.75
@@ -32,8 +32,7 @@ def layer(
     toward_sun = lumpy_cosine(dot(n, air.sun), scattering.roughness)
     depth = scattering.optical_depth * np.clip(f, 0.0, 1.0)
     opacity = depth / (depth + 2.0 * toward_eye)
-    gamma = d @ air.sun
-    phase = (1.0 - FORWARD**2) / (4.0 * math.pi * (1.0 + FORWARD**2 - 2.0 * FORWARD * gamma) ** 1.5)
+    phase = henyey_greenstein(FORWARD, d @ air.sun)
     matt = (1.0 - scattering.forward) / math.pi
     scattered = toward_sun * (matt + scattering.forward * phase / (toward_sun + toward_eye)) * sun
     light = air.sun_irradiance * scattered[:, None] + sky_light(air, n[:, 1]) / math.pi

@@ -12,26 +12,11 @@ from functools import cached_property
 
 import numpy as np
 
-from seafoam.ocean.sky.skylight import (
-    DARK,
-    EVEN,
-    EVEN_TINT,
-    HAZE,
-    HAZE_TINT,
-    NIGHT,
-    SUN_POWER,
-    Exponents,
-    Glow,
-    Series,
-    adapted,
-    atmosphere,
-    disc_shown,
-    glow,
-)
+from seafoam.ocean.sky import skylight
 from seafoam.reference.light import clouds
 from seafoam.reference.light.clouds import EYE, FORWARD, CloudLayer, HighClouds, Spread
 from seafoam.reference.noise import chained, fractal, number, share
-from seafoam.reference.types import Floats, dot, smoothstep, unit
+from seafoam.reference.types import Floats, dot, henyey_greenstein, smoothstep, unit
 from seafoam.scene.light import Day, Light, Moon
 
 RAYLEIGH = np.array([0.055, 0.108, 0.215])
@@ -53,6 +38,11 @@ TAP_AIR, TAP_CLOUDS = 0.8, 1.15
 """Distance of a mirrored sky's two directions from their mean, and its clouds' deviation, over the spread."""
 
 
+def mie_depth(light: Light) -> float:
+    """Optical depth of the haze of a light's turbidity, at the zenith."""
+    return MIE_LEAST + MIE_PER_TURBIDITY * (light.turbidity - 1.0)
+
+
 def to_sun(light: Light) -> Floats:
     """(3,) unit vector toward the sun."""
     return toward(*((light.sun_azimuth, light.sun_elevation) if light.day is None else sun_angles(light.day)))
@@ -61,13 +51,9 @@ def to_sun(light: Light) -> Floats:
 def sun_angles(day: Day) -> tuple[float, float]:
     """Azimuth and elevation of the sun, rad: its position on the celestial sphere, rotated by hour and latitude."""
     declination = math.radians(23.44) * math.sin(2.0 * math.pi * (284.0 + day.date) / 365.0)
-    hour = 2.0 * math.pi * (day.hour - 12.0) / 24.0
+    hour, level = 2.0 * math.pi * (day.hour - 12.0) / 24.0, math.cos(declination)
     # In equatorial axes: toward the meridian, west, and the pole.
-    meridian, west, pole = (
-        math.cos(declination) * math.cos(hour),
-        math.cos(declination) * math.sin(hour),
-        math.sin(declination),
-    )
+    meridian, west, pole = level * math.cos(hour), level * math.sin(hour), math.sin(declination)
     south = meridian * math.sin(day.latitude) - pole * math.cos(day.latitude)
     up = meridian * math.cos(day.latitude) + pole * math.sin(day.latitude)
     return day.north + math.atan2(-west, -south), math.asin(max(-1.0, min(1.0, up)))
@@ -92,15 +78,16 @@ def _step(low: float, high: float, x: float) -> float:
     return float(smoothstep(low, high, x))
 
 
-def _logarithm(green: Exponents, tint: Exponents, series: Series, x: Floats, s: Floats) -> Floats:
-    """Sums of c x^i s^j at (...,): of green, and of red and blue with what they add; (..., 3)."""
+def _summed(
+    series: skylight.Series, exponents: tuple[skylight.Exponents, skylight.Exponents], x: Floats, s: Floats
+) -> Floats:
+    """2 to the sum of c x^i s^j at (...,): of green, and of red and blue with what they add; (..., 3)."""
     powers = [np.ones_like(x), x, x * x, x**3, x**4, x**5], [np.ones_like(s), s, s * s, s**3]
-
-    def summed(exponents: Exponents, coefficients: Floats) -> Floats:
-        return np.stack([powers[0][i] * powers[1][j] for i, j in exponents], axis=-1) @ coefficients
-
-    middle, others = summed(green, series.green), summed(tint, series.tint)
-    return np.stack((middle + others[..., 0], middle, middle + others[..., 1]), axis=-1)
+    middle, others = (
+        np.stack([powers[0][i] * powers[1][j] for i, j in terms], axis=-1) @ coefficients
+        for terms, coefficients in zip(exponents, (series.green, series.tint), strict=True)
+    )
+    return np.exp2(np.stack((middle + others[..., 0], middle, middle + others[..., 1]), axis=-1))
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,7 +100,7 @@ class Lamp:
     """(3,) optical depth of the air along its light's path to the sea."""
     power: Floats
     """(3,) irradiance above the air."""
-    glow: Glow
+    glow: skylight.Glow
     """Coefficients of the sky that it lights."""
 
 
@@ -180,10 +167,9 @@ class LayeredSky:
         for lamp in self.lamps:
             level = math.hypot(lamp.direction[0], lamp.direction[2])
             s = (d[..., 0] * lamp.direction[0] + d[..., 2] * lamp.direction[2]) / max(level, 1e-12)
-            gamma = dot(d if look is None else look, lamp.direction)[..., None]
-            forward = (1.0 - FORWARD**2) / (4.0 * math.pi * (1.0 + FORWARD**2 - 2.0 * FORWARD * gamma) ** 1.5)
-            total += np.exp2(_logarithm(EVEN, EVEN_TINT, lamp.glow.even, x, s))
-            total += np.exp2(_logarithm(HAZE, HAZE_TINT, lamp.glow.haze, x, s)) * forward
+            forward = henyey_greenstein(FORWARD, dot(d if look is None else look, lamp.direction)[..., None])
+            total += _summed(lamp.glow.even, (skylight.EVEN, skylight.EVEN_TINT), x, s)
+            total += _summed(lamp.glow.haze, (skylight.HAZE, skylight.HAZE_TINT), x, s) * forward
         return total
 
     def passed(self, distance: Floats) -> Floats:
@@ -343,23 +329,23 @@ def layered_sky(light: Light, time: float, eye: tuple[float, float, float]) -> L
     sky = light.sky
     if sky is None:
         return None
-    mie = MIE_LEAST + MIE_PER_TURBIDITY * (light.turbidity - 1.0)
+    mie = mie_depth(light)
 
     def lamp(direction: Floats, power: Floats, least: tuple[float, float, float]) -> Lamp:
         height = float(direction[1])
         red, green, blue = (float(value) for value in power)
-        path = np.array(atmosphere(mie, sky.haze).depth(height))
-        return Lamp(direction, path, power, glow(mie, sky.haze, height, (red, green, blue), least))
+        path = np.array(skylight.atmosphere(mie, sky.haze).depth(height))
+        return Lamp(direction, path, power, skylight.glow(mie, sky.haze, height, (red, green, blue), least))
 
     sun = to_sun(light)
     low = float(sun[1])
-    lamps = [lamp(sun, np.array(SUN_POWER) * adapted(low), NIGHT)]
+    lamps = [lamp(sun, np.array(skylight.SUN_POWER) * skylight.adapted(low), skylight.NIGHT)]
     by_moon = False
     if sky.moon is not None:
         to_moon = _axes(sky.moon)[0]
         lit = 0.5 - 0.5 * float(dot(sun, to_moon))
         shows = lit**2 * _step(0.06, 0.12, -low) * _step(-0.02, 0.02, float(to_moon[1]))
-        lamps.append(lamp(to_moon, MOON_POWER * sky.moon.brightness * shows, DARK))
+        lamps.append(lamp(to_moon, MOON_POWER * sky.moon.brightness * shows, skylight.DARK))
         by_moon = low < -0.06
     if by_moon:
         lit_by = lamps[1].direction
@@ -367,7 +353,7 @@ def layered_sky(light: Light, time: float, eye: tuple[float, float, float]) -> L
         above, height = lamps[1].power, float(lit_by[1])
     else:
         lit_by = sun
-        direct = np.array(SUN_POWER) * np.exp(-lamps[0].path) * disc_shown(low)
+        direct = np.array(skylight.SUN_POWER) * np.exp(-lamps[0].path) * skylight.disc_shown(low)
         above, height = np.full(3, CLOUD_POWER * _step(-0.06, 0.02, low)), low
 
     def up_there(altitude: float) -> Floats:

@@ -12,7 +12,7 @@ import numpy as np
 from scipy import special
 
 from seafoam.reference.noise import GAIN, PERIOD, fractal, octaves
-from seafoam.reference.types import Floats, Footprints, dot, smoothstep
+from seafoam.reference.types import Floats, Footprints, dot, henyey_greenstein, smoothstep
 from seafoam.reference.waves.parametric import noise_place, reduced
 from seafoam.scene.light import Cirrus, Clouds
 
@@ -146,10 +146,7 @@ class CloudLayer:
         # Blurred clouds shine as their mean does.
         means = self.means[0][:, None] + (self.means[1] - self.means[0])[:, None] * parted
         sunny, forward, grey = np.stack(shines) + (means - np.stack(shines)) * np.sqrt(lost)
-        gamma = dot(look, self.lit_by)
-        sunny = sunny + forward * (1.0 - FORWARD**2) / (
-            4.0 * math.pi * (1.0 + FORWARD**2 - 2.0 * FORWARD * gamma) ** 1.5
-        )
+        sunny = sunny + forward * henyey_greenstein(FORWARD, dot(look, self.lit_by))
         hides = seen[at] * np.clip(opaque + self.edge[2] * lost**1.5 + self.apart * parted * parted_lost, 0.0, 1.0)
         covers = hides * np.exp(-0.8 * (1.0 - shaded) * np.minimum(depth(look[:, 1])[:, 0], 60.0))
         light[at] += (sunny[:, None] * self.light + grey[:, None] * self.sky) * covers[:, None]
@@ -333,8 +330,7 @@ class HighClouds:
         density = smoothstep(0.0, 2.4, broad - start) * smoothstep(-1.2, 2.4, fine + 0.5 * broad)
         hidden[at] = seen[at] * (1.0 - np.exp(-cirrus.thickness * density))
         cover[at] = hidden[at] * np.exp(-0.8 * np.minimum(depth(look[:, 1])[:, 0], 60.0))
-        gamma = dot(look, self.lit_by)
-        forward = (1.0 - FORWARD**2) / (4.0 * math.pi * (1.0 + FORWARD**2 - 2.0 * FORWARD * gamma) ** 1.5)
+        forward = henyey_greenstein(FORWARD, dot(look, self.lit_by))
         light[at] = ((0.2 + 0.3 * forward)[:, None] * self.light + self.sky) * cover[at, None]
         return light, cover, hidden
 

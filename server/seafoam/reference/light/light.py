@@ -7,30 +7,19 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import lru_cache, partial
-from typing import Protocol
 
 import numpy as np
 
 from seafoam.ocean.constants import WATER_INDEX
-from seafoam.reference.light.atmosphere import (
-    CONTRAST,
-    DISC_MOST,
-    MIE_LEAST,
-    MIE_PER_TURBIDITY,
-    RAYLEIGH,
-    LayeredSky,
-    layered_sky,
-    over_hemisphere,
-    to_sun,
-)
+from seafoam.reference.light import atmosphere
 from seafoam.reference.light.clouds import FORWARD
 from seafoam.reference.shore.soil import Soil
-from seafoam.reference.types import Floats, dot, smoothstep, unit
+from seafoam.reference.types import Floats, dot, henyey_greenstein, smoothstep, unit
 from seafoam.scene.light import Light
 from seafoam.scene.water import Water
 
-AIR_MASS_OFFSET = 0.03
-VIEW_AIR_MASS_OFFSET = 0.09
+AIR_MASS_OFFSET, VIEW_AIR_MASS_OFFSET = 0.03, 0.09
+"""Of M = 1/(max(y, 0) + offset), the air mass of the sun's light and of view rays of height y, less at the horizon."""
 SUN_POWER = 20.0
 SUN_RISE = 0.02
 TWILIGHT = 12.0
@@ -61,7 +50,7 @@ class Air:
     """E_s, (3,)."""
     air_light: Floats
     """E_a, (3,)."""
-    above: LayeredSky | None = None
+    above: atmosphere.LayeredSky | None = None
     """The layered sky of section 9, if the scene has one."""
 
     def sky(self, d: Floats) -> Floats:
@@ -81,20 +70,12 @@ class Air:
         return _sky_irradiance(tuple(self.sun.tolist()), self.mie)
 
 
-def air_mass(y: Floats) -> Floats:
-    """M(y) = 1/(max(y, 0) + 0.03) of the height y of a unit direction."""
-    return 1.0 / (np.maximum(y, 0.0) + AIR_MASS_OFFSET)
-
-
-def view_air_mass(y: Floats) -> Floats:
-    """M_v(y) = 1/(max(y, 0) + 0.09): air mass along view rays, less at the horizon than for the sun's light."""
-    return 1.0 / (np.maximum(y, 0.0) + VIEW_AIR_MASS_OFFSET)
-
-
 def air(light: Light, time: float = 0.0, eye: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> Air:
     """The air under a light at a time (s) around a camera position (m)."""
-    plain = _air(to_sun(light), MIE_LEAST + MIE_PER_TURBIDITY * (light.turbidity - 1.0))
-    above = layered_sky(light, time, eye)
+    plain = _air(
+        atmosphere.to_sun(light), atmosphere.MIE_LEAST + atmosphere.MIE_PER_TURBIDITY * (light.turbidity - 1.0)
+    )
+    above = atmosphere.layered_sky(light, time, eye)
     if above is None:
         return plain
     return replace(plain, sun=above.lit_by, sun_irradiance=above.direct, above=above)
@@ -103,18 +84,18 @@ def air(light: Light, time: float = 0.0, eye: tuple[float, float, float] = (0.0,
 def sky(air: Air, d: Floats) -> Floats:
     """Radiance of the sky toward d, without the sun's disc; (..., 3)."""
     gamma = dot(d, air.sun)[..., None]
-    height = d[..., 1][..., None]
-    rayleigh = RAYLEIGH * (3.0 / (16.0 * math.pi)) * (1.0 + gamma * gamma)
-    mie = air.mie * (1.0 - FORWARD**2) / (4.0 * math.pi * (1.0 + FORWARD**2 - 2.0 * FORWARD * gamma) ** 1.5)
+    air_mass = 1.0 / (np.maximum(d[..., 1], 0.0) + VIEW_AIR_MASS_OFFSET)[..., None]
+    rayleigh = atmosphere.RAYLEIGH * (3.0 / (16.0 * math.pi)) * (1.0 + gamma * gamma)
+    mie = air.mie * henyey_greenstein(FORWARD, gamma)
     scattered = (rayleigh + mie) / air.depth + FLAT_SHARE
-    return air.air_light * scattered * (1.0 - np.exp(-air.depth * view_air_mass(height)))
+    return air.air_light * scattered * (1.0 - np.exp(-air.depth * air_mass))
 
 
 def sun_disc(air: Air, d: Floats) -> Floats:
     """Radiance of the sun's disc toward d; (..., 3)."""
     away = d - air.sun
     inside = 1.0 - smoothstep(DISC_INNER**2, DISC_OUTER**2, dot(away, away))
-    return np.minimum(air.sun_irradiance / SUN_SOLID_ANGLE, DISC_MOST) * inside[..., None]
+    return np.minimum(air.sun_irradiance / SUN_SOLID_ANGLE, atmosphere.DISC_MOST) * inside[..., None]
 
 
 def fresnel(c: Floats) -> Floats:
@@ -140,44 +121,29 @@ Glint = Callable[[Floats, Floats, Floats, float], Floats]
 """Reflection of the sun (r, 3) from d, n, cv and σ², the arguments of :func:`glint`."""
 
 
-class Floor(Protocol):
-    """The ground under r places of the water."""
-
-    def seen(self, extinction: Floats, deep: Floats, down: Floats) -> Floats:
-        """Light (r, 3) of the ground and of the water before it.
-
-        ``extinction`` (3,) 1/m; ``deep`` (r, 3): light of water without end; ``down`` (r, 3): irradiance that enters.
-        """
+Floor = Callable[[Floats, Floats, Floats], Floats]
+"""Light (r, 3) of the ground under places on the water and of the water before it, from the extinction (3,) 1/m, the
+light (r, 3) of water without end, and the irradiance (r, 3) that enters."""
 
 
-@dataclass(frozen=True, eq=False)
-class PlainFloor:
-    """A floor that light reaches as through level water."""
+def plain_floor(path: Floats, albedo: Floats) -> Floor:
+    """A floor that light reaches as through level water, ``path`` (r,) m down and back; albedo (r, 3) or (3,)."""
 
-    path: Floats
-    """(r,) length of the light's path through the water, down and back, m."""
-    albedo: Floats
-    """(r, 3), or (3,) of all."""
+    def seen(extinction: Floats, deep: Floats, down: Floats) -> Floats:
+        left = np.exp(-extinction * path[:, None])
+        return deep * (1.0 - left) + albedo * down / math.pi * left
 
-    def seen(self, extinction: Floats, deep: Floats, down: Floats) -> Floats:
-        left = np.exp(-extinction * self.path[:, None])
-        return deep * (1.0 - left) + self.albedo * down / math.pi * left
+    return seen
 
 
-@dataclass(frozen=True, eq=False)
-class LitFloor:
-    """A floor with its own lighting."""
+def lit_floor(radiance: Floats, path: Floats, depth: Floats) -> Floor:
+    """A floor at a depth (r,) m with its own lighting, (r, 3), ``path`` (r,) m below along the ray."""
 
-    radiance: Floats
-    """(r, 3)."""
-    path: Floats
-    """(r,) length of the path up from it, m."""
-    depth: Floats
-    """(r,) m."""
+    def seen(extinction: Floats, deep: Floats, down: Floats) -> Floats:
+        scattered = deep * (1.0 - np.exp(-extinction * (path + depth)[:, None]))
+        return scattered + radiance * np.exp(-extinction * path[:, None])
 
-    def seen(self, extinction: Floats, deep: Floats, down: Floats) -> Floats:
-        scattered = deep * (1.0 - np.exp(-extinction * (self.path + self.depth)[:, None]))
-        return scattered + self.radiance * np.exp(-extinction * self.path[:, None])
+    return seen
 
 
 @dataclass(frozen=True, eq=False)
@@ -256,7 +222,7 @@ def haze(air: Air, visibility: float, L: Floats, d: Floats, distance: Floats) ->
     For vertical rays, which have no horizon ahead, the horizon's direction is the zero vector.
     """
     if air.above is None:
-        through = np.exp(-CONTRAST * distance / visibility)[:, None]
+        through = np.exp(-atmosphere.CONTRAST * distance / visibility)[:, None]
         behind = sky(air, unit(d * np.array([1.0, 0.0, 1.0])))
     else:
         through, behind = air.above.passed(distance), air.above.before(d)
@@ -264,9 +230,9 @@ def haze(air: Air, visibility: float, L: Floats, d: Floats, distance: Floats) ->
 
 
 def _air(sun: Floats, mie: float) -> Air:
-    depth = RAYLEIGH + mie
+    depth = atmosphere.RAYLEIGH + mie
     height = sun[1]
-    path = depth * air_mass(height)
+    path = depth * (1.0 / (np.maximum(height, 0.0) + AIR_MASS_OFFSET))
     return Air(
         sun=sun,
         mie=mie,
@@ -279,7 +245,7 @@ def _air(sun: Floats, mie: float) -> Air:
 @lru_cache(maxsize=64)
 def _sky_irradiance(sun: tuple[float, ...], mie: float) -> Floats:
     plain = _air(np.array(sun), mie)
-    return over_hemisphere(lambda d: sky(plain, d))
+    return atmosphere.over_hemisphere(lambda d: sky(plain, d))
 
 
 def _column(share: Share) -> Floats:
@@ -300,8 +266,8 @@ def _body(body: Water, down: Floats, cv: Floats, hit: WaterHit) -> Floats:
         if body.depth is None:
             return deep
         path = np.maximum(body.depth + hit.height, 0.0) * (1.0 + 1.0 / _refracted_cosine(cv))
-        floor = PlainFloor(path, np.array(body.floor_albedo))
-    return floor.seen(extinction, deep, down)
+        floor = plain_floor(path, np.array(body.floor_albedo))
+    return floor(extinction, deep, down)
 
 
 def _refracted_cosine(c: Floats) -> Floats:

@@ -4,6 +4,7 @@ import math
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
+from itertools import product
 
 import numpy as np
 
@@ -56,10 +57,8 @@ class SparkleField:
         folded = q[:, [0, 2]] / (np.abs(q).sum(axis=1, keepdims=True) * self.side)
         first = np.floor(folded - 0.5)
         total = np.zeros_like(w)
-        for across in (0.0, 1.0):
-            for along in (0.0, 1.0):
-                cell = first + np.array([across, along])
-                total += self._one(q, w, cell)
+        for corner in product((0.0, 1.0), repeat=2):
+            total += self._one(q, w, first + corner)
         return total
 
     def _one(self, q: Floats, w: Floats, cell: Floats) -> Floats:

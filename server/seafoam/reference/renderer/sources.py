@@ -1,64 +1,112 @@
-"""Sources of foam saturation: the function of each kind, evaluated at surface points. docs/formulae.md, section 4."""
+"""Section 4: the saturation f of foam, before any look thresholds it: the function of each kind of source."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from pydantic import BaseModel
 
 from seafoam.extensions import TRUTHS
 from seafoam.ocean.waves.stokes import foam_drift
+from seafoam.reference.foam import front
 from seafoam.reference.foam.drift import drift_saturation
-from seafoam.reference.foam.front import CAP, History
-from seafoam.reference.foam.saturation import front_source, height_saturation, joined, slope_saturation
 from seafoam.reference.renderer.state import ReferenceState, WaterSamples
 from seafoam.reference.types import Floats
 from seafoam.reference.types import SurfacePoints as SurfacePoints
+from seafoam.reference.waves.parametric import WaveSet, wave_set
 from seafoam.reference.waves.sea import whitecap_saturation
-from seafoam.scene.foam import (
-    DriftSaturation,
-    Foam,
-    FrontSaturation,
-    HeightSaturation,
-    SlopeSaturation,
-    SurfSaturation,
-    WakeSaturation,
-    WhitecapSaturation,
-)
+from seafoam.scene import foam as scenes
+
+Slopes = Callable[[Floats, Floats], tuple[Floats, Floats]]
+"""The surface's gradient at (x, z), m from the origin; (r,) each."""
 
 
-def _front(state: ReferenceState, source: FrontSaturation, points: SurfacePoints) -> Floats:
-    history = History(foam_drift(state.scene), state.surface.orbits)
-    return front_source(source, state.front_waves[source.constants], points, state.eye_y, history)
+def height_saturation(H: Floats, base: float, full: float) -> Floats:
+    """f = (H − H₀)/(Hmax − H₀), held in [0, 4]; H, H₀ and Hmax in m."""
+    return np.clip((H - base) / (full - base), 0.0, front.CAP)
 
 
-def _height(state: ReferenceState, source: HeightSaturation, points: SurfacePoints) -> Floats:
+def slope_saturation(slopes: Slopes, x: Floats, z: Floats, gain: float, base: float, blur: float) -> Floats:
+    """f = gain (1 − n.y − base), held in [0, 4]; with a blur (m) 1 − n.y is a mean of five places, a cross."""
+    offsets = ((0.0, 0.0), (blur, 0.0), (-blur, 0.0), (0.0, blur), (0.0, -blur)) if blur > 0.0 else ((0.0, 0.0),)
+    lack = np.zeros_like(x)
+    for dx, dz in offsets:
+        h_x, h_z = slopes(x + dx, z + dz)
+        lack += (1.0 - 1.0 / np.sqrt(1.0 + h_x * h_x + h_z * h_z)) / len(offsets)
+    return np.clip(gain * (lack - base), 0.0, front.CAP)
+
+
+def joined(parts: list[Floats], combine: Literal["max", "product"], cap: float) -> Floats:
+    """The greatest or the product of saturations, each and the result capped; one array or more."""
+    result = np.minimum(parts[0], cap)
+    for part in parts[1:]:
+        held = np.minimum(part, cap)
+        result = np.maximum(result, held) if combine == "max" else result * held
+    return np.minimum(result, cap)
+
+
+def front_source(
+    source: scenes.FrontSaturation,
+    waves: WaveSet,
+    points: SurfacePoints,
+    eye_y: float,
+    history: front.History = front.STILL,
+) -> Floats:
+    """f of fronts at points; (r,).
+
+    ``waves``: those of the source's constants. With footprints fronts are averaged over what an eye at a height of
+    ``eye_y`` m over (0, 0) sees of them. ``history``: how foam that fronts leave moves with the water.
+    """
+    if waves.amplitude.size == 0:
+        return np.zeros_like(points.x)
+    if source.decay is not None:
+        return front.decaying_front(source, waves, points, eye_y, history)
+    constants = front.FRONT_CONSTANTS[source.constants]
+    sum_of = front.group(waves, points.x, points.z, constants.delta)
+    if points.footprints is None:
+        f = np.minimum(front.front_saturation(sum_of.X, sum_of.Y, source.intensity, constants.base), points.cap)
+    else:
+        psi, crest = np.arctan2(sum_of.Y, sum_of.X), 2.0 * constants.delta - 0.5 * math.pi
+        psi, width = front.phases_under(psi, front.phase_gradient(sum_of), points, eye_y, waves.relief, crest)
+        f = front.front_saturation_filtered(psi, width, source.intensity, constants.base)
+    return f * front.gate(sum_of.rho, source.group)
+
+
+def _front(state: ReferenceState, source: scenes.FrontSaturation, points: SurfacePoints) -> Floats:
+    history = front.History(foam_drift(state.scene), state.surface.orbits)
+    spatial = front.FRONT_CONSTANTS[source.constants].spatial
+    waves = wave_set(state.scene, state.time, state.surface.afloat, spatial)
+    return front_source(source, waves, points, state.eye_y, history)
+
+
+def _height(state: ReferenceState, source: scenes.HeightSaturation, points: SurfacePoints) -> Floats:
     return height_saturation(points.height + state.surface.waves.level, source.base, source.full)
 
 
-def _slope(state: ReferenceState, source: SlopeSaturation, points: SurfacePoints) -> Floats:
+def _slope(state: ReferenceState, source: scenes.SlopeSaturation, points: SurfacePoints) -> Floats:
     x, z = points.x, points.z
     return slope_saturation(lambda x, z: state.surface.slopes(x, z)[1], x, z, source.gain, source.base, source.blur)
 
 
-def _fold(state: ReferenceState, source: WhitecapSaturation, points: SurfacePoints) -> Floats:
+def _fold(state: ReferenceState, source: scenes.WhitecapSaturation, points: SurfacePoints) -> Floats:
     return whitecap_saturation(state.scene, source, state.surface.sea, points.x, points.z)
 
 
-def _surf(state: ReferenceState, source: SurfSaturation, points: SurfacePoints) -> Floats:
+def _surf(state: ReferenceState, source: scenes.SurfSaturation, points: SurfacePoints) -> Floats:
     coast = state.surface.coast
     if coast is None:
         return np.zeros_like(points.x)
     return coast.foam(source, points.x, points.z, points.height, points.footprints)
 
 
-def _drift(state: ReferenceState, source: DriftSaturation, points: SurfacePoints) -> Floats:
+def _drift(state: ReferenceState, source: scenes.DriftSaturation, points: SurfacePoints) -> Floats:
     return drift_saturation(state.scene, source, points.time, points.origin, points.x, points.z)
 
 
-def _wake(state: ReferenceState, source: WakeSaturation, points: SurfacePoints) -> Floats:
+def _wake(state: ReferenceState, source: scenes.WakeSaturation, points: SurfacePoints) -> Floats:
     wakes = state.surface.wakes
     if wakes is None:
         return np.zeros_like(points.x)
@@ -66,24 +114,24 @@ def _wake(state: ReferenceState, source: WakeSaturation, points: SurfacePoints) 
 
 
 _SOURCES: dict[type[BaseModel], Callable[[ReferenceState, Any, SurfacePoints], Floats]] = {
-    FrontSaturation: _front,
-    HeightSaturation: _height,
-    SlopeSaturation: _slope,
-    WhitecapSaturation: _fold,
-    SurfSaturation: _surf,
-    DriftSaturation: _drift,
-    WakeSaturation: _wake,
+    scenes.FrontSaturation: _front,
+    scenes.HeightSaturation: _height,
+    scenes.SlopeSaturation: _slope,
+    scenes.WhitecapSaturation: _fold,
+    scenes.SurfSaturation: _surf,
+    scenes.DriftSaturation: _drift,
+    scenes.WakeSaturation: _wake,
 }
 
 
-def saturation(state: ReferenceState, foam: Foam, samples: WaterSamples) -> Floats:
+def saturation(state: ReferenceState, foam: scenes.Foam, samples: WaterSamples) -> Floats:
     """f where samples meet the water; (r,) in [0, 1] or, for other looks than the filtered one, [0, 4].
 
     Parts of effects outside the package that have a saturation are sources like the foam's own.
     """
     filtered = foam.look == "filtered"
     footprints = samples.footprints if filtered and state.filtering else None
-    cap = 1.0 if filtered else CAP
+    cap = 1.0 if filtered else front.CAP
     points = SurfacePoints(samples.x, samples.z, samples.height, footprints, cap, state.time, state.origin)
     parts = [_SOURCES[type(source)](state, source, points) for source in foam.saturation]
     outside = (part for _, part in state.scene.extensions if type(part) in TRUTHS)

@@ -13,7 +13,6 @@ from seafoam.reference.boats.boat import Fleet, fleet
 from seafoam.reference.boats.stones import StoneSet, stone_set
 from seafoam.reference.boats.wake import WakeSet, wake_set
 from seafoam.reference.foam.coverage import Assets
-from seafoam.reference.foam.front import FRONT_CONSTANTS
 from seafoam.reference.light import light, sparkles
 from seafoam.reference.renderer import intersect
 from seafoam.reference.renderer.camera import SampleGrid
@@ -25,7 +24,6 @@ from seafoam.reference.water.seafloor import Seabed, ShoreSeabed
 from seafoam.reference.waves.parametric import RippleSet, WaveSet, afloat, gust_field, ripple_set, wave_set
 from seafoam.reference.waves.rings import RingSet, ring_set, touch_set
 from seafoam.reference.waves.sea import SeaSurface, sea_surface
-from seafoam.scene.foam import FrontSaturation
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 
@@ -198,7 +196,6 @@ class ReferenceState:
         self.covered = self.eye_y < float(relief.height(np.zeros(1), np.zeros(1))[0])
         self.under = scene.water.view_below and self.covered
         self.seabed = seabed_of(scene, time, self.origin, self.lighting, coast, self.under)
-        self.front_waves = front_waves(scene, time, self.surface.afloat)
 
     @property
     def exposure(self) -> float:
@@ -236,11 +233,3 @@ def seabed_of(
         return None
     parts = scene, lighting.air, time, origin, lighting.sunlight
     return Seabed(*parts) if coast is None else ShoreSeabed(*parts, coast)
-
-
-def front_waves(scene: Scene, time: float, origin: tuple[float, float]) -> dict[str, WaveSet]:
-    """The waves whose groups make fronts, by the name of their constants; none: the scene has no fronts."""
-    front = None if scene.foam is None else scene.foam.source(FrontSaturation)
-    if front is None:
-        return {}
-    return {front.constants: wave_set(scene, time, origin, FRONT_CONSTANTS[front.constants].spatial)}

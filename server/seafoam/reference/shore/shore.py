@@ -12,7 +12,7 @@ import numpy as np
 from scipy import ndimage
 
 from seafoam.ocean.constants import WATER_INDEX
-from seafoam.reference.light.light import PlainFloor
+from seafoam.reference.light.light import Floor, plain_floor
 from seafoam.reference.noise import KEY, filtered_step, footprint_variance, patches, value
 from seafoam.reference.renderer.relief import ReliefPart
 from seafoam.reference.shore.maps import (
@@ -299,7 +299,7 @@ class Coast:
         heights, step = self.floor.texels[..., 0], self.floor.size / self.floor.texels.shape[0]
         return 1.01 * math.hypot(*(float(np.abs(np.diff(heights, axis=axis)).max()) / step for axis in (0, 1)))
 
-    def bed(self, x: Floats, z: Floats, H: Floats, d: Floats, n: Floats, footprints: Footprints) -> PlainFloor:
+    def bed(self, x: Floats, z: Floats, H: Floats, d: Floats, n: Floats, footprints: Footprints) -> Floor:
         """The floor along rays d (r, 3) refracted at (x, z), where the water has height H and unit normals n (r, 3)."""
         q_x, q_z = self.place(x, z)
         c = dot(n, d)
@@ -319,7 +319,7 @@ class Coast:
             sides = footprints[0][near], footprints[1][near]
             soil = detailed(self.shore, place, self.ground(*place), sides, (soaked, soaked), floor=True)
             colour[near] = soil.albedo + deep[near, None] * (colour[near] - soil.albedo)
-        return PlainFloor(under * (1.0 + 1.0 / fall), colour)
+        return plain_floor(under * (1.0 + 1.0 / fall), colour)
 
     def albedo(self, q_x: Floats, q_z: Floats, footprints: Footprints) -> Floats:
         """Reflectance of the ground; (r, 3)."""

@@ -170,7 +170,7 @@ def _form(kind: Floats, age: Floats, life: Floats, vary: Floats, other: Floats) 
         1.8 * ends * smoothstep(0.0, 0.02, x) / (0.4 + 0.6 * radius),
     )
     covers = (0.8 - 0.62 * torn) * (0.6 + 0.4 * other), 0.85, 1.0, 1.1 - 0.8 * spread
-    depth, cover = np.choose(number, depths), np.choose(number, covers)
+    depth, cover = (np.choose(number, np.broadcast_arrays(*each)) for each in (depths, covers))
     return _Form(radius, of["moment"], of["longest"], depth, cover, of["soft"])
 
 

@@ -14,7 +14,7 @@ import numpy as np
 
 from seafoam.ocean.constants import WATER_INDEX
 from seafoam.ocean.waves.ripples import ripple_cascades, tiles
-from seafoam.reference.light.light import BACKSCATTER, ENTERS, GLITTER_MOST, Air, LitFloor, air, fresnel
+from seafoam.reference.light.light import BACKSCATTER, ENTERS, GLITTER_MOST, Air, Floor, air, fresnel, lit_floor
 from seafoam.reference.noise import chained, share
 from seafoam.reference.shore.shore import Coast
 from seafoam.reference.types import Floats, Footprints, Sunlight, dot, unit
@@ -148,13 +148,13 @@ class Seabed:
             flat = landing(air, water.depth, np.zeros(1), np.zeros(1), WATER_INDEX)
             self.flat = float(flat[0][0]), float(flat[1][0])
 
-    def seen(self, x: Floats, z: Floats, H: Floats, d: Floats, n: Floats, footprints: Footprints) -> LitFloor:
+    def seen(self, x: Floats, z: Floats, H: Floats, d: Floats, n: Floats, footprints: Footprints) -> Floor:
         """The floor along rays d (r, 3) refracted at (x, z), where the surface has height H and normals n."""
         ray = refracted(d, n)
         down = np.maximum(self.depth + H, 0.0)
         path = down / np.maximum(-ray[:, 1], LEAST_FALL)
         radiance = self.light(x + path * ray[:, 0], z + path * ray[:, 2], down, footprints)
-        return LitFloor(radiance, path, down)
+        return lit_floor(radiance, path, down)
 
     def light(self, x: Floats, z: Floats, down: Floats, footprints: Footprints) -> Floats:
         """Radiance (r, 3) of the floor at (x, z), m from the origin, at a depth of ``down`` m."""

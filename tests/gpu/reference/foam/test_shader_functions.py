@@ -10,7 +10,8 @@ from seafoam.effects.foam.height import NODES as HEIGHT_NODES
 from seafoam.effects.foam.height import visible_heights
 from seafoam.effects.shader import Inline
 from seafoam.ocean.basics.dispersion import wavevector
-from seafoam.reference.foam import front, saturation
+from seafoam.reference.foam import front
+from seafoam.reference.renderer.sources import height_saturation
 from seafoam.reference.waves import parametric as waves
 from seafoam.textures import FRONT_NODES, FrontIntegral, front_fading, front_full
 from support.probe import Probe, grid_of
@@ -63,7 +64,7 @@ def test_front_equals_its_float64_form(probe: Probe, constants: str, intensity: 
         uniforms=front_uniforms(intensity, base),
     )[:, 0]
     wide = psi.astype(np.float64)
-    want = saturation.front_saturation(np.cos(wide), np.sin(wide), intensity, base)
+    want = front.front_saturation(np.cos(wide), np.sin(wide), intensity, base)
     want[wide == 0.0] = 4.0
     assert np.isfinite(got).all()
     away = np.abs(got - want)
@@ -113,7 +114,7 @@ def test_filtered_front_equals_its_float64_form(probe: Probe, intensity: float) 
         textures={"u_front_integral": FrontIntegral(intensity=intensity, log_base=1.0)},
     )[:, 0]
     wide = grid.astype(np.float64)
-    want = saturation.front_saturation_filtered(wide[:, 0], wide[:, 1], intensity)
+    want = front.front_saturation_filtered(wide[:, 0], wide[:, 1], intensity)
     assert np.isfinite(got).all()
     # A window that just touches the jump covers it by a share of (its float32 edge) / width.
     allowed = TOLERANCE + 5e-7 / wide[:, 1]
@@ -233,7 +234,7 @@ def test_height_equals_its_float64_form(probe: Probe, part: str, cap: float) -> 
         uniforms={"u_height_base": np.float32(0.3), "u_height_full": np.float32(2.1)},
     )[:, 0]
     want = np.minimum(
-        saturation.height_saturation(heights.astype(np.float64), float(np.float32(0.3)), float(np.float32(2.1))), cap
+        height_saturation(heights.astype(np.float64), float(np.float32(0.3)), float(np.float32(2.1))), cap
     )
     assert np.abs(got - want).max() <= TOLERANCE
 
