@@ -14,7 +14,7 @@ from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference import render as reference
 from seafoam.reference.foam.cells import corners
-from seafoam.reference.foam.saturation import slope_saturation
+from seafoam.reference.renderer.sources import slope_saturation
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.render.gl.executor import Executor
 from support.exact import UNFILTERED
