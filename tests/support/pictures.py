@@ -15,9 +15,11 @@ ROUNDED = 0.6
 """Levels that a number may be from the byte that it is written as: what Direct3D's conversion rules grant to hardware.
 Mesa's drivers keep to half a level, an NVIDIA H200 to 0.561."""
 
+Size = tuple[int, int]
+
 
 def draw(
-    executor: Executor, plan: FramePlan, camera: Camera, *, time: float, size: tuple[int, int], output: Output = "rgba8"
+    executor: Executor, plan: FramePlan, camera: Camera, *, time: float, size: Size, output: Output = "rgba8"
 ) -> NDArray[Any]:
     """A frame's pixels, (height, width, 4), rows from the top; ``size`` is its width and height.
 
@@ -29,10 +31,17 @@ def draw(
 
 
 def samples(
-    executor: Executor, scene: Scene, quality: Quality, camera: Camera, *, time: float, size: tuple[int, int]
+    executor: Executor, scene: Scene, quality: Quality, camera: Camera | None = None, *, size: Size, time: float = 0.0
 ) -> NDArray[np.float32]:
-    """Linear light of every sample of a scene's frame, from any camera."""
-    return draw(executor, make_plan(scene, quality), camera, time=time, size=size, output="samples")
+    """Linear light of every sample of a scene's frame, from its own camera or another."""
+    return draw(executor, make_plan(scene, quality), camera or scene.camera, time=time, size=size, output="samples")
+
+
+def linear(
+    executor: Executor, scene: Scene, quality: Quality, camera: Camera | None = None, *, size: Size, time: float = 0.0
+) -> NDArray[np.float32]:
+    """Linear light and coverage of every pixel of a scene's frame, from its own camera or another."""
+    return draw(executor, make_plan(scene, quality), camera or scene.camera, time=time, size=size, output="linear")
 
 
 def draw_target(
@@ -59,3 +68,8 @@ def levels(a: NDArray[Any], b: NDArray[Any]) -> NDArray[np.float64]:
 def rmse(a: NDArray[Any], b: NDArray[Any]) -> float:
     """Root mean square of the differences of colours, clipped at white, in levels."""
     return float(255.0 * np.sqrt(np.mean((colours(a) - colours(b)) ** 2)))
+
+
+def rms(off: NDArray[Any]) -> float:
+    """Root mean square."""
+    return float(np.sqrt(np.mean(np.square(off, dtype=np.float64))))

@@ -1,5 +1,6 @@
 """Runs functions of ``shaders/`` on arrays of inputs, so that they can be held against float64."""
 
+import hashlib
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -10,10 +11,17 @@ from numpy.typing import NDArray
 from seafoam.effects.effect import Contribution
 from seafoam.effects.shader import Inline, Piece
 from seafoam.framegraph.evaluation import FrameState, evaluate
+from seafoam.framegraph.passes import State
+from seafoam.framegraph.shader import Program, Shader
+from seafoam.framegraph.visibility import everywhere
+from seafoam.planner import FramePlan, make_plan
 from seafoam.planner.glsl import assemble
+from seafoam.quality import Quality
 from seafoam.render.gl.executor import TEXTURE_FORMATS, Executor
 from seafoam.textures import TextureSpec, spec_at, texture
-from support.scenes import Camera
+from support.exact import EXACT
+from support.pictures import draw
+from support.scenes import Camera, Scene
 
 WHOLE = assemble(["vertex/vertex.glsl@fullscreen"], {"FULLSCREEN_DEPTH": 0.0})
 """The vertex shader over the whole target."""
@@ -118,6 +126,50 @@ class Probe:
         else:
             made.filter = (moderngl.NEAREST_MIPMAP_NEAREST if data.levels > 1 else moderngl.NEAREST, moderngl.NEAREST)
         return made
+
+
+SIDE = 100
+"""Places along each side of what :func:`shown` evaluates: 10,000 in all."""
+
+
+def patched(plan: FramePlan, main: str, name: str = "surface") -> FramePlan:
+    """The plan with another main function in its surface's shader, or with that of another program in its place.
+
+    It is drawn all over the target, whatever the eye.
+    """
+    program = plan.programs[name]
+    old = program.fragment.text
+    assert old.count("void main()") == 1
+    text = old.replace("void main()", "void drawn_main()") + main
+    fragment = Shader(text=text, sha256=hashlib.sha256(text.encode()).hexdigest(), files=())
+    programs = {**plan.programs, "surface": Program(vertex=WHOLE, fragment=fragment)}
+    kept = [one for one in everywhere(plan).passes if one.program not in ("sky", "land", "land, shown")]
+    first = next(index for index, one in enumerate(kept) if one.program == "surface")
+    kept[first] = kept[first].model_copy(update={"state": State(depth=True, clear=True)})
+    return plan.model_copy(update={"programs": programs, "passes": tuple(kept), "top": -1e9})
+
+
+def shown(
+    executor: Executor,
+    scene: Scene,
+    body: str,
+    side: float,
+    *,
+    time: float = 0.0,
+    quality: Quality = EXACT,
+    name: str = "surface",
+) -> NDArray[np.float64]:
+    """(10,000, 4): what ``body`` (reads ``vec2 p``, m from the eye; sets o_color) gives evenly over a square, m."""
+    main = f"""
+void main() {{
+    float i = floor(gl_FragCoord.y) * {SIDE}.0 + floor(gl_FragCoord.x) + 1.0;
+    vec2 p = (fract(i * vec2(0.754877666, 0.569840291)) - 0.5) * {side:.1f};
+    {body}
+}}
+"""
+    plan = patched(make_plan(scene, quality), main, name)
+    pixels = draw(executor, plan, scene.camera, time=time, size=(SIDE, SIDE), output="samples")
+    return pixels.reshape(-1, 4).astype(np.float64)
 
 
 def grid_of(*axes: NDArray[np.float64]) -> NDArray[np.float32]:

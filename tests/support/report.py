@@ -11,6 +11,16 @@ class Report:
         """Add a row to a table."""
         self.tables.setdefault(title, []).append(row)
 
+    def within(self, title: str, /, **row: object) -> None:
+        """Add a row, and fail where a figure is over its bound: a pair is both, all else says what the row is of."""
+        bounded = {name: value for name, value in row.items() if isinstance(value, tuple)}
+        words = {name: f"{found:.3g} (bound {most:.3g})" for name, (found, most) in bounded.items()}
+        plain = {name: f"{value:g}" if isinstance(value, float) else str(value) for name, value in row.items()}
+        self.add(title, **plain | words)
+        # NaN exceeds every bound.
+        over = [f"{name} {found:.4g} > {most:.4g}" for name, (found, most) in bounded.items() if not found <= most]
+        assert not over, f"{title}: {', '.join(over)}"
+
     def lines(self) -> list[str]:
         """The tables as text."""
         lines: list[str] = []

@@ -6,8 +6,6 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from gpu.reference.shore.test_shore import drawn
-from gpu.reference.shore.test_shore import probe as shown
 from seafoam.effects.light.light import sun_direction
 from seafoam.effects.shader import Inline
 from seafoam.planner import make_plan
@@ -19,6 +17,7 @@ from support.hard.guarded import Guarded
 from support.pictures import draw_target, samples
 from support.probe import Probe
 from support.scenes import Boat, Camera, Caustics, Light, ParametricWave, Ripples, Scene, Shore, Surf, Water
+from support.scenes.coasts import map_of, on_shore
 
 RAYS = ("lib/numbers.glsl", "lib/rays.glsl@camera", "lib/texels.glsl@texel")
 
@@ -159,7 +158,7 @@ def test_a_grid_is_no_brighter_in_a_focus_than_photons(executor: Executor) -> No
 
 def test_a_shore_without_surf_has_a_finite_map(executor: Executor) -> None:
     shore = Shore(size=160.0, radius=25.0, depth=0.5, height=0.1, slope=0.01, smoothing=3.0, surf=Surf(height=0.0))
-    assert np.isfinite(drawn(executor, make_plan(Scene(shore=shore), EXACT), "shore_map")).all()
+    assert np.isfinite(map_of(executor, make_plan(Scene(shore=shore), EXACT), "shore_map")).all()
 
 
 def test_fronts_are_no_steeper_than_a_smoothed_step() -> None:
@@ -179,7 +178,7 @@ def test_shadows_of_land_end(executor: Executor, elevation: float, away: float) 
     def lit(metres: float) -> float:
         place = f"vec3({-metres * x:.3f}, 0.0, {-metres * z:.3f})"
         body = f"o_color = vec4(sunlit({place}, Footprint(vec2(0.0), vec2(0.0))), 0.0, 0.0, 0.0);"
-        return float(shown(executor, Scene(shore=shore, light=light), body)[0, 0])
+        return float(on_shore(executor, Scene(shore=shore, light=light), body)[0, 0])
 
     assert lit(100.0) < 0.5
     assert lit(away) == 1.0

@@ -9,9 +9,8 @@ from numpy.typing import NDArray
 from seafoam.effects.boats.wake import ASIDE
 from seafoam.effects.shader import Inline
 from seafoam.framegraph.visibility import everywhere
-from seafoam.ocean.waves.wakes import Wake, wake_slope
+from seafoam.ocean.waves.wakes import Wake
 from seafoam.planner import FramePlan, make_plan
-from seafoam.planner.glsl import assemble
 from seafoam.quality import TIERS
 from seafoam.reference.boats import boat as reference
 from seafoam.reference.boats import floating
@@ -21,7 +20,7 @@ from seafoam.reference.renderer.shade import SampleShader
 from seafoam.render.gl.executor import Executor
 from support.exact import EXACT
 from support.pictures import draw
-from support.probe import WHOLE, Probe
+from support.probe import Probe, patched
 from support.report import Report
 from support.scenes import Boat, Camera, ParametricWave, Ring, Scene, Sea, Shore
 from support.scenes.fleet import BOATS, WAKES
@@ -58,21 +57,12 @@ def drawn_heights(
     executor: Executor, plan: FramePlan, time: float, camera: Camera, places: list[tuple[float, float]]
 ) -> NDArray[np.float64]:
     """Heights of the surface at places from the eye, by the program that draws it: its ``main`` alone is another."""
-    shader = plan.programs["surface"].fragment
     table = ", ".join(f"vec2({x:.9g}, {z:.9g})" for x, z in places)
-    text = shader.text.replace("void main() {", "void drawn() {") + (
-        f"\nvoid main() {{\n    vec2 at[{len(places)}] = vec2[{len(places)}]({table});\n"
+    main = (
+        f"void main() {{\n    vec2 at[{len(places)}] = vec2[{len(places)}]({table});\n"
         f"    o_color = vec4(waves(at[min(int(gl_FragCoord.x), {len(places) - 1})]).x);\n}}\n"
     )
-    changed = plan.programs["surface"].model_copy(
-        update={
-            "vertex": WHOLE,
-            "fragment": shader.model_copy(update={"text": text, "sha256": assemble([Inline(text)], {}).sha256}),
-        }
-    )
-    # Drawn for any eye, whether crests may cover it or not.
-    other = everywhere(plan).model_copy(update={"programs": {**plan.programs, "surface": changed}, "top": -1e9})
-    seen = draw(executor, other, camera, time=time, size=(len(places), 1), output="samples")
+    seen = draw(executor, patched(plan, main), camera, time=time, size=(len(places), 1), output="samples")
     return seen[0, :, 0].astype(np.float64)
 
 
@@ -212,7 +202,7 @@ def test_wakes_equal_their_float64_form(probe: Probe, report: Report) -> None:
             "Wakes against float64, 20 000 places",
             speed=f"{boat.speed:g} m/s",
             height=f"{1e6 * off[0]:.1f} µm of {boat.wake:g} m",
-            slope=f"{1e6 * off[1:].max():.1f} millionths of {wake_slope((boat,)):.2f}",
+            slope=f"{1e6 * off[1:].max():.1f} millionths of {Wake(boat).max_slope:.2f}",
         )
         assert np.isfinite(got).all()
         assert off[0] <= 2e-4 * boat.wake

@@ -1,22 +1,30 @@
 """Land in detail against float64: noise and its slopes, colours, relief, wetness (docs/formulae.md, section 8)."""
 
-import dataclasses
-
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from gpu.reference.shore.test_shore import places, probe
+from seafoam.planner import make_plan
 from seafoam.reference.shore import soil as truth
 from seafoam.render.gl.executor import Executor
 from support.exact import EXACT
 from support.report import Report
 from support.scenes import Scene
-from support.scenes.coasts import SEA, SHORE, coast
+from support.scenes.coasts import SEA, SHORE, coast, floor_of, on_shore, places
 
 HIGH = SEA.model_copy(
     update={"shore": SHORE.model_copy(update={"height": 60.0, "slope": 0.5, "relief": 1.0, "plants_from": 3.0})}
 )
+
+
+class Ground:
+    """The land of a scene with a shore at the places where shaders are evaluated."""
+
+    def __init__(self, executor: Executor, scene: Scene) -> None:
+        self.x, self.z = places(executor, scene)
+        self.sea = coast(scene, 0.0)
+        self.at = self.sea.place(self.x, self.z)
+        self.height = self.sea.ground(*self.at)[0]
 
 
 def _feet(side: float, count: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -27,74 +35,61 @@ def _text(side: float) -> str:
     return f"Footprint fp = Footprint({side} * vec2(1.0, 0.2), {side} * vec2(-0.1, 0.5)); vec2 q = shore_place(p);"
 
 
+def _drawn(executor: Executor, scene: Scene, side: float, colour: str, name: str = "land") -> NDArray[np.float64]:
+    """What ``colour`` is of ``q``, ``ground``, ``wet`` and ``soil`` under footprints of a side, m."""
+    soil = "vec2 wet = land_wet(q, ground.x); Soil soil = land_soil(q, ground, fp, wet);" if name == "land" else ""
+    body = f"Footprint fp = Footprint({side} * vec2(1.0, 0.2), {side} * vec2(-0.1, 0.5)); vec2 q = shore_place(p);"
+    return on_shore(executor, scene, f"{body} vec4 ground = shore_floor(q); {soil} o_color = {colour};", name=name)
+
+
 @pytest.mark.parametrize("side", [0.01, 0.3, 4.0])
 def test_soil(side: float, executor: Executor, report: Report) -> None:
-    x, z = places(executor, HIGH)
-    sea = coast(HIGH, 0.0)
-    q_x, q_z = sea.place(x, z)
-    height = sea.ground(q_x, q_z)[0]
-    feet = _feet(side, x.size)
-    dark, film = sea.wetness(q_x, q_z, height)
-    want = truth.detailed(sea.shore, (q_x, q_z), sea.ground(q_x, q_z), feet, (dark, film))
-    body = _text(side) + "vec4 ground = shore_floor(q); Soil soil = land_soil(q, ground, fp, land_wet(q, ground.x));"
-    colour = probe(executor, HIGH, body + "o_color = vec4(soil.albedo, soil.film);", name="land")
-    relief = probe(executor, HIGH, body + "o_color = vec4(soil.normal, 0.0);", name="land")[:, :3]
-    wet = probe(executor, HIGH, _text(side) + "o_color = vec4(land_wet(q, shore_floor(q).x), 0.0, 0.0);", name="land")
-    land = height > 0.0
-    tint = np.abs(colour[:, :3] - want.albedo).max(axis=1)[land]
-    lean = np.abs(relief - want.normal).max(axis=1)[land]
-    shine = np.abs(colour[:, 3] - want.film)[land]
-    soaked = np.abs(wet[:, :2] - np.stack((dark, film), -1)).max(axis=1)[land]
-    report.add(
+    of = Ground(executor, HIGH)
+    dark, film = of.sea.wetness(*of.at, of.height)
+    want = truth.detailed(of.sea.shore, of.at, of.sea.ground(*of.at), _feet(side, of.x.size), (dark, film))
+    colour = _drawn(executor, HIGH, side, "vec4(soil.albedo, soil.film)")
+    lean = _drawn(executor, HIGH, side, "vec4(soil.normal, 0.0)")[:, :3] - want.normal
+    wet = _drawn(executor, HIGH, side, "vec4(wet, 0.0, 0.0)")[:, :2] - np.stack((dark, film), -1)
+    land = of.height > 0.0
+
+    def most(off: NDArray[np.float64]) -> float:
+        return float(np.quantile(np.abs(off).reshape(land.size, -1).max(axis=1)[land], 0.99))
+
+    assert want.albedo[land].std() > 0.02
+    report.within(
         "Land's detail against float64, 99 % of the points on land",
         side=f"{side} m",
-        **{
-            name: f"{np.quantile(off, 0.99):.1e}"
-            for name, off in (("albedo", tint), ("normal", lean), ("film", shine), ("wetness", soaked))
-        },
+        albedo=(most(colour[:, :3] - want.albedo), 2e-3),
+        normal=(most(lean), 5e-3),
+        film=(most(colour[:, 3] - want.film), 2e-3),
+        wetness=(most(wet), 1e-3),
     )
-    assert want.albedo[land].std() > 0.02
-    assert np.quantile(tint, 0.99) <= 2e-3
-    assert np.quantile(lean, 0.99) <= 5e-3
-    assert np.quantile(shine, 0.99) <= 2e-3
-    assert np.quantile(soaked, 0.99) <= 1e-3
 
 
 def test_sand_goes_on_under_the_waters_edge(executor: Executor) -> None:
     """The floor's colour there is that of soaked land in detail; the shader's is the truth's at all depths."""
-    x, z = places(executor, HIGH)
-    sea = coast(HIGH, 0.0)
-    q_x, q_z = sea.place(x, z)
-    height = sea.ground(q_x, q_z)[0]
-    feet = _feet(0.05, x.size)
-    down, up = np.tile((0.0, -1.0, 0.0), (x.size, 1)), np.tile((0.0, 1.0, 0.0), (x.size, 1))
-    want = sea.bed(x, z, height + 1e-3, down, up, feet).albedo
-    body = _text(0.05) + "o_color = vec4(floor_albedo(q, shore_floor(q), fp), 0.0);"
-    got = probe(executor, HIGH, body)[:, :3]
+    of = Ground(executor, HIGH)
+    feet = _feet(0.05, of.x.size)
+    down, up = np.tile((0.0, -1.0, 0.0), (of.x.size, 1)), np.tile((0.0, 1.0, 0.0), (of.x.size, 1))
+    want, _ = floor_of(of.sea.bed(of.x, of.z, of.height + 1e-3, down, up, feet))
+    got = _drawn(executor, HIGH, 0.05, "vec4(floor_albedo(q, ground, fp), 0.0)", "surface")[:, :3]
     assert np.quantile(np.abs(got - want), 0.99) <= 2e-3
-    wet = np.ones_like(x), np.ones_like(x)
-    soaked = truth.detailed(sea.shore, (q_x, q_z), sea.ground(q_x, q_z), feet, wet, floor=True).albedo
-    edge = (height > -0.1) & (height < 0.5)
+    wet = np.ones_like(of.x), np.ones_like(of.x)
+    soaked = truth.detailed(of.sea.shore, of.at, of.sea.ground(*of.at), feet, wet, floor=True).albedo
+    edge = (of.height > -0.1) & (of.height < 0.5)
     assert np.count_nonzero(edge) > 50
     np.testing.assert_allclose(want[edge], soaked[edge], atol=1e-9)
-    deep = height < -0.6
-    assert np.abs(want - soaked)[deep].mean() > 0.005
+    assert np.abs(want - soaked)[of.height < -0.6].mean() > 0.005
 
 
 def test_wetness_is_the_last_swashs(executor: Executor) -> None:
     """It falls from wave to wave as the time since the crest grows, and the next crest renews it."""
-    assert SEA.shore is not None
-    period = SEA.shore.surf.period
-    sea = [coast(SEA, time) for time in (0.0, 0.02 * period)]
-    x, z = places(executor, SEA)
-    q_x, q_z = sea[0].place(x, z)
-    height = sea[0].ground(q_x, q_z)[0]
-    swash = 0.3 * SEA.shore.surf.height
-    turn = sea[0].turn(sea[0].field.value(q_x, q_z)[:, 0])
-    inside = (height > 0.3 * swash) & (height < swash)
-    ages = 1.0 - turn
-    films = [one.wetness(q_x, q_z, height)[1] for one in sea]
-    drying = inside & (ages < 0.95) & (films[0] > 0.05)
+    of, surf = Ground(executor, SEA), SHORE.surf
+    later = coast(SEA, 0.02 * surf.period)
+    swash = 0.3 * surf.height
+    ages = 1.0 - of.sea.turn(of.sea.field.value(*of.at)[:, 0])
+    films = [one.wetness(*of.at, of.height)[1] for one in (of.sea, later)]
+    drying = (of.height > 0.3 * swash) & (of.height < swash) & (ages < 0.95) & (films[0] > 0.05)
     assert np.count_nonzero(drying) > 20
     assert (films[1] <= films[0] + 0.02)[drying].all()
 
@@ -103,21 +98,15 @@ def test_what_the_footprint_hides_goes_over_into_its_mean(executor: Executor, re
     """Without detail in sight the mean colour stays: seen from afar land is as bright as the mean of what is near."""
     # Low land: of high land's layers of rock there are too few for a mean.
     low = HIGH.model_copy(update={"shore": SHORE.model_copy(update={"height": 30.0, "slope": 0.2, "relief": 0.6})})
-    x, z = places(executor, low)
-    sea = coast(low, 0.0)
-    q_x, q_z = sea.place(x, z)
-    height = sea.ground(q_x, q_z)[0]
-    land = height > 1.0
-    place, dry = (q_x[land], q_z[land]), (np.zeros(int(land.sum())), np.zeros(int(land.sum())))
-    ground = sea.ground(*place)
-    means = {
-        side: truth.detailed(sea.shore, place, ground, _feet(side, int(land.sum())), dry).albedo.mean(axis=0)
+    of = Ground(executor, low)
+    place = tuple(part[of.height > 1.0] for part in of.at)
+    count, ground = place[0].size, of.sea.ground(*place)
+    near, *wide = (
+        truth.detailed(of.sea.shore, place, ground, _feet(side, count), (np.zeros(count),) * 2).albedo.mean(axis=0)
         for side in (0.005, 0.5, 3.0, 8.0)
-    }
-    shown = {f"{side} m": ", ".join(f"{c:.4f}" for c in mean) for side, mean in means.items()}
-    report.add("Mean reflectance of land under footprints", **shown)
-    for side, mean in means.items():
-        assert np.abs(mean / means[0.005] - 1.0).max() <= 0.04, side
+    )
+    worst = max(float(np.abs(mean / near - 1.0).max()) for mean in wide)
+    report.within("Mean reflectance of land under footprints of up to 8 m, of that of 5 mm", off=(worst, 0.04))
 
 
 def test_slopes_are_those_of_the_noise() -> None:
@@ -133,24 +122,16 @@ def test_slopes_are_those_of_the_noise() -> None:
 
 
 def test_no_detail_is_the_smooth_land(executor: Executor) -> None:
-    assert HIGH.shore is not None
-    plain = HIGH.model_copy(update={"shore": HIGH.shore.model_copy(update={"detail": 0.0})})
-    x, z = places(executor, plain)
-    sea = coast(plain, 0.0)
-    q_x, q_z = sea.place(x, z)
-    want = sea.soil(q_x, q_z, _feet(0.3, x.size), still=False)
-    body = _text(0.3) + "vec4 ground = shore_floor(q); Soil soil = land_soil(q, ground, fp, land_wet(q, ground.x));"
-    colour = probe(executor, plain, body + "o_color = vec4(soil.albedo, soil.film);", name="land")
-    assert np.quantile(np.abs(colour[:, :3] - want.albedo), 0.99) <= 1e-3
-    assert np.quantile(np.abs(colour[:, 3] - want.film), 0.99) <= 1e-3
-    assert dataclasses.replace(want).glints is False
+    plain = HIGH.model_copy(update={"shore": HIGH.shore.model_copy(update={"detail": 0.0})})  # type: ignore[union-attr]
+    of = Ground(executor, plain)
+    want = of.sea.soil(*of.at, _feet(0.3, of.x.size), still=False)
+    colour = _drawn(executor, plain, 0.3, "vec4(soil.albedo, soil.film)")
+    assert np.quantile(np.abs(colour - np.column_stack((want.albedo, want.film))), 0.99) <= 1e-3
+    assert want.glints is False
 
 
 def test_a_scene_without_land_in_detail_has_no_octaves() -> None:
-    from seafoam.planner import make_plan
-
-    assert SEA.shore is not None
-    plain = SEA.model_copy(update={"shore": SEA.shore.model_copy(update={"detail": 0.0})})
+    plain = SEA.model_copy(update={"shore": SHORE.model_copy(update={"detail": 0.0})})
     for scene, there in ((SEA, True), (plain, False), (Scene(), False)):
         text = "".join(one.fragment.text for one in make_plan(scene, EXACT).programs.values())
         assert ("noise_slopes" in text) is there

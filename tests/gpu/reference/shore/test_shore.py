@@ -14,10 +14,7 @@ import pytest
 from numpy.typing import NDArray
 from scipy import ndimage
 
-from seafoam.framegraph.passes import State
-from seafoam.framegraph.shader import Program, Shader
-from seafoam.planner import FramePlan, make_plan
-from seafoam.quality import Quality
+from seafoam.planner import make_plan
 from seafoam.reference.light.light import unit
 from seafoam.reference.shore import maps
 from seafoam.reference.shore import shore as truth
@@ -25,52 +22,9 @@ from seafoam.render.gl import executor as executors
 from seafoam.render.gl.executor import Executor
 from seafoam.textures import ShoreFloor, TextureData
 from support.exact import EXACT
-from support.pictures import draw, draw_target
-from support.probe import WHOLE
 from support.report import Report
 from support.scenes import Camera, Foam, Scene, Shore, SurfSaturation
-from support.scenes.coasts import KINDS, SEA, SHORE, coast, png
-
-SIDE = 100
-"""Points along each side of a probe: 10,000 in all."""
-
-
-def patched(plan: FramePlan, main: str, name: str = "surface") -> FramePlan:
-    """The plan with another main function in its surface's shader, or with that of another program in its place."""
-    program = plan.programs[name]
-    old = program.fragment.text
-    assert old.count("void main()") == 1
-    text = old.replace("void main()", "void drawn_main()") + main
-    fragment = Shader(text=text, sha256=hashlib.sha256(text.encode()).hexdigest(), files=())
-    # All over the target, not under the horizon alone.
-    programs = {**plan.programs, "surface": Program(vertex=WHOLE, fragment=fragment)}
-    kept = [one for one in plan.passes if one.program not in ("sky", "land", "land, shown")]
-    first = next(index for index, one in enumerate(kept) if one.program == "surface")
-    kept[first] = kept[first].model_copy(update={"state": State(depth=True, clear=True)})
-    return plan.model_copy(update={"programs": programs, "passes": tuple(kept)})
-
-
-def probe(
-    executor: Executor, scene: Scene, body: str, time: float = 0.0, quality: Quality = EXACT, name: str = "surface"
-) -> NDArray[np.float64]:
-    """(10,000, 4): what ``body`` (reads ``vec2 p``, m from the eye; sets o_color) gives all over the square."""
-    assert scene.shore is not None
-    main = f"""
-void main() {{
-    float i = floor(gl_FragCoord.y) * {SIDE}.0 + floor(gl_FragCoord.x) + 1.0;
-    vec2 p = (fract(i * vec2(0.754877666, 0.569840291)) - 0.5) * {1.04 * scene.shore.size:.1f};
-    {body}
-}}
-"""
-    plan = patched(make_plan(scene, quality), main, name)
-    camera = scene.camera
-    pixels = draw(executor, plan, camera, time=time, size=(SIDE, SIDE), output="samples")
-    return pixels.reshape(-1, 4).astype(np.float64)
-
-
-def places(executor: Executor, scene: Scene) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    found = probe(executor, scene, "o_color = vec4(p, 0.0, 0.0);")
-    return found[:, 0], found[:, 1]
+from support.scenes.coasts import KINDS, SEA, SHORE, coast, floor_of, map_of, on_shore, places, png
 
 
 def at(place: float) -> Scene:
@@ -78,13 +32,6 @@ def at(place: float) -> Scene:
     place = math.copysign(max(abs(place) - 300.0, 0.0), place)
     shore = SHORE.model_copy(update={"place": (place, -place)})
     return SEA.model_copy(update={"shore": shore, "camera": Camera(position=(place + 3.25, 9.0, -place - 1.5))})
-
-
-def drawn(executor: Executor, plan: FramePlan, target: str, time: float = 0.0) -> NDArray[np.float32]:
-    """What the passes leave in a target; rows from z = 0."""
-    # In every frame, so that nothing is kept and each target can be read.
-    passes = tuple(one.model_copy(update={"when": "frame"}) for one in plan.passes)
-    return draw_target(executor, plan.model_copy(update={"passes": passes, "kept": {}}), target, time)
 
 
 def _formed(kind: str, refraction: bool) -> Shore:
@@ -99,49 +46,44 @@ def coastlines() -> Iterator[tuple[str, NDArray[np.bool_]]]:
         random = np.random.default_rng(seed)
         rough = ndimage.gaussian_filter(random.standard_normal((size, size)), 1.0 + 0.7 * (seed % 10), mode="wrap")
         yield f"random {seed}", rough > np.quantile(rough, 0.2 + 0.03 * seed)
-    one = np.zeros((size, size), np.bool_)
-    one[37, 91] = True
+
+    def islands(*texels: int) -> NDArray[np.bool_]:
+        land = np.zeros((size, size), np.bool_)
+        land.flat[list(texels)] = True
+        return land
+
+    one = islands(37 * size + 91)
     yield "an island of one texel", one
     yield "a pond of one texel", ~one
-    corners = np.zeros_like(one)
-    corners[0, 0] = corners[-1, -1] = True
-    yield "two corners", corners
-    few = np.zeros_like(one)
-    few.flat[np.random.default_rng(5).choice(size * size, 12, replace=False)] = True
-    yield "twelve islands of one texel", few
-    yield "all land", np.ones_like(one)
-    yield "all water", np.zeros_like(one)
+    yield "two corners", islands(0, size * size - 1)
+    few = np.random.default_rng(5).choice(size * size, 12, replace=False)
+    yield "twelve islands of one texel", islands(*few)
+    yield "all land", ~islands()
+    yield "all water", islands()
 
 
 def test_distances_are_scipys(executor: Executor, report: Report, monkeypatch: pytest.MonkeyPatch) -> None:
     size = 128
     quality = EXACT.model_copy(update={"shore_map": size, "shore_floor": size})
-    shore = SHORE.model_copy(update={"size": float(size), "smoothing": 0.0})
-    plan = make_plan(Scene(shore=shore), quality)
+    plan = make_plan(Scene(shore=SHORE.model_copy(update={"size": float(size), "smoothing": 0.0})), quality)
     genuine = executors.texture
     for name, land in coastlines():
         # The spline of the texels keeps their sign where they are told apart by much more than their neighbours.
-        heights = np.where(land, 1.0, -1.0)
-        grid = np.stack((sharpened(heights), np.zeros_like(heights)), axis=-1).astype("<f4")
-        raw = grid.tobytes()
-        sha = hashlib.sha256(raw).hexdigest()
-        data = TextureData(raw, sha, "RG32F", size, size, 1)
+        heights = sharpened(np.where(land, 1.0, -1.0))
+        raw = np.stack((heights, np.zeros_like(heights)), axis=-1).astype("<f4").tobytes()
+        data = TextureData(raw, hashlib.sha256(raw).hexdigest(), "RG32F", size, size, 1)
         monkeypatch.setattr(
             executors, "texture", lambda asked, d=data: d if isinstance(asked, ShoreFloor) else genuine(asked)
         )
-        texture = plan.textures["shore_floor"].model_copy(update={"sha256": sha})
-        changed = plan.model_copy(update={"textures": {**plan.textures, "shore_floor": texture}})
-        got = drawn(executor, changed, "shore_rough")[..., 0]
-        want = maps.signed_distance(land)
-        worst = float(np.abs(got - want).max())
-        report.add(
-            "Distance to shore by jump flooding against SciPy's exact transform, 128 × 128",
+        texture = plan.textures["shore_floor"].model_copy(update={"sha256": data.sha256})
+        other = plan.model_copy(update={"textures": {**plan.textures, "shore_floor": texture}})
+        away = np.abs(map_of(executor, other, "shore_rough")[..., 0] - maps.signed_distance(land))
+        report.within(
+            "Distance to shore by jump flooding against SciPy's exact transform, 128 × 128, texels",
             coast=name,
-            worst=f"{worst:.3f} texels",
-            off=f"{100 * float((np.abs(got - want) > 1e-3).mean()):.3f} %",
+            share_off=float((away > 1e-3).mean()),
+            worst=(away.max(), 1.0),
         )
-        assert np.isfinite(got).all()
-        assert worst <= 1.0, name
 
 
 def sharpened(heights: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -161,19 +103,16 @@ def test_the_map_is_the_references(
     executor: Executor, report: Report, kind: str, time: float, refraction: bool
 ) -> None:
     shore = _formed(kind, refraction)
-    got = drawn(executor, make_plan(Scene(shore=shore), EXACT), "shore_map", time)
-    want = maps.shore_map(shore, time)
-    away = np.abs(got - want)
-    report.add(
+    got = map_of(executor, make_plan(Scene(shore=shore), EXACT), "shore_map", time)
+    away = np.abs(got - maps.shore_map(shore, time))
+    # Flooding may name a second nearest point here and there; smoothing spreads what is left.
+    report.within(
         "Map of a shore against float64: worst texel (periods, m, skew, share), and share of texels off by 0.001",
         kind=kind + (", refracted" if refraction else ""),
-        time=f"{time:g} s",
-        worst=" ".join(f"{value:.1e}" for value in away.max(axis=(0, 1))),
-        off=f"{100 * float((away > 1e-3).any(axis=-1).mean()):.3f} %",
+        time=time,
+        worst=(away.max(), 0.05),
+        off=((away > 1e-3).any(axis=-1).mean(), 0.005),
     )
-    # Flooding may name a second nearest point here and there; smoothing spreads what is left.
-    assert away.max() <= 0.05
-    assert (away > 1e-3).any(axis=-1).mean() <= 0.005
 
 
 @pytest.mark.parametrize("place", [0.0, 1e7])
@@ -183,24 +122,20 @@ def test_heights_and_slopes_at_ten_thousand_points(
 ) -> None:
     scene = at(place)
     x, z = places(executor, scene)
-    got = probe(executor, scene, "o_color = vec4(waves(p), 0.0);", time)
+    got = on_shore(executor, scene, "o_color = vec4(waves(p), 0.0);", time=time)
     sea = coast(scene, time)
-    H = sea.height(x, z)
     h_x, h_z = sea.gradient(x, z)
-    high = np.abs(got[:, 0] - H)
+    high = np.abs(got[:, 0] - sea.height(x, z))
     steep = np.hypot(got[:, 1] - h_x, got[:, 2] - h_z)
-    report.add(
-        "Sea at a shore against float64, 10,000 points",
-        place=f"{place:g} m",
-        time=f"{time:g} s",
-        height=f"{high.max():.1e} m",
-        slope=f"{steep.max():.1e}",
-        of=f"{H.max():.2f} m, {np.hypot(h_x, h_z).max():.2f}",
+    report.within(
+        "Sea at a shore against float64, 10,000 points, height in m and slope",
+        place=place,
+        time=time,
+        height=(high.max(), 2e-3),
+        slope=(steep.max(), 1e-2),
+        most_heights=(np.quantile(high, 0.99), 2e-4),
+        most_slopes=(np.quantile(steep, 0.99), 1e-3),
     )
-    assert high.max() <= 2e-3
-    assert steep.max() <= 1e-2
-    assert np.quantile(high, 0.99) <= 2e-4
-    assert np.quantile(steep, 0.99) <= 1e-3
 
 
 def test_no_wave_passes_its_bounds(executor: Executor) -> None:
@@ -210,11 +145,11 @@ def test_no_wave_passes_its_bounds(executor: Executor) -> None:
         uniforms = make_plan(scene, EXACT).uniforms
         top, steepest, _ = uniforms["u_surface_bounds"].rules[0].value  # type: ignore[union-attr]
         for time in (0.0, 2.1, 5.3, 40.0):
-            got = probe(executor, scene, "o_color = vec4(waves(p), 0.0);", time)
+            got = on_shore(executor, scene, "o_color = vec4(waves(p), 0.0);", time=time)
             assert (got[:, 0] >= 0.0).all()
             assert got[:, 0].max() <= top
             assert np.hypot(got[:, 1], got[:, 2]).max() <= steepest
-        got = probe(executor, scene, "o_color = shore_floor(shore_place(p));")
+        got = on_shore(executor, scene, "o_color = shore_floor(shore_place(p));")
         assert got[:, 0].max() <= uniforms["u_shore_top"].rules[0].value[0]  # type: ignore[union-attr]
         slopes = np.hypot(got[:, 1], got[:, 2])
         floor, land = (rule.value[0] for rule in uniforms["u_shore_steepest"].rules)  # type: ignore[union-attr]
@@ -223,7 +158,7 @@ def test_no_wave_passes_its_bounds(executor: Executor) -> None:
         # Floats differ by 1e-4 of a slope at this distance.
         step = 0.05
         bends = [
-            probe(
+            on_shore(
                 executor,
                 scene,
                 f"vec2 way = {step} * vec2({math.cos(angle)}, {math.sin(angle)}); vec2 q = shore_place(p);"
@@ -237,6 +172,7 @@ def test_no_wave_passes_its_bounds(executor: Executor) -> None:
 
 
 SURF = SurfSaturation(line=1.0)
+
 LINED = SEA.model_copy(update={"foam": Foam(saturation=(SURF,))})
 
 
@@ -249,23 +185,21 @@ def test_foam_of_the_surf(executor: Executor, report: Report, sides: tuple[tuple
     feet = tuple(np.tile(side, (x.size, 1)) for side in sides)
     for time in (0.0, 3600.0):
         body = f"Footprint fp = {footprint}; o_color.x = surf_saturation(p, waves_shading(p, fp).x, fp);"
-        got = probe(executor, LINED, body, time)[:, 0]
+        got = on_shore(executor, LINED, body, time=time)[:, 0]
         sea = coast(SEA, time)
         height = sea.height(x, z)
         want = np.minimum(sea.foam(SURF, x, z, height, (feet[0], feet[1])), 1.0)
         depth = height - sea.ground(*sea.place(x, z))[0]
         edges += int(np.count_nonzero((want > 0.0) & (depth < 0.5 * truth.EDGE[1])))
-        away = np.abs(got - want)
-        report.add(
-            "Surf foam against float64, 10,000 points",
-            time=f"{time:g} s",
-            footprint=f"{sides[0]}, {sides[1]} m",
-            worst=f"{away.max():.1e}",
-        )
         assert want.max() > 0.9
-        assert away.max() <= 0.05
-        assert np.quantile(away, 0.99) <= 1e-3
+        foam_is(report, got, want, f"surf under {sides[0]}, {sides[1]} m, {time:g} s")
     assert edges > 20
+
+
+def foam_is(report: Report, got: NDArray[np.float64], want: NDArray[np.float64], what: str) -> None:
+    away = np.abs(got - want)
+    title = "Foam at a shore against float64, 10,000 points"
+    report.within(title, foam=what, worst=(away.max(), 0.05), most=(np.quantile(away, 0.99), 1e-3))
 
 
 def test_foam_on_the_ground(executor: Executor, report: Report) -> None:
@@ -279,44 +213,35 @@ def test_foam_on_the_ground(executor: Executor, report: Report) -> None:
             "o_color.x = surf_swept(shore_field(q), shore_floor(q).x, surf_patches(q, "
             "Footprint(vec2(0.0), vec2(0.0))), fp);"
         )
-        got = probe(executor, LINED, body)[:, 0]
         feet = np.tile((side, 0.0), (x.size, 1)), np.tile((0.0, side), (x.size, 1))
         want = sea.swash_foam(SURF, x, z, ground, feet)
-        away = np.abs(got - want)
-        report.add("Foam on the sand against float64, 10,000 points", side=f"{side} m", worst=f"{away.max():.1e}")
         assert want.max() > 0.5
-        assert away.max() <= 0.05
-        assert np.quantile(away, 0.99) <= 1e-3
+        foam_is(report, on_shore(executor, LINED, body)[:, 0], want, f"on the sand under {side} m")
 
 
 def test_ground_and_the_way_through_the_water(executor: Executor, report: Report) -> None:
     x, z = places(executor, SEA)
-    sea = coast(SEA, 0.0)
     look = "vec3 d = normalize(vec3(p.y, -40.0, p.x)); vec3 n = normalize(vec3(0.1, 1.0, -0.05)); vec2 there;"
     feet = np.full((x.size, 2), 0.02)
     d = unit(np.stack((z, np.full_like(x, -40.0), x), axis=-1))
     n = np.broadcast_to(unit(np.array([[0.1, 1.0, -0.05]])), d.shape)
-    floor = sea.bed(x, z, np.full_like(x, 0.3), d, n, (feet, feet))
-    way, albedo = floor.path, floor.albedo
+    albedo, path = floor_of(coast(SEA, 0.0).bed(x, z, np.full_like(x, 0.3), d, n, (feet, feet)))
     body = look + "o_color = vec4(floor_path(shore_place(p), 0.3, d, n, there), there, 0.0);"
     paths = {}
     for steps in (1, 2, 4, 8, 16):
         quality = EXACT.model_copy(update={"refraction_steps": steps})
-        paths[steps] = np.abs(probe(executor, SEA, body, quality=quality)[:, 0] - way)
-    fp = "Footprint(vec2(0.02), vec2(0.02))"
+        paths[steps] = np.abs(on_shore(executor, SEA, body, quality=quality)[:, 0] - path)
     body = look + "floor_path(shore_place(p), 0.3, d, n, there);"
-    colour = probe(executor, SEA, body + f"o_color = vec4(floor_albedo(there, shore_floor(there), {fp}), 0.0);")
-    tint = np.abs(colour[:, :3] - albedo).max(axis=1)
-    report.add(
-        "Way of the light and colour of the floor against float64",
-        **{f"{steps} steps": f"{path.max():.1e} m" for steps, path in paths.items()},
-        albedo=f"{tint.max():.1e}",
-    )
-    assert way.max() > 15.0
+    body += "o_color = vec4(floor_albedo(there, shore_floor(there), Footprint(vec2(0.02), vec2(0.02))), 0.0);"
+    tint = np.abs(on_shore(executor, SEA, body)[:, :3] - albedo).max(axis=1)
+    assert path.max() > 15.0
     assert all(paths[2 * steps].mean() < 0.6 * paths[steps].mean() for steps in (1, 2, 4, 8))
-    assert paths[16].max() <= 1e-2
-    assert np.quantile(paths[16], 0.99) <= 1e-3
-    assert np.quantile(tint, 0.99) <= 1e-3
+    report.within(
+        "Way of the light, m, and colour of the floor against float64",
+        worst_of_16_steps=(paths[16].max(), 1e-2),
+        most=(np.quantile(paths[16], 0.99), 1e-3),
+        albedo=(np.quantile(tint, 0.99), 1e-3),
+    )
 
 
 def test_a_drawn_picture_is_the_references(executor: Executor) -> None:
@@ -326,6 +251,6 @@ def test_a_drawn_picture_is_the_references(executor: Executor) -> None:
         shore=Shore(kind="image", image=png((255 * grey).astype(np.uint8)), size=300.0, depth=8.0, height=8.0)
     )
     x, z = places(executor, scene)
-    got = probe(executor, scene, "o_color = shore_floor(shore_place(p));")
+    got = on_shore(executor, scene, "o_color = shore_floor(shore_place(p));")
     want = coast(scene, 0.0).ground(x, z)
     assert np.abs(got - np.stack(want, axis=-1)).max() <= 1e-3

@@ -8,12 +8,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from seafoam.effects.shader import Inline
-from seafoam.framegraph.visibility import everywhere
 from seafoam.ocean.basics.levels import wave_level
 from seafoam.ocean.waves.cascades import RAISED, cascades
 from seafoam.planner import make_plan
-from seafoam.planner.glsl import assemble
 from seafoam.reference import render
 from seafoam.reference.boats.wake import wake_set
 from seafoam.reference.waves.parametric import wave_set
@@ -22,7 +19,7 @@ from seafoam.reference.waves.sea import sea_surface
 from seafoam.render.gl.executor import Executor
 from support.exact import EXACT
 from support.pictures import draw
-from support.probe import WHOLE
+from support.probe import shown
 from support.report import Report
 from support.scenes import Boat, Camera, Caustics, Light, ParametricWave, Ring, Ripples, Scene, Sea, Water
 
@@ -31,8 +28,8 @@ TIMES = tuple(3.7 * i for i in range(8))
 TEXELS = 128
 """A side of a sea's tile: as few as hold its waves."""
 QUALITY = EXACT.model_copy(update={"sea_size": TEXELS})
-SIDE, SPAN = 128, 4000.0
-"""Places a side of the drawn grid, and its side, m."""
+SPAN = 4000.0
+"""Side of the square whose places are drawn, m."""
 TABLE = "Mean height of the surface over many places and times, m"
 
 PAPER = (
@@ -46,27 +43,14 @@ FAR = NEAR.model_copy(update={"centre": (6000.0, 0.0)})
 
 
 def heights(executor: Executor, scene: Scene, time: float) -> Floats:
-    """The drawn surface at the places of a grid, SIDE² heights, m: of its program the ``main`` alone is another."""
-    plan = make_plan(scene, QUALITY)
-    shader = plan.programs["surface"].fragment
-    text = shader.text.replace("void main() {", "void drawn() {") + (
-        f"\nvoid main() {{\n    o_color = vec4(waves((gl_FragCoord.xy / {SIDE:.1f} - 0.5) * {SPAN:.1f}).x);\n}}\n"
-    )
-    changed = plan.programs["surface"].model_copy(
-        update={
-            "vertex": WHOLE,
-            "fragment": shader.model_copy(update={"text": text, "sha256": assemble([Inline(text)], {}).sha256}),
-        }
-    )
-    other = everywhere(plan).model_copy(update={"programs": {**plan.programs, "surface": changed}, "top": -1e9})
-    camera = Camera(position=(13.0, 400.0, -7.0), pitch=-math.pi / 2)
-    seen = draw(executor, other, camera, time=time, size=(SIDE, SIDE), output="samples")
-    return seen[..., 0].astype(np.float64).ravel()
+    """The drawn surface at 10,000 places, m."""
+    over = scene.model_copy(update={"camera": Camera(position=(13.0, 400.0, -7.0), pitch=-math.pi / 2)})
+    return shown(executor, over, "o_color = vec4(waves(p).x);", SPAN, time=time, quality=QUALITY)[:, 0]
 
 
 def truth(scene: Scene, time: float) -> Floats:
     """The same number of heights in float64, at other places."""
-    x, z = np.random.default_rng(int(time)).uniform(-0.5 * SPAN, 0.5 * SPAN, (2, SIDE * SIDE))
+    x, z = np.random.default_rng(int(time)).uniform(-0.5 * SPAN, 0.5 * SPAN, (2, 10_000))
     total = wave_set(scene, time, (0.0, 0.0)).height(x, z) + ring_set(scene, time, (0.0, 0.0)).height(x, z)
     if scene.boats:
         total += wake_set(scene, time, (0.0, 0.0)).height(x, z)
