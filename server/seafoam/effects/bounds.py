@@ -8,7 +8,7 @@ from seafoam.effects.registry import saturation_limits
 from seafoam.ocean.basics.levels import paper_level
 from seafoam.ocean.waves.cascades import RAISED, cascades
 from seafoam.ocean.waves.rings import ring_height
-from seafoam.ocean.waves.wakes import joint_height, stone_wakes, wake_height
+from seafoam.ocean.waves.wakes import joint_height, stone_wakes, wakes
 from seafoam.scene.foam import Foam
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
@@ -49,7 +49,7 @@ def max_displacement(scene: Scene) -> float:
 
 def _amplitude(scene: Scene) -> float:
     """Return the greatest amplitude of waves that are symmetric about still water: rings, wakes and open sea; m."""
-    amplitude = ring_height(scene) + wake_height(scene.boats) + joint_height(stone_wakes(scene.current))
+    amplitude = ring_height(scene) + joint_height(wakes(scene.boats)) + joint_height(stone_wakes(scene.current))
     if scene.sea is not None and scene.sea.wind_speed > 0.0:
         amplitude += summed(tile.limit for tile in cascades(scene.sea, scene.water.depth)[:RAISED])
     return amplitude

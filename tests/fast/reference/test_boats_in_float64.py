@@ -7,7 +7,7 @@ import pytest
 
 from seafoam.effects.boats import boat as effect
 from seafoam.effects.foam.wake_foam import wake_limit
-from seafoam.ocean.waves.wakes import Wake, wake_height, wake_slope
+from seafoam.ocean.waves.wakes import Wake
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference.boats import floating
@@ -40,8 +40,8 @@ def test_wakes_stay_within_their_bounds_and_slope_as_they_rise(boat: Boat) -> No
     wake = wakes_of.wake_set(Scene(boats=(boat,)), 0.0, (0.0, 0.0))
     height, slope, step = wake.height(x, z), wake.gradient(x, z), 1e-6
     assert np.ptp(height) > 0.3 * boat.wake
-    assert (np.abs(height) <= wake_height((boat,))).all()
-    assert np.hypot(*slope).max() <= wake_slope((boat,))
+    assert (np.abs(height) <= Wake(boat).height).all()
+    assert np.hypot(*slope).max() <= Wake(boat).max_slope
     numeric = (
         (wake.height(x + step, z) - wake.height(x - step, z)) / (2.0 * step),
         (wake.height(x, z + step) - wake.height(x, z - step)) / (2.0 * step),

@@ -10,7 +10,7 @@ from seafoam.ocean.basics.dispersion import angular_frequency, wavevector
 from seafoam.ocean.basics.levels import wave_level
 from seafoam.ocean.waves.cascades import BAND, RAISED, Cascade, cascades
 from seafoam.ocean.waves.rings import ring_height
-from seafoam.ocean.waves.wakes import wake_height
+from seafoam.ocean.waves.wakes import joint_height, wakes
 from seafoam.reference.types import Floats
 from seafoam.reference.waves.groups import group_factor
 from seafoam.reference.waves.sea import sea_surface
@@ -57,7 +57,7 @@ def tile_heights(of: Cascade, wanted: float, x: float, z: float, times: Floats) 
 
 def heights(scene: Scene, x: float, z: float, times: Floats) -> Floats:
     """Height of the water over (x, z) at each time, m; rings, wakes and surf by the most that they add."""
-    total = np.full(times.size, ring_height(scene) + wake_height(scene.boats))
+    total = np.full(times.size, ring_height(scene) + joint_height(wakes(scene.boats)))
     if scene.shore is not None:
         total += scene.shore.surf.height
     single = np.zeros(times.size)

@@ -75,12 +75,27 @@ def _columns() -> Floats:
     lowest = np.clip(-radius * cosine, 0.0, way)
     total = np.zeros((_HEIGHTS, _SLANTS, 4))
     for start, end in ((lowest, np.zeros_like(way)), (lowest, way)):
-        nodes, weights = np.polynomial.legendre.leggauss(24)
-        for node, weight in zip(0.5 * (nodes + 1.0), 0.5 * weights, strict=True):
+        for node, weight in _gauss(24):
             s = start + (end - start) * node**2
             h = np.sqrt(radius**2 + s**2 + 2.0 * radius * cosine * s) - EARTH
             total += (weight * 2.0 * node * np.abs(end - start))[..., None] * _densities(h)
     return np.log(np.maximum(total, 1e-12))
+
+
+def _read(logs: Floats, x: Floats, y: Floats) -> Floats:
+    """Values whose logs (rows, columns, n) are read bilinearly at rows ``x`` and columns ``y`` (...,); (..., n)."""
+    i, j = (np.minimum(at.astype(int), side - 2) for at, side in zip((x, y), logs.shape, strict=False))
+    a, b = (x - i)[..., None], (y - j)[..., None]
+    upper = logs[i, j] * (1.0 - b) + logs[i, j + 1] * b
+    lower = logs[i + 1, j] * (1.0 - b) + logs[i + 1, j + 1] * b
+    result: Floats = np.exp(upper * (1.0 - a) + lower * a)
+    return result
+
+
+def _gauss(count: int) -> list[tuple[float, float]]:
+    """Nodes in [0, 1] and weights of Gauss and Legendre's quadrature."""
+    nodes, weights = np.polynomial.legendre.leggauss(count)
+    return list(zip(0.5 * (nodes + 1.0), 0.5 * weights, strict=True))
 
 
 def _column(radius: Floats, cosine: Floats) -> Floats:
@@ -88,13 +103,7 @@ def _column(radius: Floats, cosine: Floats) -> Floats:
     low = _horizon(radius)
     x = np.sqrt(np.clip((radius - EARTH) / (TOP - EARTH), 0.0, 1.0)) * (_HEIGHTS - 1)
     y = np.sqrt(np.clip((cosine - low) / (1.0 - low), 0.0, 1.0)) * (_SLANTS - 1)
-    i, j = np.minimum(x.astype(int), _HEIGHTS - 2), np.minimum(y.astype(int), _SLANTS - 2)
-    a, b = (x - i)[..., None], (y - j)[..., None]
-    table = _columns()
-    upper = table[i, j] * (1.0 - b) + table[i, j + 1] * b
-    lower = table[i + 1, j] * (1.0 - b) + table[i + 1, j + 1] * b
-    result: Floats = np.exp(upper * (1.0 - a) + lower * a)
-    return result
+    return _read(_columns(), x, y)
 
 
 def disc_shown(radius: Floats, cosine: Floats) -> Floats:
@@ -135,8 +144,7 @@ def _paths() -> _Paths:
     way = np.where(hits, -radius * v_up - np.sqrt(np.maximum(-beneath, 0.0)), _to_top(radius, v_up))
     shape = np.broadcast_shapes(way.shape, between.shape)
     steps = []
-    nodes, weights = np.polynomial.legendre.leggauss(14)
-    for node, weight in zip(0.5 * (nodes + 1.0), 0.5 * weights, strict=True):
+    for node, weight in _gauss(14):
         s = way * node**2
         there = np.sqrt(radius**2 + s**2 + 2.0 * radius * v_up * s)
         up = (radius * s_up + s * between) / there
@@ -217,15 +225,8 @@ class Atmosphere:
         return result
 
     def _more(self, radius: Floats, cosine: Floats) -> Floats:
-        table = self._further
         x = np.clip(np.sqrt(np.maximum(radius - EARTH, 0.0) / (TOP - EARTH)) * 14.0, 0.0, 13.0)
-        y = (np.sign(cosine) * np.sqrt(np.abs(cosine)) + 1.0) * 16.0
-        i, j = np.minimum(x.astype(int), 12), np.minimum(y.astype(int), 31)
-        a, b = (x - i)[..., None], (y - j)[..., None]
-        upper = table[i, j] * (1.0 - b) + table[i, j + 1] * b
-        lower = table[i + 1, j] * (1.0 - b) + table[i + 1, j + 1] * b
-        result: Floats = np.exp(upper * (1.0 - a) + lower * a)
-        return result
+        return _read(self._further, x, (np.sign(cosine) * np.sqrt(np.abs(cosine)) + 1.0) * 16.0)
 
     def sky(self, up: Floats, gamma: Floats, sun: float, steps: int = 40) -> tuple[Floats, Floats]:
         """Radiance toward heights ``up`` (...,) of unit directions in [0, 1] at cosines ``gamma`` (...,) from the sun.
@@ -238,8 +239,7 @@ class Atmosphere:
         smooth, hazy = np.zeros((*up.shape, 3)), np.zeros((*up.shape, 3))
         clear = np.ones_like(smooth)
         phase = (3.0 / (16.0 * math.pi) * (1.0 + gamma**2))[..., None]
-        nodes, weights = np.polynomial.legendre.leggauss(steps)
-        for node, weight in zip(0.5 * (nodes + 1.0), 0.5 * weights, strict=True):
+        for node, weight in _gauss(steps):
             s, step = way * node**3, way * 3.0 * node**2 * weight
             there = np.sqrt(radius**2 + s**2 + 2.0 * radius * up * s)
             local = (radius * sun + s * gamma) / there

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from seafoam.ocean.arrays import Floats
+from seafoam.ocean.basics.dispersion import wavenumber
 from seafoam.ocean.basics.hash import chance
 from seafoam.ocean.basics.spectrum import (
     dispersion,
@@ -167,15 +168,7 @@ def largest_tile(sea: Sea, depth: float | None) -> float:
     """Return the side of the largest tile, m."""
     if sea.wind_speed <= 0.0:
         return SMALLEST_TILE
-    omega = peak_frequency(sea.wind_speed, sea.fetch)
-    k = omega * omega / GRAVITY
-    if depth is not None:
-        # k tanh(kd) = ω²/g by Newton's method from Eckart's estimate; a tile's side needs few digits.
-        deep = k
-        k = deep / math.sqrt(math.tanh(min(deep * depth, 30.0)))
-        for _ in range(20):
-            tanh = math.tanh(min(k * depth, 30.0))
-            k -= (k * tanh - deep) / (tanh + k * depth * (1.0 - tanh * tanh))
+    k = wavenumber(peak_frequency(sea.wind_speed, sea.fetch) ** 2 / GRAVITY, depth)
     return max(float(f"{PEAKS * 2.0 * math.pi / k:.6g}"), SMALLEST_TILE)
 
 

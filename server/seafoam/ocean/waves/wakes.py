@@ -6,7 +6,6 @@ docs/formulae.md, sections 15 and 16.
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Protocol
 
 from seafoam.ocean.constants import GRAVITY
 from seafoam.scene.boats import Boat
@@ -21,26 +20,6 @@ NEAR = 2.0
 
 _OPENING = 2800.0
 """Second derivative of a wake's window near the bow, in units of its height over the boat's length squared."""
-
-
-class Maker(Protocol):
-    """What makes a wake as it moves relative to the water."""
-
-    @property
-    def speed(self) -> float:
-        """m/s."""
-
-    @property
-    def length(self) -> float:
-        """m."""
-
-    @property
-    def radius(self) -> float:
-        """Radius of the course, m."""
-
-    @property
-    def wake(self) -> float:
-        """Amplitude of the waves at the bow, m."""
 
 
 @dataclass(frozen=True)
@@ -64,7 +43,7 @@ STONE_LENGTH = 5.0
 class Wake:
     """Properties of a wake. The transverse waves are half as high as the divergent ones."""
 
-    boat: Maker
+    boat: Boat | Obstacle
     crests: float = 12.0
     """Number of transverse waves after which it has ended, at most."""
 
@@ -156,13 +135,3 @@ def joint_height(wakes: Sequence[Wake]) -> float:
 def joint_slope(wakes: Sequence[Wake]) -> float:
     """Return an upper bound of the slope of wakes together."""
     return float(f"{summed(wake.max_slope for wake in wakes):.7g}")
-
-
-def wake_height(boats: tuple[Boat, ...]) -> float:
-    """Return :func:`joint_height` of the wakes of boats, m."""
-    return joint_height(wakes(boats))
-
-
-def wake_slope(boats: tuple[Boat, ...]) -> float:
-    """Return :func:`joint_slope` of the wakes of boats."""
-    return joint_slope(wakes(boats))

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from seafoam.ocean.waves.wakes import Wake, wake_height, wake_slope, wakes
+from seafoam.ocean.waves.wakes import Wake, joint_height, joint_slope, wakes
 from seafoam.reference.boats.floating import HULL_SPEED, Course, course_of
 from seafoam.reference.boats.form import FORMS, STEM
 from seafoam.reference.noise import KEY, filtered_step, footprint_variance, patches, value
@@ -209,4 +209,4 @@ def wake_set(scene: Scene, time: float, origin: tuple[float, float]) -> WakeSet:
     """The wakes of a scene's boats at a time (s) around an origin (x, z) in m."""
     patterns = wakes(scene.boats)
     courses = tuple(course_of(boat, time, origin) for boat in scene.boats)
-    return WakeSet(patterns, wake_height(scene.boats), wake_slope(scene.boats), scene.boats, courses)
+    return WakeSet(patterns, joint_height(patterns), joint_slope(patterns), scene.boats, courses)
