@@ -32,11 +32,6 @@ export interface TruthInfo {
   samples: number;
 }
 
-interface Points {
-  truth: TruthInfo;
-  points: Point[];
-}
-
 /** The server's answer while it computes. */
 export interface JobProgress {
   status: string;
@@ -58,8 +53,8 @@ export interface Sweep {
 
 const path = (preset: string, rest = "") => `api/accuracy/${encodeURIComponent(preset)}${rest}`;
 
-export async function fetchPoints(api: Api, preset: string, signal: AbortSignal): Promise<Points> {
-  return (await api.fetch(path(preset, "/points"), { signal })).json() as Promise<Points>;
+export async function fetchPoints(api: Api, preset: string, signal: AbortSignal): Promise<{ truth: TruthInfo; points: Point[] }> {
+  return (await api.fetch(path(preset, "/points"), { signal })).json() as ReturnType<typeof fetchPoints>;
 }
 
 export async function fetchTruth(
@@ -90,11 +85,7 @@ async function fetchWhenReady(api: Api, url: string, onProgress: (progress: JobP
 function delay(milliseconds: number, signal: AbortSignal): Promise<void> {
   return new Promise((resolve, reject) => {
     signal.throwIfAborted();
-    const timer = setTimeout(resolve, milliseconds);
-    const onAbort = () => {
-      clearTimeout(timer);
-      reject(signal.reason as Error);
-    };
-    signal.addEventListener("abort", onAbort, { once: true });
+    setTimeout(resolve, milliseconds);
+    signal.addEventListener("abort", () => reject(signal.reason as Error), { once: true });
   });
 }

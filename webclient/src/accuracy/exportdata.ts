@@ -3,9 +3,7 @@ import type { JsonObject } from "../scene/json";
 import { type Measured, type Ranked, ranked } from "./measure/measured";
 
 /** One quality on one machine. */
-interface Row extends Ranked {
-  machine: string;
-}
+type Row = Ranked & { machine: string };
 
 export interface ExportedRun {
   preset: string;

@@ -1,4 +1,4 @@
-/** A table of numbers. */
+/** Tables, of numbers unless they look otherwise. */
 import type { ComponentChildren } from "preact";
 
 const TABLE =
@@ -8,13 +8,15 @@ const TABLE =
 interface TableProps {
   heads: readonly string[];
   class?: string;
+  /** Classes of rows and cells. */
+  look?: string;
   label?: string;
   children: ComponentChildren;
 }
 
-export function Table({ heads, class: more = "", label, children }: TableProps) {
+export function Table({ heads, class: more = "", look = TABLE, label, children }: TableProps) {
   return (
-    <table class={`${more} ${TABLE}`} aria-label={label}>
+    <table class={`${more} ${look}`} aria-label={label}>
       <thead>
         <tr>
           {heads.map((head, i) => (

@@ -1,6 +1,6 @@
 /** The edits of the scene: undo and redo, what differs from the preset, and the scene as JSON. */
 import { type Signal, signal } from "@preact/signals";
-import { render } from "preact";
+import { type ButtonHTMLAttributes, render } from "preact";
 import { type Api, ApiError } from "../api";
 import { apply, diff, get, isObject, type Json, type JsonObject } from "../scene/json";
 import { type Selection, validSplit } from "../selection/selection";
@@ -107,18 +107,10 @@ export class SceneEdits {
     return (
       <>
         <div class="grid grid-cols-2 gap-2 border-t border-line py-2.5">
-          <button type="button" class="button" disabled={!this.history.canUndo} title="Undo (Ctrl+Z)" onClick={() => this.undo()}>
-            Undo
-          </button>
-          <button type="button" class="button" disabled={!this.history.canRedo} title="Redo (Ctrl+Shift+Z)" onClick={() => this.redo()}>
-            Redo
-          </button>
-          <button type="button" class="button" title="Copy the scene as JSON" onClick={() => void this.copy()}>
-            Copy scene
-          </button>
-          <button type="button" class="button" aria-expanded={this.pasting.value} onClick={() => (this.pasting.value = !this.pasting.value)}>
-            Paste scene
-          </button>
+          <Button name="Undo" title="Undo (Ctrl+Z)" disabled={!this.history.canUndo} onClick={() => this.undo()} />
+          <Button name="Redo" title="Redo (Ctrl+Shift+Z)" disabled={!this.history.canRedo} onClick={() => this.redo()} />
+          <Button name="Copy scene" title="Copy the scene as JSON" onClick={() => void this.copy()} />
+          <Button name="Paste scene" aria-expanded={this.pasting.value} onClick={() => (this.pasting.value = !this.pasting.value)} />
         </div>
         {this.pasting.value && <PasteForm apply={this.paste} />}
         <details class="disclosure changes px-1.5">
@@ -140,6 +132,10 @@ export class SceneEdits {
       </>
     );
   };
+}
+
+function Button({ name, ...attributes }: { name: string } & ButtonHTMLAttributes) {
+  return <button type="button" class="button" {...attributes}>{name}</button>;
 }
 
 /** A value in a few words. */

@@ -15,25 +15,14 @@ export function meshKey(spec: MeshSpec): string {
 
 /** Vertices (column/columns, row/rows), columns first, and two triangles a cell. */
 export function gridData(rows: number, columns: number): { vertices: Float32Array; indices: Uint32Array } {
-  const vertices = new Float32Array((rows + 1) * (columns + 1) * 2);
-  let v = 0;
-  for (let r = 0; r <= rows; r++) {
-    for (let c = 0; c <= columns; c++) {
-      vertices[v++] = c / columns;
-      vertices[v++] = r / rows;
-    }
-  }
+  const across = columns + 1;
+  const vertices = new Float32Array((rows + 1) * across * 2);
+  for (let i = 0; i < vertices.length / 2; i++) vertices.set([(i % across) / columns, Math.floor(i / across) / rows], 2 * i);
   const indices = new Uint32Array(rows * columns * 6);
-  let i = 0;
-  for (let r = 0; r < rows; r++) {
-    for (let c = 0; c < columns; c++) {
-      const i0 = r * (columns + 1) + c;
-      const i1 = i0 + 1;
-      const i2 = i0 + columns + 1;
-      const i3 = i2 + 1;
-      indices.set([i0, i1, i2, i2, i1, i3], i);
-      i += 6;
-    }
+  for (let cell = 0; cell < rows * columns; cell++) {
+    const first = Math.floor(cell / columns) * across + (cell % columns);
+    const next = first + across;
+    indices.set([first, first + 1, next, next, first + 1, next + 1], 6 * cell);
   }
   return { vertices, indices };
 }

@@ -6,6 +6,15 @@ import type { Json } from "../scene/json";
 import { isLive, liveRule } from "./live";
 import { fill, type FrameState, type Rule } from "./rules";
 
+/** By a uniform's type: that of the driver, its components, and the call that uploads it, but for a matrix. */
+const TYPES = {
+  float: ["FLOAT", 1, "uniform1fv"],
+  vec2: ["FLOAT_VEC2", 2, "uniform2fv"],
+  vec3: ["FLOAT_VEC3", 3, "uniform3fv"],
+  vec4: ["FLOAT_VEC4", 4, "uniform4fv"],
+  mat4: ["FLOAT_MAT4", 16, null],
+} as const;
+
 interface BoundUniform {
   active: ActiveUniform;
   uniform: Uniform;
@@ -45,9 +54,8 @@ export function bindInputs(
     }
     const uniform = pass.uniforms?.[name] ?? plan.uniforms[name];
     if (uniform === undefined) throw new Error(`Pass ${pass.name}: the plan has no uniform ${name}.`);
-    const types = { float: gl.FLOAT, vec2: gl.FLOAT_VEC2, vec3: gl.FLOAT_VEC3, vec4: gl.FLOAT_VEC4, mat4: gl.FLOAT_MAT4 };
-    if (types[uniform.type] !== active.type) throw new Error(`Pass ${pass.name}: uniform ${name} is not a ${uniform.type} in the program.`);
-    const components = { float: 1, vec2: 2, vec3: 3, vec4: 4, mat4: 16 }[uniform.type];
+    const [type, components] = TYPES[uniform.type];
+    if (gl[type] !== active.type) throw new Error(`Pass ${pass.name}: uniform ${name} is not a ${uniform.type} in the program.`);
     const live = uniform.rules.some(isLive) ? { scene: null, rules: uniform.rules } : null;
     uniforms.push({ active, uniform, live, values: new Float32Array(components * uniform.count) });
   }
@@ -62,7 +70,9 @@ export function uploadUniforms(gl: WebGL2RenderingContext, { uniforms }: Binding
       live.rules = uniform.rules.map((rule) => liveRule(rule, scene));
     }
     fill(live?.rules ?? uniform.rules, state, values);
-    upload(gl, active, values);
+    const [, , upload] = TYPES[uniform.type];
+    if (upload === null) gl.uniformMatrix4fv(active.location, false, values);
+    else gl[upload](active.location, values);
   }
 }
 
@@ -84,12 +94,4 @@ export function unbindSamplers(gl: WebGL2RenderingContext, { samplers }: Binding
 
 function isSampler(gl: WebGL2RenderingContext, type: number): boolean {
   return type === gl.SAMPLER_2D || type === gl.UNSIGNED_INT_SAMPLER_2D || type === gl.INT_SAMPLER_2D;
-}
-
-function upload(gl: WebGL2RenderingContext, { location, type }: ActiveUniform, values: Float32Array): void {
-  if (type === gl.FLOAT) gl.uniform1fv(location, values);
-  else if (type === gl.FLOAT_VEC2) gl.uniform2fv(location, values);
-  else if (type === gl.FLOAT_VEC3) gl.uniform3fv(location, values);
-  else if (type === gl.FLOAT_VEC4) gl.uniform4fv(location, values);
-  else gl.uniformMatrix4fv(location, false, values);
 }

@@ -1,10 +1,12 @@
 /** Passes of a plan: two graphs, of what is drawn once and of what is drawn in every frame, and a table. */
+import { Table } from "../charts/table";
 import type { FramePlan, Pass } from "../generated/api";
 import { type Graph, type GraphNode, graphOf, targetText } from "./graph";
 
 const NODE = { width: 138, height: 52 };
 const GAP = { x: 30, y: 10 };
 const DETAIL = "fill-soft stroke-none text-[10.5px]";
+const CELLS = "[&_:is(th,td)]:border-b [&_:is(th,td)]:border-line [&_:is(th,td)]:px-3 [&_:is(th,td)]:py-1 [&_:is(th,td)]:text-left";
 const LONGEST_LABEL = 19;
 
 interface PassesProps {
@@ -112,22 +114,11 @@ export function Passes(props: PassesProps) {
             <details>
               <summary class="min-h-11 cursor-pointer content-center text-soft">Table of the passes</summary>
               <div class="overflow-auto rounded-lg border border-line" tabIndex={0} role="group" aria-label={`${title}, table`}>
-                <table class="text-small whitespace-nowrap [&_:is(th,td)]:border-b [&_:is(th,td)]:border-line [&_:is(th,td)]:px-3 [&_:is(th,td)]:py-1 [&_:is(th,td)]:text-left">
-                  <thead>
-                    <tr>
-                      {["pass", "program", "target", "size", "format", "state", "time"].map((head) => (
-                        <th key={head} scope="col">
-                          {head}
-                        </th>
-                      ))}
-                    </tr>
-                  </thead>
-                  <tbody>
-                    {passes.map((pass, index) => (
-                      <Row key={index} pass={pass} props={props} />
-                    ))}
-                  </tbody>
-                </table>
+                <Table look={CELLS} class="text-small whitespace-nowrap" heads={["pass", "program", "target", "size", "format", "state", "time"]}>
+                  {passes.map((pass, index) => (
+                    <Row key={index} pass={pass} props={props} />
+                  ))}
+                </Table>
               </div>
             </details>
           </section>

@@ -3,6 +3,7 @@ import { useMemo } from "preact/hooks";
 import type { FramePlan, Shader } from "../generated/api";
 import type { Executor } from "../plan/executor";
 import { Pills } from "../surfaces/parts";
+import { Select } from "../ui/controls";
 import { lines, type TokenKind } from "./highlight";
 
 const STAGES = ["vertex", "fragment"] as const;
@@ -67,13 +68,13 @@ export function Source(props: SourceProps) {
       <div class="pills">
         <label>
           Program{" "}
-          <select class="min-h-11 rounded-lg border border-line bg-[#0c1a25] px-3" value={program} onChange={(event) => choose(event.currentTarget.value, stage)}>
-            {Object.keys(plan.programs).map((name) => (
-              <option key={name} value={name}>
-                {name}
-              </option>
-            ))}
-          </select>
+          <Select
+            class="min-h-11 rounded-lg border border-line bg-[#0c1a25] px-3"
+            label="Program"
+            value={program}
+            options={Object.keys(plan.programs).map((name) => [name, name] as const)}
+            choose={(name) => choose(name, stage)}
+          />
         </label>
         <Pills names={STAGES} chosen={stage} choose={(name) => choose(program, name)} />
       </div>

@@ -49,14 +49,8 @@ export function python({ url, body }: HttpRequest): string {
     body === null
       ? [`request = urllib.request.Request(${literal(url)})`]
       : [`body = ${literal(body)}`, `headers = {"Content-Type": "application/json"}`, `request = urllib.request.Request(${literal(url)}, body.encode(), headers)`];
-  return [
-    "import pathlib",
-    "import urllib.request",
-    "",
-    ...given,
-    "with urllib.request.urlopen(request) as response:",
-    `    pathlib.Path("frame.png").write_bytes(response.read())`,
-  ].join("\n");
+  const save = ["with urllib.request.urlopen(request) as response:", `    pathlib.Path("frame.png").write_bytes(response.read())`];
+  return ["import pathlib", "import urllib.request", "", ...given, ...save].join("\n");
 }
 
 /** For Node 20 and newer. */

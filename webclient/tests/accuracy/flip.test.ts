@@ -3,7 +3,7 @@ import { Flip } from "../../src/accuracy/measure/flip";
 import { displayed, type ToneCurve, toneCurve } from "../../src/accuracy/measure/tone";
 import { golden as read } from "../golden";
 
-const golden = read<Record<"width" | "height", number> & Record<"truth" | "picture", number[]> & { flip: Record<string, number> }>("flip");
+const golden = read("flip") as Record<"width" | "height", number> & Record<"truth" | "picture", number[]> & { flip: Record<string, number> };
 
 /** Three values a pixel, with foam beside them. */
 function pictureOf(rgb: readonly number[]) {

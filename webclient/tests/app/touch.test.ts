@@ -5,7 +5,7 @@ import { pickWater, type WaterPlace } from "../../src/touch/pick";
 import { appended, decodeTouches, encodeTouches, toJson, touchAt, TOUCHES_MOST, touchesOf, train } from "../../src/touch/touches";
 import { golden as read } from "../golden";
 
-const golden = read<{ camera: CameraState; width: number; height: number; picks: { x: number; y: number; place: WaterPlace | null }[] }[]>("picks");
+const golden = read("picks") as { camera: CameraState; width: number; height: number; picks: { x: number; y: number; place: WaterPlace | null }[] }[];
 
 describe("the place of water that a pixel shows is the reference's", () => {
   it.each(golden.map((vector, i) => [i, vector] as const))("view %i", (_, { camera, width, height, picks }) => {

@@ -17,7 +17,7 @@ interface Golden {
   white: { seed: number; ranks: number[] };
 }
 
-const golden = read<Golden>("foam_strips");
+const golden = read("foam_strips") as Golden;
 const mask: Mask = {
   name: "golden",
   title: "",

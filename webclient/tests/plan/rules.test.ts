@@ -8,7 +8,7 @@ interface Golden {
   value: number[];
 }
 
-const golden = read<Golden[]>("uniform_rules");
+const golden = read("uniform_rules") as Golden[];
 
 const frame = ({ target_width, target_height, pass_index, ...state }: Golden["state"]): FrameState => ({
   ...state,

@@ -3,7 +3,7 @@ import type { FramePlan, Texture } from "../../src/generated/api";
 import { decoded, joined, roughTextures, TextureParts } from "../../src/plan/textureparts";
 import { golden as read } from "../golden";
 
-const golden = read<{ width: number } & Record<"texels" | "upper" | "lower", number[]>>("texture_parts");
+const golden = read("texture_parts") as { width: number } & Record<"texels" | "upper" | "lower", number[]>;
 const spec: Texture = { url: "/ranks", sha256: "hash", format: "R16UI", width: golden.width, height: 4, levels: 1, filter: "nearest", wrap: "repeat" };
 
 /** A server of the golden texture, and what it was asked for. */

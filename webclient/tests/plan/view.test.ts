@@ -11,7 +11,7 @@ interface Golden {
   pictures: { camera: CameraState; width: number; height: number; drawn: [number, boolean][] }[];
 }
 
-const golden = read<Golden[]>("views");
+const golden = read("views") as Golden[];
 
 describe("passes that a picture needs agree with the server's", () => {
   it.each(golden.map((vector) => [`${vector.preset}, ${vector.tier}`, vector] as const))("%s", (_, { plan, pictures }) => {

@@ -30,10 +30,7 @@ interface DiagramProps {
   highlight: (id: string | null) => void;
 }
 
-interface PlacedMark extends Ranked {
-  x: number;
-  y: number;
-}
+type PlacedMark = Ranked & { x: number; y: number };
 
 /** Tiers are labelled in the diagram. */
 const isTier = ({ point }: Ranked) => point.tier !== null;
@@ -138,27 +135,18 @@ function drawCurves(u: uPlot, marks: readonly Ranked[], curves: readonly Curve[]
   for (const mark of marks) {
     const ends = [mark.low, mark.high].map((time) => ({ ...mark, time }));
     line(ends, lit.has(mark.id) ? "rgb(234 241 243 / 90%)" : "rgb(210 226 234 / 38%)", 1.2);
-    for (const end of ends) cap(ctx, ...at(end));
+    ctx.beginPath();
+    for (const [x, y] of ends.map(at)) {
+      ctx.moveTo(x, y - 3 * devicePixelRatio);
+      ctx.lineTo(x, y + 3 * devicePixelRatio);
+    }
+    ctx.stroke();
   }
   ctx.restore();
 }
 
-/** End of a quartile bar. */
-function cap(ctx: CanvasRenderingContext2D, x: number, y: number): void {
-  ctx.beginPath();
-  ctx.moveTo(x, y - 3 * devicePixelRatio);
-  ctx.lineTo(x, y + 3 * devicePixelRatio);
-  ctx.stroke();
-}
-
-interface MarkButtonProps {
-  mark: PlacedMark;
-  state: DiagramProps;
-  isTabStop: boolean;
-  onKey: (event: KeyboardEvent) => void;
-}
-
-function MarkButton({ mark, state: { current, highlighted, fitting }, isTabStop, onKey }: MarkButtonProps) {
+function MarkButton({ mark, state, isTabStop, onKey }: { mark: PlacedMark; state: DiagramProps; isTabStop: boolean; onKey: (event: KeyboardEvent) => void }) {
+  const { current, highlighted, fitting } = state;
   const { id, point, onFront, x, y } = mark;
   const tier = isTier(mark);
   const states = { tier, "on-front": onFront, current: id === current, highlighted: id === highlighted, over: fitting?.has(id) === false };

@@ -6,9 +6,7 @@ import { type Cost, fitModel, median, selectForBudget } from "./statistics";
 /** A frame at 60 fps, ms. */
 export const DEFAULT_BUDGET = 16;
 
-interface Predicted extends Cost {
-  label: string;
-}
+type Predicted = Cost & { label: string };
 
 /** Times at a size, by the model through the two timed sizes. */
 export function predict({ measured, sizes: { large, small } }: BenchmarkResult, width: number, height: number): Predicted[] {

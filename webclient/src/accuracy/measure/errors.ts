@@ -16,20 +16,13 @@ export interface Errors {
   flip: number;
 }
 
-interface Metric {
-  key: keyof Errors;
-  label: string;
-  /** For the axis. */
-  unit: string;
-}
-
-/** The measures of error that the diagrams can show. */
+/** The measures of error that the diagrams can show; units are for the axis. */
 export const METRICS = [
   { key: "rmse", label: "RMSE", unit: "levels of 255" },
   { key: "flip", label: "FLIP", unit: "0 to 1" },
   { key: "max", label: "maximum", unit: "levels of 255" },
   { key: "coverage", label: "foam coverage", unit: "RMSE, 0 to 1" },
-] as const satisfies readonly Metric[];
+] as const satisfies readonly { key: keyof Errors; label: string; unit: string }[];
 
 export type MetricKey = (typeof METRICS)[number]["key"];
 
