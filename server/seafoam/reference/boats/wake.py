@@ -46,15 +46,14 @@ class Wakes:
             total += pattern(wake, behind, np.abs(aside))[0]
         return total
 
-    def gradient(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
-        h_x, h_z = np.zeros_like(x), np.zeros_like(x)
+    def gradient(self, x: Floats, z: Floats) -> Floats:
+        slope = np.zeros((2, x.size))
         for i, wake in enumerate(self.wakes):
             behind, aside, on_behind, on_aside = self.along(i, x, z)
             _, rise, spread = pattern(wake, behind, np.abs(aside))
             spread = spread * np.where(aside < 0.0, -1.0, 1.0)
-            h_x += rise * on_behind[0] + spread * on_aside[0]
-            h_z += rise * on_behind[1] + spread * on_aside[1]
-        return h_x, h_z
+            slope += [rise * along + spread * across for along, across in zip(on_behind, on_aside, strict=True)]
+        return slope
 
 
 @dataclass(frozen=True)

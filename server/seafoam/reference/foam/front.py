@@ -313,7 +313,7 @@ def decaying_front(
     x, z = points.x, points.z
     sum_of = group(waves, x, z, 0.5 * math.pi)
     gradient = phase_gradient(sum_of)
-    by_x, by_z = waves.to_rest(x, z) if history.orbits else (np.zeros_like(x), np.zeros_like(x))
+    by_x, by_z = waves.to_rest(x, z) if history.orbits else np.zeros((2, x.size))
     rest_x, rest_z = x + by_x, z + by_z
     more = front_patches(source, history.drift, points, rest_x, rest_z)
     fronts = _Fronts(waves, rest_x, rest_z, history.drift, source.group, more)

@@ -37,8 +37,8 @@ class ReliefPart(Protocol):
     def height(self, x: Floats, z: Floats) -> Floats:
         """Height at (x, z), m from the origin, shape (r,); (r,) m."""
 
-    def gradient(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
-        """(h_x, h_z) at (x, z); (r,) each."""
+    def gradient(self, x: Floats, z: Floats) -> Floats:
+        """(h_x, h_z) at (x, z); (2, r)."""
 
 
 @dataclass(frozen=True)
@@ -73,15 +73,7 @@ class Relief:
         return min((part.shape for part in self.raised), default=float("inf"))
 
     def height(self, x: Floats, z: Floats) -> Floats:
-        total = np.zeros_like(x)
-        for part in self.raised:
-            total += part.height(x, z)
-        return total
+        return sum((part.height(x, z) for part in self.raised), np.zeros_like(x))
 
-    def gradient(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
-        h_x, h_z = np.zeros_like(x), np.zeros_like(x)
-        for part in self.raised:
-            part_x, part_z = part.gradient(x, z)
-            h_x += part_x
-            h_z += part_z
-        return h_x, h_z
+    def gradient(self, x: Floats, z: Floats) -> Floats:
+        return sum((part.gradient(x, z) for part in self.raised), np.zeros((2, x.size)))

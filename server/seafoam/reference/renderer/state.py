@@ -72,29 +72,24 @@ class Surface:
             orbits=life is not None and life.carried,
         )
 
-    def slopes(self, x: Floats, z: Floats) -> tuple[tuple[Floats, Floats], ...]:
-        """Slopes at (x, z): of the surface for rays, of that for shading, and of waves without height; (r,) each."""
-        met_x, met_z = self.relief.gradient(x, z)
-        c_x, c_z = self.ripples.gradient(x, z)
-        t_x, t_z = self.touches.gradient(x, z)
-        c_x, c_z = c_x + t_x, c_z + t_z
+    def slopes(self, x: Floats, z: Floats) -> tuple[Floats, Floats, Floats]:
+        """Slopes at (x, z): of the surface for rays, of that for shading, and of waves without height; (2, r) each."""
+        met = self.relief.gradient(x, z)
+        fine = self.ripples.gradient(x, z) + self.touches.gradient(x, z)
         if self.sea is None:
-            return (met_x, met_z), (met_x, met_z), (c_x, c_z)
+            return met, met, fine
         # Rays intersect the bilinear sea; shading uses its spline.
-        (seen_x, seen_z), (own_x, own_z) = self.sea.shading(x, z), self.sea.gradient(x, z)
-        s_x, s_z = self.sea.detail(x, z)
-        return (met_x, met_z), (met_x + (seen_x - own_x), met_z + (seen_z - own_z)), (c_x + s_x, c_z + s_z)
+        bent = self.sea.shading(x, z) - self.sea.gradient(x, z)
+        return met, met + bent, fine + self.sea.detail(x, z)
 
-    def to_rest(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
-        """Displacement from (x, z) to the rest position of the foam there, m; (r,) each."""
-        by_x, by_z = np.zeros_like(x), np.zeros_like(x)
+    def to_rest(self, x: Floats, z: Floats) -> Floats:
+        """Displacement from (x, z) to the rest position of the foam there, m; (2, r)."""
         if not self.orbits:
-            return by_x, by_z
-        for part in (self.waves, self.sea):
-            if part is not None:
-                part_x, part_z = part.to_rest(x, z)
-                by_x, by_z = by_x + part_x, by_z + part_z
-        return (by_x, by_z) if self.coast is None else self.coast.to_rest((by_x, by_z), x, z)
+            return np.zeros((2, x.size))
+        by = self.waves.to_rest(x, z)
+        if self.sea is not None:
+            by = by + self.sea.to_rest(x, z)
+        return by if self.coast is None else self.coast.to_rest(by, x, z)
 
 
 @dataclass(frozen=True, eq=False)
@@ -210,9 +205,9 @@ class ReferenceState:
     def water_samples(self, D: Floats, d: Floats, distance: Floats, side: float = 1.0) -> WaterSamples:
         """Where rays D (r, 3) of directions d meet the surface, ``distance`` (r,) m away; ``side`` −1: from below."""
         x, z = d[:, 0] * distance, d[:, 2] * distance
-        met, (h_x, h_z), (c_x, c_z) = self.surface.slopes(x, z)
+        met, seen, fine = self.surface.slopes(x, z)
         footprints = self.footprints(distance / np.sqrt(dot(D, D)), D, side * intersect.normal(*met))
-        normal, damped = (unit(intersect.normal(h_x + part * c_x, h_z + part * c_z)) for part in (1.0, 0.5))
+        normal, damped = (unit(intersect.normal(*(seen + part * fine))) for part in (1.0, 0.5))
         return WaterSamples(d, distance, x, z, self.surface.relief.height(x, z), footprints, normal, damped)
 
 

@@ -69,11 +69,11 @@ def _patches(x: Floats, z: Floats, footprints: Footprints | None = None) -> Floa
     return patches(noises, footprints)
 
 
-def _swing(here: Floats, map_x: Floats, map_z: Floats, turn: Floats) -> tuple[Floats, Floats]:
-    """Displacement of the surf's foam along the gradient of the phase, m; (r,) each."""
-    length = np.maximum(np.hypot(map_x[:, 0], map_z[:, 0]), 1e-6)
-    swing = 1.5 * here[:, 1] * np.sin(2.0 * math.pi * turn) / length
-    return swing * map_x[:, 0], swing * map_z[:, 0]
+def _swing(here: Floats, map_x: Floats, map_z: Floats, turn: Floats) -> Floats:
+    """Displacement of the surf's foam along the gradient of the phase, m; (2, r)."""
+    phase = np.stack((map_x[:, 0], map_z[:, 0]))
+    result: Floats = 1.5 * here[:, 1] * np.sin(2.0 * math.pi * turn) / np.maximum(np.hypot(*phase), 1e-6) * phase
+    return result
 
 
 class Coast:
@@ -157,8 +157,7 @@ class Coast:
 
     def height(self, x: Floats, z: Floats) -> Floats:
         """Height of the sea at (x, z); (r,) m."""
-        total = self.open_sea.height(x, z) if self.open_sea.top > 0.0 else np.zeros_like(x)
-        q_x, q_z = self.place(x, z)
+        total, (q_x, q_z) = self.open_sea.height(x, z), self.place(x, z)
         # At the square's edge the shore's waves have height 0 and the sea's have their full height.
         inside = np.flatnonzero((np.abs(q_x) <= 0.5 * self.shore.size) & (np.abs(q_z) <= 0.5 * self.shore.size))
         if inside.size:
@@ -170,12 +169,9 @@ class Coast:
             total[inside] = total[inside] * here[:, 3] + own
         return total
 
-    def gradient(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
-        """(h_x, h_z) of the sea at (x, z); (r,) each."""
-        sea = self.open_sea
-        H = sea.height(x, z) if sea.top > 0.0 else np.zeros_like(x)
-        along = sea.gradient(x, z) if sea.top > 0.0 else (np.zeros_like(x), np.zeros_like(x))
-        q_x, q_z = self.place(x, z)
+    def gradient(self, x: Floats, z: Floats) -> Floats:
+        """(h_x, h_z) of the sea at (x, z); (2, r)."""
+        H, along, (q_x, q_z) = self.open_sea.height(x, z), self.open_sea.gradient(x, z), self.place(x, z)
         beyond = (np.abs(q_x) > 0.5 * self.shore.size) | (np.abs(q_z) > 0.5 * self.shore.size)
         here, map_x, map_z = self.field.all(q_x, q_z)
         profile, turned, skewed = self.profiles(self.turn(here[:, 0]), here[:, 2])
@@ -184,13 +180,12 @@ class Coast:
             own = change[:, 1] * profile + here[:, 1] * (skewed * change[:, 2] - turned * change[:, 0])
             joined = rise * here[:, 3] + H * change[:, 3] + np.where(here[:, 1] > 0.0, own, 0.0)
             result.append(np.where(beyond, rise, joined))
-        return result[0], result[1]
+        return np.stack(result)
 
-    def to_rest(self, sea: tuple[Floats, Floats], x: Floats, z: Floats) -> tuple[Floats, Floats]:
-        """Displacement from (x, z) to the rest position of the water there, m; (r,) each. ``sea``: the open sea's."""
+    def to_rest(self, sea: Floats, x: Floats, z: Floats) -> Floats:
+        """Displacement from (x, z) to the rest position of the water there, m; (2, r). ``sea``: the open sea's."""
         here, map_x, map_z = self.field.all(*self.place(x, z))
-        swing_x, swing_z = _swing(here, map_x, map_z, self.turn(here[:, 0]))
-        return here[:, 3] * sea[0] + swing_x, here[:, 3] * sea[1] + swing_z
+        return here[:, 3] * sea + _swing(here, map_x, map_z, self.turn(here[:, 0]))
 
     def foam(self, source: SurfSaturation, x: Floats, z: Floats, H: Floats, footprints: Footprints | None) -> Floats:
         """Saturation of the surf's foam at (x, z), where the sea has height H, averaged over footprints; (r,)."""
@@ -390,11 +385,10 @@ class Land:
         """Height of the land, 0 where there is none; (r,) m."""
         return np.maximum(self.coast.floor.value(*self.coast.place(x, z))[:, 0], 0.0)
 
-    def gradient(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
-        """(h_x, h_z); (r,) each."""
-        height, g_x, g_z, _ = self.coast.ground(*self.coast.place(x, z))
-        dry = height > 0.0
-        return np.where(dry, g_x, 0.0), np.where(dry, g_z, 0.0)
+    def gradient(self, x: Floats, z: Floats) -> Floats:
+        """(h_x, h_z); (2, r)."""
+        height, *slope, _ = self.coast.ground(*self.coast.place(x, z))
+        return np.where(height > 0.0, slope, 0.0)
 
 
 def grain(q_x: Floats, q_z: Floats, footprints: Footprints) -> Floats:

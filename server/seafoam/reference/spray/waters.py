@@ -107,7 +107,7 @@ class _Waters:
         waves = wave_set(self.scene, self.time, self.origin)
         x, z = p.reshape(-1, 2).T
         rise = waves.rise(x, z).reshape(folds.shape)
-        slope = np.stack(waves.gradient(x, z), axis=-1).reshape(*folds.shape, 2)
+        slope = waves.gradient(x, z).T.reshape(*folds.shape, 2)
         steep = self._steep(rise)
         level = -slope * (rise / np.maximum(dot(slope, slope), CREST_SLOPE2))[..., None]
         front = steep > folds

@@ -32,11 +32,11 @@ class GroupFactor:
         noise = self._noise(x + self.velocity[0] * ago, z + self.velocity[1] * ago)[0]
         return 1.0 - self.contrast * (1.0 - noise)
 
-    def gradient(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
-        """Its derivatives, 1/m."""
+    def gradient(self, x: Floats, z: Floats) -> Floats:
+        """Its derivatives, (2, r) 1/m."""
         _, by_u, by_v = self._noise(x, z)
         k_x, k_z = self.along
-        return self.contrast * (k_x * by_u - k_z * by_v), self.contrast * (k_z * by_u + k_x * by_v)
+        return self.contrast * np.stack((k_x * by_u - k_z * by_v, k_z * by_u + k_x * by_v))
 
     @property
     def slope(self) -> float:

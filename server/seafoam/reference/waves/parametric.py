@@ -119,17 +119,15 @@ class WaveSet:
         """Σ y over the waves at (x, z), minus its mean, times the factor of the groups; (r,) m."""
         return self._grouped(self._even_height(x, z, 0.0), x, z)
 
-    def gradient(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
-        """(h_x, h_z) of the sum at (x, z); (r,) each."""
-        h_x, h_z = np.zeros_like(x), np.zeros_like(x)
+    def gradient(self, x: Floats, z: Floats) -> Floats:
+        """(h_x, h_z) of the sum at (x, z); (2, r)."""
+        slope = np.zeros((2, x.size))
         for i, theta in enumerate(self.theta(x, z)):
-            slope = wave_derivative(theta, self.amplitude[i], self.exponent[i])
-            h_x -= self.kx[i] * slope
-            h_z -= self.kz[i] * slope
+            k = np.array([[self.kx[i]], [self.kz[i]]])
+            slope -= k * wave_derivative(theta, self.amplitude[i], self.exponent[i])
         if self.groups is None:
-            return h_x, h_z
-        factor, height, (by_x, by_z) = self.groups(x, z), self._even_height(x, z, 0.0), self.groups.gradient(x, z)
-        return factor * h_x + height * by_x, factor * h_z + height * by_z
+            return slope
+        return self.groups(x, z) * slope + self._even_height(x, z, 0.0) * self.groups.gradient(x, z)
 
     def height_before(self, x: Floats, z: Floats, ago: Floats | float) -> Floats:
         """The height at (x, z) as it was ``ago`` s before; (r,) m."""
@@ -144,7 +142,8 @@ class WaveSet:
             return total
         by_x, by_z = self.groups.gradient(x, z)
         passing = -(self.groups.velocity[0] * by_x + self.groups.velocity[1] * by_z)
-        return self.groups(x, z) * total + self._even_height(x, z, 0.0) * passing
+        risen: Floats = self.groups(x, z) * total + self._even_height(x, z, 0.0) * passing
+        return risen
 
     def _even_height(self, x: Floats, z: Floats, ago: Floats | float) -> Floats:
         """The height ``ago`` s before, without groups; (r,) m."""
@@ -156,14 +155,13 @@ class WaveSet:
     def _grouped(self, values: Floats, x: Floats, z: Floats, ago: Floats | float = 0.0) -> Floats:
         return values if self.groups is None else values * self.groups(x, z, ago)
 
-    def to_rest(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
-        """Displacement from (x, z) to the rest position of the water, to first order in the slope, m; (r,) each."""
-        by_x, by_z = np.zeros_like(x), np.zeros_like(x)
+    def to_rest(self, x: Floats, z: Floats) -> Floats:
+        """Displacement from (x, z) to the rest position of the water, to first order in the slope, m; (2, r)."""
+        by = np.zeros((2, x.size))
         for i, theta in enumerate(self.theta(x, z)):
-            moved = self.orbit[i] * np.cos(theta) / math.hypot(self.kx[i], self.kz[i])
-            by_x += self.kx[i] * moved
-            by_z += self.kz[i] * moved
-        return self._grouped(by_x, x, z), self._grouped(by_z, x, z)
+            k = np.array([[self.kx[i]], [self.kz[i]]])
+            by += k * (self.orbit[i] * np.cos(theta) / math.hypot(self.kx[i], self.kz[i]))
+        return self._grouped(by, x, z)
 
 
 @dataclass(frozen=True)
@@ -191,18 +189,12 @@ class RippleSet:
     phase: Floats
     gusts: GustField | None = None
 
-    def gradient(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
-        """(c_x, c_z) = −Σ s k̂ cos θ at (x, z); (r,) each."""
-        c_x, c_z = np.zeros_like(x), np.zeros_like(x)
-        for i in range(self.slope.size):
-            wave = np.cos(self.phase[i] - self.kx[i] * x - self.kz[i] * z)
-            k = math.hypot(self.kx[i], self.kz[i])
-            c_x -= self.slope[i] * self.kx[i] / k * wave
-            c_z -= self.slope[i] * self.kz[i] / k * wave
-        if self.gusts is None:
-            return c_x, c_z
-        factor = self.gusts(x, z)
-        return factor * c_x, factor * c_z
+    def gradient(self, x: Floats, z: Floats) -> Floats:
+        """(c_x, c_z) = −Σ s k̂ cos θ at (x, z); (2, r)."""
+        total = np.zeros((2, x.size))
+        for s, kx, kz, phase in zip(self.slope, self.kx, self.kz, self.phase, strict=True):
+            total -= s * np.array([[kx], [kz]]) / math.hypot(kx, kz) * np.cos(phase - kx * x - kz * z)
+        return total if self.gusts is None else self.gusts(x, z) * total
 
 
 def wave_height(theta: Floats, A: float, K: float) -> Floats:
@@ -298,24 +290,18 @@ def afloat(scene: Scene, time: float, origin: tuple[float, float]) -> tuple[floa
 
 def wave_set(scene: Scene, time: float, origin: tuple[float, float], spatial: float = 1.0) -> WaveSet:
     """The scene's waves at a time (s) around an origin (x, z) in m; ``spatial`` scales the wavenumbers."""
-    k = np.array([wavenumber(wave.wavelength, scene.water.depth) * spatial for wave in scene.waves], np.float64)
-    heading = np.array([wave.direction for wave in scene.waves], np.float64)
+    depth = scene.water.depth
+    own = [(wave.amplitude, wave.exponent, wave.direction, orbit(wave, depth)) for wave in scene.waves]
+    of_phase = [(wavenumber(wave.wavelength, depth) * spatial, angular_frequency(wave)) for wave in scene.waves]
+    amplitude, exponent, heading, orbits = np.array(own, np.float64).reshape(-1, 4).T
+    k, omega = np.array(of_phase, np.float64).reshape(-1, 2).T
     kx, kz = k * np.cos(heading), k * np.sin(heading)
     phase = [
         reduced((angular_frequency(wave), time), (-a, origin[0]), (-b, origin[1]), plus=wave.phase)
         for wave, a, b in zip(scene.waves, kx.tolist(), kz.tolist(), strict=True)
     ]
-    return WaveSet(
-        amplitude=np.array([wave.amplitude for wave in scene.waves], np.float64),
-        exponent=np.array([wave.exponent for wave in scene.waves], np.float64),
-        orbit=np.array([orbit(wave, scene.water.depth) for wave in scene.waves], np.float64),
-        k=k,
-        kx=kx,
-        kz=kz,
-        omega=np.array([angular_frequency(wave) for wave in scene.waves], np.float64),
-        phase=np.array(phase, np.float64),
-        groups=group_factor(scene, time, origin),
-    )
+    groups = group_factor(scene, time, origin)
+    return WaveSet(amplitude, exponent, orbits, k, kx, kz, omega, np.array(phase, np.float64), groups)
 
 
 def ripple_set(
@@ -327,17 +313,9 @@ def ripple_set(
 ) -> RippleSet:
     """Ripples at a time (s) around an origin (x, z) in m; empty without one."""
     drawn = [] if ripples is None else [ripple for cascade in ripple_cascades(ripples, repeats) for ripple in cascade]
-    phase = [
-        reduced((ripple.omega, time), (-ripple.kx, origin[0]), (-ripple.kz, origin[1]), plus=ripple.phase)
-        for ripple in drawn
-    ]
-    return RippleSet(
-        slope=np.array([ripple.slope for ripple in drawn], np.float64),
-        kx=np.array([ripple.kx for ripple in drawn], np.float64),
-        kz=np.array([ripple.kz for ripple in drawn], np.float64),
-        phase=np.array(phase, np.float64),
-        gusts=gusts,
-    )
+    phase = [reduced((one.omega, time), (-one.kx, origin[0]), (-one.kz, origin[1]), plus=one.phase) for one in drawn]
+    slope, kx, kz = np.array([(one.slope, one.kx, one.kz) for one in drawn], np.float64).reshape(-1, 3).T
+    return RippleSet(slope, kx, kz, np.array(phase, np.float64), gusts)
 
 
 def gust_field(ripples: Ripples | None, time: float, origin: tuple[float, float]) -> GustField | None:

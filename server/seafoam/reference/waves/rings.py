@@ -75,20 +75,17 @@ class RingSet:
         total = np.zeros_like(x)
         for ring in self.rings:
             here = np.flatnonzero(_reached(ring, x, z))
-            if here.size:
-                total[here] += ring_height(ring, x[here], z[here])
+            total[here] += ring_height(ring, x[here], z[here])
         return total
 
-    def gradient(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
-        """(h_x, h_z) of the sum at (x, z); (r,) each."""
-        h_x, h_z = np.zeros_like(x), np.zeros_like(x)
+    def gradient(self, x: Floats, z: Floats) -> Floats:
+        """(h_x, h_z) of the sum at (x, z); (2, r)."""
+        slope = np.zeros((2, x.size))
         for ring in self.rings:
             here = np.flatnonzero(_reached(ring, x, z))
-            if here.size:
-                outward, inverse = ring_slope_outward(ring, x[here], z[here])
-                h_x[here] += outward * (x[here] - ring.x) * inverse
-                h_z[here] += outward * (z[here] - ring.z) * inverse
-        return h_x, h_z
+            outward, inverse = ring_slope_outward(ring, x[here], z[here])
+            slope[:, here] += outward * np.stack((x[here] - ring.x, z[here] - ring.z)) * inverse
+        return slope
 
 
 def ring_set(scene: Scene, time: float, origin: tuple[float, float]) -> RingSet:

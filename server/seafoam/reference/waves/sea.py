@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
@@ -116,6 +117,10 @@ def tile(cascade: Cascade, time: float, wanted: float, texels: int = TEXELS) -> 
     return Tile(cascade.size, height, h_x * kept, h_z * kept, a_xx + a_zz - 2.0, jacobian, x, z)
 
 
+Reading = Callable[[Tile, Floats, Floats, Floats], Floats]
+"""Values of a tile at (x, z), m from the origin."""
+
+
 @dataclass(frozen=True, eq=False)
 class SeaSurface:
     """The open sea at one time around one origin: a part of the relief, with slopes and Jacobians."""
@@ -174,20 +179,16 @@ class SeaSurface:
             total += self._at(tile, tile.height, x, z)
         return total
 
-    def gradient(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
-        h_x, h_z = np.zeros_like(x), np.zeros_like(x)
-        for tile in self._raised:
-            h_x += self._at(tile, tile.h_x, x, z)
-            h_z += self._at(tile, tile.h_z, x, z)
-        return h_x, h_z
+    def gradient(self, x: Floats, z: Floats) -> Floats:
+        return self._slopes(self._at, self._raised, x, z)
 
-    def shading(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
-        """Gradient of the raised tiles for shading; (r,) each."""
-        return self._slopes(self._raised, x, z)
+    def shading(self, x: Floats, z: Floats) -> Floats:
+        """Gradient of the raised tiles for shading; (2, r)."""
+        return self._slopes(self._smooth, self._raised, x, z)
 
-    def detail(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
-        """Gradient of the tiles that change only the normals; (r,) each."""
-        return self._slopes(self.tiles[RAISED:], x, z)
+    def detail(self, x: Floats, z: Floats) -> Floats:
+        """Gradient of the tiles that change only the normals; (2, r)."""
+        return self._slopes(self._smooth, self.tiles[RAISED:], x, z)
 
     def folds(self, x: Floats, z: Floats) -> list[Floats]:
         """λ div D now and at each earlier time, summed over the raised tiles; (r,) each."""
@@ -204,23 +205,21 @@ class SeaSurface:
             left += share * np.clip((model.old[0] - folded) / model.old[1], 0.0, 1.0)
         return self._at(self.tiles[0], left, x, z)
 
-    def to_rest(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
-        """Displacement from (x, z) to the rest position of the water there, m; (r,) each."""
-        by_x, by_z = np.zeros_like(x), np.zeros_like(x)
+    def to_rest(self, x: Floats, z: Floats) -> Floats:
+        """Displacement from (x, z) to the rest position of the water there, m; (2, r)."""
+        by = np.zeros((2, x.size))
         for tile in self._raised:
             texels = tile.label_x.shape[0]
             corner = np.arange(0, texels, 2)
-            scale = tile.size / texels
-            by_x += self._at(tile, scale * (tile.label_x[::2, ::2] - corner[None, :]), x, z)
-            by_z += self._at(tile, scale * (tile.label_z[::2, ::2] - corner[:, None]), x, z)
-        return by_x, by_z
+            away = tile.label_x[::2, ::2] - corner[None, :], tile.label_z[::2, ::2] - corner[:, None]
+            by += [self._at(tile, tile.size / texels * part, x, z) for part in away]
+        return by
 
-    def _slopes(self, tiles: tuple[Tile, ...], x: Floats, z: Floats) -> tuple[Floats, Floats]:
-        h_x, h_z = np.zeros_like(x), np.zeros_like(x)
+    def _slopes(self, read: Reading, tiles: tuple[Tile, ...], x: Floats, z: Floats) -> Floats:
+        slope = np.zeros((2, x.size))
         for tile in tiles:
-            h_x += self._smooth(tile, tile.h_x, x, z)
-            h_z += self._smooth(tile, tile.h_z, x, z)
-        return h_x, h_z
+            slope += [read(tile, part, x, z) for part in (tile.h_x, tile.h_z)]
+        return slope
 
     def _smooth(self, tile: Tile, values: Floats, x: Floats, z: Floats) -> Floats:
         """The uniform cubic B-spline with ``values`` as coefficients, at (x, z), m from the origin."""
