@@ -5,29 +5,24 @@ import math
 import numpy as np
 import pytest
 
-from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference import load_truth, render, truth_is_current
 from seafoam.reference.bake import CONVERGED_SIZE, CONVERGED_TIME, EVERY_LOOK, TIMES, jobs_of, truth_file
 from seafoam.render.gl.executor import Executor
 from support.exact import UNFILTERED
 from support.parity import HARD, REFERENCES, mean_of, parity
-from support.pictures import draw, rmse
+from support.pictures import linear, rms, rmse, samples
 from support.report import Report
 from support.scenes import Camera, Foam, HeightSaturation, Scene, load_preset, preset_names
 from support.sweep import crossed
 
 
-def every_job() -> list[tuple[str, Scene]]:
-    return [(job.name, job.scene) for name in preset_names() for job in jobs_of(name, load_preset(name).scene)]
-
-
 def test_truth_is_of_the_scenes_that_are_judged() -> None:
     """A preset that changed without a new bake would be judged by the wrong picture."""
-    stale = [name for name, scene in every_job() if not truth_is_current(truth_file(REFERENCES, name), scene)]
+    jobs = [job for name in preset_names() for job in jobs_of(name, load_preset(name).scene)]
+    stale = [job.name for job in jobs if not truth_is_current(truth_file(REFERENCES, job.name), job.scene)]
     assert not stale, f"run python -m seafoam.reference.bake: {stale}"
-    known = {f"{name}.npz" for name, _ in every_job()}
-    assert {path.name for path in REFERENCES.glob("*.npz")} == known
+    assert {path.stem for path in REFERENCES.glob("*.npz")} == {job.name for job in jobs}
 
 
 @pytest.mark.parametrize(("preset", "time"), crossed(preset_names(), TIMES, len(TIMES), 3, 1))
@@ -50,13 +45,11 @@ def test_reference_quality_is_the_truth(executor: Executor, report: Report, pres
 def test_the_frame_is_the_mean_of_its_samples(executor: Executor, preset: str) -> None:
     """With passes over the picture and without."""
     scene, size = load_preset(preset).scene, (96, 54)
-    plan, camera = make_plan(scene, UNFILTERED), scene.camera
-    samples = draw(executor, plan, camera, time=2.7, size=size, output="samples")
-    linear = draw(executor, plan, camera, time=2.7, size=size, output="linear")
-    assert samples.shape[1] > size[0]
-    want = mean_of(samples, size)
+    every, mean = (of(executor, scene, UNFILTERED, time=2.7, size=size) for of in (samples, linear))
+    assert every.shape[1] > size[0]
+    want = mean_of(every, size)
     # A sum of float32 in another order.
-    assert np.abs(linear - want).max() <= 1e-5 * (1.0 + np.abs(want).max())
+    assert np.abs(mean - want).max() <= 1e-5 * (1.0 + np.abs(want).max())
 
 
 @pytest.mark.parametrize("preset", EVERY_LOOK)
@@ -68,16 +61,14 @@ def test_filtered_has_less_error_than_any_hard_look(executor: Executor, report: 
     for look in (*HARD, "filtered", "textured"):
         variant = scene.model_copy(update={"foam": scene.foam.model_copy(update={"look": look})})
         truth = load_truth(truth_file(REFERENCES, f"{preset}.converged.{look}"))
-        plan = make_plan(variant, TIERS["standard"])
-        linear = draw(executor, plan, variant.camera, time=CONVERGED_TIME, size=CONVERGED_SIZE, output="linear")
-        errors[look] = rmse(linear, truth.rgb)
-        coverage = float(np.sqrt(np.mean((linear[..., 3] - truth.alpha) ** 2)))
+        drawn = linear(executor, variant, TIERS["standard"], time=CONVERGED_TIME, size=CONVERGED_SIZE)
+        errors[look] = rmse(drawn, truth.rgb)
         report.add(
             "One sample a pixel against 256, standard quality, 160 × 90",
             preset=preset,
             look=look,
             picture=f"{errors[look]:.2f}",
-            coverage=f"{coverage:.4f}",
+            coverage=f"{rms(drawn[..., 3] - truth.alpha):.4f}",
         )
     # Foam that lives does so in this look alone: carried and of its age it has more to miss.
     assert errors["filtered"] < (1.1 if scene.foam.life is not None else 1.0) * min(errors[look] for look in HARD)
@@ -90,24 +81,23 @@ def test_filtered_once_is_halftone_sixteen_times_over_waves(executor: Executor, 
     assert scene.foam is not None
     small = {"mask": "mix", "mask_tile": 5.0, "octaves": 1} if scene.foam.octaves > 1 else {}
     errors = {}
-    for look, samples in (("halftone", 16), ("filtered", 1)):
+    for look, count in (("halftone", 16), ("filtered", 1)):
         variant = scene.model_copy(update={"foam": scene.foam.model_copy(update={"look": look, **small})})
         if small:
             width, height = CONVERGED_SIZE
             truth = render(variant, time=CONVERGED_TIME, width=width, height=height, samples=6, mode="converged")
         else:
             truth = load_truth(truth_file(REFERENCES, f"{preset}.converged.{look}"))
-        quality = TIERS["standard"].model_copy(update={"samples": samples})
-        plan = make_plan(variant, quality)
-        linear = draw(executor, plan, variant.camera, time=CONVERGED_TIME, size=CONVERGED_SIZE, output="linear")
-        errors[look, "coverage"] = float(np.sqrt(np.mean((linear[..., 3] - truth.alpha) ** 2)))
-        errors[look, "picture"] = rmse(linear, truth.rgb)
+        quality = TIERS["standard"].model_copy(update={"samples": count})
+        drawn = linear(executor, variant, quality, time=CONVERGED_TIME, size=CONVERGED_SIZE)
+        errors[f"{look}_coverage"] = rms(drawn[..., 3] - truth.alpha)
+        errors[f"{look}_picture"] = rmse(drawn, truth.rgb)
     report.add(
         "Filtered once against halftone sixteen times, each look against its own limit, 160 × 90",
         preset=preset,
-        **{f"{look}_{what}": f"{error:.4f}" for (look, what), error in errors.items()},
+        **{name: f"{error:.4f}" for name, error in errors.items()},
     )
-    assert errors["filtered", "coverage"] <= errors["halftone", "coverage"]
+    assert errors["filtered_coverage"] <= errors["halftone_coverage"]
 
 
 VIEWS = {
@@ -122,19 +112,17 @@ VIEWS = {
 @pytest.mark.parametrize("base", [-1.0, -0.2])
 def test_filtered_once_is_halftone_sixteen_times(executor: Executor, report: Report, view: str, base: float) -> None:
     """Foam on level water, a half and a sixth of it covered: what is left is the mask's own error."""
-    size = (96, 54)
     errors = {}
-    for look, samples in (("halftone", 1), ("halftone", 16), ("filtered", 1)):
+    for look, count in (("halftone", 1), ("halftone", 16), ("filtered", 1)):
         foam = Foam(saturation=(HeightSaturation(base=base, full=1.0),), look=look, mask="vac-1.5")
         scene = Scene(foam=foam, camera=VIEWS[view])
-        truth = render(scene, time=0.0, width=size[0], height=size[1], samples=12, mode="converged")
-        quality = TIERS["standard"].model_copy(update={"samples": samples})
-        drawn = draw(executor, make_plan(scene, quality), scene.camera, time=0.0, size=size, output="linear")
-        errors[look, samples] = float(np.sqrt(np.mean((drawn[..., 3] - truth.alpha) ** 2)))
+        truth = render(scene, time=0.0, width=96, height=54, samples=12, mode="converged")
+        drawn = linear(executor, scene, TIERS["standard"].model_copy(update={"samples": count}), size=(96, 54))
+        errors[f"{look}_{count}"] = rms(drawn[..., 3] - truth.alpha)
     report.add(
         "Coverage of level water against 144 samples, each look against its own limit, 96 × 54",
         view=view,
         saturation=f"{-base / (1.0 - base):.2f}",
-        **{f"{look}_{samples}": f"{error:.4f}" for (look, samples), error in errors.items()},
+        **{name: f"{error:.4f}" for name, error in errors.items()},
     )
-    assert errors["filtered", 1] <= errors["halftone", 16]
+    assert errors["filtered_1"] <= errors["halftone_16"]

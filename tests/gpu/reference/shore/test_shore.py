@@ -172,7 +172,6 @@ def test_no_wave_passes_its_bounds(executor: Executor) -> None:
 
 
 SURF = SurfSaturation(line=1.0)
-
 LINED = SEA.model_copy(update={"foam": Foam(saturation=(SURF,))})
 
 

@@ -7,19 +7,18 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from seafoam.effects.waves import parametric
-from seafoam.effects.waves import ripples as ripples
+from seafoam.effects.waves import parametric, ripples
+from seafoam.effects.waves.groups import wave_files
 from seafoam.reference.waves.parametric import ripple_set, wave_set
 from support.exact import UNFILTERED
 from support.probe import Probe
 from support.report import Report
-from support.scenes import ParametricWave, Ripples, Scene, Water
+from support.scenes import ParametricWave, Ripples, Scene, Water, WaveGroups
 
 ORIGINS = ((0.0, 0.0), (1e7, -1e7))
 TIMES = (0.0, 12.5, 3600.0, 1e9)
 EXPONENTS = (0.75, 1.0, 1.4, 2.0, 3.5, 8.0, 30.0, 100.0)
 PLACES = 10_000
-FILES = ("lib/numbers.glsl", "waves/parametric.glsl")
 REACH = 300.0
 """m from the eye: beyond, waves as short as these are filtered out of the picture."""
 
@@ -53,33 +52,41 @@ def between(got: NDArray[np.float64], want: NDArray[np.float64]) -> float:
     return float(2.0 * np.arcsin(np.minimum(0.5 * np.linalg.norm(first - second, axis=1), 1.0)).max())
 
 
+GROUPED = (
+    ParametricWave(amplitude=1.1, wavelength=24.0, direction=0.4, exponent=2.0),
+    ParametricWave(amplitude=0.6, wavelength=15.0, direction=-0.2, exponent=1.5, phase=1.0),
+    ParametricWave(amplitude=0.3, wavelength=8.5, direction=0.9, exponent=1.4, phase=2.0),
+)
+SCENES = {
+    "sixteen": Scene(waves=some_waves(), water=Water(depth=40.0)),
+    "in groups": Scene(waves=GROUPED, wave_groups=WaveGroups(size=40.0, contrast=0.8, seed=5), water=Water(depth=40.0)),
+}
+
+
+@pytest.mark.whole
+@pytest.mark.parametrize(("name", "most"), [("sixteen", (2e-4, 5e-4)), ("in groups", (3e-4, 3e-4))])
 @pytest.mark.parametrize("origin", ORIGINS, ids=str)
 @pytest.mark.parametrize("time", TIMES)
-def test_parametric_waves_equal_float64_at_any_time_and_place(
-    probe: Probe, report: Report, time: float, origin: tuple[float, float]
+def test_waves_equal_float64_at_any_time_and_place(
+    probe: Probe, report: Report, time: float, origin: tuple[float, float], name: str, most: tuple[float, float]
 ) -> None:
     """They displace nothing sideways, so their Jacobian is 1 by construction."""
-    scene = Scene(waves=some_waves(), water=Water(depth=40.0))
-    body = "y.xyz = parametric_waves(x.xy);"
-    made = parametric.EFFECT.contribute(scene, UNFILTERED)
-    got = probe.contributed(made, FILES, body, places(), time=time, origin=origin)[:, :3]
+    scene = SCENES[name]
+    made, files = parametric.EFFECT.contribute(scene, UNFILTERED), ("lib/numbers.glsl", *wave_files(scene))
+    got = probe.contributed(made, files, "y.xyz = parametric_waves(x.xy);", places(), time=time, origin=origin)[:, :3]
     waves = wave_set(scene, time, origin)
     x, z = places().astype(np.float64).T
     want = np.column_stack((waves.height(x, z), *waves.gradient(x, z)))
-    height, slope = (np.abs(got - want)[:, part].max() for part in (slice(0, 1), slice(1, 3)))
-    normal = between(got[:, 1:], want[:, 1:])
-    report.add(
-        "Parametric waves against float64, 16 waves, 10 000 places",
-        time=f"{time:g} s",
-        origin=f"{origin[0]:g} m",
-        height=f"{1e6 * height:.0f} µm of {waves.top:.1f} m (bound 200)",
-        slope=f"{1e6 * slope:.0f} millionths of {np.abs(want[:, 1:]).max():.1f} (bound 500)",
-        normal=f"{1e6 * normal:.0f} µrad (bound 500)",
-    )
     assert want[:, 0].std() > 0.05 * waves.top
-    assert height <= 2e-4
-    assert slope <= 5e-4
-    assert normal <= 5e-4
+    report.within(
+        "Parametric waves against float64, 10 000 places, height in m, slope, normal in rad",
+        waves=name,
+        time=time,
+        origin=origin[0],
+        height=(np.abs(got - want)[:, 0].max(), most[0]),
+        slope=(np.abs(got - want)[:, 1:].max(), most[1]),
+        normal=(between(got[:, 1:], want[:, 1:]), 5e-4),
+    )
 
 
 @pytest.mark.parametrize("origin", ORIGINS, ids=str)
@@ -93,16 +100,12 @@ def test_ripples_equal_float64_at_any_time_and_place(
     files = ("lib/numbers.glsl", "waves/ripples.glsl@bands", "waves/ripples.glsl@exact")
     made = ripples.EFFECT.contribute(scene, UNFILTERED)
     got = probe.contributed(made, files, body, places(), time=time, origin=origin)[:, :2]
-    x, z = places().astype(np.float64).T
-    want = np.column_stack(ripple_set(scene.water.ripples, time, origin).gradient(x, z))
-    slope, normal = float(np.abs(got - want).max()), between(got, want)
-    report.add(
-        "Ripples against float64, 56 ripples, 10 000 places",
-        time=f"{time:g} s",
-        origin=f"{origin[0]:g} m",
-        slope=f"{1e6 * slope:.0f} millionths of {np.abs(want).max():.2f} (bound 300)",
-        normal=f"{1e6 * normal:.0f} µrad (bound 300)",
-    )
+    want = np.column_stack(ripple_set(scene.water.ripples, time, origin).gradient(*places().astype(np.float64).T))
     assert want.std() > 0.1
-    assert slope <= 3e-4
-    assert normal <= 3e-4
+    report.within(
+        "Ripples against float64, 56 ripples, 10 000 places, slope and normal in rad",
+        time=time,
+        origin=origin[0],
+        slope=(np.abs(got - want).max(), 3e-4),
+        normal=(between(got, want), 3e-4),
+    )

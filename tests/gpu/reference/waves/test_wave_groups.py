@@ -1,16 +1,15 @@
-"""Groups of parametric waves: the shader's waves, fronts and frames against float64, and their bounds."""
+"""Groups of parametric waves: how they share out heights, what they carry, fronts and frames, and their bounds."""
 
 import math
 from typing import Any
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from gpu.reference.waves.test_parametric import SCENES, places
 from seafoam.effects.effect import Contribution
 from seafoam.effects.waves import parametric
 from seafoam.effects.waves.groups import group_bounds, orbit_files, wave_files
-from seafoam.planner import make_plan
 from seafoam.reference import render
 from seafoam.reference.foam.front import STILL, decaying_front
 from seafoam.reference.types import SurfacePoints
@@ -18,7 +17,7 @@ from seafoam.reference.waves.groups import group_factor
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.render.gl.executor import Executor
 from support.exact import EXACT, UNFILTERED
-from support.pictures import draw
+from support.pictures import linear, rms
 from support.probe import Probe
 from support.report import Report
 from support.scenes import (
@@ -27,7 +26,6 @@ from support.scenes import (
     FoamLife,
     FoamSource,
     FrontSaturation,
-    Light,
     ParametricWave,
     Scene,
     SlopeSaturation,
@@ -35,50 +33,11 @@ from support.scenes import (
     WaveGroups,
 )
 
-WAVES = (
-    ParametricWave(amplitude=1.1, wavelength=24.0, direction=0.4, exponent=2.0),
-    ParametricWave(amplitude=0.6, wavelength=15.0, direction=-0.2, exponent=1.5, phase=1.0),
-    ParametricWave(amplitude=0.3, wavelength=8.5, direction=0.9, exponent=1.4, phase=2.0),
-)
-GROUPS = WaveGroups(size=40.0, contrast=0.8, seed=5)
-SCENE = Scene(waves=WAVES, wave_groups=GROUPS, water=Water(depth=40.0))
-PLACES = 10_000
-
-
-def places() -> NDArray[np.float32]:
-    return np.random.default_rng(11).uniform(-300.0, 300.0, (PLACES, 2)).astype(np.float32)
-
 
 def contribution(scene: Scene) -> Contribution:
     made = parametric.EFFECT.contribute(scene, UNFILTERED)
     assert made is not None
     return made
-
-
-@pytest.mark.parametrize("origin", [(0.0, 0.0), (1e7, -1e7)], ids=str)
-@pytest.mark.parametrize("time", [0.0, 1e9])
-def test_waves_in_groups_equal_float64_at_any_time_and_place(
-    probe: Probe, report: Report, time: float, origin: tuple[float, float]
-) -> None:
-    files, body = ("lib/numbers.glsl", *wave_files(SCENE)), "y.xyz = parametric_waves(x.xy);"
-    got = probe.contributed(contribution(SCENE), files, body, places(), time=time, origin=origin)[:, :3]
-    waves = wave_set(SCENE, time, origin)
-    x, z = places().astype(np.float64).T
-    want = np.column_stack((waves.height(x, z), *waves.gradient(x, z)))
-    height, slope = (np.abs(got - want)[:, part].max() for part in (slice(0, 1), slice(1, 3)))
-    report.add(
-        "Parametric waves in groups against float64, 10 000 places",
-        time=f"{time:g} s",
-        origin=f"{origin[0]:g} m",
-        height=f"{1e6 * height:.0f} µm of {waves.top:.1f} m (bound 300)",
-        slope=f"{1e6 * slope:.0f} millionths of {np.abs(want[:, 1:]).max():.1f} (bound 300)",
-    )
-    assert height <= 3e-4
-    assert slope <= 3e-4
-    even = wave_set(SCENE.model_copy(update={"wave_groups": None}), time, origin)
-    factor = want[:, 0] / np.where(np.abs(even.height(x, z)) > 1e-6, even.height(x, z), np.nan)
-    assert 0.2 - 1e-9 <= np.nanmin(factor) < 0.25
-    assert 0.95 < np.nanmax(factor) <= 1.0 + 1e-9
 
 
 def test_water_in_groups_is_carried_as_far_as_its_waves_are_high(probe: Probe) -> None:
@@ -92,28 +51,44 @@ def test_water_in_groups_is_carried_as_far_as_its_waves_are_high(probe: Probe) -
     assert np.abs(got - want).max() <= 1e-3
 
 
+SCENE = SCENES["in groups"]
+
+
+@pytest.mark.parametrize(("time", "origin"), [(0.0, (0.0, 0.0)), (1e9, (1e7, -1e7))])
+def test_groups_are_of_the_waves_height_and_of_as_little_as_their_contrast_leaves(
+    time: float, origin: tuple[float, float]
+) -> None:
+    x, z = places().astype(np.float64).T
+    grouped, even = (
+        wave_set(scene, time, origin).height(x, z) for scene in (SCENE, SCENE.model_copy(update={"wave_groups": None}))
+    )
+    factor = grouped / np.where(np.abs(even) > 1e-6, even, np.nan)
+    assert 0.2 - 1e-9 <= np.nanmin(factor) < 0.25
+    assert 0.95 < np.nanmax(factor) <= 1.0 + 1e-9
+
+
 @pytest.mark.parametrize("seed", range(5))
 def test_no_wave_exceeds_its_bounds(seed: int) -> None:
     """Slopes, differences of heights, and second differences over more than a texel."""
     groups = WaveGroups(size=30.0, contrast=1.0, seed=seed)
-    scene = Scene(waves=WAVES, wave_groups=groups)
+    scene = Scene(waves=SCENE.waves, wave_groups=groups)
     made, waves = contribution(scene), wave_set(scene, 0.0, (0.0, 0.0))
     rng = np.random.default_rng(seed)
     x, z = rng.uniform(-200.0, 200.0, (2, 100_000))
     heights = waves.height(x, z)
+    steepest, most_bent = min(made.max_slope, waves.slope), min(made.max_curvature, waves.curvature)
     assert heights.max() <= made.max_height
     assert heights.min() >= made.min_height
-    assert np.hypot(*waves.gradient(x, z)).max() <= min(made.max_slope, waves.slope)
+    assert np.hypot(*waves.gradient(x, z)).max() <= steepest
     turn = rng.uniform(0.0, 2.0 * math.pi, x.shape)
     for step in (0.02, 1.0):
-        ahead = waves.height(x + step * np.cos(turn), z + step * np.sin(turn))
-        behind = waves.height(x - step * np.cos(turn), z - step * np.sin(turn))
-        assert (np.abs(ahead - heights) / step).max() <= min(made.max_slope, waves.slope)
-        assert ((ahead + behind - 2.0 * heights) / step**2).max() <= min(made.max_curvature, waves.curvature)
+        ahead, behind = (waves.height(x + s * np.cos(turn), z + s * np.sin(turn)) for s in (step, -step))
+        assert (np.abs(ahead - heights) / step).max() <= steepest
+        assert ((ahead + behind - 2.0 * heights) / step**2).max() <= most_bent
     factor = group_factor(scene, 0.0, (0.0, 0.0))
     assert factor is not None
-    steepest = np.hypot(*factor.gradient(x, z)).max()
-    assert 0.8 * group_bounds(scene).slope <= steepest <= group_bounds(scene).slope
+    slope = group_bounds(scene).slope
+    assert 0.8 * slope <= np.hypot(*factor.gradient(x, z)).max() <= slope
 
 
 SHARED: tuple[FoamSource, ...] = (FrontSaturation(intensity=7.0, group=(0.3, 1.3), decay=3.0, variation=0.2),)
@@ -127,28 +102,19 @@ def test_frames_are_the_float64_truth(
     executor: Executor, report: Report, sources: tuple[FoamSource, ...], *, carried: bool
 ) -> None:
     life = FoamLife(carried=carried, wind_drift=0.3)
-    scene = Scene(
-        waves=WAVES,
-        wave_groups=GROUPS,
-        foam=Foam(saturation=sources, look="filtered", mask="lace", life=life),
-        light=Light(),
-        camera=Camera(position=(2.0, 6.0, 1.0), yaw=0.8, pitch=-0.3),
-    )
-    got = draw(executor, make_plan(scene, EXACT), scene.camera, time=7.0, size=(96, 54), output="linear")
+    foam = Foam(saturation=sources, look="filtered", mask="lace", life=life)
+    camera = Camera(position=(2.0, 6.0, 1.0), yaw=0.8, pitch=-0.3)
+    scene = SCENE.model_copy(update={"foam": foam, "camera": camera, "water": Water()})
+    got = linear(executor, scene, EXACT, time=7.0, size=(96, 54))
     want = render(scene, time=7.0, width=96, height=54)
-    off = got[..., 3] - want.alpha
-    error = np.abs(got[..., :3] - want.rgb).mean()
-    report.add(
-        "Waves in groups against float64, one sample a pixel",
-        front=str(len(sources)),
-        carried=str(carried),
-        foam=f"{want.alpha.mean():.4f}",
-        rmse=f"{np.sqrt((off**2).mean()):.5f}",
-        light=f"{255.0 * error:.3f} levels",
-    )
     assert want.alpha.mean() > 0.01
-    assert np.sqrt((off**2).mean()) < 0.01
-    assert 255.0 * error < 0.5
+    report.within(
+        "Waves in groups against float64, one sample a pixel, light in levels",
+        front=len(sources),
+        carried=carried,
+        foam=(rms(got[..., 3] - want.alpha), 0.01),
+        light=(255.0 * np.abs(got[..., :3] - want.rgb).mean(), 0.5),
+    )
 
 
 def test_groups_break_up_the_lattice_of_two_waves() -> None:
