@@ -44,6 +44,4 @@ export function toJson({ preset, width, height, method, rows }: ExportedRun): st
 
 const digits = (value: number) => String(Number(value.toPrecision(6)));
 
-function quoted(cell: string): string {
-  return /[",\n]/.test(cell) ? `"${cell.replaceAll('"', '""')}"` : cell;
-}
+const quoted = (cell: string) => (/[",\n]/.test(cell) ? `"${cell.replaceAll('"', '""')}"` : cell);

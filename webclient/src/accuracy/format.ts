@@ -19,6 +19,4 @@ export function formatFactor(factor: number): string {
 }
 
 /** The value of a setting. */
-export function valueText(value: Json): string {
-  return typeof value === "string" ? value : JSON.stringify(value);
-}
+export const valueText = (value: Json) => (typeof value === "string" ? value : JSON.stringify(value));

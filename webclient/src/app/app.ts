@@ -36,13 +36,6 @@ import { Transport } from "./transport";
 
 const STATS_INTERVAL = 250;
 
-interface StartData {
-  presets: readonly PresetSummary[];
-  preset: Preset;
-  link: LinkState;
-  makeDisplay: MakeDisplay;
-}
-
 /** The way to server frames from a page that cannot draw. */
 function serverLink(): { text: string; href: string } {
   const url = new URL(location.href);
@@ -88,7 +81,7 @@ export class App implements PageParts {
     private readonly api: Api,
     private readonly loadingScreen: LoadingScreen,
     private readonly still: StillImage,
-    { presets, preset, link, makeDisplay }: StartData,
+    { presets, preset, link, makeDisplay }: { presets: readonly PresetSummary[]; preset: Preset; link: LinkState; makeDisplay: MakeDisplay },
   ) {
     const reducedMotion = prefersReducedMotion();
     this.store = new Store(selectionFromLink(preset, link));

@@ -14,10 +14,7 @@ const MIN_SPEED = 1e-4;
 /** A touch that begins this near to the left or right edge is the browser's: a swipe back or forward, CSS px. */
 const EDGE = 24;
 
-interface Point {
-  x: number;
-  y: number;
-}
+type Point = { x: number; y: number };
 
 export type PointerPosition = Pick<PointerEvent, "clientX" | "clientY" | "pointerType">;
 

@@ -9,9 +9,7 @@ const FOV = [0.1, 2.0] as const;
 const clamp = (x: number, low: number, high: number) => Math.min(high, Math.max(low, x));
 
 /** Yaw in [−π, π], the server's range. */
-function wrapAngle(yaw: number): number {
-  return yaw - 2 * Math.PI * Math.round(yaw / (2 * Math.PI));
-}
+const wrapAngle = (yaw: number) => yaw - 2 * Math.PI * Math.round(yaw / (2 * Math.PI));
 
 /** Clamps to the scene's range and to the least height. */
 function clampPosition([x, y, z]: Vec3, lowest: number): Vec3 {

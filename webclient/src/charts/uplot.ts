@@ -22,10 +22,7 @@ export interface Axes {
   yLabel: string;
 }
 
-interface PlotSize {
-  width: number;
-  height: number;
-}
+type PlotSize = { width: number; height: number };
 
 /** Follows the size of an element, px; 0 before it is laid out. */
 export function useSize(ref: RefObject<HTMLElement>): PlotSize {

@@ -30,9 +30,7 @@ async function play({ plan, recipe, textures }: SeafoamData): Promise<void> {
   player.controls.bottom = Math.min(player.controls.surface, recipe.camera.position[1]);
   player.failed = fail;
   const button = byId("play");
-  const show = () => {
-    button.textContent = player.playing ? "Pause" : "Play";
-  };
+  const show = () => (button.textContent = player.playing ? "Pause" : "Play");
   button.addEventListener("click", () => {
     player.playing = !player.playing;
     show();

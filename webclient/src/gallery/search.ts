@@ -30,6 +30,4 @@ export function indexAfter(key: string, from: number, count: number): number | n
 }
 
 /** Lower case without accents. */
-function plain(text: string): string {
-  return text.normalize("NFD").replace(/\p{M}/gu, "").toLowerCase();
-}
+const plain = (text: string) => text.normalize("NFD").replace(/\p{M}/gu, "").toLowerCase();

@@ -4,14 +4,10 @@ const FOLDER = "water/";
 const PATH = /\/water\/([\w-]+)$/;
 
 /** Address of a preset. The server gives it title, description and picture. */
-export function waterUrl(name: string): string {
-  return new URL(FOLDER + encodeURIComponent(name), document.baseURI).href;
-}
+export const waterUrl = (name: string) => new URL(FOLDER + encodeURIComponent(name), document.baseURI).href;
 
 /** The preset that a path names, or null. */
-export function presetOfPath(pathname: string): string | null {
-  return PATH.exec(pathname)?.[1] ?? null;
-}
+export const presetOfPath = (pathname: string) => PATH.exec(pathname)?.[1] ?? null;
 
 /** Whether a click on a link is for the browser, such as for a new tab; otherwise its default is prevented. */
 export function followsLink(event: MouseEvent): boolean {

@@ -51,23 +51,13 @@ export function detect(gl: WebGL2RenderingContext, hidden: ReadonlySet<string>):
 
 /** Throws a `CapabilityError` for a plan that the machine cannot draw. */
 export function requireSupport(plan: FramePlan, { extensions }: Capabilities): void {
-  const needs = new Map<ExtensionName, string>();
-  for (const target of Object.values(plan.targets)) {
-    if (target.format === "RGBA32F") {
-      needs.set("EXT_color_buffer_float", "32-bit float targets");
-      if (target.filter !== "nearest") needs.set("OES_texture_float_linear", "filtered 32-bit float textures");
-    }
-  }
-  for (const texture of Object.values(plan.textures)) {
-    if (texture.format.endsWith("32F") && texture.filter !== "nearest") {
-      needs.set("OES_texture_float_linear", "filtered 32-bit float textures");
-    }
-  }
-  const missing = [...needs].filter(([name]) => !extensions.has(name));
-  if (missing.length > 0) {
-    throw new CapabilityError(
-      `The graphics driver does not support ${missing.map(([name, feature]) => `${feature} (${name})`).join(" and ")}. ` +
-        "Select another quality.",
-    );
-  }
+  const isFloat = ({ format }: { format: string }) => format.endsWith("32F");
+  const targets = Object.values(plan.targets).filter(isFloat);
+  const filtered = [...targets, ...Object.values(plan.textures).filter(isFloat)].some(({ filter }) => filter !== "nearest");
+  const needs = [
+    ["EXT_color_buffer_float", "32-bit float targets", targets.length > 0],
+    ["OES_texture_float_linear", "filtered 32-bit float textures", filtered],
+  ] as const;
+  const missing = needs.flatMap(([name, feature, needed]) => (needed && !extensions.has(name) ? `${feature} (${name})` : []));
+  if (missing.length > 0) throw new CapabilityError(`The graphics driver does not support ${missing.join(" and ")}. Select another quality.`);
 }

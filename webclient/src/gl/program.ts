@@ -30,14 +30,15 @@ class ShaderError extends Error {
 /** Starts compiling and linking; no result is read, so the driver may work in the background. */
 export function startProgram(gl: WebGL2RenderingContext, source: ProgramSource): Program {
   const compile = (type: number, text: string): WebGLShader => {
-    const shader = created(gl.createShader(type));
+    // Null only if the context is lost: later calls with it are ignored.
+    const shader = gl.createShader(type) as WebGLShader;
     gl.shaderSource(shader, text);
     gl.compileShader(shader);
     return shader;
   };
   const vertex = compile(gl.VERTEX_SHADER, source.vertex.text);
   const fragment = compile(gl.FRAGMENT_SHADER, source.fragment.text);
-  const handle = created(gl.createProgram());
+  const handle = gl.createProgram();
   gl.attachShader(handle, vertex);
   gl.attachShader(handle, fragment);
   gl.bindAttribLocation(handle, 0, "a_grid");
@@ -104,9 +105,4 @@ export function deleteProgram(gl: WebGL2RenderingContext, program: Program): voi
   gl.deleteProgram(program.handle);
   gl.deleteShader(program.vertex);
   gl.deleteShader(program.fragment);
-}
-
-function created<T>(object: T | null): T {
-  // Null only if the context is lost: later calls with it are ignored.
-  return object as T;
 }

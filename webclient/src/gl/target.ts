@@ -48,20 +48,27 @@ export function makeTarget({ gl, capabilities: { largestTarget } }: TargetGpu, s
   const framebuffer = gl.createFramebuffer();
   gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
   gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
-  const depth = spec.depth ? depthBuffer(gl, width, height) : null;
+  const depth = spec.depth ? gl.createRenderbuffer() : null;
+  if (depth !== null) {
+    gl.bindRenderbuffer(gl.RENDERBUFFER, depth);
+    gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT24, width, height);
+    gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.RENDERBUFFER, depth);
+  }
   return { framebuffer, texture, mipmapped, depth, width, height };
 }
 
 /** Throws for a format that the driver cannot draw into; each is tried once. */
 export function checkFormats(gpu: TargetGpu, specs: readonly TargetSpec[]): void {
+  const { gl, formats } = gpu;
   for (const spec of specs) {
     const format = `${spec.format} target${spec.depth ? " with depth" : ""}`;
-    if (gpu.formats.has(format)) continue;
+    if (formats.has(format)) continue;
     const target = makeTarget(gpu, spec, 1, 1);
-    gpu.gl.bindFramebuffer(gpu.gl.FRAMEBUFFER, target.framebuffer);
-    checkComplete(gpu.gl, format);
-    deleteTarget(gpu.gl, target);
-    gpu.formats.add(format);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffer);
+    const status = gl.checkFramebufferStatus(gl.FRAMEBUFFER);
+    if (status !== gl.FRAMEBUFFER_COMPLETE && !gl.isContextLost()) throw new Error(`Framebuffer incomplete (0x${status.toString(16)}): ${format}.`);
+    deleteTarget(gl, target);
+    formats.add(format);
   }
 }
 
@@ -109,19 +116,4 @@ export function readPixels<T extends Uint8Array | Float32Array>(gl: WebGL2Render
 /** Forgets earlier errors of the context. */
 export function clearErrors(gl: WebGL2RenderingContext): void {
   while (gl.getError() !== gl.NO_ERROR && !gl.isContextLost());
-}
-
-function depthBuffer(gl: WebGL2RenderingContext, width: number, height: number): WebGLRenderbuffer {
-  const depth = gl.createRenderbuffer();
-  gl.bindRenderbuffer(gl.RENDERBUFFER, depth);
-  gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT24, width, height);
-  gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.RENDERBUFFER, depth);
-  return depth;
-}
-
-function checkComplete(gl: WebGL2RenderingContext, what: string): void {
-  const status = gl.checkFramebufferStatus(gl.FRAMEBUFFER);
-  if (status !== gl.FRAMEBUFFER_COMPLETE && !gl.isContextLost()) {
-    throw new Error(`Framebuffer incomplete (0x${status.toString(16)}): ${what}.`);
-  }
 }

@@ -18,9 +18,7 @@ export function threshold({ values }: Mask, saturation: number): Uint8Array {
 }
 
 /** Share of foam, 0 to 1. */
-export function coverage(pattern: Uint8Array): number {
-  return pattern.reduce((sum, foam) => sum + foam, 0) / pattern.length;
-}
+export const coverage = (pattern: Uint8Array) => pattern.reduce((sum, foam) => sum + foam, 0) / pattern.length;
 
 /** How much of one side of a mask a view shows, texels, and its first texel; masks repeat beyond their border. */
 export function viewOf(side: number, show: Show): { shown: number; first: number } {

@@ -50,17 +50,11 @@ export interface OptionalControl extends LabelledField {
   follows: JsonObject | null;
 }
 
-/** A type of list items. */
-interface Variant {
-  name: string;
-  hint: string;
-  initial: Json;
-}
-
 export interface ListControl extends LabelledField {
   kind: "list";
   items: readonly { control: Control; variant: string | null }[];
-  variants: readonly Variant[];
+  /** Types of items. */
+  variants: readonly { name: string; hint: string; initial: Json }[];
   discriminator: string | null;
   minItems: number;
   maxItems: number;
@@ -175,9 +169,7 @@ export function schemaNamed(root: JsonObject, name: string): JsonObject | null {
 }
 
 /** "mask_tile" -> "mask tile". */
-export function labelOf(name: string): string {
-  return name.replaceAll("_", " ");
-}
+export const labelOf = (name: string) => name.replaceAll("_", " ");
 
 /** Follows references. */
 function resolve(root: JsonObject, schema: JsonObject): JsonObject {
@@ -275,9 +267,7 @@ function bound(schema: JsonObject, key: string): number | null {
   return typeof value === "number" ? value : null;
 }
 
-function text(value: Json | undefined): string | undefined {
-  return typeof value === "string" ? value : undefined;
-}
+const text = (value: Json | undefined) => (typeof value === "string" ? value : undefined);
 
 /** Whether a panel may keep its widgets and change their values only. */
 export function sameControls(a: Control | null, b: Control | null): boolean {

@@ -14,6 +14,7 @@ const TYPES = {
   vec4: ["FLOAT_VEC4", 4, "uniform4fv"],
   mat4: ["FLOAT_MAT4", 16, null],
 } as const;
+const SAMPLERS = ["SAMPLER_2D", "UNSIGNED_INT_SAMPLER_2D", "INT_SAMPLER_2D"] as const;
 
 interface BoundUniform {
   active: ActiveUniform;
@@ -45,7 +46,7 @@ export function bindInputs(
   const uniforms: BoundUniform[] = [];
   const samplers: BoundSampler[] = [];
   for (const [name, active] of program.uniforms) {
-    if (isSampler(gl, active.type)) {
+    if (SAMPLERS.some((sampler) => gl[sampler] === active.type)) {
       const input = pass.inputs?.[name];
       const source = input && ("texture" in input ? textures.get(input.texture) : input.target);
       if (source === undefined) throw new Error(`Pass ${pass.name}: the plan has no input for sampler ${name}.`);
@@ -90,8 +91,4 @@ export function unbindSamplers(gl: WebGL2RenderingContext, { samplers }: Binding
     gl.activeTexture(gl.TEXTURE0 + unit);
     gl.bindTexture(gl.TEXTURE_2D, null);
   }
-}
-
-function isSampler(gl: WebGL2RenderingContext, type: number): boolean {
-  return type === gl.SAMPLER_2D || type === gl.UNSIGNED_INT_SAMPLER_2D || type === gl.INT_SAMPLER_2D;
 }

@@ -19,9 +19,7 @@ export function eyeOf(plan: Pick<FramePlan, "top" | "trough">, camera: CameraSta
   return height >= plan.top ? "over" : height >= plan.trough ? "between" : "under";
 }
 
-export function appliesTo(pass: Pick<Pass, "eye">, eye: Eye): boolean {
-  return pass.eye === "any" || pass.eye.includes(eye);
-}
+export const appliesTo = (pass: Pick<Pass, "eye">, eye: Eye) => pass.eye === "any" || pass.eye.includes(eye);
 
 /** Indices of the passes to draw, in order; false: the pass shows nothing, its target is cleared. */
 export function drawnPasses(
@@ -84,6 +82,4 @@ function intersectsFrustum(sphere: BoundingSphere, camera: CameraState, forward:
   return sides.every(([axis, reach]) => Math.abs(dot(toCentre, axis)) - depth * reach <= sphere.radius * Math.hypot(1, reach));
 }
 
-function dot(a: Vector, b: Vector): number {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+const dot = (a: Vector, b: Vector) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

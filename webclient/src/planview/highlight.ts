@@ -4,10 +4,7 @@ const KINDS = ["comment", "directive", "keyword", "type", "number"] as const;
 
 export type TokenKind = (typeof KINDS)[number] | "plain";
 
-interface Token {
-  kind: TokenKind;
-  text: string;
-}
+type Token = { kind: TokenKind; text: string };
 
 const KEYWORDS =
   "break|case|centroid|const|continue|default|discard|do|else|false|flat|for|highp|if|in|inout|invariant|layout|lowp|mediump|out|precision|return|smooth|struct|switch|true|uniform|while";

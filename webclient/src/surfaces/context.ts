@@ -15,11 +15,6 @@ import { download } from "../ui/dom";
 /** Greatest side of a frame that the server draws, pixels. */
 const MAX_SIDE = 4096;
 
-interface Size {
-  width: number;
-  height: number;
-}
-
 interface PageOptions {
   /** Names of all presets. */
   presets: readonly string[];
@@ -68,7 +63,7 @@ export class PageContext {
   }
 
   /** The current view in a size; by default the window's. */
-  view({ width, height }: Size = this.display.current.canvas.getBoundingClientRect()): RecipeParts {
+  view({ width, height }: { width: number; height: number } = this.display.current.canvas.getBoundingClientRect()): RecipeParts {
     const { preset, scene, quality, split } = this.store.now;
     const fit = (side: number) => Math.max(1, Math.min(MAX_SIDE, Math.round(side)));
     return {

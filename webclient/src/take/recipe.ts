@@ -50,9 +50,7 @@ export class RecipeError extends Error {
 }
 
 /** A recipe of this version of the program. */
-export function recipeOf(parts: RecipeParts): Recipe {
-  return { ...parts, recipe: RECIPE, seafoam: version };
-}
+export const recipeOf = (parts: RecipeParts): Recipe => ({ ...parts, recipe: RECIPE, seafoam: version });
 
 /** The PNG with the recipe in a chunk after its header, tagged as sRGB. */
 export async function withRecipe(png: Blob, recipe: Recipe): Promise<Blob> {

@@ -30,9 +30,7 @@ export function frameBody({ scene, quality, camera, time, width, height, preset 
 }
 
 /** The request of a recipe's frame, rounded as the page rounds: the two pictures can be compared. */
-export function exactFrame(recipe: RecipeParts) {
-  return { ...frameBody(recipe), dither: false };
-}
+export const exactFrame = (recipe: RecipeParts) => ({ ...frameBody(recipe), dither: false });
 
 const quoted = (text: string) => `'${text.replaceAll("'", "'\\''")}'`;
 

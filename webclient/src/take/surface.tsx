@@ -11,9 +11,7 @@ type Language = keyof typeof LANGUAGES;
 function Frame({ context }: { context: PageContext }) {
   const recipe = useSignal(context.view());
   const language = useSignal<Language>("curl");
-  const update = () => {
-    recipe.value = context.view();
-  };
+  const update = () => (recipe.value = context.view());
   // A moving picture would change the text while it is read.
   useChanges(context, () => context.clock.playing || update());
   const { time, width, height } = recipe.value;

@@ -27,10 +27,7 @@ type PointerState =
 const UP: PointerState = { is: "up" };
 
 /** A touch and the gesture that made it. */
-interface MadeTouch {
-  touch: Touch;
-  gesture: number;
-}
+type MadeTouch = { touch: Touch; gesture: number };
 
 interface TouchEvents {
   /** The plan that is drawn; null before the first. */

@@ -34,14 +34,10 @@ export function fillSelect(select: HTMLSelectElement, options: readonly { name: 
 }
 
 /** Whether the visitor wants little motion. */
-export function prefersReducedMotion(): boolean {
-  return matchMedia("(prefers-reduced-motion: reduce)").matches;
-}
+export const prefersReducedMotion = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 
 /** Whether a key is pressed with a modifier: the browser's own shortcuts are. */
-export function hasModifier({ ctrlKey, metaKey, altKey }: KeyboardEvent): boolean {
-  return ctrlKey || metaKey || altKey;
-}
+export const hasModifier = ({ ctrlKey, metaKey, altKey }: KeyboardEvent) => ctrlKey || metaKey || altKey;
 
 /** Whether a key is typed into a field, where it is no shortcut. */
 export function isTyping({ target }: KeyboardEvent): boolean {

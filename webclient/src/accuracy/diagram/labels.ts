@@ -1,15 +1,7 @@
 /** Places of labels in a diagram: beside their mark, over the fewest other marks and over no other label. */
 
-interface Spot {
-  id: string;
-  x: number;
-  y: number;
-}
-
-interface Label extends Spot {
-  text: string;
-  anchor: "start" | "middle" | "end";
-}
+type Spot = { id: string; x: number; y: number };
+type Label = Spot & { text: string; anchor: "start" | "middle" | "end" };
 
 /** Width of a letter, px. */
 const LETTER = 6.4;

@@ -253,15 +253,11 @@ export class QualityBenchmark {
   }
 }
 
-function minTime({ byGpu }: DrawTimer): number {
-  return byGpu ? MIN_TIME.gpu : MIN_TIME.wall;
-}
+const minTime = ({ byGpu }: DrawTimer) => (byGpu ? MIN_TIME.gpu : MIN_TIME.wall);
 
 function smallSize([width, height]: Size): Size {
   return [Math.max(1, Math.round(width / SIZE_RATIO)), Math.max(1, Math.round(height / SIZE_RATIO))];
 }
 
 /** Lets the page draw and handle input. */
-function nextFrame(): Promise<void> {
-  return new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve, 0)));
-}
+const nextFrame = (): Promise<void> => new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve, 0)));

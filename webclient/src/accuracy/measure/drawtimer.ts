@@ -8,10 +8,7 @@ import type { Executor, Frame } from "../../plan/executor";
 const QUERY_ATTEMPTS = 4;
 const QUERY_TIMEOUT = 5000;
 
-interface TimerExtension {
-  TIME_ELAPSED_EXT: number;
-  GPU_DISJOINT_EXT: number;
-}
+type TimerExtension = { TIME_ELAPSED_EXT: number; GPU_DISJOINT_EXT: number };
 
 /** Null on software renderers too: their timer queries are wrong. */
 export function timerExtension(gl: WebGL2RenderingContext, { extensions, software }: Capabilities): TimerExtension | null {

@@ -27,9 +27,7 @@ export const METRICS = [
 export type MetricKey = (typeof METRICS)[number]["key"];
 
 /** Clips to [0, 1]; NaN is 0. */
-export function clip(value: number): number {
-  return value > 0 ? Math.min(value, 1) : 0;
-}
+export const clip = (value: number) => (value > 0 ? Math.min(value, 1) : 0);
 
 /** Compares pictures with one reference. */
 export class ErrorMeter {

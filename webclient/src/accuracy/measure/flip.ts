@@ -204,9 +204,7 @@ function fromOpponent([first, cx, cz]: Triple): Triple {
 
 const unit = (value: number) => Math.min(1, Math.max(0, value));
 
-function linear(value: number): number {
-  return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
-}
+const linear = (value: number) => (value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4);
 
 type Matrix = readonly [Readonly<Triple>, Readonly<Triple>, Readonly<Triple>];
 

@@ -24,16 +24,12 @@ export function displayed({ pixels }: Picture, curve: ToneCurve | null): Float64
 }
 
 /** The sRGB curve of linear light in [0, 1]. */
-export function srgb(x: number): number {
-  return x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055;
-}
+export const srgb = (x: number) => (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055);
 
 /** NaN and what is below black are 0. */
 const positive = (x: number | undefined) => (x !== undefined && x > 0 ? x : 0);
 
-function filmic(light: Rgb): Rgb {
-  return light.map((x) => (x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14)) as Rgb;
-}
+const filmic = (light: Rgb) => light.map((x) => (x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14)) as Rgb;
 
 function photographic(light: Rgb): Rgb {
   const [r, g, b] = light;

@@ -23,15 +23,8 @@ function least<T>(list: readonly T[], value: (item: T) => number): T | null {
   return list.reduce<T | null>((best, item) => (best === null || value(item) < value(best) ? item : best), null);
 }
 
-export interface Pixel {
-  x: number;
-  y: number;
-}
-
-export interface Region extends Pixel {
-  width: number;
-  height: number;
-}
+export type Pixel = { x: number; y: number };
+export type Region = Pixel & { width: number; height: number };
 
 /** Side of a region as a share of the picture's. */
 const SHARE = 4;

@@ -10,9 +10,7 @@ export const PATCHES = "patches grid grid-cols-2 gap-0.5 [&_canvas]:aspect-squar
 const [TEXEL, SMALL_TEXEL, WIDE] = [3, 2, 640];
 
 /** Texels along a side of each of two patches. width: of both, px. */
-export function patchSide(width: number): number {
-  return Math.floor(width / 2 / (width >= WIDE ? TEXEL : SMALL_TEXEL));
-}
+export const patchSide = (width: number) => Math.floor(width / 2 / (width >= WIDE ? TEXEL : SMALL_TEXEL));
 
 export class Patch {
   private readonly texels: Texels;

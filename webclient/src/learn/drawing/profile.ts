@@ -20,9 +20,7 @@ export interface WaveState {
 }
 
 /** θ at a place along the strip, texels. */
-export function phaseAt(texel: number, time: number): number {
-  return phase(texel * METRES, time, WAVELENGTH);
-}
+export const phaseAt = (texel: number, time: number) => phase(texel * METRES, time, WAVELENGTH);
 
 /** `texel`: its side, px; `byHeight`: also the saturation by height, for comparison. */
 export function drawProfile(plot: Plot, wave: WaveState, texel: number, byHeight = false): void {

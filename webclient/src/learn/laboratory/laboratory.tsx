@@ -16,13 +16,8 @@ import { formatState, type LabState, parseState, RANGES } from "./state";
 const LONGEST = 0.1;
 const HEADING = "mt-2 mb-0 font-sans text-body/[1.4] font-semibold tracking-[0]";
 
-interface ControlsProps {
-  state: LabState;
-  playing: Signal<boolean>;
-  options: readonly (readonly [string, string])[];
-}
-
-function Controls({ state: { numbers, mask, other }, playing, options }: ControlsProps) {
+function Controls({ state, playing, options }: { state: LabState; playing: Signal<boolean>; options: readonly (readonly [string, string])[] }) {
+  const { numbers, mask, other } = state;
   const use = (name: keyof typeof CONSTANTS) => {
     numbers.delta.value = CONSTANTS[name].delta;
     numbers.base.value = CONSTANTS[name].base;

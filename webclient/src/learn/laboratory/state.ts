@@ -4,11 +4,7 @@ import { WHITE } from "../maths/mask";
 import { CONSTANTS } from "../maths/wave";
 
 /** A number of the address with its range. */
-interface Range {
-  min: number;
-  max: number;
-  start: number;
-}
+type Range = { min: number; max: number; start: number };
 
 export const RANGES = {
   delta: { min: 0.8, max: 2.2, start: CONSTANTS.text.delta },

@@ -15,9 +15,7 @@ export const LOOK_TITLES: Record<Look, string> = {
 /** Smallest amount that a screen of 8 bits shows. */
 export const VISIBLE = 0.5 / 255;
 
-function clamp(x: number, low: number, high: number): number {
-  return Math.min(Math.max(x, low), high);
-}
+const clamp = (x: number, low: number, high: number) => Math.min(Math.max(x, low), high);
 
 /** Amount of a look that compares with single texels, in [0, 1]; `listing` in [0, 3], as it is added to the water. */
 export function amount(look: Exclude<Look, "filtered">, f: number, m: number, t: number): number {

@@ -29,14 +29,10 @@ export function phase(x: number, time: number, wavelength: number): number {
 }
 
 /** Period of a wave in deep water, s. */
-export function period(wavelength: number): number {
-  return Math.sqrt((TURN * wavelength) / GRAVITY);
-}
+export const period = (wavelength: number) => Math.sqrt((TURN * wavelength) / GRAVITY);
 
 /** Height u^K over the trough, as a share of the amplitude. */
-export function height(theta: number, exponent: number): number {
-  return ((Math.sin(theta) + 1) / 2) ** exponent;
-}
+export const height = (theta: number, exponent: number) => ((Math.sin(theta) + 1) / 2) ** exponent;
 
 /** Saturation by height (Kryachko 2005), in [0, 4]. */
 export function heightSaturation(height: number, base: number, full: number): number {
