@@ -1,11 +1,12 @@
 """The points of a sweep: the tiers, and tier standard with one setting changed at a time."""
 
 import json
-from itertools import pairwise
+from collections.abc import Iterator
+from itertools import groupby, pairwise
 
 from seafoam.accuracy.model import ParameterChoice, ParameterValue, Point
 from seafoam.accuracy.parameters import all_parameters, with_value
-from seafoam.quality import TIERS
+from seafoam.quality import TIERS, Quality
 from seafoam.render.service.jobs import plan_hash
 from seafoam.scene.models import Scene
 
@@ -22,55 +23,36 @@ def points_of(scene: Scene) -> tuple[Point, ...]:
         if tier == "standard" or plan not in seen:
             seen.add(plan)
             points.append(Point(id=tier, label=tier, tier=tier, parameter=None, quality=quality, plan=plan))
-    standard = TIERS["standard"]
-    for owner, parameter in all_parameters(scene):
-        for value in parameter.steps:
-            quality = with_value(standard, parameter.pointer, value)
-            plan = plan_hash(scene, quality)
-            if plan in seen:
-                continue
+    for choice, quality, plan in _settings(scene):
+        if plan not in seen:
             seen.add(plan)
-            points.append(
-                Point(
-                    id=point_id(parameter.pointer, value),
-                    label=f"{parameter.title}: {shown(value)}",
-                    tier=None,
-                    parameter=ParameterChoice(
-                        owner=owner,
-                        pointer=parameter.pointer,
-                        title=parameter.title,
-                        cause=parameter.cause,
-                        value=value,
-                    ),
-                    quality=quality,
-                    plan=plan,
-                )
-            )
+            name, value = choice.pointer[1:].replace("/", "."), shown(choice.value)
+            label = f"{choice.title}: {value}"
+            made = Point(id=f"{name}={value}", label=label, tier=None, parameter=choice, quality=quality, plan=plan)
+            points.append(made)
     return tuple(points)
 
 
-def chains(scene: Scene, points: tuple[Point, ...]) -> list[tuple[str, ParameterChoice, ParameterChoice, str, str]]:
-    """Return neighbouring values of each setting whose plans differ: (owner, from, to, point from, point to)."""
+def chains(scene: Scene, points: tuple[Point, ...]) -> list[tuple[ParameterChoice, ParameterChoice, str, str]]:
+    """Return neighbouring values of each setting whose plans differ: (from, to, point from, point to)."""
     by_plan = {point.plan: point.id for point in points}
     pairs = []
-    for owner, parameter in all_parameters(scene):
-        links: list[tuple[ParameterChoice, str]] = []
-        for value in parameter.steps:
-            plan = plan_hash(scene, with_value(TIERS["standard"], parameter.pointer, value))
-            choice = ParameterChoice(
-                owner=owner, pointer=parameter.pointer, title=parameter.title, cause=parameter.cause, value=value
-            )
-            if plan in by_plan and (not links or links[-1][1] != by_plan[plan]):
-                links.append((choice, by_plan[plan]))
-        pairs += [
-            (owner, before, after, id_before, id_after) for (before, id_before), (after, id_after) in pairwise(links)
-        ]
+    for _, settings in groupby(_settings(scene), lambda setting: (setting[0].owner, setting[0].pointer)):
+        known = [(choice, by_plan[plan]) for choice, _, plan in settings if plan in by_plan]
+        # Of neighbours with one plan, the first.
+        links = [next(alike) for _, alike in groupby(known, lambda link: link[1])]
+        pairs += [(before, after, first, second) for (before, first), (after, second) in pairwise(links)]
     return pairs
 
 
-def point_id(pointer: str, value: ParameterValue) -> str:
-    """Return the name of tier standard with one setting changed."""
-    return f"{pointer[1:].replace('/', '.')}={shown(value)}"
+def _settings(scene: Scene) -> Iterator[tuple[ParameterChoice, Quality, str]]:
+    """Yield every value of every setting of a scene: the choice, tier standard with it, and the hash of that plan."""
+    for owner, parameter in all_parameters(scene):
+        pointer, title, cause = parameter.pointer, parameter.title, parameter.cause
+        for value in parameter.steps:
+            quality = with_value(TIERS["standard"], pointer, value)
+            choice = ParameterChoice(owner=owner, pointer=pointer, title=title, cause=cause, value=value)
+            yield choice, quality, plan_hash(scene, quality)
 
 
 def shown(value: ParameterValue) -> str:

@@ -354,15 +354,12 @@ class _Sweeping:
 
     def _steps(self, rounds: Mapping[str, list[float]], error: Mapping[str, float]) -> tuple[Step, ...]:
         steps = []
-        for owner, before, after, first, second in chains(self.subject.scene, self.points):
+        for before, after, first, second in chains(self.subject.scene, self.points):
             compared = compare(rounds[first], rounds[second], error[first], error[second])
             worth = compared.measurable and compared.added_ms > 0.0
             steps.append(
                 Step(
-                    owner=owner,
-                    pointer=after.pointer,
-                    title=after.title,
-                    cause=after.cause,
+                    **after.model_dump(exclude={"value"}),
                     value_from=before.value,
                     value_to=after.value,
                     point_from=first,

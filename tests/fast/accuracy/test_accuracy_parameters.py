@@ -67,7 +67,7 @@ def test_points_have_plans_of_their_own(preset):
     names = {point.id for point in points}
     links = chains(scene, points)
     assert len(links) > 3
-    for _, before, after, first, second in links:
+    for before, after, first, second in links:
         assert {first, second} <= names
         assert before.pointer == after.pointer
         assert first != second
