@@ -61,29 +61,14 @@ def rank(values: Field) -> Ranks:
     return ranks.reshape(values.shape)
 
 
-def window_minimum(values: Field, radius: int) -> Field:
-    """Minimum over the periodic (2 radius + 1)^2 window of each texel, by a doubling running minimum.
+def local_minima(values: Field, radius: int) -> NDArray[np.intp]:
+    """Flat indices of the finite local minima over a (2 radius + 1)^2 window, least value first.
 
     Along a side that is shorter than the window it is over almost the whole side.
     """
-    result = values
-    for axis in (0, 1):
-        reached = min(radius, (values.shape[axis] - 1) // 2)
-        width = 2 * reached + 1
-        running = np.pad(result, [(reached, reached) if a == axis else (0, 0) for a in (0, 1)], mode="wrap")
-        running = running if axis == 0 else running.T
-        reach = 1
-        while 2 * reach <= width:
-            running = np.minimum(running[:-reach], running[reach:])
-            reach *= 2
-        if reach < width:
-            rest = width - reach
-            running = np.minimum(running[:-rest], running[rest:])
-        result = running if axis == 0 else running.T
-    return result
+    # Here, because only new masks need it: shipped ones are read.
+    from scipy.ndimage import minimum_filter
 
-
-def local_minima(values: Field, radius: int) -> NDArray[np.intp]:
-    """Flat indices of the finite local minima over a (2 radius + 1)^2 window, least value first."""
-    minima = np.flatnonzero((values == window_minimum(values, radius)) & np.isfinite(values))
+    window = [2 * min(radius, (side - 1) // 2) + 1 for side in values.shape]
+    minima = np.flatnonzero((values == minimum_filter(values, window, mode="wrap")) & np.isfinite(values))
     return minima[np.argsort(values.ravel()[minima], kind="stable")]

@@ -7,7 +7,7 @@ from typing import ClassVar, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from seafoam.textures.spec import Image, TextureSpec
+from seafoam.textures.spec import Image, TextureSpec, halved
 
 SIZE = 256
 """Texels along a side."""
@@ -27,8 +27,7 @@ class FoamTexture(TextureSpec):
         """Return :func:`foam_texture` and its mip levels."""
         levels = [foam_texture()]
         while len(levels[-1]) > 1:
-            fine = levels[-1]
-            levels.append(0.25 * (fine[0::2, 0::2] + fine[1::2, 0::2] + fine[0::2, 1::2] + fine[1::2, 1::2]))
+            levels.append(halved(levels[-1]))
         if self.format == "R32F":
             return Image("R32F", tuple(level.astype("<f4") for level in levels))
         return Image("R8", tuple(np.round(255.0 * level).astype(np.uint8) for level in levels))

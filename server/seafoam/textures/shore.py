@@ -1,11 +1,11 @@
 """Textures of shores: the floor's heights, and the table of shore-wave profiles. docs/formulae.md, section 8."""
 
 from functools import lru_cache
-from typing import ClassVar, Literal
+from typing import Annotated, ClassVar, Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import Field, field_validator
+from pydantic import AfterValidator, Field
 
 from seafoam.ocean.coast.seabed import floor_grid
 from seafoam.ocean.coast.travel import travel_grid
@@ -17,6 +17,10 @@ ROWS = 16
 FRONT = 0.012
 """Standard deviation of the Gaussian that smooths profiles, in wavelengths: a height field cannot overhang."""
 Side = Literal[32, 64, 128, 256, 512, 1024]
+Ground = Annotated[Shore, AfterValidator(lambda shore: shore.ground)]
+"""A shore without what its heights do not depend on."""
+Approach = Annotated[Shore, AfterValidator(lambda shore: shore.approach)]
+"""A shore without what a swell's way over it does not depend on."""
 
 
 class ShoreFloor(TextureSpec):
@@ -24,13 +28,8 @@ class ShoreFloor(TextureSpec):
 
     kind: ClassVar[str] = "shore-floor"
 
-    shore: Shore
+    shore: Ground
     texels: Side
-
-    @field_validator("shore")
-    @classmethod
-    def _ground_alone(cls, shore: Shore) -> Shore:
-        return shore.ground
 
     def image(self) -> Image:
         """Return :func:`seafoam.ocean.coast.seabed.floor_grid`."""
@@ -42,13 +41,8 @@ class ShoreTravel(TextureSpec):
 
     kind: ClassVar[str] = "shore-travel"
 
-    shore: Shore
+    shore: Approach
     texels: Side
-
-    @field_validator("shore")
-    @classmethod
-    def _approach_alone(cls, shore: Shore) -> Shore:
-        return shore.approach
 
     def image(self) -> Image:
         """Return :func:`seafoam.ocean.coast.travel.travel_grid`."""

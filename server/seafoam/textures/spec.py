@@ -5,6 +5,7 @@ from abc import abstractmethod
 from dataclasses import dataclass
 from typing import Any, ClassVar, Literal, Self
 
+import numpy as np
 from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict
 
@@ -25,6 +26,11 @@ class Image:
 
     format: Format
     levels: tuple[NDArray[Any], ...]
+
+
+def halved(level: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The next mip level: means of 2 × 2 texels."""
+    return 0.25 * (level[0::2, 0::2] + level[1::2, 0::2] + level[0::2, 1::2] + level[1::2, 1::2])
 
 
 class TextureSpec(BaseModel):

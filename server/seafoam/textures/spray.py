@@ -5,11 +5,11 @@ from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import Field, field_validator
+from pydantic import Field
 
 from seafoam.ocean.coast.rocks import rocks
-from seafoam.scene.shore import Shore
-from seafoam.textures.spec import Image, TextureSpec
+from seafoam.textures.shore import Ground
+from seafoam.textures.spec import Image, TextureSpec, halved
 
 STRANDS = 128
 """Texels along a side of the strands' texture."""
@@ -22,13 +22,8 @@ class SprayRocks(TextureSpec):
 
     kind: ClassVar[str] = "spray-rocks"
 
-    shore: Shore
+    shore: Ground
     steep: float = Field(ge=0.0, le=2.0)
-
-    @field_validator("shore")
-    @classmethod
-    def _ground_alone(cls, shore: Shore) -> Shore:
-        return shore.ground
 
     def image(self) -> Image:
         """Return the places as a row. Raises ``ValueError`` where there are none."""
@@ -53,9 +48,7 @@ def strand_levels() -> tuple[NDArray[np.float64], ...]:
     """Return the strands and their means over 2 × 2 texels and so on, rounded to half floats."""
     levels = [spray_strands()]
     while len(levels[-1]) > 1:
-        fine = levels[-1]
-        mean = 0.25 * (fine[0::2, 0::2] + fine[1::2, 0::2] + fine[0::2, 1::2] + fine[1::2, 1::2])
-        levels.append(mean.astype(np.float16).astype(np.float64))
+        levels.append(halved(levels[-1]).astype(np.float16).astype(np.float64))
     return tuple(levels)
 
 

@@ -8,7 +8,7 @@ from seafoam.masks.catalogue import Mask, MaskTooSlowError, Thresholds, custom_m
 from seafoam.masks.formats import decode_ranks
 
 
-def test_a_request_is_answered_from_the_cache_the_second_time():
+def test_a_request_is_answered_from_the_cache_the_second_time_and_names_its_sigma():
     first = custom_mask("vac", 1.5, 64, 9)
     assert custom_mask("vac", 1.5, 64, 9) is first
     assert first.entry.parameters.method == "batched"
@@ -16,6 +16,7 @@ def test_a_request_is_answered_from_the_cache_the_second_time():
     assert first.entry.sha256 == rank_sha256(first.ranks)
     assert not first.ranks.flags.writeable
     assert not first.spans[0].flags.writeable
+    assert custom_mask("blur", None, 64, 0).entry.parameters.sigma == 6.0
 
 
 def test_tables_are_measured_when_asked_for():
@@ -27,17 +28,10 @@ def test_tables_are_measured_when_asked_for():
     assert mask.sidecar()["spectrum"]
 
 
-def test_default_sigma_is_named_in_the_entry():
-    assert custom_mask("blur", None, 64, 0).entry.parameters.sigma == 6.0
-
-
-def test_slow_requests_are_refused_before_they_start():
+def test_slow_and_bad_requests_are_refused_before_they_start():
     with pytest.raises(MaskTooSlowError, match="lower sigma or size"):
         custom_mask("vac", 24.0, 512, 0)
     assert issubclass(MaskTooSlowError, ValueError)
-
-
-def test_bad_requests_are_refused():
     with pytest.raises(ValueError, match="size 31"):
         custom_mask("vac", 1.5, 31, 0)
 

@@ -5,19 +5,6 @@ import pytest
 
 from seafoam.masks import prefilter
 from seafoam.masks.catalogue import load_mask
-from seafoam.masks.prefilter import (
-    QUANTILE_ENTRIES,
-    atlas,
-    bspline_samples,
-    bspline_weights,
-    footprint_deviations,
-    quantile_lookup,
-    quantile_position,
-    quantile_saturation,
-    span_quantiles,
-    spans,
-    thresholds,
-)
 from seafoam.masks.shipped import SHIPPED
 
 NAMES = [mask.name for mask in SHIPPED]
@@ -25,51 +12,49 @@ SATURATIONS = (0.01, 0.03, 0.1, 0.25, 0.55, 0.9, 0.97)
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_magnified_cover_is_the_saturation(name):
+def test_magnified_cover_is_the_saturation_by_a_table_that_rises(name):
     """Judged at other subtexel positions than the table was made from."""
     mask = load_mask(name)
-    samples = bspline_samples(mask.ranks, 3)
+    samples = prefilter.bspline_samples(mask.ranks, 3)
     for s in (*SATURATIONS, 0.002, 0.998):
-        assert float((samples < quantile_lookup(mask.quantile, s)).mean()) == pytest.approx(s, abs=0.001)
-    assert not (samples < quantile_lookup(mask.quantile, 0.0)).any()
-    assert (samples <= quantile_lookup(mask.quantile, 1.0)).all()
-
-
-def test_without_the_table_magnified_cover_is_wrong():
-    samples = bspline_samples(load_mask("vac-1.5").ranks, 3)
-    assert float((samples < 0.1).mean()) < 0.01
-
-
-@pytest.mark.parametrize("name", NAMES)
-def test_quantile_tables_rise(name):
+        assert float((samples < prefilter.quantile_lookup(mask.quantile, s)).mean()) == pytest.approx(s, abs=0.001)
+    assert not (samples < prefilter.quantile_lookup(mask.quantile, 0.0)).any()
+    assert (samples <= prefilter.quantile_lookup(mask.quantile, 1.0)).all()
     table = np.array(load_mask(name).quantile)
-    assert table.size == QUANTILE_ENTRIES
+    assert table.size == prefilter.QUANTILE_ENTRIES
     assert (np.diff(table) >= 0.0).all()
     assert table[0] >= 0.0
     assert table[-1] <= 1.0
 
 
+def test_without_the_tables_cover_is_wrong():
+    samples = prefilter.bspline_samples(load_mask("vac-1.5").ranks, 3)
+    assert float((samples < 0.1).mean()) < 0.01
+    # What the levels' tables are for: thresholds in a texel are not quite even.
+    assert cover(load_mask("vac-1.5").spans[1], [0.09])[0] < 0.06
+    # The naive way that the tables replace: far away a tenth of cover vanishes.
+    low, width = np.moveaxis(load_mask("vac-1.5").spans[4].astype(np.float64), -1, 0)
+    assert float((low + 0.5 * width < 0.1).mean()) == 0.0
+
+
 def test_quantile_abscissa_inverts():
     s = np.linspace(0.0, 1.0, 1001)
-    t = quantile_position(s)
-    assert np.allclose(quantile_saturation(t), s, atol=1e-12)
+    t = prefilter.quantile_position(s)
+    assert np.allclose(prefilter.quantile_saturation(t), s, atol=1e-12)
     assert (np.diff(t) > 0.0).all()
-    assert quantile_position([-0.5, 0.0, 0.5, 1.0, 2.0]).tolist() == [0.0, 0.0, 0.5, 1.0, 1.0]
+    assert prefilter.quantile_position([-0.5, 0.0, 0.5, 1.0, 2.0]).tolist() == [0.0, 0.0, 0.5, 1.0, 1.0]
 
 
-def test_bspline_weights_sum_to_one_and_meet_between_texels():
+def test_bspline_weights_sum_to_one_and_meet_between_texels_and_samples_are_of_them():
     for f in np.linspace(0.0, 0.999, 17):
-        assert sum(bspline_weights(float(f))) == pytest.approx(1.0)
-    assert bspline_weights(0.0) == pytest.approx((1 / 6, 2 / 3, 1 / 6, 0.0))
-    assert bspline_weights(1.0 - 1e-12) == pytest.approx((0.0, 1 / 6, 2 / 3, 1 / 6), abs=1e-9)
-
-
-def test_bspline_samples_are_those_of_the_formula():
+        assert sum(prefilter.bspline_weights(float(f))) == pytest.approx(1.0)
+    assert prefilter.bspline_weights(0.0) == pytest.approx((1 / 6, 2 / 3, 1 / 6, 0.0))
+    assert prefilter.bspline_weights(1.0 - 1e-12) == pytest.approx((0.0, 1 / 6, 2 / 3, 1 / 6), abs=1e-9)
     ranks = load_mask("mix").ranks
-    u = thresholds(ranks)
-    samples = bspline_samples(ranks, 4)
+    u = prefilter.thresholds(ranks)
+    samples = prefilter.bspline_samples(ranks, 4)
     for y, x, j, i in ((0, 0, 0, 0), (511, 3, 3, 1), (100, 511, 2, 3)):
-        wy, wx = bspline_weights((j + 0.5) / 4), bspline_weights((i + 0.5) / 4)
+        wy, wx = prefilter.bspline_weights((j + 0.5) / 4), prefilter.bspline_weights((i + 0.5) / 4)
         value = sum(wy[a] * wx[b] * u[(y - 1 + a) % 512, (x - 1 + b) % 512] for a in range(4) for b in range(4))
         assert samples[4 * y + j, 4 * x + i] == pytest.approx(value, abs=1e-6)
 
@@ -88,23 +73,24 @@ def test_spans_say_where_the_thresholds_of_a_texel_lie(name):
         assert np.array_equal(256.0 * level, np.rint(256.0 * level))
         assert (low + 0.5 * width).mean() == pytest.approx(0.5, abs=1e-3)
     # Of the interpolated mask in the texel's own square, four by four samples in each of 8 x 8 texels.
-    samples = np.roll(bspline_samples(mask.ranks, 4), 2, axis=(0, 1))[160:192, 224:256]
+    samples = np.roll(prefilter.bspline_samples(mask.ranks, 4), 2, axis=(0, 1))[160:192, 224:256]
     shares = np.linspace(0.0, 1.0, 4001)
-    even = np.interp(samples, quantile_lookup(mask.quantile, shares), shares)
+    even = np.interp(samples, prefilter.quantile_lookup(mask.quantile, shares), shares)
     low, width = chain[3][5, 7].astype(np.float64)
     # To half a step, and the middle of an odd number of steps to half a step more.
     assert low + 0.5 * width == pytest.approx(even.mean(), abs=1.01 / 512.0)
     assert 0.5 * width == pytest.approx(
         min(np.sqrt(3.0) * even.std(), even.mean(), 1.0 - even.mean()), abs=0.26 / 256.0 + 1e-3
     )
-    assert np.array_equal(spans(mask.ranks, mask.quantile)[2], chain[2])
+    assert np.array_equal(prefilter.spans(mask.ranks, mask.quantile)[2], chain[2])
 
 
 @pytest.mark.parametrize("name", ["vac-1.5", "vac-24", "blur-24", "mix"])
 def test_whole_numbers_say_what_endless_digits_do(name):
     mask = load_mask(name)
-    places = np.interp(bspline_samples(mask.ranks, 4), mask.quantile, np.linspace(0.0, 1.0, QUANTILE_ENTRIES))
-    even = np.roll(quantile_saturation(places), 2, axis=(0, 1))
+    shares = np.linspace(0.0, 1.0, prefilter.QUANTILE_ENTRIES)
+    places = np.interp(prefilter.bspline_samples(mask.ranks, 4), mask.quantile, shares)
+    even = np.roll(prefilter.quantile_saturation(places), 2, axis=(0, 1))
     for level, chain in enumerate(mask.spans[:5]):
         side = 512 >> level
         blocks = even.reshape(side, 2048 // side, side, 2048 // side)
@@ -135,7 +121,7 @@ def test_whole_numbers_fit_32_bits(name):
 
 def test_a_fetch_of_the_atlas_gets_four_texels_of_a_level():
     mask = load_mask("vac-6")
-    image = atlas(mask.ranks, mask.spans)
+    image = prefilter.atlas(mask.ranks, mask.spans)
     assert image.shape == (512, 1280, 2)
     assert image.dtype == np.uint32
     for level, x, y in ((0, 0, 0), (0, 511, 300), (1, 0, 255), (2, 127, 5), (9, 0, 0)):
@@ -152,7 +138,7 @@ def test_a_fetch_of_the_atlas_gets_four_texels_of_a_level():
 
 def test_footprint_deviations_grow_from_none_to_the_uniform_one():
     for name in NAMES:
-        deviations = footprint_deviations(load_mask(name).ranks)
+        deviations = prefilter.footprint_deviations(load_mask(name).ranks)
         assert len(deviations) == 10
         assert deviations[0] == pytest.approx(0.0, abs=1e-7)
         assert (np.diff(deviations) >= 0.0).all()
@@ -172,19 +158,8 @@ def cover(level, thresholds):
 @pytest.mark.parametrize("name", ["vac-1.5", "vac-24", "clump", "mix"])
 def test_minified_cover_is_the_saturation(name):
     mask = load_mask(name)
-    assert mask.quantiles.shape == (11, QUANTILE_ENTRIES)
+    assert mask.quantiles.shape == (11, prefilter.QUANTILE_ENTRIES)
     assert np.array_equal(mask.quantiles[0], mask.quantile)
-    assert np.array_equal(span_quantiles(mask.spans), mask.quantiles[1:])
+    assert np.array_equal(prefilter.span_quantiles(mask.spans), mask.quantiles[1:])
     for level, table in zip(mask.spans, mask.quantiles[1:], strict=True):
-        assert cover(level, quantile_lookup(table, SATURATIONS)) == pytest.approx(SATURATIONS, abs=1e-3)
-
-
-def test_minified_cover_without_its_own_table_is_too_little():
-    """What the levels' tables are for: thresholds in a texel are not quite even."""
-    assert cover(load_mask("vac-1.5").spans[1], [0.09])[0] < 0.06
-
-
-def test_thresholding_an_averaged_mask_loses_the_cover():
-    """The naive way that the tables replace: far away a tenth of cover vanishes."""
-    low, width = np.moveaxis(load_mask("vac-1.5").spans[4].astype(np.float64), -1, 0)
-    assert float((low + 0.5 * width < 0.1).mean()) == 0.0
+        assert cover(level, prefilter.quantile_lookup(table, SATURATIONS)) == pytest.approx(SATURATIONS, abs=1e-3)

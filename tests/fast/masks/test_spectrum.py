@@ -1,7 +1,7 @@
 """The spectral measures on patterns whose spectra are known."""
 
 import io
-import threading
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
@@ -24,7 +24,7 @@ def test_white_noise_is_one_and_isotropic():
         assert abs(spectrum.mean_anisotropy(grey.grey)) < 0.2
 
 
-def test_total_power_is_the_variance():
+def test_each_conjugate_pair_counts_once_and_total_power_is_the_variance():
     """Parseval: the mean of P over all bins but the mean's is 1 / (1 - 1/M^2) of the pattern's share."""
     ranks = white(64)
     grey = measure_spectrum(ranks, greys=(0.25,))
@@ -35,9 +35,6 @@ def test_total_power_is_the_variance():
     # Two of every pair but for the three bins that are their own twins.
     own = full[0, 32] + full[32, 0] + full[32, 32]
     assert 2 * weight.sum() - own == pytest.approx(full.sum())
-
-
-def test_each_conjugate_pair_counts_once():
     size = 32
     spectrum = measure_spectrum(white(size))
     assert spectrum.bins.sum() == (size * size - 4) // 2 + 3
@@ -75,21 +72,18 @@ def test_rolling_the_mask_leaves_the_spectrum():
         assert np.allclose(before.anisotropy, after.anisotropy, equal_nan=True)
 
 
-def test_segments_lower_the_isotropic_reference():
+def test_segments_lower_the_isotropic_reference_and_a_plaid_reads_as_anisotropic():
     spectrum = measure_spectrum(white(256), segments_a_side=4)
     assert spectrum.segments == 16
     assert spectrum.isotropic_reference == pytest.approx(-12.04, abs=0.01)
     assert spectrum.mean_anisotropy(1 / 2) == pytest.approx(-12.04, abs=0.7)
-
-
-def test_a_plaid_reads_as_anisotropic():
     y, x = np.mgrid[:128, :128]
     stripes = np.argsort(np.argsort((np.sin(x * 2 * np.pi / 8) + 0.1 * np.sin(y * 12.9898 + x * 78.233)).ravel()))
     spectrum = measure_spectrum(stripes.reshape(128, 128).astype(np.uint32))
     assert spectrum.max_anisotropy(1 / 2) > 10.0
 
 
-def test_json_round_trip():
+def test_json_round_trip_and_bad_measurements():
     spectrum = measure_spectrum(white(64))
     again = spectrum_from_json(spectrum.to_json())
     assert again.segments == 1
@@ -97,9 +91,6 @@ def test_json_round_trip():
         assert after.grey == before.grey
         assert np.allclose(after.raps, before.raps, rtol=1e-4)
         assert np.array_equal(np.isnan(after.anisotropy), np.isnan(before.anisotropy))
-
-
-def test_bad_measurements_are_refused():
     with pytest.raises(ValueError, match="3 segments"):
         measure_spectrum(white(64), segments_a_side=3)
     with pytest.raises(ValueError, match="grey 1"):
@@ -111,13 +102,8 @@ def test_bad_measurements_are_refused():
 def test_pictures_are_png_also_from_threads():
     ranks = make_mask("blur", sigma=2.0, size=64, seed=1)
     spectrum = measure_spectrum(ranks)
-    images: list[bytes] = []
-    threads = [threading.Thread(target=lambda: images.append(plot_spectrum(spectrum, "blur"))) for _ in range(3)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    assert len(images) == 3
+    with ThreadPoolExecutor(3) as threads:
+        images = list(threads.map(lambda _: plot_spectrum(spectrum, "blur"), range(3)))
     assert {Image.open(io.BytesIO(image)).size for image in images} == {(1350, 1050)}
     assert Image.open(io.BytesIO(contact_sheet([("blur", ranks, spectrum)]))).format == "PNG"
     table = [0.0, 1.0]
