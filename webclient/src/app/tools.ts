@@ -2,7 +2,7 @@
 import type { PageContext } from "../surfaces/context";
 import type { Surfaces } from "../surfaces/surfaces";
 import type { TouchTool } from "../touch/tool";
-import { byId, element, hasModifier, isTyping } from "../ui/dom";
+import { button, byId, element, hasModifier, isTyping } from "../ui/dom";
 import { icon, type IconName } from "../ui/icons";
 import type { SettingsPanel } from "../ui/settings/settings";
 import type { Toasts } from "../ui/toasts";
@@ -46,9 +46,7 @@ export function addTools(parts: PageParts): void {
 
 /** Adds a round button to the tools. Phones leave the screen to the page, and the heading needs the space. */
 function addTool(name: IconName, label: string, run: () => void): void {
-  const button = element("button", { type: "button", class: name === "fullscreen" ? "round phone:hidden" : "round", "data-tool": name, title: label, "aria-label": label }, icon(name));
-  button.addEventListener("click", run);
-  byId("tools").append(button);
+  byId("tools").append(button({ class: name === "fullscreen" ? "round phone:hidden" : "round", "data-tool": name, title: label, "aria-label": label }, run, icon(name)));
 }
 
 function addToolLink(name: IconName, label: string, href: string): void {

@@ -3,7 +3,7 @@
  *
  * `movePosition` is for every frame: it sets transforms, which repaints nothing. `update` repaints, a few times a second.
  */
-import { element, hasModifier, isTyping } from "../ui/dom";
+import { button, dropDown, element, hasModifier, isTyping } from "../ui/dom";
 import { icon } from "../ui/icons";
 import type { Clock } from "./clock";
 
@@ -17,14 +17,14 @@ const LINE = "pointer-events-none absolute inset-x-[7px] top-[21px] h-0.5 rounde
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
 
 export class Transport {
-  private readonly play = element("button", { type: "button", class: "round" });
+  private readonly play = button({ class: "round" }, () => (this.clock.playing = !this.clock.playing));
   /** Transparent, over a line and a dot that are moved without repainting. */
   private readonly scrub = element("input", { type: "range", class: "w-full opacity-0", min: 0, max: WINDOW, step: "any", "aria-label": "Time within the minute" });
   private readonly elapsed = element("i", { class: `${LINE} origin-left bg-ink will-change-transform` });
   /** As wide as the track, so that translateX in percent is a share of the track. */
   private readonly position = element("i", { class: "pointer-events-none absolute inset-x-[7px] top-[21px] h-0 will-change-transform before:absolute before:-top-1.5 before:-left-[7px] before:size-3.5 before:rounded-full before:bg-ink forced-colors:before:forced-color-adjust-none forced-colors:before:bg-[CanvasText]" });
   private readonly timeInput = element("input", { type: "text", inputmode: "decimal", class: "h-11 w-[8.5ch] text-right tabular-nums will-change-transform contain-strict phone:w-[7ch]", "aria-label": "Time in seconds", title: "Time in seconds; the keys , and . step by a frame of 1/60 s" });
-  private readonly speed = element("select", { class: "pick field-sizing-content", "aria-label": "Speed", title: "Speed" });
+  private readonly speed = dropDown({ class: "pick field-sizing-content", "aria-label": "Speed", title: "Speed" }, (speed) => this.clock.setSpeed(Number(speed)));
   private scrubbing = false;
 
   constructor(
@@ -33,14 +33,12 @@ export class Transport {
     startTime: () => number,
     readout: HTMLElement,
   ) {
-    const reset = element("button", { type: "button", class: "plain", title: "Reset time", "aria-label": "Reset time" }, icon("reset"));
+    const reset = button({ class: "plain", title: "Reset time", "aria-label": "Reset time" }, () => clock.seek(startTime()), icon("reset"));
     this.speed.append(...SPEEDS.map((s) => element("option", { value: s }, `${s}×`)));
     const unit = element("label", { class: "flex items-center gap-1 text-soft" }, this.timeInput, element("span", {}, "s"));
     const scrub = element("div", { class: "relative mr-2.5 ml-1.5 h-11 min-w-15 flex-1 contain-layout contain-style has-focus-visible:rounded-md has-focus-visible:outline-2 has-focus-visible:outline-accent phone:mx-1" }, element("i", { class: `${LINE} bg-track` }), this.elapsed, this.position, this.scrub);
     container.append(this.play, reset, scrub, unit, this.speed, readout);
 
-    this.play.addEventListener("click", () => (clock.playing = !clock.playing));
-    reset.addEventListener("click", () => clock.seek(startTime()));
     this.scrub.addEventListener("input", () => {
       this.scrubbing = true;
       clock.seek(Math.floor(clock.time / WINDOW) * WINDOW + Number(this.scrub.value) * (1 - 1e-9));
@@ -51,7 +49,6 @@ export class Transport {
       this.timeInput.blur();
       this.update();
     });
-    this.speed.addEventListener("change", () => clock.setSpeed(Number(this.speed.value)));
     // The exact time, which the field rounds otherwise; selected, for the next one to be typed over it.
     this.timeInput.addEventListener("focus", () => {
       this.timeInput.value = String(clock.time);

@@ -8,7 +8,7 @@ import { ListedOptions } from "../panel/options";
 import { ScenePane } from "../panel/pane";
 import { planCovers } from "../plan/live";
 import { equal, type Json, type JsonObject, withValue } from "../scene/json";
-import { element, prefersReducedMotion } from "../ui/dom";
+import { button, element, prefersReducedMotion } from "../ui/dom";
 import { Kernel, type Model } from "./kernel";
 
 /** Notebooks have no style sheet of ours. */
@@ -45,8 +45,8 @@ class WaterView {
   private readonly picture = element("div", { class: "seafoam-picture" });
   private readonly side = element("div", { class: "seafoam-side" });
   private readonly message = element("p", { class: "seafoam-message", role: "alert" });
-  private readonly play = element("button", { type: "button" });
-  private readonly fields = element("button", { type: "button" }, "Scene");
+  private readonly play = button({}, () => this.tell("playing", !this.model.get("playing")));
+  private readonly fields = button({}, () => this.tell("panel", !this.model.get("panel")), "Scene");
   private readonly visible: IntersectionObserver;
   private readonly reducedMotion = prefersReducedMotion();
   private readonly listeners: [string, () => void][];
@@ -75,8 +75,6 @@ class WaterView {
     const main = element("div", { class: "seafoam-main" }, this.picture, bar, this.message);
     root.classList.add("seafoam-widget");
     root.append(element("style", {}, STYLE), main, this.side);
-    this.play.addEventListener("click", () => this.tell("playing", !this.model.get("playing")));
-    this.fields.addEventListener("click", () => this.tell("panel", !this.model.get("panel")));
     this.listeners = [
       ["change:scene", () => void this.load()],
       ["change:quality", () => void this.load()],

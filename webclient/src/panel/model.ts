@@ -64,7 +64,6 @@ export type Control = NumberControl | ChoiceControl | NameControl | SimpleContro
 
 const DECADES = 3;
 const RADIANS = "rad";
-const DEGREES = 180 / Math.PI;
 
 /** The control of a value; `null` if the schema has nothing to set. */
 export function controlOf(root: JsonObject, schema: JsonObject, value: Json | undefined, pointer: string, name: string): Control | null {
@@ -280,21 +279,4 @@ export function sceneControls(document: SceneSchema, scene: JsonObject): GroupCo
   const control = schema && controlOf(document, schema, scene, "", "scene");
   if (control?.kind !== "group") return null;
   return { ...control, children: control.children.filter(({ pointer }) => pointer !== CAMERA_POINTER) };
-}
-
-/** A number of the scene as its control shows it. */
-export function toDisplayed(control: NumberControl, value: number): number {
-  return control.angle ? Number((value * DEGREES).toFixed(3)) : value;
-}
-
-/** Of the scene: rounded to the control's step and clamped to the schema's range. */
-export function fromDisplayed(control: NumberControl, value: number): number {
-  const rounded = control.angle ? Number((value / DEGREES).toFixed(5)) : snap(value, control.step);
-  return Math.min(control.max ?? Infinity, Math.max(control.min ?? -Infinity, rounded));
-}
-
-function snap(value: number, step: number | null): number {
-  if (step === null) return value;
-  const digits = Math.max(0, Math.ceil(-Math.log10(step)));
-  return Number((Math.round(value / step) * step).toFixed(digits));
 }

@@ -4,7 +4,7 @@ import { Pane } from "tweakpane";
 import type { Choice } from "../api";
 import { child, get, type Json, steps } from "../scene/json";
 import { element } from "../ui/dom";
-import { type Control, fromDisplayed, type GroupControl, labelOf, type ListControl, type NumberControl, type OptionalControl, sameControls, switchedOn, toDisplayed } from "./model";
+import { type Control, type GroupControl, labelOf, type ListControl, type NumberControl, type OptionalControl, sameControls, switchedOn } from "./model";
 
 interface PaneEvents {
   change(pointer: string, value: Json): void;
@@ -13,6 +13,7 @@ interface PaneEvents {
 }
 
 const DEGREE = "°";
+const DEGREES = 180 / Math.PI;
 
 export class ScenePane {
   private pane: Pane | null = null;
@@ -217,4 +218,21 @@ function addLogSlider(binding: BindingApi, bound: { value: number }, min: number
 function describe(binding: BindingApi, label: string, hint: string): void {
   binding.element.title = hint;
   for (const input of binding.element.querySelectorAll("input, select")) input.setAttribute("aria-label", label || hint);
+}
+
+/** A number of the scene as its control shows it. */
+export function toDisplayed(control: NumberControl, value: number): number {
+  return control.angle ? Number((value * DEGREES).toFixed(3)) : value;
+}
+
+/** Of the scene: rounded to the control's step and clamped to the schema's range. */
+export function fromDisplayed(control: NumberControl, value: number): number {
+  const rounded = control.angle ? Number((value / DEGREES).toFixed(5)) : snap(value, control.step);
+  return Math.min(control.max ?? Infinity, Math.max(control.min ?? -Infinity, rounded));
+}
+
+function snap(value: number, step: number | null): number {
+  if (step === null) return value;
+  const digits = Math.max(0, Math.ceil(-Math.log10(step)));
+  return Number((Math.round(value / step) * step).toFixed(digits));
 }

@@ -4,7 +4,7 @@ import type { CameraControls, PointerTool, PointerPosition } from "../camera/con
 import type { FramePlan } from "../generated/api";
 import { isObject, withValue } from "../scene/json";
 import type { Store } from "../selection/store";
-import { element, hasModifier } from "../ui/dom";
+import { button, hasModifier } from "../ui/dom";
 import { icon } from "../ui/icons";
 import { pickWater, type WaterPlace } from "./pick";
 import { appended, toJson, type Touch, touchAt, TOUCHES_POINTER, touchesOf, train } from "./touches";
@@ -38,7 +38,7 @@ interface TouchEvents {
 }
 
 export class TouchTool implements PointerTool {
-  readonly button = element("button", { type: "button", class: "round aria-pressed:border-current aria-pressed:text-accent", "data-tool": "touch" }, icon("touch"));
+  readonly button = button({ class: "round aria-pressed:border-current aria-pressed:text-accent", "data-tool": "touch" }, () => this.toggle(), icon("touch"));
   private pointer: PointerState = UP;
   /** Touches that wait for a plan with room for touches; only the first is in the scene already. */
   private waiting: MadeTouch[] = [];
@@ -52,7 +52,6 @@ export class TouchTool implements PointerTool {
     private readonly controls: CameraControls,
     private readonly events: TouchEvents,
   ) {
-    this.button.addEventListener("click", () => this.toggle());
     canvas.addEventListener("keydown", (event) => {
       if (hasModifier(event) || event.repeat) return;
       if (event.code === "KeyT") this.toggle();

@@ -16,6 +16,20 @@ export function element<K extends keyof HTMLElementTagNameMap>(
   return node;
 }
 
+/** A button; `press`: what it does. */
+export function button(attributes: Attributes, press: () => void, ...children: (Node | string)[]): HTMLButtonElement {
+  const node = element("button", { type: "button", ...attributes }, ...children);
+  node.addEventListener("click", press);
+  return node;
+}
+
+/** A drop-down list; `choose`: called with the chosen value. */
+export function dropDown(attributes: Attributes, choose: (value: string) => void): HTMLSelectElement {
+  const node = element("select", attributes);
+  node.addEventListener("change", () => choose(node.value));
+  return node;
+}
+
 export function byId(id: string): HTMLElement {
   const node = document.getElementById(id);
   if (node === null) throw new Error(`The page has no element #${id}.`);

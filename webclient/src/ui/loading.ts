@@ -1,5 +1,5 @@
 /** Covers the page while it loads, and shows errors that it cannot recover from. */
-import { element } from "./dom";
+import { button, element } from "./dom";
 
 const TEXT = "mb-6 wrap-anywhere text-soft";
 
@@ -17,9 +17,7 @@ export class LoadingScreen {
     this.container.classList.remove("done");
     this.container.classList.add("failed");
     const box = element("div", { class: "failure max-w-[46ch] p-8 text-center" }, element("h2", { class: "mb-3 font-serif text-[28px]/[1.15]" }, title), element("p", { class: TEXT }, message));
-    const reload = element("button", { class: "button", type: "button" }, "Reload page");
-    reload.addEventListener("click", () => location.reload());
-    box.append(reload);
+    box.append(button({ class: "button" }, () => location.reload(), "Reload page"));
     if (link) box.append(element("p", { class: TEXT }, element("a", { class: "underline", href: link.href }, link.text)));
     this.container.replaceChildren(box);
   }

@@ -1,6 +1,6 @@
 /** Split view of two values of one field, with a divider that is dragged or moved by the arrow keys. */
 import type { Split } from "../selection/selection";
-import { element, fillSelect } from "./dom";
+import { dropDown, element, fillSelect } from "./dom";
 
 export interface ComparableField {
   field: string;
@@ -25,9 +25,9 @@ export class SplitView {
     "aria-valuemin": 0,
     "aria-valuemax": 100,
   });
-  private readonly field = element("select", { class: "pick field-sizing-content max-w-60 text-fine text-soft phone:max-w-[92px] phone:flex-none", "aria-label": "Compared field" });
-  private readonly left = element("select", { class: VALUE, "aria-label": "Left value" });
-  private readonly right = element("select", { class: VALUE, "aria-label": "Right value" });
+  private readonly field = dropDown({ class: "pick field-sizing-content max-w-60 text-fine text-soft phone:max-w-[92px] phone:flex-none", "aria-label": "Compared field" }, (field) => this.compareBy(field));
+  private readonly left = dropDown({ class: VALUE, "aria-label": "Left value" }, (left) => this.update({ left }));
+  private readonly right = dropDown({ class: VALUE, "aria-label": "Right value" }, (right) => this.update({ right }));
   private split: Split | null = null;
 
   constructor(
@@ -47,10 +47,6 @@ export class SplitView {
       event.preventDefault();
       this.move(this.split.at + step);
     });
-    this.field.addEventListener("change", () => this.compareBy(this.field.value));
-    const changeValues = () => this.split && this.change({ ...this.split, left: this.left.value, right: this.right.value });
-    this.left.addEventListener("change", changeValues);
-    this.right.addEventListener("change", changeValues);
   }
 
   show(split: Split | null, fields: readonly ComparableField[]): void {
@@ -66,6 +62,10 @@ export class SplitView {
   }
 
   private move(at: number): void {
-    if (this.split) this.change({ ...this.split, at: Math.min(0.98, Math.max(0.02, at)) });
+    this.update({ at: Math.min(0.98, Math.max(0.02, at)) });
+  }
+
+  private update(part: Partial<Split>): void {
+    if (this.split) this.change({ ...this.split, ...part });
   }
 }

@@ -1,6 +1,7 @@
 import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
-import { choiceControls, type Control, controlOf, fromDisplayed, schemaNamed, switchedOn, toDisplayed } from "../../src/panel/model";
+import { choiceControls, type Control, controlOf, schemaNamed, switchedOn } from "../../src/panel/model";
+import { fromDisplayed, toDisplayed } from "../../src/panel/pane";
 import { isObject, type Json, type JsonObject, withValue } from "../../src/scene/json";
 
 /** A schema with every shape that pydantic writes, about nothing that a scene holds. */

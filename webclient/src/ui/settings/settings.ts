@@ -5,7 +5,7 @@ import type { FrameSourceChoice } from "../../display/display";
 import type { FramePlan } from "../../generated/api";
 import { labelOf } from "../../panel/model";
 import { qualityTitle } from "../../selection/selection";
-import { element, fillSelect } from "../dom";
+import { button, dropDown, element, fillSelect } from "../dom";
 import { drawerHead, slide } from "../drawer";
 
 interface SettingsEvents {
@@ -35,31 +35,27 @@ export class SettingsPanel {
   /** Container of undo, redo and the changes. */
   readonly edits = element("div");
   readonly effects = new EffectList();
-  private readonly quality = element("select", { id: "quality", class: SELECT });
+  private readonly quality = dropDown({ id: "quality", class: SELECT }, (name) => this.events.quality(name === AUTOMATIC ? null : name));
   private tiers: readonly string[] = [];
-  private readonly scale = element("select", { id: "scale", class: SELECT });
-  private readonly source = element("select", { id: "drawer", class: SELECT });
-  private readonly mode = element("select", { id: "mode", class: SELECT });
+  private readonly scale = dropDown({ id: "scale", class: SELECT }, (scale) => this.events.scale(scale === AUTOMATIC ? null : Number(scale)));
+  private readonly source = dropDown({ id: "drawer", class: SELECT }, (choice) => this.events.source(choice as FrameSourceChoice));
+  private readonly mode = dropDown({ id: "mode", class: SELECT }, (mode) => (this.controls.mode = mode as CameraMode));
   private readonly fov = element("input", { id: "fov", class: "min-w-0 flex-[0_0_108px]", type: "range", min: 10, max: 110, step: 1 });
   private readonly fovOutput = element("output", { for: "fov", class: "flex-[0_0_34px] text-right tabular-nums" });
   private readonly busyLabel = element("span", { class: "busy text-small text-accent", hidden: true }, "Loading plan…");
-  private readonly frameButton = element("button", { type: "button", class: "button disabled:cursor-progress" }, "Render on server");
+  private readonly frameButton = button(
+    { class: "button disabled:cursor-progress", title: "Renders this view on the server and saves it as PNG" },
+    () => this.events.serverFrame(),
+    "Render on server",
+  );
 
   constructor(
     private readonly container: HTMLElement,
     private readonly controls: CameraControls,
-    events: SettingsEvents,
+    private readonly events: SettingsEvents,
   ) {
-    const reset = element("button", { type: "button", class: "button" }, "Reset scene");
-    reset.addEventListener("click", () => events.reset());
-    this.frameButton.title = "Renders this view on the server and saves it as PNG";
-    this.frameButton.addEventListener("click", () => events.serverFrame());
-    this.quality.addEventListener("change", () => events.quality(this.quality.value === AUTOMATIC ? null : this.quality.value));
     this.showScale(null);
-    this.scale.addEventListener("change", () => events.scale(this.scale.value === AUTOMATIC ? null : Number(this.scale.value)));
-    this.source.addEventListener("change", () => events.source(this.source.value as FrameSourceChoice));
     fillSelect(this.mode, [{ name: "orbit", title: "orbit" }, { name: "fly", title: "fly" }], controls.mode);
-    this.mode.addEventListener("change", () => (controls.mode = this.mode.value as CameraMode));
     this.fov.addEventListener("input", () => controls.set({ ...controls.camera, fov: Number(this.fov.value) / DEGREES }));
     controls.onMove(() => this.showFov());
     const row = (label: string, id: string, ...fields: HTMLElement[]) =>
@@ -81,7 +77,7 @@ export class SettingsPanel {
         this.scene,
         this.edits,
         this.effects.root,
-        element("div", { class: "grid grid-cols-2 gap-2 border-t border-line pt-2.5 pb-1" }, this.frameButton, reset),
+        element("div", { class: "grid grid-cols-2 gap-2 border-t border-line pt-2.5 pb-1" }, this.frameButton, button({ class: "button" }, () => events.reset(), "Reset scene")),
         element("p", { class: "mx-1.5 mt-2.5 text-small text-dim" }, "Drag: touch the water · right drag or two fingers: rotate · W A S D, Q E: move · wheel or pinch: zoom · Shift + wheel: field of view · space: play · , and .: step a frame · /: list of waters · F: full screen · Ctrl+Z: undo"),
       ),
     );
