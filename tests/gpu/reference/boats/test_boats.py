@@ -83,8 +83,7 @@ def water_lines(
 @pytest.mark.parametrize("sea", SEAS)
 def test_the_water_line_lies_on_the_drawn_surface(executor: Executor, report: Report, sea: str) -> None:
     """Without smoothing, at every hull point, at any time and place, at every quality."""
-    worst = {}
-    scene = SEAS[sea].model_copy(update={"boats": BOATS})
+    scene, worst = SEAS[sea].model_copy(update={"boats": BOATS}), {}
     for tier, base in TIERS.items():
         surface = base.surface.model_copy(update={"method": "march"})
         plan = make_plan(scene, base.model_copy(update={"surface": surface, "target": "RGBA32F", "samples": 1}))
@@ -92,13 +91,10 @@ def test_the_water_line_lies_on_the_drawn_surface(executor: Executor, report: Re
         for time in (2.7, 1000003.5):
             places, lines = water_lines(scene, poses(executor, plan, time, SKYWARD), time, SKYWARD)
             off = max(off, np.abs(drawn_heights(executor, plan, time, SKYWARD, places) - lines).max())
-        worst[tier] = off
-    report.add(
-        "Water line over the drawn surface under hull points, smoothing 0, 2 boats, 2 times",
-        sea=sea,
-        **{tier: f"{1000 * off:.3f} mm" for tier, off in worst.items()},
+        worst[tier] = (off, WATER_LINE)
+    report.within(
+        "Water line over the drawn surface under hull points, smoothing 0, 2 boats, 2 times, m", sea=sea, **worst
     )
-    assert max(worst.values()) <= WATER_LINE
 
 
 @pytest.mark.parametrize("sea", ["parametric", "storm", "rings", "level"])
@@ -110,18 +106,12 @@ def test_boats_float_as_in_float64(executor: Executor, report: Report, sea: str,
     plan = make_plan(scene, EXACT)
     grid, off = cameras.SampleGrid(cameras.view(SKYWARD, 16, 9), 16, 9), 0.0
     for time in (1000003.5,) if scene.sea else (0.0, 1000003.5):
-        found = poses(executor, plan, time, SKYWARD)
-        places, lines = water_lines(scene, found, time, SKYWARD)
-        shader = SampleShader(scene, time, grid, "same-samples", None)
-        want = [floating.mean_height(shader.surface.relief.height, place, smoothing) for place in places]
+        places, lines = water_lines(scene, poses(executor, plan, time, SKYWARD), time, SKYWARD)
+        relief = SampleShader(scene, time, grid, "same-samples", None).surface.relief
+        want = [floating.mean_height(relief.height, place, smoothing) for place in places]
         off = max(off, float(np.abs(lines - np.array(want)).max()))
-    report.add(
-        "Water line against the float64 surface, reference quality",
-        sea=sea,
-        smoothing=f"{smoothing:g} m",
-        worst=f"{1000 * off:.3f} mm",
-    )
-    assert off <= WATER_LINE
+    title = "Water line against the float64 surface, reference quality, m"
+    report.within(title, sea=sea, smoothing=smoothing, worst=(off, WATER_LINE))
 
 
 def rays(seed: int, count: int) -> tuple[NDArray[np.float64], NDArray[np.float32]]:
@@ -140,10 +130,9 @@ def rays(seed: int, count: int) -> tuple[NDArray[np.float64], NDArray[np.float32
 def test_hulls_equal_their_float64_form(probe: Probe, report: Report, kind: str) -> None:
     """Where rays meet a boat, with which normal, and what part of it."""
     boat = Boat(kind=kind, boom=0.5)  # type: ignore[arg-type]
-    motor = "true" if kind == "motor" else "false"
     body = (
         "BoatHit hit = BoatHit(1e9, vec3(0.0), vec3(0.0), PART_HULL);\n"
-        f"hit_boat(u_eye, x.xyz, {motor}, u_rig, 0.0, hit);\n"
+        f"hit_boat(u_eye, x.xyz, {str(kind == 'motor').lower()}, u_rig, 0.0, hit);\n"
         "y = vec4(min(hit.t, 1e3), hit.normal.xy, float(hit.part));"
     )
     apart, worst, off, met = 0, 0.0, 0.0, 0
@@ -166,26 +155,17 @@ def test_hulls_equal_their_float64_form(probe: Probe, report: Report, kind: str)
         # At a skim, and where a side curls under, digits are lost to the root.
         worst = max(worst, float(np.quantile(np.abs(got[agree, 0] - want.t[agree]), 0.99)))
         off = max(off, float(np.quantile(np.abs(got[agree, 1:3] - want.normal[agree][:, :2]).max(axis=1), 0.99)))
-    report.add(
-        "Hulls against float64, 48 000 rays, in boat's lengths",
-        kind=kind,
-        met=str(met),
-        other_part=f"{apart}",
-        way=f"{worst:.1e}",
-        normal=f"{off:.1e}",
-    )
     assert met > 5000
     # Rays along an edge may meet either side of it.
-    assert apart <= 24
-    assert worst <= 2e-4
-    assert off <= 5e-3
+    title = "Hulls against float64, 48 000 rays, in boat's lengths"
+    report.within(title, kind=kind, met=met, other_part=(apart, 24), way=(worst, 2e-4), normal=(off, 5e-3))
 
 
 def test_wakes_equal_their_float64_form(probe: Probe, report: Report) -> None:
     for boat in WAKES:
         wake = Wake(boat)
-        rng = np.random.default_rng(5)
-        at = (rng.random((20000, 2)) * (1.05 * wake.length, 1.1 * ASIDE * wake.length)).astype(np.float32)
+        at = np.random.default_rng(5).random((20000, 2)) * (1.05 * wake.length, 1.1 * ASIDE * wake.length)
+        at = at.astype(np.float32)
         at[:100, 1] = 0.0
         got = probe(
             ("lib/numbers.glsl", Inline("uniform vec4 u_wake;\nuniform vec2 u_form;\n"), "boats/wake.glsl@pattern"),
@@ -196,14 +176,10 @@ def test_wakes_equal_their_float64_form(probe: Probe, report: Report) -> None:
                 "u_form": (boat.length, boat.radius),
             },
         ).astype(np.float64)
-        want = np.stack(wakes_of.pattern(wake, *at.astype(np.float64).T), axis=-1)
-        off = np.abs(got[:, :3] - want).max(axis=0)
-        report.add(
-            "Wakes against float64, 20 000 places",
-            speed=f"{boat.speed:g} m/s",
-            height=f"{1e6 * off[0]:.1f} µm of {boat.wake:g} m",
-            slope=f"{1e6 * off[1:].max():.1f} millionths of {Wake(boat).max_slope:.2f}",
+        off = np.abs(got[:, :3] - np.stack(wakes_of.pattern(wake, *at.astype(np.float64).T), axis=-1)).max(axis=0)
+        report.within(
+            "Wakes against float64, 20 000 places, height in m and slope",
+            speed=boat.speed,
+            height=(off[0], 2e-4 * boat.wake),
+            slope=(off[1:].max(), 1e-3),
         )
-        assert np.isfinite(got).all()
-        assert off[0] <= 2e-4 * boat.wake
-        assert off[1:].max() <= 1e-3

@@ -18,7 +18,7 @@ from seafoam.reference.renderer.sources import slope_saturation
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.render.gl.executor import Executor
 from support.exact import UNFILTERED
-from support.pictures import draw, rmse
+from support.pictures import draw, linear, rmse
 from support.probe import Probe
 from support.report import Report
 from support.scenes import Camera, Foam, HeightSaturation, ParametricWave, Scene, SlopeSaturation
@@ -69,19 +69,11 @@ def test_slope_saturation_equals_its_float64_form(probe: Probe, cap: float, blur
     assert np.abs(got - want).max() <= 2e-5
 
 
-def test_slope_sees_neither_calm_water_nor_ripples() -> None:
-    scene = Scene(foam=Foam(saturation=(SlopeSaturation(), HeightSaturation(base=-1.0, full=1.0)), combine="product"))
-    skipped = {note.name for note in make_plan(scene, TIERS["standard"]).skipped}
-    assert {"slope foam", "foam look"} <= skipped
-
-
 def from_above(executor: Executor, **foam: object) -> NDArray[np.float64]:
     """Foam of even saturation from 200 m up, a row a line of pixels."""
     saturation = (HeightSaturation(base=-0.5, full=0.5 + 0.5),)
     scene = Scene(foam=Foam(saturation=saturation, mask="mix", mask_tile=TILE, **foam), light=None)  # type: ignore[arg-type]
-    plan = make_plan(scene, TIERS["standard"])
-    shot = draw(executor, plan, ABOVE, time=0.0, size=(SIDE, SIDE), output="linear")
-    return shot[..., 3].astype(np.float64)
+    return linear(executor, scene, TIERS["standard"], ABOVE, size=(SIDE, SIDE))[..., 3].astype(np.float64)
 
 
 def repeat(picture: NDArray[np.float64]) -> float:
@@ -122,21 +114,14 @@ def test_foam_repeats_from_200_m_and_in_cells_it_does_not(executor: Executor, re
 def test_foam_in_cells_covers_what_the_saturation_says(executor: Executor, height: float) -> None:
     """Where cells meet, too: near and far, sparse and thick, and exactly none and all."""
     camera = Camera(position=(0.0, height, 0.0), pitch=-math.pi / 2, fov=2.0)
-    for base, share in ((-0.1, 0.1), (-0.5, 0.5), (-0.9, 0.9), (0.0, 0.0), (-1.0, 1.0)):
-        foam = Foam(saturation=(HeightSaturation(base=base, full=base + 1.0),), cells=True, mask="vac-6", mask_tile=0.5)
-        shot = draw(
-            executor,
-            make_plan(Scene(foam=foam, light=None), TIERS["standard"], economy=False),
-            camera,
-            time=0.0,
-            size=(128, 128),
-            output="linear",
-        )
-        cover = shot[..., 3]
+    for share in (0.1, 0.5, 0.9, 0.0, 1.0):
+        source = HeightSaturation(base=-share, full=1.0 - share)
+        foam = Foam(saturation=(source,), cells=True, mask="vac-6", mask_tile=0.5)
+        plan = make_plan(Scene(foam=foam, light=None), TIERS["standard"], economy=False)
+        cover = draw(executor, plan, camera, time=0.0, size=(128, 128), output="linear")[..., 3]
+        assert abs(float(cover.mean()) - share) < 0.015
         if share in (0.0, 1.0):
             assert (cover == share).all()
-        else:
-            assert abs(float(cover.mean()) - share) < 0.015
 
 
 def test_weights_of_cells_add_up_and_reach_nothing_at_their_rim() -> None:
@@ -170,8 +155,7 @@ def test_frames_with_cells_and_two_textures_equal_float64(executor: Executor, lo
     )
     camera = Camera(position=(-5e6, 2.6625, 7e6), yaw=0.3, pitch=-0.5)
     scene = Scene(waves=(ParametricWave(amplitude=0.9, wavelength=7.0),), foam=foam, light=None, camera=camera)
-    plan = make_plan(scene, UNFILTERED.model_copy(update={"samples": 4}))
-    got = draw(executor, plan, camera, time=3.3, size=(96, 54), output="linear")
+    got = linear(executor, scene, UNFILTERED.model_copy(update={"samples": 4}), time=3.3, size=(96, 54))
     want = reference(scene, time=3.3, width=96, height=54, samples=2)
     assert want.alpha.std() > 0.05
     assert rmse(got, want.rgb) <= 0.5

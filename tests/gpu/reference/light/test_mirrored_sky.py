@@ -16,7 +16,7 @@ from seafoam.reference.light.clouds import CloudLayer
 from seafoam.reference.renderer.frame import render
 from seafoam.render.gl.executor import Executor
 from support.exact import EXACT
-from support.pictures import draw
+from support.pictures import draw, levels, linear, rms
 from support.probe import Probe
 from support.report import Report
 from support.scenes import Camera, Cirrus, Clouds, Light, Scene, Sea, Sky
@@ -60,48 +60,42 @@ def light_of(
 def drawn_once(executor: Executor, scene: Scene, camera: Camera = CAMERA) -> tuple[float, float]:
     """Energy of a frame drawn once over that of 256 samples of the resolved surface, less 1, and its root mean square
     error over that of 16 such samples."""
-    resolved = SurfaceQuality(steps=384, tolerance=0.02, filter=False)
-    truth = light_of(executor, scene, 4, camera, samples=16, surface=resolved)
-    once = light_of(executor, scene, 1, camera)
-    sixteen = light_of(executor, scene, 1, camera, samples=16, surface=resolved)
-    apart, noise = (float(np.sqrt(np.mean((drawn - truth) ** 2))) for drawn in (once, sixteen))
-    return float(once.mean() / truth.mean() - 1.0), apart / noise
+    resolved = {"samples": 16, "surface": SurfaceQuality(steps=384, tolerance=0.02, filter=False)}
+    truth = light_of(executor, scene, 4, camera, **resolved)
+    once, sixteen = light_of(executor, scene, 1, camera), light_of(executor, scene, 1, camera, **resolved)
+    return float(once.mean() / truth.mean() - 1.0), rms(once - truth) / rms(sixteen - truth)
 
 
 @pytest.mark.parametrize(("wind", "elevation"), [(4.0, 0.12), (8.0, 0.8), (15.0, 0.35)])
 def test_small_hard_clouds_over_rough_water(executor: Executor, report: Report, wind: float, elevation: float) -> None:
     sky = Sky(clouds=Clouds(cover=0.45, softness=0.3, size=600.0, height=1200.0))
-    scene = Scene(
-        light=Light(sun_elevation=elevation, sun_azimuth=0.6, visibility=1e6, exposure=-0.5, sky=sky),
-        sea=Sea(model="fft", wind=wind, fetch=60000.0),
+    light = Light(sun_elevation=elevation, sun_azimuth=0.6, visibility=1e6, exposure=-0.5, sky=sky)
+    energy, error = drawn_once(executor, Scene(light=light, sea=Sea(model="fft", wind=wind, fetch=60000.0)))
+    report.within(
+        "Mirrored small clouds, drawn once: energy less 1, and error over that of 16 samples",
+        wind=wind,
+        sun=elevation,
+        energy=(abs(energy), 0.02),
+        error=(error, 1.5),
     )
-    energy, error = drawn_once(executor, scene)
-    report.add(
-        f"Mirrored small clouds, wind {wind:g} m/s, sun at {elevation:g} rad",
-        energy=f"{100 * energy:+.1f} %",
-        rmse_over_sixteen=f"{error:.2f}",
-    )
-    assert abs(energy) <= 0.02
-    assert error <= 1.5
 
 
 @pytest.mark.parametrize("wind", [4.0, 8.0, 15.0])
 @pytest.mark.parametrize("layered", [False, True], ids=["plain", "layered"])
 def test_clear_skies_over_rough_water(executor: Executor, report: Report, wind: float, layered: bool) -> None:
     """By day, with a low sun and at dusk; looking along the wind at a low sun for the error alone."""
-    found = {}
     sky, sea = Sky() if layered else None, Sea(wind=wind, fetch=60000.0)
     for elevation, camera in ((0.8, CAMERA), (0.12, CAMERA), (-0.05, CAMERA), (0.12, ALONG)):
         light = Light(sun_elevation=elevation, sun_azimuth=0.6, visibility=1e6, exposure=-0.5, sky=sky)
-        found[elevation, camera is ALONG] = drawn_once(executor, Scene(light=light, sea=sea), camera)
-    report.add(
-        f"Mirrored {'layered' if layered else 'plain'} clear sky, wind {wind:g} m/s, "
-        "sun at 0.8, 0.12 and -0.05 rad, and at 0.12 rad looking along the wind",
-        energy=" ".join(f"{100 * energy:+.1f} %" for energy, _ in found.values()),
-        rmse_over_sixteen=" ".join(f"{error:.2f}" for _, error in found.values()),
-    )
-    assert max(abs(energy) for (_, along), (energy, _) in found.items() if not along) <= 0.02
-    assert max(error for _, error in found.values()) <= 1.5
+        energy, error = drawn_once(executor, Scene(light=light, sea=sea), camera)
+        report.within(
+            "Mirrored clear sky, drawn once: energy less 1, and error over that of 16 samples",
+            layered=layered,
+            wind=wind,
+            sun=elevation,
+            energy=(abs(energy), math.inf if camera is ALONG else 0.02),
+            error=(error, 1.5),
+        )
 
 
 @pytest.mark.parametrize("elevation", [0.8, 0.12, -0.05])
@@ -148,14 +142,13 @@ def test_a_blur_keeps_the_mean_of_clouds(report: Report, cover: float, thickness
     for width in (1e-4, 0.02, 0.06, 0.2):
         light, cover_there, _ = of.toward(d, (np.full(turn.size, width),) * 2, lambda y: np.zeros((*y.shape, 3)))
         means.append((float(cover_there.mean()), float(light.mean())))
-    sharp, blurred = np.array(means[0]), np.array(means[1:])
-    worst = np.abs(blurred - sharp) / np.array([1.0, float(of.light.mean()) / math.pi])
-    report.add(
-        f"Blurred clouds, cover {cover:g}, thickness {thickness:g}, {depth:g} m deep: largest change of the mean",
-        cover=f"{100 * worst[:, 0].max():.1f} %",
-        light=f"{100 * worst[:, 1].max():.1f} % of white",
+    worst = np.abs(np.array(means[1:]) - means[0]).max(axis=0) / (1.0, float(of.light.mean()) / math.pi)
+    report.within(
+        "Blurred clouds: largest change of the mean of their cover, and of their light over white",
+        clouds=f"cover {cover:g}, thickness {thickness:g}, {depth:g} m deep",
+        cover=(worst[0], 0.035),
+        light=(worst[1], 0.035),
     )
-    assert worst.max() <= 0.035
 
 
 def test_thick_cover_is_not_one_grey() -> None:
@@ -182,7 +175,6 @@ def test_layers_equal_their_float64_form(executor: Executor, name: str) -> None:
     """Sky and level water that mirrors it, from a place far from the origin."""
     scene = Scene(light=Light(sun_elevation=0.3, exposure=-1.5, sky=SKIES[name]))
     camera = Camera(position=(2e4, 3.0, -1e4), pitch=0.05)
-    drawn = draw(executor, make_plan(scene, EXACT), camera, time=1e6, size=(48, 32), output="linear")[..., :3]
+    drawn = linear(executor, scene, EXACT, camera, time=1e6, size=(48, 32))
     truth = render(scene, time=1e6, camera=camera, width=48, height=32).rgb
-    apart = 255.0 * np.abs(np.clip(drawn, 0.0, 1.0) - np.clip(truth, 0.0, 1.0))
-    assert apart.max() <= 0.3
+    assert levels(drawn, truth).max() <= 0.3
