@@ -70,7 +70,7 @@ def test_other_pixels_are_counted(seafoam, tmp_path, monkeypatch, format):
     assert "renderer" not in out
 
 
-def test_what_was_otherwise_is_named(seafoam, tmp_path):
+def test_what_was_otherwise_is_named_pixels_of_another_size_too(seafoam, tmp_path):
     path = altered(drawn(seafoam, tmp_path / "a.png"), seafoam="0.0.1", renderer="a GPU, 9", plan="0" * 64)
     code, out, _ = seafoam("render", "--again", path)
     assert code == 1
@@ -78,6 +78,9 @@ def test_what_was_otherwise_is_named(seafoam, tmp_path):
     assert "renderer: a GPU, 9 then, B, C now" in out
     assert f"plan: {'0' * 64} then" in out
     assert "pixels: the same" in out
+    code, out, _ = seafoam("render", "--again", altered(drawn(seafoam, tmp_path / "a.png"), width=20))
+    assert code == 1
+    assert "48 × 27 of uint8 then, 20 × 27 of uint8 now" in out
 
 
 def test_a_recipe_of_the_page_or_of_an_earlier_version_is_drawn(seafoam, tmp_path):
@@ -86,12 +89,6 @@ def test_a_recipe_of_the_page_or_of_an_earlier_version_is_drawn(seafoam, tmp_pat
     assert code == 1
     assert "its recipe does not name it" in out
     assert "pixels: the same" in out
-
-
-def test_a_picture_of_another_size_than_its_recipe(seafoam, tmp_path):
-    code, out, _ = seafoam("render", "--again", altered(drawn(seafoam, tmp_path / "a.png"), width=20))
-    assert code == 1
-    assert "48 × 27 of uint8 then, 20 × 27 of uint8 now" in out
 
 
 @pytest.mark.parametrize(

@@ -13,11 +13,7 @@ from seafoam.cli.consoles import spelt
 from support.command import COMMAND, run
 
 PLAIN_LOCALE = {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONIOENCODING": ""}
-CONSOLES = {
-    "ascii": {"PYTHONIOENCODING": "ascii"},
-    "cp437": {"PYTHONIOENCODING": "cp437"},
-    "C locale": PLAIN_LOCALE,
-}
+CONSOLES = {"ascii": {"PYTHONIOENCODING": "ascii"}, "cp437": {"PYTHONIOENCODING": "cp437"}, "C locale": PLAIN_LOCALE}
 
 
 @pytest.mark.parametrize("console", CONSOLES)
@@ -49,31 +45,25 @@ def test_json_is_utf_8_on_every_console() -> None:
     assert json.loads(done.stdout.decode("utf-8")) == create_app().openapi()
 
 
-def test_errors_are_readable_too() -> None:
+def test_errors_and_names_with_control_characters_take_one_readable_line(tmp_path: Path) -> None:
     done = run("render", "default", "-o", "ä.gif", PYTHONIOENCODING="ascii")
     assert (done.returncode, done.stderr.count("\n")) == (2, 1)
     assert "a.gif" in done.stderr
-
-
-@pytest.mark.parametrize(
-    ("text", "plain"),
-    [
-        ("640 × 360 − 2…", "640 x 360 - 2..."),
-        ("σ ≤ Σ, µ", "sigma <= Sigma, u"),
-        ("10⁻³ m², ½", "10-3 m2, 1/2"),
-        ("Café “Å”", 'Cafe "A"'),
-        ("海", "\\u6d77"),
-        ("\udcff", "\\udcff"),
-    ],
-)
-def test_what_cannot_be_shown_is_spelt(text: str, plain: str) -> None:
-    assert "".join(c if c.isascii() else spelt(UnicodeEncodeError("ascii", c, 0, 1, ""))[0] for c in text) == plain
-
-
-def test_names_with_control_characters_take_one_line(tmp_path: Path) -> None:
     path = tmp_path / "a\n\x1b[31mb\udcff.png"
     done = run("masks", "make", "--size", "32", "--sigma", "1", "-o", path)
     assert done.returncode == 0, done.stderr
     assert path.is_file()
     assert done.stdout.count("\n") == 1
     assert r"a\x0a\x1b[31mb\udcff.png: vac" in done.stdout
+
+
+def test_what_cannot_be_shown_is_spelt() -> None:
+    plain = {
+        "640 × 360 − 2…": "640 x 360 - 2...",
+        "σ ≤ Σ, µ": "sigma <= Sigma, u",
+        "10⁻³ m², ½": "10-3 m2, 1/2",
+        "Café “Å”": 'Cafe "A"',
+        "海\udcff": "\\u6d77\\udcff",
+    }
+    for text, shown in plain.items():
+        assert "".join(c if c.isascii() else spelt(UnicodeEncodeError("ascii", c, 0, 1, ""))[0] for c in text) == shown

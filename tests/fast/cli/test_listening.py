@@ -3,6 +3,7 @@
 import errno
 import os
 import socket
+from unittest.mock import Mock
 
 import pytest
 
@@ -34,35 +35,26 @@ def test_both_versions_of_ip(host: str, url: str, reached: list[str]) -> None:
             socket.create_connection((place, port), timeout=5).close()
 
 
-def test_an_address_with_a_zone_is_encoded() -> None:
-    assert listening._authority("fe80::1%eth0", 80) == "[fe80::1%25eth0]:80"
+def test_the_advice_fits_the_error(monkeypatch: pytest.MonkeyPatch) -> None:
+    for code, advice in {
+        errno.EADDRINUSE: "choose another port with --port",
+        errno.EACCES: "ports below 1024",
+        errno.EADDRNOTAVAIL: "no such address",
+        errno.EAFNOSUPPORT: "no IPv6",
+        errno.ENOBUFS: "--host or port with --port",
+    }.items():
+        monkeypatch.setattr(listening.socket, "create_server", Mock(side_effect=OSError(code, "why")))
+        with pytest.raises(CommandError) as refused:
+            listen("::1", 80)
+        assert refused.value.exit_code == 1
+        assert str(refused.value).startswith(f"cannot listen on [::1]:80: {os.strerror(code)}; ")
+        assert advice in str(refused.value)
 
 
-@pytest.mark.parametrize(
-    ("code", "advice"),
-    [
-        (errno.EADDRINUSE, "choose another port with --port"),
-        (errno.EACCES, "ports below 1024"),
-        (errno.EADDRNOTAVAIL, "no such address"),
-        (errno.EAFNOSUPPORT, "no IPv6"),
-        (errno.ENOBUFS, "--host or port with --port"),
-    ],
-)
-def test_the_advice_fits_the_error(monkeypatch: pytest.MonkeyPatch, code: int, advice: str) -> None:
-    def fail(*_: object, **__: object) -> None:
-        raise OSError(code, "why")
-
-    monkeypatch.setattr(listening.socket, "create_server", fail)  # type: ignore[attr-defined]
-    with pytest.raises(CommandError) as refused:
-        listen("::1", 80)
-    assert refused.value.exit_code == 1
-    assert str(refused.value).startswith(f"cannot listen on [::1]:80: {os.strerror(code)}; ")
-    assert advice in str(refused.value)
-
-
-def test_addresses_of_others_and_unknown_names() -> None:
+def test_addresses_of_others_of_zones_and_unknown_names() -> None:
     with pytest.raises(CommandError, match=r"cannot listen on 192\.0\.2\.1:9: .*no such address.*--host"):
         listen("192.0.2.1", 9)
     for host in ("no.such.invalid", "a..b", "999.1.1.1", "::1::"):
         with pytest.raises(CommandError, match="neither an address nor a name"):
             listen(host, 0)
+    assert listening._authority("fe80::1%eth0", 80) == "[fe80::1%25eth0]:80"
