@@ -1,7 +1,7 @@
 """State that the request handlers of an application share."""
 
 import asyncio
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated, Any
 
 from fastapi import Depends, Request
 
@@ -15,13 +15,11 @@ from seafoam.api.jobs.sequences import sequence_service
 from seafoam.api.jobs.sweeps import sweep_service
 from seafoam.api.settings import Settings
 from seafoam.api.watch.metrics import Metrics
+from seafoam.api.watch.telemetry import Traces
 from seafoam.extras import require_reports
 from seafoam.quality import Quality
 from seafoam.render.service.frame_cache import FrameCache
 from seafoam.scene.models import Scene
-
-if TYPE_CHECKING:
-    from seafoam.api.watch.traces import Traces
 
 
 class Context:
@@ -30,7 +28,7 @@ class Context:
     frames: gives the pool's frames, and those that it has drawn before. traces: where spans go, if anywhere.
     """
 
-    def __init__(self, settings: Settings, frames: FrameCache, metrics: Metrics, traces: "Traces | None") -> None:
+    def __init__(self, settings: Settings, frames: FrameCache, metrics: Metrics, traces: Traces | None) -> None:
         loop = asyncio.get_running_loop()
         self.settings = settings
         self.pool = frames.pool

@@ -193,7 +193,7 @@ def presets() -> None:
 @app.command()
 def plan(
     preset: options.Preset,
-    quality: Annotated[str, typer.Option(help="draft, standard, high or reference.")] = "standard",
+    quality: options.TierName = "standard",
     program: Annotated[
         str | None, typer.Option(help="Print this program's shader, with the names of its files, such as surface.")
     ] = None,

@@ -18,7 +18,7 @@ from seafoam.planner import PlanError
 from seafoam.render.encode import FrameFormat, NoRecipeError, Precision, read_recipe
 from seafoam.render.gl import executor as gl
 from seafoam.render.service.errors import FrameTooLargeError
-from seafoam.render.service.jobs import FrameJob, draw_frame, encode_frame
+from seafoam.render.service.jobs import FrameJob, draw_frame, encode_frame, plan_hash
 from seafoam.render.service.limits import IN_PROCESS
 from seafoam.render.service.recipe import RECIPE_VERSION, renderer_of
 from seafoam.scene.camera import Camera
@@ -49,18 +49,9 @@ class _Recipe(BaseModel):
     @property
     def job(self) -> FrameJob:
         """Return the frame that the recipe describes."""
-        return FrameJob(
-            self.scene,
-            quality_of(self.quality),
-            self.time,
-            self.camera,
-            self.width,
-            self.height,
-            self.format,
-            preset=self.preset,
-            dither=self.dither,
-            precision=self.precision,
-        )
+        view = self.camera, self.width, self.height
+        ways = self.dither, self.precision
+        return FrameJob(self.scene, quality_of(self.quality), self.time, *view, self.format, self.preset, *ways)
 
 
 def draw_again(source: Path, output: Path | None) -> tuple[bool, list[str]]:
@@ -91,7 +82,7 @@ def draw_again(source: Path, output: Path | None) -> tuple[bool, list[str]]:
     if again == content:
         return True, [f"{source}: drawn again, the same {len(content):,} bytes"]
     renderer = renderer_of(picture.info)
-    lines = [*_circumstances(recipe, picture.plan, renderer), *_pixels(content, again)]
+    lines = [*_circumstances(recipe, plan_hash(job.scene, job.quality), renderer), *_pixels(content, again)]
     return False, [f"{source}: drawn again, with a difference", *(f"  {line}" for line in lines)]
 
 

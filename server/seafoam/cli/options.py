@@ -20,6 +20,7 @@ QualityName = Annotated[
         help="draft, standard, high, reference, or auto: the most exact that fits --budget-ms (default: standard)."
     ),
 ]
+TierName = Annotated[str, typer.Option(help="draft, standard, high or reference.")]
 Budget = Annotated[
     float | None, typer.Option(help="With auto: maximum frame time, ms. The first use measures, which takes minutes.")
 ]

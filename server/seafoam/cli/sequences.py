@@ -1,7 +1,6 @@
 """The command ``seafoam sequence``."""
 
 from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -13,19 +12,11 @@ from seafoam.cli.support import UNABLE, CommandError, size_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
+    from contextlib import AbstractContextManager
 
     from seafoam.sequences.making import Output as SequenceOutput
     from seafoam.sequences.spec import SequenceSpec
     from seafoam.sequences.workers import Workers
-
-
-@dataclass(frozen=True)
-class _Fleet:
-    """Who draws. workers: processes here, if there is no scheduler."""
-
-    workers: int
-    scheduler: str | None
-    mixed: bool
 
 
 def sequence(
@@ -39,7 +30,7 @@ def sequence(
         str, typer.Option(help="Frames per second, such as 29.97 or 30000/1001, which are the same.")
     ] = "24",
     size: options.Size = None,
-    quality: Annotated[str, typer.Option(help="draft, standard, high or reference.")] = "standard",
+    quality: options.TierName = "standard",
     look: options.LookName = None,
     mask: options.MaskName = None,
     codec: Annotated[str, typer.Option(help="Of a .mp4 file: h264 or av1.")] = "h264",
@@ -63,7 +54,7 @@ def sequence(
     pixels = None if size is None else size_of(size)
     spec = _spec(preset, start, stop, fps, {"size": pixels, "quality": quality, "look": look, "mask": mask})
     try:
-        say(_make(spec, wanted, _Fleet(workers, scheduler, mixed), again=again))
+        say(_make(spec, wanted, _working(workers, scheduler, mixed), again=again))
     except PlanError as error:
         raise CommandError(f"scene{error.pointer}: {error.message}") from error
     except KeyboardInterrupt:
@@ -87,13 +78,13 @@ def _output(path: Path, codec: str) -> "SequenceOutput":
 
 def _spec(preset: str, start: float | None, stop: float, fps: str, others: dict[str, object]) -> "SequenceSpec":
     from seafoam.library.errors import InvalidRequestError
-    from seafoam.library.request import FrameRequest
+    from seafoam.library.request import PictureRequest
     from seafoam.sequences.errors import OutputError
     from seafoam.sequences.spec import sequence_of
 
     given = {name: value for name, value in others.items() if value is not None}
     try:
-        return sequence_of(FrameRequest(preset, time=start, **given).job(), stop, fps)  # type: ignore[arg-type]
+        return sequence_of(PictureRequest(preset, time=start, **given).job(), stop, fps)  # type: ignore[arg-type]
     except InvalidRequestError as error:
         text = str(error)
         option = text.replace("preset", "PRESET", 1) if text.startswith("preset") else f"--{text}"
@@ -107,20 +98,22 @@ def _option(field: str) -> str:
 
 
 @contextmanager
-def _working(fleet: _Fleet) -> "Iterator[Workers]":
-    """Who draws: this process, or processes here or on other machines."""
+def _working(workers: int, scheduler: str | None, mixed: bool) -> "Iterator[Workers]":
+    """Who draws: this process, or processes here, if there is no scheduler, or on other machines."""
     from seafoam.render.gl import executor as gl
     from seafoam.sequences.fleet import DaskWorkers
     from seafoam.sequences.workers import InProcess
 
-    if fleet.scheduler is None and fleet.workers == 1:
+    if scheduler is None and workers == 1:
         yield InProcess(gl.Executor())
         return
-    with DaskWorkers(fleet.scheduler, workers=fleet.workers, mixed=fleet.mixed) as workers:
-        yield workers
+    with DaskWorkers(scheduler, workers=workers, mixed=mixed) as cluster:
+        yield cluster
 
 
-def _make(spec: "SequenceSpec", output: "SequenceOutput", fleet: _Fleet, *, again: bool) -> str:
+def _make(
+    spec: "SequenceSpec", output: "SequenceOutput", working: "AbstractContextManager[Workers]", *, again: bool
+) -> str:
     """Make the sequence, with a progress bar; return the line to print."""
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
@@ -134,7 +127,7 @@ def _make(spec: "SequenceSpec", output: "SequenceOutput", fleet: _Fleet, *, agai
     try:
         making.check_output(spec, output)
         bar = Progress(*columns, console=console, transient=True, disable=not console.is_terminal)
-        with _working(fleet) as workers, bar:
+        with working as workers, bar:
             task = bar.add_task("frames", total=spec.count)
 
             def tell(progress: making.Progress) -> None:

@@ -13,7 +13,6 @@ from urllib.request import Request, urlopen
 from seafoam.library.errors import InvalidRequestError, ServerError
 from seafoam.library.source import MaskRequest, PictureSource
 from seafoam.render.service.jobs import FrameJob
-from seafoam.render.service.recipe import described
 
 REQUESTS = 4
 """Requests at a time of one connection."""
@@ -53,17 +52,7 @@ class Connection(PictureSource):
         self._threads.shutdown()
 
     def _draw(self, job: FrameJob) -> Future[bytes]:
-        body = {
-            "scene": job.scene.model_dump(mode="json"),
-            "quality": described(job.quality),
-            "camera": job.camera.model_dump(mode="json"),
-            "time": job.time,
-            "width": job.width,
-            "height": job.height,
-            "format": job.format,
-            "preset": job.preset,
-        }
-        return self._threads.submit(self._ask, "/api/frames", json.dumps(body).encode())
+        return self._threads.submit(self._ask, "/api/frames", json.dumps(job.request).encode())
 
     def _mask(self, asked: MaskRequest) -> Future[bytes]:
         if not asked.given:

@@ -33,7 +33,7 @@ DEFAULT_SIZE: Size = (1280, 720)
 
 
 @dataclass(frozen=True)
-class FrameRequest:
+class PictureRequest:
     """A frame; what is absent is the preset's, or of a scene 0 s and 1280 × 720.
 
     time: s, |time| ≤ 1e9. size: pixels, each side 1 to 8192 and fewer with many samples. look, mask: of the foam.
@@ -65,7 +65,7 @@ class FrameRequest:
 
 
 @dataclass(frozen=True)
-class FileRequest(FrameRequest):
+class FileRequest(PictureRequest):
     """A frame in the format of a file."""
 
     format: FrameFormat = "png"

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from seafoam.library.named import asking
-from seafoam.library.request import FileRequest, FrameRequest
+from seafoam.library.request import FileRequest, PictureRequest
 from seafoam.render.service.jobs import FrameJob
 
 
@@ -51,8 +51,8 @@ class PictureSource(ABC):
     :class:`seafoam.library.errors.ServerError` there.
     """
 
-    @asking(FrameRequest)
-    def frame(self, asked: FrameRequest) -> Image.Image:
+    @asking(PictureRequest)
+    def frame(self, asked: PictureRequest) -> Image.Image:
         """Return a frame as an RGB image, sRGB; ``info["seafoam"]`` is its recipe (JSON).
 
         what: a preset's name, a :class:`seafoam.Scene`, or a scene's fields as JSON has them. What is absent is the
@@ -63,8 +63,8 @@ class PictureSource(ABC):
         """
         return _image(self._draw(asked.job()).result())
 
-    @asking(FrameRequest)
-    def linear(self, asked: FrameRequest) -> NDArray[np.float32]:
+    @asking(PictureRequest)
+    def linear(self, asked: PictureRequest) -> NDArray[np.float32]:
         """Return a frame as (height, width, 4) float32, top row first: linear RGB, and the coverage of foam, 0..1.
 
         Options: see :meth:`frame`.
@@ -90,13 +90,13 @@ class PictureSource(ABC):
         """
         return _array(self._mask(asked).result())
 
-    @asking(FrameRequest)
-    async def frame_async(self, asked: FrameRequest) -> Image.Image:
+    @asking(PictureRequest)
+    async def frame_async(self, asked: PictureRequest) -> Image.Image:
         """:meth:`frame`, without blocking the event loop."""
         return _image(await asyncio.wrap_future(self._draw(asked.job())))
 
-    @asking(FrameRequest)
-    async def linear_async(self, asked: FrameRequest) -> NDArray[np.float32]:
+    @asking(PictureRequest)
+    async def linear_async(self, asked: PictureRequest) -> NDArray[np.float32]:
         """:meth:`linear`, without blocking the event loop."""
         return _array(await asyncio.wrap_future(self._draw(asked.job("npy"))))
 

@@ -58,10 +58,6 @@ def _texture(asked: Mapping[str, Any]) -> Answer:
         raise InvalidRequestError(f"url: there is no texture {asked['url']!r:.200}") from error
 
 
-def _schema(_: Mapping[str, Any]) -> Answer:
-    return schema(), []
-
-
 def _choices(asked: Mapping[str, Any]) -> Answer:
     if asked["url"] != "/api/masks":
         raise InvalidRequestError(f"url: there is no list {asked['url']!r:.200}")
@@ -71,6 +67,6 @@ def _choices(asked: Mapping[str, Any]) -> Answer:
 _ANSWERS: dict[str, Callable[[Mapping[str, Any]], Answer]] = {
     "plan": _plan,
     "texture": _texture,
-    "schema": _schema,
+    "schema": lambda _: (schema(), []),
     "choices": _choices,
 }

@@ -1,6 +1,6 @@
 """``Water``: the live water in a notebook, its scene shared with Python both ways."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +14,7 @@ from seafoam.library.named import named
 from seafoam.library.request import (
     TIME_LIMIT,
     CameraLike,
-    FrameRequest,
+    PictureRequest,
     QualityLike,
     SceneLike,
     Size,
@@ -25,8 +25,6 @@ from seafoam.library.request import (
 from seafoam.notebook.answers import answer
 from seafoam.render.service.recipe import described
 from seafoam.resources import data_dir
-from seafoam.scene.camera import Camera
-from seafoam.scene.models import Scene
 
 CLIENT = "notebook/seafoam-widget.js"
 """The widget's page, in the built web client."""
@@ -43,26 +41,16 @@ def _to_json(value: Any, _: object) -> Any:
     return value if value is None else value.model_dump(mode="json")
 
 
-class _SceneTrait(traitlets.TraitType[Any, Any]):
-    def validate(self, obj: Any, value: Any) -> Scene:
+class _CheckedTrait(traitlets.TraitType[Any, Any]):
+    """A trait that takes what a request takes, in the words of its errors. check: of the widget and the value."""
+
+    def __init__(self, check: Callable[[Any, Any], Any], default: Any = traitlets.Undefined) -> None:
+        super().__init__(default)
+        self._check = check
+
+    def validate(self, obj: Any, value: Any) -> Any:
         try:
-            return scene_of(value)
-        except InvalidRequestError as error:
-            raise traitlets.TraitError(str(error)) from error
-
-
-class _CameraTrait(traitlets.TraitType[Any, Any]):
-    def validate(self, obj: Any, value: Any) -> Camera:
-        try:
-            return camera_of(value, obj.scene.camera)
-        except InvalidRequestError as error:
-            raise traitlets.TraitError(str(error)) from error
-
-
-class _QualityTrait(traitlets.TraitType[Any, Any]):
-    def validate(self, obj: Any, value: Any) -> str | dict[str, Any]:
-        try:
-            return described(quality_of(value))
+            return self._check(obj, value)
         except InvalidRequestError as error:
             raise traitlets.TraitError(str(error)) from error
 
@@ -78,11 +66,13 @@ class Water(anywidget.AnyWidget):
 
     _esm = _client()
 
-    scene = _SceneTrait().tag(sync=True, to_json=_to_json)
+    scene = _CheckedTrait(lambda _, value: scene_of(value)).tag(sync=True, to_json=_to_json)
     """The scene, a :class:`seafoam.Scene`; also takes a preset's name or the fields as JSON has them."""
-    camera = _CameraTrait().tag(sync=True, echo_update=False, to_json=_to_json)
+    camera = _CheckedTrait(lambda water, value: camera_of(value, water.scene.camera)).tag(
+        sync=True, echo_update=False, to_json=_to_json
+    )
     """The camera, a :class:`seafoam.Camera`; also takes the fields that differ from the scene's."""
-    quality = _QualityTrait("standard").tag(sync=True)
+    quality = _CheckedTrait(lambda _, value: described(quality_of(value)), "standard").tag(sync=True)
     """A tier's name, or the fields that differ from tier standard."""
     time = traitlets.Float(0.0, min=-TIME_LIMIT, max=TIME_LIMIT).tag(sync=True, echo_update=False)
     """Time of the picture, s. While it plays, the page reports it twice a second."""
@@ -104,7 +94,7 @@ class Water(anywidget.AnyWidget):
         playing: bool = True,
         panel: bool = False,
     ) -> None:
-        job = FrameRequest(what, time=time, camera=camera, quality=quality).job()
+        job = PictureRequest(what, time=time, camera=camera, quality=quality).job()
         super().__init__(
             scene=job.scene,
             camera=job.camera,

@@ -1,11 +1,4 @@
-"""Errors of sequences::
-
-SequenceError
-├── OtherSequenceError    the directory holds something else
-├── OutputError           the output cannot hold the sequence: odd sizes, sizes beyond a format
-├── MixedFleetError       workers have different renderers
-└── SequenceStoppedError  cancelled; what is finished stays
-"""
+"""Errors of sequences."""
 
 from typing import Literal
 

@@ -8,9 +8,11 @@ import subprocess
 import sys
 import threading
 from collections.abc import Callable, Iterator
-from http.server import BaseHTTPRequestHandler, HTTPServer
+from concurrent.futures import ThreadPoolExecutor
+from email.message import Message
 from importlib.metadata import version
 from pathlib import Path
+from urllib.error import HTTPError
 from urllib.parse import urlsplit
 from urllib.request import Request
 
@@ -20,12 +22,13 @@ import pytest
 import seafoam
 from seafoam.library.connection import Connection
 from seafoam.library.embedded import Embedded
-from seafoam.library.request import FrameRequest
+from seafoam.library.request import PictureRequest
 from seafoam.masks.catalogue import load_mask
 from seafoam.masks.construct.make import make_mask
 from seafoam.quality import TIERS
 from seafoam.scene.presets import load_preset
 from support.api_fakes import FakeRenderer
+from support.command import free_port
 
 SMALL = (24, 16)
 
@@ -59,68 +62,56 @@ def here(monkeypatch: pytest.MonkeyPatch) -> Iterator[Embedded]:
     source.close()
 
 
-def test_the_import_loads_nothing() -> None:
-    script = "import sys, seafoam; print(json.dumps(sorted(m for m in sys.modules if m.partition('.')[0] in %r)))"
-    heavy = {"numpy", "PIL", "pydantic", "moderngl", "fastapi", "seafoam"}
-    command = [sys.executable, "-c", "import json; " + script % heavy]
-    done = subprocess.run(command, capture_output=True, text=True, check=True)
-    assert json.loads(done.stdout) == ["seafoam"]
-    assert (Path(seafoam.__file__).parent / "py.typed").is_file()
-
-
 def test_every_name_is_there() -> None:
     assert [name for name in dir(seafoam) if not name.startswith("__")] == sorted(seafoam.__all__)
     for name in seafoam.__all__:
         assert getattr(seafoam, name).__doc__
     assert seafoam.__version__ == version("seafoam")
+    assert (Path(seafoam.__file__).parent / "py.typed").is_file()
     with pytest.raises(AttributeError, match="'breeze'"):
         _ = seafoam.breeze
 
 
 def test_a_job_has_the_presets_values_where_none_are_given() -> None:
     preset = load_preset("default")
-    job = FrameRequest("default").job()
+    job = PictureRequest("default").job()
     assert (job.time, (job.width, job.height), job.camera) == (preset.time, preset.size, preset.scene.camera)
     assert (job.preset, job.quality, job.format) == ("default", TIERS["standard"], "png")
-    changed = FrameRequest(
+    changed = PictureRequest(
         "default", time=3, size=SMALL, camera={"yaw": 1.0}, look="halftone", mask="vac-6", quality={}
     ).job()
     assert changed.scene.foam is not None
     assert (changed.scene.foam.look, changed.scene.foam.mask) == ("halftone", "vac-6")
     assert changed.camera == preset.scene.camera.model_copy(update={"yaw": 1.0})
-    own = FrameRequest({"sea": {"wind": 12.0}}).job()
+    own = PictureRequest({"sea": {"wind": 12.0}}).job()
     assert (own.time, own.width, own.height, own.preset) == (0.0, 1280, 720, None)
-    assert FrameRequest(own.scene).job().scene is own.scene
+    assert PictureRequest(own.scene).job().scene is own.scene
 
 
-@pytest.mark.parametrize("name", ["frame", "linear", "encoded", "mask", "connect", "Water"])
-def test_signatures_name_every_option(name: str) -> None:
-    parameters = inspect.signature(getattr(seafoam, name)).parameters.values()
-    assert not [one for one in parameters if one.kind in (one.VAR_KEYWORD, one.VAR_POSITIONAL)]
-    also = getattr(seafoam, f"{name}_async", None)
-    assert also is None or list(inspect.signature(also).parameters.values()) == list(parameters)
+def test_signatures_name_every_option_and_another_is_refused_with_them() -> None:
+    for name in ("frame", "linear", "encoded", "mask", "connect", "Water"):
+        parameters = inspect.signature(getattr(seafoam, name)).parameters.values()
+        assert not [one for one in parameters if one.kind in (one.VAR_KEYWORD, one.VAR_POSITIONAL)]
+        also = getattr(seafoam, f"{name}_async", None)
+        assert also is None or list(inspect.signature(also).parameters.values()) == list(parameters)
+    for name in ("frame", "linear", "encoded", "frame_async", "linear_async", "encoded_async"):
+        with pytest.raises(TypeError, match=rf"{name}\(\) .*'width'; .*time, size, quality, camera, look, mask"):
+            getattr(seafoam, name)("default", width=64)
 
 
-@pytest.mark.parametrize("name", ["frame", "linear", "encoded", "frame_async", "linear_async", "encoded_async"])
-def test_an_unknown_option_is_refused_with_the_known_ones(name: str) -> None:
-    with pytest.raises(TypeError, match=rf"{name}\(\) .*'width'; .*time, size, quality, camera, look, mask"):
-        getattr(seafoam, name)("default", width=64)
-
-
-def test_the_wrong_number_of_arguments_is_refused_in_the_functions_own_words() -> None:
-    with pytest.raises(TypeError, match="missing a required argument: 'name'"):
-        seafoam.mask()  # type: ignore[call-arg]
-    with pytest.raises(TypeError, match="too many positional arguments"):
-        seafoam.frame("default", 3)  # type: ignore[call-arg]
-
-
-def test_an_unknown_option_of_masks_and_of_the_widget() -> None:
-    with pytest.raises(TypeError, match="'side'; it has name, sigma, size, seed, aspect, age"):
-        seafoam.mask("vac", side=64)
-    with pytest.raises(TypeError, match=r"Water\(\) has no keyword 'size'; it has what, time"):
-        seafoam.Water(size=(64, 36))
-    with pytest.raises(TypeError, match=r"connect\(\) has no keyword 'secret'; it has url, key, timeout"):
-        seafoam.connect("http://127.0.0.1", secret="k")
+def test_calls_that_no_function_takes_are_refused_in_its_own_words() -> None:
+    for call, said in (
+        (lambda: seafoam.mask(), "missing a required argument: 'name'"),
+        (lambda: seafoam.frame("default", 3), "too many positional arguments"),
+        (lambda: seafoam.mask("vac", side=64), "'side'; it has name, sigma, size, seed, aspect, age"),
+        (lambda: seafoam.Water(size=(64, 36)), r"Water\(\) has no keyword 'size'; it has what, time"),
+        (
+            lambda: seafoam.connect("http://a", secret="k"),
+            r"connect\(\) has no keyword 'secret'; it has url, key, timeout",
+        ),
+    ):
+        with pytest.raises(TypeError, match=said):
+            call()
 
 
 @pytest.mark.parametrize(
@@ -145,26 +136,17 @@ def test_an_unknown_option_of_masks_and_of_the_widget() -> None:
 )
 def test_what_is_not_allowed_is_named(what, options, said: list[str]) -> None:
     with pytest.raises(seafoam.InvalidRequestError) as refused:
-        FrameRequest(what, **options).job()
+        PictureRequest(what, **options).job()
     for part in said:
         assert part in str(refused.value)
 
 
 def test_one_thread_draws_for_all(here: Embedded) -> None:
-    pictures: dict[int, bytes] = {}
-
-    def draw(index: int) -> None:
-        pictures[index] = here.encoded("default", time=index % 2, size=SMALL)
-
-    threads = [threading.Thread(target=draw, args=(index,)) for index in range(6)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    assert len(set(pictures.values())) == 2
+    with ThreadPoolExecutor(6) as threads:
+        pictures = list(threads.map(lambda index: here.encoded("default", time=index % 2, size=SMALL), range(6)))
+    assert len(set(pictures)) == 2
     here.close()
-    assert len(Drawer.threads) == 1
-    assert Drawer.closed == 1
+    assert (len(Drawer.threads), Drawer.closed) == (1, 1)
     here.close()
     assert here.frame("default", size=SMALL).size == SMALL  # a new context
 
@@ -196,12 +178,12 @@ def test_without_blocking_the_event_loop(here: Embedded) -> None:
 
 
 def test_masks(here: Embedded) -> None:
-    shipped = load_mask("vac-24").ranks
-    assert np.array_equal(here.mask("vac-24"), ((shipped + 0.5) / shipped.size).astype(np.float32))
-    oblong = make_mask("vac", sigma=3.0, size=(64, 40), seed=7)
-    assert np.array_equal(here.mask("vac", sigma=3, size=(64, 40), seed=7), ((oblong + 0.5) / 2560).astype(np.float32))
-    made = make_mask("vac", sigma=3.0, size=64, seed=7, method="batched")
-    assert np.array_equal(here.mask("vac", sigma=3, size=64, seed=7), ((made + 0.5) / made.size).astype(np.float32))
+    for ranks, mask in (
+        (load_mask("vac-24").ranks, here.mask("vac-24")),
+        (make_mask("vac", sigma=3.0, size=(64, 40), seed=7), here.mask("vac", sigma=3, size=(64, 40), seed=7)),
+        (make_mask("vac", sigma=3.0, size=64, seed=7, method="batched"), here.mask("vac", sigma=3, size=64, seed=7)),
+    ):
+        assert np.array_equal(mask, ((ranks + 0.5) / ranks.size).astype(np.float32))
     with pytest.raises(seafoam.InvalidRequestError, match=r"sigma 300.0 is outside 0\.5\.\.24"):
         here.mask("vac", sigma=300)
     with pytest.raises(seafoam.InvalidRequestError, match="'vax' is not one of vac"):
@@ -210,107 +192,78 @@ def test_masks(here: Embedded) -> None:
 
 def test_a_forked_process_says_that_it_cannot_draw(here: Embedded, monkeypatch: pytest.MonkeyPatch) -> None:
     here.frame("default", size=SMALL)
-    with monkeypatch.context() as child:
-        child.setattr("seafoam.library.embedded.os.getpid", lambda: -1)
-        with pytest.raises(RuntimeError, match="spawn"):
-            here.frame("default", size=SMALL)
-    here.close()
-    with monkeypatch.context() as child:
-        child.setattr("seafoam.library.embedded.os.getpid", lambda: -1)
-        with pytest.raises(RuntimeError, match="spawn"):
-            here.frame("default", size=SMALL)
+    for before in (lambda: None, here.close):
+        before()
+        with monkeypatch.context() as child:
+            child.setattr("seafoam.library.embedded.os.getpid", lambda: -1)
+            with pytest.raises(RuntimeError, match="spawn"):
+                here.frame("default", size=SMALL)
 
 
-Answer = tuple[int, dict[str, str], bytes]
+URL = "http://127.0.0.1:1"
 
 
-@pytest.fixture
-def served() -> Iterator[Callable[[list[Answer]], tuple[str, list[tuple[str, bytes]]]]]:
-    """A server that gives the answers in turn, and keeps what it was asked."""
-    servers = []
-
-    def serve(answers: list[Answer]) -> tuple[str, list[tuple[str, bytes]]]:
-        asked: list[tuple[str, bytes]] = []
-
-        class Handler(BaseHTTPRequestHandler):
-            def do_GET(self) -> None:
-                asked.append((self.path, self.rfile.read(int(self.headers.get("Content-Length", 0)))))
-                status, headers, body = answers.pop(0)
-                self.send_response(status)
-                for name, value in {**headers, "Content-Length": str(len(body))}.items():
-                    self.send_header(name, value)
-                self.end_headers()
-                self.wfile.write(body)
-
-            do_POST = do_GET  # noqa: N815
-
-            def log_message(self, *_: object) -> None:
-                """Say nothing."""
-
-        server = HTTPServer(("127.0.0.1", 0), Handler)
-        thread = threading.Thread(target=server.serve_forever)
-        thread.start()
-        servers.append((server, thread))
-        return f"http://127.0.0.1:{server.server_port}", asked
-
-    yield serve
-    for server, thread in servers:
-        server.shutdown()
-        thread.join()
-        server.server_close()
-
-
-def _npy(shape: tuple[int, ...]) -> bytes:
+def _npy(*shape: int) -> bytes:
     buffer = io.BytesIO()
     np.save(buffer, np.zeros(shape, np.float32))
     return buffer.getvalue()
 
 
-def test_a_connection_sends_the_scene_and_waits_while_the_server_is_busy(served) -> None:
-    url, asked = served([(429, {"Retry-After": "7"}, b"{}"), (503, {}, b"{}"), (200, {}, _npy((16, 24, 4)))])
+@pytest.fixture
+def asked(monkeypatch: pytest.MonkeyPatch) -> Callable[..., list[Request]]:
+    """The requests of connections to a server that gives these answers in turn: the content, or a refusal."""
+
+    def serve(*answers: bytes | tuple[int, dict[str, str], bytes]) -> list[Request]:
+        given, requests = iter(answers), []
+
+        def answer(request: Request, timeout: float) -> io.BytesIO:
+            requests.append(request)
+            match next(given):
+                case (status, headers, body):
+                    told = Message()
+                    for name, value in headers.items():
+                        told[name] = value
+                    raise HTTPError(request.full_url, status, "refused", told, io.BytesIO(body))
+                case body:
+                    return io.BytesIO(body)
+
+        monkeypatch.setattr("seafoam.library.connection.urlopen", answer)
+        return requests
+
+    return serve
+
+
+def test_a_connection_sends_the_scene_and_waits_while_the_server_is_busy(asked) -> None:
+    requests = asked((429, {"Retry-After": "7"}, b"{}"), (503, {}, b"{}"), _npy(16, 24, 4))
     waited: list[float] = []
-    with Connection(url + "/", sleep=waited.append) as source:
+    with Connection(URL + "/", sleep=waited.append) as source:
         assert source.linear("default", size=SMALL, quality="draft", time=9).shape == (16, 24, 4)
     assert waited == [7.0, 2.0]
-    path, body = asked[-1]
-    sent = json.loads(body)
-    assert path == "/api/frames"
+    assert requests[-1].full_url == f"{URL}/api/frames"
+    sent = json.loads(requests[-1].data)
     assert (sent["width"], sent["height"], sent["time"], sent["format"]) == (24, 16, 9.0, "npy")
     assert (sent["quality"], sent["preset"]) == ("draft", "default")
     assert sent["scene"] == load_preset("default").scene.model_dump(mode="json")
 
 
-def test_a_connection_sends_its_key(monkeypatch: pytest.MonkeyPatch) -> None:
-    sent = []
-
-    def answer(request: Request, timeout: float) -> io.BytesIO:
-        sent.append(request.get_header("Authorization"))
-        return io.BytesIO(_npy((8, 8)))
-
-    monkeypatch.setattr("seafoam.library.connection.urlopen", answer)
-    for key in ("correct-horse-battery", None):
-        with seafoam.connect("http://127.0.0.1:1", key=key) as source:
-            source.mask("vac-24")
-    assert sent == ["Bearer correct-horse-battery", None]
-
-
-def test_a_connections_masks(served) -> None:
-    url, asked = served([(200, {}, _npy((8, 8))), (200, {}, _npy((8, 8)))])
-    with seafoam.connect(url) as source:
+def test_a_connection_asks_for_masks_with_its_key(asked) -> None:
+    requests = asked(_npy(8, 8), _npy(8, 8))
+    with seafoam.connect(URL, key="correct-horse-battery") as source:
         source.mask("vac-24")
-        source.mask("vac", sigma=3, seed=None)  # type: ignore[typeddict-item]
-    assert [path for path, _ in asked] == [
-        "/api/masks/vac-24/data.npy",
-        "/api/masks/custom/data.npy?family=vac&sigma=3",
+    with seafoam.connect(URL) as source:
+        source.mask("vac", sigma=3, seed=None)
+    assert [(request.full_url.removeprefix(URL), request.get_header("Authorization")) for request in requests] == [
+        ("/api/masks/vac-24/data.npy", "Bearer correct-horse-battery"),
+        ("/api/masks/custom/data.npy?family=vac&sigma=3", None),
     ]
 
 
 @pytest.mark.parametrize(
     ("status", "kind"), [(404, ValueError), (422, ValueError), (500, RuntimeError), (504, RuntimeError)]
 )
-def test_a_servers_refusal_is_its_own_words(served, status: int, kind: type[Exception]) -> None:
-    url, _ = served([(status, {}, json.dumps({"detail": "the water is closed"}).encode())])
-    with seafoam.connect(url) as source, pytest.raises(kind, match="the water is closed") as refused:
+def test_a_servers_refusal_is_its_own_words(asked, status: int, kind: type[Exception]) -> None:
+    asked((status, {}, json.dumps({"detail": "the water is closed"}).encode()))
+    with seafoam.connect(URL) as source, pytest.raises(kind, match="the water is closed") as refused:
         source.frame("default", size=SMALL)
     assert getattr(refused.value, "status", status) == status
 
@@ -320,12 +273,8 @@ def test_no_server_and_no_address() -> None:
         with pytest.raises(seafoam.InvalidRequestError, match="must begin with http://"):
             seafoam.connect(url)
     seafoam.connect("http://[::1]:8000").close()
-    with HTTPServer(("127.0.0.1", 0), BaseHTTPRequestHandler) as taken:
-        port = taken.server_port
-    with (
-        seafoam.connect(f"http://127.0.0.1:{port}") as source,
-        pytest.raises(seafoam.ServerError, match=urlsplit(source.url).netloc),
-    ):
+    url = f"http://127.0.0.1:{free_port()}"
+    with seafoam.connect(url) as source, pytest.raises(seafoam.ServerError, match=urlsplit(url).netloc):
         source.frame("default", size=SMALL)
 
 

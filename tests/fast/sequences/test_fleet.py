@@ -1,5 +1,7 @@
-"""Frames on a Dask cluster of this machine: the same bytes, a lost worker, mixed fleets, threads, no cluster."""
+"""Work on a Dask cluster of this machine: frames of the same bytes, a lost worker, mixed fleets; masks and truth."""
 
+import io
+import json
 import os
 import signal
 import subprocess
@@ -7,12 +9,21 @@ import sys
 import time
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
+from distributed import Client, LocalCluster
+from typer.testing import CliRunner
 
+from seafoam import processes
+from seafoam.cli import app
 from seafoam.extras import MissingExtraError
-from seafoam.library.request import FrameRequest
+from seafoam.library.request import PictureRequest
+from seafoam.masks import bake
+from seafoam.reference.bake import baked, jobs_of
+from seafoam.scene.presets import load_preset
 from seafoam.sequences.errors import MixedFleetError, SequenceError
 from seafoam.sequences.fleet import DaskWorkers
 from seafoam.sequences.folder import SequenceFolder
@@ -24,7 +35,7 @@ from support.command import free_port
 
 
 def spec(frames: int, start: float = 0.0) -> SequenceSpec:
-    job = FrameRequest("paper-halftone", time=start, size=(64, 36), quality="draft").job()
+    job = PictureRequest("paper-halftone", time=start, size=(64, 36), quality="draft").job()
     return SequenceSpec(job, start + frames / 24, 24.0)
 
 
@@ -40,6 +51,13 @@ class OwnName(FakeRenderer):
 def fleet() -> Iterator[DaskWorkers]:
     with DaskWorkers(workers=2, factory=FakeRenderer) as workers:
         yield workers
+
+
+@pytest.fixture(scope="module")
+def scheduler(fleet: DaskWorkers) -> str:
+    """Address of a cluster with two workers."""
+    address: str = fleet.client.scheduler.address
+    return address
 
 
 def frames(path: Path) -> dict[str, bytes]:
@@ -147,7 +165,7 @@ def test_what_a_worker_raises_ends_the_sequence(fleet: DaskWorkers, tmp_path: Pa
     assert len(list(fleet.draw([(0, spec(1).frame(0))]))) == 1
 
 
-def test_a_mixed_fleet_is_refused_unless_it_is_allowed(tmp_path: Path) -> None:
+def test_a_mixed_fleet_is_refused_unless_it_is_allowed_and_so_is_a_worker_with_several_threads(tmp_path: Path) -> None:
     with DaskWorkers(workers=2, factory=OwnName, mixed=True) as workers:
         address = workers.client.scheduler.address
         assert len(list(workers.draw((index, spec(6).frame(index)) for index in range(6)))) == 6
@@ -155,11 +173,6 @@ def test_a_mixed_fleet_is_refused_unless_it_is_allowed(tmp_path: Path) -> None:
             DaskWorkers(address, factory=OwnName)
         with DaskWorkers(address, factory=OwnName, mixed=True) as joined:
             assert joined.info["renderer"] == "gradient"
-
-
-def test_a_worker_with_several_threads_is_refused() -> None:
-    from distributed import LocalCluster
-
     with (
         LocalCluster(n_workers=1, threads_per_worker=2, host="127.0.0.1", dashboard_address="127.0.0.1:0") as cluster,
         pytest.raises(SequenceError, match="--nthreads 1"),
@@ -168,9 +181,77 @@ def test_a_worker_with_several_threads_is_refused() -> None:
 
 
 def test_no_scheduler_and_no_dask(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("seafoam.processes.CONNECT_SECONDS", 0.5)
-    with pytest.raises(SequenceError, match="no scheduler answers at tcp://127"):
-        DaskWorkers("tcp://127.0.0.1:9")
+    monkeypatch.setattr(processes, "CONNECT_SECONDS", 0.3)
+    address = f"tcp://127.0.0.1:{free_port()}"
+    with pytest.raises(SequenceError, match=f"no scheduler answers at {address}"):
+        DaskWorkers(address)
+    with pytest.raises(processes.NoClusterError, match=address), processes.executor(address, 1):
+        pass
+    told = CliRunner().invoke(app, ["accuracy", "paper-threshold", "--scheduler", address])
+    assert told.exit_code != 0
+    assert address in str(told.exception)
     monkeypatch.setattr("seafoam.extras.find_spec", lambda name: None)
     with pytest.raises(MissingExtraError, match=r"seafoam\[cluster\]"):
         DaskWorkers()
+
+
+# Masks, truth and sweeps
+
+
+def test_jobs_run_elsewhere(scheduler: str) -> None:
+    for address in (None, scheduler):
+        with processes.executor(address, 1) as pool:
+            assert pool.submit(os.getpid).result() != os.getpid()
+            with pytest.raises(ZeroDivisionError):
+                pool.submit(divmod, 1, 0).result()
+
+
+def test_a_greeting_with_more_in_it_is_asked_for_again(scheduler: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    class Crowded(Client):
+        left = 2
+
+        def __init__(self, *given: object, **named: object) -> None:
+            if Crowded.left:
+                Crowded.left -= 1
+                raise AssertionError
+            super().__init__(*given, **named)
+
+    monkeypatch.setattr("distributed.Client", Crowded)
+    with processes.connected(scheduler) as client:
+        assert client.submit(divmod, 7, 2).result() == (3, 1)
+    Crowded.left = processes.CONNECT_ATTEMPTS
+    with pytest.raises(processes.NoClusterError, match="4 times"):
+        processes.connected(scheduler)
+
+
+def test_masks_of_a_cluster_are_those_of_this_process(
+    scheduler: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(bake, "SHIPPED_SIZE", 64)
+    monkeypatch.setattr(bake, "SHIPPED", [mask for mask in bake.SHIPPED if mask.sigma <= 2.0])
+    seen: list[float] = []
+    bake.bake_all(tmp_path / "here")
+    with processes.executor(scheduler, 0) as pool:
+        bake.bake_all(tmp_path / "there", seen.append, pool=pool)
+        # Of those that are not made again the ranks are kept.
+        bake.bake_all(tmp_path / "there", only=(bake.SHIPPED[0].name,), pool=pool)
+    assert seen == sorted(seen)
+    assert seen[-1] == 1.0
+    here, there = ({file.name: file.read_bytes() for file in (tmp_path / one).iterdir()} for one in ("here", "there"))
+    assert len(here) == 2 * len(bake.SHIPPED) + 1
+    assert here == there
+
+
+def test_truth_of_a_cluster_is_that_of_this_process(scheduler: str) -> None:
+    job = replace(jobs_of("default", load_preset("default").scene)[0], size=(8, 5), samples=1)
+    with processes.executor(scheduler, 0) as pool:
+        there, seconds = pool.submit(baked, job).result()
+    here, _ = baked(job)
+    assert seconds > 0.0
+    one, other = (np.load(io.BytesIO(content)) for content in (here, there))
+    assert set(one.files) == set(other.files)
+    for name in set(one.files) - {"meta"}:
+        np.testing.assert_array_equal(one[name], other[name])
+    about = [json.loads(each["meta"].tobytes()) for each in (one, other)]
+    # How long it took is part of the file.
+    assert {**about[0], "seconds": 0.0} == {**about[1], "seconds": 0.0}

@@ -11,7 +11,7 @@ import pytest
 from distributed import LocalCluster
 from PIL import Image
 
-from seafoam.library.request import FrameRequest
+from seafoam.library.request import PictureRequest
 from seafoam.sequences.fleet import DaskWorkers
 from seafoam.sequences.making import Output, Progress, make_sequence
 from seafoam.sequences.spec import SequenceSpec
@@ -44,7 +44,7 @@ def test_the_water_moves(local: Path) -> None:
 
 
 def test_two_workers_one_killed_midway_draw_the_same_bytes(local: Path, tmp_path: Path) -> None:
-    job = FrameRequest("paper-halftone", time=0.0, size=(64, 36), quality="draft").job()
+    job = PictureRequest("paper-halftone", time=0.0, size=(64, 36), quality="draft").job()
     killed: list[int] = []
     with DaskWorkers(workers=2) as workers:
 

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from seafoam.api.frames.plans import CompiledPlan
 from seafoam.api.http.problems import ExportTooLargeError, NotBuiltError
 from seafoam.framegraph.evaluation import FrameState, evaluate
 from seafoam.framegraph.passes import Pass
@@ -34,8 +35,7 @@ class Export:
     """What is taken home: the frame that the page opens with, its plan and its recipe."""
 
     job: FrameJob
-    plan: FramePlan
-    plan_json: bytes
+    compiled: CompiledPlan
     recipe: str
     title: str
 
@@ -71,7 +71,7 @@ def entries(export: Export, textures: dict[str, bytes], player: dict[str, bytes]
     scripts = ["data/plan.js", "data/recipe.js"]
     names = {
         sha256: f"data/texture-{index:02d}-{slug(name)}.js"
-        for index, (sha256, name) in enumerate(_distinct(export.plan).items())
+        for index, (sha256, name) in enumerate(_distinct(export.compiled.plan).items())
     }
     html = _filled(player["index.html"], export)
     tags = "".join(f'    <script src="{path}"></script>\n' for path in (*scripts, *names.values()))
@@ -81,12 +81,12 @@ def entries(export: Export, textures: dict[str, bytes], player: dict[str, bytes]
     yield "player.js", player["player.js"]
     for name in sorted(set(player) - set(PLAYER)):
         yield name, player[name]
-    yield "data/plan.js", (_GLOBAL + "seafoamData.plan = ").encode() + export.plan_json + b";\n"
+    yield "data/plan.js", (_GLOBAL + "seafoamData.plan = ").encode() + export.compiled.content + b";\n"
     yield "data/recipe.js", f"{_GLOBAL}seafoamData.recipe = {export.recipe};\n".encode()
     for sha256, path in names.items():
         encoded = base64.b64encode(textures[sha256]).decode()
         yield path, f'{_GLOBAL}seafoamData.textures["{sha256}"] =\n  "{encoded}";\n'.encode()
-    for index, (name, program) in enumerate(export.plan.programs.items()):
+    for index, (name, program) in enumerate(export.compiled.plan.programs.items()):
         yield f"programs/{index:02d}-{slug(name)}.vert.glsl", program.vertex.text.encode()
         yield f"programs/{index:02d}-{slug(name)}.frag.glsl", program.fragment.text.encode()
     yield "uniforms.json", json.dumps(uniforms(export), indent=1).encode() + b"\n"
@@ -101,12 +101,12 @@ def uniforms(export: Export) -> list[dict[str, Any]]:
     """Return each pass with the uniforms that its program declares: type, count, and float32 values in this frame."""
     return [
         {"pass": one.name, "program": one.program, "target": one.target, "uniforms": _values(export, one, index)}
-        for index, one in enumerate(export.plan.passes)
+        for index, one in enumerate(export.compiled.plan.passes)
     ]
 
 
 def _values(export: Export, one: Pass, index: int) -> dict[str, Any]:
-    plan, job = export.plan, export.job
+    plan, job = export.compiled.plan, export.job
     width, height = job.width, job.height
     if one.target != "screen":
         width, height = plan.targets[one.target].size.of_picture(width, height)
@@ -132,4 +132,4 @@ def _distinct(plan: FramePlan) -> dict[str, str]:
 
 def _filled(template: bytes, export: Export) -> str:
     """Return a template with the title and the hash of the plan. The title is a preset's, or fixed."""
-    return template.decode().replace("{{title}}", export.title).replace("{{plan}}", export.plan.sha256)
+    return template.decode().replace("{{title}}", export.title).replace("{{plan}}", export.compiled.sha256)

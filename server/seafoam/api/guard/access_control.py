@@ -6,7 +6,6 @@ from starlette.datastructures import Headers, MutableHeaders
 from starlette.responses import Response
 from starlette.types import ASGIApp, Receive, Scope, Send
 
-from seafoam.api.context import Context
 from seafoam.api.guard.keys import API, CHALLENGE, SIGNED, Access
 from seafoam.api.guard.rates import Standing, TokenBuckets, bucket_of, limit_of
 from seafoam.api.http.asgi import HttpMiddleware, altering
@@ -39,7 +38,7 @@ class AccessControl(HttpMiddleware):
         scope.setdefault("state", {})["client"] = name
         standing = None
         # Frames of an open stream are bounded by the stream, which counts when it is opened.
-        if self.rates is not None and not _is_of_a_stream(scope):
+        if self.rates is not None and not scope["app"].state.context.streams.has_frame(path):
             address = (scope.get("client") or ("",))[0]
             standing = self.rates.take(f"key {name}" if name else bucket_of(address))
         refusal = self._beyond(scope, standing) or self._refusal(scope, signed, name)
@@ -105,8 +104,3 @@ class AccessControl(HttpMiddleware):
         # In place: what counts and logs requests reads the route from the same scope.
         scope["raw_path"], scope["path"] = path, unquote(path.decode("latin-1"))
         return None
-
-
-def _is_of_a_stream(scope: Scope) -> bool:
-    context: Context = scope["app"].state.context
-    return context.streams.has_frame(scope["path"])

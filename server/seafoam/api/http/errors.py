@@ -1,17 +1,6 @@
 """Every error as RFC 9457 problem+json, from one table.
 
-What routers raise, beside what the layers below raise::
-
-    ApiError
-    ├── NotFoundError             no such preset, mask, texture, measurement
-    ├── BadRequestError           a parameter or member is not allowed, with its name and what is
-    ├── UnsupportedMediaError     a body that is not JSON
-    ├── ExportTooLargeError       a scene whose textures are too many bytes to take home
-    ├── NotBuiltError             the web client, of which the answer is a part, is not built
-    └── BusyError                 as much other work waits as may
-        ├── NotMeasuredError      the measurement that the answer hangs on is being made
-        └── StreamsFullError      all streams are taken
-    seafoam.render.service.errors.RenderError    QueueFull, Deadline, RendererUnavailable, RenderFailed
+Routers raise those of :mod:`seafoam.api.http.problems`, and what the layers below raise.
 """
 
 import logging
@@ -40,10 +29,6 @@ from seafoam.sequences.service import NotFinishedError, UnknownSequenceError
 log = logging.getLogger(__name__)
 
 MEDIA_TYPE = "application/problem+json"
-UNAVAILABLE_RETRY = 60
-"""Interval at which a server without GL looks for it again, s."""
-BACKGROUND_RETRY = 30
-"""Retry-After where too many sweeps or sequences wait, s."""
 
 
 class Problem(BaseModel):
@@ -186,15 +171,8 @@ def _field_error(item: Mapping[str, Any], body: Any, openapi: Schema, operation:
 
 async def _known(request: Request, error: Exception) -> JSONResponse:
     kind = next(PROBLEM_TYPES[base] for base in type(error).__mro__ if base in PROBLEM_TYPES)
-    errors: list[FieldProblem] = []
-    headers: dict[str, str] = {}
-    remedy = None
+    errors: list[FieldProblem] = getattr(error, "errors", [])
     match error:
-        case BadRequestError():
-            errors = error.errors
-        case problems.NotFoundError():
-            allowed = {"enum": list(error.known)} if error.known else None
-            errors = [FieldProblem(parameter=error.parameter, detail=str(error), allowed=allowed)]
         case UnknownSequenceError():
             errors = [FieldProblem(parameter="sequence", detail=str(error))]
         case render.FrameTooLargeError():
@@ -202,15 +180,8 @@ async def _known(request: Request, error: Exception) -> JSONResponse:
             posted = request.method == "POST"
             pointer, parameter = (f"/{error.field}", None) if posted else (None, error.field)
             errors = [FieldProblem(pointer=pointer, parameter=parameter, detail=str(error), allowed=bounds)]
-        case render.RenderQueueFullError() | problems.BusyError() | render.StartingError():
-            headers = {"Retry-After": str(error.retry_after)}
-        case BackgroundFullError():
-            headers = {"Retry-After": str(BACKGROUND_RETRY)}
-        case render.RendererUnavailableError():
-            headers = {"Retry-After": str(UNAVAILABLE_RETRY)}
-            remedy = str(error)
-        case MissingExtraError() | problems.NotBuiltError():
-            remedy = error.remedy
+    wait, remedy = getattr(error, "retry_after", None), getattr(error, "remedy", None)
+    headers = {} if wait is None else {"Retry-After": str(wait)}
     return problem(request.url.path, kind, str(error), errors=errors, remedy=remedy, headers=headers)
 
 

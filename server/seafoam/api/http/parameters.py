@@ -9,9 +9,11 @@ from seafoam.api.http.problems import BadRequestError, FieldProblem
 from seafoam.numerals import numeral_fields
 from seafoam.quality import TIERS, Quality, Tier
 from seafoam.render.encode import FrameFormat, Precision
+from seafoam.render.service.jobs import FrameJob
 from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Foam, Look
 from seafoam.scene.models import Scene
+from seafoam.scene.presets import Preset
 
 TIME_LIMIT = 1e9
 """Maximum |time|, s."""
@@ -145,6 +147,19 @@ class FrameParameters(SceneOverrides):
         angles = {name: value for name in ("yaw", "pitch", "roll", "fov") if (value := getattr(self, name)) is not None}
         return own.model_copy(update={"position": (x, y, z), **angles})
 
+    def job(self, preset: Preset, format: FrameFormat) -> FrameJob:
+        """Return a preset's frame with the given parameters; with quality auto that of tier standard.
+
+        Raises as :meth:`apply` does.
+        """
+        scene = self.apply(preset.scene)
+        quality = TIERS["standard" if self.quality == "auto" else self.quality]
+        time = preset.time if self.time is None else self.time
+        width = preset.size[0] if self.width is None else self.width
+        height = preset.size[1] if self.height is None else self.height
+        view = self.camera(scene.camera), width, height
+        return FrameJob(scene, quality, time, *view, format, preset.name, self.dither, self.precision)
+
 
 class ViewParameters(Parameters):
     """Size and camera of a frame, none of which has a default."""
@@ -248,6 +263,13 @@ class FrameRequest(SceneRequest):
     precision: ExrPrecision = "half"
     camera: OwnCamera = None
     preset: OriginalPreset = None
+
+    @property
+    def job(self) -> FrameJob:
+        """Return the frame; with quality auto that of tier standard."""
+        quality = quality_of("standard" if self.quality == "auto" else self.quality)
+        view = self.camera or self.scene.camera, self.width, self.height
+        return FrameJob(self.scene, quality, self.time, *view, self.format, self.preset, self.dither, self.precision)
 
 
 class ExportRequest(PlanRequest):

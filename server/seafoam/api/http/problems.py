@@ -23,7 +23,10 @@ class FieldProblem(BaseModel):
 
 
 class ApiError(Exception):
-    """Base class of errors that routers raise."""
+    """Base class of errors that routers raise.
+
+    Of any error the answer has ``errors`` of fields, a ``remedy`` and, s, ``retry_after``, where it has them.
+    """
 
 
 class NotFoundError(ApiError):
@@ -31,8 +34,8 @@ class NotFoundError(ApiError):
 
     def __init__(self, detail: str, parameter: str, known: Sequence[str] = ()) -> None:
         super().__init__(detail)
-        self.parameter = parameter
-        self.known = tuple(known)
+        allowed = {"enum": list(known)} if known else None
+        self.errors = [FieldProblem(parameter=parameter, detail=detail, allowed=allowed)]
 
 
 class BadRequestError(ApiError):

@@ -8,6 +8,7 @@ from starlette.responses import JSONResponse, Response
 
 from seafoam.accuracy.model import Points, Running, Sweep
 from seafoam.accuracy.points import points_of
+from seafoam.accuracy.report import csv_of
 from seafoam.accuracy.sweep import Subject, truth_info
 from seafoam.api.context import Context, InContext
 from seafoam.api.frames.presets import PresetName, find_preset
@@ -56,21 +57,11 @@ async def _shown(
     return _kept(request, await context.plans.run(render, sweep), media, sweep.model_dump(mode="json"))
 
 
-def _json(sweep: Sweep) -> bytes:
-    return sweep.model_dump_json().encode()
-
-
 def _plot(sweep: Sweep) -> bytes:
     # Matplotlib takes a second to import, so only a server that is asked for a plot pays.
     from seafoam.accuracy.plots import plot_sweep
 
     return plot_sweep(sweep)
-
-
-def _csv(sweep: Sweep) -> bytes:
-    from seafoam.accuracy.report import csv_of
-
-    return csv_of(sweep).encode()
 
 
 @router.get(
@@ -79,7 +70,7 @@ def _csv(sweep: Sweep) -> bytes:
 )
 async def get_accuracy_csv(preset: PresetName, _: NoParameters, request: Request, context: InContext) -> Response:
     """Get the measured cost of accuracy of a preset as CSV."""
-    return await _shown(preset, request, context, _csv, "text/csv")
+    return await _shown(preset, request, context, lambda sweep: csv_of(sweep).encode(), "text/csv")
 
 
 @router.get(
@@ -125,4 +116,4 @@ async def get_accuracy(preset: PresetName, _: NoParameters, request: Request, co
 
     The first request starts the measurement, which takes several minutes; until it is done, the status is 202.
     """
-    return await _shown(preset, request, context, _json, "application/json")
+    return await _shown(preset, request, context, lambda sweep: sweep.model_dump_json().encode(), "application/json")

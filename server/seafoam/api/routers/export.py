@@ -36,7 +36,7 @@ async def export_scene(body: Strict[ExportRequest], context: InContext) -> Respo
     camera = body.camera or body.scene.camera
     job = FrameJob(body.scene, quality, body.time, camera, body.width, body.height, "png", body.preset)
     title = load_preset(body.preset).title if body.preset else "A scene"
-    made = Export(job, compiled.plan, compiled.content, job.recipe(ANY_RENDERER, compiled.sha256), title)
+    made = Export(job, compiled, job.recipe(ANY_RENDERER, compiled.sha256), title)
     player = player_files()
     # Before the first byte: what fails now is a problem, what fails later only a broken archive.
     textures = await context.masks.run(texture_bytes, compiled.plan)

@@ -11,7 +11,7 @@ from starlette.responses import Response
 
 from seafoam.accuracy.sweep import Subject
 from seafoam.api.context import InContext
-from seafoam.api.frames.auto_quality import RequestedQuality, choose_quality
+from seafoam.api.frames.auto_quality import with_quality
 from seafoam.api.frames.presets import PresetName, find_preset, known_preset
 from seafoam.api.frames.request_cache import ResolvedFrame
 from seafoam.api.frames.respond import FRAME_RESPONSES, answer, resolve_frame, resolved_before
@@ -94,23 +94,15 @@ async def get_frame(
 
     async def resolve() -> ResolvedFrame:
         loaded = find_preset(preset)
-        width = loaded.size[0] if query.width is None else query.width
-        height = loaded.size[1] if query.height is None else query.height
-        scene = query.apply(loaded.scene)
-        time = loaded.time if query.time is None else query.time
-        subject = Subject(None if query.changed else loaded.name, scene, loaded.time, loaded.size)
-        given = RequestedQuality(query.quality, query.budget_ms, width, height, parameter=True)
-        if automatic:  # a scene that cannot be planned is refused before it is measured
-            await context.compiled(scene, TIERS["standard"], scene_at=None, parameters=query.changed)
-        quality, chosen = await choose_quality(given, subject, context)
-        view = query.camera(scene.camera), width, height
-        job = FrameJob(scene, quality, time, *view, format, preset, query.dither, query.precision)
+        job = query.job(loaded, format)
+        subject = Subject(None if query.changed else loaded.name, job.scene, loaded.time, loaded.size)
+        job, chosen = await with_quality(job, query, subject, context, parameters=query.changed)
         headers = {"Cache-Control": REVALIDATE, **chosen}
         return await resolve_frame(job, request, headers, "../plans", parameters=query.changed)
 
     # Once more is measured, the same request is answered by another quality.
-    automatic = query.quality == "auto"
-    resolved = await (resolve() if automatic else resolved_before(context, request, resolve))
+    known = query.quality != "auto"
+    resolved = await (resolved_before(context, request, resolve) if known else resolve())
     return await answer(resolved, request, context)
 
 
@@ -118,13 +110,7 @@ async def get_frame(
 async def render_frame(body: Strict[FrameRequest], request: Request, context: InContext) -> Response:
     """Render a frame of a scene sent as JSON."""
     known_preset(body.preset)
-    given = RequestedQuality(body.quality, body.budget_ms, body.width, body.height, parameter=False)
-    if body.quality == "auto":
-        await context.compiled(body.scene, TIERS["standard"], scene_at="/scene")
-    quality, chosen = await choose_quality(given, Subject.of_scene(body.scene), context)
-    camera = body.camera or body.scene.camera
-    size = body.width, body.height
-    job = FrameJob(body.scene, quality, body.time, camera, *size, body.format, body.preset, body.dither, body.precision)
+    job, chosen = await with_quality(body.job, body, Subject.of_scene(body.scene), context, scene_at="/scene")
     headers = {"Cache-Control": NO_STORE, **chosen}
     return await answer(await resolve_frame(job, request, headers, "plans", scene_at="/scene"), request, context)
 

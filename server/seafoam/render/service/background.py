@@ -9,7 +9,9 @@ J = TypeVar("J")
 
 
 class BackgroundFullError(Exception):
-    """As many jobs of this kind wait as may."""
+    """As many jobs of this kind wait as may; retry after ``retry_after`` seconds."""
+
+    retry_after = 30
 
 
 class BackgroundQueue(Generic[J]):

@@ -1,4 +1,4 @@
-"""Errors of a render service; the docstring of :mod:`seafoam.render.service.pool` has their tree."""
+"""Errors of a render service."""
 
 from typing import Literal
 
@@ -36,7 +36,14 @@ class StartingError(DeadlineError):
 
 
 class RendererUnavailableError(RenderError):
-    """No usable GL. The text gives the remedy."""
+    """No usable GL. The text gives the remedy; a server looks for one again after ``retry_after`` seconds."""
+
+    retry_after = 60
+
+    @property
+    def remedy(self) -> str:
+        """The text."""
+        return str(self)
 
 
 class RenderFailedError(RenderError):

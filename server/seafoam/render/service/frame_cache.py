@@ -5,7 +5,7 @@ import hashlib
 import json
 import threading
 from collections import Counter, OrderedDict
-from collections.abc import Callable, Coroutine, Mapping
+from collections.abc import Callable, Coroutine
 from dataclasses import replace
 from functools import lru_cache
 from importlib.metadata import version
@@ -128,11 +128,15 @@ class FrameCache:
         self._writing: set[asyncio.Task[Any]] = set()
 
     def key(self, job: FrameJob, plan: str) -> str:
-        """Return the key of a frame: a hash of everything that its bytes depend on. plan: SHA-256 of its frame plan.
+        """Return the key of a frame: a hash of everything that its bytes depend on, 40 hexadecimal digits.
 
-        The renderer must be known (:meth:`RenderPool.wait_until_settled`).
+        The recipe says more than the plan does: also what the plan leaves out. plan: SHA-256 of the frame plan. The
+        renderer must be known (:meth:`RenderPool.wait_until_settled`).
         """
-        return frame_key(job, plan, self.pool.info)
+        info = self.pool.info
+        parts = (version("seafoam"), _drawing(), ENCODERS, plan, job.recipe(info, plan), info, job.format)
+        text = json.dumps(parts, sort_keys=True, separators=(",", ":"))
+        return hashlib.sha256(text.encode()).hexdigest()[:40]
 
     def at_hand(self, key: str) -> bytes | None:
         """Return a frame from memory, at once, or None."""
@@ -186,17 +190,6 @@ class FrameCache:
             self._writing.add(writing)
             writing.add_done_callback(self._writing.discard)
         return frame
-
-
-def frame_key(job: FrameJob, plan: str, info: Mapping[str, str]) -> str:
-    """Return the hash of everything that a frame's bytes depend on, 40 hexadecimal digits.
-
-    The recipe says more than the plan does: also what the plan leaves out. plan: SHA-256 of the frame plan. info: the
-    renderer's.
-    """
-    parts = (version("seafoam"), _drawing(), ENCODERS, plan, job.recipe(info, plan), dict(info), job.format)
-    text = json.dumps(parts, sort_keys=True, separators=(",", ":"))
-    return hashlib.sha256(text.encode()).hexdigest()[:40]
 
 
 @lru_cache(maxsize=1)

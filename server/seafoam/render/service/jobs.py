@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache, partial
 from importlib.metadata import version
-from typing import Any, Generic, Literal, Protocol, TypeVar, get_args
+from typing import Any, Literal, Protocol, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -58,18 +58,10 @@ class FrameJob:
         """Of its pixels before they are encoded."""
         return self.width * self.height * BYTES_PER_PIXEL[self.output] * (2 if self.has_geometry else 1)
 
-    def recipe(self, info: Mapping[str, str], plan: str) -> str:
-        """Return the recipe as JSON with sorted keys: the same job on the same renderer gives the same text.
-
-        ``time`` is in seconds, ``width`` and ``height`` in pixels; ``scene``, ``quality``, ``camera`` and ``preset``
-        are what ``/api/frames`` takes, as are ``dither`` and ``precision``, which only the formats that they concern
-        have. info: the renderer's ``renderer`` and ``version``. plan: SHA-256 of the frame plan.
-        """
-        document = {
-            "recipe": RECIPE_VERSION,
-            "seafoam": version("seafoam"),
-            "renderer": renderer_of(info),
-            "plan": plan,
+    @property
+    def request(self) -> dict[str, Any]:
+        """What ``/api/frames`` takes for it, ``dither`` and ``precision`` only with formats that they concern."""
+        return {
             "format": self.format,
             "preset": self.preset,
             # With the frame's camera, whether it was sent in the scene or beside it: the same frame has the same bytes.
@@ -82,29 +74,27 @@ class FrameJob:
             **({"dither": self.dither} if self.format in ("png", "webp") else {}),
             **({"precision": self.precision} if self.format == "exr" else {}),
         }
-        return json.dumps(document, sort_keys=True, separators=(",", ":"), ensure_ascii=False)
 
+    def recipe(self, info: Mapping[str, str], plan: str) -> str:
+        """Return the recipe as JSON with sorted keys: the same job on the same renderer gives the same text.
 
-P = TypeVar("P")
-Q = TypeVar("Q")
+        info: the renderer's ``renderer`` and ``version``. plan: SHA-256 of the frame plan.
+        """
+        made = {"recipe": RECIPE_VERSION, "seafoam": version("seafoam"), "renderer": renderer_of(info), "plan": plan}
+        return json.dumps(made | self.request, sort_keys=True, separators=(",", ":"), ensure_ascii=False)
 
 
 @dataclass(frozen=True, slots=True)
-class Picture(Generic[P]):
+class Picture:
     """What a renderer drew for a job, before it is encoded. ``timings``: seconds by ``plan``, ``render``, ``read``."""
 
-    pixels: P
+    pixels: NDArray[Any]
     """(height, width, 4), top row first, as :func:`seafoam.render.encode.output_of` says; or (height, width, 8) with
-    normal and distance (:func:`seafoam.planner.make_geometry_plan`). Between processes, where they are."""
-    plan: str
-    """SHA-256 of the frame plan."""
+    normal and distance (:func:`seafoam.planner.make_geometry_plan`). Between processes a
+    :class:`seafoam.render.service.shared_buffer.SharedPixels` can stand for them."""
     info: Mapping[str, str]
     """The renderer's ``vendor``, ``renderer`` and ``version``."""
     timings: Mapping[str, float]
-
-    def with_pixels(self, pixels: Q) -> "Picture[Q]":
-        """Return the same picture with its pixels elsewhere."""
-        return Picture(pixels, self.plan, self.info, self.timings)
 
 
 Origin = Literal["memory", "disk", "shared", "drawn"]
@@ -191,14 +181,13 @@ def plan_hash(scene: Scene, quality: Quality) -> str:
     return make_plan(scene, quality).sha256
 
 
-def draw_frame(renderer: Renderer, job: FrameJob) -> Picture[NDArray[Any]]:
+def draw_frame(renderer: Renderer, job: FrameJob) -> Picture:
     """Plan and render one frame in this process.
 
     Raises :class:`seafoam.planner.PlanError` for a scene that cannot be planned, and what the renderer raises.
     """
     began = time.perf_counter()
     plan = make_plan(job.scene, job.quality)
-    digest = plan_hash(job.scene, job.quality)
     geometry = make_geometry_plan(job.scene, job.quality) if job.has_geometry else None
     planned = time.perf_counter()
     render = partial(renderer.render, time=job.time, camera=job.camera, width=job.width, height=job.height)
@@ -208,16 +197,16 @@ def draw_frame(renderer: Renderer, job: FrameJob) -> Picture[NDArray[Any]]:
     pixels = drawn[0].pixels if len(drawn) == 1 else np.concatenate([one.pixels for one in drawn], axis=-1)
     timings = {name: sum(one.timings[name] for one in drawn) for name in ("render", "read")}
     timings["plan"] = planned - began
-    return Picture(pixels, digest, dict(renderer.info), timings)
+    return Picture(pixels, dict(renderer.info), timings)
 
 
-def encode_frame(picture: Picture[NDArray[Any]], job: FrameJob) -> EncodedFrame:
+def encode_frame(picture: Picture, job: FrameJob) -> EncodedFrame:
     """Encode what was drawn for a job; needs no renderer, so that it can run beside the next frame."""
     began = time.perf_counter()
     if job.lossy:
         content = encode_lossy(picture.pixels)
     else:
-        recipe = job.recipe(picture.info, picture.plan)
+        recipe = job.recipe(picture.info, plan_hash(job.scene, job.quality))
         content = encode(picture.pixels, job.format, recipe, precision=job.precision)
     return EncodedFrame(content, {**picture.timings, "encode": time.perf_counter() - began})
 

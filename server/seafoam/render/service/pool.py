@@ -4,15 +4,7 @@ A GL call holds Python's lock until the picture is read, a context belongs to on
 hangs or crashes takes its process with it. So the parent never calls GL: spawned workers do, and they are killed and
 replaced when a frame exceeds its deadline. What a worker compiles for a frame is finished all the same.
 
-Errors::
-
-    RenderError
-    ├── FrameTooLargeError        the frame exceeds the size limits
-    ├── RenderQueueFullError      the render queue is full
-    ├── DeadlineError             timeout, waiting included
-    │   └── StartingError         the first picture is not drawn yet
-    ├── RendererUnavailableError  no usable GL, with the remedy
-    └── RenderFailedError         the worker raised an error, or crashed twice
+Errors: :mod:`seafoam.render.service.errors`.
 """
 
 import asyncio
@@ -31,7 +23,6 @@ from concurrent.futures.process import BrokenProcessPool
 from dataclasses import replace
 from typing import Any, Literal
 
-from numpy.typing import NDArray
 from pebble import ProcessExpired, ProcessPool
 
 from seafoam.render.gl.executor import Executor
@@ -194,7 +185,7 @@ class RenderPool:
         buffer = self._buffers.take(job.bytes)
         try:
             sent = await self._run(work_frame, (job, expires, buffer.address), expires, COMPILE_SECONDS)
-            picture = sent.with_pixels(buffer.received(sent.pixels))
+            picture = replace(sent, pixels=buffer.received(sent.pixels))
         except BaseException:
             # Closed, since the worker may still write to it.
             buffer.close()
@@ -205,23 +196,18 @@ class RenderPool:
         self._recent_seconds += 0.2 * (worked - self._recent_seconds)
         return replace(frame, timings={"queue": max(0.0, time.time() - began - worked), **frame.timings})
 
-    async def _encode(
-        self, picture: Picture[NDArray[Any]], job: FrameJob, buffer: SharedBuffer, expires: float
-    ) -> EncodedFrame:
+    async def _encode(self, picture: Picture, job: FrameJob, buffer: SharedBuffer, expires: float) -> EncodedFrame:
         """Encode in a thread; encoder and buffer are free when it ends, whether or not the caller still waits."""
         assert self._encoders is not None
         loop = asyncio.get_running_loop()
         encoding = loop.run_in_executor(self._encoders, encode_frame, picture, job)
-        encoding.add_done_callback(lambda _: self._encoded(buffer))
+        encoding.add_done_callback(lambda _: self._buffers.give_back(buffer))
+        encoding.add_done_callback(lambda _: self._free_encoders.release())
         try:
             async with asyncio.timeout(max(0.0, expires - time.time())):
                 return await asyncio.shield(encoding)
         except TimeoutError:
             raise DeadlineError("timeout: the frame was drawn, but not encoded before its deadline") from None
-
-    def _encoded(self, buffer: SharedBuffer) -> None:
-        self._buffers.give_back(buffer)
-        self._free_encoders.release()
 
     async def measure(self, job: MeasureJob) -> tuple[Drawn, ...]:
         """Measure in a worker, in turn with the frames, without taking a place in their queue.
@@ -338,17 +324,14 @@ class RenderPool:
                 # Pebble closes a pool permanently if an idle worker dies.
                 self.restarts["crash"] += 1
                 self._drop_processes()
-        self._processes = self._new_processes()
-        return self._processes.schedule(work, args, timeout=timeout)
-
-    def _new_processes(self) -> ProcessPool:
-        return ProcessPool(
+        self._processes = ProcessPool(
             max_workers=self.workers,
             max_tasks=self._recycle,
             initializer=start_worker,
             initargs=self._initargs,
             context=multiprocessing.get_context("spawn"),
         )
+        return self._processes.schedule(work, args, timeout=timeout)
 
     def _drop_processes(self) -> None:
         processes, self._processes = self._processes, None

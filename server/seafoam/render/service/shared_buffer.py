@@ -109,8 +109,8 @@ _mapped: OrderedDict[int, mmap.mmap] = OrderedDict()
 """A worker's mappings, by serial."""
 
 
-def send(pixels: NDArray[Any], address: BufferAddress | None) -> NDArray[Any] | SharedPixels:
-    """Write pixels to the parent's memory, in a worker; returns the pixels themselves where that is not possible."""
+def send(pixels: NDArray[Any], address: BufferAddress | None) -> Any:
+    """Write pixels to the parent's memory, in a worker, and return :class:`SharedPixels`, or else the pixels."""
     if address is None or pixels.nbytes > address.size:
         return pixels
     try:

@@ -8,17 +8,16 @@ import traceback
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from typing import Any, Generic, NoReturn, TypeVar
+from typing import Generic, NoReturn, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from seafoam.planner import make_geometry_plan, make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.render.gl.executor import NoRendererError
 from seafoam.render.service.errors import DeadlineError, RenderError, RendererUnavailableError, RenderFailedError
 from seafoam.render.service.jobs import Drawn, FrameJob, MeasureJob, Picture, Renderer, draw_frame, measure
-from seafoam.render.service.shared_buffer import BufferAddress, SharedPixels, send
+from seafoam.render.service.shared_buffer import BufferAddress, send
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 
@@ -147,15 +146,13 @@ def _check_time(expires: float) -> None:
         raise DeadlineError("the job has expired")
 
 
-def work_frame(
-    job: FrameJob, expires: float, buffer: BufferAddress | None
-) -> Answer[Picture[NDArray[Any] | SharedPixels]]:
+def work_frame(job: FrameJob, expires: float, buffer: BufferAddress | None) -> Answer[Picture]:
     """Render one frame, unless it has expired; the parent encodes it, beside the next.
 
     expires: of ``time.time()``; from then on the process may only compile. buffer: the parent's memory for the pixels.
     """
 
-    def draw(renderer: Renderer) -> Picture[NDArray[Any] | SharedPixels]:
+    def draw(renderer: Renderer) -> Picture:
         _compile(renderer, job)
         _check_time(expires)
         with _ended_at(expires):
@@ -163,7 +160,7 @@ def work_frame(
             if not drawn.pixels.any():
                 # A night may be black in float32; a lost context is, without an error.
                 draw_canary(renderer)
-        return drawn.with_pixels(send(drawn.pixels, buffer))
+        return replace(drawn, pixels=send(drawn.pixels, buffer))
 
     return _answer(expires, draw)
 

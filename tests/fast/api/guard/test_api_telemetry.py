@@ -1,8 +1,6 @@
 """Traces by OpenTelemetry: when they are made, and what they hold."""
 
 import asyncio
-import subprocess
-import sys
 import threading
 from collections.abc import Iterator
 from http.server import BaseHTTPRequestHandler, HTTPServer
@@ -18,10 +16,10 @@ from opentelemetry.sdk.trace.export.in_memory_span_exporter import InMemorySpanE
 from seafoam.api.frames.request_cache import ResolvedFrame
 from seafoam.api.frames.respond import answer
 from seafoam.api.watch import telemetry
-from seafoam.api.watch.telemetry import UnsupportedTelemetryError, configured
-from seafoam.api.watch.traces import Traces
+from seafoam.api.watch.telemetry import Traces, UnsupportedTelemetryError, configured
 from seafoam.extras import MissingExtraError
 from seafoam.render.service.jobs import EncodedFrame, Origin
+from support.command import imported
 from support.serving import answering
 
 ENDPOINT = {"OTEL_EXPORTER_OTLP_ENDPOINT": "http://127.0.0.1:4318"}
@@ -48,28 +46,16 @@ def recorded(monkeypatch: pytest.MonkeyPatch) -> Iterator[Recorded]:
     made.traces.close()
 
 
-@pytest.mark.parametrize(
-    ("environment", "expected"),
-    [
-        ({}, False),
-        ({"OTEL_SERVICE_NAME": "sea"}, False),
-        (ENDPOINT, True),
-        ({"OTEL_EXPORTER_OTLP_TRACES_ENDPOINT": "http://a/v1/traces"}, True),
-        ({**ENDPOINT, "OTEL_SDK_DISABLED": "true"}, False),
-        ({**ENDPOINT, "OTEL_TRACES_EXPORTER": "none"}, False),
-        ({**ENDPOINT, "OTEL_TRACES_EXPORTER": "otlp", "OTEL_EXPORTER_OTLP_PROTOCOL": "http/protobuf"}, True),
-    ],
-)
-def test_the_standard_variables_switch_it_on(environment: dict[str, str], expected: bool) -> None:
-    assert configured(environment) is expected
-
-
-@pytest.mark.parametrize(
-    ("name", "value"), [("OTEL_TRACES_EXPORTER", "console"), ("OTEL_EXPORTER_OTLP_PROTOCOL", "grpc")]
-)
-def test_what_is_not_supported_is_refused(name: str, value: str) -> None:
-    with pytest.raises(UnsupportedTelemetryError, match=rf"{name}: must be .*, not '{value}'"):
-        configured({**ENDPOINT, name: value})
+def test_the_standard_variables_switch_it_on_and_what_is_not_supported_is_refused() -> None:
+    otlp = {"OTEL_TRACES_EXPORTER": "otlp", "OTEL_EXPORTER_OTLP_PROTOCOL": "http/protobuf"}
+    for on in (ENDPOINT, {"OTEL_EXPORTER_OTLP_TRACES_ENDPOINT": "http://a/v1/traces"}, ENDPOINT | otlp):
+        assert configured(on), on
+    none = {"OTEL_TRACES_EXPORTER": "none"}
+    for off in ({}, {"OTEL_SERVICE_NAME": "sea"}, ENDPOINT | {"OTEL_SDK_DISABLED": "true"}, ENDPOINT | none):
+        assert not configured(off), off
+    for name, value in (("OTEL_TRACES_EXPORTER", "console"), ("OTEL_EXPORTER_OTLP_PROTOCOL", "grpc")):
+        with pytest.raises(UnsupportedTelemetryError, match=rf"{name}: must be .*, not '{value}'"):
+            configured({**ENDPOINT, name: value})
 
 
 def test_without_the_packages_the_error_names_them(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -81,13 +67,8 @@ def test_without_the_packages_the_error_names_them(monkeypatch: pytest.MonkeyPat
 
 def test_nothing_is_imported_where_nothing_asks_for_it() -> None:
     # FastAPI imports the API of OpenTelemetry itself.
-    code = """
-import sys
-from seafoam.api.app import create_app
-create_app()
-sys.exit(any(name.startswith(("opentelemetry.sdk", "opentelemetry.exporter")) for name in sys.modules))
-"""
-    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+    found = imported("from seafoam.api.app import create_app; create_app()")
+    assert [name for name in found if name.startswith(("opentelemetry.sdk", "opentelemetry.exporter"))] == []
 
 
 def test_a_span_for_each_request_of_which_an_unexpected_error_is_one(
