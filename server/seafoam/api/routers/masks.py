@@ -240,7 +240,7 @@ Shipped = Annotated[_MaskAnswer, Depends(_shipped_mask)]
 
 
 @dataclass(frozen=True, slots=True)
-class _Part:
+class _MaskPart:
     """What a mask has below its address beside its data. title: of a kind of mask. file: end of a saved file's name."""
 
     name: str
@@ -252,33 +252,33 @@ class _Part:
 
 
 _PARTS = {
-    "data8.png": _Part(
+    "data8.png": _MaskPart(
         "get_data8",
         "Get a {} mask in 8 bits.",
         "8-bit greyscale PNG of floor(rank 256/N)",
         lambda mask: formats.to_png8(mask.ranks),
         "-8bit.png",
     ),
-    "sidecar": _Part(
+    "sidecar": _MaskPart(
         "get_sidecar",
         "Get the metadata of a {} mask.",
         "Metadata: construction parameters, hash, filtering tables and spectrum",
         lambda mask: json.dumps(mask.sidecar()).encode(),
         ".json",
     ),
-    "spectrum": _Part(
+    "spectrum": _MaskPart(
         "get_spectrum",
         "Get the measured spectrum of a {} mask.",
         "Radially averaged power spectrum and anisotropy by grey level",
         lambda mask: json.dumps(mask.spectrum.to_json()).encode(),
     ),
-    "shapes": _Part(
+    "shapes": _MaskPart(
         "get_shapes",
         "Get the measured foam shapes of a {} mask.",
         "Connected components, holes and chord lengths of the foam by saturation; lengths in texels",
         lambda mask: json.dumps(mask.morphology.model_dump()).encode(),
     ),
-    "spectrum.png": _Part(
+    "spectrum.png": _MaskPart(
         "get_plot",
         "Get the measured spectrum of a {} mask as a plot.",
         "Plot of the radially averaged power spectrum and the anisotropy",
@@ -292,7 +292,7 @@ _PARTS = {
 def _serve_parts(path: str, kind: str, find: Callable[..., _MaskAnswer], responses: Responses) -> None:
     """Add the routes of :data:`_PARTS` below the address of a kind of mask. find: a dependency."""
 
-    def answering(part: _Part, media_type: str) -> Callable[..., Awaitable[Response]]:
+    def answering(part: _MaskPart, media_type: str) -> Callable[..., Awaitable[Response]]:
         async def answer(mask: Annotated[_MaskAnswer, Depends(find)]) -> Response:
             return await mask.answer(part.encode, media_type, part.file)
 
