@@ -21,6 +21,8 @@ BITS = {2: 16, 3: 10}
 SHIFT = (0.37, 0.71, 0.53)
 TORN = 0.25, 0.72
 """Range of a sum of noises over which patches of foam grow from nothing to full."""
+TORN_SHARES = 0.4, 0.35, 0.25
+"""Shares of the noises in that sum."""
 LOW = np.uint64(0xFFFFFFFF)
 Words = NDArray[np.uint64]
 """32-bit words, in 64 bits."""
@@ -115,11 +117,18 @@ def filtered_step(low: ArrayLike, high: ArrayLike, x: Floats, variance: Floats |
     return q * q * (3.0 - 2.0 * q)
 
 
-def patches(noises: list[tuple[float, float, Floats]], footprints: Footprints | None) -> Floats:
-    """How far patches of foam that a sum of noises tears have grown, averaged over footprints; (r,) in [0, 1].
+def patches(
+    x: Floats, z: Floats, octaves: tuple[tuple[float, bool], ...], footprints: Footprints | None, unit: float = 1.0
+) -> Floats:
+    """How far patches of foam that noise tears at (x, z) have grown, averaged over footprints; (r,) in [0, 1].
 
-    Each noise: its share, the size of its cells (m), and its values in [0, 1].
+    ``octaves``: the size of cells, and whether they are turned. Places and cells are in units of ``unit`` m.
     """
+    t_x, t_z = 0.8 * x - 0.6 * z, 0.6 * x + 0.8 * z
+    noises = [
+        (weight, cell * unit, value(KEY, t_x / cell, t_z / cell) if turned else value(KEY, x / cell, z / cell))
+        for weight, (cell, turned) in zip(TORN_SHARES, octaves, strict=True)
+    ]
     if footprints is None:
         return smoothstep(*TORN, np.sum([weight * noise for weight, _, noise in noises], axis=0))
     x, y = footprints

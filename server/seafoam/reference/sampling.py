@@ -31,7 +31,7 @@ def thresholds(ranks: Ranks) -> Floats:
 def nearest(image: Floats, u: Floats, v: Floats) -> Floats:
     """The texel that (u, v) lies in; (r,) or (r, channels)."""
     size = image.shape[0]
-    return image[_wrapped(np.floor(v * size), size), _wrapped(np.floor(u * size), size)]
+    return texel(image, np.floor(u * size), np.floor(v * size))
 
 
 def texel(image: Floats, column: Floats, row: Floats) -> Floats:
@@ -98,7 +98,7 @@ def bspline(image: Floats, u: Floats, v: Floats) -> SplineSample:
     size = image.shape[0]
     x, y = u * size - 0.5, v * size - 0.5
     i, j = np.floor(x), np.floor(y)
-    across, down = _spline(x - i), _spline(y - j)
+    across, down = spline(x - i), spline(y - j)
     orders = {"value": (0, 0), "u": (1, 0), "v": (0, 1), "uu": (2, 0), "vv": (0, 2), "uv": (1, 1)}
     sums = {name: np.zeros_like(u) for name in orders}
     for a in range(4):
@@ -135,7 +135,7 @@ def _wrapped(index: Floats, size: int) -> Indices:
     return np.mod(index, size).astype(np.intp)
 
 
-def _spline(f: Floats) -> tuple[list[Floats], list[Floats], list[Floats]]:
+def spline(f: Floats) -> tuple[list[Floats], list[Floats], list[Floats]]:
     """Weights of texels −1, 0, 1, 2 at the fraction f past texel 0, their first and second derivatives a texel."""
     g = 1.0 - f
     outer, inner = f * f * f / 6.0, 2.0 / 3.0 - 0.5 * f * f * (2.0 - f)

@@ -93,19 +93,8 @@ def load_truth(path: Path) -> Truth:
         foam = None
         if "foam" in stored:
             foam = np.unpackbits(stored["foam"], axis=1, count=meta["width"] * meta["samples"]).astype(np.bool_)
-    return Truth(
-        rgb=BRIGHTEST * (rgb / LEVELS) ** 2,
-        alpha=alpha / LEVELS,
-        foam=foam,
-        preset=meta["preset"],
-        look=meta["look"],
-        scene_sha256=meta["scene_sha256"],
-        time=meta["time"],
-        samples=meta["samples"],
-        mode=meta["mode"],
-        seconds=meta["seconds"],
-        numpy=meta["numpy"],
-    )
+    described = {name: value for name, value in meta.items() if name not in ("width", "height")}
+    return Truth(rgb=BRIGHTEST * (rgb / LEVELS) ** 2, alpha=alpha / LEVELS, foam=foam, **described)
 
 
 def truth_is_current(path: Path, scene: Scene) -> bool:

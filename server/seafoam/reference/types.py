@@ -65,8 +65,3 @@ def unit(a: Floats) -> Floats:
     """Vectors along the last axis scaled to length 1; a zero vector stays zero."""
     length = np.sqrt(dot(a, a))[..., None]
     return a / np.where(length > 0.0, length, 1.0)
-
-
-def unshadowed(place: Floats, footprints: Footprints) -> Floats:
-    """The :data:`Sunlight` of places on which nothing throws a shadow."""
-    return np.ones(len(place))

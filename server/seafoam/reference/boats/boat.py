@@ -16,13 +16,10 @@ from seafoam.reference.types import Floats, Indices, Sunlight, dot, smoothstep, 
 from seafoam.scene.boats import Boat
 from seafoam.scene.models import Scene
 
-BOUNCED = 0.1
-
-THROUGH_SAIL = 0.4
-
-UNDER_SAIL = 0.25
-
+BOUNCED, THROUGH_SAIL, UNDER_SAIL = 0.1, 0.4, 0.25
+"""Share of the light that arrives from below, and of the sun's that passes a sail and that its shadow has."""
 HULL, DECK, HOUSE, SPAR, SAIL = range(5)
+Vector = tuple[float, float, float]
 
 
 @dataclass
@@ -179,30 +176,20 @@ class _Boat:
         at = self.o + np.where(np.isinf(late), 0.0, late)[:, None] * self.d
         self._take(late, leave, -form.above().gradient(at), DECK)
 
-    def _spar(
-        self, foot: tuple[float, float, float], direction: tuple[float, float, float], reach: float, radius: float
-    ) -> None:
+    def _spar(self, foot: Vector, direction: Vector, reach: float, radius: float) -> None:
         axis, base = np.array(direction), np.array(foot)
         from_foot = self.o - base
         a = self.d - dot(self.d, axis)[:, None] * axis
         b = from_foot - dot(from_foot, axis)[:, None] * axis
         first, last = _roots(dot(a, a), dot(a, b), dot(b, b) - radius * radius)
-        ends = (
-            plane(direction, float(axis @ base) + reach),
-            plane((-direction[0], -direction[1], -direction[2]), -float(axis @ base)),
-        )
+        x, y, z = direction
+        ends = plane(direction, float(axis @ base) + reach), plane((-x, -y, -z), -float(axis @ base))
         enter, leave, gradient = self._interval(ends)
         around = (first > enter) & np.isfinite(first)
         gradient[around] = b[around] + first[around, None] * a[around]
         self._take(np.maximum(enter, first), np.minimum(leave, last), gradient, SPAR)
 
-    def _sail(
-        self,
-        tack: tuple[float, float, float],
-        head: tuple[float, float, float],
-        clew: tuple[float, float, float],
-        roach: float,
-    ) -> None:
+    def _sail(self, tack: Vector, head: Vector, clew: Vector, roach: float) -> None:
         corner = np.array(tack)
         luff, foot = np.array(head) - corner, np.array(clew) - corner
         n = np.cross(luff, foot)
@@ -225,21 +212,14 @@ class _Boat:
 
 def _roots(a: Floats, b: Floats, c: Floats) -> tuple[Floats, Floats]:
     """The interval of t in which at² + 2bt + c ≤ 0, a ≥ 0; (∞, −∞) if it is empty."""
-    first, last = np.full(a.shape, np.inf), np.full(a.shape, -np.inf)
-    straight = a < 1e-14
-    rate = np.where(b == 0.0, 1.0, b)
-    t = -0.5 * c / rate
-    first = np.where(straight & (b < 0.0), t, np.where(straight & (b > 0.0), -np.inf, first))
-    last = np.where(straight & (b < 0.0), np.inf, np.where(straight & (b > 0.0), t, last))
-    everywhere = straight & (b == 0.0) & (c <= 0.0)
-    first, last = np.where(everywhere, -np.inf, first), np.where(everywhere, np.inf, last)
-    square = b * b - a * c
-    bent = ~straight & (square > 0.0)
+    straight, square = a < 1e-14, b * b - a * c
     q = -(b + np.where(b < 0.0, -1.0, 1.0) * np.sqrt(np.maximum(square, 0.0)))
-    root = q / np.where(straight, 1.0, a)
-    two = c / np.where(q == 0.0, 1.0, q)
-    first = np.where(bent, np.minimum(root, two), first)
-    last = np.where(bent, np.maximum(root, two), last)
+    one, two = q / np.where(straight, 1.0, a), c / np.where(q == 0.0, 1.0, q)
+    t = -0.5 * c / np.where(b == 0.0, 1.0, b)
+    everywhere = straight & (b == 0.0) & (c <= 0.0)
+    cases = [~straight & (square > 0.0), straight & (b < 0.0), straight & (b > 0.0), everywhere]
+    first = np.select(cases, [np.minimum(one, two), t, np.full_like(t, -np.inf), np.full_like(t, -np.inf)], np.inf)
+    last = np.select(cases, [np.maximum(one, two), np.full_like(t, np.inf), t, np.full_like(t, np.inf)], -np.inf)
     return first, last
 
 

@@ -9,9 +9,7 @@ from seafoam.reference.types import Floats, dot
 from seafoam.scene.boats import Boat
 
 BOW, QUARTER, BEAM, STEM, DRAUGHT = 0.36, 0.3, 0.1, 0.42, 0.08
-
 RADON = math.sqrt(2.0 / 3.0)
-
 UP = np.array([0.0, 1.0, 0.0])
 
 

@@ -1,18 +1,26 @@
-"""Section 15: wakes and their foam."""
+"""Sections 15 and 16: wakes and their foam.
+
+Standing waves behind stones are wakes of hulls that move against the current as fast as it flows.
+"""
 
 import math
 from dataclasses import dataclass
+from fractions import Fraction
 
 import numpy as np
 
-from seafoam.ocean.waves.wakes import Wake, joint_height, joint_slope, wakes
+from seafoam.ocean.waves.wakes import LEAST_SPEED, Wake, joint_height, joint_slope, stone_wakes, wakes
 from seafoam.reference.boats.floating import HULL_SPEED, Course, course_of
 from seafoam.reference.boats.form import FORMS, STEM
-from seafoam.reference.noise import KEY, filtered_step, footprint_variance, patches, value
+from seafoam.reference.noise import filtered_step, footprint_variance, patches
 from seafoam.reference.types import Bools, Floats, Footprints, Gradient, smoothstep
 from seafoam.scene.boats import Boat
 from seafoam.scene.foam import WakeSaturation
 from seafoam.scene.models import Scene
+from seafoam.scene.water import Current, Stone
+
+PATCHES = (0.31, False), (0.11, True), (0.037, False)
+"""Cells of the noise that tears a wake's foam, in lengths of the hull, and whether they are turned."""
 
 
 @dataclass(frozen=True)
@@ -85,7 +93,7 @@ class WakeSet(Wakes):
             b, s = behind / size, np.abs(aside) / size
             past = np.maximum(b - 0.86, 0.0)
             on_x, on_z = (x + course.centre[0]) / size, (z + course.centre[1]) / size
-            torn = wake_patches(on_x, on_z, size, footprints)
+            torn = patches(on_x, on_z, PATCHES, footprints, size)
             width = 0.085 + 0.055 * np.sqrt(past)
             q = np.clip((s - 0.5 * width) / (0.65 * width), 0.0, 1.0)
             band = (1.0 - q * q * (3.0 - 2.0 * q)) * smoothstep(-0.06, 0.04, b - 0.86)
@@ -107,17 +115,6 @@ class WakeSet(Wakes):
             total += source.bow * share**2 * thrown * (0.3 + torn)
             total += source.contact * share * contact(boat, course, x, z, torn, footprints)
         return np.minimum(total, cap)
-
-
-def wake_patches(on_x: Floats, on_z: Floats, size: float, footprints: Footprints | None) -> Floats:
-    """Share of torn foam at places in lengths of ``size`` m, averaged over footprints; (r,) in [0, 1]."""
-    t_x, t_z = 0.8 * on_x - 0.6 * on_z, 0.6 * on_x + 0.8 * on_z
-    noises = [
-        (0.4, 0.31 * size, value(KEY, on_x / 0.31, on_z / 0.31)),
-        (0.35, 0.11 * size, value(KEY, t_x / 0.11, t_z / 0.11)),
-        (0.25, 0.037 * size, value(KEY, on_x / 0.037, on_z / 0.037)),
-    ]
-    return patches(noises, footprints)
 
 
 def contact(boat: Boat, course: Course, x: Floats, z: Floats, torn: Floats, footprints: Footprints | None) -> Floats:
@@ -209,3 +206,62 @@ def wake_set(scene: Scene, time: float, origin: tuple[float, float]) -> WakeSet:
     patterns = wakes(scene.boats)
     courses = tuple(course_of(boat, time, origin) for boat in scene.boats)
     return WakeSet(patterns, joint_height(patterns), joint_slope(patterns), scene.boats, courses)
+
+
+@dataclass(frozen=True)
+class StoneSet(Wakes):
+    """The standing waves of a current's stones."""
+
+    current: Current
+    origin: tuple[float, float]
+
+    @property
+    def _downstream(self) -> tuple[float, float]:
+        return math.cos(self.current.direction), math.sin(self.current.direction)
+
+    def along(self, i: int, x: Floats, z: Floats) -> tuple[Floats, Floats, Gradient, Gradient]:
+        c, s = self._downstream
+        behind, aside = self._from_middle(self.current.stones[i], x, z)
+        return behind + self.current.stones[i].radius, aside, (c, s), (-s, c)
+
+    def _from_middle(self, stone: Stone, x: Floats, z: Floats) -> tuple[Floats, Floats]:
+        """How far places (x, z), m from the origin, are downstream of a stone's middle and to the right; (r,) m."""
+        c, s = self._downstream
+        from_x, from_z = (
+            part + float(Fraction(a) - Fraction(b)) for part, a, b in zip((x, z), self.origin, stone.place, strict=True)
+        )
+        return c * from_x + s * from_z, c * from_z - s * from_x
+
+    def foam(self, source: WakeSaturation, x: Floats, z: Floats, cap: float, footprints: Footprints | None) -> Floats:
+        """f of the stones' foam at (x, z), m from the origin, averaged over footprints; (r,) in [0, cap]."""
+        total = np.zeros_like(x)
+        speed = self.current.speed
+        if speed < LEAST_SPEED:
+            return total
+        c, s = self._downstream
+        for stone in self.current.stones:
+            r = stone.radius
+            behind, aside = (distance / r for distance in self._from_middle(stone, x, z))
+            on_x, on_z = ((c * behind - s * aside) / 4.0, (s * behind + c * aside) / 4.0)
+            torn = patches(on_x, on_z, PATCHES, footprints, 4.0 * r)
+            v_x = footprint_variance((c, s), footprints) / r**2
+            v_z = footprint_variance((-s, c), footprints) / r**2
+            down = np.maximum(behind, 0.0)
+            width = 0.9 + 0.2 * np.sqrt(down)
+            band = filtered_step(-1.2 * width, -0.6 * width, aside, v_z)
+            band -= filtered_step(0.6 * width, 1.2 * width, aside, v_z)
+            band *= filtered_step(-0.7, 0.3, behind, v_x) * np.exp(-np.minimum(down * r / (source.life * speed), 80.0))
+            wider = 1.0 + 2.0 * (v_x + v_z) / 0.25**2
+            off = (np.hypot(behind, aside) - 1.0) / 0.25
+            rim = np.exp(-np.minimum(off**2 / wider, 80.0)) / np.sqrt(wider)
+            cushion = rim * (1.0 - filtered_step(-0.5, 0.5, behind, v_x))
+            share = min(speed / (HULL_SPEED * math.sqrt(4.0 * r)), 1.0)
+            total += share * source.amount * band * (0.3 + 0.9 * torn)
+            total += share * source.bow * cushion * (0.3 + torn)
+        return np.minimum(total, cap)
+
+
+def stone_set(current: Current, origin: tuple[float, float]) -> StoneSet:
+    """The standing waves of a current's stones around an origin (x, z) in m."""
+    patterns = stone_wakes(current)
+    return StoneSet(patterns, joint_height(patterns), joint_slope(patterns), current, origin)

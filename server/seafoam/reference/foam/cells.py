@@ -44,23 +44,16 @@ def corners(u: Floats, v: Floats, blended: bool) -> list[Corner]:
     i, j = np.floor(a), np.floor(b)
     s, t = a - i, b - j
     upper = s + t > 1.0
-    shares = [
-        np.where(upper, s + t - 1.0, 1.0 - s - t),
-        np.where(upper, 1.0 - t, s),
-        np.where(upper, 1.0 - s, t),
-    ]
-    one, none = np.ones_like(s), np.zeros_like(s)
-    both = np.where(upper, 1.0, 0.0)
-    offsets = [(both, both), (one, none), (none, one)]
+    shares = np.where(upper, (s + t - 1.0, 1.0 - t, 1.0 - s), (1.0 - s - t, s, t))
     if blended:
-        weights = [np.maximum(share - LEAST, 0.0) ** 4 for share in shares]
+        weights = np.maximum(shares - LEAST, 0.0) ** 4
     else:
-        nearest = np.argmax(shares, axis=0)
-        weights = [np.where(nearest == index, 1.0, 0.0) for index in range(3)]
-    total = weights[0] + weights[1] + weights[2]
+        weights = (np.argmax(shares, axis=0) == np.arange(3)[:, None]).astype(np.float64)
+    both = upper.astype(np.float64)
+    offsets: tuple[tuple[Floats | float, Floats | float], ...] = ((both, both), (1.0, 0.0), (0.0, 1.0))
     return [
-        _corner(weight / total, i + di, j + dj, s - di, t - dj)
-        for weight, (di, dj) in zip(weights, offsets, strict=True)
+        _corner(weight, i + di, j + dj, s - di, t - dj)
+        for weight, (di, dj) in zip(weights / weights.sum(axis=0), offsets, strict=True)
     ]
 
 

@@ -103,7 +103,7 @@ def coverage(
             return covered(assets, s, points, foam.fade)
         b = sampling.bspline(assets.thresholds, points.u, points.v).value
         return looks.converged_coverage(s, b, assets.quantiles[0], foam.fade)
-    left = s if shares else looks.faded(s, foam.fade)
+    left = s if shares else looks.ramped(s, foam.fade)
     for number in range(min(foam.octaves, octaves)):
         if filtering:
             shown = looks.octave_shown(points.size(assets)) if number else np.ones_like(s)

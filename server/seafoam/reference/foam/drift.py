@@ -16,7 +16,7 @@ import numpy as np
 from seafoam.ocean.waves.stokes import steady_drift
 from seafoam.reference.noise import pcg, value
 from seafoam.reference.types import Floats, smoothstep
-from seafoam.scene.foam import DriftSaturation, Vortex
+from seafoam.scene.foam import Drift, DriftSaturation
 from seafoam.scene.models import Scene
 
 GENERATIONS = 4
@@ -98,34 +98,45 @@ def flow_of(scene: Scene) -> Flow:
     """The flow of a scene that has a drift."""
     drift = scene.drift
     assert drift is not None
-    return Flow(steady_drift(scene), 0.5 * drift.size, tuple(_vortex(vortex, drift.place) for vortex in drift.vortices))
+    vortices = tuple((*_apart(one.place, drift.place), one.radius, one.speed) for one in drift.vortices)
+    return Flow(steady_drift(scene), 0.5 * drift.size, vortices)
 
 
-def _vortex(vortex: Vortex, place: tuple[float, float]) -> tuple[float, float, float, float]:
-    x, z = (float(Fraction(a) - Fraction(b)) for a, b in zip(vortex.place, place, strict=True))
-    return x, z, vortex.radius, vortex.speed
+def _apart(place: tuple[float, float], middle: tuple[float, float]) -> tuple[float, float]:
+    x, z = (float(Fraction(a) - Fraction(b)) for a, b in zip(place, middle, strict=True))
+    return x, z
+
+
+def _over_square(
+    scene: Scene, drift: Drift, origin: tuple[float, float], x: Floats, z: Floats
+) -> tuple[Flow, tuple[Floats, Floats], Floats]:
+    """The flow, places (x, z), m from the origin, in its square, m from the middle, and the foam's fade to the rim."""
+    flow, (from_x, from_z) = flow_of(scene), _apart(origin, drift.place)
+    q_x, q_z = x + from_x, z + from_z
+    return flow, (q_x, q_z), 1.0 - smoothstep(RIM, 1.0, np.hypot(q_x, q_z) / flow.half)
+
+
+def _generation(source: DriftSaturation, time: float) -> tuple[int, float, float]:
+    """Number of the youngest generation of foam at a time, its age, and the time from one to the next, s."""
+    interval = Fraction(source.life) / GENERATIONS
+    number = math.floor(Fraction(time) / interval)
+    return number, float(Fraction(time) - number * interval), float(interval)
 
 
 def drift_saturation(
     scene: Scene, source: DriftSaturation, time: float, origin: tuple[float, float], x: Floats, z: Floats
 ) -> Floats:
     """f of drifting foam at (x, z), m from the origin, at a time (s); (r,), not capped."""
-    drift = scene.drift
-    if drift is None:
-        return np.zeros_like(x)
-    flow = flow_of(scene)
-    q_x = x + float(Fraction(origin[0]) - Fraction(drift.place[0]))
-    q_z = z + float(Fraction(origin[1]) - Fraction(drift.place[1]))
-    rim = 1.0 - smoothstep(RIM, 1.0, np.hypot(q_x, q_z) / flow.half)
     result = np.zeros_like(x)
+    if scene.drift is None:
+        return result
+    flow, (q_x, q_z), rim = _over_square(scene, scene.drift, origin, x, z)
     inside = np.flatnonzero(rim > 0.0)
-    interval = Fraction(source.life) / GENERATIONS
-    number = math.floor(Fraction(time) / interval)
-    youngest = float(Fraction(time) - number * interval)
+    number, youngest, interval = _generation(source, time)
     at_x, at_z = q_x[inside], q_z[inside]
     for j in range(GENERATIONS):
-        at_x, at_z = flow.back(at_x, at_z, youngest if j == 0 else float(interval))
-        age = youngest + j * float(interval)
+        at_x, at_z = flow.back(at_x, at_z, youngest if j == 0 else interval)
+        age = youngest + j * interval
         share = math.sin(math.pi * age / source.life) ** 2
         result[inside] += share * patch(source, (number - j) % COUNTED, at_x, at_z)
     return source.amount * rim * result
@@ -153,21 +164,15 @@ def copies(
     scene: Scene, source: DriftSaturation, tile: float, time: float, origin: tuple[float, float], x: Floats, z: Floats
 ) -> list[Copy]:
     """The two copies of a mask with tiles of a side ``tile`` (m) at (x, z), m from the origin, at a time (s)."""
-    drift = scene.drift
-    assert drift is not None
-    flow = flow_of(scene)
-    q_x = x + float(Fraction(origin[0]) - Fraction(drift.place[0]))
-    q_z = z + float(Fraction(origin[1]) - Fraction(drift.place[1]))
-    rim = 1.0 - smoothstep(RIM, 1.0, np.hypot(q_x, q_z) / flow.half)
-    interval = Fraction(source.life) / GENERATIONS
-    number = math.floor(Fraction(time) / interval)
-    youngest = float(Fraction(time) - number * interval)
+    assert scene.drift is not None
+    flow, (q_x, q_z), rim = _over_square(scene, scene.drift, origin, x, z)
+    number, youngest, interval = _generation(source, time)
     inside = np.flatnonzero(rim > 0.0)
-    grown = math.sin(0.5 * math.pi * youngest / float(interval)) ** 2
+    grown = math.sin(0.5 * math.pi * youngest / interval) ** 2
     # Weight of the copy of odd generations; outside the square only the other copy is visible.
     share = rim * (grown if number % 2 == 1 else 1.0 - grown)
     pair = []
-    for i, seconds in enumerate((youngest, youngest + float(interval))):
+    for i, seconds in enumerate((youngest, youngest + interval)):
         odd = (number - i) % 2 == 1
         apart = tuple(part * tile if odd else 0.0 for part in APART)
         away, turn = np.zeros((x.size, 2)), np.tile(np.eye(2), (x.size, 1, 1))

@@ -6,6 +6,7 @@ from functools import lru_cache
 from typing import Literal
 
 import numpy as np
+from scipy.interpolate import CubicHermiteSpline
 
 from seafoam.reference.noise import fractal
 from seafoam.reference.types import Floats, Footprints, SurfacePoints, smoothstep
@@ -13,11 +14,8 @@ from seafoam.reference.waves.parametric import WaveSet, noise_place
 from seafoam.scene.foam import FrontSaturation
 
 TURN = 2.0 * math.pi
-
 CAP = 4.0
-
 EXPONENT = 80.0
-
 CELLS = 16384
 """Cells of the tabulated integral, interpolated by cubics: error below 10⁻¹²."""
 
@@ -25,7 +23,6 @@ LISTING_SPATIAL = 6.28 / (2.0 * math.pi)
 """Factor of the wavenumbers in the published code."""
 
 GATE_LEAST = 1e-4
-
 LEAST_RATE = 1e-3
 """Least mean frequency of the waves for drifting water, rad/s."""
 
@@ -132,26 +129,20 @@ class WaveFrontIntegral:
     def __init__(self, intensity: float, base: float) -> None:
         self.full = 2.0 * math.atan2(1.0, math.log(intensity) / math.log(base))
         """ψ₁: f is at least 1 from 0 to this phase."""
-        self.cell = (2.0 * math.pi - self.full) / CELLS
+        cell = (2.0 * math.pi - self.full) / CELLS
         edges = np.linspace(self.full, 2.0 * math.pi, CELLS + 1)
         nodes, weights = np.polynomial.legendre.leggauss(8)
-        inner: Floats = edges[:-1, None] + 0.5 * self.cell * (nodes + 1.0)
-        cells = 0.5 * self.cell * (_front(inner, intensity, base) @ weights)
-        self.sums = self.full + np.concatenate(([0.0], np.cumsum(cells)))
-        self.values = _front(edges, intensity, base)
+        inner: Floats = edges[:-1, None] + 0.5 * cell * (nodes + 1.0)
+        cells = 0.5 * cell * (_front(inner, intensity, base) @ weights)
+        sums = self.full + np.concatenate(([0.0], np.cumsum(cells)))
+        self.whole = sums[-1]
+        self.tail = CubicHermiteSpline(edges, sums, _front(edges, intensity, base))
 
     def __call__(self, psi: Floats) -> Floats:
         """I at ψ, rad; of the shape of ``psi``."""
         turns = np.floor(psi / (2.0 * math.pi))
         rest = psi - 2.0 * math.pi * turns
-        place = np.maximum(rest - self.full, 0.0) / self.cell
-        i = np.minimum(place.astype(np.intp), CELLS - 1)
-        t = np.minimum(place - i, 1.0)
-        step, y0, y1 = self.cell, self.sums[i], self.sums[i + 1]
-        d0, d1 = self.values[i] * step, self.values[i + 1] * step
-        rise = y1 - y0
-        tail = y0 + t * (d0 + t * ((3.0 * rise - 2.0 * d0 - d1) + t * (d0 + d1 - 2.0 * rise)))
-        result: Floats = turns * self.sums[-1] + np.where(rest < self.full, rest, tail)
+        result: Floats = turns * self.whole + np.where(rest < self.full, rest, self.tail(np.maximum(rest, self.full)))
         return result
 
     def mean(self, psi: Floats, width: Floats) -> Floats:

@@ -111,11 +111,6 @@ def filtered_coverage(s: Floats, minified: Floats, magnified: Floats, size: Floa
     return np.clip(A, 0.0, 1.0)
 
 
-def faded(s: Floats, fade: float) -> Floats:
-    """R(s): mean coverage of the look with a fade for saturation s; octaves have the same mean."""
-    return _ramp(s, fade)
-
-
 def octave(u: Floats, v: Floats) -> tuple[Floats, Floats]:
     """Coordinates or footprints in the next octave: times the Gaussian integer 4 + 3i, five times finer, rotated by
     37°."""
@@ -168,10 +163,11 @@ def _box_shares(t: Floats, width: Floats) -> list[Floats]:
 
 def _ramp_mean(threshold: Floats, low: Floats, width: Floats, fade: float | Floats) -> Floats:
     """Mean of the ramp for thresholds uniform in [low, low + width]; (r,)."""
-    return (_ramp(threshold - low, fade) - _ramp(threshold - low - width, fade)) / width
+    return (ramped(threshold - low, fade) - ramped(threshold - low - width, fade)) / width
 
 
-def _ramp(x: Floats, fade: float | Floats) -> Floats:
-    """R(x), the integral of the threshold's ramp of width ``fade``."""
+def ramped(x: Floats, fade: float | Floats) -> Floats:
+    """R(x), the integral of the threshold's ramp of width ``fade``: of a saturation the mean coverage of its look, and
+    of all octaves."""
     limited = np.clip(x, 0.0, fade)
     return limited * limited / np.maximum(2.0 * fade, 1e-30) + np.maximum(x - fade, 0.0)

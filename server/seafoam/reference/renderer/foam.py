@@ -13,7 +13,7 @@ from seafoam.reference.foam.coverage import OCTAVES_MOST, Assets, MaskPoints, co
 from seafoam.reference.foam.drift import Copy, copies
 from seafoam.reference.renderer.sources import saturation
 from seafoam.reference.renderer.state import ReferenceState, WaterSamples
-from seafoam.reference.types import Floats, Footprints, smoothstep
+from seafoam.reference.types import Floats, Footprints, Indices, smoothstep
 from seafoam.scene.foam import DriftSaturation, Foam
 
 LOWEST_SHADE = 0.25
@@ -37,6 +37,18 @@ class FoamStage(ReferenceState):
         """Masks and textures of the foam."""
         assert self.assets is not None
         return self.assets
+
+    def _hulls(self, o: Floats, d: Floats, nearer: Floats) -> tuple[Indices, Floats, Floats]:
+        """Which of the rays d (r, 3) from o meet boats less than ``nearer`` (r,) m away; the boats' radiance (n, 3), 0
+        without light, and distances (n,), m."""
+        if self.fleet is None:
+            return np.zeros(0, np.intp), np.zeros((0, 3)), np.zeros(0)
+        hit = self.fleet.trace(o, d)
+        seen = np.flatnonzero(hit.t < nearer)
+        if self.lighting is None:
+            return seen, np.zeros((seen.size, 3)), hit.t[seen]
+        start, lit = np.broadcast_to(o, d.shape)[seen], self.lighting
+        return seen, self.fleet.light(lit.air, lit.open_sun, start, d[seen], hit.subset(seen)), hit.t[seen]
 
     def _foam(self, samples: WaterSamples) -> tuple[Floats, Floats]:
         """Foam amount at r samples, in [0, 3] for the look ``listing``, else in [0, 1], and saturation f; (r,) each."""
@@ -93,7 +105,7 @@ class FoamStage(ReferenceState):
     def _windrows(self, f: Floats, x: Floats, z: Floats) -> Floats:
         """Coverage of foam of saturation f at (x, z), gathered in windrows; (r,)."""
         limited = np.clip(f, 0.0, 1.0)
-        s = looks.faded(limited, self.foam.fade) if self.foam.octaves > 1 else limited
+        s = looks.ramped(limited, self.foam.fade) if self.foam.octaves > 1 else limited
         # The converged frame resolves all windrows, so they are not filtered.
         return aging.gathered(self.scene, self.time, self.surface.afloat, s, x, z)
 

@@ -110,18 +110,13 @@ class _Search:
         self.across = d[:, [0, 2]].T
         self.level = np.hypot(d[:, 0], d[:, 2])
 
-    def value(self, s: Floats, rays: Indices | None = None) -> Floats:
-        """G at distances s of rays (by default all); (r,) m."""
-        across, rise = (self.across, self.rise) if rays is None else (self.across[:, rays], self.rise[rays])
-        return self._value(s, across, rise)
-
     def _value(self, s: Floats, across: Floats, rise: Floats) -> Floats:
+        """G at distances s of rays; (r,) m."""
         x, z = across * s
         return self.eye_y + rise * s - self.relief.height(x, z)
 
     def _derivative(self, s: Floats, across: Floats, rise: Floats) -> Floats:
-        x, z = across * s
-        h_x, h_z = self.relief.gradient(x, z)
+        h_x, h_z = self.relief.gradient(*(across * s))
         change: Floats = rise - across[0] * h_x - across[1] * h_z
         return change
 
@@ -130,9 +125,10 @@ class _Search:
         count = low.size
         # Rounding must not place a camera above all crests below one.
         outside = 1.0 if self.eye_y > self.relief.top else -1.0 if self.eye_y < self.relief.trough else 0.0
-        side = np.where(self.value(low) >= 0.0, 1.0, -1.0) if outside == 0.0 else np.full(count, outside)
-        before = np.full(count, np.inf)
-        after = np.full(count, np.inf)
+        side = np.full(count, outside)
+        if outside == 0.0:
+            side = np.where(self._value(low, self.across, self.rise) >= 0.0, 1.0, -1.0)
+        before, after = np.full(count, np.inf), np.full(count, np.inf)
         # Every ray that leaves the slab on the other side has crossed, even if rounding of G there says otherwise.
         sure = (np.abs(self.rise) >= LEVEL) & (side * self.rise < 0.0) & ((high < FAR) | (outside != 0.0))
         # Rays steeper than any slope have one crossing, between the ends.

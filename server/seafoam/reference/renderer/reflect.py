@@ -35,13 +35,8 @@ class ReflectionStage(FoamStage):
         if coast is not None:
             ashore = self._mirrored_land(lighting, coast, place, r, to_land)
             seen[np.isfinite(to_land)] = ashore
-        if self.fleet is None:
-            return seen
-        hit = self.fleet.trace(place, r)
-        met = np.flatnonzero(np.isfinite(hit.t) & (hit.t < to_land))
-        if met.size:
-            radiance = self.fleet.light(lighting.air, lighting.open_sun, place[met], r[met], hit.subset(met))
-            seen[met] = lighting.haze(radiance, r[met], hit.t[met])
+        met, radiance, far = self._hulls(place, r, to_land)
+        seen[met] = lighting.haze(radiance, r[met], far)
         return seen
 
     def _mirrored_land(self, lighting: Lighting, coast: Coast, place: Floats, r: Floats, far: Floats) -> Floats:

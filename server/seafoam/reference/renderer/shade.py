@@ -42,8 +42,10 @@ class SampleShader(UnderwaterStage):
             colour[sky] = self._sky(self.lighting.air, D[sky], d[sky]) * self.exposure
         if met.any():
             colour[met], amount[met] = self._water(self.water_samples(D[met], d[met], distance[met]))
-        if self.fleet is not None:
-            self._boats(d, np.minimum(distance, to_land), colour)
+        seen, radiance, far = self._hulls(np.array([0.0, self.eye_y, 0.0]), d, np.minimum(distance, to_land))
+        if self.lighting is not None:
+            radiance = self.lighting.haze(radiance, d[seen], far) * self.exposure
+        colour[seen] = radiance
         return np.minimum(colour, BRIGHTEST), amount, met | dry
 
     def _sky(self, air: light.Air, D: Floats, d: Floats) -> Floats:
@@ -130,18 +132,3 @@ class SampleShader(UnderwaterStage):
             white = light.foam(lighting.air, foam.albedo, unit(N), sun)
             colour = colour + (white - colour) * amount[:, None]
         return lighting.haze(colour, d, distance) * self.exposure, amount
-
-    def _boats(self, d: Floats, nearer: Floats, colour: Floats) -> None:
-        """Draw boats over ``colour`` (r, 3) where rays d meet them before what is ``nearer`` metres away."""
-        assert self.fleet is not None
-        eye = np.array([0.0, self.eye_y, 0.0])
-        hit = self.fleet.trace(eye, d)
-        seen = np.flatnonzero(hit.t < nearer)
-        if seen.size == 0:
-            return
-        if self.lighting is None:
-            colour[seen] = 0.0
-            return
-        lighting = self.lighting
-        radiance = self.fleet.light(lighting.air, lighting.open_sun, eye, d[seen], hit.subset(seen))
-        colour[seen] = lighting.haze(radiance, d[seen], hit.t[seen]) * self.exposure

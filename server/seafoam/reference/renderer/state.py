@@ -10,8 +10,7 @@ import numpy as np
 
 from seafoam.ocean.waves.stokes import foam_life
 from seafoam.reference.boats.boat import Fleet, fleet
-from seafoam.reference.boats.stones import StoneSet, stone_set
-from seafoam.reference.boats.wake import WakeSet, wake_set
+from seafoam.reference.boats.wake import StoneSet, WakeSet, stone_set, wake_set
 from seafoam.reference.foam.coverage import Assets
 from seafoam.reference.light import light, sparkles
 from seafoam.reference.renderer import intersect
@@ -19,7 +18,7 @@ from seafoam.reference.renderer.camera import SampleGrid
 from seafoam.reference.renderer.relief import Relief, ReliefPart
 from seafoam.reference.shore.shadow import LandShadow
 from seafoam.reference.shore.shore import Coast
-from seafoam.reference.types import Floats, Footprints, Sunlight, dot, unit, unshadowed
+from seafoam.reference.types import Floats, Footprints, Sunlight, dot, unit
 from seafoam.reference.water.seafloor import Seabed, ShoreSeabed
 from seafoam.reference.waves.parametric import RippleSet, WaveSet, afloat, gust_field, ripple_set, wave_set
 from seafoam.reference.waves.rings import RingSet, ring_set, touch_set
@@ -115,13 +114,15 @@ class Lighting:
             return None
         air = light.air(settings, time, (grid.origin[0], grid.eye_y, grid.origin[1]))
         step = max(math.sqrt(float(side @ side)) for side in grid.steps) if filtering else 0.0
-        past_scenery = open_sun(air, coast)
-
-        def past_boats(place: Floats, footprints: Footprints) -> Floats:
-            past = past_scenery(place, footprints)
-            return past if fleet is None else fleet.sunlight(place, air.sun) * past
-
-        return Lighting(settings, air, sparkles.sun(settings, air, time, step), past_scenery, past_boats)
+        parts: list[Sunlight] = []
+        if coast is not None and coast.shore.shadows:
+            parts.append(LandShadow(coast, air.sun).sunlight)
+        layer = None if air.above is None else air.above.clouds
+        if layer is not None and layer.clouds.shadows > 0.0 and layer.taken > 0.0:
+            parts.append(layer.sunlight)
+        boats: list[Sunlight] = [] if fleet is None else [lambda place, _: fleet.sunlight(place, air.sun)]
+        glint = sparkles.sun(settings, air, time, step)
+        return Lighting(settings, air, glint, _product(parts), _product([*parts, *boats]))
 
     @property
     def exposure(self) -> float:
@@ -133,22 +134,9 @@ class Lighting:
         return light.haze(self.air, self.settings.visibility, L, d, distance)
 
 
-def open_sun(air: light.Air, coast: Coast | None) -> Sunlight:
-    """The product of the shares that land and clouds leave."""
-    parts: list[Sunlight] = []
-    if coast is not None and coast.shore.shadows:
-        parts.append(LandShadow(coast, air.sun).sunlight)
-    layer = None if air.above is None else air.above.clouds
-    if layer is not None and layer.clouds.shadows > 0.0 and layer.taken > 0.0:
-        parts.append(layer.sunlight)
-    if not parts:
-        return unshadowed
-
-    def product(place: Floats, footprints: Footprints) -> Floats:
-        result: Floats = np.prod([part(place, footprints) for part in parts], axis=0)
-        return result
-
-    return product
+def _product(parts: list[Sunlight]) -> Sunlight:
+    """The sunlight that all of some leave."""
+    return lambda place, at: np.prod([np.ones(len(place)), *(part(place, at) for part in parts)], axis=0)
 
 
 @dataclass(frozen=True, eq=False)

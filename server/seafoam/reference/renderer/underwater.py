@@ -39,13 +39,8 @@ class UnderwaterStage(ReflectionStage):
         up = ~floor
         if up.any():
             colour[up], amount[up] = self._underside(bed, D[up], d[up], distance[up])
-        if self.fleet is not None:
-            eye = np.array([0.0, self.eye_y, 0.0])
-            hit = self.fleet.trace(eye, d)
-            seen = np.flatnonzero(hit.t < np.where(up, distance, to_floor))
-            if seen.size:
-                radiance = self.fleet.light(bed.air, self.lighting.open_sun, eye, d[seen], hit.subset(seen))
-                colour[seen] = self._through_water(bed, radiance, d[seen], hit.t[seen])
+        seen, radiance, far = self._hulls(np.array([0.0, self.eye_y, 0.0]), d, np.where(up, distance, to_floor))
+        colour[seen] = self._through_water(bed, radiance, d[seen], far)
         return np.minimum(colour * self.exposure, BRIGHTEST), amount, np.ones(d.shape[0], np.bool_)
 
     def _underside(self, bed: Seabed, D: Floats, d: Floats, distance: Floats) -> tuple[Floats, Floats]:

@@ -22,16 +22,12 @@ SWASH = 0.3
 """Share of its height that a broken wave has on the beach."""
 MAP = 256
 """Texels along a side of the map."""
-
 FLOOR = 512
 """Texels along a side of the height field."""
-
 NODES = 256
 """Nodes of a profile."""
-
 PERIOD = 2.0**18
 """Side of the square in which a shore repeats, m."""
-
 MASK = ((83.0, 0.4, 31.0), (57.0, 2.1, 23.0), (119.0, 3.6, 43.0), (71.0, 5.3, 37.0))
 """Wavelength (m), heading (rad) and period (s) of the sines that vary the waves' height; sine i starts at 1.7 i rad."""
 
@@ -72,6 +68,14 @@ def sobel(values: Floats) -> tuple[Floats, Floats]:
     )
 
 
+def _quadratic(at: Floats) -> tuple[Indices, Floats, Floats]:
+    """The texels nearest to places, and the weights and slopes of these and of those before and after; (3, r)."""
+    base = np.floor(at + 0.5)
+    t = at + 0.5 - base
+    weights = np.stack((0.5 * (1.0 - t) ** 2, 0.5 + t * (1.0 - t), 0.5 * t * t))
+    return base.astype(np.intp), weights, np.stack((t - 1.0, 1.0 - 2.0 * t, t))
+
+
 @dataclass(frozen=True, eq=False)
 class QuadraticSpline:
     """A quadratic B-spline of texels (n, n, c) over a square, texel centres at (i + ½)/n."""
@@ -83,12 +87,8 @@ class QuadraticSpline:
         count = self.texels.shape[0]
         result = []
         for place in (x, z):
-            at = np.clip(place / self.size + 0.5, 0.0, 1.0) * count - 0.5
-            base = np.floor(at + 0.5)
-            t = at + 0.5 - base
-            weights = np.stack((0.5 * (1.0 - t) ** 2, 0.5 + t * (1.0 - t), 0.5 * t * t))
-            slopes = np.stack((t - 1.0, 1.0 - 2.0 * t, t))
-            index = [np.clip(base.astype(np.intp) + i, 0, count - 1) for i in (-1, 0, 1)]
+            base, weights, slopes = _quadratic(np.clip(place / self.size + 0.5, 0.0, 1.0) * count - 0.5)
+            index = [np.clip(base + i, 0, count - 1) for i in (-1, 0, 1)]
             result.append((index, weights, slopes))
         (columns, w_x, s_x), (rows, w_z, s_z) = result
         places = [row * count + column for row in rows for column in columns]
@@ -199,17 +199,13 @@ class Profiles:
     def __call__(self, turn: Floats, skew: Floats) -> tuple[Floats, Floats, Floats]:
         """Height in [0, 1], its derivative per period and its derivative by skew; (r,) each."""
         rows, nodes = self.table.shape
-        at = turn * nodes - 0.5
-        base = np.floor(at + 0.5)
-        t = at + 0.5 - base
+        base, weights, slopes = _quadratic(turn * nodes - 0.5)
         y = np.clip(skew, 0.0, 1.0) * (rows - 1)
         row = np.minimum(y.astype(np.intp), rows - 2)
         share = y - row
         value, slope = np.zeros((2, turn.size)), np.zeros((2, turn.size))
-        weights = (0.5 * (1.0 - t) ** 2, 0.5 + t * (1.0 - t), 0.5 * t * t)
-        slopes = (t - 1.0, 1.0 - 2.0 * t, t)
         for i in range(3):
-            node = (base.astype(np.intp) + i - 1) % nodes
+            node = (base + i - 1) % nodes
             for j in range(2):
                 here = self.table[row + j, node]
                 value[j] += weights[i] * here

@@ -15,58 +15,29 @@ from seafoam.ocean.constants import WATER_INDEX
 from seafoam.reference.light.light import Floor, plain_floor
 from seafoam.reference.noise import KEY, filtered_step, footprint_variance, patches, value
 from seafoam.reference.renderer.relief import ReliefPart
-from seafoam.reference.shore.maps import (
-    FLOOR,
-    MAP,
-    NODES,
-    PERIOD,
-    SWASH,
-    QuadraticSpline,
-    floor_spline,
-    profiles,
-    shore_map,
-)
+from seafoam.reference.shore import maps
 from seafoam.reference.shore.soil import Soil, detailed
 from seafoam.reference.types import Floats, Footprints, dot, smoothstep, unit
 from seafoam.reference.waves.parametric import reduced
 from seafoam.scene.foam import SurfSaturation
 from seafoam.scene.shore import Shore
 
-GRAIN_CELL = 9.0
-
-GRAIN_OCTAVES = 5
+GRAIN_CELL, GRAIN_OCTAVES, GRAIN_STEP = 9.0, 5, 0.31
+"""Side of the ground's first cells of noise (m), number of octaves, and ratio of one's cells to the one before."""
 SHALLOW = (0.1, 0.6)
 """Depths of the floor at which the look of soaked land starts to give way to that of the plain ground, and has, m."""
-
-GRAIN_STEP = 0.31
-
 FALL_LEAST = 0.25
-
 REFRACTION_STEPS = 16
-
 PLAIN_FILM_ROUGHNESS2 = 0.02
 """Mean square slope of the film of water on land without detail."""
-
 DRYING = 4.0, 40.0
 """Times in which the film of water and the sand dry to 1/e, s."""
-
 SAFE_STEPS = 20000
-
 WEED = np.array([0.08, 0.085, 0.05])
-
 EDGE = 1e-3, 0.15
 """Minimum and maximum of the change of depth over a footprint at the water's edge, m."""
-
-
-def _patches(x: Floats, z: Floats, footprints: Footprints | None = None) -> Floats:
-    """Factor that tears the surf's foam into patches, at (x, z), m from the centre of the square; (r,) in [0, 1]."""
-    t_x, t_z = 0.8 * x - 0.6 * z, 0.6 * x + 0.8 * z
-    noises = [
-        (0.4, 6.0, value(KEY, t_x / 6.0, t_z / 6.0)),
-        (0.35, 1.7, value(KEY, x / 1.7, z / 1.7)),
-        (0.25, 0.5, value(KEY, t_x / 0.5, t_z / 0.5)),
-    ]
-    return patches(noises, footprints)
+PATCHES = (6.0, True), (1.7, False), (0.5, True)
+"""Cells of the noise that tears the surf's foam, m, and whether they are turned."""
 
 
 def _swing(here: Floats, map_x: Floats, map_z: Floats, turn: Floats) -> Floats:
@@ -82,10 +53,10 @@ class Coast:
     def __init__(self, shore: Shore, time: float, origin: tuple[float, float], open_sea: ReliefPart) -> None:
         self.shore = shore
         self.open_sea = open_sea
-        self.offset = tuple(math.remainder(a - b, PERIOD) for a, b in zip(origin, shore.place, strict=True))
-        self.floor = floor_spline(shore)
-        self.field = QuadraticSpline(shore_map(shore, time), shore.size)
-        self.profiles = profiles(shore.surf.skew, shore.surf.sharpness)
+        self.offset = tuple(math.remainder(a - b, maps.PERIOD) for a, b in zip(origin, shore.place, strict=True))
+        self.floor = maps.floor_spline(shore)
+        self.field = maps.QuadraticSpline(maps.shore_map(shore, time), shore.size)
+        self.profiles = maps.profiles(shore.surf.skew, shore.surf.sharpness)
         self.time = reduced((-2.0 * math.pi / shore.surf.period, time)) / (2.0 * math.pi)
         self.land = Land(self)
 
@@ -100,7 +71,7 @@ class Coast:
 
     def _change(self, values: Floats) -> Floats:
         """Greatest derivative of a map's channel around each texel, per metre: an upper bound of its spline's."""
-        texel = self.shore.size / MAP
+        texel = self.shore.size / maps.MAP
         both = [
             ndimage.maximum_filter(np.abs(np.diff(values, axis=axis, append=values.take([-1], axis))), 5)
             for axis in (0, 1)
@@ -112,7 +83,7 @@ class Coast:
     def slope(self) -> float:
         phase, height, skew, share = np.moveaxis(self.field.texels, -1, 0)
         table = self.profiles.table
-        turn = float(np.abs(np.diff(table, axis=1, append=table[:, :1])).max()) * NODES
+        turn = float(np.abs(np.diff(table, axis=1, append=table[:, :1])).max()) * maps.NODES
         rows = float(np.abs(np.diff(table, axis=0)).max()) * (table.shape[0] - 1)
         tall = ndimage.maximum_filter(height, 5)
         own = tall * (turn * self._change(phase) + rows * self._change(skew)) + self._change(height)
@@ -124,7 +95,7 @@ class Coast:
     def curvature(self) -> float:
         phase, height = self.field.texels[..., 0], self.field.texels[..., 1]
         table = self.profiles.table
-        bend = float(np.abs(np.diff(table, 2, axis=1)).max()) * NODES * NODES
+        bend = float(np.abs(np.diff(table, 2, axis=1)).max()) * maps.NODES * maps.NODES
         tall = ndimage.maximum_filter(height, 5)
         return self.open_sea.curvature + 1.3 * float((tall * bend * self._change(phase) ** 2).max())
 
@@ -203,7 +174,7 @@ class Coast:
         scale = max(self.shore.surf.height, 1e-6)
         breaking = smoothstep(0.45, 0.9, here[:, 2]) * smoothstep(0.12, 0.4, here[:, 1] / scale)
         swing_x, swing_z = _swing(here, map_x, map_z, turn)
-        torn = _patches(q_x + swing_x, q_z + swing_z, footprints)
+        torn = patches(q_x + swing_x, q_z + swing_z, PATCHES, footprints)
         ground, g_x, g_z, _ = self.ground(q_x, q_z)
         film = 1.0 - smoothstep(0.0, 0.15, H - ground)
         at_front, behind = front * (0.65 + 0.55 * torn), age * (0.3 + 0.9 * torn)
@@ -224,7 +195,8 @@ class Coast:
         """Saturation of the foam that the swash leaves at (x, z) on ground of that height (r,) m; (r,)."""
         q_x, q_z = self.place(x, z)
         here, map_x, map_z = self.field.all(q_x, q_z)
-        return self._swept(source, here, (map_x[:, 0], map_z[:, 0]), ground, _patches(q_x, q_z), footprints)
+        torn = patches(q_x, q_z, PATCHES, None)
+        return self._swept(source, here, (map_x[:, 0], map_z[:, 0]), ground, torn, footprints)
 
     def _swept(
         self,
@@ -232,7 +204,7 @@ class Coast:
         here: Floats,
         phase: tuple[Floats, Floats],
         ground: Floats,
-        patches: Floats,
+        torn: Floats,
         footprints: Footprints | None,
     ) -> Floats:
         """The same with given map, gradient of its phase and patches; at most 1 when averaged over footprints."""
@@ -244,7 +216,7 @@ class Coast:
 
         def after(since: Floats) -> Floats:
             both = swept * np.exp(since / source.life) + turned * np.exp(since / (3.0 * source.life))
-            return source.line * ran_up * (0.3 + 0.9 * patches) * both
+            return source.line * ran_up * (0.3 + 0.9 * torn) * both
 
         if footprints is None:
             return after(since)
@@ -350,7 +322,7 @@ class Coast:
         surf, dark = self.shore.surf, self.wet(height)
         if surf.height <= 0.0:
             return dark, 0.6 * dark
-        swash = SWASH * surf.height
+        swash = maps.SWASH * surf.height
         film = 1.0 - smoothstep(0.1 * swash, 0.6 * swash + 0.03, height)
         here = self.field.value(q_x, q_z)
         swept = 1.0 - smoothstep(0.8, 1.05, height / np.maximum(here[:, 1], 1e-3))
@@ -361,7 +333,7 @@ class Coast:
 
     def wet(self, height: Floats) -> Floats:
         """Wetness of ground of a height (m): 1 where every wave reaches it; of the shape of ``height``."""
-        reach = SWASH * self.shore.surf.height
+        reach = maps.SWASH * self.shore.surf.height
         return 1.0 - smoothstep(0.5 * reach, 1.1 * reach + 0.05, height)
 
 
@@ -371,7 +343,7 @@ class Land:
     def __init__(self, coast: Coast) -> None:
         self.coast = coast
         heights = coast.floor.texels[..., 0]
-        step = coast.shore.size / FLOOR
+        step = coast.shore.size / maps.FLOOR
         dry = np.maximum(heights, 0.0)
         self.top = float(dry.max())
         self.trough = 0.0

@@ -16,10 +16,10 @@ from seafoam.ocean.constants import WATER_INDEX
 from seafoam.ocean.waves.ripples import ripple_cascades, tiles
 from seafoam.reference.light.light import BACKSCATTER, ENTERS, GLITTER_MOST, Air, Floor, air, fresnel, lit_floor
 from seafoam.reference.noise import chained, share
+from seafoam.reference.sampling import bilinear, spline
 from seafoam.reference.shore.shore import Coast
 from seafoam.reference.types import Floats, Footprints, Sunlight, dot, unit
 from seafoam.reference.waves.parametric import afloat, reduced
-from seafoam.scene.light import Caustics, Light
 from seafoam.scene.models import Scene
 from seafoam.scene.water import Ripples, Water
 
@@ -71,24 +71,17 @@ def tile_slopes(ripples: Ripples, time: float, count: int) -> tuple[Floats, Floa
     return both[0], both[1]
 
 
+@lru_cache(maxsize=8)
 def photon_map(scene: Scene, time: float, texels: int = MAP, photons: int = PHOTONS) -> Floats:
     """Irradiance of the floor over that under level water, (texels, texels, 3), rows along z.
 
     Texel (0, 0) is at the tile's corner, displaced as green light under level water is. ``scene`` has light, caustics,
     ripples and a depth.
     """
-    light, water = scene.light, scene.water
+    light, ripples, depth = scene.light, scene.water.ripples, scene.water.depth or 0.0
     assert light is not None
     assert light.caustics is not None
-    assert water.ripples is not None
-    depth = water.depth or 0.0
-    return _photon_map(light, light.caustics, water.ripples, depth, time, texels, photons)
-
-
-@lru_cache(maxsize=8)
-def _photon_map(
-    light: Light, caustics: Caustics, ripples: Ripples, depth: float, time: float, texels: int, photons: int
-) -> Floats:
+    assert ripples is not None
     lighting = air(light)
     h_x, h_z = tile_slopes(ripples, time, photons)
     flat_x, flat_z = (float(part[0]) for part in landing(lighting, depth, np.zeros(1), np.zeros(1), WATER_INDEX)[:2])
@@ -96,10 +89,10 @@ def _photon_map(
     per_metre = texels / tiles(True)[0]
     sheets: list[Floats] = []
     for bent in COLOURS:
-        if caustics.dispersion == 0.0 and sheets:
+        if light.caustics.dispersion == 0.0 and sheets:
             sheets.append(sheets[0])
             continue
-        x, z, share = landing(lighting, depth, h_x, h_z, WATER_INDEX + caustics.dispersion * bent)
+        x, z, share = landing(lighting, depth, h_x, h_z, WATER_INDEX + light.caustics.dispersion * bent)
         u = start[None, :] + (x - flat_x) * per_metre
         v = start[:, None] + (z - flat_z) * per_metre
         sheets.append(_splat(u.ravel(), v.ravel(), share.ravel() * (texels / photons) ** 2, texels))
@@ -109,7 +102,7 @@ def _photon_map(
 def _splat(u: Floats, v: Floats, weight: Floats, texels: int) -> Floats:
     """Sum of weights, distributed by the cubic B-spline over a periodic grid of texels with centres at i + ½."""
     column, row = np.floor(u - 0.5).astype(np.int64), np.floor(v - 0.5).astype(np.int64)
-    along, across = _spline(u - 0.5 - column), _spline(v - 0.5 - row)
+    along, across = spline(u - 0.5 - column)[0], spline(v - 0.5 - row)[0]
     total = np.zeros(texels * texels)
     for j in range(4):
         line = ((row + j - 1) % texels) * texels
@@ -117,16 +110,6 @@ def _splat(u: Floats, v: Floats, weight: Floats, texels: int) -> Floats:
             place = line + (column + i - 1) % texels
             total += np.bincount(place, weights=weight * along[i] * across[j], minlength=texels * texels)
     return total.reshape(texels, texels)
-
-
-def _spline(t: Floats) -> tuple[Floats, Floats, Floats, Floats]:
-    """Weights of the four nodes around a position t in [0, 1) between the middle two."""
-    return (
-        (1.0 - t) ** 3 / 6.0,
-        (3.0 * t**3 - 6.0 * t**2 + 4.0) / 6.0,
-        (-3.0 * t**3 + 3.0 * t**2 + 3.0 * t + 1.0) / 6.0,
-        t**3 / 6.0,
-    )
 
 
 class Seabed:
@@ -183,16 +166,9 @@ class Seabed:
         if self.map is None:
             return np.ones((x.size, 3))
         tile = tiles(True)[0]
-        count = self.map.shape[0]
-        u = ((x - self.flat[0] + math.fmod(self.afloat[0], tile)) / tile % 1.0) * count - 0.5
-        v = ((z - self.flat[1] + math.fmod(self.afloat[1], tile)) / tile % 1.0) * count - 0.5
-        i, j = np.floor(u).astype(np.int64), np.floor(v).astype(np.int64)
-        s, t = (u - i)[:, None], (v - j)[:, None]
-        corner = [[self.map[(j + b) % count, (i + a) % count] for a in (0, 1)] for b in (0, 1)]
-        first = corner[0][0] * (1.0 - s) + corner[0][1] * s
-        second = corner[1][0] * (1.0 - s) + corner[1][1] * s
-        result: Floats = first * (1.0 - t) + second * t
-        return result
+        u = (x - self.flat[0] + math.fmod(self.afloat[0], tile)) / tile % 1.0
+        v = (z - self.flat[1] + math.fmod(self.afloat[1], tile)) / tile % 1.0
+        return bilinear(self.map, u, v)
 
     def albedo(self, x: Floats, z: Floats, footprints: Footprints) -> Floats:
         """Reflectance (r, 3): uniform, or of tiles, with the share of joints in the footprint's bounding box."""

@@ -11,7 +11,7 @@ from seafoam.ocean.basics.dispersion import angular_frequency
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference import render
-from seafoam.reference.boats.stones import stone_set
+from seafoam.reference.boats.wake import stone_set
 from seafoam.render.gl.executor import Executor
 from support.exact import EXACT
 from support.pictures import levels, samples
