@@ -20,10 +20,12 @@ Rgb = tuple[Share, Share, Share]
 Place = Annotated[float, Field(ge=-1e7, le=1e7)]
 """A horizontal coordinate, m."""
 
-Angle = Annotated[float, Field(ge=-6.2832, le=6.2832, json_schema_extra={"unit": "rad"})]
+Radians = Annotated[float, Field(json_schema_extra={"unit": "rad"})]
+
+Angle = Annotated[Radians, Field(ge=-6.2832, le=6.2832)]
 """An angle of up to a turn either way, rad."""
 
-Elevation = Annotated[float, Field(ge=-1.5708, le=1.5708, json_schema_extra={"unit": "rad"})]
+Elevation = Annotated[Radians, Field(ge=-1.5708, le=1.5708)]
 """An angle over the horizon, rad."""
 
 

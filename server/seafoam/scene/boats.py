@@ -4,7 +4,7 @@ from typing import Literal
 
 from pydantic import Field, model_validator
 
-from seafoam.scene.base import Angle, Part, Place, Rgb
+from seafoam.scene.base import Angle, Part, Place, Radians, Rgb
 
 BOATS_MOST = 4
 """Maximum number of boats in a scene."""
@@ -24,19 +24,11 @@ class Boat(Part):
     )
     turn: Literal["starboard", "port"] = Field(default="starboard", description="Side to which the boat turns")
     speed: float = Field(default=3.0, ge=0.0, le=20.0, description="Speed, m/s; 0: at anchor, the bow along the course")
-    heel: float = Field(
-        default=0.0,
-        ge=-0.6,
-        le=0.6,
-        description="Heel to starboard, in addition to that caused by the waves, rad",
-        json_schema_extra={"unit": "rad"},
+    heel: Radians = Field(
+        default=0.0, ge=-0.6, le=0.6, description="Heel to starboard, in addition to that caused by the waves, rad"
     )
-    boom: float = Field(
-        default=0.35,
-        ge=-1.4,
-        le=1.4,
-        description="Angle of the boom from the centreline to starboard, rad",
-        json_schema_extra={"unit": "rad"},
+    boom: Radians = Field(
+        default=0.35, ge=-1.4, le=1.4, description="Angle of the boom from the centreline to starboard, rad"
     )
     smoothing: float = Field(
         default=1.0,

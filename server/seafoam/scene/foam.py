@@ -116,10 +116,7 @@ class HeightSaturation(FoamSource):
 
     source: Literal["height"] = "height"
     base: float = Field(
-        default=0.3,
-        ge=-100.0,
-        le=100.0,
-        description="H0: height above the waves' troughs at which foam starts, m",
+        default=0.3, ge=-100.0, le=100.0, description="H0: height above the waves' troughs at which foam starts, m"
     )
     full: float = Field(
         default=0.9, ge=-100.0, le=200.0, description="Hmax: height above these troughs at which the saturation is 1, m"
@@ -193,9 +190,7 @@ class SurfSaturation(FoamSource):
     life: float = Field(
         default=0.35, ge=0.02, le=5.0, description="Decay time behind the front, to 1/e, in wave periods"
     )
-    veil: float = Field(
-        default=0.1, ge=0.0, le=1.0, description="Saturation that remains in the surf zone between waves"
-    )
+    veil: Share = Field(default=0.1, description="Saturation that remains in the surf zone between waves")
     line: float = Field(
         default=0.0,
         ge=0.0,
@@ -333,10 +328,8 @@ class Foam(Part):
         description="How foam of the filtered look moves and ages: carried by waves, gathered by wind, worn "
         "by age; absent: it does none of these",
     )
-    thickness: float = Field(
+    thickness: Share = Field(
         default=0.0,
-        ge=0.0,
-        le=1.0,
         description="Height of foam above the water, m; brightens edges that face the sun and shades the "
         "water beside them; 0: flat",
     )

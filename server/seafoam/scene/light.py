@@ -5,7 +5,7 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
-from seafoam.scene.base import Angle, Downwind, Elevation, Follows, InEffect, Part
+from seafoam.scene.base import Angle, Downwind, Elevation, Follows, InEffect, Part, Radians, Share
 
 TILT = math.radians(23.44)
 """Axial tilt of the earth, rad."""
@@ -56,10 +56,8 @@ class Clouds(Part):
         le=10.0,
         description="Optical depth of the rain below the densest clouds, seen as veils in the distance; 0: none",
     )
-    shadows: float = Field(
+    shadows: Share = Field(
         default=0.0,
-        ge=0.0,
-        le=1.0,
         description="Strength of the clouds' shadows and of the sunlit gaps between them; 0: their mean everywhere",
     )
     wind: Annotated[float | None, Follows("speed", alone=8.0, factor=1.6)] = Field(
@@ -120,9 +118,7 @@ class Sky(Part):
 class Gusts(Part):
     """Gusts: moving patches of rougher and smoother ripples."""
 
-    strength: float = Field(
-        default=0.6, ge=0.0, le=1.0, description="Relative variation of the ripples' slope about its mean"
-    )
+    strength: Share = Field(default=0.6, description="Relative variation of the ripples' slope about its mean")
     size: float = Field(default=25.0, ge=0.5, le=5000.0, description="Size of the largest patches, m")
     speed: Annotated[float | None, Follows("speed", alone=3.0, factor=0.8)] = Field(
         default=None,
@@ -161,12 +157,11 @@ def sun_angles(day: Day) -> tuple[float, float]:
 class Sparkles(Part):
     """Sparkles in the sun's reflection (GPU ocean, 2007); their mean radiance is that of the smooth glint."""
 
-    size: float = Field(
+    size: Radians = Field(
         default=0.0016,
         ge=2e-4,
         le=0.02,
         description="Angular diameter of a sparkle, independent of the picture's size, rad",
-        json_schema_extra={"unit": "rad"},
     )
     rate: float = Field(
         default=1.0,

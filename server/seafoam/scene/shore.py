@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field, model_validator
 
-from seafoam.scene.base import Angle, Part, Place, Rgb
+from seafoam.scene.base import Angle, Part, Place, Rgb, Share
 
 Floats = NDArray[np.float64]
 
@@ -24,10 +24,8 @@ class Surf(Part):
 
     height: float = Field(default=1.0, ge=0.0, le=6.0, description="Height of the breakers, m; 0: no surf")
     period: float = Field(default=7.0, ge=2.0, le=20.0, description="Wave period, s")
-    skew: float = Field(
+    skew: Share = Field(
         default=0.5,
-        ge=0.0,
-        le=1.0,
         description="γ: asymmetry of the profile at breaking; 1 is symmetric, smaller values lean toward the shore",
     )
     sharpness: float = Field(
@@ -36,17 +34,13 @@ class Surf(Part):
         le=0.15,
         description="b: horizontal displacement at the crests, in wavelengths; larger values sharpen them",
     )
-    variation: float = Field(
+    variation: Share = Field(
         default=0.7,
-        ge=0.0,
-        le=1.0,
         description="Strength of the slow variation of the wave height along the coast; 0: all waves break alike",
     )
     heading: Angle = Field(default=0.0, description="Direction of travel of the swell, rad from +x toward +z")
-    exposure: float = Field(
+    exposure: Share = Field(
         default=0.0,
-        ge=0.0,
-        le=1.0,
         description="Reduction of the surf on coasts that face away from the swell: 0 none, 1 no surf there",
     )
     refraction: bool = Field(
@@ -74,12 +68,10 @@ class Shore(Part):
     inner_depth: float = Field(default=3.0, ge=0.2, le=100.0, description="Depth inside a lagoon, m")
     height: float = Field(default=6.0, ge=0.0, le=300.0, description="Approximate height of the land, m")
     slope: float = Field(default=0.06, ge=0.01, le=1.0, description="Slope of the floor at the waterline")
-    roughness: float = Field(
-        default=0.5, ge=0.0, le=1.0, description="Irregularity of the coastline: bays and capes; 0: the plain shape"
+    roughness: Share = Field(
+        default=0.5, description="Irregularity of the coastline: bays and capes; 0: the plain shape"
     )
-    relief: float = Field(
-        default=0.0, ge=0.0, le=1.0, description="Ruggedness of the land: ridges and valleys; 0: smooth hills"
-    )
+    relief: Share = Field(default=0.0, description="Ruggedness of the land: ridges and valleys; 0: smooth hills")
     level: float = Field(
         default=0.0,
         ge=-1000.0,
@@ -103,13 +95,9 @@ class Shore(Part):
     rock: Rgb = Field(default=(0.27, 0.24, 0.21), description="Albedo of rock, on steep ground, linear RGB")
     plants: Rgb = Field(default=(0.06, 0.10, 0.035), description="Albedo of vegetation, linear RGB")
     plants_from: float = Field(default=2.0, ge=0.0, le=400.0, description="Height above which vegetation grows, m")
-    reef: float = Field(
-        default=0.5, ge=0.0, le=1.0, description="Fraction of the shallow floor covered by dark reef and seaweed"
-    )
-    detail: float = Field(
+    reef: Share = Field(default=0.5, description="Fraction of the shallow floor covered by dark reef and seaweed")
+    detail: Share = Field(
         default=1.0,
-        ge=0.0,
-        le=1.0,
         description="Strength of the land's fine detail: sand ripples, layers and cracks of rock, clumps of plants, "
         "a line of seaweed, a film of water behind the swash; 0: smooth land",
     )

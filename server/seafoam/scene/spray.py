@@ -65,7 +65,7 @@ class Spray(Part):
     size: float = Field(
         default=0.04, ge=0.002, le=0.3, description="Scale of the drops, m; each stands for a cluster of many"
     )
-    mist: float = Field(default=0.3, ge=0.0, le=1.0, description="Fraction of the drops that are puffs of mist")
+    mist: Share = Field(default=0.3, description="Fraction of the drops that are puffs of mist")
     drag: float = Field(
         default=0.8,
         ge=0.05,

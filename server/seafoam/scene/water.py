@@ -5,7 +5,7 @@ from typing import Annotated, ClassVar
 
 from pydantic import Field
 
-from seafoam.scene.base import Angle, Downwind, InEffect, Part, Place, Rgb, Share
+from seafoam.scene.base import Angle, Downwind, InEffect, Part, Place, Radians, Rgb, Share
 from seafoam.scene.light import Gusts
 
 
@@ -15,12 +15,8 @@ class Ripples(Part):
     wind_direction: Downwind = None
     downwind: ClassVar[InEffect] = InEffect("wind_direction")
     slope: float = Field(default=0.12, ge=0.0, le=0.6, description="Root mean square slope of the ripples")
-    spread: float = Field(
-        default=1.0,
-        ge=0.0,
-        le=3.1416,
-        description="Standard deviation of the ripples' directions, rad",
-        json_schema_extra={"unit": "rad"},
+    spread: Radians = Field(
+        default=1.0, ge=0.0, le=3.1416, description="Standard deviation of the ripples' directions, rad"
     )
     seed: int = Field(default=1, ge=0, le=65535, description="Random seed of the ripples")
     gusts: Gusts | None = Field(

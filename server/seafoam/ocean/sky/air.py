@@ -172,12 +172,7 @@ class Atmosphere:
     def extinction(self) -> Floats:
         """Extinction of the four species per unit of density, 1/km; (4, 3)."""
         return np.stack(
-            (
-                RAYLEIGH,
-                self.mie / MIE_HEIGHT * MIE_TINT,
-                self.haze / (_HORIZON_MASS * HAZE_HEIGHT) * MIE_TINT,
-                OZONE,
-            )
+            (RAYLEIGH, self.mie / MIE_HEIGHT * MIE_TINT, self.haze / (_HORIZON_MASS * HAZE_HEIGHT) * MIE_TINT, OZONE)
         )
 
     def depth(self, height: float) -> tuple[float, float, float]:
