@@ -22,7 +22,7 @@ from seafoam.reference import truth_is_current
 from seafoam.reference.bake import TIMES, truth_file
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.presets import load_preset
-from seafoam.textures import spec_of, texture
+from seafoam.textures.store import spec_of, texture
 from support.exact import UNFILTERED
 from support.parity import REFERENCES, Parity, faults, parity
 

@@ -18,7 +18,8 @@ from seafoam.planner import FramePlan, make_plan
 from seafoam.planner.glsl import assemble
 from seafoam.quality import Quality
 from seafoam.render.gl.executor import TEXTURE_FORMATS, Executor
-from seafoam.textures import TextureSpec, spec_at, texture
+from seafoam.textures.spec import TextureSpec
+from seafoam.textures.store import spec_at, texture
 from support.exact import EXACT
 from support.pictures import draw
 from support.scenes import Camera, Scene

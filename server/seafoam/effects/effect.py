@@ -17,7 +17,7 @@ from seafoam.framegraph.rules import Uniform
 from seafoam.quality import Quality, QualityParameters
 from seafoam.scene.base import Part
 from seafoam.scene.models import Scene
-from seafoam.textures import TextureSpec
+from seafoam.textures.spec import TextureSpec
 
 BENEATH = "beneath"
 """The target of surface and sky if passes of stage ``after`` follow, which can read it."""

@@ -14,7 +14,8 @@ from seafoam.masks.catalogue import load_catalogue
 from seafoam.planner import PlanError, make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.scene.models import Scene
-from seafoam.textures import UnknownTextureError, spec_of, texture
+from seafoam.textures.spec import UnknownTextureError
+from seafoam.textures.store import spec_of, texture
 
 Answer = tuple[Any, list[bytes]]
 """A JSON value, and binary parts."""

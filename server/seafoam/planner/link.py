@@ -9,7 +9,7 @@ from seafoam.framegraph.resources import Target, Texture
 from seafoam.framegraph.rules import CameraRule, Uniform, Viewport, number, significant, vector
 from seafoam.framegraph.shader import Program, declared_uniforms
 from seafoam.planner.collect import Collection
-from seafoam.textures import texture, url_of
+from seafoam.textures.store import texture, url_of
 
 MAX_SAMPLERS = 16
 """Maximum number of textures of a fragment shader that WebGL2 guarantees (MAX_TEXTURE_IMAGE_UNITS)."""

@@ -11,7 +11,8 @@ from seafoam.planner import FramePlan, make_plan
 from seafoam.planner.glsl import assemble
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.textures import MaskTexture, texture, url_of
+from seafoam.textures.masks import MaskTexture
+from seafoam.textures.store import texture, url_of
 from support.browser.lanes import Lane, opened, rendered
 from support.pictures import draw
 from support.probe import WHOLE

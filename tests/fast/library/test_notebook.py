@@ -17,7 +17,7 @@ from seafoam.notebook.answers import answer, schema
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.scene.presets import load_preset
-from seafoam.textures import spec_of, texture
+from seafoam.textures.store import spec_of, texture
 
 
 @pytest.fixture

@@ -13,7 +13,7 @@ from seafoam.planner import FramePlan, make_plan
 from seafoam.quality import TIERS, Tier
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
-from seafoam.textures import spec_of, texture, url_of
+from seafoam.textures.store import spec_of, texture, url_of
 from support.sweep import REST
 
 ONCE = ("shore: ", "mask: ", "wakes, ", "standing waves, ", "flow of drift", "drift, quarters of", "drift, two ")

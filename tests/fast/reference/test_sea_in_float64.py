@@ -16,7 +16,8 @@ from seafoam.scene.foam import Foam, WhitecapSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 from seafoam.scene.waves import Sea
-from seafoam.textures import SeaSpectrum, texture
+from seafoam.textures.sea import SeaSpectrum
+from seafoam.textures.store import texture
 from support.float64.tile import summed
 from support.report import Report
 from support.scenes.seas import SEAS

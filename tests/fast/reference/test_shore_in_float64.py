@@ -12,7 +12,8 @@ from seafoam.reference.shore import shore as truth
 from seafoam.scene.foam import SurfSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore
-from seafoam.textures import ShoreFloor, shore_profiles, texture
+from seafoam.textures.shore import ShoreFloor, shore_profiles
+from seafoam.textures.store import texture
 from support.scenes.coasts import KINDS, SEA, SHORE, coast, png
 
 SURF = SurfSaturation(line=1.0)

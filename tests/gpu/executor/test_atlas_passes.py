@@ -8,7 +8,8 @@ from seafoam.masks.families import SIZES
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.textures import MaskTexture, texture
+from seafoam.textures.masks import MaskTexture
+from seafoam.textures.store import texture
 from support.pictures import draw
 from support.scenes import Camera, Foam, HeightSaturation, Scene
 

@@ -21,7 +21,7 @@ from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.shader import declared_uniforms
 from seafoam.render.service.jobs import FrameJob
 from seafoam.resources import data_dir
-from seafoam.textures import spec_of, texture
+from seafoam.textures.store import spec_of, texture
 
 TEXTURES_LIMIT = 1 << 26
 """Bytes of all textures of a plan together."""

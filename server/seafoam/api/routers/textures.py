@@ -12,7 +12,8 @@ from seafoam.api.http.etags import IMMUTABLE, REVALIDATE, not_modified
 from seafoam.api.http.openapi import NOT_MODIFIED, content, problem_responses
 from seafoam.api.http.parameters import Parameters
 from seafoam.api.http.problems import BadRequestError, FieldProblem, NotFoundError
-from seafoam.textures import TextureData, TexturePart, spec_at, texture
+from seafoam.textures.parts import TexturePart
+from seafoam.textures.store import TextureData, spec_at, texture
 
 router = APIRouter(prefix="/api", tags=["textures"], default_response_class=Response)
 

@@ -18,7 +18,8 @@ from seafoam.ocean.waves.stokes import foam_drift, foam_life
 from seafoam.quality import Quality
 from seafoam.scene.foam import Foam
 from seafoam.scene.models import Scene
-from seafoam.textures import FoamTexture, MaskTable, MaskTexture, foam_texture
+from seafoam.textures.foam import FoamTexture, foam_texture
+from seafoam.textures.masks import MaskTable, MaskTexture
 
 CELLS = 4096
 """Number of cells along each side of their lattice after which their rotations repeat."""

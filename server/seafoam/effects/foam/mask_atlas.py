@@ -10,7 +10,7 @@ from seafoam.effects.effect import PassSpec, TextureUse
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput
 from seafoam.framegraph.rules import number
 from seafoam.masks.catalogue import Mask
-from seafoam.textures import MaskTable, MaskTexture
+from seafoam.textures.masks import MaskTable, MaskTexture
 
 ATLAS = "mask_atlas"
 MOMENTS = "mask_moments"

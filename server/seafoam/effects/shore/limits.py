@@ -18,7 +18,7 @@ from seafoam.ocean.constants import GRAVITY
 from seafoam.quality import Quality
 from seafoam.scene.shore import Shore
 from seafoam.sums import summed
-from seafoam.textures import ROWS, shore_profiles
+from seafoam.textures.shore import ROWS, shore_profiles
 
 Floats = NDArray[np.float64]
 

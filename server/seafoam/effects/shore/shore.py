@@ -21,7 +21,7 @@ from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore
 from seafoam.sums import summed
-from seafoam.textures import ROWS, ShoreFloor, ShoreProfiles, ShoreTravel
+from seafoam.textures.shore import ROWS, ShoreFloor, ShoreProfiles, ShoreTravel
 
 PERIOD = 2.0**18
 """Side of the square in which the shore repeats, m: farther than any camera sees."""

@@ -15,8 +15,7 @@ from seafoam.framegraph.rules import Uniform, Viewport, array, number, significa
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.spray import DROPS, Spray
-from seafoam.textures import SprayStrands
-from seafoam.textures.spray import STRANDS
+from seafoam.textures.spray import STRANDS, SprayStrands
 
 COLUMNS = 128
 """Drops in a row of their table."""

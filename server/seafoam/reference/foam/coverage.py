@@ -1,7 +1,5 @@
 """Section 5: masks and textures of foam, and the coverage of the filtered look, over footprints and in the limit."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -15,7 +13,7 @@ from seafoam.reference.foam import looks
 from seafoam.reference.types import Floats, Footprints, Indices
 from seafoam.scene.foam import Foam
 from seafoam.scene.models import Scene
-from seafoam.textures import foam_texture
+from seafoam.textures.foam import foam_texture
 
 OCTAVES_MOST = 4
 
@@ -34,11 +32,11 @@ class Assets:
     """Tables of an octave's ramp, (2 + levels, 65): of the B-spline mask, of each level, width over the former."""
     texture: list[Floats]
     """Box-averaged levels of the foam texture t in [0, 1]."""
-    older: tuple[Assets, ...] = ()
+    older: "tuple[Assets, ...]" = ()
     """The same of the masks of older foam."""
 
     @staticmethod
-    def of(mask: Mask, texture: Floats, older: Sequence[Mask] = ()) -> Assets:
+    def of(mask: Mask, texture: Floats, older: Sequence[Mask] = ()) -> "Assets":
         """From a mask, a foam texture (size, size) in [0, 1] and masks of older foam."""
         return Assets(
             older=tuple(Assets.of(other, texture) for other in older if other.ranks.shape == mask.ranks.shape),
@@ -50,7 +48,7 @@ class Assets:
         )
 
     @staticmethod
-    def for_scene(scene: Scene) -> Assets | None:
+    def for_scene(scene: Scene) -> "Assets | None":
         """The images of a scene's foam; None without foam. Raises ``KeyError`` or ``ValueError`` for a bad mask."""
         if scene.foam is None:
             return None
@@ -68,11 +66,11 @@ class MaskPoints:
     foot_u: Floats
     foot_v: Floats
 
-    def subset(self, rows: Indices) -> MaskPoints:
+    def subset(self, rows: Indices) -> "MaskPoints":
         """Some of the places."""
         return MaskPoints(self.u[rows], self.v[rows], self.foot_u[rows], self.foot_v[rows])
 
-    def finer(self) -> MaskPoints:
+    def finer(self) -> "MaskPoints":
         """The same places in the mask's next octave."""
         sides = (np.stack(looks.octave(foot[:, 0], foot[:, 1]), axis=-1) for foot in (self.foot_u, self.foot_v))
         return MaskPoints(*looks.octave(self.u, self.v), *sides)

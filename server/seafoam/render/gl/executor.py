@@ -25,7 +25,7 @@ from seafoam.render.gl.cache import FORMAT_BYTES, Cache, target_bytes
 from seafoam.render.gl.context import NoRendererError, create_context
 from seafoam.render.gl.formats import READ, TARGET_FORMATS, TEXTURE_FORMATS, Output
 from seafoam.scene.camera import Camera
-from seafoam.textures import spec_of, texture
+from seafoam.textures.store import spec_of, texture
 
 __all__ = ["Executor", "NoRendererError", "Output", "RenderedPixels", "ShaderError"]
 

@@ -20,7 +20,8 @@ from seafoam.reference.shore import maps
 from seafoam.reference.shore import shore as truth
 from seafoam.render.gl import executor as executors
 from seafoam.render.gl.executor import Executor
-from seafoam.textures import ShoreFloor, TextureData
+from seafoam.textures.shore import ShoreFloor
+from seafoam.textures.store import TextureData
 from support.exact import EXACT
 from support.report import Report
 from support.scenes import Camera, Foam, Scene, Shore, SurfSaturation
