@@ -72,14 +72,10 @@ describe("an error", () => {
     expect(errors).toEqual({ rmse: 0, max: 0, coverage: 0 });
   });
 
-  it("has a map whose root mean square is the whole's", () => {
+  it("has all measures, and a map whose root mean square is the whole's", () => {
     const [a, b] = [picture(0.1, 0.2, 0.3, 0, 0.9, 0.8, 0.7, 0), picture(0, 0, 0, 0, 1, 1, 1, 0)];
     const map = errorMap(a, b);
     expect(Math.sqrt(map.reduce((sum, x) => sum + x * x, 0) / map.length)).toBeCloseTo(pixelErrors(a, b).rmse, 4);
-  });
-
-  it("has all measures", () => {
-    const [a, b] = [picture(0.1, 0.2, 0.3, 0, 0.9, 0.8, 0.7, 0), picture(0, 0, 0, 0, 1, 1, 1, 0)];
     const { flip, ...others } = new ErrorMeter(b, null).errors(a);
     expect(others).toEqual(pixelErrors(a, b));
     expect(flip).toBeGreaterThan(0.05);
@@ -135,13 +131,7 @@ describe("numbers", () => {
     expect(median([])).toBeNaN();
   });
 
-  it.each([
-    [0, "0"],
-    [0.01234, "0.012"],
-    [1.234, "1.23"],
-    [12.34, "12.3"],
-    [1234.5, "1235"],
-  ])("are short: %d", (value, words) => expect(formatNumber(value)).toBe(words));
+  it.each([[0, "0"], [0.01234, "0.012"], [1.234, "1.23"], [12.34, "12.3"], [1234.5, "1235"]])("are short: %d", (value, words) => expect(formatNumber(value)).toBe(words));
 
   it("are told as factors", () => expect([1.04, 1.84, 12.3].map(formatFactor)).toEqual(["1.04×", "1.8×", "12×"]));
 
@@ -183,12 +173,7 @@ describe("numbers", () => {
 describe("a budget", () => {
   const points = [at("fast", 1, 8), at("good", 4, 2), at("odd", 4.5, 3), at("slow", 9, 1)];
 
-  it.each([
-    [0.5, "fast", 0],
-    [1, "fast", 1],
-    [5, "good", 3],
-    [100, "slow", 4],
-  ])("of %d ms picks %s", (budget, id, fitting) => {
+  it.each([[0.5, "fast", 0], [1, "fast", 1], [5, "good", 3], [100, "slow", 4]])("of %d ms picks %s", (budget, id, fitting) => {
     const selection = selectForBudget(points, budget);
     expect([selection?.point.id, selection?.fitting.length]).toEqual([id, fitting]);
   });

@@ -8,15 +8,8 @@ import { curl, exactFrame, javascript, python, requestOf } from "../../src/take/
 const SCENE = { waves: [{ model: "parametric", steepness: 0.1 + 0.2 }], foam: { mask: "vac-6" }, camera: { position: [0, 6, 0], yaw: 0, pitch: -0.15, roll: 0, fov: 0.8727 } };
 const CAMERA = { position: [1.5, 2.25, -1e6], yaw: 0.1, pitch: -0.3, roll: 0, fov: 0.9 } as const;
 const RECIPE: Recipe = recipeOf({
-  renderer: "any “renderer”",
-  preset: "default",
-  scene: { ...SCENE, foam: { mask: "blur-3" } },
-  quality: "high",
-  camera: CAMERA,
-  time: 4.1234567890123,
-  width: 320,
-  height: 180,
-  split: null,
+  ...{ renderer: "any “renderer”", preset: "default", scene: { ...SCENE, foam: { mask: "blur-3" } }, quality: "high" },
+  ...{ camera: CAMERA, time: 4.1234567890123, width: 320, height: 180, split: null },
 });
 
 const chunk = (type: string, data: Uint8Array) => {

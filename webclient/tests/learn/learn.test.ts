@@ -18,13 +18,8 @@ interface Golden {
 }
 
 const golden = read("foam_strips") as Golden;
-const mask: Mask = {
-  name: "golden",
-  title: "",
-  size: golden.mask.size,
-  values: thresholds(Uint16Array.from(golden.mask.words)),
-  quantiles: golden.mask.quantiles,
-};
+const { size, words, quantiles } = golden.mask;
+const mask: Mask = { name: "golden", title: "", size, values: thresholds(Uint16Array.from(words)), quantiles };
 
 describe("formulas of the chapter agree with the float64 reference", () => {
   it.each(golden.fronts.map((one) => [`${one.constants}, C ${one.intensity}`, one] as const))("front: %s", (_, one) => {

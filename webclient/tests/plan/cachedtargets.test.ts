@@ -26,8 +26,7 @@ function driver() {
       const names = [...shader.text.matchAll(/uniform \w+ (\w+)/g)].map(([, name]) => name ?? "");
       uniforms.set(program, [...(uniforms.get(program) ?? []), ...names]);
     },
-    getProgramParameter: (program: object, what: string) =>
-      what === "ACTIVE_UNIFORMS" ? (uniforms.get(program) ?? []).length : true,
+    getProgramParameter: (program: object, what: string) => (what === "ACTIVE_UNIFORMS" ? (uniforms.get(program) ?? []).length : true),
     getActiveUniform: (program: object, index: number) => {
       const name = uniforms.get(program)?.[index] ?? "";
       return { name, type: name.startsWith("t_") ? "SAMPLER_2D" : "FLOAT", size: 1 };
@@ -49,10 +48,8 @@ function driver() {
     getExtension: () => null,
     drawArrays: () => draws.push(into?.texture ?? "screen"),
   };
-  const gl = new Proxy({}, {
-    get: (_, name) =>
-      typeof name === "string" && /^[A-Z0-9_]+$/.test(name) ? name : (calls[String(name)] ?? (() => undefined)),
-  }) as unknown as WebGL2RenderingContext;
+  const get = (_: object, name: string) => (/^[A-Z0-9_]+$/.test(name) ? name : (calls[name] ?? (() => undefined)));
+  const gl = new Proxy({}, { get }) as unknown as WebGL2RenderingContext;
   const gpu = new Gpu(gl, { extensions: new Set(), renderer: "none", software: true, alwaysBlends: false, largestTarget: 4096 });
   const textures = () => [...alive].filter((texture) => (texture as { name: string }).name.startsWith("texture")).length;
   return { gpu, draws, textures };
@@ -61,18 +58,12 @@ function driver() {
 /** Two setup passes, one after the other, and one that reads what the second leaves. */
 function plan(over: Partial<FramePlan> = {}): FramePlan {
   const shader = (text: string) => ({ text, sha256: text, files: [] });
-  const program = (...uniforms: string[]) => ({
-    vertex: shader(""),
-    fragment: shader(uniforms.map((name) => `uniform float ${name};`).join("\n")),
-  });
+  const program = (...uniforms: string[]) => ({ vertex: shader(""), fragment: shader(uniforms.map((name) => `uniform float ${name};`).join("\n")) });
   const still = { size: { rule: "fixed", width: 8, height: 4 }, format: "RGBA16F", depth: false, filter: "nearest", wrap: "repeat" } as const;
   const pass = { eye: "any", view: "any", mesh: { rule: "fullscreen" }, uniforms: {}, state: { depth: false, equal: false, clear: false, blend: "none" } } as const;
   return {
-    version: 1,
-    effects: [],
-    skipped: [],
+    ...{ version: 1, effects: [], skipped: [], textures: {}, linear: "screen", samples: 1, top: 0, trough: 0, bottom: -1, live: ["/colour"] },
     programs: { first: program("u_colour"), second: program("t_first"), last: program("t_still", "u_time") },
-    textures: {},
     targets: { first: still, still },
     passes: [
       { ...pass, name: "first", when: "setup", program: "first", target: "first", inputs: {} },
@@ -84,27 +75,13 @@ function plan(over: Partial<FramePlan> = {}): FramePlan {
       u_colour: { type: "float", count: 1, rules: [{ rule: "constant", value: [0.5], field: "/colour" }] },
       u_time: { type: "float", count: 1, rules: [{ rule: "loop", period: 10, offset: 0 }] },
     },
-    linear: "screen",
-    samples: 1,
-    top: 0,
-    trough: 0,
-    bottom: -1,
-    live: ["/colour"],
     ...over,
   };
 }
 
 const load = (gpu: Gpu, framePlan: FramePlan) => Executor.load(gpu, framePlan, () => Promise.reject(new Error("no texture")), CAMERA, true);
 
-const frame = (time: number, colour = 0.5): Frame => ({
-  time,
-  camera: CAMERA,
-  width: 16,
-  height: 9,
-  screen: null,
-  scissor: null,
-  scene: { colour },
-});
+const frame = (time: number, colour = 0.5): Frame => ({ time, camera: CAMERA, width: 16, height: 9, screen: null, scissor: null, scene: { colour } });
 
 describe("setup passes", () => {
   it("are drawn for the first frame alone", async () => {

@@ -6,12 +6,7 @@ const start: CameraState = { position: [3, 6, -2], yaw: 0.7, pitch: -0.4, roll: 
 const dot = (a: Vec3, b: Vec3) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
 describe("axes", () => {
-  it.each([
-    [0, 0, 0],
-    [0.7, -0.4, 0],
-    [-2, Math.PI / 2, 0.3],
-    [3, -Math.PI / 2, -1],
-  ])("are at right angles at yaw %f, pitch %f, roll %f", (yaw, pitch, roll) => {
+  it.each([[0, 0, 0], [0.7, -0.4, 0], [-2, Math.PI / 2, 0.3], [3, -Math.PI / 2, -1]])("are at right angles at yaw %f, pitch %f, roll %f", (yaw, pitch, roll) => {
     const { right, up, forward } = basis({ ...start, yaw, pitch, roll });
     for (const [a, b] of [[right, up], [right, forward], [up, forward]] as const) expect(dot(a, b)).toBeCloseTo(0, 12);
     for (const a of [right, up, forward]) expect(dot(a, a)).toBeCloseTo(1, 12);

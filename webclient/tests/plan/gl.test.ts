@@ -58,40 +58,28 @@ describe("a pool", () => {
 describe("waiting for the compiler", () => {
   const extensions = new Set(["KHR_parallel_shader_compile"]);
   const program = { handle: {} } as Program;
-  const driver = (done: () => boolean) =>
+  /** `done`: whether the program is linked; `executed`: whether the driver has executed its commands. */
+  const driver = (done: () => boolean, executed = done) =>
     ({
-      flush: () => undefined,
-      isContextLost: () => false,
-      getExtension: () => ({ COMPLETION_STATUS_KHR: 1 }),
-      getProgramParameter: done,
+      ...{ SIGNALED: true, flush: () => undefined, isContextLost: () => false, fenceSync: () => ({}), deleteSync: () => undefined },
+      ...{ getExtension: () => ({ COMPLETION_STATUS_KHR: 1 }), getProgramParameter: done, getSyncParameter: executed },
     }) as unknown as WebGL2RenderingContext;
+  const never = () => false;
 
-  it("ends when the driver says so", async () => {
+  it.each([["the driver says so", true], ["the commands are executed, where the driver does not say when a program is linked", false]])("ends when %s", async (_, told) => {
     let polls = 0;
-    await whenReady(driver(() => ++polls > 2), program, { extensions } as unknown as Capabilities);
+    const third = () => ++polls > 2;
+    const gl = told ? driver(third, never) : driver(never, third);
+    const deleted = vi.spyOn(gl, "deleteSync");
+    await whenReady(gl, program, { extensions: told ? extensions : new Set() } as unknown as Capabilities);
     expect(polls).toBe(3);
-  });
-
-  it("ends when the commands are executed, where the driver does not say when a program is linked", async () => {
-    let polls = 0;
-    const deleted = vi.fn();
-    const gl = {
-      SIGNALED: 1,
-      flush: () => undefined,
-      isContextLost: () => false,
-      fenceSync: () => ({}),
-      getSyncParameter: () => (++polls > 2 ? 1 : 0),
-      deleteSync: deleted,
-    } as unknown as WebGL2RenderingContext;
-    await whenReady(gl, program, { extensions: new Set() } as unknown as Capabilities);
-    expect(polls).toBe(3);
-    expect(deleted).toHaveBeenCalledOnce();
+    expect(deleted).toHaveBeenCalledTimes(told ? 0 : 1);
   });
 
   it("ends even where the driver never says so", async () => {
     vi.useFakeTimers({ toFake: ["setTimeout", "performance"] });
     try {
-      const waiting = whenReady(driver(() => false), program, { extensions } as unknown as Capabilities);
+      const waiting = whenReady(driver(never), program, { extensions } as unknown as Capabilities);
       await vi.advanceTimersByTimeAsync(60_000);
       await waiting;
     } finally {

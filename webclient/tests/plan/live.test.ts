@@ -13,21 +13,11 @@ const scene: JsonObject = {
 
 describe("a plan serves", () => {
   it("every live field and every camera", () => {
-    const other = apply(scene, [
-      ["/light/exposure", 2],
-      ["/water/absorption_length/1", 20],
-      ["/camera/yaw", 1],
-    ]);
+    const other = apply(scene, [["/light/exposure", 2], ["/water/absorption_length/1", 20], ["/camera/yaw", 1]]);
     expect(planCovers(plan, scene, other)).toBe(true);
   });
 
-  it.each([
-    ["/light/turbidity", 3],
-    ["/light", null],
-    ["/waves", []],
-    ["/light/exposures", 1],
-    ["/light/exposure", null],
-  ] as const)("no other change: %s", (pointer, value) => {
+  it.each([["/light/turbidity", 3], ["/light", null], ["/waves", []], ["/light/exposures", 1], ["/light/exposure", null]] as const)("no other change: %s", (pointer, value) => {
     expect(planCovers(plan, scene, withValue(scene, pointer, value as never))).toBe(false);
   });
 });
@@ -69,13 +59,7 @@ describe("differences", () => {
   describe("of a list that can change", () => {
     const strength = { rule: "constant" as const, value: [0.3], field: "/touches/1/strength", absent: [0] };
     const fixed = { rule: "clamp" as const, offset: 7, rate: -2, k: [1, 0] as [number, number], low: -1e8, high: 1e8 };
-    const place = {
-      ...fixed,
-      terms: [
-        { field: "/touches/1/place/0", factor: -1 },
-        { field: "/touches/1/time", factor: 2 },
-      ],
-    };
+    const place = { ...fixed, terms: [{ field: "/touches/1/place/0", factor: -1 }, { field: "/touches/1/time", factor: 2 }] };
     const touched = (count: number) => ({ touches: Array.from({ length: count }, (_, i) => ({ place: [i + 0.5, 3], time: 10 * i, strength: 0.1 })) });
 
     it("has the element's numbers, or those of none", () => {

@@ -1,24 +1,19 @@
 /** Wave, thresholds and strips one below another, all along the same water. */
 import { element } from "../../ui/dom";
-import { LOOK_TITLES, type Look } from "../maths/looks";
+import { coverage, overSample, thresholdOf } from "../maths/filtered";
+import { amount, type Look, LOOKS, PopCounter } from "../maths/looks";
 import type { Mask } from "../maths/mask";
 import { frontSaturation } from "../maths/wave";
+import { foamTextures } from "../parts/texture";
 import { Plot, Texels } from "./canvas";
-import { GREYS, shade } from "./palette";
+import { BLEND, GREYS, shade } from "./palette";
 import { drawProfile, drawThresholds, phaseAt, type WaveState } from "./profile";
-import { Strip } from "./strip";
-
-const FORMULAS: Record<Look, string> = {
-  textured: "a = f · t",
-  halftone: "a = 1 where f > m",
-  fading: "a = f/2 − m where f > m",
-  halftone_textured: "a = (f/2 − m) · t where f > m",
-  listing: "a = max(f − m, 0.15) · t where f > m",
-  filtered: "a = the share of the pixel where f > m",
-};
 
 /** Widths of the page from which a texel is two pixels wide, px. */
 const WIDE = 640;
+
+/** Pixels along a texel, so that the filtered look has samples smaller than texels. */
+const SCALE = 2;
 
 interface StackOptions {
   rows: number;
@@ -44,10 +39,8 @@ export class Stack {
     private readonly options: StackOptions,
   ) {
     const looks: Look[] = ["halftone", "fading", "halftone_textured", "listing", "filtered"];
-    this.strips = looks.map((look) => new Strip(look, LOOK_TITLES[look], FORMULAS[look], mask, texture, options.rows));
-    this.others = options.others.map(
-      (look) => new Strip(look, `${LOOK_TITLES[look]}, second mask`, FORMULAS[look], other, texture, options.rows),
-    );
+    this.strips = looks.map((look) => new Strip(look, LOOKS[look].title, mask, texture, options.rows));
+    this.others = options.others.map((look) => new Strip(look, `${LOOKS[look].title}, second mask`, other, texture, options.rows));
     host.append(this.profile.canvas);
     if (options.thresholds) {
       const name = element("p", { class: "strip-name" }, element("strong", {}, "A row of the mask"), " the same numbers as bars and as greys");
@@ -85,5 +78,109 @@ export class Stack {
     if (this.options.thresholds) drawThresholds(this.thresholds, this.mask, wave, this.texel);
     const saturation = (texel: number) => frontSaturation(phaseAt(texel, wave.time), wave.front);
     for (const strip of [...this.strips, ...this.others]) strip.draw(saturation, fade, seconds);
+  }
+}
+
+/** Saturation at a place along the strip, texels. */
+type Saturation = (texel: number) => number;
+
+/** A strip of water under a passing wave, thresholded by one of the looks. */
+class Strip {
+  readonly root: HTMLElement;
+  private readonly texels: Texels;
+  private readonly output = element("output", { class: "rate ml-auto" });
+  private counter = new PopCounter(0);
+  private textures = new Float32Array(0);
+  /** Means and half ranges of the mask's B-spline over the pixels. */
+  private samples = new Float32Array(0);
+  private columns = 0;
+
+  constructor(
+    readonly look: Look,
+    title: string,
+    private mask: Mask,
+    private readonly texture: Uint8Array,
+    private readonly rows: number,
+  ) {
+    this.texels = new Texels(`${title}: a strip of water with foam, in motion`);
+    this.root = element(
+      "div",
+      { class: "strip" },
+      element("p", { class: "strip-name flex-nowrap whitespace-nowrap" }, element("strong", {}, title), " ", element("span", { class: "truncate opacity-75" }, LOOKS[look].formula), this.output),
+      this.texels.canvas,
+    );
+  }
+
+  /** columns: length, texels; texel: its side on the page, px. */
+  resize(columns: number, texel: number): void {
+    this.columns = columns;
+    this.texels.resize(SCALE * columns, SCALE * this.rows);
+    this.texels.canvas.style.width = `${texel * columns}px`;
+    this.texels.canvas.style.height = `${texel * this.rows}px`;
+    this.prepare();
+  }
+
+  setMask(mask: Mask): void {
+    if (mask === this.mask) return;
+    this.mask = mask;
+    this.prepare();
+  }
+
+  private prepare(): void {
+    const { columns, rows, mask } = this;
+    this.counter = new PopCounter(columns * rows);
+    if (this.look === "filtered") {
+      const samples = new Float32Array(2 * SCALE * columns * SCALE * rows);
+      for (let y = 0, i = 0; y < SCALE * rows; y++) {
+        for (let x = 0; x < SCALE * columns; x++, i += 2) {
+          samples.set(overSample(mask, (x + 0.5) / SCALE, (y + 0.5) / SCALE, 1 / SCALE), i);
+        }
+      }
+      this.samples = samples;
+    } else {
+      this.textures = foamTextures(this.texture, columns, rows);
+    }
+  }
+
+  /** seconds: by which time moved since the last frame; fade: of the filtered look. */
+  draw(saturation: Saturation, fade: number, seconds: number): void {
+    if (this.look === "filtered") this.drawFiltered(saturation, fade);
+    else this.drawTexels(this.look, saturation);
+    this.texels.show();
+    this.output.textContent = this.counter.advance(seconds);
+  }
+
+  private drawTexels(look: Exclude<Look, "filtered">, saturation: Saturation): void {
+    const { columns, rows, mask, textures, counter } = this;
+    const { words } = this.texels;
+    const width = SCALE * columns;
+    for (let x = 0; x < columns; x++) {
+      const f = saturation(x + 0.5);
+      const column = x & (mask.size - 1);
+      for (let y = 0; y < rows; y++) {
+        const a = amount(look, f, mask.values[y * mask.size + column] ?? 1, textures[y * columns + x] ?? 0);
+        counter.see(y * columns + x, a);
+        const word = shade(BLEND, a);
+        const corner = SCALE * (y * width + x);
+        words.fill(word, corner, corner + SCALE);
+        words.fill(word, corner + width, corner + width + SCALE);
+      }
+    }
+  }
+
+  private drawFiltered(saturation: Saturation, fade: number): void {
+    const { columns, rows, mask, samples, counter } = this;
+    const { words } = this.texels;
+    const width = SCALE * columns;
+    for (let x = 0; x < width; x++) {
+      const threshold = thresholdOf(mask.quantiles, Math.min(saturation((x + 0.5) / SCALE), 1), fade);
+      for (let y = 0; y < SCALE * rows; y++) {
+        const i = y * width + x;
+        const a = coverage(threshold, samples[2 * i] ?? 0, samples[2 * i + 1] ?? 1);
+        words[i] = shade(BLEND, a);
+        // One of a texel's samples stands for its bubble.
+        if (x % SCALE === 0 && y % SCALE === 0) counter.see((y / SCALE) * columns + x / SCALE, a);
+      }
+    }
   }
 }

@@ -6,7 +6,7 @@ import { openContext, openGpu } from "../../gl/gpu";
 import { Executor } from "../../plan/executor";
 import { withValue } from "../../scene/json";
 import { element } from "../../ui/dom";
-import { LOOK_TITLES, LOOKS, type Look } from "../maths/looks";
+import { LOOKS, type Look } from "../maths/looks";
 import { Choice, PlayButton, Slider } from "../parts/controls";
 import type { FigureContext, LiveFigure } from "../parts/live";
 
@@ -62,7 +62,7 @@ export async function make({ api, plate, controls, playing, redraw }: FigureCont
   const Controls = () => (
     <>
       <PlayButton playing={playing} />
-      <Choice label={busy.value ? "Look, compiling" : "Look"} value={look} options={LOOKS.map((one) => [one, LOOK_TITLES[one]] as const)} />
+      <Choice label={busy.value ? "Look, compiling" : "Look"} value={look} options={(Object.keys(LOOKS) as Look[]).map((one) => [one, LOOKS[one].title] as const)} />
       <Slider label="Camera over the water" value={height} min={2} max={60} step={0.1} log unit=" m" />
     </>
   );

@@ -1,16 +1,14 @@
 /** Foam amounts of a saturation f, a threshold m and the foam texture t (docs/formulae.md, section 5), and the bubbles that pop by them. */
 
-export const LOOKS = ["textured", "halftone", "fading", "halftone_textured", "listing", "filtered"] as const;
-export type Look = (typeof LOOKS)[number];
-
-export const LOOK_TITLES: Record<Look, string> = {
-  textured: "Faded texture",
-  halftone: "Equation 1",
-  fading: "Equation 2",
-  halftone_textured: "Equation 3",
-  listing: "Listing",
-  filtered: "Filtered",
-};
+export const LOOKS = {
+  textured: { title: "Faded texture", formula: "a = f · t" },
+  halftone: { title: "Equation 1", formula: "a = 1 where f > m" },
+  fading: { title: "Equation 2", formula: "a = f/2 − m where f > m" },
+  halftone_textured: { title: "Equation 3", formula: "a = (f/2 − m) · t where f > m" },
+  listing: { title: "Listing", formula: "a = max(f − m, 0.15) · t where f > m" },
+  filtered: { title: "Filtered", formula: "a = the share of the pixel where f > m" },
+} as const;
+export type Look = keyof typeof LOOKS;
 
 /** Smallest amount that a screen of 8 bits shows. */
 export const VISIBLE = 0.5 / 255;
