@@ -4,6 +4,6 @@ from seafoam.extras import require
 
 require("notebook")
 
-from seafoam.notebook.widget import Water  # noqa: E402 (without anywidget the import fails without the remedy)
+from seafoam.notebook.widget import WaterWidget as Water  # noqa: E402 (without anywidget the import fails without the remedy)
 
 __all__ = ["Water"]

@@ -55,7 +55,7 @@ class _CheckedTrait(traitlets.TraitType[Any, Any]):
             raise traitlets.TraitError(str(error)) from error
 
 
-class Water(anywidget.AnyWidget):
+class WaterWidget(anywidget.AnyWidget):
     """Water in a notebook: it moves, a drag moves the camera, and a panel has every field of the scene.
 
     what: a preset's name, a :class:`seafoam.Scene` or its fields. time: s, absent: the preset's. quality: a tier or
