@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from seafoam.masks.catalogue import custom_mask
+from seafoam.masks.catalogue import mask_by_name
 from seafoam.masks.formats import quantised
 from seafoam.masks.judge.spectrum import measure_spectrum
 from seafoam.reference import sampling
@@ -106,7 +106,7 @@ def shuffled() -> list[int]:
 
 def main() -> None:
     """Write the vectors."""
-    mask = custom_mask("vac", 1.5, SIDE, SEED)
+    mask = mask_by_name(f"vac:1.5:{SIDE}:{SEED}")
     words = quantised(mask.ranks, 16)
     heights = np.linspace(-0.2, 1.4, 9)
     spectra = measure_spectrum(mask.ranks, greys=GREYS)

@@ -36,18 +36,14 @@ def bake_all(
     does, which takes some four minutes: `vac` is ordered exactly.
     """
     directory.mkdir(parents=True, exist_ok=True)
-    made = [not only or mask.name in only for mask in SHIPPED]
-    expected = [_expected_seconds(mask, new) for mask, new in zip(SHIPPED, made, strict=True)]
-    total = sum(expected)
     kept = [
-        None if new else rank_file(directory, mask.name).read_bytes() for mask, new in zip(SHIPPED, made, strict=True)
+        rank_file(directory, mask.name).read_bytes() if only and mask.name not in only else None for mask in SHIPPED
     ]
+    expected = [_expected_seconds(mask, old is None) for mask, old in zip(SHIPPED, kept, strict=True)]
+    total = sum(expected)
     baked: dict[int, _Baked] = {}
     if pool is not None:
-        running = {
-            pool.submit(_bake, mask, SHIPPED_SIZE, old): i
-            for i, (mask, old) in enumerate(zip(SHIPPED, kept, strict=True))
-        }
+        running = {pool.submit(_bake, mask, SHIPPED_SIZE, kept[i]): i for i, mask in enumerate(SHIPPED)}
         for done in as_completed(running):
             baked[running[done]] = done.result()
             progress(sum(expected[i] for i in baked) / total)
@@ -62,7 +58,7 @@ def bake_all(
     records = []
     for index, mask in enumerate(SHIPPED):
         record, ranks, tables = baked[index]
-        if made[index]:
+        if kept[index] is None:
             write_whole(rank_file(directory, mask.name), ranks)
         write_whole(tables_file(directory, mask.name), tables)
         records.append(record)

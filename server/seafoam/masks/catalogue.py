@@ -26,7 +26,6 @@ from seafoam.masks.families import (
     Family,
     MaskSpec,
     Method,
-    check_parameters,
     parse_parameters,
 )
 from seafoam.masks.formats import decode_ranks
@@ -320,18 +319,6 @@ def drawn_mask(name: str) -> Mask:
         sizes = ", ".join(map(str, SIZES))
         raise ValueError(f"size {asked.size} is not one of {sizes} texels, which a scene can draw")
     return mask_by_name(name)
-
-
-def custom_mask(
-    family: str,
-    sigma: float | None = None,
-    size: int | tuple[int, int] = 256,
-    seed: int = 0,
-    aspect: float = 1.0,
-    age: float = 0.0,
-) -> Mask:
-    """A mask made on request, from the arguments of ``make_mask``; otherwise as :func:`made_on_request`."""
-    return made_on_request(check_parameters(family, sigma, size, seed, aspect, age))
 
 
 def made_on_request(parameters: MaskSpec, limit: float | None = None, progress: Progress = no_progress) -> Mask:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from PIL import Image
 from playwright.sync_api import Locator, Page, Route, expect
 
-from seafoam.masks.catalogue import custom_mask, load_catalogue, load_mask
+from seafoam.masks.catalogue import load_catalogue, load_mask, mask_by_name
 from seafoam.masks.formats import quantised
 from support.browser.lanes import Lane
 from support.browser.visits import FINGER, PHONE, TARGETS, Visit, visit
@@ -50,7 +50,7 @@ BOTH = pytest.mark.parametrize("lab", [LARGE, PHONE], ids=["desktop", "phone"], 
 
 def small() -> NDArray[np.uint64]:
     """The values of the small mask, (64, 64)."""
-    return quantised(custom_mask("vac", 2.0, 64, 7).ranks, 16)
+    return quantised(mask_by_name("vac:2:64:7").ranks, 16)
 
 
 def numbers(table: Locator, column: int) -> list[float | None]:
@@ -101,16 +101,12 @@ def test_two_masks_beside_each_other(lab: Visit) -> None:
     expect(page.locator(".status").last).to_contain_text("mix, ", timeout=30_000)
     expect(page.locator(".spectra .legend").first).to_contain_text(load_catalogue()["mix"].title)
     first, second = (page.locator(".picture").nth(side).bounding_box() for side in (0, 1))
-    assert first is not None
-    assert second is not None
     assert first["y"] == pytest.approx(second["y"])
     assert second["x"] >= first["x"] + first["width"]
     # One of own parameters, with all its controls, is not pushed down either.
     page.get_by_label("Second mask: mask").select_option("own parameters")
     expect(page.locator(".status").last).to_contain_text("128 × 128", timeout=30_000)
     first, second = (page.locator(".picture").nth(side).bounding_box() for side in (0, 1))
-    assert first is not None
-    assert second is not None
     assert first["y"] == pytest.approx(second["y"])
     page.get_by_label("Second mask: mask").select_option("mix")
     expect(page.locator(".status").last).to_contain_text("mix, σ", timeout=30_000)
@@ -124,7 +120,7 @@ def test_two_masks_beside_each_other(lab: Visit) -> None:
 
 
 def test_spectra_are_the_server_s(lab: Visit) -> None:
-    measured = custom_mask("vac", 2.0, 64, 7).spectrum
+    measured = mask_by_name("vac:2:64:7").spectrum
     grey = measured.grey(0.25)
     tables = lab.page.locator(".spectra table")
     raps, anisotropy = numbers(tables.nth(0), 1), numbers(tables.nth(1), 1)
@@ -162,7 +158,6 @@ def test_it_fits_fingers_and_keys(lab: Visit) -> None:
     assert targets == []
     # On a phone, what is too wide widens the window itself.
     size = page.viewport_size
-    assert size is not None
     assert page.evaluate("() => document.documentElement.scrollWidth") <= size["width"]
     page.locator("pre").scroll_into_view_if_needed()
     assert page.locator("pre").bounding_box() is not None
@@ -237,13 +232,18 @@ def test_the_three_snippet_draws_lit_antialiased_foam(llvmpipe: Lane, server: st
         assert drawn("MeshStandardMaterial", 6, 0, "low", width=96, height=54).max() == 0.0
 
 
-def test_the_page_s_tools_open_it(llvmpipe: Lane, server: str) -> None:
+@pytest.mark.parametrize(
+    ("name", "path", "back"),
+    [("Foam laboratory", "learn/laboratory/", "Seafoam"), ("Mask laboratory", "masks/", "Back to the water")],
+)
+def test_the_page_s_tools_open_laboratories(llvmpipe: Lane, server: str, name: str, path: str, back: str) -> None:
     with visit(llvmpipe, server, settle=False) as made:
-        link = made.page.get_by_role("link", name="Mask laboratory")
+        link = made.page.get_by_role("link", name=name)
         link.wait_for()
-        assert not any("/masks/" in url and "/api/" not in url for _, url in made.asked), "loaded before it was opened"
+        pages = [url for _, url in made.asked if "/api/" not in url]
+        assert not any("laboratory" in url or "/masks/" in url for url in pages), "loaded before it was opened"
         link.click()
-        made.page.get_by_role("heading", name="Mask laboratory").wait_for()
-        assert made.page.url.startswith(f"{server}/masks/")
-        made.page.get_by_role("link", name="Back to the water").click()
-        made.page.wait_for_url(f"{server}/")
+        made.page.wait_for_url(f"{server}/{path}**")
+        made.page.get_by_role("link", name=back, exact=True).click()
+        made.page.wait_for_url(f"{server}/**")
+        made.page.locator("#canvas").wait_for()

@@ -4,23 +4,24 @@ import numpy as np
 import pytest
 
 from seafoam.masks.bake import bake_all
-from seafoam.masks.catalogue import Mask, MaskTooSlowError, Thresholds, custom_mask, rank_sha256, read_catalogue
+from seafoam.masks.catalogue import Mask, MaskTooSlowError, Thresholds, mask_by_name, rank_sha256, read_catalogue
+from seafoam.masks.families import check_parameters
 from seafoam.masks.formats import decode_ranks
 
 
 def test_a_request_is_answered_from_the_cache_the_second_time_and_names_its_sigma():
-    first = custom_mask("vac", 1.5, 64, 9)
-    assert custom_mask("vac", 1.5, 64, 9) is first
+    first = mask_by_name("vac:1.5:64:9")
+    assert mask_by_name("vac:1.5:64:9") is first
     assert first.entry.parameters.method == "batched"
     assert first.entry.name == "vac-1.5-64-9"
     assert first.entry.sha256 == rank_sha256(first.ranks)
     assert not first.ranks.flags.writeable
     assert not first.spans[0].flags.writeable
-    assert custom_mask("blur", None, 64, 0).entry.parameters.sigma == 6.0
+    assert check_parameters("blur", None, 64, 0).sigma == 6.0
 
 
 def test_tables_are_measured_when_asked_for():
-    mask = custom_mask("clump", 1.5, 128, 4)
+    mask = mask_by_name("clump:1.5:128:4")
     assert "tables" not in vars(mask)
     assert len(mask.quantile) == 65
     assert len(mask.sigma_l) == 8
@@ -30,10 +31,10 @@ def test_tables_are_measured_when_asked_for():
 
 def test_slow_and_bad_requests_are_refused_before_they_start():
     with pytest.raises(MaskTooSlowError, match="lower sigma or size"):
-        custom_mask("vac", 24.0, 512, 0)
+        mask_by_name("vac:24:512:0")
     assert issubclass(MaskTooSlowError, ValueError)
     with pytest.raises(ValueError, match="size 31"):
-        custom_mask("vac", 1.5, 31, 0)
+        mask_by_name("vac:1.5:31:0")
 
 
 def test_baking_writes_what_the_catalogue_reads(tmp_path, monkeypatch):

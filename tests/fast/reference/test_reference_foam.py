@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from seafoam.masks.catalogue import custom_mask
+from seafoam.masks.catalogue import mask_by_name
 from seafoam.reference import Assets, sampling
 from seafoam.reference.foam import coverage as looked
 from seafoam.reference.foam import looks
@@ -202,7 +202,7 @@ def test_looks_are_the_papers_equations() -> None:
         assert tuple(float(a[i]) for a in got) == pytest.approx(expected)
 
 
-MASK = custom_mask("vac", 1.5, 64, 5)
+MASK = mask_by_name("vac:1.5:64:5")
 
 
 ASSETS = Assets.of(MASK, np.ones((1, 1)))

@@ -7,7 +7,6 @@ from functools import lru_cache
 from seafoam.ocean.basics.hash import chance
 from seafoam.ocean.constants import GRAVITY
 from seafoam.scene.water import Ripples
-from seafoam.sums import summed
 
 TILES = (18.9, 4.1)
 """Sides of the two tiles, m."""
@@ -73,43 +72,30 @@ def ripple_cascades(ripples: Ripples, repeats: bool = False) -> tuple[tuple[Ripp
     # Both copies' mean directions and their spread make up what is asked for.
     half = 0.5 * math.atan2(TURN[1], TURN[0]) if copied else 0.0
     mean, spread = ripples.downwind - half, math.sqrt(ripples.spread**2 - half**2)
+    # Equal mean square slope in each octave of wavenumber, the tail of a saturated wind sea (Phillips 1958).
+    amplitude = ripples.slope * math.sqrt((1.0 if copied else 2.0) / (len(TILES) * WAVES_PER_TILE))
     cascades = []
-    weights = []
-    for cascade, tile in enumerate(tiles(repeats)):
-        longest, shortest = _RANGES[cascade][1], _RANGES[cascade][0]
-        drawn: list[tuple[float, float, float, float]] = []
-        used: set[tuple[int, int]] = set()
+    for cascade, (side, (shortest, longest)) in enumerate(zip(tiles(repeats), _RANGES, strict=True)):
+        waves: dict[tuple[int, int], Ripple] = {}
         for index in range(WAVES_PER_TILE):
-            share = (index + float(chance(ripples.seed, cascade, index, 0))) / WAVES_PER_TILE
-            wavelength = longest * (shortest / longest) ** share
-            normal = math.sqrt(-2.0 * math.log(float(chance(ripples.seed, cascade, index, 1)))) * math.cos(
-                2.0 * math.pi * float(chance(ripples.seed, cascade, index, 2))
-            )
+            draws = [float(chance(ripples.seed, cascade, index, part)) for part in range(4)]
+            wavelength = longest * (shortest / longest) ** ((index + draws[0]) / WAVES_PER_TILE)
+            normal = math.sqrt(-2.0 * math.log(draws[1])) * math.cos(2.0 * math.pi * draws[2])
             heading = mean + spread * normal
-            number = tile / wavelength
+            number = side / wavelength
             ix, iz = round(number * math.cos(heading)), round(number * math.sin(heading))
             # Two ripples with the same wavevector would add up or cancel, so the second gets the next free integers.
-            while (ix, iz) in used or (ix == 0 and iz == 0):
+            while (ix, iz) in waves or (ix, iz) == (0, 0):
                 ix += 1
-            used.add((ix, iz))
-            kx, kz = 2.0 * math.pi * ix / tile, 2.0 * math.pi * iz / tile
+            kx, kz = 2.0 * math.pi * ix / side, 2.0 * math.pi * iz / side
             k = math.hypot(kx, kz)
-            drawn.append((k, kx, kz, 2.0 * math.pi * float(chance(ripples.seed, cascade, index, 3))))
-            # Equal mean square slope in each octave of wavenumber, the tail of a saturated wind sea (Phillips 1958).
-            weights.append(1.0)
-        cascades.append(sorted(drawn))
-    amplitude = ripples.slope * math.sqrt((1.0 if copied else 2.0) / summed(weights))
-    drawn_waves = tuple(
-        tuple(
-            Ripple(kx, kz, math.sqrt(GRAVITY * k + SURFACE_TENSION * k**3), phase, amplitude)
-            for k, kx, kz, phase in drawn
-        )
-        for drawn in cascades
-    )
+            omega = math.sqrt(GRAVITY * k + SURFACE_TENSION * k**3)
+            waves[ix, iz] = Ripple(kx, kz, omega, 2.0 * math.pi * draws[3], amplitude)
+        cascades.append(tuple(sorted(waves.values(), key=lambda wave: (wave.k, wave.kx, wave.kz))))
     if not copied:
-        return drawn_waves
+        return tuple(cascades)
     copies = (
         tuple(_copy(wave, shift, side) for wave in waves)
-        for waves, shift, side in zip(drawn_waves, SHIFTS, TILES, strict=True)
+        for waves, shift, side in zip(cascades, SHIFTS, TILES, strict=True)
     )
-    return (*drawn_waves, *copies)
+    return (*cascades, *copies)
