@@ -11,8 +11,7 @@ from seafoam.api.frames.plans import CompiledPlan, PlanIndex, compile_scene
 from seafoam.api.frames.request_cache import RequestCache
 from seafoam.api.frames.streams import Streams
 from seafoam.api.http.thread_pool import ThreadPool
-from seafoam.api.jobs.sequences import sequence_service
-from seafoam.api.jobs.sweeps import sweep_service
+from seafoam.api.jobs import sequence_service, sweep_service
 from seafoam.api.settings import Settings
 from seafoam.api.watch.metrics import Metrics
 from seafoam.api.watch.telemetry import Traces

@@ -22,7 +22,7 @@ from seafoam.extras import require
 from seafoam.render.gl.executor import Executor
 from seafoam.render.service.jobs import FrameJob, Renderer, render_frame
 from seafoam.sequences.errors import MixedFleetError, SequenceError
-from seafoam.sequences.workers import Drawn, Unit, Units
+from seafoam.sequences.workers import DrawnFrames, Unit, Units
 
 if TYPE_CHECKING:
     from distributed import Client
@@ -69,7 +69,7 @@ class DaskWorkers:
             self._stack.close()
             raise
 
-    def draw(self, units: Units) -> Drawn:
+    def draw(self, units: Units) -> DrawnFrames:
         """Draw frames, each as soon as a worker is free, in the order in which they are finished.
 
         Raises :class:`SequenceError` if the scheduler goes away and does not return within ``RETURN_SECONDS``.

@@ -10,7 +10,7 @@ Unit = tuple[int, FrameJob]
 
 
 Units = Iterable[Unit]
-Drawn = Generator[tuple[int, bytes], None, None]
+DrawnFrames = Generator[tuple[int, bytes], None, None]
 """Encoded frames with their numbers."""
 
 
@@ -21,7 +21,7 @@ class Workers(Protocol):
     def info(self) -> Mapping[str, str]:
         """The renderer's ``vendor``, ``renderer`` and ``version``."""
 
-    def draw(self, units: Units) -> Drawn:
+    def draw(self, units: Units) -> DrawnFrames:
         """Draw frames, in any order, and return each encoded with its number; none is lost.
 
         Closing the generator ends the work. Raises what drawing raises.
@@ -39,7 +39,7 @@ class InProcess:
         """The renderer's ``vendor``, ``renderer`` and ``version``."""
         return self._renderer.info
 
-    def draw(self, units: Units) -> Drawn:
+    def draw(self, units: Units) -> DrawnFrames:
         """Draw frames one after the other."""
         for index, job in units:
             yield index, render_frame(self._renderer, job).content

@@ -21,7 +21,7 @@ from seafoam.sequences.folder import HASHES, MANIFEST, SequenceFolder, frame_nam
 from seafoam.sequences.making import Kind, Output, Progress, make_sequence
 from seafoam.sequences.spec import SequenceSpec, frame_count, rate_of
 from seafoam.sequences.webp import durations_of, write_animation
-from seafoam.sequences.workers import Drawn, InProcess, Unit
+from seafoam.sequences.workers import DrawnFrames, InProcess, Unit
 from support.api_fakes import FakeRenderer
 
 
@@ -32,7 +32,7 @@ class Counting(InProcess):
         super().__init__(renderer or FakeRenderer())
         self.drawn: list[int] = []
 
-    def draw(self, units: Iterable[Unit]) -> Drawn:
+    def draw(self, units: Iterable[Unit]) -> DrawnFrames:
         for unit in units:
             yield from super().draw([unit])
             self.drawn.append(unit[0])
@@ -40,12 +40,12 @@ class Counting(InProcess):
 
 def spec(stop: float = 0.25, fps: float | str = 24.0, **changes: object) -> SequenceSpec:
     options = {"time": 0.0, "size": (24, 16), "quality": "draft", **changes}
-    return SequenceSpec(PictureRequest("paper-halftone", **options).job(), stop, rate_of(fps))  # type: ignore[arg-type]
+    return SequenceSpec(PictureRequest("paper-halftone", **options).job(), stop, rate_of(fps))
 
 
 def make(output: Output, of: SequenceSpec | None = None, **options: object) -> Counting:
     workers = Counting()
-    make_sequence(of or spec(), output, workers, **options)  # type: ignore[arg-type]
+    make_sequence(of or spec(), output, workers, **options)
     return workers
 
 
@@ -238,7 +238,7 @@ def test_a_video_shows_the_frames_at_its_exact_rate(tmp_path: Path, codec: str) 
     import av
 
     of = spec(size=(128, 64))
-    output = Output(tmp_path / "sea.mp4", "mp4", codec)  # type: ignore[arg-type]
+    output = Output(tmp_path / "sea.mp4", "mp4", codec)
     make(output, of)
     assert [each.name for each in tmp_path.iterdir()] == ["sea.mp4"]
     with av.open(str(output.path)) as container:

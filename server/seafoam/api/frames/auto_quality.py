@@ -10,7 +10,7 @@ from seafoam.accuracy.timing import choose
 from seafoam.api.context import Context
 from seafoam.api.http.parameters import FrameParameters, FrameRequest
 from seafoam.api.http.problems import BadRequestError, FieldProblem, NotMeasuredError
-from seafoam.api.jobs.sweeps import retry_seconds
+from seafoam.api.jobs import retry_seconds
 from seafoam.render.service.jobs import FrameJob
 
 

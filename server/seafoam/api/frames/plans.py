@@ -34,7 +34,7 @@ def _compiled(scene: Scene, quality: Quality) -> CompiledPlan:
 
 
 def compile_scene(
-    scene: Scene, quality: Quality, *, scene_at: str | None, parameters: Collection[str] = ()
+    scene: Scene, quality: Quality, *, scene_at: str | None = None, parameters: Collection[str] = ()
 ) -> CompiledPlan:
     """Compile a scene into a plan.
 

@@ -15,7 +15,7 @@ from seafoam.api.frames.presets import PresetName, find_preset
 from seafoam.api.http.etags import NO_STORE, REVALIDATE, not_modified, tag_of
 from seafoam.api.http.openapi import NOT_MODIFIED, TEXT, Responses, content, headers_of, problem_responses
 from seafoam.api.http.validation import NoParameters
-from seafoam.api.jobs.sweeps import retry_seconds
+from seafoam.api.jobs import retry_seconds
 from seafoam.render.encode import encode
 
 router = APIRouter(prefix="/api", tags=["accuracy"], default_response_class=Response)

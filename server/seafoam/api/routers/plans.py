@@ -37,7 +37,7 @@ async def get_plan(
 ) -> Response:
     """Get the frame plan of a preset."""
     scene = query.apply(find_preset(preset).scene)
-    compiled = await context.addressed(scene, TIERS[query.quality], scene_at=None, parameters=query.changed)
+    compiled = await context.addressed(scene, TIERS[query.quality], parameters=query.changed)
     headers = {"Cache-Control": REVALIDATE, "Seafoam-Plan": compiled.sha256}
     return not_modified(request, f'"{compiled.sha256}"', headers) or _plan(compiled, headers)
 
