@@ -33,6 +33,7 @@ from seafoam.masks.judge.morphology import MaskMorphology, measure_morphology
 from seafoam.masks.judge.spectrum import MaskSpectrum, measure_spectrum, spectrum_from_json
 from seafoam.masks.shipped import FAMILY_SUMMARIES, FAMILY_TITLES
 from seafoam.masks.torus import Progress, Ranks, no_progress
+from seafoam.ocean.arrays import read_only
 from seafoam.resources import data_dir
 
 CATALOGUE_FILE = "catalogue.json"
@@ -132,7 +133,7 @@ class Thresholds:
     def measure(quantile: ArrayLike, spans: Sequence[prefilter.Level]) -> Thresholds:
         """The tables of a mask with this quantile table and these spans."""
         quantiles = np.vstack((np.asarray(quantile, np.float64)[None], prefilter.span_quantiles(spans)))
-        return Thresholds._frozen(quantiles, prefilter.ramp_tables(quantile, spans))
+        return Thresholds(read_only(quantiles), read_only(prefilter.ramp_tables(quantile, spans)))
 
     def to_bytes(self) -> bytes:
         """A ``.tables`` file: the rows of both, float64, little-endian."""
@@ -144,13 +145,7 @@ class Thresholds:
         rows = np.frombuffer(content, "<f8").reshape(-1, prefilter.QUANTILE_ENTRIES)
         # Of n levels there are n + 1 rows of quantiles and n + 2 of ramps.
         quantiles, ramps = np.split(rows, [len(rows) // 2])
-        return Thresholds._frozen(quantiles, ramps)
-
-    @staticmethod
-    def _frozen(*tables: NDArray[np.float64]) -> Thresholds:
-        for rows in tables:
-            rows.setflags(write=False)
-        return Thresholds(*tables)
+        return Thresholds(read_only(quantiles), read_only(ramps))
 
 
 @dataclass(frozen=True, eq=False)
@@ -193,17 +188,12 @@ class Mask:
     @cached_property
     def thresholds(self) -> NDArray[np.float64]:
         """u = (rank + 0.5) / N; (height, width) float64, read-only."""
-        values = prefilter.thresholds(self.ranks)
-        values.setflags(write=False)
-        return values
+        return read_only(prefilter.thresholds(self.ranks))
 
     @cached_property
     def spans(self) -> tuple[prefilter.Level, ...]:
         """Mip chain of (low, width), see :func:`prefilter.spans`; read-only."""
-        chain = prefilter.spans(self.ranks, self.quantile)
-        for level in chain:
-            level.setflags(write=False)
-        return tuple(chain)
+        return tuple(read_only(level) for level in prefilter.spans(self.ranks, self.quantile))
 
     @cached_property
     def filtering(self) -> Thresholds:
@@ -293,8 +283,7 @@ def load_mask(name: str) -> Mask:
         raise UnknownMaskError(f"mask {name!r} was not found; available: {', '.join(shipped)}")
     entry, tables = shipped[name]
     directory = data_dir("masks")
-    ranks = decode_ranks(rank_file(directory, name).read_bytes(), entry.parameters.width)
-    ranks.setflags(write=False)
+    ranks = read_only(decode_ranks(rank_file(directory, name).read_bytes(), entry.parameters.width))
     return Mask(entry, ranks, tables, Thresholds.from_bytes(tables_file(directory, name).read_bytes()))
 
 
@@ -338,8 +327,7 @@ def made_on_request(parameters: MaskSpec, limit: float | None = None, progress: 
             f"a {parameters.family} mask of sigma {parameters.sigma:g} at size {parameters.size} would take about "
             f"{seconds:.0f} s to generate; the limit is {limit:g} s: lower sigma or size"
         )
-    ranks = build(parameters, progress=progress)
-    ranks.setflags(write=False)
+    ranks = read_only(build(parameters, progress=progress))
     mask = Mask(describe(parameters.text.replace(":", "-"), parameters, "batched", ranks), ranks)
     with _kept_lock:
         _kept[parameters] = mask

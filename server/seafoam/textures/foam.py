@@ -7,6 +7,7 @@ from typing import ClassVar, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from seafoam.ocean.arrays import read_only
 from seafoam.textures.spec import Image, TextureSpec, halved
 
 SIZE = 256
@@ -51,9 +52,7 @@ def foam_texture() -> NDArray[np.float64]:
         layer = 0.34 + 0.66 * wall * wall * (3.0 - 2.0 * wall) + 0.16 * dome
         total += weight * layer
     total = np.clip(total / 0.95, 0.0, 1.0)
-    result: NDArray[np.float64] = np.round(total * _STEPS) / _STEPS
-    result.setflags(write=False)
-    return result
+    return read_only(np.round(total * _STEPS) / _STEPS)
 
 
 def _nearest_two(sites: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
+from seafoam.ocean.arrays import read_only
 from seafoam.sums import summed
 from seafoam.textures.spec import Image, TextureSpec
 
@@ -66,5 +67,4 @@ def front_integral(intensity: float, log_base: float) -> NDArray[np.float32]:
         mean = 0.5 * summed(w * f(psi + 0.5 * step * (1.0 + x)) for x, w in _GAUSS)
         table[node] = total, here, 3.0 * mean - 2.0 * here - following, here + following - 2.0 * mean
         total += step * mean
-    table.flags.writeable = False
-    return table
+    return read_only(table)

@@ -5,7 +5,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from seafoam.ocean.arrays import Floats
+from seafoam.ocean.arrays import Floats, read_only
 from seafoam.ocean.coast.seabed import floor_grid
 from seafoam.scene.shore import Shore
 
@@ -53,6 +53,4 @@ def _rocks(shore: Shore, steep: float) -> Floats:
         return np.zeros((0, 4))
     random = np.random.Generator(np.random.PCG64(_SEED))
     chosen = np.concatenate([random.permutation(len(every)) for _ in range(math.ceil(ROCKS / len(every)))])[:ROCKS]
-    result: Floats = np.round(every[chosen] * 1024.0) / 1024.0
-    result.setflags(write=False)
-    return result
+    return read_only(np.round(every[chosen] * 1024.0) / 1024.0)

@@ -5,7 +5,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from seafoam.ocean.arrays import Floats, Integers
+from seafoam.ocean.arrays import Floats, Integers, read_only
 from seafoam.ocean.basics.hash import chance
 from seafoam.scene.shore import STEPS, Shore, decoded_image
 
@@ -87,9 +87,7 @@ def _finished(shore: Shore, x: Floats, z: Floats, floor: Floats) -> Floats:
     tint = _fbm(x, z, 0.09 * shore.size, shore.seed + 307, 5)
     tint += (0.4 - tint) * ends
     both = np.stack((floor + shore.level, tint), axis=-1)
-    result: Floats = np.round(both * STEPS) / STEPS
-    result.setflags(write=False)
-    return result
+    return read_only(np.round(both * STEPS) / STEPS)
 
 
 def _plain(shore: Shore, x: Floats, z: Floats) -> Floats:

@@ -9,7 +9,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from seafoam.ocean.arrays import Floats
+from seafoam.ocean.arrays import Floats, read_only
 from seafoam.ocean.coast.seabed import floor_grid, smoothstep
 from seafoam.ocean.constants import GRAVITY
 from seafoam.scene.shore import Shore
@@ -68,9 +68,7 @@ def _travel_grid(shore: Shore, texels: int) -> Floats:
     # Where fronts meet behind an island the time has a kink, and waves from both sides would add up.
     alone = smoothstep(0.3, 0.8, np.hypot(along[0], along[1]) * pace)
     reached = 1.0 - surf.exposure + surf.exposure * _exposed(depth < 0.0, surf.heading)
-    result: Floats = np.round(np.stack((seconds / surf.period, alone * reached), axis=-1) * _STEPS) / _STEPS
-    result.setflags(write=False)
-    return result
+    return read_only(np.round(np.stack((seconds / surf.period, alone * reached), axis=-1) * _STEPS) / _STEPS)
 
 
 def arrival(start: Floats, fixed: NDArray[np.bool_], delay: Floats) -> Floats:

@@ -5,7 +5,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from seafoam.ocean.arrays import Floats
+from seafoam.ocean.arrays import Floats, read_only
 from seafoam.ocean.basics.dispersion import angular_frequency, wavenumber
 from seafoam.ocean.basics.hash import chance
 from seafoam.scene.models import Scene
@@ -40,14 +40,13 @@ def group_corners(seed: int) -> Floats:
     A quarter of them are 0, a quarter are 1, the others even between.
     """
     i, j = np.meshgrid(np.arange(PERIOD), np.arange(PERIOD))
-    corners: Floats = np.clip(2.0 * chance(_KEY, seed, i, j) - 0.5, 0.0, 1.0)
-    corners.setflags(write=False)
-    return corners
+    return read_only(np.clip(2.0 * chance(_KEY, seed, i, j) - 0.5, 0.0, 1.0))
 
 
 def group_cells(scene: Scene, groups: WaveGroups) -> tuple[float, float]:
     """Return the step of the noise along the way of the groups, (x, z) cells/m; the other step is at right angles."""
-    heading = group_heading(scene)
+    wave = _steepest(scene)
+    heading = 0.0 if wave is None else wave.direction
     step = CELLS_APART / groups.size
     return float(f"{step * math.cos(heading):.8g}"), float(f"{step * math.sin(heading):.8g}")
 
@@ -62,12 +61,6 @@ def group_velocity(scene: Scene) -> tuple[float, float]:
         return 0.0, 0.0
     speed = group_speed(wave, scene.water.depth)
     return round(speed * math.cos(wave.direction), 6), round(speed * math.sin(wave.direction), 6)
-
-
-def group_heading(scene: Scene) -> float:
-    """Return the direction of travel of the groups, rad from +x toward +z; 0 without waves."""
-    wave = _steepest(scene)
-    return 0.0 if wave is None else wave.direction
 
 
 def group_speed(wave: ParametricWave, depth: float | None) -> float:
