@@ -8,12 +8,6 @@ import { drawerHead, slide } from "../ui/drawer";
 import { Session } from "./session";
 import { View } from "./view";
 
-interface AccuracyEvents {
-  /** `quality`: a tier, or settings as JSON. */
-  selectQuality(quality: string): void;
-  close(): void;
-}
-
 /** `wide`: with the server's diagram. */
 const PANEL =
   "group/panel drawer w-[min(520px,var(--spacing-inner))] bg-[rgb(8_17_26/94%)] tabular-nums shadow-[inset_0_0_0_1px_var(--color-line),0_18px_50px_rgb(0_0_0/30%)] focus-visible:outline-none " +
@@ -23,13 +17,13 @@ export class AccuracyPanel {
   private readonly root = element("aside", { id: "accuracy", class: PANEL, "aria-label": "Accuracy benchmark", tabindex: -1 });
   private readonly session: Session;
 
-  constructor(api: Api, store: Store, viewport: Viewport, events: AccuracyEvents) {
-    this.session = new Session(api, store, viewport, (quality) => events.selectQuality(quality));
+  constructor(api: Api, store: Store, viewport: Viewport, selectQuality: (quality: string) => void, close: () => void) {
+    this.session = new Session(api, store, viewport, selectQuality);
     this.root.addEventListener("keydown", (event) => {
-      if (event.key === "Escape") events.close();
+      if (event.key === "Escape") close();
     });
     const body = element("div", { class: "body scroller px-4.5 pb-4" });
-    this.root.append(drawerHead("Accuracy benchmark", () => events.close()), body);
+    this.root.append(drawerHead("Accuracy benchmark", close), body);
     this.root.inert = true;
     document.getElementById("settings")?.after(this.root);
     this.session.sweep.subscribe((sweep) => this.root.classList.toggle("wide", sweep !== null));

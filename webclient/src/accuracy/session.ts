@@ -3,7 +3,7 @@ import { batch, computed, effect, type Signal, signal } from "@preact/signals";
 import { type Api, ApiError, messageOf, type Preset } from "../api";
 import type { Viewport } from "../display/viewport";
 import { equal } from "../scene/json";
-import { parseQuality, type Selection } from "../selection/selection";
+import { DEFAULT_TIER, parseQuality, type Selection } from "../selection/selection";
 import type { Store } from "../selection/store";
 import { fetchPoints, fetchSweep, fetchTruth, type JobProgress, type Sweep } from "./api";
 import { type BenchmarkInput, type BenchmarkResult, QualityBenchmark, qualityRequest, type QualityResult } from "./measure/benchmark";
@@ -11,9 +11,6 @@ import type { Choice } from "./measure/budget";
 import type { MetricKey } from "./measure/errors";
 import { readPicture } from "./measure/npy";
 import type { Pixel } from "./pictures/insets";
-
-/** The tier that other qualities are compared with. */
-const STANDARD_TIER = "standard";
 
 /** The benchmark of one preset; kept while the page is open. */
 export interface BenchmarkRun {
@@ -40,29 +37,23 @@ export class Session {
   readonly withServer = signal(false);
   readonly serverNote = signal("");
 
-  /** Counts changes of `runs` and `sweeps`, which are changed in place. */
+  /** Counts changes of the maps by preset, which are changed in place. */
   private readonly changes = signal(0);
   private readonly runs = new Map<string, BenchmarkRun>();
   private readonly sweeps = new Map<string, Sweep>();
-  private failure: { preset: string; message: string } | null = null;
+  private readonly failures = new Map<string, string>();
   private running: { preset: string; abort: AbortController } | null = null;
   private request: AbortController | null = null;
   private changeScheduled = false;
 
   readonly run = computed(() => {
-    const run = this.changes.value >= 0 ? this.runs.get(this.selection.value.preset.name) : undefined;
+    const run = this.own(this.runs);
     // A copy, since what is measured grows in place and signals compare identities.
-    return run ? { ...run } : null;
+    return run && { ...run };
   });
-  readonly sweep = computed(() => {
-    const sweep = this.changes.value >= 0 ? this.sweeps.get(this.selection.value.preset.name) : undefined;
-    return this.withServer.value ? (sweep ?? null) : null;
-  });
+  readonly sweep = computed(() => (this.withServer.value ? this.own(this.sweeps) : null));
   readonly busy = computed(() => this.progress.value !== null);
-  readonly failed = computed(() => {
-    const failure = this.changes.value >= 0 ? this.failure : null;
-    return failure?.preset === this.selection.value.preset.name ? failure.message : null;
-  });
+  readonly failed = computed(() => this.own(this.failures));
   /** The result of the quality that the page runs. */
   readonly current = computed((): QualityResult | null => {
     const run = this.run.value;
@@ -91,6 +82,11 @@ export class Session {
       if (name === null) this.stop();
       else this.showPreset();
     });
+  }
+
+  /** What a map has of the current preset. */
+  private own<T>(map: ReadonlyMap<string, T>): T | null {
+    return this.changes.value < 0 ? null : (map.get(this.selection.value.preset.name) ?? null);
   }
 
   select(id: string): void {
@@ -159,7 +155,7 @@ export class Session {
     const abort = new AbortController();
     const running = { preset: preset.name, abort };
     this.running = running;
-    this.failure = null;
+    this.failures.delete(preset.name);
     this.runs.delete(preset.name);
     this.progress.value = { share: null, step: "Requesting the list of qualities…" };
     this.changed();
@@ -180,7 +176,7 @@ export class Session {
       const notFound = error instanceof ApiError && error.status === 404;
       const message = abort.signal.aborted ? "Cancelled." : messageOf(error);
       if (run) run.stopReason = message;
-      else this.failure = { preset: preset.name, message: notFound ? "The server does not support the accuracy benchmark." : message };
+      else this.failures.set(preset.name, notFound ? "The server does not support the accuracy benchmark." : message);
     }
     if (run) this.finish(preset, run, (performance.now() - start) / 1000);
     if (this.running === running) {
@@ -195,12 +191,13 @@ export class Session {
     if (run.result.measured.length > 0) return;
     // Without results the preset is measured again when it is shown next.
     this.runs.delete(preset.name);
-    this.failure = { preset: preset.name, message: run.stopReason ?? "No quality could be measured." };
+    this.failures.set(preset.name, run.stopReason ?? "No quality could be measured.");
   }
 
   private async loadInput(preset: Preset, abort: AbortSignal): Promise<BenchmarkInput> {
     const { points, truth: info } = await fetchPoints(this.api, preset.name, abort);
-    const standard = points.find(({ tier }) => tier === STANDARD_TIER) ?? points[0];
+    // Other qualities are compared with it.
+    const standard = points.find(({ tier }) => tier === DEFAULT_TIER) ?? points[0];
     if (standard === undefined) throw new Error("The server lists no quality to measure.");
     const onProgress = (progress: JobProgress) => {
       this.progress.value = { share: progress.progress ?? null, step: referenceProgress(progress) };

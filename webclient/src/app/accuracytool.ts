@@ -1,7 +1,12 @@
 /** Opens and closes the accuracy benchmark, whose code is loaded on first use. */
 import type { AccuracyPanel } from "../accuracy/panel";
+import type { Api } from "../api";
+import type { Viewport } from "../display/viewport";
+import type { Store } from "../selection/store";
 
 interface AccuracyToolEvents {
+  /** `quality`: a tier, or settings as JSON. */
+  selectQuality(quality: string): void;
   toggled(open: boolean): void;
   failed(error: unknown): void;
 }
@@ -11,33 +16,31 @@ export class AccuracyTool {
   private panel: AccuracyPanel | null = null;
 
   constructor(
+    private readonly api: Api,
+    private readonly store: Store,
     /** Null where the server draws: there is no GPU to measure. */
-    private readonly makePanel: ((panel: typeof AccuracyPanel) => AccuracyPanel) | null,
+    readonly viewport: Viewport | null,
     private readonly events: AccuracyToolEvents,
   ) {}
 
-  get available(): boolean {
-    return this.makePanel !== null;
-  }
-
   /** `focus`: the panel takes the keyboard focus. */
   toggle(open = !this.open, focus = false): void {
-    const { makePanel } = this;
-    if (open === this.open || makePanel === null) return;
+    const { api, store, viewport, events } = this;
+    if (open === this.open || viewport === null) return;
     this.open = open;
-    this.events.toggled(open);
+    events.toggled(open);
     if (this.panel) {
       this.panel.toggle(open, focus);
       return;
     }
     import("../accuracy/panel").then(
       ({ AccuracyPanel: Panel }) => {
-        this.panel ??= makePanel(Panel);
+        this.panel ??= new Panel(api, store, viewport, (quality) => events.selectQuality(quality), () => this.toggle(false));
         this.panel.toggle(this.open, focus);
       },
       (error: unknown) => {
         this.open = false;
-        this.events.failed(error);
+        events.failed(error);
       },
     );
   }

@@ -217,9 +217,8 @@ export class App implements PageParts {
   }
 
   private makeAccuracyTool(): AccuracyTool {
-    const events = { selectQuality: (quality: string) => this.setQuality(quality, false), close: () => this.accuracy.toggle(false) };
-    const { viewport } = this.display;
-    return new AccuracyTool(viewport && ((Panel) => new Panel(this.api, this.store, viewport, events)), {
+    return new AccuracyTool(this.api, this.store, this.display.viewport, {
+      selectQuality: (quality) => this.setQuality(quality, false),
       toggled: (open) => {
         this.viewChanged();
         if (!open) return;

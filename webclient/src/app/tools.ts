@@ -31,7 +31,7 @@ export function addTools(parts: PageParts): void {
   addTool("link", "Copy link to this view", () => void copyLink(parts));
   addTool("take", "Take home", () => surfaces.show(surfaces.open === "take" ? null : "take", true));
   addTool("plan", "Frame plan", () => surfaces.show(surfaces.open === "plan" ? null : "plan", true));
-  if (accuracy.available) addTool("accuracy", "Accuracy benchmark", () => accuracy.toggle(!accuracy.open, true));
+  if (accuracy.viewport !== null) addTool("accuracy", "Accuracy benchmark", () => accuracy.toggle(!accuracy.open, true));
   addToolLink("masks", "Mask laboratory", "./masks/");
   addToolLink("foam", "Foam laboratory", "./learn/laboratory/");
   addFullscreen(parts);

@@ -169,20 +169,18 @@ export class CameraControls {
     const now = { x: event.clientX, y: event.clientY };
     const other = [...this.pointers].find(([id]) => id !== event.pointerId)?.[1];
     this.pointers.set(event.pointerId, now);
-    const dx = now.x - last.x;
-    const dy = now.y - last.y;
+    const [dx, dy] = [now.x - last.x, now.y - last.y];
     // A drag across the window's height rotates by the field of view.
     const radians = this.camera.fov / this.element.clientHeight;
+    const metres = pivot(this.camera).distance * radians;
     if (other) {
       const span = (t: Point) => Math.hypot(t.x - other.x, t.y - other.y);
-      const metres = pivot(this.camera).distance * radians;
       this.moveTo(zoom(this.camera, span(last) / Math.max(span(now), 1), this.minHeight()));
       // Where one finger touches the water, two must turn the view too.
       if (this.tool) this.rotate(dx / 2, dy / 2, radians);
       else this.moveTo(move(this.camera, (-dx / 2) * metres, (dy / 2) * metres, 0, this.minHeight()));
       this.notify();
     } else if (this.pans(event)) {
-      const metres = pivot(this.camera).distance * radians;
       this.moveTo(move(this.camera, -dx * metres, dy * metres, 0, this.minHeight()));
       this.notify();
     } else {

@@ -127,10 +127,9 @@ class SeafoamWater extends HTMLElement {
     this.player = null;
     const address = new URL(`api/frames/${encodeURIComponent(preset)}.png`, base);
     const { width, height } = this.getBoundingClientRect();
-    address.searchParams.set("quality", quality);
-    address.searchParams.set("width", String(Math.max(1, Math.round(width))));
-    address.searchParams.set("height", String(Math.max(1, Math.round(height))));
-    if (this.startTime !== null) address.searchParams.set("time", String(this.startTime));
+    const side = (length: number) => Math.max(1, Math.round(length));
+    const query = { quality, width: side(width), height: side(height), ...(this.startTime === null ? {} : { time: this.startTime }) };
+    for (const [name, value] of Object.entries(query)) address.searchParams.set(name, String(value));
     const image = this.picture(address.href, preset);
     image.addEventListener("load", () => {
       poster.remove();

@@ -10,21 +10,18 @@ import { grouped, indexAfter } from "./search";
 import { followsLink, waterUrl } from "./water";
 
 export class Gallery {
-  private readonly selected = signal("");
-  private readonly listOpen = signal(false);
-  private readonly pictures = signal(false);
+  readonly selected = signal("");
+  readonly listOpen = signal(false);
+  readonly pictures = signal(false);
 
   /** `container`: of the strip; `listContainer`: of the list, which is hidden until it is opened. */
   constructor(
     private readonly container: HTMLElement,
     listContainer: HTMLElement,
-    presets: readonly PresetSummary[],
+    readonly presets: readonly PresetSummary[],
     private readonly onChoose: (name: string) => void,
   ) {
-    render(
-      <Strip presets={presets} selected={this.selected} pictures={this.pictures} choose={this.choose} openList={() => this.toggleList(true)} listOpen={this.listOpen} />,
-      container,
-    );
+    render(<Strip gallery={this} />, container);
     render(
       <PresetList presets={presets} selected={this.selected} open={this.listOpen} choose={this.choose} close={() => this.toggleList(false)} />,
       listContainer,
@@ -51,32 +48,24 @@ export class Gallery {
     this.pictures.value = true;
   }
 
-  private toggleList(open: boolean): void {
+  toggleList(open: boolean): void {
     if (this.listOpen.value === open) return;
     this.listOpen.value = open;
     if (!open) this.container.querySelector<HTMLElement>(".open-list")?.focus();
   }
 
-  private readonly choose = (name: string): void => {
+  readonly choose = (name: string): void => {
     this.listOpen.value = false;
     this.onChoose(name);
   };
-}
-
-interface StripProps {
-  presets: readonly PresetSummary[];
-  selected: { value: string };
-  listOpen: { value: boolean };
-  pictures: { value: boolean };
-  choose: (name: string) => void;
-  openList: () => void;
 }
 
 const THUMBNAIL =
   "group relative h-19 w-[clamp(120px,(100vw-2*var(--spacing-gap)-134px)/9,136px)] flex-none rounded-lg bg-[#16293a] aria-selected:outline-2 aria-selected:outline-accent " +
   "focus-visible:outline-3 focus-visible:outline-ink phone:h-[66px] phone:w-28 forced-colors:aria-selected:outline-3 forced-colors:aria-selected:outline-[Highlight]";
 
-function Strip({ presets, selected, listOpen, pictures, choose, openList }: StripProps) {
+function Strip({ gallery }: { gallery: Gallery }) {
+  const { presets, selected, listOpen, pictures, choose } = gallery;
   const moveFocus = (event: KeyboardEvent) => {
     const options = [...(event.currentTarget as HTMLElement).querySelectorAll<HTMLElement>("[role=option]")];
     const index = indexAfter(event.key, options.findIndex((option) => option === document.activeElement), options.length);
@@ -95,7 +84,7 @@ function Strip({ presets, selected, listOpen, pictures, choose, openList }: Stri
         aria-label="Search and list all waters"
         aria-expanded={listOpen.value}
         aria-controls="waters"
-        onClick={openList}
+        onClick={() => gallery.toggleList(true)}
       >
         <Icon name="search" />
       </button>

@@ -9,8 +9,7 @@ export interface Change {
 }
 
 export function changesBetween(before: FramePlan, after: FramePlan): Change[] {
-  const effects = (plan: FramePlan) => Object.fromEntries(plan.effects.map(({ name, why }) => [name, why]));
-  const skipped = (plan: FramePlan) => Object.fromEntries(plan.skipped.map(({ name, why }) => [name, why]));
+  const reasons = (effects: readonly { name: string; why: string }[]) => Object.fromEntries(effects.map(({ name, why }) => [name, why]));
   const programs = (plan: FramePlan) =>
     Object.fromEntries(Object.entries(plan.programs).map(([name, { vertex, fragment }]) => [name, `${vertex.sha256} ${fragment.sha256}`]));
   const passes = (plan: FramePlan) => {
@@ -19,8 +18,8 @@ export function changesBetween(before: FramePlan, after: FramePlan): Change[] {
     return Object.fromEntries(Object.entries(counts).map(([name, all]) => [name, all.join()]));
   };
   return [
-    ...compared("effect", effects(before), effects(after), (why) => why),
-    ...compared("skipped effect", skipped(before), skipped(after), (why) => why),
+    ...compared("effect", reasons(before.effects), reasons(after.effects), String),
+    ...compared("skipped effect", reasons(before.skipped), reasons(after.skipped), String),
     ...compared("pass", passes(before), passes(after), () => ""),
     ...compared("program", programs(before), programs(after), () => "GLSL"),
     ...compared("target", before.targets, after.targets, (target) => `${target.format}, ${sizeText(target.size)}`),

@@ -6,7 +6,7 @@ import { benefits } from "../../src/accuracy/measure/benefit";
 import { ErrorMeter, errorMap, percentile, pixelErrors } from "../../src/accuracy/measure/errors";
 import { measuredHere } from "../../src/accuracy/measure/measured";
 import { type Picture, readPicture } from "../../src/accuracy/measure/npy";
-import { compare, fitModel, median, paretoFront, quantile, selectForBudget } from "../../src/accuracy/measure/statistics";
+import { compare, fitModel, median, paretoFront, quantile } from "../../src/accuracy/measure/statistics";
 import { heatColour } from "../../src/accuracy/pictures/colormap";
 import { logAxis, tickLabel, tickLabels } from "../../src/charts/axis";
 import { parseQuality, qualityTitle } from "../../src/selection/selection";
@@ -168,17 +168,6 @@ describe("numbers", () => {
     expect(light).toEqual([...light].sort((a, b) => a - b));
     expect(heatColour(7)).toEqual(heatColour(1));
   });
-});
-
-describe("a budget", () => {
-  const points = [at("fast", 1, 8), at("good", 4, 2), at("odd", 4.5, 3), at("slow", 9, 1)];
-
-  it.each([[0.5, "fast", 0], [1, "fast", 1], [5, "good", 3], [100, "slow", 4]])("of %d ms picks %s", (budget, id, fitting) => {
-    const selection = selectForBudget(points, budget);
-    expect([selection?.point.id, selection?.fitting.length]).toEqual([id, fitting]);
-  });
-
-  it("picks nothing of nothing", () => expect(selectForBudget([], 5)).toBeNull());
 });
 
 function point(id: string, quality: Point["quality"], parameter: Partial<Point["parameter"]> = null, tier: string | null = null): Point {

@@ -151,10 +151,7 @@ describe("what a diagram shows", () => {
 });
 
 describe("the budget's slider", () => {
-  const predicted = [
-    { id: "fast", label: "Fast", time: 1, error: 8 },
-    { id: "slow", label: "Slow", time: 16, error: 1 },
-  ];
+  const predicted = [["fast", 1, 8], ["good", 4, 2], ["odd", 4.5, 3], ["slow", 16, 1]].map(([id, time, error]) => ({ id: String(id), label: "", time: Number(time), error: Number(error) }));
   const range = budgetRange(predicted);
 
   it("is logarithmic, over all qualities", () => {
@@ -165,9 +162,11 @@ describe("the budget's slider", () => {
     expect(stepOf(1e6, range)).toBe(SLIDER_STEPS);
   });
 
-  it.each([[0.5, "fast", 0], [2, "fast", 1], [20, "slow", 2]])("at %d ms picks %s", (budget, id, fitting) => {
+  it.each([[0.5, "fast", 0], [1, "fast", 1], [5, "good", 3], [100, "slow", 4]])("at %d ms picks %s", (budget, id, fitting) => {
     const choice = choose(predicted, budget, 640, 360);
     expect([choice?.id, choice?.fitting.size]).toEqual([id, fitting]);
     expect(choice?.reason).toContain(`640 × 360`);
   });
+
+  it("picks nothing of nothing", () => expect(choose([], 5, 640, 360)).toBeNull());
 });

@@ -1,7 +1,7 @@
 /** The best quality for a time budget at the window's size. */
 import { formatNumber } from "../format";
 import type { BenchmarkResult } from "./benchmark";
-import { type Cost, fitModel, median, selectForBudget } from "./statistics";
+import { type Cost, fitModel, median, paretoFront } from "./statistics";
 
 /** A frame at 60 fps, ms. */
 export const DEFAULT_BUDGET = 16;
@@ -25,9 +25,10 @@ export interface Choice {
 }
 
 export function choose(predicted: readonly Predicted[], budget: number, width: number, height: number): Choice | null {
-  const selection = selectForBudget(predicted, budget);
-  if (selection === null) return null;
-  const { point, fitting } = selection;
+  const fitting = predicted.filter(({ time }) => time <= budget);
+  // The least error within the budget; if nothing is, the fastest of all.
+  const point = fitting.length > 0 ? paretoFront(fitting).at(-1) : paretoFront(predicted)[0];
+  if (point === undefined) return null;
   const reason =
     fitting.length > 0
       ? `least error of ${fitting.length} qualities within the budget (${predicted.length} measured)`

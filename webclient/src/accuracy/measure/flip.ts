@@ -37,11 +37,12 @@ const GREATEST = hyab(hunt([0, 1, 0]), hunt([0, 0, 1])) ** COLOUR_EXPONENT;
 
 type Triple = [number, number, number];
 type Plane = Float64Array;
+type Planes = [Plane, Plane, Plane];
 
 /** Of one picture. */
 interface Analysis {
   /** Hunt-adjusted L*a*b* of the filtered picture. */
-  lab: [Plane, Plane, Plane];
+  lab: Planes;
   /** Magnitudes of its edges and points. */
   edges: Plane;
   points: Plane;
@@ -76,26 +77,20 @@ export class Flip {
   }
 }
 
-const at = ([a, b, c]: [Plane, Plane, Plane], i: number): Triple => [a[i] ?? 0, b[i] ?? 0, c[i] ?? 0];
+const at = ([a, b, c]: Planes, i: number): Triple => [a[i] ?? 0, b[i] ?? 0, c[i] ?? 0];
+const put = (planes: Planes, i: number, values: Triple) => planes.forEach((plane, c) => (plane[i] = values[c] ?? 0));
 
 function analyse(picture: Float64Array, width: number, height: number): Analysis {
   const count = width * height;
-  const opponent: [Plane, Plane, Plane] = [new Float64Array(count), new Float64Array(count), new Float64Array(count)];
+  const opponent: Planes = [new Float64Array(count), new Float64Array(count), new Float64Array(count)];
   for (let i = 0; i < count; i++) {
     const [x, y, z] = relative([linear(picture[3 * i] ?? 0), linear(picture[3 * i + 1] ?? 0), linear(picture[3 * i + 2] ?? 0)]);
-    opponent[0][i] = 116 * y - 16;
-    opponent[1][i] = 500 * (x - y);
-    opponent[2][i] = 200 * (y - z);
+    put(opponent, i, [116 * y - 16, 500 * (x - y), 200 * (y - z)]);
   }
   const grey = opponent[0].map((y) => (y + 16) / 116);
   const [edges, points] = [features(grey, width, height, edgeKernel()), features(grey, width, height, pointKernel())];
-  const filtered = opponent.map((plane, c) => contrastFilter(plane, width, height, SENSITIVITY[c] ?? [])) as [Plane, Plane, Plane];
-  for (let i = 0; i < count; i++) {
-    const [l, a, b] = hunt(fromOpponent(at(filtered, i)));
-    filtered[0][i] = l;
-    filtered[1][i] = a;
-    filtered[2][i] = b;
-  }
+  const filtered = opponent.map((plane, c) => contrastFilter(plane, width, height, SENSITIVITY[c] ?? [])) as Planes;
+  for (let i = 0; i < count; i++) put(filtered, i, hunt(fromOpponent(at(filtered, i))));
   return { lab: filtered, edges, points };
 }
 
@@ -107,12 +102,10 @@ function contrastFilter(plane: Plane, width: number, height: number, gaussians: 
     return { taps: taps.map((tap) => tap / sum), weight: a * Math.sqrt(Math.PI / b) * sum * sum };
   });
   const total = kernels.reduce((sum, { weight }) => sum + weight, 0);
-  const result = new Float64Array(plane.length);
-  for (const { taps, weight } of kernels) {
+  return kernels.reduce((result, { taps, weight }) => {
     const part = convolve(plane, width, height, taps, taps);
-    for (let i = 0; i < result.length; i++) result[i] = (result[i] ?? 0) + (weight / total) * (part[i] ?? 0);
-  }
-  return result;
+    return result.map((value, i) => value + (weight / total) * (part[i] ?? 0));
+  }, new Float64Array(plane.length));
 }
 
 /** Magnitude of the responses along x and along y. */

@@ -1,4 +1,4 @@
-/** Statistics of measured times and errors: quantiles, Pareto front, comparison, time model, selection for a budget. */
+/** Statistics of measured times and errors: quantiles, Pareto front, comparison, time model. */
 import { formatFactor } from "../format";
 
 /** Linear between the two nearest values. */
@@ -63,11 +63,4 @@ export function fitModel(largeTime: number, largePixels: number, smallTime: numb
   if (largePixels === smallPixels) return { fixed: 0, perPixel: largeTime / largePixels };
   const perPixel = Math.max(0, (largeTime - smallTime) / (largePixels - smallPixels));
   return { fixed: Math.max(0, largeTime - perPixel * largePixels), perPixel };
-}
-
-/** The point of least error within the budget, ms, and all that are; if none is, the fastest of all. */
-export function selectForBudget<T extends Cost>(points: readonly T[], budget: number): { point: T; fitting: T[] } | null {
-  const fitting = points.filter(({ time }) => time <= budget);
-  const point = fitting.length > 0 ? paretoFront(fitting).at(-1) : paretoFront(points)[0];
-  return point === undefined ? null : { point, fitting };
 }

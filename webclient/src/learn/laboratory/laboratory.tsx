@@ -94,11 +94,7 @@ function run(state: LabState, playing: Signal<boolean>, stack: Stack, comparison
     requestAnimationFrame(tick);
   };
   // A laboratory that stands shows what the controls say.
-  for (const constant of [delta, base, c, k, fade]) {
-    constant.subscribe(() => {
-      if (!playing.peek()) draw(0);
-    });
-  }
+  effect(() => draw(0));
   requestAnimationFrame(tick);
 }
 
