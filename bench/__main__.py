@@ -104,11 +104,7 @@ def _asked(arguments: Sequence[str] | None) -> argparse.Namespace:
         metavar="A,B",
         help="of yardstick, passes, adaptive and compiler: only these presets",
     )
-    parser.add_argument(
-        "--docs",
-        action="store_true",
-        help="write the figures into the pages of docs",
-    )
+    parser.add_argument("--docs", action="store_true", help="write the figures into the pages of docs")
     parser.add_argument(
         "--write-table", action="store_true", help="of compiler: write bench/compiler.json, what its test admits"
     )

@@ -348,12 +348,7 @@ def _looks() -> Table:
     return Table(
         "A GPU's compiler: looks",
         "The surface of paper-benchmark at quality standard, with each look.",
-        (
-            Column("look", "look"),
-            *_COLUMNS,
-            Column("against", "against"),
-            Column("more", "instructions", percent),
-        ),
+        (Column("look", "look"), *_COLUMNS, Column("against", "against"), Column("more", "instructions", percent)),
         [
             (
                 look,

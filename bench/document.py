@@ -25,10 +25,7 @@ def fill(text: str, name: str, block: str) -> str:
 
 
 def write(
-    about: Mapping[str, str],
-    sections: Mapping[str, Sequence[Table]],
-    frames: Sequence[Frame],
-    docs: Path = DOCS,
+    about: Mapping[str, str], sections: Mapping[str, Sequence[Table]], frames: Sequence[Frame], docs: Path = DOCS
 ) -> None:
     """Write what has a place in a page, and the page of the passes if there are frames.
 

@@ -88,10 +88,7 @@ class Radv:
         """Figures of both stages, ``vertex`` and ``fragment``, of a pipeline of two SPIR-V modules."""
         vk = self._vk
         bindings = reflect(vertex) | reflect(fragment)
-        kinds = {
-            "block": vk.VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
-            "texture": vk.VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-        }
+        kinds = {"block": vk.VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, "texture": vk.VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}
         both = vk.VK_SHADER_STAGE_VERTEX_BIT | vk.VK_SHADER_STAGE_FRAGMENT_BIT
         entries = [
             vk.VkDescriptorSetLayoutBinding(

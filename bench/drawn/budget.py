@@ -3,6 +3,7 @@
 import os
 from functools import partial
 
+from bench.drawn.frames import cost
 from bench.report import Column, Spread, Table, ms, times
 from bench.watch import Watch
 from seafoam.accuracy.cache import Store
@@ -80,10 +81,5 @@ def measure(executor: Executor, watch: Watch) -> list[Table]:
 def _seconds(executor: Executor, subject: Subject, quality: Quality, at: float, size: tuple[int, int]) -> float:
     """Time of a frame, after one that compiles and allocates."""
     plan = make_plan(subject.scene, quality)
-    taken = 0.0
-    for _ in range(2):
-        rendered = executor.render(
-            plan, time=at, camera=subject.scene.camera, width=size[0], height=size[1], output="rgba8"
-        )
-        taken = rendered.timings["render"]
-    return taken
+    _, warm = (cost(executor, plan, subject.scene.camera, size, at) for _ in range(2))
+    return warm.wall

@@ -174,11 +174,7 @@ def _left_out_table(rows: list[Row]) -> Table:
     return Table(
         "What the plans leave out",
         "Effects that the scene does not call for, and those that it calls for and that cannot be seen.",
-        (
-            Column("preset", "preset"),
-            Column("absent", "not called for"),
-            Column("skipped", "not seen"),
-        ),
+        (Column("preset", "preset"), Column("absent", "not called for"), Column("skipped", "not seen")),
         rows,
     )
 

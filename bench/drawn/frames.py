@@ -112,11 +112,7 @@ def with_look(scene: Scene, look: Look) -> Scene:
 
 
 def side_by_side(
-    executor: Executor,
-    plans: Mapping[Name, FramePlan],
-    camera: Camera,
-    size: tuple[int, int],
-    rounds: Iterable[int],
+    executor: Executor, plans: Mapping[Name, FramePlan], camera: Camera, size: tuple[int, int], rounds: Iterable[int]
 ) -> dict[Name, list[Cost]]:
     """Draw all plans in each round, so that a round's ratios compare frames of about the same time.
 
@@ -201,12 +197,7 @@ def _looks(view: View, costs: Mapping[Look, list[Cost]]) -> Table:
             Column("wall", "wall, ms", ms),
         ),
         [
-            (
-                look,
-                *ratios(taken, costs[BASE]),
-                median(_values(taken, "cpu")),
-                median(_values(taken, "wall")),
-            )
+            (look, *ratios(taken, costs[BASE]), median(_values(taken, "cpu")), median(_values(taken, "wall")))
             for look, taken in costs.items()
         ],
     )

@@ -69,11 +69,7 @@ BY_SCENE = (
 )
 """Compile-time numbers that depend on the scene."""
 
-GENERAL: dict[str, Const] = {
-    "PARAMETRIC_KIND": (0,) * MOST_WAVES,
-    "PARAMETRIC_ALIKE": True,
-    "PARAMETRIC_SIGNAL": False,
-}
+GENERAL: dict[str, Const] = {"PARAMETRIC_KIND": (0,) * MOST_WAVES, "PARAMETRIC_ALIKE": True, "PARAMETRIC_SIGNAL": False}
 """Compile-time numbers of one scene, and values that suffice for all scenes."""
 
 _FUNCTION = re.compile(r"^(?P<returns>\w+) (?P<name>\w+)\((?P<parameters>[^)]*)\) \{", re.MULTILINE)

@@ -146,14 +146,7 @@ def _throughput(executor: Executor, port: int, watch: Watch) -> Table:
             Column("ratio", "server / loop", times),
             Column("rounds", "rounds", count),
         ),
-        [
-            (
-                median(bare),
-                median(served),
-                Spread.of([a / b for a, b in zip(served, bare, strict=True)]),
-                len(bare),
-            )
-        ],
+        [(median(bare), median(served), Spread.of([a / b for a, b in zip(served, bare, strict=True)]), len(bare))],
     )
 
 

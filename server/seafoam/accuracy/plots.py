@@ -17,12 +17,6 @@ _INK = "#1c2b33"
 _FAINT = "#8a979e"
 _COLOURS = {"tier": "#b5353c", "geometry": "#1f3a73", "filtering": "#2a9d78", "precision": "#e0912f"}
 _MARKERS = {"tier": "s", "geometry": "o", "filtering": "D", "precision": "^"}
-_NAMES = {
-    "tier": "tier",
-    "geometry": "geometry setting",
-    "filtering": "filtering setting",
-    "precision": "precision setting",
-}
 
 
 def plot_sweep(sweep: Sweep) -> bytes:
@@ -32,8 +26,7 @@ def plot_sweep(sweep: Sweep) -> bytes:
     axes = figure.subplots()
     axes.set_xscale("log")
     axes.set_yscale("log")
-    by_id = {point.id: point for point in sweep.points}
-    best = [by_id[id] for id in sweep.front]
+    best = [sweep.point(id) for id in sweep.front]
     axes.plot(
         [point.time.median_ms for point in best],
         [_shown(point) for point in best],
@@ -61,7 +54,7 @@ def plot_sweep(sweep: Sweep) -> bytes:
             color=_COLOURS[kind],
             elinewidth=0.8,
             alpha=0.9,
-            label=_NAMES[kind],
+            label=kind if kind == "tier" else f"{kind} setting",
             zorder=3 if kind == "tier" else 2,
         )
     timing = sweep.timing

@@ -29,7 +29,6 @@ class Program(PlanPart):
 
 
 _UNIFORM = re.compile(r"^uniform\s+(?P<type>\w+)\s+(?P<name>\w+)", re.MULTILINE)
-
 _SAMPLERS = ("sampler2D", "usampler2D")
 
 

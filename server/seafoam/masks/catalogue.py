@@ -176,11 +176,6 @@ class Mask:
         return self.tables.morphology
 
     @property
-    def sigma_l(self) -> tuple[float, ...]:
-        """Its deviation inside boxes of 2^l texels, by level."""
-        return self.tables.sigma_l
-
-    @property
     def quantile(self) -> tuple[float, ...]:
         """Its quantile table for magnification."""
         return self.tables.quantile

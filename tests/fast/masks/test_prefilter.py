@@ -143,10 +143,10 @@ def test_footprint_deviations_grow_from_none_to_the_uniform_one():
         assert deviations[0] == pytest.approx(0.0, abs=1e-7)
         assert (np.diff(deviations) >= 0.0).all()
         assert deviations[-1] == pytest.approx(12**-0.5, abs=1e-6)
-        assert load_mask(name).sigma_l == pytest.approx(deviations, abs=1e-6)
+        assert load_mask(name).tables.sigma_l == pytest.approx(deviations, abs=1e-6)
     blocks = load_mask("clump").thresholds.reshape(128, 4, 128, 4)
     inside = np.sqrt(((blocks**2).mean(axis=(1, 3)) - blocks.mean(axis=(1, 3)) ** 2).mean())
-    assert load_mask("clump").sigma_l[2] == pytest.approx(inside, abs=1e-5)
+    assert load_mask("clump").tables.sigma_l[2] == pytest.approx(inside, abs=1e-5)
 
 
 def cover(level, thresholds):
