@@ -1,13 +1,13 @@
 """State that the request handlers of an application share."""
 
 import asyncio
-from typing import Annotated, Any
+from typing import Annotated, Unpack
 
 from fastapi import Depends, Request
 
 from seafoam.accuracy.model import Running, Sweep
 from seafoam.accuracy.sweep import Subject
-from seafoam.api.frames.plans import CompiledPlan, PlanIndex, compile_scene
+from seafoam.api.frames.plans import CompiledPlan, PlanIndex, SceneOrigin, compile_scene
 from seafoam.api.frames.request_cache import RequestCache
 from seafoam.api.frames.streams import Streams
 from seafoam.api.http.thread_pool import ThreadPool
@@ -43,13 +43,13 @@ class Context:
         self.sequences = sequence_service(settings, self.pool, loop)
         self.streams = Streams(settings.streams)
 
-    async def compiled(self, scene: Scene, quality: Quality, **where: Any) -> CompiledPlan:
-        """Compile a scene in a thread. where: options of :func:`compile_scene`; raises as it does."""
-        return await self.plans.run(compile_scene, scene, quality, **where)
+    async def compiled(self, scene: Scene, quality: Quality, **origin: Unpack[SceneOrigin]) -> CompiledPlan:
+        """Run :func:`compile_scene` in a thread."""
+        return await self.plans.run(compile_scene, scene, quality, **origin)
 
-    async def addressed(self, scene: Scene, quality: Quality, **where: Any) -> CompiledPlan:
-        """Compile a scene, and let its plan's hash be an address of its frames. where: see :meth:`compiled`."""
-        compiled = await self.compiled(scene, quality, **where)
+    async def addressed(self, scene: Scene, quality: Quality, **origin: Unpack[SceneOrigin]) -> CompiledPlan:
+        """Compile a scene, and let its plan's hash be an address of its frames."""
+        compiled = await self.compiled(scene, quality, **origin)
         if not self.plan_index.holds(compiled.sha256):
             await self.plans.run(self.plan_index.remember, compiled.sha256, scene, quality)
         return compiled

@@ -2,12 +2,12 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any
 
 from seafoam.accuracy.model import Running
 from seafoam.accuracy.sweep import Subject
 from seafoam.accuracy.timing import choose
 from seafoam.api.context import Context
+from seafoam.api.frames.plans import SceneOrigin
 from seafoam.api.http.parameters import FrameParameters, FrameRequest
 from seafoam.api.http.problems import BadRequestError, FieldProblem, NotMeasuredError
 from seafoam.api.jobs import retry_seconds
@@ -15,20 +15,22 @@ from seafoam.render.service.jobs import FrameJob
 
 
 async def with_quality(
-    job: FrameJob, asked: FrameParameters | FrameRequest, subject: Subject, context: Context, **where: Any
+    job: FrameJob, asked: FrameParameters | FrameRequest, subject: Subject, context: Context
 ) -> tuple[FrameJob, Mapping[str, str]]:
     """Return a job with the quality that was asked for, and headers that explain an automatic choice.
 
-    The prediction holds for the subject's own camera and time, which can differ from the frame's. where: as
-    :meth:`Context.compiled` takes it. Raises :class:`NotMeasuredError` while the subject is being measured; the first
-    call starts the measurement.
+    The prediction holds for the subject's own camera and time, which can differ from the frame's. Raises
+    :class:`NotMeasuredError` while the subject is being measured; the first call starts the measurement.
     """
     if asked.quality != "auto":
         if asked.budget_ms is not None:
             raise _refused(asked, "allowed only with quality auto")
         return job, {}
     # A scene that cannot be planned is refused before it is measured.
-    await context.compiled(job.scene, job.quality, **where)
+    origin: SceneOrigin = {"scene_at": "/scene"}
+    if isinstance(asked, FrameParameters):
+        origin = {"parameters": asked.changed}
+    await context.compiled(job.scene, job.quality, **origin)
     if asked.budget_ms is None:
         raise _refused(asked, "quality auto requires budget_ms, the frame time allowed in milliseconds")
     limits = context.settings.frame_limits

@@ -4,6 +4,7 @@ import json
 from collections.abc import Collection
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import TypedDict, Unpack
 
 from seafoam.api.http.problems import BadRequestError, FieldProblem
 from seafoam.framegraph.plan import FramePlan
@@ -33,17 +34,23 @@ def _compiled(scene: Scene, quality: Quality) -> CompiledPlan:
     return CompiledPlan(plan, plan.canonical_json(), plan_hash(scene, quality))
 
 
-def compile_scene(
-    scene: Scene, quality: Quality, *, scene_at: str | None = None, parameters: Collection[str] = ()
-) -> CompiledPlan:
+class SceneOrigin(TypedDict, total=False):
+    """What set a scene's values: its JSON pointer in a body, or names of query parameters."""
+
+    scene_at: str
+    parameters: Collection[str]
+
+
+def compile_scene(scene: Scene, quality: Quality, **origin: Unpack[SceneOrigin]) -> CompiledPlan:
     """Compile a scene into a plan.
 
-    A scene that cannot be planned raises :class:`BadRequestError`, which names the member of the body (``scene_at``:
-    JSON pointer of the scene in it) or the query parameter (among ``parameters``) that set the value.
+    A scene that cannot be planned raises :class:`BadRequestError`, which names the member of the body or the query
+    parameter that set the value.
     """
     try:
         return _compiled(scene, quality)
     except PlanError as error:
+        scene_at, parameters = origin.get("scene_at"), origin.get("parameters", ())
         member = error.pointer.rpartition("/")[2]
         parameter = member if scene_at is None and member in parameters else None
         pointer = None if parameter else f"{scene_at or ''}{error.pointer}"

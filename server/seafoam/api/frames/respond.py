@@ -1,8 +1,8 @@
 """Answers with frames, the same for every address that has them."""
 
 import asyncio
-from collections.abc import Awaitable, Callable, Collection, Mapping
-from typing import Any, TypeVar
+from collections.abc import Awaitable, Callable, Mapping
+from typing import Any, TypeVar, Unpack
 from urllib.parse import urlencode
 
 from fastapi import Request
@@ -10,6 +10,7 @@ from starlette.responses import Response
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from seafoam.api.context import Context
+from seafoam.api.frames.plans import SceneOrigin
 from seafoam.api.frames.request_cache import ResolvedFrame
 from seafoam.api.http.etags import not_modified
 from seafoam.api.http.openapi import content
@@ -75,21 +76,12 @@ def at_hand(resolved: ResolvedFrame, request: Request, context: Context) -> Resp
 
 
 async def resolve_frame(
-    job: FrameJob,
-    request: Request,
-    headers: Mapping[str, str],
-    plans_at: str,
-    *,
-    scene_at: str | None = None,
-    parameters: Collection[str] = (),
+    job: FrameJob, request: Request, headers: Mapping[str, str], plans_at: str, **origin: Unpack[SceneOrigin]
 ) -> ResolvedFrame:
-    """Check and plan a frame, and find its key and headers.
-
-    plans_at: relative address of ``/api/plans``. scene_at, parameters: see :func:`compile_scene`.
-    """
+    """Check and plan a frame, and find its key and headers. plans_at: relative address of ``/api/plans``."""
     context: Context = request.app.state.context
     context.settings.frame_limits.check(job.width, job.height, job.quality.samples_drawn)
-    plan = (await context.addressed(job.scene, job.quality, scene_at=scene_at, parameters=parameters)).sha256
+    plan = (await context.addressed(job.scene, job.quality, **origin)).sha256
     await context.pool.wait_until_settled()
     own = {
         "Seafoam-Plan": plan,

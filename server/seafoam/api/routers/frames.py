@@ -96,7 +96,7 @@ async def get_frame(
         loaded = find_preset(preset)
         job = query.job(loaded, format)
         subject = Subject(None if query.changed else loaded.name, job.scene, loaded.time, loaded.size)
-        job, chosen = await with_quality(job, query, subject, context, parameters=query.changed)
+        job, chosen = await with_quality(job, query, subject, context)
         headers = {"Cache-Control": REVALIDATE, **chosen}
         return await resolve_frame(job, request, headers, "../plans", parameters=query.changed)
 
@@ -110,7 +110,7 @@ async def get_frame(
 async def render_frame(body: Strict[FrameRequest], request: Request, context: InContext) -> Response:
     """Render a frame of a scene sent as JSON."""
     known_preset(body.preset)
-    job, chosen = await with_quality(body.job, body, Subject.of_scene(body.scene), context, scene_at="/scene")
+    job, chosen = await with_quality(body.job, body, Subject.of_scene(body.scene), context)
     headers = {"Cache-Control": NO_STORE, **chosen}
     return await answer(await resolve_frame(job, request, headers, "plans", scene_at="/scene"), request, context)
 
