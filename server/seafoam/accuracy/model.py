@@ -64,7 +64,7 @@ class TruthInfo(SweepPart):
     samples: int = Field(description="Samples per pixel")
 
 
-class Points(SweepPart):
+class SweepPoints(SweepPart):
     """The points of a sweep, before it is measured."""
 
     preset: str

@@ -137,7 +137,7 @@ export interface components {
             program: string;
             /** @description Name of a target of the plan, or 'screen': the RGBA8 picture itself */
             target: string;
-            mesh: components["schemas"]["Fullscreen"] | components["schemas"]["Grid"] | components["schemas"]["seafoam__framegraph__passes__Points"] | components["schemas"]["Quads"];
+            mesh: components["schemas"]["Fullscreen"] | components["schemas"]["Grid"] | components["schemas"]["Points"] | components["schemas"]["Quads"];
             /** @description Sampler name -> source of its data */
             inputs?: {
                 [key: string]: components["schemas"]["TextureInput"] | components["schemas"]["TargetInput"];
@@ -161,6 +161,11 @@ export interface components {
                 number,
                 number
             ];
+        };
+        /** @description ``count`` points without attributes; gl_VertexID is the index, gl_PointSize the side in pixels. */
+        Points: {
+            rule: "points";
+            count: number;
         };
         /** @description A vertex and a fragment shader. */
         Program: {
@@ -264,11 +269,6 @@ export interface components {
             period: number;
             rate?: number | null;
         };
-        /** @description ``count`` points without attributes; gl_VertexID is the index, gl_PointSize the side in pixels. */
-        seafoam__framegraph__passes__Points: {
-            rule: "points";
-            count: number;
-        };
     };
     responses: never;
     parameters: never;
@@ -289,6 +289,7 @@ export type Loop = components['schemas']['Loop'];
 export type Pass = components['schemas']['Pass'];
 export type PassIndex = components['schemas']['PassIndex'];
 export type Phase = components['schemas']['Phase'];
+export type Points = components['schemas']['Points'];
 export type Program = components['schemas']['Program'];
 export type Quads = components['schemas']['Quads'];
 export type Shader = components['schemas']['Shader'];
@@ -303,6 +304,5 @@ export type Uniform = components['schemas']['Uniform'];
 export type Viewport = components['schemas']['Viewport'];
 export type ViewportSize = components['schemas']['ViewportSize'];
 export type Wrap = components['schemas']['Wrap'];
-export type SeafoamFramegraphPassesPoints = components['schemas']['seafoam__framegraph__passes__Points'];
 export type $defs = Record<string, never>;
 export type operations = Record<string, never>;

@@ -6,7 +6,7 @@ from typing import Any
 from fastapi import APIRouter, Request
 from starlette.responses import JSONResponse, Response
 
-from seafoam.accuracy.model import Points, Running, Sweep
+from seafoam.accuracy.model import Running, Sweep, SweepPoints
 from seafoam.accuracy.points import points_of
 from seafoam.accuracy.report import csv_of
 from seafoam.accuracy.sweep import Subject, truth_info
@@ -100,14 +100,14 @@ async def get_truth(preset: PresetName, _: NoParameters, request: Request, conte
 
 
 @router.get("/accuracy/{preset}/points", response_class=JSONResponse, responses=problem_responses(404, 422, 501, 503))
-async def get_points(preset: PresetName, _: NoParameters, context: InContext) -> Points:
+async def get_points(preset: PresetName, _: NoParameters, context: InContext) -> SweepPoints:
     """List the qualities that are measured for a preset: every tier, and tier standard with one setting changed.
 
     Responds at once, without measuring.
     """
     subject = _subject(preset)
     points = await context.plans.run(points_of, subject.scene)
-    return Points(preset=preset, truth=truth_info(subject, context.sweeps.settings), points=points)
+    return SweepPoints(preset=preset, truth=truth_info(subject, context.sweeps.settings), points=points)
 
 
 @router.get("/accuracy/{preset}", responses={200: {"model": Sweep, "description": "The measurement"}, **_SWEEP})
