@@ -1,10 +1,9 @@
 """Masks made on request."""
 
 import numpy as np
-import pytest
 
 from seafoam.masks.bake import bake_all
-from seafoam.masks.catalogue import Mask, MaskTooSlowError, Thresholds, mask_by_name, rank_sha256, read_catalogue
+from seafoam.masks.catalogue import Mask, Thresholds, mask_by_name, rank_sha256, read_catalogue
 from seafoam.masks.families import check_parameters
 from seafoam.masks.formats import decode_ranks
 
@@ -27,14 +26,6 @@ def test_tables_are_measured_when_asked_for():
     assert len(mask.tables.sigma_l) == 8
     assert mask.spectrum.frequency[0] == 1 / 128
     assert mask.sidecar()["spectrum"]
-
-
-def test_slow_and_bad_requests_are_refused_before_they_start():
-    with pytest.raises(MaskTooSlowError, match="lower sigma or size"):
-        mask_by_name("vac:24:512:0")
-    assert issubclass(MaskTooSlowError, ValueError)
-    with pytest.raises(ValueError, match="size 31"):
-        mask_by_name("vac:1.5:31:0")
 
 
 def test_baking_writes_what_the_catalogue_reads(tmp_path, monkeypatch):
