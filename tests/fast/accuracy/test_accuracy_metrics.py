@@ -12,32 +12,19 @@ def picture(value=0.5, coverage=0.0, size=(40, 60)):
     return made
 
 
-def test_the_same_picture_has_no_error():
+def test_errors_are_in_levels_of_what_is_displayed():
     same = picture()
     found = metrics.errors([same, same], same, "filmic")
     assert (found.rmse, found.max, found.flip, found.coverage, found.flipped) == (0.0, 0.0, 0.0, 0.0, 0.0)
     assert found.popping is None
-
-
-def test_rmse_and_max_are_in_levels():
     other = picture()
     other[:20, :, :3] += 0.1
     assert metrics.rmse(other, picture()) == pytest.approx(25.5 * np.sqrt(0.5), rel=1e-5)
     assert metrics.greatest(other, picture()) == pytest.approx(25.5, rel=1e-5)
-
-
-def test_light_beyond_white_is_white():
     assert metrics.rmse(picture(7.0), picture(1.0)) == 0.0
     assert metrics.rmse(picture(-0.2), picture(0.0)) == 0.0
-
-
-def test_coverage_does_not_count_as_light():
     assert metrics.rmse(picture(coverage=1.0), picture()) == 0.0
     assert metrics.coverage(picture(coverage=0.25), picture(coverage=0.5)) == pytest.approx(0.25)
-
-
-def test_flipped_is_a_share_of_pixels():
-    other = picture()
     other[:10, :, 3] = 0.9
     other[10:, :, 3] = 0.5
     assert metrics.flipped(other, picture()) == pytest.approx(0.25)

@@ -22,13 +22,10 @@ def popping(share: float, count: int = 12) -> Frames:
     return [np.where(random.uniform(size=(64, 64)) < share, 1.0, 0.5) for _ in range(count)]
 
 
-def test_a_smooth_pan_scores_low_and_popping_high() -> None:
+def test_a_smooth_pan_scores_low_popping_high_and_what_stays_or_fades_evenly_nothing() -> None:
     smooth, popped = flicker(pan(0.1)), flicker(popping(0.05))
     assert smooth < 0.1
     assert popped > 100.0 * smooth
-
-
-def test_what_stays_or_fades_evenly_has_no_flicker() -> None:
     still = np.random.default_rng(1).uniform(size=(8, 9))
     assert flicker([still] * 4) == 0.0
     assert flicker([0.1 * i * still for i in range(6)]) < 1e-9
@@ -39,9 +36,6 @@ def test_flicker_is_the_high_pass_it_says() -> None:
     for step in (0.5, 2.0, 8.0):
         wanted = 255.0 * 4.0 * math.sin(math.pi * step / 32.0) ** 2 * 0.5 / math.sqrt(2.0)
         assert flicker(pan(step)) == pytest.approx(wanted, rel=1e-9)
-
-
-def test_a_single_flash_scores_its_height() -> None:
     frames = [np.zeros((4, 4)) for _ in range(5)]
     frames[2] = np.full((4, 4), 0.1)
     assert flicker(frames) == pytest.approx(25.5 * math.sqrt(6.0 / 3.0))

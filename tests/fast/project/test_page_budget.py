@@ -21,16 +21,10 @@ def weight(name: str) -> int:
     return (compressed if compressed.exists() else DIST / name).stat().st_size
 
 
-def stage() -> set[str]:
-    """Scripts that the page loads at once: its entry and all that this imports."""
+def linked(kinds: str) -> list[str]:
+    """Files that the page's HTML names, in order: what it loads at once, and all that this imports."""
     html = (DIST / "index.html").read_text(encoding="utf-8")
-    return set(re.findall(r'(?:src|href)="\./([^"]+\.js)"', html))
-
-
-def linked() -> set[str]:
-    """Scripts and style sheets that the page's HTML names."""
-    html = (DIST / "index.html").read_text(encoding="utf-8")
-    return set(re.findall(r'(?:src|href)="\./([^"]+\.(?:js|css))"', html))
+    return re.findall(rf'(?:src|href)="\./([^"]+\.(?:{kinds}))"', html)
 
 
 def named(prefix: str) -> set[str]:
@@ -40,25 +34,21 @@ def named(prefix: str) -> set[str]:
 def test_stage_and_settings_are_light() -> None:
     pane = named("pane")
     assert len(pane) == 1
-    assert not pane & stage(), "the settings' pane is loaded when they are opened"
-    assert sum(map(weight, stage() | pane)) <= SCRIPT
+    assert not pane & set(linked("js")), "the settings' pane is loaded when they are opened"
+    assert sum(map(weight, set(linked("js")) | pane)) <= SCRIPT
 
 
-def test_the_first_still_and_the_page_round_it_are_light() -> None:
-    assert sum(map(weight, linked() | {"index.html", "stills/default.avif"})) <= STILL
-
-
-def test_the_still_is_asked_for_before_all_else() -> None:
-    """Scripts behind the style sheets wait for these."""
-    html = (DIST / "index.html").read_text(encoding="utf-8")
-    assert re.findall(r'(?:src|href)="([^"]+\.(?:js|css|avif))"', html)[0] == "./still.js"
+def test_the_first_still_and_the_page_round_it_are_light_and_it_is_asked_for_before_all_else() -> None:
+    assert sum(map(weight, set(linked("js|css")) | {"index.html", "stills/default.avif"})) <= STILL
+    # Scripts behind the style sheets wait for these.
+    assert linked("js|css|avif")[0] == "still.js"
 
 
 def test_surfaces_and_laboratories_are_loaded_when_opened() -> None:
     later = {"panel": "accuracy", "surface": "plan and take home", "linechart": "charts"}
     for prefix, what in later.items():
         assert named(prefix), f"no file of {what}: the names have changed"
-        assert not named(prefix) & stage(), f"{what} would be loaded with the page"
+        assert not named(prefix) & set(linked("js")), f"{what} would be loaded with the page"
 
 
 def test_few_styles_are_written_by_hand() -> None:

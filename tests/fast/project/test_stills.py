@@ -16,8 +16,6 @@ WEBCLIENT = ROOT / "webclient"
 ALL_STILLS = 1_500_000
 """Most bytes of the presets' stills with their thumbnails and of the chapter's together."""
 _SPEC = importlib.util.spec_from_file_location("make_stills", WEBCLIENT / "make_stills.py")
-assert _SPEC is not None
-assert _SPEC.loader is not None
 stills = importlib.util.module_from_spec(_SPEC)
 _SPEC.loader.exec_module(stills)
 
@@ -36,30 +34,23 @@ def test_a_preset_has_its_still(name: str) -> None:
         assert path.stat().st_size <= most, "a first visit waits for it"
 
 
-def test_nothing_else_lies_there() -> None:
+def test_a_clone_has_the_stills_they_are_small_and_nothing_else_lies_there() -> None:
     known = {path for name in preset_names() for path in (stills.still_of(name), stills.thumbnail_of(name))}
     assert set(stills.FOLDER.iterdir()) == known
     assert list(json.loads(stills.INDEX.read_text(encoding="utf-8"))) == list(preset_names())
-
-
-def test_a_clone_has_the_stills_and_they_are_small() -> None:
     command = ["git", "ls-files", "webclient/public/stills", "webclient/public/learn-stills"]
     names = subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True).stdout.split()
     assert {stills.still_of(name) for name in preset_names()} <= {ROOT / name for name in names}
     assert sum((ROOT / name).stat().st_size for name in names) <= ALL_STILLS
 
 
-def test_a_page_shows_each_picture_of_docs() -> None:
+def test_a_page_shows_each_picture_of_docs_and_begins_with_the_first_preset() -> None:
     shown = {
         (page.parent / picture).resolve()
         for page in (ROOT / "README.md", *(ROOT / "docs").rglob("*.md"))
         for picture in re.findall(r"\(([\w./-]*pictures/[\w./-]+)\)", page.read_text(encoding="utf-8"))
     }
     assert {path for path in (ROOT / "docs/pictures").rglob("*") if path.is_file()} == shown
-
-
-def test_the_page_begins_with_the_first_preset() -> None:
     page = (WEBCLIENT / "index.html").read_text(encoding="utf-8")
     found = re.search(r'data-preset="([\w-]+)"', page)
-    assert found is not None
     assert found[1] == preset_names()[0]
