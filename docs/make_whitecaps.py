@@ -48,7 +48,7 @@ PAGE = Path(__file__).parent / "whitecaps.md"
 PICTURE = Path(__file__).parent / "pictures" / "whitecaps.png"
 Floats = NDArray[np.float32]
 Floats64 = NDArray[np.float64]
-WINDS = (5.0, 7.5, 10.0, 12.5, 15.0, 17.5, 20.0)
+WINDS = foam_of_sea.WINDS
 DERIVED, SHOWN = (1, 2), (5, 6)
 """Seeds of the seas from which the factors are derived, and of the other seas that the page shows."""
 FETCH = 5e5
@@ -102,18 +102,18 @@ def measured(
     return {wind: float(np.mean([coverage(wind, seed, kind, lasting) for seed in seeds])) for wind in WINDS}
 
 
-def derive(lasting: bool) -> tuple[tuple[float, float], ...]:
+def derive(lasting: bool) -> tuple[float, ...]:
     """``CLAMPED``, iterated: the ratio of wanted to drawn coverage of seas drawn with it."""
     factors = dict.fromkeys(WINDS, 1.0)
     for _ in range(3):
         if lasting:
-            foam_of_sea.LASTING_CLAMPED = tuple(factors.items())
+            foam_of_sea.LASTING_CLAMPED = tuple(factors.values())
         else:
-            foam_of_sea.CLAMPED = tuple(factors.items())
+            foam_of_sea.CLAMPED = tuple(factors.values())
         for wind, drawn in measured(DERIVED, lasting=lasting).items():
             factors[wind] *= foam_of_sea.whitecaps(wind) / drawn
         print({wind: round(factor, 3) for wind, factor in factors.items()}, file=sys.stderr)
-    return tuple((wind, round(factor, 3)) for wind, factor in factors.items())
+    return tuple(round(factor, 3) for factor in factors.values())
 
 
 def write(drawn: dict[float, float], lasting: dict[float, float], gerstner: dict[float, float]) -> None:

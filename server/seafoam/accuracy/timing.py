@@ -85,16 +85,14 @@ def compare(before: list[float], after: list[float], error_before: float, error_
     factor = median(ratios)
     # A thousandth of a level is no error at all.
     error_factor = (error_before + 1e-3) / (error_after + 1e-3)
-    time_words = "no measurable difference in time" if not measurable else f"{factor:.2g}× the time"
-    if factor >= 9.95 and measurable:
-        time_words = f"{factor:.0f}× the time"
+    slower, multiple = measurable and factor > 1.0, f"{factor:.0f}" if factor >= 9.95 else f"{factor:.2g}"
+    time_words = f"{multiple}× the time" if measurable else "no measurable difference in time"
     if error_factor >= TOLD:
-        verb = "and" if not measurable else "buys" if factor > 1.0 else "and"
-        words = f"{time_words} {verb} {_times(error_factor)} less error"
+        words = f"{time_words} {'buys' if slower else 'and'} {_times(error_factor)} less error"
     elif error_factor <= 1.0 / TOLD:
         words = f"{time_words} and {_times(1.0 / error_factor)} more error"
     else:
-        words = f"{time_words} {'buys nothing' if measurable and factor > 1.0 else 'and the same error'}"
+        words = f"{time_words} {'buys nothing' if slower else 'and the same error'}"
     added = median(b - a for a, b in zip(before, after, strict=True))
     return Comparison(added, factor, measurable, error_factor, words)
 
@@ -140,15 +138,12 @@ def choose(
     fitting = [pair for pair in predicted if pair[0] <= budget_ms]
     if fitting:
         at, point = min(fitting, key=lambda pair: (pair[1].error.rmse, pair[0]))
-    else:
-        at, point = min(predicted, key=lambda pair: pair[0])
-    size = f"{width} x {height}"
-    if fitting:
         said = f"least error of {len(fitting)} within budget, of {len(predicted)} measured"
     else:
+        at, point = min(predicted, key=lambda pair: pair[0])
         said = f"none within budget, fastest of {len(predicted)} measured"
     why = (
-        f"{said}; predicted {at:.3g} ms of {budget_ms:g} ms at {size}; RMSE {point.error.rmse:.2f}/255, "
+        f"{said}; predicted {at:.3g} ms of {budget_ms:g} ms at {width} x {height}; RMSE {point.error.rmse:.2f}/255, "
         f"FLIP {point.error.flip:.3f}"
     )
     return Choice(point, at, bool(fitting), why)
