@@ -16,8 +16,8 @@ Ranks = NDArray[np.uint32] | NDArray[np.int64]
 Footprints = tuple[Floats, Floats]
 """Both sides of samples' footprints on a surface: their x and z, (r, 2) m each."""
 
-Gradient = tuple[Floats | float, Floats | float]
-"""Derivatives by x and z, (r,) each, or the same everywhere."""
+Gradient = tuple[Floats | float, Floats | float] | Floats
+"""Derivatives by x and z, (2, r), or the same everywhere."""
 
 Sunlight = Callable[[Floats, Footprints], Floats]
 """Share (r,) of the sunlight that reaches places (r, 3), m from the origin, averaged over footprints."""
@@ -46,6 +46,12 @@ def smoothstep(low: float, high: float, x: ArrayLike) -> Floats:
     """3q² − 2q³ of q = (x − low)/(high − low) clamped to [0, 1]; low < high; of the shape of ``x``."""
     q = np.clip((np.asarray(x, np.float64) - low) / (high - low), 0.0, 1.0)
     return q * q * (3.0 - 2.0 * q)
+
+
+def smoothstep_slope(low: float, high: float, x: Floats) -> tuple[Floats, Floats]:
+    """The smoothstep and its derivative; of the shape of ``x`` each."""
+    q = np.clip((x - low) / (high - low), 0.0, 1.0)
+    return q * q * (3.0 - 2.0 * q), 6.0 * q * (1.0 - q) / (high - low)
 
 
 def dot(a: Floats, b: Floats) -> Floats:

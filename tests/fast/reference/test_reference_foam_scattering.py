@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from seafoam.reference.foam.scattering import layer, lumpy_cosine
 from seafoam.reference.light import light
+from seafoam.reference.light.light import foam_layer, lumpy_cosine
 from seafoam.reference.types import unit
 from seafoam.scene.foam import FoamScattering
 from seafoam.scene.light import Light
@@ -18,13 +18,14 @@ def test_a_thick_smooth_layer_without_a_lobe_is_matt_foam() -> None:
     air = light.air(Light(sun_elevation=0.7))
     matt = FoamScattering(optical_depth=1000.0, roughness=0.0, forward=0.0)
     d = unit(np.array([[1.0, -0.5, 0.3]]))
-    got, opacity = layer(air, matt, 0.9, UP, d, np.ones(1))
+    got, opacity = foam_layer(air, matt, 0.9, UP, d, np.ones(1))
     np.testing.assert_allclose(opacity, 1.0, atol=2e-3)
     np.testing.assert_allclose(got, opacity[:, None] * light.foam(air, 0.9, UP), rtol=1e-12)
 
 
 def test_no_foam_is_no_layer() -> None:
-    got, opacity = layer(light.air(Light()), FoamScattering(), 0.9, UP, unit(np.array([[1.0, -0.2, 0.0]])), np.zeros(1))
+    d = unit(np.array([[1.0, -0.2, 0.0]]))
+    got, opacity = foam_layer(light.air(Light()), FoamScattering(), 0.9, UP, d, np.zeros(1))
     np.testing.assert_array_equal(got, 0.0)
     np.testing.assert_array_equal(opacity, 0.0)
 
@@ -55,8 +56,8 @@ def test_smooth_foam_sends_back_no_more_than_arrives(elevation: float, forward: 
         (np.outer(level, np.cos(turn)), np.repeat(mu[:, None], 720, axis=1), np.outer(level, np.sin(turn))), -1
     ).reshape(-1, 3)
     n = np.broadcast_to(UP, out.shape)
-    whole, _ = layer(air, scattering, 1.0, n, -out, np.ones(len(out)))
-    dark, _ = layer(air, scattering, 1.0, n, -out, np.ones(len(out)), np.zeros(len(out)))
+    whole, _ = foam_layer(air, scattering, 1.0, n, -out, np.ones(len(out)))
+    dark, _ = foam_layer(air, scattering, 1.0, n, -out, np.ones(len(out)), np.zeros(len(out)))
     flux = ((whole - dark) * out[:, 1:2]).mean(axis=0) * 2.0 * math.pi
     arrives = air.sun_irradiance * math.sin(elevation)
     assert (flux <= 1.001 * arrives).all()
@@ -66,6 +67,6 @@ def test_smooth_foam_sends_back_no_more_than_arrives(elevation: float, forward: 
 def test_foam_before_a_low_sun_is_brighter_than_foam_after_it() -> None:
     air = light.air(Light(sun_elevation=0.15, sun_azimuth=0.0))
     toward, away = (unit(np.array([[x, -0.15, 0.0]])) for x in (1.0, -1.0))
-    glow, _ = layer(air, FoamScattering(), 0.9, UP, toward, np.ones(1))
-    plain, _ = layer(air, FoamScattering(), 0.9, UP, away, np.ones(1))
+    glow, _ = foam_layer(air, FoamScattering(), 0.9, UP, toward, np.ones(1))
+    plain, _ = foam_layer(air, FoamScattering(), 0.9, UP, away, np.ones(1))
     assert (glow > 2.0 * plain).all()

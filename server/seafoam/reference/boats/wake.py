@@ -13,7 +13,7 @@ from seafoam.ocean.waves.wakes import LEAST_SPEED, Wake, joint_height, joint_slo
 from seafoam.reference.boats.floating import HULL_SPEED, Course, course_of
 from seafoam.reference.boats.form import FORMS, STEM
 from seafoam.reference.noise import filtered_step, footprint_variance, patches
-from seafoam.reference.types import Bools, Floats, Footprints, Gradient, smoothstep
+from seafoam.reference.types import Bools, Floats, Footprints, Gradient, smoothstep, smoothstep_slope
 from seafoam.scene.boats import Boat
 from seafoam.scene.foam import WakeSaturation
 from seafoam.scene.models import Scene
@@ -160,10 +160,10 @@ def pattern(wake: Wake, behind: Floats, aside: Floats) -> tuple[Floats, Floats, 
     root = np.sqrt(1.0 - 8.0 * q * q)
     root_q = -8.0 * q / np.maximum(root, 1e-6)
     size, end = boat.length, wake.length
-    edge, edge_s = _step(0.0, 0.5, root * root)
-    begin, begin_x = _step(0.0, 0.6 * size, behind)
-    stop, stop_x = _step(0.5 * end, end, behind)
-    side, side_z = _step(0.25 * boat.radius, 0.4 * boat.radius, aside)
+    edge, edge_s = smoothstep_slope(0.0, 0.5, root * root)
+    begin, begin_x = smoothstep_slope(0.0, 0.6 * size, behind)
+    stop, stop_x = smoothstep_slope(0.5 * end, end, behind)
+    side, side_z = smoothstep_slope(0.25 * boat.radius, 0.4 * boat.radius, aside)
     window = edge * begin * (1.0 - stop) * (1.0 - side) * inside
     window_q = edge_s * (-16.0 * q) * begin * (1.0 - stop) * (1.0 - side) * inside
     window_x = edge * (begin_x * (1.0 - stop) - begin * stop_x) * (1.0 - side) * inside
@@ -193,12 +193,6 @@ def pattern(wake: Wake, behind: Floats, aside: Floats) -> tuple[Floats, Floats, 
         rise += down + (a_x - a_q * q / x) * cosine
         spread += -down * t + (a_z + a_q / x) * cosine
     return height, rise, spread
-
-
-def _step(low: float, high: float, x: Floats) -> tuple[Floats, Floats]:
-    """The smoothstep and its derivative."""
-    u = np.clip((x - low) / (high - low), 0.0, 1.0)
-    return u * u * (3.0 - 2.0 * u), 6.0 * u * (1.0 - u) / (high - low)
 
 
 def wake_set(scene: Scene, time: float, origin: tuple[float, float]) -> WakeSet:

@@ -1,7 +1,5 @@
 """Section 5: foam with a history, in float64: its drift, its windrows, and its masks by age."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

@@ -4,8 +4,6 @@ The flow's uniform part comes from ``ocean/waves/stokes.py``, which shaders use 
 water orbits.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from fractions import Fraction

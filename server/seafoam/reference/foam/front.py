@@ -164,11 +164,7 @@ def front_saturation_filtered(psi: Floats, width: Floats, intensity: float, base
     mean = front_integral(intensity, base).mean(psi, np.where(sharp, 1.0, width))
     crosses = sharp & (np.abs(psi) < 0.5 * width)
     jump = np.clip(0.5 + psi / np.where(crosses, width, 1.0), 0.0, 1.0)
-    return np.where(
-        crosses,
-        jump,
-        np.where(sharp, np.minimum(front_saturation(np.cos(psi), np.sin(psi), intensity, base), 1.0), mean),
-    )
+    return np.where(crosses, jump, np.where(sharp, _front(psi, intensity, base), mean))
 
 
 def phase_gradient(group: Group) -> Floats:
@@ -343,7 +339,5 @@ def _wrapped(angle: Floats) -> Floats:
 
 
 def _front(psi: Floats, intensity: float, base: float) -> Floats:
-    """min(f, 1) of one wave for 0 < ψ ≤ 2π, where it is continuous; of the shape of ``psi``."""
-    cotangent = np.cos(0.5 * psi) / np.maximum(np.sin(0.5 * psi), 1e-300)
-    exponent = np.clip(cotangent * math.log(base), -EXPONENT, EXPONENT)
-    return np.minimum(np.exp(exponent) / intensity, 1.0)
+    """min(f, 1) of one wave at ψ, rad; of the shape of ``psi``."""
+    return np.minimum(front_saturation(np.cos(psi), np.sin(psi), intensity, base), 1.0)

@@ -3,8 +3,6 @@
 Colours are linear RGB along the last axis, directions unit vectors (x, y, z) along the last axis.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -17,7 +15,7 @@ from seafoam.reference.light import clouds
 from seafoam.reference.light.clouds import EYE, FORWARD, CloudLayer, HighClouds, Spread
 from seafoam.reference.noise import chained, fractal, number, share
 from seafoam.reference.types import Floats, dot, henyey_greenstein, smoothstep, unit
-from seafoam.scene.light import Day, Light, Moon
+from seafoam.scene.light import Day, Light, Moon, Sky
 
 RAYLEIGH = np.array([0.055, 0.108, 0.215])
 RAYLEIGH_HEIGHT, MIE_HEIGHT = 8000.0, 1200.0
@@ -109,8 +107,8 @@ class LayeredSky:
     """A layered sky at one time over one camera position."""
 
     light: Light
+    sky: Sky
     mie: float
-    haze: float
     lamps: tuple[Lamp, ...]
     lit_by: Floats
     """(3,) unit vector toward the lamp that lights water and clouds."""
@@ -125,7 +123,7 @@ class LayeredSky:
     @cached_property
     def clouds(self) -> CloudLayer | None:
         """The layer of clouds, if there is one."""
-        layer = None if self.light.sky is None else self.light.sky.clouds
+        layer = self.sky.clouds
         if layer is None:
             return None
         place = clouds.place(layer, self.time, self.eye)
@@ -134,7 +132,7 @@ class LayeredSky:
     @cached_property
     def high(self) -> HighClouds | None:
         """The high clouds, if there are any."""
-        cirrus = None if self.light.sky is None else self.light.sky.cirrus
+        cirrus = self.sky.cirrus
         if cirrus is None:
             return None
         place = clouds.streak_place(cirrus, self.time, self.eye)
@@ -158,7 +156,7 @@ class LayeredSky:
     def depth(self, y: Floats) -> Floats:
         """Optical depth along unit directions of height y (...,); (..., 3)."""
         up = np.maximum(y, 0.0)[..., None]
-        return (RAYLEIGH + self.mie) / (up + 0.09) + self.haze * 0.02 / (up + 0.02)
+        return (RAYLEIGH + self.mie) / (up + 0.09) + self.sky.haze * 0.02 / (up + 0.02)
 
     def clear(self, d: Floats, look: Floats | None = None) -> Floats:
         """Radiance of the cloudless air toward d; (..., 3). ``look``: toward which its haze scatters, if not d."""
@@ -226,7 +224,7 @@ class LayeredSky:
 
     def moon_disc(self, d: Floats) -> tuple[Floats, Floats]:
         """Radiance of the moon's face (r, 3), and its coverage (r,)."""
-        moon = None if self.light.sky is None else self.light.sky.moon
+        moon = self.sky.moon
         colour, hides = np.zeros(d.shape), np.zeros(d.shape[0])
         if moon is None:
             return colour, hides
@@ -249,8 +247,7 @@ class LayeredSky:
 
     def stars(self, d: Floats, pixel: Floats) -> Floats:
         """Radiance of the stars; (r, 3)."""
-        amount = 0.0 if self.light.sky is None else self.light.sky.stars
-        bright = amount * _step(0.05, 0.2, -float(self.lamps[0].direction[1]))
+        bright = self.sky.stars * _step(0.05, 0.2, -float(self.lamps[0].direction[1]))
         result = np.zeros(d.shape)
         if bright == 0.0:
             return result
@@ -361,4 +358,4 @@ def layered_sky(light: Light, time: float, eye: tuple[float, float, float]) -> L
         depth = RAYLEIGH * math.exp(-altitude / RAYLEIGH_HEIGHT) + mie * math.exp(-altitude / MIE_HEIGHT)
         return above * np.exp(-depth / (max(height, 0.0) + 0.03))
 
-    return LayeredSky(light, mie, sky.haze, tuple(lamps), lit_by, direct, up_there, time, eye)
+    return LayeredSky(light, sky, mie, tuple(lamps), lit_by, direct, up_there, time, eye)

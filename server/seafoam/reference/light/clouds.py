@@ -1,7 +1,5 @@
 """Section 9: the layer of clouds. Colours are linear RGB along the last axis, directions unit vectors (x, y, z)."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from dataclasses import dataclass

@@ -15,6 +15,7 @@ from seafoam.reference.light import atmosphere
 from seafoam.reference.light.clouds import FORWARD
 from seafoam.reference.shore.soil import Soil
 from seafoam.reference.types import Floats, dot, henyey_greenstein, smoothstep, unit
+from seafoam.scene.foam import FoamScattering
 from seafoam.scene.light import Light
 from seafoam.scene.water import Water
 
@@ -35,6 +36,10 @@ CREST_PATH = 6.0
 LAKE_COLOUR = np.array([0.98, 0.97, 0.7])
 LAKE_STRENGTH = 0.6
 GLITTER_MOST = 1e4
+FOAM_FORWARD = 0.75
+"""Asymmetry of the phase function of foam, a lumpy layer of bubbles that scatters the sun's light forward."""
+LUMPS_LEAST = 1e-3
+"""Least mean cosine of lumps."""
 
 
 @dataclass(frozen=True)
@@ -199,6 +204,30 @@ def water(air: Air, body: Water, hit: WaterHit, light: Illumination = Illuminati
 def foam(air: Air, albedo: float, N: Floats, sun: Share = 1.0) -> Floats:
     """Radiance of foam of unit normals N (r, 3), before haze, ``sun`` of its sunlight left; (r, 3)."""
     return albedo / math.pi * (_direct(air, N, sun) + sky_light(air, N[:, 1]))
+
+
+def lumpy_cosine(c: Floats, roughness: float) -> Floats:
+    """Mean cosine, 0 where negative, over lumps of the root mean square slope ``roughness`` about the cosine c."""
+    return np.maximum(0.5 * (c + np.sqrt(c * c + 2.0 / math.pi * roughness**2)), LUMPS_LEAST)
+
+
+def foam_layer(
+    air: Air, scattering: FoamScattering, albedo: float, n: Floats, d: Floats, f: Floats, sun: Share = 1.0
+) -> tuple[Floats, Floats]:
+    """Radiance (r, 3) of foam of saturation f (r,) before haze, and its opacity (r,).
+
+    n, d: unit normals and view rays (r, 3). ``sun``: what is left of the sunlight.
+    """
+    toward_eye = lumpy_cosine(-dot(n, d), scattering.roughness)
+    toward_sun = lumpy_cosine(dot(n, air.sun), scattering.roughness)
+    depth = scattering.optical_depth * np.clip(f, 0.0, 1.0)
+    opacity = depth / (depth + 2.0 * toward_eye)
+    phase = henyey_greenstein(FOAM_FORWARD, d @ air.sun)
+    matt = (1.0 - scattering.forward) / math.pi
+    scattered = toward_sun * (matt + scattering.forward * phase / (toward_sun + toward_eye)) * sun
+    light = air.sun_irradiance * scattered[:, None] + sky_light(air, n[:, 1]) / math.pi
+    result: Floats = albedo * opacity[:, None] * light
+    return result, opacity
 
 
 def land(air: Air, soil: Soil, d: Floats, level: Floats, sun: Share = 1.0) -> Floats:

@@ -1,7 +1,5 @@
 """Foam where rays meet water or ground."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np
@@ -176,18 +174,15 @@ class FoamStage(ReferenceState):
         foam = self.foam
         if foam.look not in TEXTURED_LOOKS and not (foam.look == "filtered" and foam.texture > 0.0):
             return np.ones_like(x)
-        first = self._texture_copy(foam.texture_tile, False, x, z, footprints)
-        if foam.texture_second is None:
-            return first
-        return 0.5 * (first + self._texture_copy(foam.texture_second, True, x, z, footprints))
-
-    def _texture_copy(self, tile: float, swapped: bool, x: Floats, z: Floats, footprints: Footprints) -> Floats:
-        texture, afloat = self.images.texture, self.surface.afloat
-        u = tiles(afloat[0], tile) + x / tile
-        v = tiles(afloat[1], tile) + z / tile
-        if swapped:
-            u, v = v, u
-        if not self.filtering:
-            return sampling.bilinear(texture[0], u, v)
-        level = sampling.footprint_level(footprints[0] / tile, footprints[1] / tile, texture[0].shape[0])
-        return sampling.trilinear(texture, u, v, level)
+        texture, afloat, total = self.images.texture, self.surface.afloat, np.zeros_like(x)
+        copies_of = [tile for tile in (foam.texture_tile, foam.texture_second) if tile is not None]
+        for copy, tile in enumerate(copies_of):
+            places = tiles(afloat[0], tile) + x / tile, tiles(afloat[1], tile) + z / tile
+            # The second copy is mirrored at a diagonal.
+            u, v = places if copy == 0 else places[::-1]
+            if self.filtering:
+                level = sampling.footprint_level(footprints[0] / tile, footprints[1] / tile, texture[0].shape[0])
+                total += sampling.trilinear(texture, u, v, level)
+            else:
+                total += sampling.bilinear(texture[0], u, v)
+        return total / len(copies_of)

@@ -1,7 +1,5 @@
 """A frame of a scene: rays through pixels, the surface under them, foam, light, and the average."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
@@ -33,8 +31,6 @@ class ReferenceFrame:
     """(H·n, W·n), foam amount of each sample, at most 1."""
     hit: Bools
     """(H·n, W·n), whether a sample met the surface."""
-    depression: Floats
-    """(H, W), angle of each pixel's middle ray below the horizon, rad."""
     samples: int
     """n, samples along each side of a pixel."""
 
@@ -94,7 +90,6 @@ def render(
         alpha=alpha.reshape(height, width),
         amount=amount.reshape(shape),
         hit=hit.reshape(shape),
-        depression=cameras.depression(view, width, height),
         samples=samples,
     )
 

@@ -1,7 +1,5 @@
 """Reflections in the water: sky, land and boats."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from seafoam.reference.light import light

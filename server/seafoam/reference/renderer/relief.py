@@ -1,7 +1,5 @@
 """The surface as a height field: the sum of everything that displaces it."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Protocol

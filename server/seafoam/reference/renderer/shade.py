@@ -1,12 +1,9 @@
 """Colours of samples: sky, water, land and boats."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np
 
-from seafoam.reference.foam import scattering
 from seafoam.reference.foam.front import CAP
 from seafoam.reference.light import light
 from seafoam.reference.renderer import camera as cameras
@@ -104,7 +101,7 @@ class SampleShader(UnderwaterStage):
             white = light.foam(lighting.air, foam.albedo, samples.foam_normal, sun)
         else:
             normal, d = samples.foam_normal, samples.d
-            glow, opaque = scattering.layer(lighting.air, foam.scattering, foam.albedo, normal, d, f, sun)
+            glow, opaque = light.foam_layer(lighting.air, foam.scattering, foam.albedo, normal, d, f, sun)
             white = glow + (1.0 - opaque)[:, None] * water
         return self._blend(water, white, a)
 

@@ -1,7 +1,5 @@
 """Section 4: the saturation f of foam, before any look thresholds it: the function of each kind of source."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from typing import Any, Literal

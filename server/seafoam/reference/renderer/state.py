@@ -1,7 +1,5 @@
 """What all samples of a frame share: the surface, its light, and the view."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from typing import Literal
@@ -48,7 +46,7 @@ class Surface:
     """Whether waves move foam to and fro."""
 
     @staticmethod
-    def of(scene: Scene, time: float, origin: tuple[float, float]) -> Surface:
+    def of(scene: Scene, time: float, origin: tuple[float, float]) -> "Surface":
         """The surface of a scene at a time (s) around an origin (x, z) in m."""
         floating = afloat(scene, time, origin)
         waves, sea = wave_set(scene, time, floating), sea_surface(scene, time, floating)
@@ -106,7 +104,7 @@ class Lighting:
     @staticmethod
     def of(
         scene: Scene, time: float, grid: SampleGrid, filtering: bool, coast: Coast | None, fleet: Fleet | None
-    ) -> Lighting | None:
+    ) -> "Lighting | None":
         """The light on a coast and a fleet; None: the scene has no light. ``filtering``: sparkles are at least as
         large as samples are apart."""
         settings = scene.light
@@ -178,7 +176,16 @@ class ReferenceState:
         self.lighting = Lighting.of(scene, time, grid, self.filtering, coast, self.fleet)
         self.covered = self.eye_y < float(relief.height(np.zeros(1), np.zeros(1))[0])
         self.under = scene.water.view_below and self.covered
-        self.seabed = seabed_of(scene, time, self.origin, self.lighting, coast, self.under)
+        self.seabed = None if self.lighting is None else self._seabed(self.lighting)
+
+    def _seabed(self, lighting: Lighting) -> Seabed | None:
+        """The floor that rays meet: from under water any, from above one that is level and not uniform."""
+        coast, water = self.surface.coast, self.scene.water
+        uniform = lighting.settings.caustics is None and water.floor_tile is None
+        if not self.under and (coast is not None or water.depth is None or uniform):
+            return None
+        parts = self.scene, lighting.air, self.time, self.origin, lighting.sunlight
+        return Seabed(*parts) if coast is None else ShoreSeabed(*parts, coast)
 
     @property
     def exposure(self) -> float:
@@ -197,22 +204,3 @@ class ReferenceState:
         footprints = self.footprints(distance / np.sqrt(dot(D, D)), D, side * intersect.normal(*met))
         normal, damped = (unit(intersect.normal(*(seen + part * fine))) for part in (1.0, 0.5))
         return WaterSamples(d, distance, x, z, self.surface.relief.height(x, z), footprints, normal, damped)
-
-
-def seabed_of(
-    scene: Scene,
-    time: float,
-    origin: tuple[float, float],
-    lighting: Lighting | None,
-    coast: Coast | None,
-    under: bool,
-) -> Seabed | None:
-    """The floor that rays meet: from ``under`` water any, from above one that is level and not uniform; None without
-    one."""
-    if lighting is None:
-        return None
-    uniform = lighting.settings.caustics is None and scene.water.floor_tile is None
-    if not under and (coast is not None or scene.water.depth is None or uniform):
-        return None
-    parts = scene, lighting.air, time, origin, lighting.sunlight
-    return Seabed(*parts) if coast is None else ShoreSeabed(*parts, coast)

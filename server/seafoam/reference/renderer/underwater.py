@@ -1,7 +1,5 @@
 """The view from under the surface."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from seafoam.reference.light import light

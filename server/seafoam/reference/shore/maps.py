@@ -3,6 +3,7 @@
 import math
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import product
 
 import numpy as np
 from scipy import ndimage
@@ -83,40 +84,29 @@ class QuadraticSpline:
     texels: Floats
     size: float
 
-    def _places(self, x: Floats, z: Floats) -> tuple[list[Indices], Floats, Floats, Floats, Floats]:
-        count = self.texels.shape[0]
-        result = []
-        for place in (x, z):
-            base, weights, slopes = _quadratic(np.clip(place / self.size + 0.5, 0.0, 1.0) * count - 0.5)
-            index = [np.clip(base + i, 0, count - 1) for i in (-1, 0, 1)]
-            result.append((index, weights, slopes))
-        (columns, w_x, s_x), (rows, w_z, s_z) = result
-        places = [row * count + column for row in rows for column in columns]
-        return places, w_x, s_x, w_z, s_z
+    def _sums(self, x: Floats, z: Floats, kinds: tuple[tuple[int, int], ...]) -> Floats:
+        """Sums over the nine texels around places, by weights (0) or slopes (1) along x and z; (kinds, r, c)."""
+        count, _, channels = self.texels.shape
+        flat, totals = self.texels.reshape(-1, channels), np.zeros((len(kinds), x.size, channels))
+        at = [_quadratic(np.clip(place / self.size + 0.5, 0.0, 1.0) * count - 0.5) for place in (x, z)]
+        (columns, *by_x), (rows, *by_z) = at
+        for j, i in product(range(3), repeat=2):
+            row, column = (np.clip(base + k - 1, 0, count - 1) for base, k in ((rows, j), (columns, i)))
+            here = flat[row * count + column]
+            for total, (along, across) in zip(totals, kinds, strict=True):
+                total += (by_z[across][j] * by_x[along][i])[:, None] * here
+        return totals
 
     def value(self, x: Floats, z: Floats) -> Floats:
         """(r, c) at (x, z), m from the centre of the square; outside it the value of the nearest point inside."""
-        places, w_x, _, w_z, _ = self._places(x, z)
-        flat = self.texels.reshape(-1, self.texels.shape[2])
-        total = np.zeros((x.size, flat.shape[1]))
-        for k, place in enumerate(places):
-            total += (w_z[k // 3] * w_x[k % 3])[:, None] * flat[place]
-        return total
+        result: Floats = self._sums(x, z, ((0, 0),))[0]
+        return result
 
-    def all(self, x: Floats, z: Floats) -> tuple[Floats, Floats, Floats]:
-        """Value and its derivatives along x and z, per metre; (r, c) each. Outside the square derivatives are 0."""
-        places, w_x, s_x, w_z, s_z = self._places(x, z)
-        flat = self.texels.reshape(-1, self.texels.shape[2])
-        total, along_x, along_z = (np.zeros((x.size, flat.shape[1])) for _ in range(3))
-        for k, place in enumerate(places):
-            here = flat[place]
-            total += (w_z[k // 3] * w_x[k % 3])[:, None] * here
-            along_x += (w_z[k // 3] * s_x[k % 3])[:, None] * here
-            along_z += (s_z[k // 3] * w_x[k % 3])[:, None] * here
-        scale = self.texels.shape[0] / self.size
-        along_x *= scale * (np.abs(x) <= 0.5 * self.size)[:, None]
-        along_z *= scale * (np.abs(z) <= 0.5 * self.size)[:, None]
-        return total, along_x, along_z
+    def all(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
+        """Value (r, c) and its derivatives along x and z, (2, r, c) per metre. Outside the square derivatives are 0."""
+        total, *changes = self._sums(x, z, ((0, 0), (1, 0), (0, 1)))
+        inside = np.abs(np.stack((x, z))) <= 0.5 * self.size
+        return total, np.stack(changes) * (self.texels.shape[0] / self.size * inside)[..., None]
 
 
 @lru_cache(maxsize=8)

@@ -1,7 +1,5 @@
 """Section 8: the heights from which the sun is seen over the land, and its light past the land."""
 
-from __future__ import annotations
-
 import math
 from functools import lru_cache
 
@@ -50,8 +48,8 @@ class LandShadow:
             for u, part in zip(self.toward, q, strict=True)
         ]
         far = np.maximum(enters[0], enters[1])
-        here, along_x, along_z = self.seen_from.all(q[0] + far * self.toward[0], q[1] + far * self.toward[1])
-        slope = np.stack((along_x[:, 1], along_z[:, 1]), axis=-1)
+        here, change = self.seen_from.all(q[0] + far * self.toward[0], q[1] + far * self.toward[1])
+        slope = change[..., 1].T
         soft = 0.5 * sum(np.abs(dot(slope, side)) for side in footprints) + SOFT * self.rises[1] * size / CELLS
         low, high = (here[:, i] - far * rise for i, rise in enumerate(self.rises))
         t = np.clip((place[:, 1] - low + soft) / (high - low + 2.0 * soft), 0.0, 1.0)

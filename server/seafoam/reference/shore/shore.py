@@ -40,9 +40,8 @@ PATCHES = (6.0, True), (1.7, False), (0.5, True)
 """Cells of the noise that tears the surf's foam, m, and whether they are turned."""
 
 
-def _swing(here: Floats, map_x: Floats, map_z: Floats, turn: Floats) -> Floats:
-    """Displacement of the surf's foam along the gradient of the phase, m; (2, r)."""
-    phase = np.stack((map_x[:, 0], map_z[:, 0]))
+def _swing(here: Floats, phase: Floats, turn: Floats) -> Floats:
+    """Displacement of the surf's foam along the gradient of the phase (2, r), m; (2, r)."""
     result: Floats = 1.5 * here[:, 1] * np.sin(2.0 * math.pi * turn) / np.maximum(np.hypot(*phase), 1e-6) * phase
     return result
 
@@ -144,36 +143,33 @@ class Coast:
         """(h_x, h_z) of the sea at (x, z); (2, r)."""
         H, along, (q_x, q_z) = self.open_sea.height(x, z), self.open_sea.gradient(x, z), self.place(x, z)
         beyond = (np.abs(q_x) > 0.5 * self.shore.size) | (np.abs(q_z) > 0.5 * self.shore.size)
-        here, map_x, map_z = self.field.all(q_x, q_z)
+        here, change = self.field.all(q_x, q_z)
         profile, turned, skewed = self.profiles(self.turn(here[:, 0]), here[:, 2])
-        result = []
-        for rise, change in zip(along, (map_x, map_z), strict=True):
-            own = change[:, 1] * profile + here[:, 1] * (skewed * change[:, 2] - turned * change[:, 0])
-            joined = rise * here[:, 3] + H * change[:, 3] + np.where(here[:, 1] > 0.0, own, 0.0)
-            result.append(np.where(beyond, rise, joined))
-        return np.stack(result)
+        own = change[..., 1] * profile + here[:, 1] * (skewed * change[..., 2] - turned * change[..., 0])
+        joined = along * here[:, 3] + H * change[..., 3] + np.where(here[:, 1] > 0.0, own, 0.0)
+        return np.where(beyond, along, joined)
 
     def to_rest(self, sea: Floats, x: Floats, z: Floats) -> Floats:
         """Displacement from (x, z) to the rest position of the water there, m; (2, r). ``sea``: the open sea's."""
-        here, map_x, map_z = self.field.all(*self.place(x, z))
-        return here[:, 3] * sea + _swing(here, map_x, map_z, self.turn(here[:, 0]))
+        here, change = self.field.all(*self.place(x, z))
+        return here[:, 3] * sea + _swing(here, change[..., 0], self.turn(here[:, 0]))
 
     def foam(self, source: SurfSaturation, x: Floats, z: Floats, H: Floats, footprints: Footprints | None) -> Floats:
         """Saturation of the surf's foam at (x, z), where the sea has height H, averaged over footprints; (r,)."""
         q_x, q_z = self.place(x, z)
-        here, map_x, map_z = self.field.all(q_x, q_z)
-        turn = self.turn(here[:, 0])
+        here, change = self.field.all(q_x, q_z)
+        phase, turn = change[..., 0], self.turn(here[:, 0])
         front = np.maximum(1.0 - smoothstep(0.01, 0.09, turn), smoothstep(0.8, 1.0, turn))
         age = np.exp((turn - 1.0) / source.life)
         if footprints is not None:
-            turns = np.minimum(footprint_variance((map_x[:, 0], map_z[:, 0]), footprints), 0.04)
+            turns = np.minimum(footprint_variance(phase, footprints), 0.04)
             front = filtered_step(0.8, 1.0, turn, turns) - filtered_step(1.01, 1.09, turn, turns)
             front += filtered_step(0.8, 1.0, turn + 1.0, turns) - filtered_step(1.01, 1.09, turn + 1.0, turns)
             even = source.life * (1.0 - math.exp(-1.0 / source.life))
             age = age + smoothstep(0.0, 0.04, turns) * (even - age)
         scale = max(self.shore.surf.height, 1e-6)
         breaking = smoothstep(0.45, 0.9, here[:, 2]) * smoothstep(0.12, 0.4, here[:, 1] / scale)
-        swing_x, swing_z = _swing(here, map_x, map_z, turn)
+        swing_x, swing_z = _swing(here, phase, turn)
         torn = patches(q_x + swing_x, q_z + swing_z, PATCHES, footprints)
         ground, g_x, g_z, _ = self.ground(q_x, q_z)
         film = 1.0 - smoothstep(0.0, 0.15, H - ground)
@@ -183,9 +179,9 @@ class Coast:
         if footprints is None:
             return result
         h_x, h_z = self.gradient(x, z)
-        change = sum(np.abs((h_x - g_x) * foot[:, 0] + (h_z - g_z) * foot[:, 1]) for foot in footprints)
-        share = np.clip(2.0 * (H - ground) / np.clip(change, *EDGE), 0.0, 1.0)
-        swept = self._swept(source, here, (map_x[:, 0], map_z[:, 0]), ground, torn, footprints)
+        deepens = sum(np.abs((h_x - g_x) * foot[:, 0] + (h_z - g_z) * foot[:, 1]) for foot in footprints)
+        share = np.clip(2.0 * (H - ground) / np.clip(deepens, *EDGE), 0.0, 1.0)
+        swept = self._swept(source, here, phase, ground, torn, footprints)
         result = swept + share * (np.minimum(result, 1.0) - swept)
         return result
 
@@ -194,15 +190,15 @@ class Coast:
     ) -> Floats:
         """Saturation of the foam that the swash leaves at (x, z) on ground of that height (r,) m; (r,)."""
         q_x, q_z = self.place(x, z)
-        here, map_x, map_z = self.field.all(q_x, q_z)
+        here, change = self.field.all(q_x, q_z)
         torn = patches(q_x, q_z, PATCHES, None)
-        return self._swept(source, here, (map_x[:, 0], map_z[:, 0]), ground, torn, footprints)
+        return self._swept(source, here, change[..., 0], ground, torn, footprints)
 
     def _swept(
         self,
         source: SurfSaturation,
         here: Floats,
-        phase: tuple[Floats, Floats],
+        phase: Floats,
         ground: Floats,
         torn: Floats,
         footprints: Footprints | None,
@@ -229,7 +225,7 @@ class Coast:
 
     def ground(self, q_x: Floats, q_z: Floats) -> tuple[Floats, Floats, Floats, Floats]:
         """Height of the ground (m), its gradient and its tint; (r,) each. Arguments: m from the square's centre."""
-        here, along_x, along_z = self.floor.all(q_x, q_z)
+        here, (along_x, along_z) = self.floor.all(q_x, q_z)
         return here[:, 0], along_x[:, 0], along_z[:, 0], here[:, 1]
 
     def crossing(self, x: Floats, y: Floats, z: Floats, d: Floats, farthest: float) -> Floats:

@@ -5,8 +5,6 @@ picture that it judges, in float64. What judges births are their statistics and 
 (``tests/gpu/reference/test_spray.py``).
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from fractions import Fraction
@@ -47,7 +45,7 @@ class Drops:
     kind: Floats
     word: Words
 
-    def subset(self, chosen: Bools | Indices) -> Drops:
+    def subset(self, chosen: Bools | Indices) -> "Drops":
         """A subset, in order."""
         return Drops(*(getattr(self, name)[chosen] for name in self.__dataclass_fields__))
 

@@ -4,8 +4,6 @@ Flight, visibility, size and light of a drop are written from the page. What its
 the births, a transcript of the shader: a picture with other strands could not be compared sample by sample.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

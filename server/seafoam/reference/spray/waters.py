@@ -1,7 +1,5 @@
 """Section 13: all drops of a scene, and those that breaking waves throw up, in the open and on a beach."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from fractions import Fraction
@@ -13,7 +11,7 @@ from seafoam.ocean.foam import spray as shared
 from seafoam.ocean.foam.spray import BATCHES, CELLS, CLUSTER, EPOCHS, LEVELS, MOMENT, SEA_TEXELS
 from seafoam.ocean.waves.cascades import RAISED, cascades
 from seafoam.reference.noise import Words, chained, number, pcg
-from seafoam.reference.renderer.relief import Relief
+from seafoam.reference.renderer.relief import Relief, ReliefPart
 from seafoam.reference.shore.shore import Coast
 from seafoam.reference.spray.births import (
     DRIFT,
@@ -30,7 +28,7 @@ from seafoam.reference.spray.births import (
 from seafoam.reference.types import Floats, dot, smoothstep
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.reference.waves.rings import ring_set
-from seafoam.reference.waves.sea import coefficients, grids, raised_surface
+from seafoam.reference.waves.sea import SeaSurface, coefficients, grids, tile
 from seafoam.scene.models import Scene
 from seafoam.scene.spray import DROPS, Spray
 
@@ -122,12 +120,12 @@ class _Waters:
         """How surf breaks on a beach."""
         shape, period = p.shape[:-1], coast.shore.surf.period
         q = p.reshape(-1, 2) + np.array(coast.offset)
-        field, map_x, map_z = coast.field.all(q[:, 0], q[:, 1])
+        field, change = coast.field.all(q[:, 0], q[:, 1])
         # The birth's time is rounded, and so is its age from it.
         age = self.now - self.time
         ends = [surf_then(coast, q, field, np.full(len(q), age + side * MOMENT), self.now) for side in (-1.0, 1.0)]
         rise = (ends[0] - ends[1]) / (2.0 * MOMENT)
-        slope = np.stack((map_x[:, 0], map_z[:, 0]), axis=-1)
+        slope = change[..., 0].T
         level = -slope / (np.maximum(dot(slope, slope), 1e-4) * period)[:, None]
         outside = (np.abs(q) > 0.5 * coast.shore.size).any(axis=-1) | (field[:, 1] <= 0.0)
         steep = np.where(outside, 0.0, self._steep(rise))
@@ -136,9 +134,13 @@ class _Waters:
 
     def height(self, x: Floats, z: Floats) -> Floats:
         """Height of the surface, m."""
-        at = self.scene, self.time, self.origin
-        raised = raised_surface(*at)
-        relief = Relief((wave_set(*at), ring_set(*at), *(() if raised is None else (raised,))))
+        at, sea = (self.scene, self.time, self.origin), self.scene.sea
+        parts: list[ReliefPart] = [wave_set(*at), ring_set(*at)]
+        if sea is not None and sea.wind_speed > 0.0:
+            raised = cascades(sea, self.scene.water.depth)[:RAISED]
+            tiles = tuple(tile(one, self.time, sea.choppiness) for one in raised)
+            parts.append(SeaSurface(tiles, raised, self.origin, ()))
+        relief = Relief(tuple(parts))
         if self.coast is None:
             return relief.height(x, z)
         return Coast(self.coast.shore, self.time, self.origin, relief).height(x, z)

@@ -5,8 +5,6 @@ of the ``reference`` quality. Photons enter on a regular grid over a tile; each 
 B-spline over the texels around the point where it lands.
 """
 
-from __future__ import annotations
-
 import math
 from functools import lru_cache
 

@@ -1,7 +1,5 @@
 """Section 2: groups of high waves, a factor of the heights of parametric waves."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from fractions import Fraction
@@ -9,7 +7,7 @@ from fractions import Fraction
 import numpy as np
 
 from seafoam.ocean.waves.groups import PERIOD, group_cells, group_corners, group_velocity, in_groups
-from seafoam.reference.types import Floats
+from seafoam.reference.types import Floats, smoothstep_slope
 from seafoam.scene.models import Scene
 
 
@@ -57,10 +55,10 @@ class GroupFactor:
         column, row = np.mod(i, PERIOD).astype(np.int64), np.mod(j, PERIOD).astype(np.int64)
         right, down = (column + 1) % PERIOD, (row + 1) % PERIOD
         a, b, c, d = (self.corners[m, n] for m in (row, down) for n in (column, right))
-        s_in, t_in = s * s * (3.0 - 2.0 * s), t * t * (3.0 - 2.0 * t)
+        (s_in, s_rate), (t_in, t_rate) = smoothstep_slope(0.0, 1.0, s), smoothstep_slope(0.0, 1.0, t)
         top, bottom = a + (b - a) * s_in, c + (d - c) * s_in
-        by_u = 6.0 * s * (1.0 - s) * ((b - a) * (1.0 - t_in) + (d - c) * t_in)
-        return top + (bottom - top) * t_in, by_u, 6.0 * t * (1.0 - t) * (bottom - top)
+        by_u = s_rate * ((b - a) * (1.0 - t_in) + (d - c) * t_in)
+        return top + (bottom - top) * t_in, by_u, t_rate * (bottom - top)
 
 
 def group_factor(scene: Scene, time: float, origin: tuple[float, float]) -> GroupFactor | None:

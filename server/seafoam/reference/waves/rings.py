@@ -14,7 +14,7 @@ import numpy as np
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.waves.rings import ring_curvature, ring_slope
 from seafoam.ocean.waves.rings import ring_height as highest
-from seafoam.reference.types import Bools, Floats
+from seafoam.reference.types import Bools, Floats, smoothstep_slope
 from seafoam.reference.waves.parametric import wavenumber
 from seafoam.scene.models import Scene
 from seafoam.scene.waves import Ring
@@ -163,9 +163,8 @@ def _reached(ring: OneRing, x: Floats, z: Floats) -> Bools:
 def _windows(ring: OneRing, rho: Floats) -> tuple[Floats, Floats, Floats, Floats]:
     """Front and tail windows at ρ, and their derivatives."""
     band = BAND * ring.length
-    q = np.clip((ring.front - rho) / band, 0.0, 1.0)
-    head, head_change = q * q * (3.0 - 2.0 * q), -6.0 * q * (1.0 - q) / band
+    head, head_change = smoothstep_slope(0.0, band, ring.front - rho)
     if math.isinf(ring.tail):
-        return head, np.ones_like(rho), head_change, np.zeros_like(rho)
-    t = np.clip((rho - (ring.front - ring.tail - 2.0 * band)) / band, 0.0, 1.0)
-    return head, t * t * (3.0 - 2.0 * t), head_change, 6.0 * t * (1.0 - t) / band
+        return head, np.ones_like(rho), -head_change, np.zeros_like(rho)
+    tail, tail_change = smoothstep_slope(0.0, band, rho - (ring.front - ring.tail - 2.0 * band))
+    return head, tail, -head_change, tail_change

@@ -1,7 +1,5 @@
 """Sections 2 and 4: the open sea in float64, by numpy.fft on fine grids, cubic splines and Newton's method."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -281,15 +279,6 @@ def sea_surface(scene: Scene, time: float, origin: tuple[float, float], texels: 
     lasting = source is not None and source.lasting
     tiles, earlier, old = _drawn(scene.sea, depth, time, texels, foam_drift(scene), lasting)
     return SeaSurface(tiles, cascades(scene.sea, depth), origin, earlier, old)
-
-
-def raised_surface(scene: Scene, time: float, origin: tuple[float, float], texels: int = TEXELS) -> SeaSurface | None:
-    """The same without what only tilts the surface and without foam: for heights alone."""
-    if scene.sea is None or scene.sea.wind_speed <= 0.0:
-        return None
-    raised = cascades(scene.sea, scene.water.depth)[:RAISED]
-    tiles = tuple(tile(cascade, time, scene.sea.choppiness, texels) for cascade in raised)
-    return SeaSurface(tiles, raised, origin, ())
 
 
 def whitecap_saturation(
