@@ -62,14 +62,12 @@ export function Passes({ passes }: QualityResult) {
   return (
     <Disclosure title="Time by pass" note={`${passes.length} ${passes.length === 1 ? "pass" : "passes"}`}>
       <ol class="passes mb-3 text-fine text-soft">
-        {[...passes]
-          .sort((a, b) => b.time - a.time)
-          .map(({ name, time }) => (
-            <li key={name} class="flex justify-between bg-linear-to-r from-teal to-teal bg-(length:--size) bg-bottom-left bg-no-repeat py-1.5" style={{ "--size": `${(100 * time) / total}% 2px` }}>
-              <span>{name}</span>
-              <span>{formatNumber(time)} ms</span>
-            </li>
-          ))}
+        {passes.toSorted((a, b) => b.time - a.time).map(({ name, time }) => (
+          <li key={name} class="flex justify-between bg-linear-to-r from-teal to-teal bg-(length:--size) bg-bottom-left bg-no-repeat py-1.5" style={{ "--size": `${(100 * time) / total}% 2px` }}>
+            <span>{name}</span>
+            <span>{formatNumber(time)} ms</span>
+          </li>
+        ))}
       </ol>
     </Disclosure>
   );

@@ -3,7 +3,6 @@ import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import type { FramePlan, Pass } from "../generated/api";
 import { labelOf } from "../panel/model";
-import { DEFAULT_TIER } from "../selection/selection";
 import type { PageContext } from "../surfaces/context";
 import { Head, Pills, TaskButton, useChanges } from "../surfaces/parts";
 import { type Change, changesBetween } from "./changes";
@@ -13,6 +12,8 @@ import { Source, type Stage } from "./source";
 
 const VIEWS = ["Passes", "Effects", "GLSL", "Changes"] as const;
 type View = (typeof VIEWS)[number];
+/** Quality of the preset's own plan. */
+const PRESET_TIER = "standard";
 
 const NOTES =
   "notes *:border-b *:border-line *:py-2 *:text-soft [&_b]:font-semibold [&_b]:text-ink [&_small]:block [&_small]:text-small [&_small]:wrap-anywhere";
@@ -49,7 +50,7 @@ function Changes({ context, plan }: { context: PageContext; plan: FramePlan }) {
   const { name, title } = context.store.now.preset;
   useEffect(() => {
     let current = true;
-    context.api.presetPlan(name, DEFAULT_TIER).then((own) => {
+    context.api.presetPlan(name, PRESET_TIER).then((own) => {
       if (current) changes.value = changesBetween(own, plan);
     }, context.options.failed);
     return () => {
@@ -57,11 +58,11 @@ function Changes({ context, plan }: { context: PageContext; plan: FramePlan }) {
     };
   }, [name, plan]);
   if (changes.value === null) return <p>Loading the preset's plan…</p>;
-  if (changes.value.length === 0) return <p>This plan is that of “{title}” at quality {DEFAULT_TIER}.</p>;
+  if (changes.value.length === 0) return <p>This plan is that of “{title}” at quality {PRESET_TIER}.</p>;
   return (
     <>
       <p>
-        {changes.value.length} differences from the plan of “{title}” at quality {DEFAULT_TIER}.
+        {changes.value.length} differences from the plan of “{title}” at quality {PRESET_TIER}.
       </p>
       <ul class={`plan-changes ${NOTES}`}>
         {changes.value.map(({ what, name: changed, how, detail }) => (
