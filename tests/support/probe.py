@@ -2,6 +2,7 @@
 
 import hashlib
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 import moderngl
@@ -26,6 +27,12 @@ from support.scenes import Camera, Scene
 
 WHOLE = assemble(["vertex/vertex.glsl@fullscreen"], {"FULLSCREEN_DEPTH": 0.0})
 """The vertex shader over the whole target."""
+STAND_INS = Path(__file__).with_name("stand_ins.glsl")
+
+
+def stand_in(part: str) -> str:
+    """A part of ``stand_ins.glsl``."""
+    return f"{STAND_INS}@{part}"
 
 
 class Probe:

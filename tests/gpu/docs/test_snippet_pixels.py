@@ -16,7 +16,7 @@ from seafoam.masks.formats import quantised, to_u16
 from seafoam.masks.prefilter import OCTAVE_RAMP, QUANTILE_ENTRIES, footprint_deviations
 from seafoam.masks.torus import Ranks
 from seafoam.render.gl.executor import Executor
-from support.probe import WHOLE, Probe
+from support.probe import WHOLE, Probe, stand_in
 from support.report import Report
 
 SNIPPETS = Path(__file__).parents[3] / "docs" / "snippets"
@@ -96,7 +96,7 @@ def filtered(probe: Probe, name: str, saturation: float, samples: int = 1) -> Pi
         [
             "lib/numbers.glsl",
             "foam/mask.glsl@coordinates",
-            Inline("float foam_texture(vec2 p, Footprint fp) {\n    return 1.0;\n}\n"),
+            stand_in("one_texture"),
             "lib/texels.glsl@cubic_spline",
             "foam/look.glsl@filtered",
             Inline(PLACE),

@@ -6,20 +6,18 @@ import numpy as np
 import pytest
 
 from gpu.reference.foam.test_foam_functions import filtered_consts
-from gpu.reference.foam.test_shader_functions import FILTERED_FRONT, front_uniforms
+from gpu.reference.foam.test_shader_functions import FILTERED_FRONT, front_of
 from seafoam.effects.foam import front
-from seafoam.effects.shader import Inline
 from seafoam.framegraph.rules import Constant
 from seafoam.masks.catalogue import mask_by_name
 from seafoam.ocean.foam.whitecaps import whitecap_model
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.textures import FRONT_NODES, FrontIntegral, front_fading, front_full
 from support.exact import EXACT
 from support.hard.guarded import Guarded
 from support.pictures import draw_target
-from support.probe import Probe
+from support.probe import Probe, stand_in
 from support.scenes import (
     Drift,
     DriftSaturation,
@@ -36,45 +34,19 @@ NUMBERS = "lib/numbers.glsl"
 POINT = "Footprint(vec2(0.0), vec2(0.0))"
 
 
-FRONT = {
-    "FRONT_COUNT": 1,
-    "FRONT_GATED": False,
-    "FRONT_CREST": 0.5 * math.pi,
-    "FRONT_NODES": FRONT_NODES,
-    "FRONT_FULL": front_full(4.0, 1.0),
-    "FRONT_FADING": front_fading(4.0, 1.0),
-}
-INTEGRAL = {"u_front_integral": FrontIntegral(intensity=4.0, log_base=1.0)}
-# A sum of waves that is all but 0, and that changes by 1 a metre.
-NO_PHASE = Inline(
-    "uniform float u_eye_height;\nvec2 front_signal(vec2 p, out vec2 by_x, out vec2 by_z) {\n"
-    "    by_x = vec2(0.0, 1.0);\n    by_z = vec2(0.0);\n    return vec2(1e-9);\n}\n"
+GIVEN = tuple(front_of(4.0).values())
+"""Constants, uniforms and textures."""
+LOOK = (
+    NUMBERS,
+    "foam/mask.glsl@coordinates",
+    stand_in("one_texture"),
+    "lib/texels.glsl@cubic_spline",
+    "foam/look.glsl@filtered",
 )
-GIVEN_SLOPE = Inline("vec4 given;\nvec4 waves_shading(vec2 p, Footprint fp) {\n    return given;\n}\n")
-NO_TEXTURE = Inline("float foam_texture(vec2 p, Footprint fp) {\n    return 1.0;\n}\n")
-LOOK = (NUMBERS, "foam/mask.glsl@coordinates", NO_TEXTURE, "lib/texels.glsl@cubic_spline", "foam/look.glsl@filtered")
 MASK = mask_by_name("vac-24")
 LOWEST = np.unravel_index(int(MASK.ranks.argmin()), MASK.ranks.shape)
 ATLAS = {"u_mask_atlas": "mask/vac-24/atlas", "u_mask_quantiles": "mask/vac-24/quantiles"}
-FIELD = "struct ShoreField {\n    vec4 here;\n    vec4 along_x;\n    vec4 along_z;\n};\n"
 NONE = "ShoreField(vec4(0.0, 1.0, 0.0, 0.0), vec4(0.0), vec4(0.0))"
-NO_FIELD = Inline(
-    f"uniform float u_shore_size;\n{FIELD}ShoreField shore_field(vec2 q) {{\n    return {NONE};\n}}\n"
-    "vec2 shore_place(vec2 p) {\n    return p;\n}\nvec3 open_waves(vec2 p) {\n    return vec3(0.0);\n}\n"
-    "vec4 open_shading(vec2 p, Footprint fp) {\n    return vec4(0.0);\n}\n"
-    "vec3 bspline_weights(float t) {\n    return vec3(0.0, 1.0, 0.0);\n}\n"
-    "vec3 bspline_slopes(float t) {\n    return vec3(0.0);\n}\n"
-)
-EDGE = Inline(
-    f"uniform float u_surf_life;\nvec2 shore_tilt = vec2(0.0);\n{FIELD}"
-    "float surf_swept(ShoreField f, float ground, float patches, Footprint fp) {\n    return 0.0;\n}\n"
-)
-SUN = Inline(
-    "uniform vec3 u_sun_direction;\nuniform vec3 u_sun_irradiance;\nuniform vec3 u_sky_irradiance;\n"
-    "vec2 sun_past_foam = vec2(1.0);\nfloat widest = 0.0;\nfloat foam_amount(float f, vec2 p, Footprint fp) {\n"
-    "    widest = max(length(fp.x), length(fp.y));\n    return f;\n}\n"
-)
-COURSE = Inline("uniform vec4 u_boat_course[1];\nuniform vec4 u_boat_form[1];\n")
 GUARDED = (
     Guarded(
         "a front of no phase",
@@ -89,7 +61,7 @@ GUARDED = (
         "a front whose phase turns endlessly fast",
         (
             NUMBERS,
-            NO_PHASE,
+            stand_in("no_phase"),
             "foam/saturation/front.glsl@gate",
             "foam/saturation/front.glsl@seen",
             "foam/saturation/front.glsl@filtered",
@@ -97,9 +69,9 @@ GUARDED = (
         "y.x = front_saturation(x.xy, 0.0, Footprint(vec2(1.0, 0.0), vec2(0.0)));",
         (10.0, 0.0),
         (1.0, 0.0),
-        FRONT,
+        GIVEN[0],
         {"u_eye_height": 2.0, "u_front_relief": 0.0},
-        INTEGRAL,
+        GIVEN[2],
     ),
     Guarded(
         "a front under a hair",
@@ -107,9 +79,7 @@ GUARDED = (
         "y.xy = vec2(front_mean(x.x, x.z), front_mean(x.y, x.z));",
         (2.0, 3.0, 1e-6),
         (math.exp(1.0 / math.tan(1.0)) / 4.0, math.exp(1.0 / math.tan(1.5)) / 4.0),
-        FRONT,
-        front_uniforms(4.0, math.e),
-        INTEGRAL,
+        *GIVEN,
     ),
     Guarded(
         "a front as high as the eye",
@@ -118,7 +88,7 @@ GUARDED = (
         "y.xy = vec2(psi, 1e5 * width);",
         (10.0, 0.0, 2.0),
         (0.5 * math.pi, 1.0),
-        FRONT,
+        GIVEN[0],
         {"u_eye_height": 2.0, "u_front_relief": 0.0},
     ),
     Guarded(
@@ -132,7 +102,7 @@ GUARDED = (
     ),
     Guarded(
         "a slope of a wall",
-        (NUMBERS, GIVEN_SLOPE, "foam/saturation/slope.glsl@lack"),
+        (NUMBERS, stand_in("given_slope"), "foam/saturation/slope.glsl@lack"),
         f"given = x;\ny.x = slope_lack(vec2(0.0), {POINT});",
         (0.0, 1e25, 1e25, 0.0),
         (1.0, 0.0),
@@ -140,7 +110,7 @@ GUARDED = (
     ),
     Guarded(
         "a slope that the footprint filters out",
-        (NUMBERS, GIVEN_SLOPE, "foam/saturation/slope.glsl@lack"),
+        (NUMBERS, stand_in("given_slope"), "foam/saturation/slope.glsl@lack"),
         f"given = x;\ny.x = slope_lack(vec2(0.0), {POINT});",
         (0.0, 0.0, 0.0, 3.0),
         (0.5, 0.0),
@@ -204,14 +174,14 @@ GUARDED = (
     ),
     Guarded(
         "surf on level ground under level water",
-        (NUMBERS, "foam/saturation/wake.glsl@torn", EDGE, "foam/saturation/surf.glsl@front_filtered"),
+        (NUMBERS, "foam/saturation/wake.glsl@torn", stand_in("edge"), "foam/saturation/surf.glsl@front_filtered"),
         f"y.x = surf_at_edge({NONE}, vec4(0.0), x.x, 1.0, 0.0, Footprint(x.yy, x.yy));",
         (2.5e-4, 0.0),
         (0.5, 0.0),
     ),
     Guarded(
         "surf that no way leads from",
-        (NUMBERS, "lib/texels.glsl@texel", NO_FIELD, "shore/waves.glsl@waves"),
+        (NUMBERS, "lib/texels.glsl@texel", stand_in("no_field"), "shore/waves.glsl@waves"),
         "y.xy = shore_carried(ShoreField(vec4(0.0, 1.0, 0.0, 0.0), vec4(x.y), vec4(x.y)), x.x);",
         (0.25, 0.0),
         (0.0, 0.0),
@@ -219,7 +189,7 @@ GUARDED = (
     ),
     Guarded(
         "a footprint that its shade widens",
-        (NUMBERS, SUN, "foam/shading.glsl@beside", "foam/shading.glsl@relief"),
+        (NUMBERS, stand_in("foam_in_the_sun"), "foam/shading.glsl@beside", "foam/shading.glsl@relief"),
         "foam_relief(1.0, 1.0, vec2(0.0), Footprint(vec2(x.x, 0.0), vec2(0.0, x.x)));\ny.x = widest;",
         (1e-27,),
         (0.0, 0.0),
@@ -228,7 +198,7 @@ GUARDED = (
     ),
     Guarded(
         "smooth foam that neither sun nor eye sees",
-        (NUMBERS, SUN, "foam/shading.glsl@albedo", "foam/shading.glsl@scattering"),
+        (NUMBERS, stand_in("foam_in_the_sun"), "foam/shading.glsl@albedo", "foam/shading.glsl@scattering"),
         "y.x = foam_layer(vec3(0.0, 1.0, 0.0), normalize(x.xyz), 1.0).r;",
         (1.0, 0.5, 0.0),
         (0.5 / 1.004, 0.0),
@@ -243,7 +213,7 @@ GUARDED = (
     ),
     Guarded(
         "the centre of a boat's circle",
-        (NUMBERS, COURSE, "boats/wake.glsl@way"),
+        (NUMBERS, stand_in("course"), "boats/wake.glsl@way"),
         "WakeWay way = wake_way(0, x.xy);\ny.xy = way.on_behind + way.on_aside;",
         (3.0, -4.0),
         (0.0, 0.0),
@@ -262,7 +232,6 @@ def test_functions_are_guarded(probe: Probe, one: Guarded) -> None:
 def test_groups_foam_over_a_range() -> None:
     foam = Foam(saturation=(FrontSaturation(group=(0.5, 0.5)),), look="halftone")
     made = front.EFFECT.contribute(Scene(waves=(ParametricWave(),), foam=foam), EXACT)
-    assert made is not None
     (rule,) = made.uniforms["u_front_group"].rules
     assert isinstance(rule, Constant)
     assert np.float32(rule.value[1]) - np.float32(rule.value[0]) > 9e-5

@@ -15,7 +15,7 @@ from seafoam.textures.shore import FRONT, shore_profiles
 from support.exact import EXACT
 from support.hard.guarded import Guarded
 from support.pictures import draw_target, samples
-from support.probe import Probe
+from support.probe import Probe, stand_in
 from support.scenes import Boat, Camera, Caustics, Light, ParametricWave, Ripples, Scene, Shore, Surf, Water
 from support.scenes.coasts import map_of, on_shore
 
@@ -24,30 +24,6 @@ RAYS = ("lib/numbers.glsl", "lib/rays.glsl@camera", "lib/texels.glsl@texel")
 
 SPAN = ("shore/ground.glsl@square",)
 SIDE = {"u_shore_size": 160.0}
-DEEP = Inline(
-    "vec2 shore_place(vec2 p) { return p; }\nvec4 shore_floor(vec2 q) { return vec4(-2.0, 0.0, 0.0, 0.0); }\n"
-    "vec3 floor_albedo(vec2 at, vec4 ground, Footprint fp) { return vec3(0.0); }\n"
-)
-GROUND_OVER = Inline(
-    "vec2 shore_place(vec2 p) { return p; }\nvec4 shore_floor(vec2 q) { return vec4(9.0, 0.0, 0.0, 0.0); }\n"
-    "vec2 land_span(vec2 q, float height, vec3 ray) { return ray.xy; }\n"
-    "vec3 march_start(vec3 ray) { return vec3(0.0); }\nfloat march_tolerance() { return 1e-3; }\n"
-    "float land_free(vec2 q, float y, vec3 r, float aside, float raised, float from, float leave) { return from; }\n"
-    "void march_ground(vec2 q, float height, vec3 ray, float leave, float fine, float near, bool dry,\n"
-    "    inout float tau, out float before, out float gap, out vec4 ground) {\n"
-    "    before = tau;\n    gap = -9.0;\n    ground = shore_floor(q);\n}\n"
-    "void refine_ground(vec2 q, float height, vec3 ray, float sense, float fine, float least,\n"
-    "    int rounds, bool crests, inout float tau, inout float gap, inout vec4 met) {\n}\n"
-)
-NO_SKY = Inline(
-    "vec3 mirrored_sky(vec3 r, vec3 spread) { return vec3(0.0); }\n"
-    "float mirror_guess(vec3 place, vec3 r) { return -1.0; }\n"
-)
-COUNTED = Inline(
-    "float outside = 0.0;\nvec4 cube_texel(int face, ivec2 at) {\n"
-    "    outside += all(greaterThanEqual(at, ivec2(0))) && all(lessThan(at, ivec2(CUBE_SIZE))) ? 0.0 : 1.0;\n"
-    "    return vec4(0.0);\n}\n"
-)
 GUARDED = (
     Guarded("span along the square's edge", SPAN, "y.xy = shore_span(x.xy, x.zw);", (-80, 0, 0, 1), (0, 80), {}, SIDE),
     Guarded("span from inside", SPAN, "y.xy = shore_span(x.xy, x.zw);", (10, 0, 1, 0.5), (0, 70), {}, SIDE),
@@ -68,7 +44,7 @@ GUARDED = (
     ),
     Guarded(
         "way through ripples that face the eye",
-        (*RAYS, "lib/refraction.glsl", DEEP, "shore/floor.glsl@body", "shore/floor.glsl@through"),
+        (*RAYS, "lib/refraction.glsl", stand_in("deep"), "shore/floor.glsl@body", "shore/floor.glsl@through"),
         "vec2 at;\ny.x = floor_path(vec2(0.0), 0.0, normalize(vec3(1.0, -0.01, 0.0)), normalize(x.xyz), at);",
         (-3.0, 1.0, 0.0),
         (10.0, 0.0),
@@ -76,7 +52,7 @@ GUARDED = (
     ),
     Guarded(
         "search that ends before it starts",
-        (*RAYS, GROUND_OVER, "shore/land.glsl@find_land"),
+        (*RAYS, stand_in("ground_over"), "shore/land.glsl@find_land"),
         "float tau;\nvec4 ground;\ny.x = find_land(x.xyz, 1e5, tau, ground) ? 1.0 : 0.0;",
         (2.0, 1.0, 0.0),
         (0.0, 0.0),
@@ -89,7 +65,7 @@ GUARDED = (
             "lib/texels.glsl@bilinear",
             "lib/texels.glsl@cube_face",
             "reflection/cube.glsl@cube",
-            COUNTED,
+            stand_in("counted_texels"),
             "reflection/cube.glsl@cubemap",
         ),
         "reflected_light(vec3(0.0), normalize(x.xyz), vec3(0.0));\ny.x = outside;",
@@ -116,7 +92,7 @@ GUARDED = (
     # The map is the probe's own texel of inputs, whose last number is its coverage.
     Guarded(
         "mirror of what is behind",
-        (*RAYS, NO_SKY, "reflection/mirror.glsl@planar"),
+        (*RAYS, stand_in("no_sky"), "reflection/mirror.glsl@planar"),
         "vec3 seen;\nfloat way;\ny.x = mirror_toward(x.xyz, seen, way).a;",
         (0.0, -2.0, 5.0, 1.0),
         (0.0, 0.0),

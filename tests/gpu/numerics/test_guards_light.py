@@ -7,9 +7,8 @@ from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
 from support.hard.pictures import BY_NAME
 from support.pictures import samples
-from support.probe import Probe
+from support.probe import Probe, stand_in
 
-SUN = "uniform vec3 u_sun_direction;\nuniform vec3 u_sun_irradiance;\n"
 FLOOR = "uniform vec3 u_floor_albedo;\nuniform float u_floor_depth;\n"
 
 
@@ -31,7 +30,7 @@ def test_the_horizon_is_no_heading_straight_down(probe: Probe) -> None:
 
 def test_facets_that_face_away_reflect_no_sun(probe: Probe) -> None:
     got = probe(
-        ["lib/numbers.glsl", "lib/refraction.glsl", Inline(SUN), "light/glitter.glsl@beckmann"],
+        ["lib/numbers.glsl", "lib/refraction.glsl", stand_in("sun"), "light/glitter.glsl@beckmann"],
         "y.xyz = glitter_light(vec3(0.0, -1.0, 0.0), vec3(0.0, -1.0, 0.0), x.x, 1.0);",
         np.array([[1e-3]], np.float32),
         uniforms={"u_sun_direction": (0.0, 1.0, 0.0), "u_sun_irradiance": (1.0, 1.0, 1.0)},

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from gpu.reference.foam.test_shader_functions import ONE_WAVE
 from seafoam.effects.shader import Inline
 from seafoam.ocean.waves.cascades import RAISED, cascades
 from seafoam.planner import make_plan
@@ -15,49 +16,24 @@ from support.hard.cases import QUALITIES
 from support.hard.guarded import Guarded
 from support.hard.pictures import BY_NAME, SIZE, truth_of
 from support.pictures import draw, draw_target, levels, samples
-from support.probe import Probe
+from support.probe import Probe, stand_in
 from support.scenes import Camera, Scene, Sea
 
 NUMBERS = "lib/numbers.glsl"
 
 
-ONE_WAVE = {
-    "PARAMETRIC_COUNT": 1,
-    "PARAMETRIC_KIND": (0,),
-    "PARAMETRIC_ALIKE": True,
-    "PARAMETRIC_SIGNAL": False,
-    "PARAMETRIC_CARRIES": False,
-    "SURFACE_FILTER": False,
-}
 PROFILE = "y.xy = parametric_profile(x.xy, x.z, 0);"
 # A ledge of slope x.w before a chasm, under a level ray a millimetre over it.
-LEDGE = Inline("float slope;\nvec4 field_at(vec2 p) {\n    return vec4(p.x < 1.2 ? 1.0 : -10.0, slope, 0.0, 0.0);\n}\n")
+LEDGE = stand_in("ledge")
 REFINED = (
     "slope = x.w;\nfloat tau = x.x;\nfloat gap = x.y;\nvec4 met = field_at(vec2(tau, 0.0));\n"
     "refine(vec2(0.0), 1.0, vec3(1.0, 0.0, 0.0), 1.0, 1e-4, 0.0, int(x.z), false, tau, gap, met);\ny.x = tau;"
 )
-NO_SHORT_WAVES = Inline(
-    "uniform float u_surface_grain;\nconst bool SHORT_WAVES = false;\nvec3 short_waves() {\n    return vec3(0.0);\n}\n"
-)
-STILL = Inline(
-    "uniform float u_eye_height;\nuniform float u_surface_trough;\nfloat march_tolerance() {\n    return 1e-4;\n}\n"
-    "vec3 march_start(vec3 ray) {\n    return vec3(0.0);\n}\nvec3 surface_now() {\n    return vec3(0.0);\n}\n"
-    "float surface_gentler(vec3 ray, float from) {\n    return 0.0;\n}\n"
-    "vec3 surface_beyond(vec3 ray, float from) {\n    return vec3(0.0);\n}\n"
-    "void march_open(vec3 ray, float leave, float fine, vec3 now, vec2 less, float bend, inout float tau) {\n}\n"
-    "float march_ahead(vec3 ray, float tau, float gap, float rate, float fine, vec3 now, vec2 less, float bend) {\n"
-    "    return 1.0;\n}\nvec3 waves(vec2 p) {\n    return vec3(0.0);\n}\n"
-    "void refine_water(vec2 q, float height, vec3 ray, float sense, float fine, float least, int rounds, bool crests,\n"
-    "    inout float tau, inout float gap, inout vec3 wave) {\n}\n"
-)
 # A ray 1 m over water of a slope, from 10 m away on.
-FROM_MESH = Inline(
-    "uniform float u_eye_height;\nfloat slope;\nFootprint footprint(vec3 ray, float tau, vec3 normal) {\n"
-    "    return Footprint(vec2(0.0), vec2(0.0));\n}\n"
-    "vec4 waves_shading(vec2 p, Footprint fp) {\n    return vec4(0.0, slope, 0.0, 0.0);\n}\n"
-    + read_file("surface/march.glsl@newton").replace("in vec3 v_position;", "uniform vec3 v_position;")
+FROM_MESH = (
+    stand_in("water_of_a_slope"),
+    Inline(read_file("surface/march.glsl@newton").replace("in vec3 v_position;", "uniform vec3 v_position;")),
 )
-COURSE = Inline("uniform vec4 u_boat_course[1];\nuniform vec4 u_boat_form[1];\n")
 
 FUNCTIONS = (
     Guarded(
@@ -79,7 +55,7 @@ FUNCTIONS = (
     ),
     Guarded(
         "a step along level water",
-        (NO_SHORT_WAVES, "surface/march.glsl@step", "surface/march.glsl@ahead"),
+        (stand_in("no_short_waves"), "surface/march.glsl@step", "surface/march.glsl@ahead"),
         "y.x = march_ahead(x.yzz, 1.0, x.z, x.z, x.x, x.zzz, x.zz, x.z);",
         (1e-3, 1.0, 0.0),
         (1000.0, 0.0),
@@ -87,7 +63,7 @@ FUNCTIONS = (
     Guarded("no step behind the eye", (LEDGE, "lib/rays.glsl@newton"), REFINED, (0.0, -1.0, 1.0, 0.5), (0.0, 0.0)),
     Guarded(
         "steps from the mesh",
-        (NUMBERS, FROM_MESH),
+        (NUMBERS, *FROM_MESH),
         "float tau;\nvec3 wave;\nfor (int i = 0; i < 2; ++i) {\n    slope = x[i];\n"
         "    find_surface(vec3(1.0, 0.0, 0.0), 1e5, tau, wave);\n    y[i] = tau;\n}",
         (-1.0, 0.01),
@@ -97,7 +73,7 @@ FUNCTIONS = (
     ),
     Guarded(
         "a march from far below",
-        (STILL, "surface/march.glsl@march"),
+        (stand_in("still_water"), "surface/march.glsl@march"),
         "vec3 wave;\nbool found = find_surface(x.xyz, 1e5, y.x, wave);",
         (0.0, -0.5, -1.0),
         (0.0, 0.0),
@@ -132,7 +108,7 @@ def test_newtons_method_takes_no_step_too_far(probe: Probe) -> None:
 def test_wakes_at_the_centre_and_on_the_course(probe: Probe) -> None:
     """There is no way round the centre; straight behind a boat waves are as a tenth of a millimetre aside."""
     got = probe(
-        (NUMBERS, COURSE, "boats/wake.glsl@way", "boats/wake.glsl@pattern"),
+        (NUMBERS, stand_in("course"), "boats/wake.glsl@way", "boats/wake.glsl@pattern"),
         "WakeWay way = wake_way(0, vec2(0.0));\nvec4 wake = vec4(1.0, 1.0, 100.0, 2.0);\n"
         "y.xy = vec2(length(way.on_behind), length(way.on_aside));\n"
         "y.zw = (wake_pattern(x.xy, wake, 1.0, 30.0) - wake_pattern(x.xz, wake, 1.0, 30.0)).xy;",

@@ -1,6 +1,8 @@
 """Every look and saturation of the GLSL against its float64 form, poles included (docs/formulae.md)."""
 
 import math
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
@@ -40,13 +42,26 @@ def phases() -> NDArray[np.float32]:
     return np.concatenate([even, near, -near, ends, -ends, [0.0]]).astype(np.float32)
 
 
-def front_uniforms(intensity: float, base: float) -> dict[str, object]:
+def front_of(intensity: float, base: float = math.e, crest: float = 0.5 * math.pi) -> dict[str, dict[str, Any]]:
+    """Constants, uniforms and textures of one wave's front, whose k is (1, 0) and phase 0: ψ = −x."""
+    log_base = math.log(base)
     return {
-        "u_front_wave": [1.0, 0.0, 1.0, 0.0],
-        "u_front_phase": [0.0],
-        "u_front_intensity": intensity,
-        "u_front_log_base": math.log(base),
-        "u_front_group": [0.0, 1.0],
+        "consts": {
+            "FRONT_COUNT": 1,
+            "FRONT_GATED": False,
+            "FRONT_CREST": crest,
+            "FRONT_NODES": FRONT_NODES,
+            "FRONT_FULL": front_full(intensity, log_base),
+            "FRONT_FADING": front_fading(intensity, log_base),
+        },
+        "uniforms": {
+            "u_front_wave": [1.0, 0.0, 1.0, 0.0],
+            "u_front_phase": [0.0],
+            "u_front_intensity": intensity,
+            "u_front_log_base": log_base,
+            "u_front_group": [0.0, 1.0],
+        },
+        "textures": {"u_front_integral": FrontIntegral(intensity=intensity, log_base=log_base)},
     }
 
 
@@ -55,18 +70,12 @@ def front_uniforms(intensity: float, base: float) -> dict[str, object]:
 def test_front_equals_its_float64_form(probe: Probe, constants: str, intensity: float) -> None:
     _, base = CONSTANTS[constants]
     psi = phases()
-    # One wave with k = (1, 0) and phase 0: psi = -p.x, through every line of the shader.
-    got = probe(
-        [NUMBERS, *PHASE, "foam/saturation/front.glsl@plain"],
-        "y.x = front_saturation(vec2(-x.x, 0.0), 0.0, Footprint(vec2(0.0), vec2(0.0)));",
-        psi[:, None],
-        consts={"FRONT_COUNT": 1, "FRONT_GATED": False},
-        uniforms=front_uniforms(intensity, base),
-    )[:, 0]
+    body = "y.x = front_saturation(vec2(-x.x, 0.0), 0.0, Footprint(vec2(0.0), vec2(0.0)));"
+    files, given = (NUMBERS, *PHASE, "foam/saturation/front.glsl@plain"), front_of(intensity, base) | {"textures": {}}
+    got = probe(files, body, psi[:, None], **given)[:, 0]
     wide = psi.astype(np.float64)
     want = front.front_saturation(np.cos(wide), np.sin(wide), intensity, base)
     want[wide == 0.0] = 4.0
-    assert np.isfinite(got).all()
     away = np.abs(got - want)
     # A driver's sine may be 0 so close to the pole: either side's value is right there.
     beside = (wide > -POLE) & (wide < 0.0)
@@ -81,13 +90,8 @@ def test_front_is_the_papers_formula(probe: Probe, constants: str) -> None:
     pole = math.pi - 2.0 * delta
     theta = np.concatenate([np.linspace(pole + 0.05, pole + 6.2, 2000), pole + np.geomspace(1e-3, 0.05, 100)])
     wrapped = np.arctan2(np.sin(theta + 2 * delta - math.pi), np.cos(theta + 2 * delta - math.pi)).astype(np.float32)
-    got = probe(
-        [NUMBERS, *PHASE],
-        "y.x = front_profile(vec2(cos(x.x), sin(x.x)), 1.0);",
-        wrapped[:, None],
-        consts={"FRONT_COUNT": 1, "FRONT_GATED": False},
-        uniforms=front_uniforms(4.0, base),
-    )[:, 0]
+    body, given = "y.x = front_profile(vec2(cos(x.x), sin(x.x)), 1.0);", front_of(4.0, base) | {"textures": {}}
+    got = probe((NUMBERS, *PHASE), body, wrapped[:, None], **given)[:, 0]
     exact = wrapped.astype(np.float64) + math.pi - 2 * delta
     literal = np.minimum(base ** np.clip(-np.tan(exact / 2 + delta), -700, 700) / 4.0, 4.0)
     assert np.abs(got - literal).max() <= TOLERANCE
@@ -95,30 +99,13 @@ def test_front_is_the_papers_formula(probe: Probe, constants: str) -> None:
 
 @pytest.mark.parametrize("intensity", [0.5, 4.0, 30.0])
 def test_filtered_front_equals_its_float64_form(probe: Probe, intensity: float) -> None:
-    psi = phases()[::3]
-    widths = np.array([1e-4, 3e-3, 0.05, 0.1, 0.3, 1.0, 3.0, 6.28, 6.3, 20.0, 1000.0], np.float32)
-    grid = np.stack(np.meshgrid(psi, widths), axis=-1).reshape(-1, 2)
-    got = probe(
-        FILTERED_FRONT,
-        "y.x = front_mean(x.x, x.y);",
-        grid,
-        consts={
-            "FRONT_COUNT": 1,
-            "FRONT_GATED": False,
-            "FRONT_CREST": 0.5 * math.pi,
-            "FRONT_NODES": FRONT_NODES,
-            "FRONT_FULL": front_full(intensity, 1.0),
-            "FRONT_FADING": front_fading(intensity, 1.0),
-        },
-        uniforms=front_uniforms(intensity, math.e),
-        textures={"u_front_integral": FrontIntegral(intensity=intensity, log_base=1.0)},
-    )[:, 0]
-    wide = grid.astype(np.float64)
-    want = front.front_saturation_filtered(wide[:, 0], wide[:, 1], intensity)
-    assert np.isfinite(got).all()
+    widths = np.array([1e-4, 3e-3, 0.05, 0.1, 0.3, 1.0, 3.0, 6.28, 6.3, 20.0, 1000.0])
+    grid = grid_of(phases()[::3], widths)
+    got = probe(FILTERED_FRONT, "y.x = front_mean(x.x, x.y);", grid, **front_of(intensity))[:, 0]
+    psi, width = grid.astype(np.float64).T
     # A window that just touches the jump covers it by a share of (its float32 edge) / width.
-    allowed = TOLERANCE + 5e-7 / wide[:, 1]
-    assert (np.abs(got - want) <= allowed).all()
+    off = np.abs(got - front.front_saturation_filtered(psi, width, intensity))
+    assert (off <= TOLERANCE + 5e-7 / width).all()
 
 
 @pytest.mark.parametrize("eye_height", [2.0, -0.7, 0.0])
@@ -134,26 +121,16 @@ def test_seen_phases_equal_their_float64_form(probe: Probe, eye_height: float, r
             10.0 ** rng.uniform(-4.0, 3.0, count),
         ]
     ).astype(np.float32)
-    got = probe(
-        FILTERED_FRONT,
-        "front_seen(vec2(0.6, 0.8) * x.x, 0.25, 0.3 * x.y, 0.3, x.z, x.w);\n y.xy = x.zw;",
-        inputs,
-        consts={
-            "FRONT_COUNT": 1,
-            "FRONT_GATED": False,
-            "FRONT_CREST": 0.569,
-            "FRONT_NODES": FRONT_NODES,
-            "FRONT_FULL": front_full(4.0, 1.0),
-            "FRONT_FADING": front_fading(4.0, 1.0),
-        },
-        uniforms={"u_eye_height": eye_height, "u_front_relief": relief},
-    )
+    body = "front_seen(vec2(0.6, 0.8) * x.x, 0.25, 0.3 * x.y, 0.3, x.z, x.w);\n y.xy = x.zw;"
+    given = front_of(4.0, crest=0.569) | {
+        "textures": {},
+        "uniforms": {"u_eye_height": eye_height, "u_front_relief": relief},
+    }
+    got = probe(FILTERED_FRONT, body, inputs, **given)
     away, share, psi, width = inputs.astype(np.float64).T
     change, eye = (0.3 * share, np.full(count, 0.3)), (np.full(count, eye_height - 0.25), away)
     psi_seen, width_seen = front.seen_phases(psi, width, change, eye, float(np.float32(relief)), 0.569)
-    assert np.isfinite(got).all()
-    turn = 2.0 * math.pi
-    off = np.abs(np.remainder(got[:, 0] - psi_seen + math.pi, turn) - math.pi)
+    off = np.abs(np.remainder(got[:, 0] - psi_seen + math.pi, 2.0 * math.pi) - math.pi)
     assert off.max() <= 5e-5
     assert (np.abs(got[:, 1] - width_seen) <= 5e-5 * width_seen).all()
 
@@ -227,16 +204,22 @@ def test_seen_height_equals_its_float64_form(probe: Probe, kept: float) -> None:
 @pytest.mark.parametrize(("part", "cap"), [("plain", 4.0), ("filtered", 1.0)])
 def test_height_equals_its_float64_form(probe: Probe, part: str, cap: float) -> None:
     heights = np.linspace(-3.0, 9.0, 3001, dtype=np.float32)
-    got = probe(
-        [NUMBERS, f"foam/saturation/height.glsl@{part}"],
-        "y.x = height_saturation(vec2(0.0), x.x, Footprint(vec2(0.0), vec2(0.0)));",
-        heights[:, None],
-        uniforms={"u_height_base": np.float32(0.3), "u_height_full": np.float32(2.1)},
-    )[:, 0]
-    want = np.minimum(
-        height_saturation(heights.astype(np.float64), float(np.float32(0.3)), float(np.float32(2.1))), cap
-    )
-    assert np.abs(got - want).max() <= TOLERANCE
+    base, full = np.float32(0.3), np.float32(2.1)
+    body = "y.x = height_saturation(vec2(0.0), x.x, Footprint(vec2(0.0), vec2(0.0)));"
+    uniforms = {"u_height_base": base, "u_height_full": full}
+    got = probe((NUMBERS, f"foam/saturation/height.glsl@{part}"), body, heights[:, None], uniforms=uniforms)[:, 0]
+    want = height_saturation(heights.astype(np.float64), float(base), float(full))
+    assert np.abs(got - np.minimum(want, cap)).max() <= TOLERANCE
+
+
+ONE_WAVE = {
+    "PARAMETRIC_COUNT": 1,
+    "PARAMETRIC_KIND": (0,),
+    "PARAMETRIC_ALIKE": True,
+    "PARAMETRIC_SIGNAL": False,
+    "PARAMETRIC_CARRIES": False,
+    "SURFACE_FILTER": False,
+}
 
 
 @pytest.mark.parametrize(
@@ -252,32 +235,26 @@ def test_wave_profile_equals_its_float64_form(probe: Probe, exponent: float, kin
         [NUMBERS, "waves/parametric.glsl"],
         "y.xy = parametric_profile(parametric_half(x.x), x.y, PARAMETRIC_KIND[0]);",
         np.column_stack([theta, np.full_like(theta, exponent)]),
-        consts={
-            "PARAMETRIC_COUNT": 1,
-            "PARAMETRIC_KIND": (kind,),
-            "PARAMETRIC_ALIKE": True,
-            "PARAMETRIC_SIGNAL": False,
-            "PARAMETRIC_CARRIES": False,
-            "SURFACE_FILTER": False,
-        },
+        consts={**ONE_WAVE, "PARAMETRIC_KIND": (kind,)},
     )
     wide, power = theta.astype(np.float64), float(np.float32(exponent))
+    to_cusp = np.abs(np.sin(wide / 2 + math.pi / 4))
+
+    def off(of: Callable[..., NDArray[np.float64]], column: int) -> tuple[NDArray[np.float64], ...]:
+        """By how much it is off, what float32's rounding of the angle may do to the exact profile, and that itself."""
+        exact, *near = (of(wide + shift, 1.0, power) for shift in (0.0, -2.4e-7, 2.4e-7))
+        return np.abs(got[:, column] - exact), np.abs(np.stack(near) - exact).max(axis=0), np.abs(exact)
+
     assert np.isfinite(got).all()
-    height = waves.wave_height(wide, 1.0, power)
-    slope = waves.wave_derivative(wide, 1.0, power)
-    # What float32's rounding of the angle may do to the exact profile; a power K multiplies relative rounding by 2K.
-    near = [waves.wave_height(wide + shift, 1.0, power) for shift in (-2.4e-7, 2.4e-7)]
-    allowed = np.maximum(np.abs(near[0] - height), np.abs(near[1] - height)) + 5e-7 * (1.0 + power)
+    # A power K multiplies relative rounding by 2K.
+    height, allowed, _ = off(waves.wave_height, 0)
+    allowed = allowed + 5e-7 * (1.0 + power)
     # The cusp itself lies between two float32 angles.
-    allowed[np.abs(np.sin(wide / 2 + math.pi / 4)) < 1.2e-7] += (1.2e-7) ** (2.0 * power)
-    assert (np.abs(got[:, 0] - height) <= allowed).all()
+    allowed[to_cusp < 1.2e-7] += (1.2e-7) ** (2.0 * power)
+    assert (height <= allowed).all()
     # The slope of a cusp is held within 1e-4 of the trough; elsewhere it is exact to the same measure.
-    clear = np.abs(np.sin(wide / 2 + math.pi / 4)) > 2e-4
-    near = [waves.wave_derivative(wide + shift, 1.0, power) for shift in (-2.4e-7, 2.4e-7)]
-    allowed = np.maximum(np.abs(near[0] - slope), np.abs(near[1] - slope)) + 1e-6 * (1.0 + power) * np.maximum(
-        1, abs(slope)
-    )
-    assert (np.abs(got[:, 1] - slope) <= allowed)[clear].all()
+    slope, allowed, steep = off(waves.wave_derivative, 1)
+    assert (slope <= allowed + 1e-6 * (1.0 + power) * np.maximum(1.0, steep))[to_cusp > 2e-4].all()
 
 
 def test_a_wave_under_a_footprint_is_its_mean_over_the_box(probe: Probe) -> None:

@@ -7,7 +7,6 @@ import pytest
 from numpy.typing import NDArray
 
 from seafoam.effects.foam.look import CELLS
-from seafoam.effects.shader import Inline
 from seafoam.effects.waves import parametric
 from seafoam.framegraph.evaluation import FrameState, evaluate
 from seafoam.planner import make_plan
@@ -19,7 +18,7 @@ from seafoam.reference.waves.parametric import wave_set
 from seafoam.render.gl.executor import Executor
 from support.exact import UNFILTERED
 from support.pictures import draw, linear, rmse
-from support.probe import Probe
+from support.probe import Probe, stand_in
 from support.report import Report
 from support.scenes import Camera, Foam, HeightSaturation, ParametricWave, Scene, SlopeSaturation
 
@@ -37,7 +36,6 @@ def test_slope_saturation_equals_its_float64_form(probe: Probe, cap: float, blur
     )
     scene = Scene(waves=waves)
     given = parametric.EFFECT.contribute(scene, UNFILTERED)
-    assert given is not None
     time, origin = 12.5, (1234.5, -77.0)
     state = FrameState(time, Camera(position=(origin[0], 5.0, origin[1])), 1, 1, 1, 1, 0)
     at = np.random.default_rng(4).uniform(-30.0, 30.0, (10000, 2)).astype(np.float32)
@@ -46,7 +44,7 @@ def test_slope_saturation_equals_its_float64_form(probe: Probe, cap: float, blur
         [
             "lib/numbers.glsl",
             "waves/parametric.glsl",
-            Inline("vec4 waves_shading(vec2 p, Footprint fp) {\n    return parametric_shading(p, fp);\n}\n"),
+            stand_in("parametric_slope"),
             "foam/saturation/slope.glsl@lack",
             slope,
         ],
@@ -72,7 +70,7 @@ def test_slope_saturation_equals_its_float64_form(probe: Probe, cap: float, blur
 def from_above(executor: Executor, **foam: object) -> NDArray[np.float64]:
     """Foam of even saturation from 200 m up, a row a line of pixels."""
     saturation = (HeightSaturation(base=-0.5, full=0.5 + 0.5),)
-    scene = Scene(foam=Foam(saturation=saturation, mask="mix", mask_tile=TILE, **foam), light=None)  # type: ignore[arg-type]
+    scene = Scene(foam=Foam(saturation=saturation, mask="mix", mask_tile=TILE, **foam), light=None)
     return linear(executor, scene, TIERS["standard"], ABOVE, size=(SIDE, SIDE))[..., 3].astype(np.float64)
 
 
@@ -143,7 +141,7 @@ def test_weights_of_cells_add_up_and_reach_nothing_at_their_rim() -> None:
 def test_frames_with_cells_and_two_textures_equal_float64(executor: Executor, look: str) -> None:
     foam = Foam(
         saturation=(SlopeSaturation(gain=9.0, blur=0.3), HeightSaturation(base=0.2, full=1.1)),
-        look=look,  # type: ignore[arg-type]
+        look=look,
         mask="mix",
         mask_tile=1.7,
         mask_angle=0.8,

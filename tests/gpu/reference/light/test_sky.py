@@ -9,7 +9,6 @@ import pytest
 from numpy.typing import NDArray
 
 from seafoam.effects.light.light import sky_irradiance, sun_direction, sun_irradiance
-from seafoam.effects.shader import Inline
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference import load_truth, noise
@@ -19,7 +18,7 @@ from seafoam.reference.light import light as reference_light
 from seafoam.render.gl.executor import Executor
 from support.exact import UNFILTERED
 from support.pictures import linear, rms, rmse
-from support.probe import Probe
+from support.probe import Probe, stand_in
 from support.report import Report
 from support.scenes import Clouds, Day, Light, Moon, Scene, Sky, load_preset, sun_angles
 from support.sweep import REST
@@ -70,8 +69,6 @@ def test_noise_is_smooth_normal_and_without_a_seam(dimensions: int) -> None:
 def test_clouds_cover_their_share(report: Report, cover: float) -> None:
     """Of the layer's area, counting what is half as dense as can be; a normal law's quantile sets where they begin."""
     above = reference_light.air(Light(sky=Sky(clouds=Clouds(cover=cover, softness=1.0)))).above
-    assert above is not None
-    assert above.clouds is not None
     drawn = noise.fractal(np.random.default_rng(6).uniform(0.0, 256.0, (60_000, 3)), np.zeros(60_000), 6, 64)
     share = float((above.clouds.base(drawn) > 0.156).mean())
     report.within("Share of the layer that clouds cover", asked=cover, measured=share, off=(abs(share - cover), 0.03))
@@ -110,7 +107,6 @@ def test_nothing_jumps_as_the_sun_goes_down(every: int) -> None:
     for step in (step for step in range(1500) if step % every < 2):
         light = Light(sun_elevation=math.radians(10.0 - 0.02 * step), sun_azimuth=0.3, sky=sky)
         air = reference_light.air(light)
-        assert air.above is not None
         seen, lamp = air.above.clear(look), float(air.sun_irradiance.sum())
         assert np.isfinite(seen).all()
         assert (seen > 0.0).all()
@@ -142,11 +138,6 @@ def test_the_sun_goes_round() -> None:
 
 
 CUBE = ["lib/texels.glsl@bilinear", "lib/texels.glsl@cube_face", "reflection/cube.glsl@cube"]
-SMOOTH = Inline(
-    "vec4 cube_texel(int face, ivec2 at) {\n    vec2 side = 2.0 * vec2(at) / float(CUBE_SIZE - 1) - 1.0;\n"
-    "    vec3 d = normalize(cube_direction(face, side));\n"
-    "    return vec4(d.x * d.y, d.z, sin(3.0 * d.x + d.z), 0.0);\n}\n"
-)
 
 
 def directions(count: int) -> NDArray[np.float64]:
@@ -158,7 +149,7 @@ def directions(count: int) -> NDArray[np.float64]:
 def cube(probe: Probe, size: int, d: NDArray[np.float64]) -> NDArray[np.float32]:
     """A smooth function as a cube map of a size gives it in directions."""
     files, body = (
-        (*CUBE, SMOOTH, "reflection/cube.glsl@cubemap"),
+        (*CUBE, stand_in("smooth_texels"), "reflection/cube.glsl@cubemap"),
         "reflected_light(vec3(0.0), normalize(x.xyz), vec3(0.0))",
     )
     return probe(files, f"y.rgb = {body};", d, consts={"CUBE_SIZE": size})[:, :3]

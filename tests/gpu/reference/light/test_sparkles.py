@@ -13,7 +13,7 @@ from seafoam.reference.light import light as reference_light
 from seafoam.reference.light.sparkles import EPOCHS, SparkleField
 from seafoam.render.gl.executor import Executor
 from support.pictures import linear
-from support.probe import Probe
+from support.probe import Probe, stand_in
 from support.report import Report
 from support.scenes import Camera, Light, ParametricWave, Ripples, Scene, Sparkles, Water
 
@@ -21,9 +21,7 @@ SPARKLES = Sparkles(size=0.004, rate=3.0, life=0.4, share=1.0)
 FILES = (
     "lib/numbers.glsl",
     "lib/rays.glsl@camera",
-    Inline(
-        "uniform vec3 u_sun_irradiance;\nvec3 smooth_glitter(vec3 d, vec3 n, float s, float c) { return vec3(0.0); }\n"
-    ),
+    stand_in("no_glint"),
     "lib/noise.glsl@hash",
     "light/glitter.glsl@sparkles",
 )
