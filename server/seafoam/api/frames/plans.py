@@ -1,10 +1,11 @@
 """Frame plans of requests: compiled, kept, and found again by their hash (``/api/plans/{plan}/frames``)."""
 
-import json
 from collections.abc import Collection
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import TypedDict, Unpack
+
+from pydantic import BaseModel
 
 from seafoam.api.http.problems import BadRequestError, FieldProblem
 from seafoam.framegraph.plan import FramePlan
@@ -61,8 +62,7 @@ def compile_scene(scene: Scene, quality: Quality, **origin: Unpack[SceneOrigin])
         ) from error
 
 
-@dataclass(frozen=True, slots=True)
-class PlanSource:
+class PlanSource(BaseModel):
     """A scene and a quality, from which a plan is made."""
 
     scene: Scene
@@ -88,10 +88,10 @@ class PlanIndex:
         if self.holds(plan):
             return
         stored = self._read(plan)
+        source = stored or PlanSource(scene=scene, quality=quality)
         if stored is None and self._disk is not None:
-            parts = {"scene": scene.model_dump(mode="json"), "quality": quality.model_dump(mode="json")}
-            self._disk.put(_key(plan), json.dumps(parts, sort_keys=True).encode())
-        self._held.put(plan, stored or PlanSource(scene, quality))
+            self._disk.put(_key(plan), source.model_dump_json().encode())
+        self._held.put(plan, source)
 
     def find(self, plan: str) -> PlanSource | None:
         """Return what a plan is made from, or None if this server has not made it."""
@@ -107,11 +107,10 @@ class PlanIndex:
         if content is None:
             return None
         try:
-            parts = json.loads(content)
-            source = PlanSource(Scene.model_validate(parts["scene"]), Quality.model_validate(parts["quality"]))
+            source = PlanSource.model_validate_json(content)
             # Another version of the program may make another plan of the same scene, or none.
             return source if plan_hash(source.scene, source.quality) == plan else None
-        except (ValueError, KeyError, PlanError):
+        except (ValueError, PlanError):
             return None
 
 

@@ -84,19 +84,18 @@ class SceneOverrides(Parameters):
 
     def apply(self, scene: Scene) -> Scene:
         """Return the scene with these changes. Raises :class:`BadRequestError` if it has no foam to change."""
-        changes = {name: value for name, value in (("look", self.look), ("mask", self.mask)) if value is not None}
-        if not changes:
+        if not self.changed:
             return scene
         if scene.foam is None:
             raise BadRequestError(
-                *(FieldProblem(parameter=name, detail=f"{name}: this preset has no foam") for name in changes)
+                *(FieldProblem(parameter=name, detail=f"{name}: this preset has no foam") for name in self.changed)
             )
-        return scene.model_copy(update={"foam": scene.foam.model_copy(update=changes)})
+        return scene.model_copy(update={"foam": scene.foam.model_copy(update=self.changed)})
 
     @property
-    def changed(self) -> tuple[str, ...]:
-        """Names of the parameters that change the scene."""
-        return tuple(name for name in ("look", "mask") if getattr(self, name) is not None)
+    def changed(self) -> dict[str, str]:
+        """The parameters that change the scene, by name."""
+        return self.model_dump(include={"look", "mask"}, exclude_none=True)
 
 
 class PlanParameters(SceneOverrides):
