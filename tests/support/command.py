@@ -1,9 +1,12 @@
-"""The command in a process of its own, and a port for a server."""
+"""The command in a process of its own, as a server too, and a port for one."""
 
 import os
+import signal
 import socket
 import subprocess
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 COMMAND = [sys.executable, "-c", "from seafoam.cli import main; main()"]
 
@@ -13,6 +16,20 @@ def run(*arguments, **environment):
     return subprocess.run(
         [*COMMAND, *map(str, arguments)], capture_output=True, text=True, timeout=60, env={**os.environ, **environment}
     )
+
+
+@contextmanager
+def served(*arguments: str, port: int = 0, **environment: str) -> Iterator[str]:
+    """The address of a server that draws with GL; it must end when it is told to."""
+    command = [*COMMAND, "serve", "--port", str(port), *arguments]
+    environment = {**os.environ, **environment}
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, env=environment)
+    try:
+        yield process.stdout.readline().split()[3]
+    finally:
+        process.send_signal(signal.SIGTERM)
+        process.stdout.close()
+        assert process.wait(30) in (0, -signal.SIGTERM)
 
 
 def imported(code: str) -> list[str]:

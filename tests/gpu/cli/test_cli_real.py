@@ -3,20 +3,18 @@
 import http.client
 import json
 import os
-import signal
-import subprocess
 import threading
 import time
 import urllib.request
 from collections import defaultdict
-from contextlib import contextmanager
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
 from PIL import Image
 
 import seafoam
-from support.command import COMMAND, free_port, imported, run
+from support.command import free_port, imported, run, served
 
 WITH_IPV6 = pytest.mark.skipif(not os.path.exists("/proc/net/if_inet6"), reason="this machine has no IPv6")
 
@@ -54,38 +52,17 @@ def test_a_picture_is_drawn_again_to_the_byte(tmp_path, format):
 
 @pytest.mark.parametrize("host", ["127.0.0.1", pytest.param("::1", marks=WITH_IPV6)])
 def test_serve_answers_without_delay_and_stops_when_told(host):
-    process = subprocess.Popen(
-        [*COMMAND, "serve", "--host", host, "--port", "0"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
-    )
-    try:
-        address = process.stdout.readline().split()[3]
+    with served("--host", host) as address:
         with urllib.request.urlopen(f"{address}/healthz", timeout=60) as response:
             assert json.load(response) == {"status": "alive"}
         with seafoam.connect(address) as source:
             assert source.mask("vac-24").shape == (512, 512)
-    finally:
-        process.send_signal(signal.SIGTERM)
-        process.stdout.close()
-    assert process.wait(20) in (0, -signal.SIGTERM)
-
-
-@contextmanager
-def serving(port, cache):
-    """The command at a port; it must end when it is told to."""
-    environment = {**os.environ, "SEAFOAM_CACHE": str(cache), "SEAFOAM_CACHE_SIZE": str(2**26)}
-    process = subprocess.Popen(
-        [*COMMAND, "serve", "--port", str(port)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=environment
-    )
-    try:
-        yield process
-    finally:
-        process.send_signal(signal.SIGTERM)
-        assert process.wait(30) in (0, -signal.SIGTERM)
 
 
 def test_a_restart_under_load_tears_no_answer(tmp_path):
     """Clients see whole answers, refusals, or no server; an address has the same bytes before and after."""
     port = free_port()
+    how = {"port": port, "SEAFOAM_CACHE": str(tmp_path), "SEAFOAM_CACHE_SIZE": str(2**26)}
     paths = [f"/api/frames/paper-halftone.png?width=64&height=36&quality=draft&time={time}" for time in range(12)]
     answers, wrong, over = defaultdict(set), [], threading.Event()
     counts = {"200": 0, "away": 0}
@@ -117,20 +94,18 @@ def test_a_restart_under_load_tears_no_answer(tmp_path):
             assert time.monotonic() < until, (counts, wrong)
             time.sleep(0.05)
 
-    clients = [threading.Thread(target=client, args=(3 * index,)) for index in range(4)]
-    for each in clients:
-        each.start()
-    try:
-        with serving(port, tmp_path):
-            answered(50)
-        away, before = counts["away"], counts["200"]
-        with serving(port, tmp_path):
-            answered(before + 50)
+    with ThreadPoolExecutor(4) as clients:
+        try:
+            clients.map(client, range(0, 12, 3))
+            with served(**how):
+                answered(50)
+            away, before = counts["away"], counts["200"]
+            with served(**how):
+                answered(before + 50)
+                over.set()
+                clients.shutdown()
+        finally:
             over.set()
-            for each in clients:
-                each.join()
-    finally:
-        over.set()
     assert wrong == []
     assert away < counts["away"]
     assert all(len(answers[path]) == 1 for path in paths)

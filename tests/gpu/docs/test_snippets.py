@@ -1,9 +1,7 @@
 """The snippets of README.md (smaller), docs/python.md and docs/sequences.md, with GL and against a real server."""
 
 import json
-import os
 import shlex
-import signal
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -15,7 +13,7 @@ from PIL import Image
 
 from seafoam.cli import main
 from seafoam.render.gl.executor import Executor
-from support.command import COMMAND, run
+from support.command import run, served
 from support.snippets import NOT_RUN, blocks, commands
 
 ADDRESS = "http://127.0.0.1:8000"
@@ -23,16 +21,8 @@ ADDRESS = "http://127.0.0.1:8000"
 
 @pytest.fixture(scope="module")
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    environment = {**os.environ, "SEAFOAM_CACHE": str(tmp_path_factory.mktemp("cache")), "SEAFOAM_DEADLINE": "60"}
-    command = [*COMMAND, "serve", "--port", "0"]
-    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, env=environment)
-    assert process.stdout is not None
-    try:
-        yield process.stdout.readline().split()[3]
-    finally:
-        process.send_signal(signal.SIGTERM)
-        process.stdout.close()
-        process.wait(20)
+    with served(SEAFOAM_CACHE=str(tmp_path_factory.mktemp("cache")), SEAFOAM_DEADLINE="60") as address:
+        yield address
 
 
 SMALLER = {

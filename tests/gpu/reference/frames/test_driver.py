@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
+from support.pictures import linear
 from support.scenes import load_preset
 from support.sweep import REST
 
@@ -27,10 +27,7 @@ print(test_driver.drawn(executor, sys.argv[1]))
 def drawn(executor: Executor, preset: str) -> str:
     """Hash of a small picture's floats."""
     found = load_preset(preset)
-    plan = make_plan(found.scene, TIERS["standard"])
-    picture = executor.render(
-        plan, time=found.time, camera=found.scene.camera, width=64, height=36, output="linear"
-    ).pixels
+    picture = linear(executor, found.scene, TIERS["standard"], time=found.time, size=(64, 36))
     return hashlib.sha256(picture.tobytes()).hexdigest()
 
 
