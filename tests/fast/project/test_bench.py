@@ -25,14 +25,10 @@ def _cost(*seconds: float) -> list[Cost]:
     return [Cost(wall=one, cpu=2.0 * one) for one in seconds]
 
 
-def _three(*seconds: float, cpu: float) -> Frames:
-    return Frames(wall=seconds, cpu=cpu)
-
-
 def test_a_round_is_held_against_three_js_before_and_after_it() -> None:
     measured = Measured()
-    measured.add(_cost(0.3, 0.2, 0.4), [_three(0.1, 0.1, cpu=0.1), _three(0.3, 0.3, 0.3, cpu=0.5)])
-    measured.add(_cost(0.5), [_three(0.5, cpu=0.25), _three(0.5, cpu=0.25)])
+    measured.add(_cost(0.3, 0.2, 0.4), [Frames((0.1, 0.1), cpu=0.1), Frames((0.3, 0.3, 0.3), cpu=0.5)])
+    measured.add(_cost(0.5), [Frames((0.5,), cpu=0.25), Frames((0.5,), cpu=0.25)])
     assert measured.wall == pytest.approx([1.0, 1.0])
     assert measured.cpu == pytest.approx([0.6 / 0.3, 1.0 / 0.25])
     assert measured.frames == pytest.approx([1.0, 2.0 / 3.0, 4.0 / 3.0, 1.0])
@@ -103,7 +99,7 @@ FRAME = Frame(
 )
 
 
-def test_passes_of_a_kind_are_one_and_kept_ones_no_part_of_the_frame() -> None:
+def test_passes_of_a_kind_are_one_and_bars_of_the_same_figures_the_same_picture() -> None:
     assert FRAME.drawn == pytest.approx(0.5)
     assert FRAME.kinds() == [
         ("shore", 1, 0.1, True),
@@ -111,9 +107,6 @@ def test_passes_of_a_kind_are_one_and_kept_ones_no_part_of_the_frame() -> None:
         ("earlier folds", 1, 0.05, False),
         ("surface", 1, 0.3, False),
     ]
-
-
-def test_bars_are_pictures_and_the_same_figures_the_same_bytes() -> None:
     for draw in (lambda: plots.one_frame(FRAME), lambda: plots.every_frame([FRAME, FRAME])):
         made = draw()
         assert made == draw()

@@ -10,15 +10,12 @@ from seafoam.ocean.sky import air, skylight
 THIN = air.Atmosphere(mie=0.01, haze=0.0)
 
 
-def test_the_depth_overhead_is_the_sum_of_the_layers() -> None:
+def test_the_depth_is_the_sum_of_the_layers_overhead_and_chapmans_along_the_horizon() -> None:
     """Scale height times density at the sea, from the eye up; the tent of ozone has the area of 15 km."""
     molecules, haze = (math.exp(-air.EYE / scale) for scale in (air.RAYLEIGH_HEIGHT, air.MIE_HEIGHT))
     want = molecules * air.RAYLEIGH * 8.0 + haze * 0.01 * air.MIE_TINT + air.OZONE * 15.0
     np.testing.assert_allclose(THIN.depth(1.0), want, rtol=6e-3)
-
-
-def test_air_along_the_horizon_is_chapmans() -> None:
-    """Of a thin isothermal layer the root of pi R / (2 H): the low haze has its depth along the horizon."""
+    # Of a thin isothermal layer the root of pi R / (2 H): the low haze has its depth along the horizon.
     low = air.Atmosphere(mie=0.0, haze=3.0)
     none = air.Atmosphere(mie=0.0, haze=0.0)
     got = np.array(low.depth(0.0)) - np.array(none.depth(0.0))
@@ -54,14 +51,11 @@ def test_the_closed_form_is_the_integral(elevation: float, most: float, mie: flo
     assert np.sqrt((off**2).mean()) <= most
 
 
-def test_ozone_keeps_the_zenith_blue_at_sunset() -> None:
+def test_ozone_keeps_the_zenith_blue_and_the_belt_of_venus_stands_over_the_shadow_of_the_earth() -> None:
     up, gamma = np.array([1.0]), np.array([0.0])
     with_ozone = THIN.sky(up, gamma, 0.0)[0][0]
     assert with_ozone[2] > 1.5 * with_ozone[0]
-
-
-def test_the_belt_of_venus_stands_over_the_shadow_of_the_earth() -> None:
-    """Opposite the sun, 3 degrees after sunset: dark and blue at the horizon, brighter and redder above it."""
+    # Opposite the sun, 3 degrees after sunset: dark and blue at the horizon, brighter and redder above it.
     height, up = -0.05, np.array([0.0, 0.12])
     gamma = -np.sqrt(1.0 - up * up) * math.sqrt(1.0 - height * height) + up * height
     shadow, belt = THIN.sky(up, gamma, height)[0]
