@@ -1,5 +1,6 @@
 """Foam of a scene: where it comes from, how it looks and ages, and the flow that carries it."""
 
+from collections.abc import Mapping
 from typing import Annotated, ClassVar, Literal, Self, TypeVar
 
 from pydantic import Field, model_validator
@@ -51,9 +52,12 @@ class FoamLife(Part):
 class FoamSource(Part):
     """Base class of sources of foam saturation."""
 
+    still: ClassVar[Mapping[str, object]] = {}
+    """Values of the fields by which foam is carried, ages or decays, with which it does not."""
+
     def lying_still(self) -> Self:
         """Return the source without advection, ageing or decay of its foam."""
-        return self
+        return self.model_copy(update=self.still)
 
 
 class FrontSaturation(FoamSource):
@@ -63,6 +67,7 @@ class FrontSaturation(FoamSource):
     """
 
     source: Literal["front"] = "front"
+    still: ClassVar[Mapping[str, object]] = {"decay": None, "variation": 0.0}
     constants: Literal["text", "listing"] = Field(
         default="text",
         description="Constants of the formula. text: δ = π/2, 2π, e, from the paper's text; listing: δ = "
@@ -105,10 +110,6 @@ class FrontSaturation(FoamSource):
         if self.decay is not None and self.constants != "text":
             raise ValueError("decay: requires constants 'text'")
         return self
-
-    def lying_still(self) -> Self:
-        """Return the source without advection, ageing or decay of its foam."""
-        return self.model_copy(update={"decay": None, "variation": 0.0})
 
 
 class HeightSaturation(FoamSource):
@@ -157,6 +158,7 @@ class WhitecapSaturation(FoamSource):
     """Foam where the sea folds, i.e. the Jacobian of its horizontal displacement is small, and for seconds after."""
 
     source: Literal["whitecap"] = "whitecap"
+    still: ClassVar[Mapping[str, object]] = {"lasting": False}
     coverage: float = Field(
         default=1.0,
         ge=0.0,
@@ -177,15 +179,12 @@ class WhitecapSaturation(FoamSource):
         "breakers; the mean coverage stays the same",
     )
 
-    def lying_still(self) -> Self:
-        """Return the source without advection, ageing or decay of its foam."""
-        return self.model_copy(update={"lasting": False})
-
 
 class SurfSaturation(FoamSource):
     """Foam of the surf: it appears at breaking fronts, remains behind them, and drains down the beach."""
 
     source: Literal["surf"] = "surf"
+    still: ClassVar[Mapping[str, object]] = {"line": 0.0}
     amount: float = Field(default=1.0, ge=0.0, le=4.0, description="Saturation at a breaking front")
     life: float = Field(
         default=0.35, ge=0.02, le=5.0, description="Decay time behind the front, to 1/e, in wave periods"
@@ -197,10 +196,6 @@ class SurfSaturation(FoamSource):
         le=4.0,
         description="Saturation that the swash leaves on the sand, strongest along the line of maximum run-up",
     )
-
-    def lying_still(self) -> Self:
-        """Return the source without advection, ageing or decay of its foam."""
-        return self.model_copy(update={"line": 0.0})
 
 
 class DriftSaturation(FoamSource):

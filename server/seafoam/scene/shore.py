@@ -130,20 +130,9 @@ class Shore(Part):
 
 
 _GROUND = (
-    "kind",
-    "size",
-    "heading",
-    "radius",
-    "depth",
-    "inner_depth",
-    "height",
-    "slope",
-    "roughness",
-    "relief",
-    "level",
-    "seed",
-    "image",
-)
+    "kind", "size", "heading", "radius", "depth", "inner_depth", "height", "slope", "roughness", "relief", "level",
+    "seed", "image",
+)  # fmt: skip
 """Fields that determine the height field."""
 
 _APPROACH = ("height", "period", "heading", "exposure")
