@@ -6,16 +6,14 @@ import type { Axes } from "../charts/uplot";
 import { equal } from "../scene/json";
 import { Progress, Select } from "../ui/controls";
 import { download } from "../ui/dom";
-import { BudgetForm } from "./budgetform";
 import { curvesOf } from "./diagram/curves";
 import { Diagram } from "./diagram/diagram";
 import { type ExportedRun, rowsOf, toCsv, toJson } from "./exportdata";
 import { METRICS } from "./measure/errors";
 import { type Measured, measuredHere, measuredThere, ranked } from "./measure/measured";
-import { ErrorView } from "./pictures/errorview";
+import { ErrorView, SpectrumView } from "./pictures/errorview";
 import { InsetsView } from "./pictures/insetsview";
-import { SpectrumView } from "./pictures/spectrumview";
-import { AllQualities, Benefits, Passes, QUIET, Selected } from "./sections";
+import { AllQualities, Benefits, BudgetForm, Passes, QUIET, Selected } from "./sections";
 import type { BenchmarkRun, Session } from "./session";
 
 const KEY = "mr-1 mb-1 inline-block w-4";

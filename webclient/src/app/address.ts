@@ -2,7 +2,7 @@
 import type { CameraControls } from "../camera/controls";
 import { cameraFromScene } from "../camera/state";
 import type { ChosenDisplay } from "../display/chosendisplay";
-import { presetOfPath, waterUrl } from "../gallery/water";
+import { presetOfPath, waterUrl } from "../gallery/search";
 import { diff } from "../scene/json";
 import type { Store } from "../selection/store";
 import { decode, frameSource, encode, type LinkState } from "../selection/url";

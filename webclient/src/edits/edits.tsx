@@ -1,5 +1,5 @@
 /** The edits of the scene: undo and redo, what differs from the preset, and the scene as JSON. */
-import { type Signal, signal } from "@preact/signals";
+import { type Signal, signal, useSignal } from "@preact/signals";
 import { type ButtonHTMLAttributes, render } from "preact";
 import { type Api, ApiError } from "../api";
 import { apply, diff, get, isObject, type Json, type JsonObject } from "../scene/json";
@@ -8,7 +8,6 @@ import type { Store } from "../selection/store";
 import { copyText } from "../ui/clipboard";
 import { Icon } from "../ui/icons";
 import { EditHistory } from "./history";
-import { PasteForm } from "./paste";
 
 interface SceneEditsEvents {
   /** A scene from elsewhere was put in place; its camera is to be taken. */
@@ -112,7 +111,7 @@ export class SceneEdits {
           <Button name="Copy scene" title="Copy the scene as JSON" onClick={() => void this.copy()} />
           <Button name="Paste scene" aria-expanded={this.pasting.value} onClick={() => (this.pasting.value = !this.pasting.value)} />
         </div>
-        {this.pasting.value && <PasteForm apply={this.paste} />}
+        {this.pasting.value && <PasteForm put={this.paste} />}
         <details class="disclosure changes px-1.5">
           <summary>{changes.length === 0 ? "no change from the preset" : `${changes.length} changed from the preset`}</summary>
           <ul class="mb-3 text-fine text-soft">
@@ -145,4 +144,48 @@ export function shortText(value: Json | undefined): string {
   if (typeof value === "string") return value;
   const text = JSON.stringify(value);
   return text.length <= 32 ? text : `${text.slice(0, 31)}…`;
+}
+
+/** The scene in a JSON text: a scene, or an object that has one at `scene`, such as a preset or a request. Throws a `SyntaxError`. */
+export function sceneIn(text: string): JsonObject {
+  const value = JSON.parse(text) as Json;
+  if (!isObject(value)) throw new SyntaxError("A scene is a JSON object.");
+  const inner = value["scene"];
+  return isObject(inner) ? inner : value;
+}
+
+/** A field for a scene as JSON, with what the server finds wrong with it. `put`: resolves with that; empty if the scene was put in place. */
+function PasteForm({ put }: { put: (scene: JsonObject) => Promise<string[]> }) {
+  const text = useSignal("");
+  const problems = useSignal<string[]>([]);
+  const submit = async (event: Event) => {
+    event.preventDefault();
+    try {
+      problems.value = await put(sceneIn(text.value));
+    } catch (error) {
+      problems.value = [error instanceof SyntaxError ? `Not JSON: ${error.message}` : String(error)];
+    }
+  };
+  return (
+    <form class="paste grid gap-2 pb-3" onSubmit={(event) => void submit(event)}>
+      <textarea
+        rows={6}
+        class="w-full resize-y rounded-md border border-line bg-hover px-2.5 py-2 font-mono text-small/[1.5]"
+        spellcheck={false}
+        aria-label="Scene as JSON"
+        aria-invalid={problems.value.length > 0}
+        placeholder='{"light": {"exposure": -1}}'
+        value={text.value}
+        onInput={(event) => (text.value = event.currentTarget.value)}
+      />
+      <div role="alert">
+        {problems.value.map((problem) => (
+          <p key={problem} class="mb-1 text-fine wrap-anywhere text-error">{problem}</p>
+        ))}
+      </div>
+      <button type="submit" class="button" disabled={text.value.trim() === ""}>
+        Apply
+      </button>
+    </form>
+  );
 }

@@ -6,8 +6,7 @@ import { hasModifier } from "../ui/dom";
 import { Icon } from "../ui/icons";
 import { thumbnailUrl } from "../ui/still";
 import { PresetList } from "./list";
-import { grouped, indexAfter } from "./search";
-import { followsLink, waterUrl } from "./water";
+import { followsLink, grouped, indexAfter, waterUrl } from "./search";
 
 export class Gallery {
   readonly selected = signal("");

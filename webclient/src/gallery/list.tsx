@@ -3,8 +3,7 @@ import { useSignal } from "@preact/signals";
 import { useLayoutEffect, useRef } from "preact/hooks";
 import type { PresetSummary } from "../api";
 import { Icon } from "../ui/icons";
-import { grouped, indexAfter, matching } from "./search";
-import { followsLink, waterUrl } from "./water";
+import { followsLink, grouped, indexAfter, matching, waterUrl } from "./search";
 
 interface ListProps {
   presets: readonly PresetSummary[];

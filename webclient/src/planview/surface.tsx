@@ -1,19 +1,26 @@
 /** "Frame plan": what runs for the current scene, why, what was left out, and the GLSL. */
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
+import { DrawTimer, timerExtension } from "../accuracy/measure/drawtimer";
+import { median } from "../accuracy/measure/statistics";
 import type { FramePlan, Pass } from "../generated/api";
+import type { Gpu } from "../gl/gpu";
+import { makeScreen } from "../gl/target";
 import { labelOf } from "../panel/model";
+import type { Executor, Frame } from "../plan/executor";
 import type { PageContext } from "../surfaces/context";
 import { Head, Pills, TaskButton, useChanges } from "../surfaces/parts";
 import { type Change, changesBetween } from "./changes";
 import { Passes } from "./passes";
-import { passTimes, reasonForNoTimes } from "./passtimes";
 import { Source, type Stage } from "./source";
 
 const VIEWS = ["Passes", "Effects", "GLSL", "Changes"] as const;
 type View = (typeof VIEWS)[number];
 /** Quality of the preset's own plan. */
 const PRESET_TIER = "standard";
+/** Frames that are measured; the median of each pass counts. The first ones compile and allocate. */
+const FRAMES = 7;
+const WARM_UP = 2;
 
 const NOTES =
   "notes *:border-b *:border-line *:py-2 *:text-soft [&_b]:font-semibold [&_b]:text-ink [&_small]:block [&_small]:text-small [&_small]:wrap-anywhere";
@@ -77,6 +84,32 @@ function Changes({ context, plan }: { context: PageContext; plan: FramePlan }) {
       </ul>
     </>
   );
+}
+
+/** Why there are no times; null if there can be. */
+function reasonForNoTimes(gpu: Gpu | null): string | null {
+  if (gpu === null) return "Not measured: the server draws the frames.";
+  if (gpu.capabilities.software) return `Not measured: ${gpu.capabilities.renderer} draws on the CPU, where timer queries are wrong.`;
+  if (timerExtension(gpu.gl, gpu.capabilities)) return null;
+  return "Not measured: this browser gives no access to GPU timers (EXT_disjoint_timer_query_webgl2).";
+}
+
+/** Milliseconds by pass; throws if the queries fail. Passes that this camera does not need have none. */
+async function passTimes(gpu: Gpu, executor: Executor, view: Pick<Frame, "time" | "camera" | "width" | "height">): Promise<Map<Pass, number>> {
+  const samples = new Map<Pass, number[]>();
+  const screen = makeScreen(gpu.gl, view.width, view.height);
+  try {
+    const timer = new DrawTimer(gpu, screen.framebuffer);
+    const frame = { ...view, screen: screen.framebuffer, scissor: null, scene: null };
+    for (let number = 0; number < FRAMES; number++) {
+      const times = await timer.passes(executor, frame);
+      if (number < WARM_UP) continue;
+      for (const [pass, time] of times) samples.set(pass, [...(samples.get(pass) ?? []), time]);
+    }
+  } finally {
+    screen.dispose();
+  }
+  return new Map([...samples].map(([pass, times]) => [pass, median(times)]));
 }
 
 function Timing({ context, measure, measured }: { context: PageContext; measure: () => Promise<void>; measured: boolean }) {

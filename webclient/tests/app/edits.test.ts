@@ -1,8 +1,7 @@
 /** Undo, redo, and scenes as text. */
 import { expect, test } from "vitest";
-import { shortText } from "../../src/edits/edits";
+import { sceneIn, shortText } from "../../src/edits/edits";
 import { EditHistory } from "../../src/edits/history";
-import { sceneIn } from "../../src/edits/paste";
 import type { JsonObject } from "../../src/scene/json";
 
 const scene = (exposure: number, albedo = 0) => ({ light: { exposure }, foam: { albedo } });
