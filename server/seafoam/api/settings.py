@@ -162,18 +162,16 @@ class Settings(BaseSettings):
 
     @model_validator(mode="after")
     def _signed(self) -> "Settings":
-        self._signing()
+        _ = self.access  # raises what is wrong with the key of signed links
         if self.ready_age < 2 * self.canary:
             raise ValueError(f"ready_age must be at least twice canary, which is {self.canary:g} s")
         return self
 
-    def _signing(self) -> Signing | None:
-        return Signing.of(self.signing_key.get_secret_value(), self.signing_salt.get_secret_value())
-
     @property
     def access(self) -> Access:
         """Return who may use the API."""
-        return Access(api_keys_of(self.api_keys.get_secret_value()), self._signing())
+        signing = Signing.of(self.signing_key.get_secret_value(), self.signing_salt.get_secret_value())
+        return Access(api_keys_of(self.api_keys.get_secret_value()), signing)
 
     @property
     def served(self) -> "Settings":

@@ -204,12 +204,14 @@ def plan(
     from rich.console import Console
 
     from seafoam.cli import plans
+    from seafoam.planner import make_plan
     from seafoam.quality import TIERS
+    from seafoam.scene.presets import load_preset
 
     tier = member_of(quality, tuple(TIERS), "--quality")
     stages: tuple[Literal["fragment", "vertex"], ...] = ("fragment", "vertex")
     part = member_of(stage, stages, "--stage")
-    made = plans.plan_of(preset, tier)
+    made = make_plan(load_preset(preset).scene, TIERS[tier])
     if program is None:
         Console(soft_wrap=True).print(plans.passes(made))
         return

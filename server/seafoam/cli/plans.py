@@ -7,14 +7,6 @@ from rich.table import Column, Table
 
 from seafoam.cli.support import member_of
 from seafoam.framegraph.plan import FramePlan
-from seafoam.planner import make_plan
-from seafoam.quality import TIERS, Tier
-from seafoam.scene.presets import load_preset
-
-
-def plan_of(preset: str, tier: Tier) -> FramePlan:
-    """The plan of a preset at a tier."""
-    return make_plan(load_preset(preset).scene, TIERS[tier])
 
 
 def passes(plan: FramePlan) -> Table:

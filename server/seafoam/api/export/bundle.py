@@ -1,4 +1,4 @@
-"""The files of a scene to take home: page, player, plan, programs, textures, uniforms, recipe.
+"""The files of a scene to take home: page, player, plan, programs, textures, uniforms, recipe; and their archive.
 
 Pages opened from the file system may not fetch files, so the player's data are classic scripts: the plan and the recipe
 as JSON, each texture in base64. No path is made of what a request says: names are numbers and names of the plan,
@@ -6,9 +6,11 @@ reduced to lower-case letters, digits and hyphens.
 """
 
 import base64
+import io
 import json
 import re
-from collections.abc import Iterator
+import zipfile
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -27,6 +29,10 @@ TEXTURES_LIMIT = 1 << 26
 """Bytes of all textures of a plan together."""
 PLAYER = ("index.html", "README.md", "LICENSE", "player.js")
 """Files of the build that every archive has; the first two are templates."""
+EPOCH = (1980, 1, 1, 0, 0, 0)
+"""Time of every entry: the earliest that zip can hold."""
+LEVEL = 6
+_REGULAR_FILE = 0o100644
 _GLOBAL = "globalThis.seafoamData ??= { textures: {} };\n"
 
 
@@ -133,3 +139,40 @@ def _distinct(plan: FramePlan) -> dict[str, str]:
 def _filled(template: bytes, export: Export) -> str:
     """Return a template with the title and the hash of the plan. The title is a preset's, or fixed."""
     return template.decode().replace("{{title}}", export.title).replace("{{plan}}", export.compiled.sha256)
+
+
+class _Sink(io.RawIOBase):
+    """Keeps what is written until it is taken; cannot seek, so the archive is written from front to back."""
+
+    def __init__(self) -> None:
+        self._parts: list[bytes] = []
+
+    def writable(self) -> bool:
+        return True
+
+    def write(self, data: object) -> int:
+        content = bytes(data)  # type: ignore[call-overload]
+        self._parts.append(content)
+        return len(content)
+
+    def take(self) -> bytes:
+        content = b"".join(self._parts)
+        self._parts.clear()
+        return content
+
+
+def zipped(entries: Iterable[tuple[str, bytes]]) -> Iterator[bytes]:
+    """Yield the parts of a zip archive with these entries (path, content) in their order.
+
+    Times, permissions and the system are fixed, so the same entries give the same bytes with the same zlib.
+    """
+    sink = _Sink()
+    with zipfile.ZipFile(sink, "w", zipfile.ZIP_DEFLATED, compresslevel=LEVEL) as archive:
+        for path, content in entries:
+            entry = zipfile.ZipInfo(path, EPOCH)
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            entry.create_system = 3
+            entry.external_attr = _REGULAR_FILE << 16
+            archive.writestr(entry, content, compresslevel=LEVEL)
+            yield sink.take()
+    yield sink.take()

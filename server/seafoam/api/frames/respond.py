@@ -71,8 +71,8 @@ def at_hand(resolved: ResolvedFrame, request: Request, context: Context) -> Resp
     """Return the answer to a GET if the client has it (304) or it is in memory, else None."""
     if current := not_modified(request, f'"{resolved.key}"', resolved.headers):
         return current
-    content = context.frames.at_hand(resolved.key)
-    return None if content is None else _response(resolved, EncodedFrame(content, {}, "memory"))
+    held = context.frames.at_hand(resolved.key)
+    return None if held is None else _response(resolved, held)
 
 
 async def resolve_frame(

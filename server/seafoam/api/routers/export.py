@@ -4,8 +4,7 @@ from fastapi import APIRouter
 from starlette.responses import Response, StreamingResponse
 
 from seafoam.api.context import InContext
-from seafoam.api.export.archive import zipped
-from seafoam.api.export.bundle import Export, entries, player_files, texture_bytes
+from seafoam.api.export.bundle import Export, entries, player_files, texture_bytes, zipped
 from seafoam.api.frames.presets import known_preset
 from seafoam.api.http.etags import NO_STORE
 from seafoam.api.http.openapi import content, problem_responses

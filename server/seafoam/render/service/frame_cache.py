@@ -138,12 +138,12 @@ class FrameCache:
         text = json.dumps(parts, sort_keys=True, separators=(",", ":"))
         return hashlib.sha256(text.encode()).hexdigest()[:40]
 
-    def at_hand(self, key: str) -> bytes | None:
+    def at_hand(self, key: str) -> EncodedFrame | None:
         """Return a frame from memory, at once, or None."""
-        content = self.memory.get(key)
-        if content is not None:
-            self.origins["memory"] += 1
-        return content
+        if (content := self.memory.get(key)) is None:
+            return None
+        self.origins["memory"] += 1
+        return EncodedFrame(content, {}, "memory")
 
     async def frame(self, job: FrameJob, key: str, *, background: bool = False) -> EncodedFrame:
         """Return a frame by its key. background: drawn only when no visitor's frame waits.
@@ -151,8 +151,8 @@ class FrameCache:
         Raises what :meth:`RenderPool.render` raises. If the call is cancelled and no other call wants the frame, it
         leaves the queue.
         """
-        if (content := self.at_hand(key)) is not None:
-            return EncodedFrame(content, {}, "memory")
+        if (held := self.at_hand(key)) is not None:
+            return held
         loop = asyncio.get_running_loop()
         expires = loop.time() + self.pool.deadline
         while True:
