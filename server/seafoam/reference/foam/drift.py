@@ -50,18 +50,17 @@ class Flow:
     vortices: tuple[tuple[float, float, float, float], ...]
     """Centre (x, z), radius (m), speed there (m/s)."""
 
-    def velocity(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
-        """(u, w) at (x, z); (r,) m/s each."""
-        u, w = np.full_like(x, self.steady[0]), np.full_like(z, self.steady[1])
+    def velocity(self, x: Floats, z: Floats) -> Floats:
+        """(u, w) at (x, z); (2, r) m/s."""
+        flow = np.repeat(np.array(self.steady)[:, None], x.size, axis=1)
         x, z = np.clip(x, -self.half, self.half), np.clip(z, -self.half, self.half)
         for c_x, c_z, radius, speed in self.vortices:
             r_x, r_z = x - c_x, z - c_z
             square = (r_x * r_x + r_z * r_z) / radius**2
             near = np.flatnonzero(square < REACH * REACH)
             omega = angular_velocity(square[near], radius, speed)
-            u[near] -= omega * r_z[near]
-            w[near] += omega * r_x[near]
-        return u, w
+            flow[:, near] += omega * np.stack((-r_z[near], r_x[near]))
+        return flow
 
     @property
     def fastest(self) -> float:
@@ -69,18 +68,17 @@ class Flow:
         zero = np.zeros(1)
         return max((abs(float(angular_velocity(zero, a, v)[0])) for _, _, a, v in self.vortices), default=0.0)
 
-    def back(self, x: Floats, z: Floats, seconds: float, longest: float = LONGEST) -> tuple[Floats, Floats]:
-        """Where the water at (x, z) was ``seconds`` ago, by Runge-Kutta steps of at most ``longest`` s; (r,) m each."""
+    def back(self, x: Floats, z: Floats, seconds: float, longest: float = LONGEST) -> Floats:
+        """Where the water at (x, z) was ``seconds`` ago, by Runge-Kutta steps of at most ``longest`` s; (2, r) m."""
         count = max(math.ceil(seconds / min(longest, TURN / max(self.fastest, 1e-9))), 1)
-        h = seconds / count
+        h, place = seconds / count, np.stack((x, z))
         for _ in range(count):
-            a = self.velocity(x, z)
-            b = self.velocity(x - 0.5 * h * a[0], z - 0.5 * h * a[1])
-            c = self.velocity(x - 0.5 * h * b[0], z - 0.5 * h * b[1])
-            d = self.velocity(x - h * c[0], z - h * c[1])
-            x = x - h / 6.0 * (a[0] + 2.0 * b[0] + 2.0 * c[0] + d[0])
-            z = z - h / 6.0 * (a[1] + 2.0 * b[1] + 2.0 * c[1] + d[1])
-        return x, z
+            a = self.velocity(*place)
+            b = self.velocity(*(place - 0.5 * h * a))
+            c = self.velocity(*(place - 0.5 * h * b))
+            d = self.velocity(*(place - h * c))
+            place = place - h / 6.0 * (a + 2.0 * b + 2.0 * c + d)
+        return place
 
 
 def angular_velocity(square: Floats, radius: float, speed: float) -> Floats:
@@ -187,8 +185,8 @@ def copies(
 
 def _moved_back(flow: Flow, x: Floats, z: Floats, seconds: float) -> Floats:
     """Vectors from places to where their water was, (r, 2) m."""
-    back = flow.back(x, z, seconds)
-    return np.column_stack((back[0] - x, back[1] - z))
+    away: Floats = (flow.back(x, z, seconds) - np.stack((x, z))).T
+    return away
 
 
 def patch(source: DriftSaturation, generation: int, x: Floats, z: Floats) -> Floats:

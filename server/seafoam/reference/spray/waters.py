@@ -13,18 +13,8 @@ from seafoam.ocean.waves.cascades import RAISED, cascades
 from seafoam.reference.noise import Words, chained, number, pcg
 from seafoam.reference.renderer.relief import Relief, ReliefPart
 from seafoam.reference.shore.shore import Coast
-from seafoam.reference.spray.births import (
-    DRIFT,
-    MIST,
-    SHEET,
-    Drops,
-    cycles,
-    from_bursts,
-    from_rocks,
-    joined,
-    on_rocks,
-    surf_then,
-)
+from seafoam.reference.spray import births
+from seafoam.reference.spray.births import DRIFT, MIST, SHEET, Drops, surf_then
 from seafoam.reference.types import Floats, dot, smoothstep
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.reference.waves.rings import ring_set
@@ -153,16 +143,16 @@ def drops(scene: Scene, time: float, origin: tuple[float, float], ahead: Floats,
     """
     spray = scene.spray
     assert spray is not None
-    sources = [from_bursts(spray, time, origin)] if spray.bursts else []
+    sources = [births.from_bursts(spray, time, origin)] if spray.bursts else []
     still = sum(wave.amplitude for wave in scene.waves) == 0.0 and _limits(scene) is None
-    if coast is not None and on_rocks(scene):
-        sources.append(from_rocks(scene, coast, time, origin))
+    if coast is not None and births.on_rocks(scene):
+        sources.append(births.from_rocks(scene, coast, time, origin))
     elif coast.shore.surf.height > 0.0 if coast is not None else not still:
         sources.append(from_waves(scene, spray, time, origin, ahead, coast))
     if not sources:
         return None
     # Of two sources each has half of the drops.
-    both = joined([drops.subset(np.arange(DROPS // len(sources))) for drops in sources])
+    both = births.joined([drops.subset(np.arange(DROPS // len(sources))) for drops in sources])
     return both.subset(both.strength > 0.0)
 
 
@@ -171,13 +161,13 @@ def from_waves(
 ) -> Drops:
     """Drops that breaking waves throw up, by index, with a strength of 0 where there is none; at a shore, its surf."""
     step = spray.life / BATCHES
-    whole, left = cycles(time, step)
+    whole, left = births.cycles(time, step)
     parts = [
         _batch(_Waters(scene, spray, time, (left + batch) * step, origin, coast), ahead, batch, whole - batch)
         for batch in range(BATCHES)
     ]
     index = np.concatenate([np.arange(batch, DROPS, BATCHES) for batch in range(BATCHES)])
-    return joined(parts).subset(np.argsort(index, kind="stable"))
+    return births.joined(parts).subset(np.argsort(index, kind="stable"))
 
 
 def _batch(waters: _Waters, ahead: Floats, batch: int, epoch: int) -> Drops:

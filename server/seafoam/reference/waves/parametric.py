@@ -26,6 +26,8 @@ from seafoam.scene.waves import ParametricWave
 _TWO_PI = 2 * Fraction("3.14159265358979323846264338327950288419716939937510")
 
 BOUND_SAMPLES = 8192
+CYCLE = np.linspace(0.0, 2.0 * math.pi, BOUND_SAMPLES + 1)
+"""Phases at which bounds of a wave are sampled."""
 RELIEF_SAMPLES = 256
 """Phases over which slopes are averaged; their number affects K < ½, where the slope is infinite at troughs."""
 GUST_OCTAVES = 3
@@ -219,17 +221,13 @@ def slope_bound(A: float, K: float) -> float:
     """Greatest |dy/dθ| of a wave, by sampling, rounded up; STEEPEST for K < ½."""
     if K < 0.5:
         return STEEPEST
-    return 1.001 * float(np.abs(wave_derivative(_cycle(), A, K)).max())
+    return 1.001 * float(np.abs(wave_derivative(CYCLE, A, K)).max())
 
 
 def curvature_bound(A: float, K: float) -> float:
     """Greatest |d²y/dθ²| of a wave, by sampling, rounded up, without the infinite one at the cusp of K < 1."""
-    slopes = wave_derivative(_cycle(), A, K)
+    slopes = wave_derivative(CYCLE, A, K)
     return 1.05 * float(np.abs(np.diff(slopes)).max()) * BOUND_SAMPLES / (2.0 * math.pi)
-
-
-def _cycle() -> Floats:
-    return np.linspace(0.0, 2.0 * math.pi, BOUND_SAMPLES + 1)
 
 
 def reduced(*terms: tuple[float, float], plus: float = 0.0) -> float:
