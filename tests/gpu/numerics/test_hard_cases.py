@@ -99,11 +99,3 @@ def test_front_at_its_pole_and_beyond_the_schemas_c(probe: Probe, intensity: flo
     want = front.front_saturation(wide[:, 0], wide[:, 1], intensity, math.e)
     # exp multiplies the exponent's rounding, at most 80 times 6e-8, and f is at most 4.
     assert np.abs(got[6:] - want).max() <= 1e-4
-
-
-def test_a_microsecond_is_a_step_of_the_sea(executor: Executor) -> None:
-    """1e-6 s at 1e9 s: some pixel moves, none far."""
-    scene = load_preset("default").scene
-    frames = [samples(executor, scene, EXACT, scene.camera, time=time, size=(96, 54)) for time in (1e9, 1e9 + 1e-6)]
-    assert (frames[0] != frames[1]).any()
-    assert levels(*frames).mean() <= 0.05

@@ -160,9 +160,3 @@ def test_plans_say_which_program_an_eye_needs(executor: Executor) -> None:
     anyway = plan.model_copy(update={"top": plan.top + 1.0})
     frames = [draw(executor, one, high, time=TIME, size=(96, 54), output="linear") for one in (plan, anyway)]
     np.testing.assert_array_equal(*frames)
-
-
-def test_without_it_a_scene_has_one_surface() -> None:
-    plan = make_plan(Scene(waves=WAVES, water=Water(view_below=False)), TIERS["standard"])
-    assert all(one.eye == "any" for one in plan.passes)
-    assert not any("below/" in file.path for program in plan.programs.values() for file in program.fragment.files)

@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Callable
-from functools import partial
 
 import numpy as np
 import pytest
@@ -18,7 +17,7 @@ from seafoam.reference.waves.rings import ring_set
 from seafoam.reference.waves.sea import sea_surface
 from seafoam.render.gl.executor import Executor
 from support.exact import EXACT
-from support.pictures import draw
+from support.pictures import colours, levels, samples
 from support.probe import shown
 from support.report import Report
 from support.scenes import Boat, Camera, Caustics, Light, ParametricWave, Ring, Ripples, Scene, Sea, Water
@@ -30,7 +29,6 @@ TEXELS = 128
 QUALITY = EXACT.model_copy(update={"sea_size": TEXELS})
 SPAN = 4000.0
 """Side of the square whose places are drawn, m."""
-TABLE = "Mean height of the surface over many places and times, m"
 
 PAPER = (
     ParametricWave(amplitude=1.2, wavelength=18.0, exponent=3.0),
@@ -48,7 +46,7 @@ def heights(executor: Executor, scene: Scene, time: float) -> Floats:
     return shown(executor, over, "o_color = vec4(waves(p).x);", SPAN, time=time, quality=QUALITY)[:, 0]
 
 
-def truth(scene: Scene, time: float) -> Floats:
+def truth(_: Executor, scene: Scene, time: float) -> Floats:
     """The same number of heights in float64, at other places."""
     x, z = np.random.default_rng(int(time)).uniform(-0.5 * SPAN, 0.5 * SPAN, (2, 10_000))
     total = wave_set(scene, time, (0.0, 0.0)).height(x, z) + ring_set(scene, time, (0.0, 0.0)).height(x, z)
@@ -79,38 +77,32 @@ SCENES = {
         boats=(NEAR,),
     ),
 }
+WAYS: dict[str, Callable[[Executor, Scene, float], Floats]] = {"drawn": heights, "float64": truth}
 
 
 @pytest.mark.parametrize("name", SCENES)
-@pytest.mark.parametrize("way", ["drawn", "float64"])
+@pytest.mark.parametrize("way", WAYS)
 def test_the_mean_height_is_still_water(executor: Executor, report: Report, way: str, name: str) -> None:
     """Within four standard errors, which are far less than a hundredth of the waves' greatest height."""
     scene = SCENES[name]
-    found: Callable[[Scene, float], Floats] = partial(heights, executor) if way == "drawn" else truth
-    means = np.array([found(scene, time).mean() for time in TIMES])
+    means = np.array([WAYS[way](executor, scene, time).mean() for time in TIMES])
     error = float(means.std(ddof=1)) / math.sqrt(means.size)
-    top = make_plan(scene, QUALITY).top
-    lower = drawn_together(scene)
-    report.add(
-        TABLE,
+    top, lower = make_plan(scene, QUALITY).top, drawn_together(scene)
+    report.within(
+        "Mean height of the surface over many places and times, m",
         scene=name,
         way=way,
-        mean=f"{means.mean():.5f}",
-        standard_error=f"{error:.5f}",
-        expected=f"{-lower:.5f}",
-        top=f"{top:.2f}",
+        expected=-lower,
+        off=(abs(float(means.mean()) + lower), 4.0 * error + 1e-4 * top),
+        standard_error=(error, 0.005 * top),
     )
-    assert error < 0.005 * top
-    assert abs(float(means.mean()) + lower) <= 4.0 * error + 1e-4 * top
 
 
-@pytest.mark.parametrize("way", ["drawn", "float64"])
+@pytest.mark.parametrize("way", WAYS)
 def test_a_rising_wind_does_not_raise_the_sea(executor: Executor, way: str) -> None:
     """From a breeze to a storm the mean stays within a fortieth of the significant height."""
-    found: Callable[[Scene, float], Floats] = partial(heights, executor) if way == "drawn" else truth
     for wind in (4.0, 12.0, 25.0):
-        scene = Scene(sea=Sea(wind=wind))
-        values = np.concatenate([found(scene, time) for time in TIMES[:3]])
+        values = np.concatenate([WAYS[way](executor, Scene(sea=Sea(wind=wind)), time) for time in TIMES[:3]])
         assert abs(float(values.mean())) <= 0.1 * float(values.std()), wind
 
 
@@ -123,11 +115,9 @@ def test_the_mean_of_a_wave_is_the_analytic_one(exponent: float, mean: float) ->
 
 def test_where_no_ring_and_no_wake_is_water_is_still(executor: Executor) -> None:
     """Exactly at 0, however high they are elsewhere."""
-    scene = Scene(
-        rings=(Ring(place=(0.0, 1e5), amplitude=2.0),), boats=(FAR.model_copy(update={"centre": (0.0, 1e5)}),)
-    )
-    assert (heights(executor, scene, 3.0) == 0.0).all()
-    assert (truth(scene, 3.0) == 0.0).all()
+    rings = (Ring(place=(0.0, 1e5), amplitude=2.0),)
+    scene = Scene(rings=rings, boats=(FAR.model_copy(update={"centre": (0.0, 1e5)}),))
+    assert all((of(executor, scene, 3.0) == 0.0).all() for of in WAYS.values())
 
 
 POOL = Scene(
@@ -158,17 +148,11 @@ BESIDE = {
 def test_a_boat_that_moves_far_away_changes_nothing_here(executor: Executor, view: str) -> None:
     """Neither caustics nor the view from below nor a mirror: still water stays where it is, drawn and in float64."""
     scene, camera = BESIDE[view]
-    beside = scene.model_copy(update={"boats": (*scene.boats, FAR)})
-    pictures = []
-    for one in (scene, beside):
-        plan = make_plan(one, EXACT)
-        drawn = draw(executor, plan, camera, time=2.7, size=(64, 36), output="samples")[..., :3]
-        exact = render(one, time=2.7, width=64, height=36, camera=camera).rgb
-        pictures.append((np.clip(drawn, 0.0, 1.0), np.clip(exact, 0.0, 1.0)))
-    (drawn, exact), (drawn_beside, exact_beside) = pictures
-    assert np.ptp(exact) > 0.005
-    assert np.abs(exact - exact_beside).max() <= 1e-9
+    both = scene, scene.model_copy(update={"boats": (*scene.boats, FAR)})
+    exact, beside = (render(one, time=2.7, width=64, height=36, camera=camera).rgb for one in both)
+    assert np.ptp(colours(exact)) > 0.005
+    assert levels(exact, beside).max() <= 255e-9
     # Two programs round apart, most where light is focused.
-    away = 255.0 * np.abs(drawn - drawn_beside)
+    away = levels(*(samples(executor, one, EXACT, camera, time=2.7, size=(64, 36)) for one in both))
     assert away.mean() <= 0.02
     assert (away > 1.0).mean() <= 0.005
