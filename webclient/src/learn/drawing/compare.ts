@@ -2,8 +2,7 @@
 import { element } from "../../ui/dom";
 import type { Mask } from "../maths/mask";
 import { spectrum, unevenness } from "../maths/spectrum";
-import { Plot } from "./canvas";
-import { COLORS } from "./palette";
+import { COLORS, Plot } from "./canvas";
 import { Patch, PATCHES, patchSide } from "./patch";
 
 /** Of a pattern before its size is known, texels. */

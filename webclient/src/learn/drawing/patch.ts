@@ -1,7 +1,6 @@
 /** A square patch of a mask's pattern. */
 import type { Mask } from "../maths/mask";
-import { Texels } from "./canvas";
-import { BLEND, shade } from "./palette";
+import { BLEND, shade, Texels } from "./canvas";
 
 /** Of two patches beside each other. */
 export const PATCHES = "patches grid grid-cols-2 gap-0.5 [&_canvas]:aspect-square [&_canvas]:w-full";

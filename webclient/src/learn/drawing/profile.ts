@@ -1,8 +1,7 @@
 /** The wave in profile with its saturation over it, and a row of thresholds under the saturation. */
 import type { Mask } from "../maths/mask";
 import { type Front, frontSaturation, height, heightSaturation, phase } from "../maths/wave";
-import type { Plot } from "./canvas";
-import { COLORS } from "./palette";
+import { COLORS, type Plot } from "./canvas";
 
 /** Of the wave in the figures, m, and in texels of the mask. */
 const WAVELENGTH = 12;

@@ -5,8 +5,7 @@ import { amount, type Look, LOOKS, PopCounter } from "../maths/looks";
 import type { Mask } from "../maths/mask";
 import { frontSaturation } from "../maths/wave";
 import { foamTextures } from "../parts/texture";
-import { Plot, Texels } from "./canvas";
-import { BLEND, GREYS, shade } from "./palette";
+import { BLEND, GREYS, Plot, shade, Texels } from "./canvas";
 import { drawProfile, drawThresholds, phaseAt, type WaveState } from "./profile";
 
 /** Widths of the page from which a texel is two pixels wide, px. */
