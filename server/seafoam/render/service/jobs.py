@@ -59,6 +59,12 @@ class FrameJob:
         return self.width * self.height * BYTES_PER_PIXEL[self.output] * (2 if self.has_geometry else 1)
 
     @property
+    def plans(self) -> tuple[FramePlan, ...]:
+        """Its frame plan, and that of normal and distance, if it has them. Raises ``PlanError``."""
+        makers = (make_plan, make_geometry_plan) if self.has_geometry else (make_plan,)
+        return tuple(make(self.scene, self.quality) for make in makers)
+
+    @property
     def request(self) -> dict[str, Any]:
         """What ``/api/frames`` takes for it, ``dither`` and ``precision`` only with formats that they concern."""
         return {
@@ -187,14 +193,11 @@ def draw_frame(renderer: Renderer, job: FrameJob) -> Picture:
     Raises :class:`seafoam.planner.PlanError` for a scene that cannot be planned, and what the renderer raises.
     """
     began = time.perf_counter()
-    plan = make_plan(job.scene, job.quality)
-    geometry = make_geometry_plan(job.scene, job.quality) if job.has_geometry else None
+    plan, *geometry = job.plans
     planned = time.perf_counter()
     render = partial(renderer.render, time=job.time, camera=job.camera, width=job.width, height=job.height)
-    drawn = [render(plan, output=job.output)]
-    if geometry is not None:
-        drawn.append(render(geometry, output="linear"))
-    pixels = drawn[0].pixels if len(drawn) == 1 else np.concatenate([one.pixels for one in drawn], axis=-1)
+    drawn = [render(plan, output=job.output), *(render(each, output="linear") for each in geometry)]
+    pixels = np.concatenate([one.pixels for one in drawn], axis=-1) if geometry else drawn[0].pixels
     timings = {name: sum(one.timings[name] for one in drawn) for name in ("render", "read")}
     timings["plan"] = planned - began
     return Picture(pixels, dict(renderer.info), timings)

@@ -12,7 +12,7 @@ from typing import Generic, NoReturn, TypeVar
 
 import numpy as np
 
-from seafoam.planner import make_geometry_plan, make_plan
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.render.gl.executor import NoRendererError
 from seafoam.render.service.errors import DeadlineError, RenderError, RendererUnavailableError, RenderFailedError
@@ -109,10 +109,7 @@ def _compile(renderer: Renderer, job: FrameJob) -> None:
     On a slow machine that takes longer than a frame may. A process that is stopped while it compiles leaves nothing to
     the next one.
     """
-    plans = [make_plan(job.scene, job.quality)]
-    if job.has_geometry:
-        plans.append(make_geometry_plan(job.scene, job.quality))
-    programs = {(each.vertex.sha256, each.fragment.sha256) for plan in plans for each in plan.programs.values()}
+    programs = {(each.vertex.sha256, each.fragment.sha256) for plan in job.plans for each in plan.programs.values()}
     if not programs <= _compiled:
         draw_frame(renderer, replace(job, width=CANARY_SIDE, height=CANARY_SIDE))
         _compiled.update(programs)
