@@ -21,9 +21,13 @@ def fields(model: type[BaseModel], path: str = "") -> list[str]:
     return found
 
 
-def test_every_field_of_quality_is_covered_by_one_parameter():
+def test_every_field_of_quality_is_covered_by_one_parameter_and_bad_values_are_refused():
     pointers = [parameter.pointer for _, parameter in every_parameter()]
     assert sorted(pointers) == sorted(fields(Quality))
+    with pytest.raises(ValidationError):
+        with_value(TIERS["standard"], "/surface/steps", 0)
+    with pytest.raises(KeyError):
+        with_value(TIERS["standard"], "/surface/nope", 0)
 
 
 @pytest.mark.parametrize(
@@ -37,17 +41,11 @@ def test_steps_are_valid_qualities(parameter):
     assert parameter.title
 
 
-def test_a_value_out_of_range_is_refused():
-    with pytest.raises(ValidationError):
-        with_value(TIERS["standard"], "/surface/steps", 0)
-    with pytest.raises(KeyError):
-        with_value(TIERS["standard"], "/surface/nope", 0)
-
-
-def test_effects_that_do_not_run_bring_no_parameters():
+def test_effects_that_do_not_run_bring_no_parameters_and_no_points():
     assert {owner for owner, _ in all_parameters(Scene())} == {"frame"}
     assert len(all_parameters(Scene())) == len(SPINE_KNOBS)
     assert {owner for owner, _ in all_parameters(load_preset("default").scene)} > {"frame", "ripples", "foam look"}
+    assert not [point for point in points_of(Scene()) if point.parameter and point.parameter.owner == "ripples"]
 
 
 # Those of test_reports.py, which makes the same plans.
@@ -71,10 +69,6 @@ def test_points_have_plans_of_their_own(preset):
         assert {first, second} <= names
         assert before.pointer == after.pointer
         assert first != second
-
-
-def test_a_scene_without_ripples_has_no_points_of_theirs():
-    assert not [point for point in points_of(Scene()) if point.parameter and point.parameter.owner == "ripples"]
 
 
 def test_idealising_one_cause_leaves_the_others():

@@ -35,13 +35,10 @@ def known(kept):
         return make_sweep(Store(kept), Subject.of_preset("default"), SETTINGS, noisy())
 
 
-def test_the_front_is_what_nothing_beats_in_both():
+def test_the_front_is_what_nothing_beats_in_both_beyond_the_noise():
     found = {"a": (1.0, 9.0), "b": (2.0, 9.0), "c": (2.0, 4.0), "d": (3.0, 5.0), "e": (9.0, 1.0), "f": (9.0, 2.0)}
     assert front(found) == ("a", "c", "e")
     assert front({}) == ()
-
-
-def test_who_beats_whom_beyond_the_noise():
     # Every round is slower than the one before: only times of one round are compared.
     found = {
         "a": ((1.0, 2.0, 4.0), 5.0),
@@ -55,12 +52,7 @@ def test_who_beats_whom_beyond_the_noise():
     assert beating(found | {"g": ((10.0, 20.0, 40.0), 6.0)})["g"] == ("e", "f", "d", "a", "b", "c")
 
 
-def test_times_are_taken_at_a_size_that_shows_more_than_maps(known):
-    assert sweep.LEAST_SHARE * known.timing.width >= 1280
-    assert sweep.LEAST_SHARE * known.timing.height >= 720
-
-
-def test_times_and_their_model(known):
+def test_times_and_their_model_are_of_a_size_that_shows_more_than_maps(known):
     point = known.point("samples=4")
     # Of frames as large as the preset's own, which were not drawn.
     assert (known.timing.own_width, known.timing.own_height) == (1280, 720)
@@ -72,6 +64,8 @@ def test_times_and_their_model(known):
     # Large enough that what a call costs does not hide what a pixel costs.
     timed = known.point("standard").model.at(known.timing.width, known.timing.height)
     assert timed >= 999.0 * sweep.ENOUGH_SECONDS
+    assert sweep.LEAST_SHARE * known.timing.width >= 1280
+    assert sweep.LEAST_SHARE * known.timing.height >= 720
 
 
 def test_errors_and_their_causes(known):
@@ -114,8 +108,11 @@ def test_rounds_turn(monkeypatch, tmp_path):
     assert [one[0].time for one in rounds] == pytest.approx([3.0, 3.0 + 1 / 60, 3.0 + 2 / 60])
 
 
-def test_a_sweep_survives_json_and_is_found_again(known, kept, monkeypatch):
+def test_a_sweep_survives_json_and_is_found_again_unless_it_is_damaged(known, kept, monkeypatch, tmp_path):
     assert Sweep.model_validate_json(known.model_dump_json()) == known
+    # A scene that is a preset's is the preset.
+    assert Subject.of_scene(Subject.of_preset("shallows").scene) == Subject.of_preset("shallows")
+    assert Subject.of_scene(Scene()).preset is None
     subject = Subject.of_preset("default")
     log = []
     assert make_sweep(Store(kept), subject, SETTINGS, noisy(log)) == known
@@ -126,11 +123,10 @@ def test_a_sweep_survives_json_and_is_found_again(known, kept, monkeypatch):
     other = noisy(log).machine.model_copy(update={"renderer": "another"})
     assert sweep.find_sweep(Store(kept), subject, SETTINGS, other) is None
     assert sweep.find_sweep(Store(kept), subject, SweepSettings(32, 18, 2, 4), noisy().machine) is None
-
-
-def test_a_scene_that_is_a_preset_is_its_preset():
-    assert Subject.of_scene(Subject.of_preset("shallows").scene) == Subject.of_preset("shallows")
-    assert Subject.of_scene(Scene()).preset is None
+    (file,) = (kept / "sweeps").iterdir()
+    (tmp_path / "sweeps").mkdir()
+    (tmp_path / "sweeps" / file.name).write_bytes(b"{")
+    assert sweep.find_sweep(Store(tmp_path), Subject.of_preset("default"), SETTINGS, noisy().machine) is None
 
 
 def test_a_sweep_can_be_called_off(monkeypatch, tmp_path):
@@ -157,7 +153,7 @@ def test_reports_of_a_sweep(known):
     assert known.sentences[0] in page
 
 
-def test_a_budget_takes_the_least_error_that_fits(known):
+def test_a_budget_takes_the_least_error_that_fits_of_what_may_be_drawn_or_else_the_fastest(known):
     size = (160, 90)
     one = FIXED_MS + 1e-6 * NS * 160 * 90
     sixteen = FIXED_MS + 16e-6 * NS * 160 * 90
@@ -170,23 +166,19 @@ def test_a_budget_takes_the_least_error_that_fits(known):
     assert "RMSE" in best.why
     assert best.why.isascii()
     assert choose(known, 1280, 720, sixteen * 1.01).point.quality.samples == 1
-
-
-def test_a_budget_that_nothing_fits_takes_the_fastest(known):
     found = choose(known, 160, 90, 0.001)
     assert not found.fits
     assert "none within budget" in found.why
     assert found.predicted_ms == min(point.model.at(160, 90) for point in known.points)
-
-
-def test_a_budget_takes_only_what_may_be_drawn(known):
     found = choose(known, 160, 90, 1e6, lambda quality: quality.samples < 9)
     assert found.point.quality.samples == 4
     with pytest.raises(ValueError, match="no measured quality"):
         choose(known, 160, 90, 1e6, lambda quality: False)
 
 
-def test_the_cache_is_where_the_system_keeps_caches(monkeypatch, tmp_path):
+def test_the_cache_is_where_the_system_keeps_caches_and_in_memory_where_it_cannot_be_written(
+    monkeypatch, tmp_path, caplog
+):
     monkeypatch.setenv("SEAFOAM_CACHE", str(tmp_path))
     assert cache_dir() == tmp_path
     monkeypatch.delenv("SEAFOAM_CACHE")
@@ -198,22 +190,12 @@ def test_the_cache_is_where_the_system_keeps_caches(monkeypatch, tmp_path):
         assert cache_dir() == Path.home() / ".cache" / "seafoam"
     monkeypatch.setattr("sys.platform", "darwin")
     assert cache_dir().parts[-3:] == ("Library", "Caches", "seafoam")
-
-
-def test_a_cache_that_cannot_be_written_keeps_things_in_memory(tmp_path, caplog):
     (tmp_path / "file").write_text("")
     store = Store(tmp_path / "file")
     assert store.get("a", "b") is None
     store.put("a", "b", b"c")
     assert store.get("a", "b") == b"c"
     assert "kept for the life of this process" in caplog.text
-
-
-def test_a_damaged_cache_is_measured_again(known, kept, tmp_path):
-    (file,) = (kept / "sweeps").iterdir()
-    (tmp_path / "sweeps").mkdir()
-    (tmp_path / "sweeps" / file.name).write_bytes(b"{")
-    assert sweep.find_sweep(Store(tmp_path), Subject.of_preset("default"), SETTINGS, noisy().machine) is None
 
 
 def eventually(ask, seconds=20.0):
@@ -224,7 +206,7 @@ def eventually(ask, seconds=20.0):
     return found
 
 
-def test_a_service_measures_one_after_the_other(monkeypatch, tmp_path):
+def test_a_service_measures_one_after_the_other_tells_a_failure_once_and_tries_again(monkeypatch, tmp_path):
     monkeypatch.setattr(sweep, "make_truth", grey_truth)
     service = SweepService(Store(tmp_path), SETTINGS, noisy)
     first, second = (Subject(None, Scene(), at, (32, 18)) for at in (0.0, 1.0))
@@ -232,16 +214,12 @@ def test_a_service_measures_one_after_the_other(monkeypatch, tmp_path):
     assert service.sweep(second).status == "queued"
     assert eventually(lambda: service.sweep(second)).time == 1.0
     assert isinstance(service.sweep(first), Sweep)
-    service.stop()
 
-
-def test_a_service_tells_a_failure_once_and_tries_again(monkeypatch, tmp_path):
     def fail(*_, **__):
         raise OSError("disk on fire")
 
     monkeypatch.setattr(sweep, "make_truth", fail)
-    service = SweepService(Store(tmp_path), SETTINGS, noisy)
-    subject = Subject(None, Scene(), 0.0, (32, 18))
+    subject = Subject(None, Scene(), 2.0, (32, 18))
     with pytest.raises(FailedError, match="disk on fire"):
         eventually(lambda: service.sweep(subject))
     monkeypatch.setattr(sweep, "make_truth", grey_truth)

@@ -1,11 +1,13 @@
-"""The tiers lie on the measured front of time against error: drawn anew from the figures in docs/reports."""
+"""Figures in docs are of today's scenes and qualities: reports, where tiers lie on the front, and docs/accuracy.md."""
 
 import csv
 import json
 from dataclasses import dataclass
 from functools import cache
+from importlib import import_module
 from pathlib import Path
 from statistics import median
+from typing import Any
 
 import pytest
 
@@ -18,7 +20,7 @@ from seafoam.scene.presets import load_preset, preset_names
 from support.report import Report
 from support.sweep import spread
 
-REPORTS = Path(__file__).parents[3] / "docs" / "reports"
+DOCS = Path(__file__).parents[3] / "docs"
 AGAIN = "measure anew, as docs/reports/README.md says"
 UNBEATEN = 110
 """Of the 120 tiers of all presets, so many at least are beaten by no other quality."""
@@ -39,13 +41,10 @@ class Measured:
 @cache
 def measured(preset: str) -> dict[str, Measured]:
     """What the preset's report says, by point."""
-    with (REPORTS / f"{preset}.csv").open(newline="") as file:
+    with (DOCS / "reports" / f"{preset}.csv").open(newline="") as file:
         return {
             row["id"]: Measured(
-                rounds=tuple(float(value) for value in row["rounds_ms"].split()),
-                error=float(row["rmse"]),
-                quality=row["quality"],
-                scene=row["scene"],
+                tuple(map(float, row["rounds_ms"].split())), float(row["rmse"]), row["quality"], row["scene"]
             )
             for row in csv.DictReader(file)
         }
@@ -90,3 +89,28 @@ def test_tiers_lie_on_the_front(report: Report) -> None:
     report.add("Tiers on the front", unbeaten=f"{unbeaten}", of=f"{whole}", span=f"{median(spans):.0f}")
     assert unbeaten >= UNBEATEN
     assert median(spans) >= SPAN
+
+
+@pytest.fixture
+def made(monkeypatch: pytest.MonkeyPatch) -> Any:
+    monkeypatch.syspath_prepend(str(DOCS))
+    return import_module("make_tiers")
+
+
+def test_the_page_has_the_figures_of_todays_scenes(made: Any) -> None:
+    with made.FIGURES.open(newline="") as file:
+        found = {(row["preset"], row["tier"]): row["scene"] for row in csv.DictReader(file)}
+    today = {(name, tier): scene_sha256(load_preset(name).scene) for name in preset_names() for tier in TIERS}
+    assert found == today, "measure again: python docs/make_tiers.py PRESET"
+    page = (DOCS / "accuracy.md").read_text(encoding="utf-8")
+    found = made.measured()
+    assert f"<!-- tiers: table -->\n{made.table(found)}<!-- end -->" in page
+    assert f"<!-- tiers: steps -->\n{made.sentences(found)}<!-- end -->" in page
+
+
+def test_errors_fall_from_tier_to_tier_in_most_scenes(made: Any) -> None:
+    """Exactness is bought: the middle of all presets falls with every tier, and costs more."""
+    rows = list(made.measured().values())
+    for less, more in zip(TIERS, list(TIERS)[1:], strict=False):
+        assert sum(of[more].error < of[less].error for of in rows) >= 0.6 * len(rows), (less, more)
+        assert sum(of[more].ms >= of[less].ms for of in rows) >= 0.6 * len(rows), (less, more)

@@ -1,16 +1,20 @@
-"""What is generated and checked in is what would be generated now."""
+"""What is generated, cited or compared, and checked in, is what would be generated now."""
 
 import json
+import re
 import subprocess
+from importlib import import_module, metadata
 from pathlib import Path
 
+import pytest
 from docs import make_stability
 
 from seafoam.api.app import create_app
 from seafoam.effects import EFFECTS
 from support.cases import cases_of
 
-WEB = Path(__file__).parents[3] / "webclient"
+ROOT = Path(__file__).parents[3]
+WEB = ROOT / "webclient"
 
 
 def test_the_openapi_document_is_the_apis() -> None:
@@ -40,20 +44,29 @@ def test_the_table_of_hard_cases_is_the_effects() -> None:
 def test_figures_are_of_the_case_as_it_is() -> None:
     """A run's figures replace a case's own and no others; what was measured of another scene is forgotten."""
     first, second, third = cases_of(EFFECTS[0]).hard[:3]
-    known = {
-        first.name: {"of": make_stability.drawn(first), "mean": 0.5, "over_2": 1.0, "swiftshader": 0.1},
-        second.name: {"of": "another scene", "mean": 0.5, "over_2": 1.0, "swiftshader": 0.1},
-        third.name: {"of": "another scene", "mean": 0.5, "over_2": 1.0, "swiftshader": 0.1},
-        "no case": {"of": "nothing", "mean": 0.5, "over_2": 1.0},
-    }
+    old = {"of": "another scene", "mean": 0.5, "over_2": 1.0, "swiftshader": 0.1}
+    known = {first.name: {**old, "of": make_stability.drawn(first)}, second.name: old, third.name: old, "no case": old}
     tables = {
         make_stability.REFERENCE: [{"case": second.name, "mean": "apart", "over_2": ""}],
-        make_stability.BROWSER: [
-            {"case": first.name, "mean": "0.200"},
-            {"case": first.name, "mean": "0.300"},
-        ],
+        make_stability.BROWSER: [{"case": first.name, "mean": mean} for mean in ("0.200", "0.300")],
     }
     assert make_stability.merged(known, tables) == {
         first.name: {**known[first.name], "swiftshader": 0.3},
         second.name: {"of": make_stability.drawn(second), "mean": None, "over_2": None},
     }
+
+
+def test_the_version_is_cited() -> None:
+    version = metadata.version("seafoam")
+    cited = (ROOT / "CITATION.cff").read_text(encoding="utf-8")
+    assert re.findall(r"^version: (.+)$", cited, re.MULTILINE) == [version]
+    assert f"version = {{{version}}}" in (ROOT / "README.md").read_text(encoding="utf-8")
+    assert "Paper" in {url.split(",")[0] for url in metadata.metadata("seafoam").get_all("Project-URL", [])}
+
+
+def test_the_papers_numbers_are_todays(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.syspath_prepend(str(ROOT / "docs"))
+    made = import_module("make_paper")
+    page = made.PAGE.read_text(encoding="utf-8")
+    for name, table in (("saturations", made.saturations), ("spectra", made.spectra)):
+        assert f"<!-- paper: {name} -->\n{table()}<!-- end -->" in page

@@ -23,16 +23,13 @@ def test_the_figures_are_of_the_presets_and_in_the_page() -> None:
     assert page == make_nature.filled(page, FIGURES), "run python docs/make_nature.py"
 
 
-def test_what_lies_out_of_a_band_says_why() -> None:
+def test_what_lies_out_of_a_band_says_why_and_bands_have_what_was_published() -> None:
     row = laws.Row("above", "storm", 0.9, 1.0, 2.0)
     assert row.side == "below"
     assert make_nature.reason(row) in make_nature.table([row])
     with pytest.raises(KeyError):
         make_nature.table([laws.Row("decay", "storm", 9.0, 1.0, 2.0)])
-
-
-def test_bands_have_what_was_published() -> None:
-    """Coverage at 10 m/s from both articles; slopes of Cox and Munk at 13.9 m/s; full growth."""
+    # Coverage at 10 m/s from both articles; slopes of Cox and Munk at 13.9 m/s; full growth.
     least, greatest = laws.coverage_band(10.0)
     assert least * laws.SCATTER == pytest.approx(0.00795, rel=0.01)
     assert greatest / laws.SCATTER == pytest.approx(0.00987, rel=0.01)
