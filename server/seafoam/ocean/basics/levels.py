@@ -9,11 +9,8 @@ from seafoam.sums import summed
 
 def wave_level(wave: ParametricWave) -> float:
     """Return the mean of A((sin θ + 1)/2)^K over a period, m: A Γ(K + ½)/(√π Γ(K + 1))."""
-    return (
-        wave.amplitude
-        / math.sqrt(math.pi)
-        * math.exp(math.lgamma(wave.exponent + 0.5) - math.lgamma(wave.exponent + 1.0))
-    )
+    log = math.lgamma(wave.exponent + 0.5) - math.lgamma(wave.exponent + 1.0)
+    return wave.amplitude / math.sqrt(math.pi) * math.exp(log)
 
 
 def paper_level(scene: Scene) -> float:

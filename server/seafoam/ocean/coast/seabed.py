@@ -62,12 +62,8 @@ def _floor_grid(shore: Shore, texels: int) -> Floats:
     rest = shore.height - 0.3 * shore.height
     floor += dune * rise / np.sqrt(1.0 + rise * rise) + rest * inland * (0.25 + 1.1 * hills * hills)
     # Sand ripples and bars, absent at the water's edge and in deep water.
-    floor += (
-        0.25
-        * shore.roughness
-        * (_fbm(x, z, 0.06 * shore.size, shore.seed + 211, 3) - 0.5)
-        * smoothstep(0.0, 30.0, np.abs(e))
-    )
+    bars = _fbm(x, z, 0.06 * shore.size, shore.seed + 211, 3) - 0.5
+    floor += 0.25 * shore.roughness * bars * smoothstep(0.0, 30.0, np.abs(e))
     # The floor sinks to full depth well inside the square, in a rounded shape, so that no edge is visible from above.
     out = np.sqrt(np.sqrt(x**4 + z**4)) / half
     floor += (-shore.depth - floor) * smoothstep(0.5, 0.95, out) * smoothstep(0.0, 0.14 * shore.size, e)

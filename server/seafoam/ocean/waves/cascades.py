@@ -80,8 +80,7 @@ class Cascade:
     @cached_property
     def k(self) -> Floats:
         """Wavenumbers, rad/m."""
-        i = np.arange(-BAND, BAND)
-        return 2.0 * math.pi / self.size * np.hypot(i[None, :], i[:, None])
+        return _wavevectors(self.size)[2]
 
     @cached_property
     def variance(self) -> float:
@@ -242,11 +241,8 @@ def _gerstner(sea: Sea, depth: float | None, sizes: tuple[float, float]) -> tupl
                 h0[iz + BAND, ix + BAND] += math.sqrt(0.5 * energy) * np.exp(2j * math.pi * draws[1])
         drawn = 2.0 * summed(float((np.abs(h0) ** 2).sum()) for h0 in tiles)
         omega = np.geomspace(0.3, 60.0, 4001) * peak_frequency(sea.wind_speed, sea.fetch)
-        total = float(
-            np.trapezoid(
-                frequency_spectrum(omega, sea.wind_speed, sea.fetch) * shallow_water_factor(omega, depth), omega
-            )
-        )
+        density = frequency_spectrum(omega, sea.wind_speed, sea.fetch) * shallow_water_factor(omega, depth)
+        total = float(np.trapezoid(density, omega))
         # The waves are scaled to the significant height of the whole spectrum.
         tiles = [h0 * (math.sqrt(total / drawn) if drawn > 0.0 else 0.0) for h0 in tiles]
     first, second = (
