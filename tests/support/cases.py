@@ -78,5 +78,4 @@ def cases_of(effect: Effect) -> Cases:
     module = effect.contribute.__module__
     inside = module.removeprefix("seafoam.effects.")
     found = importlib.import_module(f"cases.{inside}" if inside != module else f"{module}_cases")
-    cases: Cases = found.CASES[effect.name]
-    return cases
+    return found.CASES[effect.name]

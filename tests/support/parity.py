@@ -57,7 +57,6 @@ def parity(executor: Executor, preset: str, time: float) -> Parity:
     """Draw a preset without maps and filters, from the samples that its stored frame has, and compare."""
     scene = load_preset(preset).scene
     truth = load_truth(truth_file(REFERENCES, f"{preset}.same.{time:.1f}"))
-    assert truth.foam is not None
     want = colours(truth.rgb)
     size = (want.shape[1], want.shape[0])
     samples = draw(executor, make_plan(scene, UNFILTERED), scene.camera, time=time, size=size, output="samples")

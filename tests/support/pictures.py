@@ -26,8 +26,7 @@ def draw(
     ``uint8``, or float32 of linear light where ``output`` is "linear", and of every sample where it is "samples".
     """
     frame = executor.render(plan, time=time, camera=camera, width=size[0], height=size[1], output=output)
-    pixels: NDArray[Any] = frame.pixels
-    return pixels
+    return frame.pixels
 
 
 def samples(
@@ -55,14 +54,12 @@ def draw_target(
 
 def colours(pixels: NDArray[Any]) -> NDArray[np.float64]:
     """Linear light as a display takes it, (height, width, 3), in [0, 1]."""
-    light: NDArray[np.float64] = np.clip(pixels[..., :3].astype(np.float64), 0.0, 1.0)
-    return light
+    return np.clip(pixels[..., :3].astype(np.float64), 0.0, 1.0)
 
 
 def levels(a: NDArray[Any], b: NDArray[Any]) -> NDArray[np.float64]:
     """Largest difference of each pixel's colours, clipped at white, in levels: display white = 255; (height, width)."""
-    apart: NDArray[np.float64] = 255.0 * np.abs(colours(a) - colours(b)).max(axis=-1)
-    return apart
+    return 255.0 * np.abs(colours(a) - colours(b)).max(axis=-1)
 
 
 def rmse(a: NDArray[Any], b: NDArray[Any]) -> float:

@@ -13,7 +13,6 @@ from support.scenes import ToneCurve, load_preset
 @pytest.mark.parametrize("curve", ["filmic", "photographic"])
 def test_displayed_pictures_are_what_the_screen_gets(executor: Executor, curve: ToneCurve) -> None:
     scene = load_preset("default").scene
-    assert scene.light is not None
     light = scene.light.model_copy(update={"tone": curve, "glare": 0.0})
     plan = make_plan(scene.model_copy(update={"light": light}), TIERS["draft"])
     shape = {"time": 0.0, "camera": scene.camera, "width": 32, "height": 18}

@@ -31,7 +31,6 @@ def clip(executor: Executor, scene: Scene, time: float, samples: int) -> tuple[F
 def test_default_flickers_no_more_than_twice_its_motion(executor: Executor, report: Report) -> None:
     """One sample a pixel against 64; the hard threshold, which the filtered look is there to mend, fails the bound."""
     preset = load_preset("default")
-    assert preset.scene.foam is not None
     ratios = {}
     for look in ("filtered", "halftone"):
         scene = preset.scene.model_copy(update={"foam": preset.scene.foam.model_copy(update={"look": look})})

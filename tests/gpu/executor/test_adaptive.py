@@ -99,7 +99,7 @@ def test_a_chosen_pixel_is_what_as_many_samples_everywhere_make_it(executor: Exe
     With a shore a program of its own draws land over the whole picture; compiled apart its last bit may be another.
     """
     scene = load_preset(preset).scene
-    start = quality(TIERS[base], samples_max=1)  # type: ignore[index]
+    start = quality(TIERS[base], samples_max=1)
     side = math.isqrt(start.samples)
     often = quality(start, samples_max=16, samples_budget=3.0)
     given = frame(executor, scene, often, start=side)

@@ -85,5 +85,5 @@ def test_grid_covers_the_unit_square() -> None:
 
 def test_plan_parts_are_immutable() -> None:
     with pytest.raises(ValueError, match="frozen"):
-        make_plan(load_preset("default").scene, TIERS["standard"]).samples = 2  # type: ignore[misc]
+        make_plan(load_preset("default").scene, TIERS["standard"]).samples = 2
     assert issubclass(FramePlan, PlanPart)

@@ -30,7 +30,7 @@ def drawn(fresh: Executor, monkeypatch: pytest.MonkeyPatch) -> Callable[[FramePl
 
     def counted(plan: FramePlan, index: int, *rest: object) -> None:
         names.append(plan.passes[index].name)
-        draw_pass(plan, index, *rest)  # type: ignore[arg-type]
+        draw_pass(plan, index, *rest)
 
     monkeypatch.setattr(fresh, "_draw", counted)
     times = iter(range(100))
@@ -66,7 +66,6 @@ class TestDraws:
         self, drawn: Callable[[FramePlan], list[str]]
     ) -> None:
         scene = load_preset("island-surf").scene
-        assert scene.shore is not None
         drawn(make_plan(scene, STANDARD))
         painted = scene.model_copy(update={"shore": scene.shore.model_copy(update={"rock": (0.2, 0.1, 0.1)})})
         assert shore_passes(drawn(make_plan(painted, STANDARD))) == 1

@@ -96,7 +96,7 @@ def test_no_wave_passes_its_bounds(name: str, quality: str, executor: Executor, 
             pixels = draw(executor, drawn, camera, time=time, size=(64, 36), output="linear")
             worst = np.maximum(worst, pixels.reshape(-1, 4).max(axis=0))
     over, steeper, risen, bend = worst
-    grain = plan.uniforms["u_surface_grain"].rules[0].value[0]  # type: ignore[union-attr]
+    grain = plan.uniforms["u_surface_grain"].rules[0].value[0]
     report.add(
         TABLE,
         scene=f"{name}, {quality}",

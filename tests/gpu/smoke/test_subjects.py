@@ -25,13 +25,12 @@ def below_horizon(camera: Camera) -> NDArray[np.bool_]:
     x *= SIZE[0] / SIZE[1]
     up = x * math.sin(camera.roll) + y * math.cos(camera.roll)
     rise = up * math.cos(camera.pitch) + math.sin(camera.pitch)
-    below: NDArray[np.bool_] = rise < -0.002 * np.sqrt(1.0 + x * x + y * y)
-    return below
+    return rise < -0.002 * np.sqrt(1.0 + x * x + y * y)
 
 
 def views(executor: Executor, scene: Scene, times: range, tier: str = "draft") -> list[NDArray[np.float32]]:
     """Linear light and coverage of the scene from its camera at each time."""
-    plan = make_plan(scene, TIERS[tier])  # type: ignore[index]
+    plan = make_plan(scene, TIERS[tier])
     return [draw(executor, plan, scene.camera, time=t, size=SIZE, output="linear") for t in times]
 
 

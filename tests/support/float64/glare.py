@@ -27,17 +27,15 @@ def spread(frame: Floats, share: float) -> Floats:
         )
         total, weight = finer + share_of * _taps(total, x, y, 0.5), 1.0 + share_of * weight
     y, x = np.meshgrid(0.25 * np.arange(height) + 0.125, 0.25 * np.arange(width) + 0.125, indexing="ij")
-    result: Floats = frame + share / LEVELS * (_bilinear(total, x, y) - weight * frame)
-    return result
+    return frame + share / LEVELS * (_bilinear(total, x, y) - weight * frame)
 
 
 def _taps(image: Floats, x: Floats, y: Floats, apart: float) -> Floats:
     """Mean of four bilinear readings around places (r, c), texels, ``apart`` texels from them along both axes."""
-    result: Floats = 0.25 * sum(
+    return 0.25 * sum(
         (_bilinear(image, x + i * apart, y + j * apart) for i in (-1.0, 1.0) for j in (-1.0, 1.0)),
         start=np.zeros((*x.shape, 3)),
     )
-    return result
 
 
 def _bilinear(image: Floats, x: Floats, y: Floats) -> Floats:
@@ -49,5 +47,4 @@ def _bilinear(image: Floats, x: Floats, y: Floats) -> Floats:
     j = [np.clip(low.astype(int) + k, 0, height - 1) for k in (0, 1)]
     bottom = image[j[0], i[0]] * (1.0 - a) + image[j[0], i[1]] * a
     top = image[j[1], i[0]] * (1.0 - a) + image[j[1], i[1]] * a
-    result: Floats = bottom * (1.0 - b) + top * b
-    return result
+    return bottom * (1.0 - b) + top * b

@@ -94,7 +94,7 @@ def main(name: str, file: Path, *size: str) -> None:
     """Draw the case of a name and save its pictures: for a process whose package has a guard taken out."""
     executor = Executor()
     width, height = map(int, size or SIZE)
-    np.savez(file, allow_pickle=False, **pictures_of(executor, BY_NAME[name], size=(width, height)))  # type: ignore[arg-type]
+    np.savez(file, allow_pickle=False, **pictures_of(executor, BY_NAME[name], size=(width, height)))
     executor.close()
 
 

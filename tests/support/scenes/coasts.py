@@ -37,7 +37,6 @@ KINDS = ("beach", "island", "islands", "lagoon")
 
 
 def coast(scene: Scene, time: float) -> truth.Coast:
-    assert scene.shore is not None
     x, _, z = scene.camera.position
     return truth.Coast(scene.shore, time, (x, z), Relief((wave_set(scene, time, (x, z)),)))
 
@@ -50,7 +49,6 @@ def places(executor: Executor, scene: Scene) -> tuple[NDArray[np.float64], NDArr
 
 def on_shore(executor: Executor, scene: Scene, body: str, **how: Any) -> NDArray[np.float64]:
     """:func:`shown` over the square of a scene's shore."""
-    assert scene.shore is not None
     return shown(executor, scene, body, 1.04 * scene.shore.size, **how)
 
 

@@ -88,7 +88,6 @@ def scenes() -> Iterator[Scene]:
     for effect in EFFECTS:
         yield from cases_of(effect).variants
     sea = load_preset("default").scene
-    assert sea.foam is not None
     yield from foams(sea)
     yield sea.model_copy(update={"foam": None})
     yield sea.model_copy(update={"light": Light(sun_elevation=-0.2)})
@@ -127,7 +126,7 @@ def scenes() -> Iterator[Scene]:
     for sky in (None, Sky(), Sky(clouds=Clouds()), Sky(moon=Moon(), stars=1.0), Sky(clouds=Clouds(), moon=Moon())):
         for around, reflection in product((None, shore), ("sky", "cubemap")):
             low = -0.3 if sky is not None and sky.moon is not None else 0.3
-            light = Light(sun_elevation=low, sky=sky, reflection=reflection)  # type: ignore[arg-type]
+            light = Light(sun_elevation=low, sky=sky, reflection=reflection)
             yield Scene(light=light, shore=around)
     yield sea.model_copy(update={"water": Water(ripples=Ripples(gusts=Gusts()))})
     yield from drifting(sea)
@@ -137,7 +136,7 @@ def scenes() -> Iterator[Scene]:
 def seas(parametric: Scene) -> Iterator[Scene]:
     """Both models of a sea, alone, with parametric waves, and without displacement along the surface."""
     for model in ("fft", "gerstner"):
-        wind = Sea(model=model)  # type: ignore[arg-type]
+        wind = Sea(model=model)
         yield parametric.model_copy(update={"sea": wind})
         yield Scene(sea=wind, foam=Foam(saturation=(WhitecapSaturation(),), look="halftone"), light=None)
         yield Scene(
@@ -150,10 +149,9 @@ def seas(parametric: Scene) -> Iterator[Scene]:
 
 def foams(sea: Scene) -> Iterator[Scene]:
     """Every look of every saturation, fading, textured and in octaves."""
-    assert sea.foam is not None
     for look, saturation in product(get_args(Look), SATURATIONS):
         for combine in ("max", "product") if len(saturation) > 1 else ("max",):
-            foam = Foam(look=look, saturation=saturation, combine=combine)  # type: ignore[arg-type]
+            foam = Foam(look=look, saturation=saturation, combine=combine)
             yield sea.model_copy(update={"foam": foam})
     for fade, texture, octaves in product((0.0, 0.3), (0.0, 0.3), (1, 3)):
         look = {"fade": fade, "texture": texture, "octaves": octaves}
@@ -163,14 +161,14 @@ def foams(sea: Scene) -> Iterator[Scene]:
 def drifting(sea: Scene) -> Iterator[Scene]:
     """Foam that drifts, its mask carried or not, in cells or not."""
     for vortices, look, cells in product(((), (Vortex(), Vortex(speed=-0.5))), ("filtered", "halftone"), (False, True)):
-        foam = Foam(saturation=(DriftSaturation(),), look=look, cells=cells)  # type: ignore[arg-type]
+        foam = Foam(saturation=(DriftSaturation(),), look=look, cells=cells)
         yield sea.model_copy(update={"drift": Drift(vortices=vortices), "foam": foam})
 
 
 def living(sea: Scene, shore: Shore) -> Iterator[Scene]:
     """Glints, spray, views from below, boats and their mirror."""
     for specular in ("glint", "blinn_phong"):
-        yield Scene(light=Light(specular=specular))  # type: ignore[arg-type]
+        yield Scene(light=Light(specular=specular))
     rocky = shore.model_copy(update={"slope": 0.9})
     for light in (Light(), None):
         yield Scene(waves=sea.waves, spray=Spray(), light=light)

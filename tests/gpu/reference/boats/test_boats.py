@@ -129,7 +129,7 @@ def rays(seed: int, count: int) -> tuple[NDArray[np.float64], NDArray[np.float32
 @pytest.mark.parametrize("kind", ["sail", "motor"])
 def test_hulls_equal_their_float64_form(probe: Probe, report: Report, kind: str) -> None:
     """Where rays meet a boat, with which normal, and what part of it."""
-    boat = Boat(kind=kind, boom=0.5)  # type: ignore[arg-type]
+    boat = Boat(kind=kind, boom=0.5)
     body = (
         "BoatHit hit = BoatHit(1e9, vec3(0.0), vec3(0.0), PART_HULL);\n"
         f"hit_boat(u_eye, x.xyz, {str(kind == 'motor').lower()}, u_rig, 0.0, hit);\n"

@@ -52,16 +52,14 @@ SCENE = Scene(
 
 def drifting(**fields: object) -> Scene:
     """The scene with another drift, on a square of 40 m."""
-    return SCENE.model_copy(update={"drift": Drift(size=40.0, **fields)})  # type: ignore[arg-type]
+    return SCENE.model_copy(update={"drift": Drift(size=40.0, **fields)})
 
 
 STILL = drifting(current=(0.0, 0.0))
 
 
 def given(scene: Scene, quality: Quality) -> Contribution:
-    contribution = effect.EFFECT.contribute(scene, quality)
-    assert contribution is not None
-    return contribution
+    return effect.EFFECT.contribute(scene, quality)
 
 
 def shader(
@@ -177,7 +175,6 @@ def test_foam_equals_float64_at_any_time_and_place(
     probe: Probe, report: Report, time: float, origin: tuple[float, float]
 ) -> None:
     drift = SCENE.drift
-    assert drift is not None
     middle = origin if origin[0] else drift.place
 
     def there(place: tuple[float, float]) -> tuple[float, float]:

@@ -48,7 +48,6 @@ def places(count: int, side: float = 4000.0) -> Floats:
 
 def patchy(scene: Scene, variation: float, size: float) -> Scene:
     """The scene with fronts that foam in patches."""
-    assert scene.foam is not None
     update = {"variation": variation, "variation_size": size}
     sources = tuple(
         one.model_copy(update=update) if isinstance(one, FrontSaturation) else one for one in scene.foam.saturation
@@ -68,8 +67,6 @@ def drawn(executor: Executor, scene: Scene, time: float, camera: Camera | None =
 def test_frames_are_the_float64_truth(executor: Executor, report: Report, name: str, variation: float) -> None:
     """Foam amounts of a preset that has all of it, with the same samples."""
     scene = patchy(load_preset(name).scene, variation, 20.0)
-    assert scene.foam is not None
-    assert scene.foam.life is not None
     life = scene.foam.life.model_copy(update={"windrows": 0.8})
     scene = scene.model_copy(update={"foam": scene.foam.model_copy(update={"life": life})})
     want = render(scene, time=2.7, width=96, height=54)
@@ -187,7 +184,6 @@ ONE = Scene(waves=(ParametricWave(amplitude=0.3, wavelength=9.0, direction=0.3),
 
 def foam_of(scene: Scene, source: FrontSaturation, time: float, x: Any, z: Any) -> Floats:
     """Saturation at places of still water, (r,)."""
-    assert source.decay is not None
     waves = wave_set(scene, time, (0.0, 0.0))
     return decaying_front(source, waves, SurfacePoints(x, z, 0.0 * x, None, 1.0, time, (0.0, 0.0)), 1.0, STILL)
 
@@ -265,7 +261,7 @@ def test_whole_foam_has_no_relief(executor: Executor) -> None:
     def picture(s: float, thickness: float) -> NDArray[np.float32]:
         source = HeightSaturation(base=-s, full=1.0 - s)
         foam = Foam(saturation=(source,), mask="lace", mask_tile=4.0, thickness=thickness)
-        return drawn(executor, Scene(light=light, foam=foam), 0.0, camera)[..., :3]  # type: ignore[no-any-return]
+        return drawn(executor, Scene(light=light, foam=foam), 0.0, camera)[..., :3]
 
     for s in (0.0, 1.0):
         assert np.abs(picture(s, 0.05) - picture(s, 0.0)).max() < 1e-5

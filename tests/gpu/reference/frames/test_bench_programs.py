@@ -31,7 +31,6 @@ def test_programs_by_hand_draw_what_the_plan_draws(executor: Executor, case: ByH
 @pytest.mark.parametrize("name", ["default", "paper-threshold"])
 def test_the_program_with_every_effect_draws_what_the_plan_draws(executor: Executor, name: str) -> None:
     scene = load_preset(name).scene
-    assert scene.foam is not None
     # Groups, what becomes of foam, light in it, clouds and glare are none of the paper's effects.
     foam = scene.foam.lying_still().model_copy(update={"scattering": None})
     light = scene.light and scene.light.model_copy(update={"sky": None, "glare": 0.0})

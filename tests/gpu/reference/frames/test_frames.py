@@ -56,7 +56,6 @@ def test_the_frame_is_the_mean_of_its_samples(executor: Executor, preset: str) -
 def test_filtered_has_less_error_than_any_hard_look(executor: Executor, report: Report, preset: str) -> None:
     """One sample a pixel, each look against its own limit of infinitely many."""
     scene = load_preset(preset).scene
-    assert scene.foam is not None
     errors = {}
     for look in (*HARD, "filtered", "textured"):
         variant = scene.model_copy(update={"foam": scene.foam.model_copy(update={"look": look})})
@@ -78,7 +77,6 @@ def test_filtered_has_less_error_than_any_hard_look(executor: Executor, report: 
 def test_filtered_once_is_halftone_sixteen_times_over_waves(executor: Executor, report: Report, preset: str) -> None:
     """Of one octave, the only one that halftone has, and small enough that far pixels hold many texels."""
     scene = load_preset(preset).scene
-    assert scene.foam is not None
     small = {"mask": "mix", "mask_tile": 5.0, "octaves": 1} if scene.foam.octaves > 1 else {}
     errors = {}
     for look, count in (("halftone", 16), ("filtered", 1)):

@@ -55,7 +55,7 @@ def test_awe_tells_foam_from_water(executor: Executor, report: Report) -> None:
     plan = make_plan(scene, QUALITY)
     for time in (100.0, 700.0, 1300.0):
         pixels = draw(executor, plan, camera, time=time, size=(960, 720), output="linear")
-        found = shot(pixels)  # type: ignore[arg-type]
+        found = shot(pixels)
         whole = float((pixels[..., 3] >= 0.5).mean())
         report.add(
             "AWE on a photograph, 12.5 m/s",

@@ -21,10 +21,7 @@ def _scene(**fields: object) -> Scene:
 
 
 def _truth(scene: Scene, place: NDArray[np.float64], side: float) -> NDArray[np.float64]:
-    assert scene.light is not None
     above = sky.air(scene.light, 3.0, EYE).above
-    assert above is not None
-    assert above.clouds is not None
     feet = np.tile((side, 0.0), (len(place), 1)), np.tile((0.0, 0.5 * side), (len(place), 1))
     return above.clouds.sunlight(place, feet)
 
@@ -44,8 +41,6 @@ def test_share_of_the_lamp(side: float, executor: Executor, report: Report) -> N
     place = np.stack((found[:, 1], np.full(len(found), 0.7), found[:, 2]), axis=-1)
     want = _truth(scene, place, side)
     off = np.abs(found[:, 0] - want)
-    assert scene.light is not None
-    assert scene.light.sky is not None
     most = gap_light(scene.light.sky.clouds)
     assert found[:, 0].min() >= 0.0
     report.within(
@@ -73,12 +68,9 @@ def test_shadow_lies_where_clouds_hide_the_lamp() -> None:
     """Seen from a place on the water, the lamp stands behind the cloud that shades the place."""
     hidden, share = [], []
     scene = _scene(softness=0.5, depth=0.0)
-    assert scene.light is not None
     for x in np.linspace(-20000.0, 20000.0, 60):
         eye = (float(x), 1.0, 0.4 * float(x))
         above = sky.air(scene.light, 3.0, eye).above
-        assert above is not None
-        assert above.clouds is not None
         lamp = above.lit_by[None, :]
         hidden.append(float(above.behind_clouds(np.zeros((1, 3)), lamp, (np.full(1, 2e-3), np.full(1, 2e-3)))[1][0]))
         none = np.zeros((1, 2))

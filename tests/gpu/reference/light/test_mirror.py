@@ -71,7 +71,7 @@ def test_what_stands_by_the_water_is_in_the_mirror(
     def off(scene: Scene, **parameters: object) -> float:
         return rmse(samples(executor, scene, EXACT.model_copy(update=parameters), time=TIME, size=SIZE), truth)
 
-    alone = scene.model_copy(update={"light": scene.light.model_copy(update={"reflection": "sky"})})  # type: ignore[union-attr]
+    alone = scene.model_copy(update={"light": scene.light.model_copy(update={"reflection": "sky"})})
     by_map, sky = off(scene, reflection="map", reflection_size=1024), off(alone)
     report.within(
         "The planar mirror against float64, 128 × 72, RMSE in levels",
@@ -95,7 +95,7 @@ def test_the_map_nears_the_traced_mirror_as_it_grows(executor: Executor, report:
 
     sizes = (64, 128, 256, 512, 1024)
     errors = [off(BOATS, reflection="map", reflection_size=size) for size in sizes]
-    without = off(BOATS.model_copy(update={"light": BOATS.light.model_copy(update={"reflection": "sky"})}))  # type: ignore[union-attr]
+    without = off(BOATS.model_copy(update={"light": BOATS.light.model_copy(update={"reflection": "sky"})}))
     order = -np.polyfit(np.log2(sizes), np.log2(errors), 1)[0]
     assert without > 1.0
     report.within(

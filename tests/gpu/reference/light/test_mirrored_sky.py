@@ -53,8 +53,7 @@ def light_of(
     plan = mirror_alone(make_plan(scene, TIERS["standard"].model_copy(update={**same, **quality})))
     size = (finer * WIDTH, finer * HEIGHT)
     drawn = draw(executor, plan, camera, time=3.0, size=size, output="linear")[..., :3].astype(np.float64)
-    whole: NDArray[np.float64] = drawn.reshape(HEIGHT, finer, WIDTH, finer, 3).mean(axis=(1, 3))[WATER]
-    return whole
+    return drawn.reshape(HEIGHT, finer, WIDTH, finer, 3).mean(axis=(1, 3))[WATER]
 
 
 def drawn_once(executor: Executor, scene: Scene, camera: Camera = CAMERA) -> tuple[float, float]:
@@ -109,7 +108,7 @@ def test_the_plain_sky_is_taken_at_two_looks(probe: Probe, elevation: float) -> 
     r = (r / np.linalg.norm(r, axis=1)[:, None]).astype(np.float32).astype(np.float64)
     deviation = np.linspace(0.0, 0.4, 500).astype(np.float32).astype(np.float64)
     names = ("u_sun_direction", *(f"u_air_{part}" for part in ("rayleigh", "mie", "even", "depth")))
-    uniforms = {name: given[name].rules[0].value for name in names}  # type: ignore[union-attr]
+    uniforms = {name: given[name].rules[0].value for name in names}
     drawn = probe(
         ["light/sky.glsl@analytic"],
         "y.rgb = mirrored_sky(x.xyz, vec3(0.0, 0.0, x.w));",
@@ -123,8 +122,6 @@ def test_the_plain_sky_is_taken_at_two_looks(probe: Probe, elevation: float) -> 
 
 def layer(clouds: Clouds, elevation: float) -> CloudLayer:
     above = reference_light.air(Light(sun_elevation=elevation, sky=Sky(clouds=clouds))).above
-    assert above is not None
-    assert above.clouds is not None
     return above.clouds
 
 

@@ -122,7 +122,7 @@ def test_slopes_are_those_of_the_noise() -> None:
 
 
 def test_no_detail_is_the_smooth_land(executor: Executor) -> None:
-    plain = HIGH.model_copy(update={"shore": HIGH.shore.model_copy(update={"detail": 0.0})})  # type: ignore[union-attr]
+    plain = HIGH.model_copy(update={"shore": HIGH.shore.model_copy(update={"detail": 0.0})})
     of = Ground(executor, plain)
     want = of.sea.soil(*of.at, _feet(0.3, of.x.size), still=False)
     colour = _drawn(executor, plain, 0.3, "vec4(soil.albedo, soil.film)")

@@ -94,8 +94,7 @@ def sharpened(heights: NDArray[np.float64]) -> NDArray[np.float64]:
         for step, weight in ((-1, 0.125), (0, 0.75), (1, 0.125)):
             matrix[i, np.clip(i + step, 0, matrix.shape[0] - 1)] += weight
     inverse = np.linalg.inv(matrix)
-    result: NDArray[np.float64] = inverse @ heights @ inverse.T
-    return result
+    return inverse @ heights @ inverse.T
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -144,16 +143,16 @@ def test_no_wave_passes_its_bounds(executor: Executor) -> None:
     for kind, refraction in itertools.product(KINDS, (False, True)):
         scene = Scene(shore=_formed(kind, refraction))
         uniforms = make_plan(scene, EXACT).uniforms
-        top, steepest, _ = uniforms["u_surface_bounds"].rules[0].value  # type: ignore[union-attr]
+        top, steepest, _ = uniforms["u_surface_bounds"].rules[0].value
         for time in (0.0, 2.1, 5.3, 40.0):
             got = on_shore(executor, scene, "o_color = vec4(waves(p), 0.0);", time=time)
             assert (got[:, 0] >= 0.0).all()
             assert got[:, 0].max() <= top
             assert np.hypot(got[:, 1], got[:, 2]).max() <= steepest
         got = on_shore(executor, scene, "o_color = shore_floor(shore_place(p));")
-        assert got[:, 0].max() <= uniforms["u_shore_top"].rules[0].value[0]  # type: ignore[union-attr]
+        assert got[:, 0].max() <= uniforms["u_shore_top"].rules[0].value[0]
         slopes = np.hypot(got[:, 1], got[:, 2])
-        floor, land = (rule.value[0] for rule in uniforms["u_shore_steepest"].rules)  # type: ignore[union-attr]
+        floor, land = (rule.value[0] for rule in uniforms["u_shore_steepest"].rules)
         assert slopes.max() <= floor
         assert slopes[got[:, 0] > 0.0].max() <= land
         # Floats differ by 1e-4 of a slope at this distance.
@@ -168,7 +167,7 @@ def test_no_wave_passes_its_bounds(executor: Executor) -> None:
             / step
             for angle in (0.0, 0.8, 1.6, 2.4)
         ]
-        bend = uniforms["u_shore_bend"].rules[0].value[0]  # type: ignore[union-attr]
+        bend = uniforms["u_shore_bend"].rules[0].value[0]
         assert 0.05 * bend <= np.max(bends) <= bend + 1e-4 / step
 
 

@@ -34,7 +34,7 @@ def some_rings(time: float, place: tuple[float, float], seed: int, count: int = 
         length = math.exp(r.uniform(math.log(0.3), math.log(60.0)))
         made.append(
             Ring(
-                place=tuple(min(max(p + r.uniform(-40.0, 40.0), -1e7), 1e7) for p in place),  # type: ignore[arg-type]
+                place=tuple(min(max(p + r.uniform(-40.0, 40.0), -1e7), 1e7) for p in place),
                 birth=min(max(time - r.uniform(0.0, 4.0) / decay, -1e9), 1e9),
                 every=6.0 / decay * r.uniform(1.0, 3.0) if i % 3 == 0 else None,
                 amplitude=0.03 * length * r.uniform(0.2, 1.0),
@@ -60,9 +60,7 @@ def points(scene: Scene, origin: tuple[float, float], seed: int, count: int) -> 
 
 
 def given(scene: Scene) -> Contribution:
-    contribution = effect.EFFECT.contribute(scene, UNFILTERED)
-    assert contribution is not None
-    return contribution
+    return effect.EFFECT.contribute(scene, UNFILTERED)
 
 
 def shader(probe: Probe, scene: Scene, time: float, origin: tuple[float, float], at: NDArray[np.float32]) -> NDArray:

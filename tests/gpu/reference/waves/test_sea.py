@@ -61,11 +61,9 @@ def test_drawn_tiles_are_the_references(executor: Executor, report: Report, name
     tiles = [draw_target(executor, plan, f"sea_tile_{i}", time) for i in range(sea_tiles.RAISED)]
     p = np.random.default_rng(7).uniform(-500.0, 500.0, (POINTS, 2)).astype(np.float32)
     origin_surface = truth.sea_surface(scene, time, (0.0, 0.0))
-    assert origin_surface is not None
     _check_texels(executor, report, plan, origin_surface, name, time)
     for origin in ORIGINS:
         surface = truth.sea_surface(scene, time, origin)
-        assert surface is not None
         state = FrameState(time, Camera(position=(origin[0], 6.0, origin[1])), 16, 16, 16, 16, 0)
         sums = np.zeros((POINTS, 4))
         for i, one in enumerate(tiles):
@@ -212,7 +210,7 @@ def test_time_is_a_loop_of_whole_turns(executor: Executor) -> None:
 @pytest.mark.parametrize("look", ["halftone", "filtered"])
 def test_whitecaps_counted_in_a_picture(executor: Executor, report: Report, look: str) -> None:
     """From above, one sample a pixel: the drawn foam covers what the closed form says."""
-    foam = Foam(saturation=(WhitecapSaturation(),), look=look)  # type: ignore[arg-type]
+    foam = Foam(saturation=(WhitecapSaturation(),), look=look)
     scene, wanted = Scene(sea=Sea(wind=15.0, fetch=5e5), foam=foam, light=None), 3.84e-6 * 15.0**3.41
     off = []
     for height, side in ((300.0, 360), (4000.0, 240)):

@@ -51,7 +51,6 @@ def test_slopes_equal_float64_at_any_time_and_place(
     place = np.clip(origin, -1e7 + 20.0, 1e7 - 20.0)
     scene = Scene(current=current, touches=train(time, (float(place[0]), float(place[1]))))
     made = EFFECT.contribute(scene, UNFILTERED)
-    assert made is not None
     # The planner moves what floats in a current.
     velocity = (0.0, 0.0) if current is None else current.velocity
     made = replace(made, uniforms={name: afloat(one, velocity) for name, one in made.uniforms.items()})

@@ -35,9 +35,7 @@ from support.scenes import (
 
 
 def contribution(scene: Scene) -> Contribution:
-    made = parametric.EFFECT.contribute(scene, UNFILTERED)
-    assert made is not None
-    return made
+    return parametric.EFFECT.contribute(scene, UNFILTERED)
 
 
 def test_water_in_groups_is_carried_as_far_as_its_waves_are_high(probe: Probe) -> None:
@@ -86,7 +84,6 @@ def test_no_wave_exceeds_its_bounds(seed: int) -> None:
         assert (np.abs(ahead - heights) / step).max() <= steepest
         assert ((ahead + behind - 2.0 * heights) / step**2).max() <= most_bent
     factor = group_factor(scene, 0.0, (0.0, 0.0))
-    assert factor is not None
     slope = group_bounds(scene).slope
     assert 0.8 * slope <= np.hypot(*factor.gradient(x, z)).max() <= slope
 
@@ -141,8 +138,6 @@ def test_groups_break_up_the_lattice_of_two_waves() -> None:
 def test_groups_travel_with_their_velocity() -> None:
     """In a second the factor, and not the waves, moves by the group velocity."""
     now, later = (group_factor(SCENE, time, (0.0, 0.0)) for time in (10.0, 11.0))
-    assert now is not None
-    assert later is not None
     x, z = places().astype(np.float64).T
     v_x, v_z = now.velocity
     # Half of √(gλ/2π) in deep water.
