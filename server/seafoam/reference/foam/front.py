@@ -1,6 +1,7 @@
 """Section 4: foam of fronts, at a point, averaged over a footprint, and left behind by past fronts."""
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Literal
@@ -123,45 +124,34 @@ def front_saturation(X: Floats, Y: Floats, intensity: float, base: float = math.
     return np.where(pole, CAP, f)
 
 
-class WaveFrontIntegral:
-    """I(ψ) = ∫₀^ψ min(f, 1) of the front of one wave, for any ψ, by Gauss–Legendre in cells and cubics between."""
+@lru_cache(maxsize=16)
+def front_integral(intensity: float, base: float = math.e) -> Callable[[Floats], Floats]:
+    """ψ -> I(ψ) = ∫₀^ψ min(f, 1) of the front of one wave, for any ψ, by Gauss–Legendre in cells and cubics between."""
+    # f is at least 1 from 0 to this phase.
+    full = 2.0 * math.atan2(1.0, math.log(intensity) / math.log(base))
+    cell = (TURN - full) / CELLS
+    edges = np.linspace(full, TURN, CELLS + 1)
+    nodes, weights = np.polynomial.legendre.leggauss(8)
+    inner: Floats = edges[:-1, None] + 0.5 * cell * (nodes + 1.0)
+    cells = 0.5 * cell * (_front(inner, intensity, base) @ weights)
+    sums = full + np.concatenate(([0.0], np.cumsum(cells)))
+    tail = CubicHermiteSpline(edges, sums, _front(edges, intensity, base))
 
-    def __init__(self, intensity: float, base: float) -> None:
-        self.full = 2.0 * math.atan2(1.0, math.log(intensity) / math.log(base))
-        """ψ₁: f is at least 1 from 0 to this phase."""
-        cell = (2.0 * math.pi - self.full) / CELLS
-        edges = np.linspace(self.full, 2.0 * math.pi, CELLS + 1)
-        nodes, weights = np.polynomial.legendre.leggauss(8)
-        inner: Floats = edges[:-1, None] + 0.5 * cell * (nodes + 1.0)
-        cells = 0.5 * cell * (_front(inner, intensity, base) @ weights)
-        sums = self.full + np.concatenate(([0.0], np.cumsum(cells)))
-        self.whole = sums[-1]
-        self.tail = CubicHermiteSpline(edges, sums, _front(edges, intensity, base))
-
-    def __call__(self, psi: Floats) -> Floats:
-        """I at ψ, rad; of the shape of ``psi``."""
-        turns = np.floor(psi / (2.0 * math.pi))
-        rest = psi - 2.0 * math.pi * turns
-        result: Floats = turns * self.whole + np.where(rest < self.full, rest, self.tail(np.maximum(rest, self.full)))
+    def integral(psi: Floats) -> Floats:
+        turns = np.floor(psi / TURN)
+        rest = psi - TURN * turns
+        result: Floats = turns * sums[-1] + np.where(rest < full, rest, tail(np.maximum(rest, full)))
         return result
 
-    def mean(self, psi: Floats, width: Floats) -> Floats:
-        """Mean of min(f, 1) over ψ ± Δ/2, Δ > 0, in [0, 1]; of the shape of ``psi``."""
-        total = self(psi + 0.5 * width) - self(psi - 0.5 * width)
-        return np.clip(total / width, 0.0, 1.0)
-
-
-@lru_cache(maxsize=16)
-def front_integral(intensity: float, base: float = math.e) -> WaveFrontIntegral:
-    """The integral of one front, kept for later calls."""
-    return WaveFrontIntegral(intensity, base)
+    return integral
 
 
 def front_saturation_filtered(psi: Floats, width: Floats, intensity: float, base: float = math.e) -> Floats:
     """Mean of min(f, 1) over ψ ± Δ/2, ψ in [−π, π] and Δ = ``width``; in [0, 1], without the gate."""
     # For narrower footprints, cancellation in the difference of two integrals exceeds the filter's effect.
     sharp = width < 1e-6
-    mean = front_integral(intensity, base).mean(psi, np.where(sharp, 1.0, width))
+    integral, wide = front_integral(intensity, base), np.where(sharp, 1.0, width)
+    mean = np.clip((integral(psi + 0.5 * wide) - integral(psi - 0.5 * wide)) / wide, 0.0, 1.0)
     crosses = sharp & (np.abs(psi) < 0.5 * width)
     jump = np.clip(0.5 + psi / np.where(crosses, width, 1.0), 0.0, 1.0)
     return np.where(crosses, jump, np.where(sharp, _front(psi, intensity, base), mean))

@@ -156,8 +156,8 @@ class _Form:
 
 def _form(kind: Floats, age: Floats, life: Floats, vary: Floats, other: Floats) -> _Form:
     """How drops (n,) have spread and torn at an age."""
-    number, x = kind.astype(np.intp), np.maximum(age, 0.0) / life
-    of = KINDS[number]
+    index, x = kind.astype(np.intp), np.maximum(age, 0.0) / life
+    of = KINDS[index]
     radius = (of["least"] + of["more"] * vary * np.where(kind == SHEET, vary, 1.0)) * (1.0 + of["grows"] * x)
     ends, begins = 1.0 - smoothstep(0.55, 1.0, x), smoothstep(0.0, 0.06, x)
     torn, spread = smoothstep(0.0, 0.6, x), smoothstep(0.05, 0.8, x)
@@ -168,7 +168,7 @@ def _form(kind: Floats, age: Floats, life: Floats, vary: Floats, other: Floats) 
         1.8 * ends * smoothstep(0.0, 0.02, x) / (0.4 + 0.6 * radius),
     )
     covers = (0.8 - 0.62 * torn) * (0.6 + 0.4 * other), 0.85, 1.0, 1.1 - 0.8 * spread
-    depth, cover = (np.choose(number, np.broadcast_arrays(*each)) for each in (depths, covers))
+    depth, cover = (np.choose(index, np.broadcast_arrays(*each)) for each in (depths, covers))
     return _Form(radius, of["moment"], of["longest"], depth, cover, of["soft"])
 
 
