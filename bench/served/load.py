@@ -293,7 +293,7 @@ def _soak(port: int, watch: Watch) -> Table:
                 width, height = (int(side) for side in random.integers(16, 320, 2))
                 form = random.choice(["png", "webp", "exr", "npy"])
                 if index % SOAK_OF_ONE == 0:
-                    preset, tier = random.choice(presets), random.choice(["draft", "standard"], p=[0.9, 0.1])
+                    preset, tier = random.choice(presets), random.choice(["fast", "standard"], p=[0.9, 0.1])
                 moment = moments.uniform(0.0, 1e4)
                 path = f"/api/frames/{preset}.{form}?time={moment:.3f}&width={width}&height={height}&quality={tier}"
                 status = ask(connection, path).status
@@ -306,7 +306,7 @@ def _soak(port: int, watch: Watch) -> Table:
     return Table(
         "A long run",
         f"{SOAK_LAPS} laps of the same {lap:,} frames but for their times: random presets, {SOAK_OF_ONE} in a row, "
-        "sizes from 16 to 320 pixels a side, formats and, one in ten, quality standard instead of draft. Memory: the "
+        "sizes from 16 to 320 pixels a side, formats and, one in ten, quality standard instead of fast. Memory: the "
         "proportional set size of the server and its workers together after each lap; slope: the straight line through "
         "the last two thirds.",
         (Column("what", "what"), Column("value", "measured")),

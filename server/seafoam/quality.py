@@ -6,7 +6,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 
 from seafoam.extensions import Extensible, Extensions
 
-Tier = Literal["draft", "standard", "high", "reference"]
+Tier = Literal["fast", "standard", "high", "reference"]
 
 
 def _no_truth_value(value: Any) -> Any:
@@ -199,6 +199,12 @@ class Quality(Extensible, QualityParameters):
         description="Contrast with its neighbours above which a pixel gets more samples; white on black is 1. "
         "Raised automatically where the budget would be exceeded",
     )
+    pixel_width: Annotated[Literal[1, 2, 3, 4], BeforeValidator(_no_truth_value)] = Field(
+        default=1,
+        description="Width of a drawn pixel, in pixels of the picture. 2 to 4: the picture is drawn at full height and "
+        "a part of its width, along which water that is seen from near its level has the least detail, and then "
+        "enlarged; without adaptive sampling. Half of it, rounded up, in scenes with boats or caustics",
+    )
     target: Literal["RGBA16F", "RGBA32F"] = Field(
         default="RGBA16F", description="Floating-point format of the linear frame"
     )
@@ -212,6 +218,8 @@ class Quality(Extensible, QualityParameters):
     @property
     def chosen_samples(self) -> tuple[int, ...]:
         """Sample counts above ``samples`` that adaptive sampling can give to single pixels."""
+        if self.pixel_width > 1:
+            return ()
         return tuple(count for count in (4, 16) if self.samples < count <= self.samples_max)
 
     @property
@@ -238,29 +246,21 @@ _FINEST: dict[str, Any] = {
 """What the tier ``reference`` and :data:`EXACT` have in common."""
 
 TIERS: dict[Tier, Quality] = {
-    "draft": Quality(
+    "fast": Quality(
         surface=SurfaceQuality(tolerance=0.2),
-        foam_taps=4,
         ripples_size=128,
-        sea_size=128,
-        sea_tiles=3,
+        sea_size=256,
         age_steps=4,
         age_step=0.7,
-        shore_map=128,
-        land_octaves=5,
         shadow_steps=64,
-        cloud_octaves=5,
-        cloud_shadow_octaves=2,
         cube_size=128,
-        drift_size=128,
         sparkle_cells=1,
-        spray_count=4096,
         caustics_size=256,
         caustics_cells=128,
         wake_size=256,
         reflection_size=128,
         boat_samples=1,
-        boat_shadows=False,
+        pixel_width=3,
     ),
     "standard": Quality(),
     "high": Quality(

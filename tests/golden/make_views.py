@@ -14,7 +14,7 @@ from seafoam.scene.presets import load_preset
 
 PATH = Path(__file__).with_name("views.json")
 
-PLANS = (("default", "standard"), ("boat-race", "standard"), ("boat-in-storm", "draft"), ("island-surf", "standard"))
+PLANS = (("default", "standard"), ("boat-race", "standard"), ("boat-in-storm", "fast"), ("island-surf", "standard"))
 
 CAMERAS = (
     Camera(),

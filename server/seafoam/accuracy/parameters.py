@@ -22,6 +22,7 @@ SPINE_KNOBS: tuple[QualityParameter, ...] = (
     QualityParameter("/surface/refine", "Newton steps", (0, 1, 2, 4), "geometry"),
     QualityParameter("/surface/filter", "waves below a pixel become roughness", (False, True), "filtering"),
     QualityParameter("/samples", "samples per pixel", (1, 4, 9, 16), "filtering"),
+    QualityParameter("/pixel_width", "width of a drawn pixel, pixels", (1, 2, 3, 4), "filtering"),
     QualityParameter("/samples_max", "maximum samples of an adaptive pixel", (1, 4, 16), "filtering"),
     QualityParameter("/samples_budget", "mean additional samples per pixel", (0.5, 1.0, 2.0), "filtering"),
     QualityParameter("/samples_threshold", "contrast threshold of adaptive samples", (0.1, 0.02, 0.004), "filtering"),

@@ -17,10 +17,10 @@ Size = Annotated[str | None, typer.Option(help="WIDTHxHEIGHT in pixels (default:
 QualityName = Annotated[
     str | None,
     typer.Option(
-        help="draft, standard, high, reference, or auto: the most exact that fits --budget-ms (default: standard)."
+        help="fast, standard, high, reference, or auto: the most exact that fits --budget-ms (default: standard)."
     ),
 ]
-TierName = Annotated[str, typer.Option(help="draft, standard, high or reference.")]
+TierName = Annotated[str, typer.Option(help="fast, standard, high or reference.")]
 Budget = Annotated[
     float | None, typer.Option(help="With auto: maximum frame time, ms. The first use measures, which takes minutes.")
 ]

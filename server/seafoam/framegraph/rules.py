@@ -91,11 +91,13 @@ class CameraRule(PlanPart):
 
 
 class Viewport(PlanPart):
-    """Width and height of the pass's target or of the picture, pixels, multiplied by ``times``."""
+    """Width and height of the pass's target or of the picture, pixels, multiplied by ``times``; the width also divided
+    by ``narrow`` and rounded up."""
 
     rule: Literal["viewport"] = "viewport"
     of: Literal["target", "picture"] = "target"
     times: int = Field(default=1, ge=1)
+    narrow: int = Field(default=1, ge=1, exclude_if=lambda given: given == 1)
 
 
 class PassIndex(PlanPart):

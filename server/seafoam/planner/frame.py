@@ -65,11 +65,13 @@ class Frame:
     def __init__(self, collection: Collection, quality: Quality) -> None:
         self.scene, self.quality = collection.scene, quality
         self.side = math.isqrt(quality.samples)
-        """Samples along each side of a pixel."""
+        """Samples along each side of a drawn pixel."""
+        self.sampled = ViewportSize(scale=self.side, narrow=quality.pixel_width)
+        """Size of what is drawn sample by sample."""
         self.level = collection.max_height == 0.0
         self.shore, self.below = collection.fills("shore"), collection.fills("below")
         if not self.level or self.shore:
-            collection = collection.joined(_starts(self.side, measured=collection.fills("bounds")))
+            collection = collection.joined(_starts(self.sampled, measured=collection.fills("bounds")))
         self.collection = collection
         self.consts: dict[str, Const] = {
             **collection.consts,
@@ -79,6 +81,7 @@ class Frame:
             "MARCH_TOLERANCE": quality.surface.tolerance,
             "START_SHARE": START_SHARE,
             "SAMPLE_SIDE": self.side,
+            "PIXEL_WIDTH": float(quality.pixel_width),
         }
         self.met = _met_files(collection.slots, self.level)
         """Files of a pass that only finds what rays meet: it has a texture more to spare than others."""
@@ -217,11 +220,15 @@ def _met_files(given: Sequence[SlotFile], level: bool) -> list[SlotFile]:
     ]
 
 
-def _starts(side: int, *, measured: bool) -> Resources:
+def _starts(sampled: ViewportSize, *, measured: bool) -> Resources:
     """The passes that find the start distances to water and land of the rays of each tile of the picture.
 
-    ``side``: samples along each side of a pixel. ``measured``: maps of waves are, in every frame.
+    ``measured``: maps of waves are, in every frame.
     """
+
+    def tiles(side: int) -> Target:
+        return Target(size=sampled.model_copy(update={"part": sampled.part * side}), format="RGBA16F")
+
     search = (*COMMON, SlotRef("waves"), SlotRef("beyond"), SlotRef("bounds"), SlotRef("start"))
     near = PassSpec(
         name="where rays begin",
@@ -231,7 +238,7 @@ def _starts(side: int, *, measured: bool) -> Resources:
     )
     starts = Resources(
         inputs=target_inputs({"u_start": "start"}),
-        targets={"start": Target(size=ViewportSize(scale=side, part=START_TILE), format="RGBA16F")},
+        targets={"start": tiles(START_TILE)},
     )
     if not measured:
         return replace(starts, passes=(near,))
@@ -257,7 +264,7 @@ def _starts(side: int, *, measured: bool) -> Resources:
             inputs=target_inputs({"u_surface_now": "surface_now"}),
             targets={
                 "surface_now": Target(size=FixedSize.square(1), format="RGBA16F"),
-                "start, wide": Target(size=ViewportSize(scale=side, part=WIDE_TILE), format="RGBA16F"),
+                "start, wide": tiles(WIDE_TILE),
             },
             passes=(now, wide, within),
         )

@@ -25,6 +25,9 @@ def picture(frame: Frame) -> tuple[Stage, str]:
     if frame.side > 1:
         stages.append(_mean(frame, linear))
         linear = "linear"
+    if frame.quality.pixel_width > 1:
+        stages.append(_enlarged(frame, linear))
+        linear = "enlarged"
     # Without light an additional sample costs less than its selection.
     if frame.quality.chosen_samples and frame.scene.light is not None:
         stages.append(additional_samples(frame, linear, "finished", scenery.redrawn(), _redrawn_overlays(frame)))
@@ -34,7 +37,7 @@ def picture(frame: Frame) -> tuple[Stage, str]:
 
 def _overlay(frame: Frame, after: Sequence[Pass]) -> Stage:
     """The target of the samples, and the passes that are blended over surface and sky, if there are any."""
-    size, kind = ViewportSize(scale=frame.side), frame.quality.target
+    size, kind = frame.sampled, frame.quality.target
     surface = Target(size=size, format=kind, depth=True)
     if not after:
         return Stage(targets={_SAMPLES: surface})
@@ -55,7 +58,17 @@ def _mean(frame: Frame, samples: str) -> Stage:
     return Stage(
         passes=[fullscreen("mean of the samples", "resolve", "linear", target_inputs({"u_samples": samples}))],
         programs={"resolve": frame.program(["output/frame.glsl@resolve"])},
-        targets={"linear": Target(size=ViewportSize(), format="RGBA32F")},
+        targets={"linear": Target(size=ViewportSize(narrow=frame.quality.pixel_width), format="RGBA32F")},
+    )
+
+
+def _enlarged(frame: Frame, narrow: str) -> Stage:
+    """The pass that enlarges a picture that is drawn at a part of its width."""
+    files = ["lib/numbers.glsl", "output/enlarge.glsl"]
+    return Stage(
+        passes=[fullscreen("enlarged", "enlarge", "enlarged", target_inputs({"u_narrow": narrow}))],
+        programs={"enlarge": frame.program(files)},
+        targets={"enlarged": Target(size=ViewportSize(), format=frame.quality.target)},
     )
 
 

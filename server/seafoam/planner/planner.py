@@ -37,6 +37,7 @@ def linked_plan(
 ) -> FramePlan:
     """Return the plan of a scene's contributions. ``passes_of``: its passes, and the target of its linear frame."""
     scene = _steepest_waves(scene.settled, quality.waves)
+    quality = _with_pixels_of(scene, quality)
     given = collect((*EFFECTS, *outside()), scene, quality, economy=economy)
     stage, linear = passes_of(Frame(given, quality))
     for program in stage.programs.values():
@@ -73,3 +74,14 @@ def _steepest_waves(scene: Scene, count: int) -> Scene:
         return scene
     order = sorted(range(len(scene.waves)), key=lambda i: -scene.waves[i].amplitude / scene.waves[i].wavelength)
     return scene.model_copy(update={"waves": tuple(scene.waves[i] for i in sorted(order[:count]))})
+
+
+def _with_pixels_of(scene: Scene, quality: Quality) -> Quality:
+    """Return the quality, with pixels half as wide, rounded up, where a scene is as fine along the rows as the columns.
+
+    Boats have upright edges, and caustics are of every direction.
+    """
+    caustics = scene.light is not None and scene.light.caustics is not None
+    if quality.pixel_width == 1 or not (scene.boats or caustics):
+        return quality
+    return quality.model_copy(update={"pixel_width": -(-quality.pixel_width // 2)})

@@ -5,7 +5,7 @@ from functools import cached_property
 
 from seafoam.effects.shader import Piece, SlotFile, SlotRef
 from seafoam.framegraph.passes import Fullscreen, Grid, Pass, State
-from seafoam.framegraph.resources import Input, Target, TargetInput, ViewportSize
+from seafoam.framegraph.resources import Input, Target, TargetInput
 from seafoam.framegraph.shader import Program
 from seafoam.planner import slots
 from seafoam.planner.adaptive import Redrawn
@@ -51,7 +51,7 @@ class Scenery:
 
     def stage(self) -> Stage:
         """Return what draws the scenery."""
-        met = Target(size=ViewportSize(scale=self.frame.side), format="RGBA32F")
+        met = Target(size=self.frame.sampled, format="RGBA32F")
         return Stage(
             passes=[*self._search(), *self._drawn()],
             programs={**self._surface_programs(), **(self._land_programs() if self.frame.shore else {})},

@@ -18,7 +18,7 @@ def behind(server: str) -> Iterator[str]:
 
 @pytest.mark.parametrize("draw", ["browser", "server"])
 def test_the_page_draws(llvmpipe: Lane, behind: str, draw: str) -> None:
-    with visit(llvmpipe, behind, f"water/paper-halftone#paused=1&quality=draft&draw={draw}") as made:
+    with visit(llvmpipe, behind, f"water/paper-halftone#paused=1&quality=fast&draw={draw}") as made:
         assert made.page.locator("html").get_attribute("lang") == "en"
         assert [url for _, url in made.asked if url.startswith("http") and not url.startswith(f"{behind}/")] == []
 

@@ -9,7 +9,7 @@ from support.browser.visits import STILL, Visit, link, visit
 
 
 def drawn(made: Visit) -> NDArray[np.uint8]:
-    return rendered(made.page, "default", time=2.7, size=(160, 90), quality="draft")
+    return rendered(made.page, "default", time=2.7, size=(160, 90), quality="fast")
 
 
 def lose(made: Visit) -> None:

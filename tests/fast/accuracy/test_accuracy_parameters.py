@@ -53,10 +53,10 @@ def test_effects_that_do_not_run_bring_no_parameters_and_no_points():
 def test_points_have_plans_of_their_own(preset):
     scene = load_preset(preset).scene
     points = points_of(scene)
-    # On level water without ripples a draft is the standard.
+    # On level water without ripples no two qualities have one plan but for the width of pixels.
     tiers = [point.tier for point in points if point.tier]
     assert tiers == [tier for tier in TIERS if tier in tiers]
-    assert len(tiers) == (3 if preset == "paper-threshold" else 4)
+    assert len(tiers) == 4
     assert len({point.plan for point in points}) == len({point.id for point in points}) == len(points) > 6
     assert points[-1].plan == make_plan(scene, points[-1].quality).sha256
     for point in points:
@@ -72,11 +72,11 @@ def test_points_have_plans_of_their_own(preset):
 
 
 def test_idealising_one_cause_leaves_the_others():
-    made = idealised(TIERS["draft"], "filtering")
+    made = idealised(TIERS["fast"], "filtering")
     assert made.samples == TIERS["reference"].samples
     assert made.surface.filter is TIERS["reference"].surface.filter
-    assert made.surface.tolerance == TIERS["draft"].surface.tolerance
-    assert made.target == TIERS["draft"].target
+    assert made.surface.tolerance == TIERS["fast"].surface.tolerance
+    assert made.target == TIERS["fast"].target
     for cause in ("geometry", "filtering", "precision"):
         made = idealised(made, cause)
     ideal = make_plan(load_preset("default").scene, made).sha256

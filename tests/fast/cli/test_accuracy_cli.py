@@ -53,7 +53,7 @@ def test_a_measurement_is_timed_by_the_clock_that_is_asked_for(monkeypatch, cloc
     drawn = SimpleNamespace(pixels=np.zeros((9, 16, 4), np.uint8), timings={"render": 0.5, "read": 0.25})
     renderer = SimpleNamespace(render=lambda plan, **asked: drawn)
     monkeypatch.setattr(time, "process_time", iter((1.0, 3.0)).__next__)
-    asked = jobs.MeasureJob(scene, TIERS["draft"], 0.0, scene.camera, (jobs.Draw(16, 9, "rgba8"),), clock)
+    asked = jobs.MeasureJob(scene, TIERS["fast"], 0.0, scene.camera, (jobs.Draw(16, 9, "rgba8"),), clock)
     assert [one.seconds for one in jobs.measure(renderer, asked)] == [seconds]
 
 

@@ -116,8 +116,8 @@ def test_a_plan_lists_its_passes_and_prints_a_program_with_the_names_of_its_file
     code, out, _ = seafoam("plan", "default")
     assert code == 0
     assert "surface, underwater" in out
-    _, out, _ = seafoam("plan", "default", "--quality", "draft", "--program", "surface")
-    shader = make_plan(load_preset("default").scene, TIERS["draft"]).programs["surface"].fragment
+    _, out, _ = seafoam("plan", "default", "--quality", "fast", "--program", "surface")
+    shader = make_plan(load_preset("default").scene, TIERS["fast"]).programs["surface"].fragment
     lines = out.splitlines()
     assert [line for line in lines if not line.startswith("// ---- ")] == shader.text.splitlines()
     named = [line.removeprefix("// ---- ") for line in lines if line.startswith("// ---- ")]

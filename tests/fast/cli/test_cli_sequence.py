@@ -4,7 +4,7 @@ import pytest
 
 from support.api_fakes import FakeRenderer
 
-SHORT = ("sequence", "paper-halftone", "--stop", "0.25", "--start", "0", "--size", "24x16", "--quality", "draft", "-o")
+SHORT = ("sequence", "paper-halftone", "--stop", "0.25", "--start", "0", "--size", "24x16", "--quality", "fast", "-o")
 
 
 @pytest.mark.parametrize("name", ["run", "a.webp", "a.mp4", "a.ZIP"])

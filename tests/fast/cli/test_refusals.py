@@ -9,7 +9,7 @@ from seafoam.render.gl.executor import NoRendererError
 from support.command import run
 
 RENDER = "render default -o a.png"
-SEQUENCE = "sequence default --start 0 --stop 0.25 --size 24x16 --quality draft"
+SEQUENCE = "sequence default --start 0 --stop 0.25 --size 24x16 --quality fast"
 MAKE = "masks make -o a.png"
 REFUSED = [
     ("render nope -o a.png", "PRESET", "'nope'", "default"),
@@ -27,7 +27,7 @@ REFUSED = [
     (f"{RENDER} --time 2e9", "--time", "-1e+09 to 1e+09"),
     (f"{RENDER} --time nan", "--time", "-1e+09 to 1e+09"),
     (f"{RENDER} --time noon", "--time", "number"),
-    (f"{RENDER} --quality best", "--quality", "draft, standard, high, reference"),
+    (f"{RENDER} --quality best", "--quality", "fast, standard, high, reference"),
     (f"{RENDER} --quality auto", "--budget-ms"),
     (f"{RENDER} --budget-ms 4", "--budget-ms"),
     (f"{RENDER} --quality auto --budget-ms 0", "--budget-ms"),
@@ -49,7 +49,7 @@ REFUSED = [
     (f"{SEQUENCE} -o run --stop -1", "--stop", "above the start"),
     (f"{SEQUENCE} -o run --stop 2e9", "--stop", "at most"),
     (f"{SEQUENCE} -o run --start -2e9", "--start", "-1e+09 to 1e+09"),
-    (f"{SEQUENCE} -o run --quality best", "--quality", "draft, standard"),
+    (f"{SEQUENCE} -o run --quality best", "--quality", "fast, standard"),
     (f"{SEQUENCE} -o run --look nice", "--look", "filtered"),
     (f"{SEQUENCE} -o run --mask zzz", "mask", "zzz"),
     ("accuracy nope", "PRESET", "'nope'", "default"),
@@ -74,7 +74,7 @@ REFUSED = [
     ("masks spectrum vac-6", "--output or --json"),
     ("masks spectrum vac-6 -o a.jpg", "--output", ".png"),
     ("plan default --program nothing", "--program: must be one of "),
-    ("plan default --quality best", "--quality: must be one of draft; standard; high; reference, not 'best'"),
+    ("plan default --quality best", "--quality: must be one of fast; standard; high; reference, not 'best'"),
     ("plan default --program surface --stage geometry", "--stage: must be one of fragment; vertex"),
     ("plan atlantis", "PRESET: 'atlantis' was not found"),
     ("serve --port 99999", "--port", "0 to 65535"),

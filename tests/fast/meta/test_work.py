@@ -19,7 +19,7 @@ from seafoam.quality import TIERS
 from seafoam.scene.models import Scene
 
 def test_two_plans_and_a_process():
-    for tier in ("draft", "standard", "draft"):
+    for tier in ("fast", "standard", "fast"):
         make_plan(Scene(), TIERS[tier])
     subprocess.run([sys.executable, "-c", "pass"], check=True)
 """

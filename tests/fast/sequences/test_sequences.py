@@ -39,7 +39,7 @@ class Counting(InProcess):
 
 
 def spec(stop: float = 0.25, fps: float | str = 24.0, **changes: object) -> SequenceSpec:
-    options = {"time": 0.0, "size": (24, 16), "quality": "draft", **changes}
+    options = {"time": 0.0, "size": (24, 16), "quality": "fast", **changes}
     return SequenceSpec(PictureRequest("paper-halftone", **options).job(), stop, rate_of(fps))
 
 

@@ -10,7 +10,7 @@ from seafoam.render.service.jobs import measure
 
 def test_a_real_sweep_end_to_end(executor, monkeypatch, tmp_path):
     """Few points of a preset, against the reference itself."""
-    wanted = {"draft", "standard", "reference", "samples=4"}
+    wanted = {"fast", "standard", "reference", "samples=4"}
     every = sweep.points_of
     monkeypatch.setattr(sweep, "points_of", lambda scene: tuple(point for point in every(scene) if point.id in wanted))
     subject = Subject.of_preset("paper-halftone")

@@ -21,7 +21,7 @@ WITH_IPV6 = pytest.mark.skipif(not os.path.exists("/proc/net/if_inet6"), reason=
 
 def test_render_with_gl_without_a_server(tmp_path):
     path = tmp_path / "a.png"
-    done = run("render", "default", "-o", path, "--size", "48x27", "--time", "2", "--quality", "draft")
+    done = run("render", "default", "-o", path, "--size", "48x27", "--time", "2", "--quality", "fast")
     if "apt-get install" in done.stderr:
         pytest.skip(done.stderr)
     assert done.returncode == 0, done.stderr
@@ -33,7 +33,7 @@ def test_render_with_gl_without_a_server(tmp_path):
 
 def test_a_frame_imports_what_it_needs(tmp_path):
     """Drawn and written; tests/fast/cli/test_cold_start.py has what comes before, and the other commands."""
-    arguments = ["render", "default", "--size", "48x27", "--quality", "draft", "-o", str(tmp_path / "a.png")]
+    arguments = ["render", "default", "--size", "48x27", "--quality", "fast", "-o", str(tmp_path / "a.png")]
     found = imported(f"from seafoam.cli import main; main({arguments})")
     unneeded = {"PIL", "OpenEXR", "asyncio", "fastapi", "matplotlib", "multiprocessing", "rich", "scipy", "starlette"}
     assert {name.partition(".")[0] for name in found} & unneeded == set()
@@ -43,7 +43,7 @@ def test_a_frame_imports_what_it_needs(tmp_path):
 @pytest.mark.parametrize("format", ["png", "webp", "exr"])
 def test_a_picture_is_drawn_again_to_the_byte(tmp_path, format):
     path = tmp_path / f"a.{format}"
-    done = run("render", "paper-halftone", "-o", path, "--size", "64x36", "--time", "3", "--quality", "draft")
+    done = run("render", "paper-halftone", "-o", path, "--size", "64x36", "--time", "3", "--quality", "fast")
     assert done.returncode == 0, done.stderr
     again = run("render", "--again", path, "-o", tmp_path / "b")
     assert again.returncode == 0, again.stdout + again.stderr
@@ -63,7 +63,7 @@ def test_a_restart_under_load_tears_no_answer(tmp_path):
     """Clients see whole answers, refusals, or no server; an address has the same bytes before and after."""
     port = free_port()
     how = {"port": port, "SEAFOAM_CACHE": str(tmp_path), "SEAFOAM_CACHE_SIZE": str(2**26)}
-    paths = [f"/api/frames/paper-halftone.png?width=64&height=36&quality=draft&time={time}" for time in range(12)]
+    paths = [f"/api/frames/paper-halftone.png?width=64&height=36&quality=fast&time={time}" for time in range(12)]
     answers, wrong, over = defaultdict(set), [], threading.Event()
     counts = {"200": 0, "away": 0}
 

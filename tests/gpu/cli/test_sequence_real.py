@@ -25,7 +25,7 @@ def local(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Frames of the command."""
     folder = tmp_path_factory.mktemp("local") / "frames"
     stop = str(FRAMES / 24)
-    arguments = ("--start", "0", "--stop", stop, "--size", "64x36", "--quality", "draft", "-o", folder)
+    arguments = ("--start", "0", "--stop", stop, "--size", "64x36", "--quality", "fast", "-o", folder)
     done = run("sequence", "paper-halftone", *arguments)
     assert done.returncode == 0, done.stderr
     assert f"{FRAMES} frames" in done.stdout
@@ -44,7 +44,7 @@ def test_the_water_moves(local: Path) -> None:
 
 
 def test_two_workers_one_killed_midway_draw_the_same_bytes(local: Path, tmp_path: Path) -> None:
-    job = PictureRequest("paper-halftone", time=0.0, size=(64, 36), quality="draft").job()
+    job = PictureRequest("paper-halftone", time=0.0, size=(64, 36), quality="fast").job()
     killed: list[int] = []
     with DaskWorkers(workers=2) as workers:
 

@@ -27,11 +27,11 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
 
 SMALLER = {
     "1280x720": "96x54",
-    "width=1280&height=720": "width=96&height=54&quality=draft",
+    "width=1280&height=720": "width=96&height=54&quality=fast",
     "--size 256": "--size 64",
     "size=256": "size=64",
     "render default -o": "render default --size 96x54 -o",
-    "render default": "render default --quality draft",
+    "render default": "render default --quality fast",
 }
 
 
@@ -91,6 +91,6 @@ def test_sequences(server: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch)
             posted = subprocess.run([program, *arguments], capture_output=True, text=True, check=True)
             assert json.loads(posted.stdout)["frames"] == 5
     assert sorted(each.name for each in tmp_path.iterdir()) == ["frames", "sea.mp4", "sea.webp"]
-    command = ["default", "--time", str(1 / 24), "--size", "128x72", "--quality", "draft", "-o", "one.png"]
+    command = ["default", "--time", str(1 / 24), "--size", "128x72", "--quality", "fast", "-o", "one.png"]
     assert run("render", *command).returncode == 0
     assert (tmp_path / "one.png").read_bytes() == (tmp_path / "frames" / "frame-000001.png").read_bytes()

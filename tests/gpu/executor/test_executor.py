@@ -36,7 +36,7 @@ def test_programs_let_go_and_made_again_draw_the_same(executor: Executor, monkey
 def test_all_let_go_and_made_again_draws_the_same(executor: Executor) -> None:
     """moderngl binds the last framebuffer again whenever it makes an object: it must not be one that was released."""
     scene = load_preset("island-surf").scene
-    plan = make_plan(scene, TIERS["draft"])
+    plan = make_plan(scene, TIERS["fast"])
 
     def drawn() -> bytes:
         return draw(executor, plan, scene.camera, time=1.0, size=(32, 18)).tobytes()
@@ -48,7 +48,7 @@ def test_all_let_go_and_made_again_draws_the_same(executor: Executor) -> None:
 
 def test_16_bits_are_the_8_bits_before_they_are_rounded(executor: Executor) -> None:
     preset = load_preset("default")
-    plan = make_plan(preset.scene, TIERS["draft"])
+    plan = make_plan(preset.scene, TIERS["fast"])
     asked = {"time": preset.time, "camera": preset.scene.camera, "width": 96, "height": 54}
     exact = executor.render(plan, output="rgba8", **asked).pixels
     fine = executor.render(plan, output="rgba16", **asked).pixels

@@ -14,7 +14,7 @@ SIZE = (64, 36)
 
 def test_every_pass_of_a_frame_is_timed_and_the_picture_stays(executor: Executor) -> None:
     found = load_preset("open-ocean")
-    plan, camera = make_plan(found.scene, TIERS["draft"]), found.scene.camera
+    plan, camera = make_plan(found.scene, TIERS["fast"]), found.scene.camera
     # Draws what is kept.
     plain = draw(executor, plan, camera, time=found.time, size=SIZE)
     timer = PassTimer(executor)
@@ -29,7 +29,7 @@ def test_every_pass_of_a_frame_is_timed_and_the_picture_stays(executor: Executor
 
 def test_known_loads_leave_the_context_as_it_was(executor: Executor) -> None:
     found = load_preset("paper-height")
-    plan, camera = make_plan(found.scene, TIERS["draft"]), found.scene.camera
+    plan, camera = make_plan(found.scene, TIERS["fast"]), found.scene.camera
     before = draw(executor, plan, camera, time=found.time, size=SIZE)
     pairs = loads(executor)
     assert len(pairs) == 2

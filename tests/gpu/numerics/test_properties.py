@@ -45,7 +45,7 @@ from support.scenes import (
 SIZE = (32, 18)
 QUALITIES = {
     name: quality.model_copy(update={"samples": 1, "target": "RGBA32F"})
-    for name, quality in (("draft", TIERS["draft"]), ("standard", TIERS["standard"]), ("exact", UNFILTERED))
+    for name, quality in (("fast", TIERS["fast"]), ("standard", TIERS["standard"]), ("exact", UNFILTERED))
 }
 LEAST = 1e-30
 """Amplitudes between 0 and this are not drawn: 1/height overflows float32 there."""
@@ -222,7 +222,7 @@ def is_sound(executor: Executor, scene: Scene, quality: Quality, camera: Camera,
 
 SEA_QUALITIES = [
     TIERS[tier].model_copy(update={"target": "RGBA32F", "sea_size": size})
-    for tier, size in (("draft", 64), ("standard", 128))
+    for tier, size in (("fast", 64), ("standard", 128))
 ]
 
 

@@ -105,7 +105,7 @@ PARTS = 24
 """Of a preset's scenes, each tried by itself."""
 DRAWN = 8
 """One in so many is drawn too: a driver compiles for a second or two."""
-QUALITY = TIERS["draft"].model_copy(update={"target": "RGBA32F", "samples": 1})
+QUALITY = TIERS["fast"].model_copy(update={"target": "RGBA32F", "samples": 1})
 
 
 def compiles(executor: Executor, plan: FramePlan) -> None:

@@ -202,11 +202,11 @@ from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.scene.presets import load_preset, preset_names
 for name in preset_names()[{share}::3]:
-    print(name, make_plan(load_preset(name).scene, TIERS["draft"]).sha256)
+    print(name, make_plan(load_preset(name).scene, TIERS["fast"]).sha256)
 """
     done = run(bare / "python", "-c", code, within=tmp_path)
     assert done.returncode == 0, done.stderr
-    here = {name: make_plan(load_preset(name).scene, TIERS["draft"]).sha256 for name in preset_names()[share::3]}
+    here = {name: make_plan(load_preset(name).scene, TIERS["fast"]).sha256 for name in preset_names()[share::3]}
     assert dict(line.split() for line in done.stdout.splitlines()) == here
 
 
@@ -293,7 +293,7 @@ except RuntimeError as error:
     [
         ("reports", "masks spectrum vac-24 -o spectrum.png"),
         ("video", "sequence default --start 2 --stop 2.1 --size 64x36 -o sea.mp4"),
-        ("cluster", "sequence default --stop 2.05 --start 2 --size 64x36 --quality draft --workers 2 -o frames"),
+        ("cluster", "sequence default --stop 2.05 --start 2 --size 64x36 --quality fast --workers 2 -o frames"),
         ("telemetry", "openapi"),
         ("notebook", ""),
     ],

@@ -16,7 +16,7 @@ SIZE = (64, 36)
 @pytest.mark.parametrize("preset", preset_names())
 def test_a_preset_draws(executor: Executor, preset: str) -> None:
     found = load_preset(preset)
-    plan = make_plan(found.scene, TIERS["draft"])
+    plan = make_plan(found.scene, TIERS["fast"])
     camera = found.scene.camera
     frame = draw(executor, plan, camera, time=found.time, size=SIZE, output="samples")
     assert not faults(frame)

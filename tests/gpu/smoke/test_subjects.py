@@ -28,7 +28,7 @@ def below_horizon(camera: Camera) -> NDArray[np.bool_]:
     return rise < -0.002 * np.sqrt(1.0 + x * x + y * y)
 
 
-def views(executor: Executor, scene: Scene, times: range, tier: str = "draft") -> list[NDArray[np.float32]]:
+def views(executor: Executor, scene: Scene, times: range, tier: str = "fast") -> list[NDArray[np.float32]]:
     """Linear light and coverage of the scene from its camera at each time."""
     plan = make_plan(scene, TIERS[tier])
     return [draw(executor, plan, scene.camera, time=t, size=SIZE, output="linear") for t in times]

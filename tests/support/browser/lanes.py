@@ -54,7 +54,7 @@ def launched(playwright: Playwright, name: str, *, optimised: bool = False) -> B
 def opened(lane: Lane, server: str, *, width: int = 320, height: int = 180) -> Page:
     """The page, paused, with its first picture on the canvas, on the renderer that the lane names."""
     page = lane.browser.new_page(viewport={"width": width, "height": height}, device_scale_factor=1)
-    page.goto(f"{server}/#paused=1&quality=draft", wait_until="load")
+    page.goto(f"{server}/#paused=1&quality=fast", wait_until="load")
     page.wait_for_function("() => window.seafoam !== undefined")
     page.evaluate("() => window.seafoam.ready")
     renderer = page.evaluate("() => window.seafoam.renderer")

@@ -10,7 +10,7 @@ from support.exact import EXACT
 QUALITIES = {
     "exact": EXACT,
     "march": TIERS["standard"].model_copy(update={"target": "RGBA32F"}),
-    "mesh": TIERS["draft"].model_copy(
+    "mesh": TIERS["fast"].model_copy(
         update={"target": "RGBA32F", "surface": SurfaceQuality(method="mesh", cells=112, refine=2)}
     ),
 }

@@ -94,6 +94,7 @@ export class App implements PageParts {
     this.loaders = [this.makeLoader(0), this.makeLoader(1)];
     this.presetLoader = new PresetLoader(api, () => this.store.now.preset, (busy) => this.setBusy("preset", busy));
     this.pilot = new QualityPilot(api, this.store);
+    this.pilot.loadCosts();
     this.display = this.connect(makeDisplay);
     this.display.setFixedScale(link.scale);
     this.display.choose(link.draw ?? "auto");
@@ -203,6 +204,7 @@ export class App implements PageParts {
       failed: this.failed,
       frameDone: () => this.frameDone(),
       sourceChanged: () => this.sourceChanged(),
+      movingTier: (load) => this.pilot.movingTier(load),
     });
   }
 
@@ -248,7 +250,8 @@ export class App implements PageParts {
     setInterval(() => {
       const { quality, auto } = this.store.now;
       const { source, why, current } = this.display;
-      this.stats.show({ ...this.display.timing(), source, why, stalled: current.stalled !== null, playing: this.clock.playing, quality: qualityTitle(quality), auto });
+      const timing = this.display.timing();
+      this.stats.show({ ...timing, source, why, stalled: current.stalled !== null, playing: this.clock.playing, quality: qualityTitle(timing.tier ?? quality), auto });
       // Under the still the server may yet draw: it is asked for when this browser's first frames are measured.
       if (this.started) this.pilotQuality();
       if (this.clock.playing) this.transport.update();
@@ -283,7 +286,7 @@ export class App implements PageParts {
   }
 
   private pilotQuality(): void {
-    if (this.clock.playing && this.busy.size === 0) this.pilot.update(this.display.current.load());
+    if (this.clock.playing && this.busy.size === 0) this.pilot.update(this.display.viewport?.load() ?? null);
   }
 
   private viewState() {
@@ -308,7 +311,6 @@ export class App implements PageParts {
     this.context.changed();
     this.limitCamera();
     this.touch.planChanged();
-    this.pilot.loadCosts();
     this.display.planChanged(this.pilot.planDrawn());
   }
 

@@ -1,5 +1,6 @@
 /** Automatic quality: the tier and scale of least error within the frame budget, from costs measured ahead. */
 import type { Api, TierCost, TierCosts } from "../api";
+import type { MovingTier } from "../display/display";
 import { allowedAt, bestScale, costAt, type RenderLoad } from "../display/framebudget";
 import type { Store } from "../selection/store";
 
@@ -90,6 +91,9 @@ export class QualityPilot {
   private costs: TierCosts | null = null;
   /** Preset and tier that are drawn; null before the first. */
   private drawn: readonly [string, string] | null = null;
+  /** Those of the server's frames in motion. */
+  private moving: readonly [string, string] | null = null;
+  private readonly movingChoices = new AutoQuality();
 
   constructor(
     private readonly api: Api,
@@ -108,6 +112,7 @@ export class QualityPilot {
   /** Another scene: tiers that were left may be selected again. */
   reset(): void {
     this.choices.reset();
+    this.movingChoices.reset();
   }
 
   /** `load`: null until it is measured. */
@@ -117,6 +122,16 @@ export class QualityPilot {
     const choice = this.choices.next(this.costs, preset.name, quality, load);
     if (choice === null) return;
     this.store.set({ quality: choice.tier });
+  }
+
+  /** The tier for frames that the server draws in motion, which the selection does not show; null: as selected. */
+  movingTier(load: RenderLoad): MovingTier | null {
+    const { preset, quality, auto, split } = this.store.now;
+    if (!auto || split !== null || this.costs === null) return null;
+    const before = this.moving?.[0] === preset.name ? this.moving[1] : quality;
+    const tier = this.movingChoices.next(this.costs, preset.name, before, load)?.tier ?? before;
+    this.moving = [preset.name, tier];
+    return { tier, cost: costRatio(this.costs, [preset.name, before], this.moving) };
   }
 
   /** A plan of the selection is drawn: what its frames cost, as a multiple of the former plan's. */

@@ -44,6 +44,14 @@ export interface FrameTiming {
   scale: number;
   /** Frames since the page opened. */
   frames: number;
+  /** The tier of the picture, if it is not the selection's. */
+  tier: string | null;
+}
+
+/** `cost`: of its frames, as a multiple of those of the tier before it. */
+export interface MovingTier {
+  tier: string;
+  cost: number;
 }
 
 /** What is drawn in motion. */
@@ -60,6 +68,8 @@ export interface DisplayEvents {
   frameDone(): void;
   /** The other source draws from now on. */
   sourceChanged(): void;
+  /** The tier in which the server is to draw frames in motion; null: as selected. */
+  movingTier(load: RenderLoad): MovingTier | null;
 }
 
 export interface Display {

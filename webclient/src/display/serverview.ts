@@ -13,8 +13,8 @@ import { DynamicResolution } from "./resolution";
 const BUDGET: FrameBudget = [[0.5, 240], [0.55, 115], [0.7, 85], [1, 60]];
 /** Below this scale fewer frames a second are better than fewer pixels. */
 const LEAST_SCALE = 0.35;
-/** Share of the pixels of the first frame: a scale of 0.4. */
-const FIRST_SHARE = 0.16;
+/** Share of the pixels of the first frame: a scale of 0.5. */
+const FIRST_SHARE = 0.25;
 /** Greatest size of a frame, pixels. */
 const MAX_PIXELS = 2_000_000;
 /** Frames that are asked for before the first of them has come. */
@@ -36,6 +36,7 @@ interface RequestedFrame {
   submitted: number;
   scale: number;
   moving: boolean;
+  tier: string | null;
 }
 
 export class ServerView implements Display {
@@ -63,6 +64,8 @@ export class ServerView implements Display {
   private lastMotion = -Infinity;
   private size = { width: 0, height: 0 };
   private frameTime: number | null = null;
+  /** Of the picture that is shown, if it is not the selection's. */
+  private tier: string | null = null;
 
   constructor(
     private readonly api: Api,
@@ -119,7 +122,7 @@ export class ServerView implements Display {
   }
 
   timing(): FrameTiming {
-    return { frame: this.resolution.measured ?? this.frameTime, fps: this.shown.fps, ...this.size, scale: this.scale, frames: this.shown.total };
+    return { frame: this.resolution.measured ?? this.frameTime, fps: this.shown.fps, ...this.size, scale: this.scale, frames: this.shown.total, tier: this.tier };
   }
 
   rate(): Rate | null {
@@ -147,10 +150,11 @@ export class ServerView implements Display {
     if (isNewView) this.lastNewView = now;
     this.view = camera;
     this.dirty = false;
+    const tier = this.movingTier();
     const scale = this.fixed ?? this.resolution.scale;
     const frame = this.frame(view, scale);
-    const take = () => Promise.all(this.views.map(({ scene, request }, side) => (this.streams[side] as FrameStream).frame(scene, request.quality, frame)));
-    void this.show(take, { ...frame, scale, moving: true });
+    const take = () => Promise.all(this.views.map(({ scene, request }, side) => (this.streams[side] as FrameStream).frame(scene, tier ?? request.quality, frame)));
+    void this.show(take, { ...frame, scale, moving: true, tier });
   }
 
   /** Asks for the exact picture of a view that does not move, small while it changes. */
@@ -165,7 +169,16 @@ export class ServerView implements Display {
     if ([requests, finest].some((same) => equal(same as unknown as Json, this.exact as unknown as Json))) return;
     this.exact = requests;
     const take = () => Promise.all(requests.map((request) => this.api.frame(request)));
-    void this.show(take, { ...this.frame(view, scale), scale, moving: false });
+    void this.show(take, { ...this.frame(view, scale), scale, moving: false, tier: null });
+  }
+
+  /** The tier for the next frame in motion; null: as selected. */
+  private movingTier(): string | null {
+    const load = this.load();
+    const chosen = load && this.events.movingTier(load);
+    // What is not measured yet starts small, whatever the tier.
+    if (load?.cost && chosen && chosen.cost !== 1) this.resolution.expect(chosen.cost);
+    return chosen?.tier ?? null;
   }
 
   private get views(): PlanView[] {
@@ -185,8 +198,8 @@ export class ServerView implements Display {
     return { camera, time, width, height };
   }
 
-  private async show(take: () => Promise<(Blob | null)[]>, { scale, moving, width, height }: StreamView & Pick<RequestedFrame, "scale" | "moving">): Promise<void> {
-    const frame: RequestedFrame = { number: ++this.number, submitted: performance.now(), scale, moving };
+  private async show(take: () => Promise<(Blob | null)[]>, { scale, moving, tier, width, height }: StreamView & Pick<RequestedFrame, "scale" | "moving" | "tier">): Promise<void> {
+    const frame: RequestedFrame = { number: ++this.number, submitted: performance.now(), scale, moving, tier };
     this.pending.push(frame);
     try {
       const blobs = (await take()).filter((blob) => blob !== null);
@@ -204,6 +217,7 @@ export class ServerView implements Display {
       this.failures = 0;
       this.stalled = null;
       this.scale = scale;
+      this.tier = tier;
       if (moving) this.exact = [];
       this.events.frameDone();
     } catch (error) {

@@ -200,7 +200,7 @@ export class Viewport implements Display {
     const { scale, shown } = this;
     const [width, height] = this.sizeAt(scale);
     const frame = this.resolution.measured ?? this.finished?.milliseconds ?? null;
-    return { frame, fps: shown.fps, width, height, scale, frames: shown.total };
+    return { frame, fps: shown.fps, width, height, scale, frames: shown.total, tier: null };
   }
 
   rate(): Rate | null {

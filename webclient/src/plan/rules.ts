@@ -83,10 +83,10 @@ export function evaluate(rule: Rule, state: FrameState): readonly number[] {
     }
     case "camera":
       return camera(rule, state);
-    case "viewport":
-      return (rule.of === "picture" ? [state.width, state.height] : [state.targetWidth, state.targetHeight]).map(
-        (side) => rule.times * side,
-      );
+    case "viewport": {
+      const [width, height] = rule.of === "picture" ? [state.width, state.height] : [state.targetWidth, state.targetHeight];
+      return [Math.ceil((rule.times * width) / (rule.narrow ?? 1)), rule.times * height];
+    }
     case "pass_index":
       return [state.passIndex];
   }

@@ -1,8 +1,9 @@
 import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
-import type { TierCost, TierCosts } from "../../src/api";
-import { AutoQuality, costRatio, errorAt, tierChoices } from "../../src/app/autoquality";
+import type { Api, TierCost, TierCosts } from "../../src/api";
+import { AutoQuality, costRatio, errorAt, QualityPilot, tierChoices } from "../../src/app/autoquality";
 import { allowedAt, costAt, MOTION_BUDGET, type RenderLoad } from "../../src/display/framebudget";
+import type { Store } from "../../src/selection/store";
 
 const scales = [1, 0.5, 0.25];
 const tierCosts: TierCost[] = [
@@ -72,6 +73,30 @@ describe("automatic quality", () => {
     expect(auto.next(costs, "sea", "exact", loadOf("exact", 0.3, 30))).toBeNull();
     auto.reset();
     expect(auto.next(costs, "sea", "exact", loadOf("exact", 0.3, 30))?.tier).toBe("fast");
+  });
+});
+
+describe("the tier of the server's frames in motion", () => {
+  const slow = { ...loadOf("exact", 0.5, 30), cost: null };
+
+  async function piloted(selected: object) {
+    const now = { preset: { name: "sea" }, quality: "exact", auto: true, split: null, ...selected };
+    const pilot = new QualityPilot({ tierCosts: () => Promise.resolve(costsOf(slowTiers)) } as unknown as Api, { now } as unknown as Store);
+    pilot.loadCosts();
+    await Promise.resolve();
+    return pilot;
+  }
+  const slowTiers = tierCosts.map((one) => ({ ...one, fixed: 40 * one.fixed, pixels: 40 * one.pixels }));
+
+  it("is chosen before a frame is measured, and leaves the selection as it is", async () => {
+    const pilot = await piloted({});
+    expect(pilot.movingTier(slow)).toEqual({ tier: "fast", cost: (80 + 1200) / (160 + 4800) });
+    expect(pilot.movingTier(slow)).toEqual({ tier: "fast", cost: 1 });
+  });
+
+  it("is the selection's where the user chose it, or compares two", async () => {
+    expect((await piloted({ auto: false })).movingTier(slow)).toBeNull();
+    expect((await piloted({ split: {} })).movingTier(slow)).toBeNull();
   });
 });
 

@@ -79,7 +79,7 @@ def _targets(quality: Quality) -> dict[str, Target]:
     return {
         "spray_births": table,
         "spray_air": table,
-        "spray_thick": Target(size=ViewportSize(scale=side), format="RGBA16F"),
+        "spray_thick": Target(size=ViewportSize(scale=side, narrow=quality.pixel_width), format="RGBA16F"),
     }
 
 
@@ -125,6 +125,7 @@ def _air_pass(scene: Scene, quality: Quality) -> PassSpec:
     if scene.boats:
         over = (*TRACE, Source(file, (("spray_hidden", "spray_hidden_openly"),)), "spray/drawn.glsl@past_boats")
     land: tuple[Piece | SlotRef, ...] = () if scene.shore is None else FIND_LAND
+    rays = Viewport(of="picture", times=math.isqrt(quality.samples), narrow=quality.pixel_width)
     return PassSpec(
         name="drops in the air",
         program="spray_air",
@@ -143,7 +144,7 @@ def _air_pass(scene: Scene, quality: Quality) -> PassSpec:
         target="spray_air",
         inputs=_BIRTHS,
         # Rays are those of the picture, not of the table.
-        uniforms={"u_viewport": array("vec2", (Viewport(of="picture", times=math.isqrt(quality.samples)),), 1)},
+        uniforms={"u_viewport": array("vec2", (rays,), 1)},
         stage="after",
     )
 

@@ -29,7 +29,7 @@ CANARY_SIDE = 16
 T = TypeVar("T")
 
 
-def draw_canary(renderer: Renderer, scene: Scene | None = None, quality: Quality = TIERS["draft"]) -> None:
+def draw_canary(renderer: Renderer, scene: Scene | None = None, quality: Quality = TIERS["fast"]) -> None:
     """Draw a scene small and check the picture; raises :class:`NoRendererError` if it is blank.
 
     Drivers can fail without an error: a lost context reads as zeros. scene: absent: an open sea.

@@ -75,7 +75,7 @@ LOOKED_AT = (
 def test_what_is_out_of_view_is_not_drawn_and_would_change_nothing(executor: Executor, preset: str) -> None:
     """To the last bit: what is left undrawn has no pixel in the picture."""
     scene = load_preset(preset).scene
-    plan = make_plan(scene, TIERS["draft"])
+    plan = make_plan(scene, TIERS["fast"])
     drawn = set()
     for camera in LOOKED_AT:
         lean, full = (

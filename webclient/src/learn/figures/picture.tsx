@@ -12,7 +12,7 @@ import type { FigureContext, LiveFigure } from "../parts/live";
 
 /** Of the picture; a renderer on the processor draws it smaller. */
 const [ASPECT, WIDEST, WIDEST_SOFTWARE] = [16 / 9, 960, 640];
-const [QUALITY, QUALITY_SOFTWARE] = ["standard", "draft"];
+const [QUALITY, QUALITY_SOFTWARE] = ["standard", "fast"];
 /** The scene: the paper's figure 7. */
 const PRESET = "paper-halftone";
 /** Fade of the filtered look, as a share of the plane. */
