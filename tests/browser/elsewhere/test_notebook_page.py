@@ -1,18 +1,17 @@
 """The notebook's widget in a page: anywidget's model stands in for the notebook's, and asks the widget in Python."""
 
 import base64
-import io
 import json
 from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 import pytest
-from PIL import Image
 from playwright.sync_api import Page
 
 from seafoam.notebook import Water
 from support.browser.lanes import Lane, complaints_of
+from support.browser.visits import pixels_of
 
 HTML = """<!doctype html><html lang="en"><head><title>A notebook</title><link rel="icon" href="data:," />
 <style>body { margin: 0 } #cell { width: 640px }</style></head><body><div id="cell"></div></body></html>"""
@@ -54,7 +53,7 @@ class Cell:
 
     def _ask(self, request: str) -> list[Any]:
         answers: list[list[Any]] = []
-        self.water.send = lambda content, parts=(): answers.append(  # type: ignore[method-assign, misc]
+        self.water.send = lambda content, parts=(): answers.append(
             [content, [base64.b64encode(part).decode() for part in parts]]
         )
         content = json.loads(request)
@@ -94,7 +93,7 @@ class Cell:
 
     def seen(self) -> np.ndarray:
         shot = self.page.locator(".seafoam-picture").screenshot()
-        return np.asarray(Image.open(io.BytesIO(shot)).convert("RGB")).astype(float)
+        return pixels_of(shot).astype(float)
 
 
 @pytest.fixture(scope="module")
@@ -102,7 +101,7 @@ def cell(llvmpipe: Lane, server: str) -> Iterator[Cell]:
     context = llvmpipe.browser.new_context(viewport={"width": 960, "height": 600})
     page = context.new_page()
     page.route("**/a-notebook/", lambda route: route.fulfill(body=HTML, content_type="text/html"))
-    made = Cell(page, Water("paper-halftone", time=4.0, quality="draft", playing=False))
+    made = Cell(page, Water("paper-halftone", time=4.0, quality="fast", playing=False))
     try:
         page.goto(f"{server}/a-notebook/")
         made.show()
@@ -151,7 +150,6 @@ def test_a_field_that_stands_in_the_plan_needs_no_other(cell: Cell) -> None:
 def test_a_drag_moves_the_camera_in_python(cell: Cell) -> None:
     before = cell.water.camera
     box = cell.page.locator(".seafoam-picture").bounding_box()
-    assert box is not None
     cell.page.mouse.move(box["x"] + 300, box["y"] + 200)
     cell.page.mouse.down()
     cell.page.mouse.move(box["x"] + 380, box["y"] + 200, steps=4)
@@ -182,7 +180,6 @@ def test_the_panel_edits_the_scene_in_python(cell: Cell) -> None:
     look.select_option("fading")
     cell.page.wait_for_timeout(300)
     foam = cell.water.scene.foam
-    assert foam is not None
     assert foam.look == "fading"
     assert cell.water.panel
     cell.settle()
@@ -194,7 +191,6 @@ def test_the_panel_edits_the_scene_in_python(cell: Cell) -> None:
 
 def test_what_cannot_be_drawn_is_said(cell: Cell) -> None:
     foam = cell.water.scene.foam
-    assert foam is not None
     good = cell.water.scene
     cell.water.scene = good.model_copy(update={"foam": foam.model_copy(update={"mask": "vac-99"})})
     cell.push("scene")

@@ -44,7 +44,7 @@ def pasted(page: Page) -> str:
 
 
 def test_take_home_copies(plain: Lane, named: str) -> None:
-    with visit(plain, named, "#paused=1&quality=draft&preset=paper-halftone&open=take", settle=False) as made:
+    with visit(plain, named, "#paused=1&quality=fast&preset=paper-halftone&open=take", settle=False) as made:
         page = made.page
         assert page.evaluate("() => [isSecureContext, navigator.clipboard === undefined]") == [False, True]
         page.get_by_role("button", name="Copy curl").click()
@@ -56,7 +56,7 @@ def test_take_home_copies(plain: Lane, named: str) -> None:
 
 def test_the_mask_laboratory_copies(plain: Lane, named: str) -> None:
     with visit(plain, named, "masks/", settle=False) as made:
-        made.page.get_by_role("button", name="Copy code").click()
+        made.press("Copy code")
         expect(made.page.get_by_role("status").filter(has_text="Copied.")).to_be_visible()
         assert pasted(made.page).strip() == made.page.locator(".take-home pre").inner_text().strip()
 
@@ -64,13 +64,13 @@ def test_the_mask_laboratory_copies(plain: Lane, named: str) -> None:
 def test_a_browser_that_copies_nothing_is_told(plain: Lane, named: str) -> None:
     with visit(plain, named, "masks/", settle=False) as made:
         made.page.evaluate("() => { document.execCommand = () => false; }")
-        made.page.get_by_role("button", name="Copy code").click()
+        made.press("Copy code")
         expect(made.page.get_by_role("status").filter(has_text="Select the code to copy it.")).to_be_visible()
 
 
 def test_the_notebooks_widget_draws(plain: Lane, named: str) -> None:
     page = plain.browser.new_context(viewport={"width": 960, "height": 600}, bypass_csp=True).new_page()
-    cell = Cell(page, Water("paper-halftone", time=4.0, quality="draft", playing=False))
+    cell = Cell(page, Water("paper-halftone", time=4.0, quality="fast", playing=False))
     # The server's own: one that the test makes up may not load what lies on this machine.
     page.goto(f"{named}/water/")
     page.evaluate("() => { document.body.innerHTML = '<div id=cell style=\"width: 640px\"></div>'; }")

@@ -1,18 +1,15 @@
 """The example of docs/three: plans drawn by three.js, with the same GLSL, beside the server's frames."""
 
 import base64
-import io
 import shutil
 from pathlib import Path
 
-import numpy as np
 import pytest
-from PIL import Image
 from playwright.sync_api import Route
 
 from support.browser.lanes import Lane
 from support.browser.proxy import proxied, site
-from support.browser.visits import differs, visit
+from support.browser.visits import BLANK, differs, pixels_of, visit
 
 ROOT = Path(__file__).parents[3]
 WIDTH, HEIGHT = 320, 180
@@ -23,7 +20,7 @@ import * as THREE from "three";
 import { Water } from "./water.js";
 const get = async (path) => (await fetch(path)).json();
 window.frame = async (preset, time, width, height) => {
-  const plan = await get(`/api/plans/${preset}?quality=draft`);
+  const plan = await get(`/api/plans/${preset}?quality=fast`);
   const { scene } = await get(`/api/presets/${preset}`);
   const renderer = new THREE.WebGLRenderer({ antialias: false, depth: false, preserveDrawingBuffer: true });
   renderer.setSize(width, height, false);
@@ -48,7 +45,7 @@ def answer(route: Route) -> None:
 
 @pytest.mark.parametrize("preset", ["paper-threshold", "paper-halftone", "default"])
 def test_three_draws_the_servers_frame(llvmpipe: Lane, server: str, preset: str) -> None:
-    with visit(llvmpipe, server, "icon.svg", settle=False) as made:
+    with visit(llvmpipe, server, BLANK, settle=False) as made:
         page = made.page
         page.route("**/three-example/*", answer)
         page.goto(f"{server}/three-example/index.html")
@@ -63,14 +60,11 @@ def test_three_draws_the_servers_frame(llvmpipe: Lane, server: str, preset: str)
             " return { png, same, count: held.length }; }",
             [preset, TIME, WIDTH, HEIGHT],
         )
-        query = f"quality=draft&dither=false&time={TIME:g}&width={WIDTH}&height={HEIGHT}"
+        query = f"quality=fast&dither=false&time={TIME:g}&width={WIDTH}&height={HEIGHT}"
         reply = page.request.get(f"{server}/api/frames/{preset}.png?{query}")
         assert drawn["count"] >= 6
         assert drawn["same"], "three.js holds other GLSL than the plan's"
-        ours, truth = (
-            np.asarray(Image.open(io.BytesIO(data)).convert("RGB"))
-            for data in (base64.b64decode(drawn["png"]), reply.body())
-        )
+        ours, truth = (pixels_of(data) for data in (base64.b64decode(drawn["png"]), reply.body()))
         assert truth.std() > 5.0
         assert differs(ours, truth) < 1e-4
 
@@ -85,7 +79,7 @@ def test_the_page_takes_a_server_of_another_site(llvmpipe: Lane, server: str, tm
         page.goto(f"{origin}/index.html?server={behind}/#paper-halftone")
         page.wait_for_function("() => document.querySelector('canvas') !== null", timeout=60_000)
         for _ in range(60):
-            if np.asarray(Image.open(io.BytesIO(page.screenshot())).convert("RGB")).std() > 5.0:
+            if pixels_of(page.screenshot()).std() > 5.0:
                 break
             page.wait_for_timeout(500)
         else:

@@ -5,7 +5,7 @@ import re
 import pytest
 
 from support.browser.lanes import Lane
-from support.browser.visits import Visit, differs, link, visit
+from support.browser.visits import Visit, differs, drag, link, visit
 from support.scenes import load_preset
 
 # Links and files
@@ -20,12 +20,12 @@ def test_a_link_restores_everything(llvmpipe: Lane, server: str) -> None:
         made.page.mouse.move(100, 140)
         made.page.mouse.wheel(0, -120)
         made.page.get_by_label("Speed", exact=True).select_option("0.5")
-        made.page.get_by_role("button", name="Compare side by side").click()
+        made.press("Compare side by side")
         handle = made.page.locator("#split-view .handle")
         handle.wait_for()  # What is not in sight yet takes no key, and says nothing of it.
         handle.press("ArrowLeft")
         first = made.picture()
-        made.page.get_by_role("button", name="Copy link to this view").click()
+        made.press("Copy link to this view")
         made.page.get_by_text("Link copied").wait_for()
         address = made.page.evaluate("() => navigator.clipboard.readText()")
         state = made.state()
@@ -69,7 +69,7 @@ def test_a_live_field_asks_for_nothing_and_a_look_for_a_plan(small: Visit) -> No
     small.settings().get_by_label("look", exact=True).select_option(label="halftone")
     assert differs(small.picture(), brighter) > 0.05
     assert small.plans() == asked + 1
-    small.page.get_by_role("button", name="Reset scene").click()
+    small.press("Reset scene")
     assert (small.picture() == before).all()
 
 
@@ -91,10 +91,7 @@ def test_the_camera_asks_for_nothing(llvmpipe: Lane, server: str) -> None:
                 assert made.state()["camera"]["fov"] == camera["fov"]
             camera = made.state()["camera"]
 
-        mouse.move(200, 150)
-        mouse.down(button="right")
-        mouse.move(260, 150)
-        mouse.up(button="right")
+        drag(made.page, (200, 150), (260, 150), button="right", steps=1)
         moved("yaw")
         mouse.wheel(0, -100)
         moved("position")

@@ -1,6 +1,5 @@
 """The page on a phone, and what must be large and clear enough on any screen."""
 
-import io
 import re
 from collections.abc import Iterator
 from typing import Any
@@ -8,11 +7,10 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from PIL import Image
 from playwright.sync_api import Page
 
 from support.browser.lanes import Lane
-from support.browser.visits import DESKTOP, FINGER, PHONE, TARGETS, Held, Visit, differs, swipe, visit
+from support.browser.visits import BLANK, DESKTOP, FINGER, PHONE, TARGETS, Held, Visit, differs, pixels_of, swipe, visit
 from support.report import REPORT
 from support.scenes import load_preset
 from support.sweep import crossed
@@ -36,7 +34,7 @@ def phone(shared_phone: Visit) -> Iterator[Visit]:
 
 def test_fingers_move_the_camera(phone: Visit) -> None:
     before, start = phone.picture(), phone.state()["camera"]
-    phone.page.get_by_role("button", name="Touch water").click()
+    phone.press("Touch water")
     asked = phone.plans()
     swipe(phone.page, ((100, 400), (220, 400)))
     phone.settle()
@@ -57,22 +55,21 @@ def test_the_settings_are_a_sheet_from_below(phone: Visit) -> None:
     panel = phone.settings()
     phone.page.wait_for_function("() => getComputedStyle(document.querySelector('#settings')).transform === 'none'")
     box = panel.bounding_box()
-    assert box is not None
     assert (box["x"], box["width"]) == (0, PHONE[0])
     assert box["y"] + box["height"] == pytest.approx(PHONE[1], abs=1)
     assert box["y"] > PHONE[1] / 3, "no picture is left to judge by"
     play = phone.page.get_by_role("button", name="Play")
     play.click()
     assert phone.state()["playing"] is True, "time stays in reach"
-    phone.page.get_by_role("button", name="Pause").click()
+    phone.press("Pause")
     assert phone.page.evaluate("() => document.documentElement.scrollWidth - innerWidth") <= 0
-    phone.page.get_by_role("button", name="Close settings").click()
+    phone.press("Close settings")
     phone.page.wait_for_function("() => getComputedStyle(document.querySelector('#settings')).visibility === 'hidden'")
     assert panel.evaluate("(panel) => panel.inert") is True
 
 
 def test_targets_fit_a_finger(phone: Visit) -> None:
-    phone.page.get_by_role("button", name="Compare side by side").click()
+    phone.press("Compare side by side")
     targets = phone.page.evaluate(TARGETS)
     phone.settings()
     for folder in ("light", "waves (5)"):
@@ -87,7 +84,7 @@ def test_targets_fit_a_finger(phone: Visit) -> None:
 
 @pytest.mark.parametrize("opened", [False, True], ids=["compared", "settings"])
 def test_nothing_covers_what_must_be_reached(phone: Visit, opened: bool) -> None:
-    phone.page.get_by_role("button", name="Compare side by side").click()
+    phone.press("Compare side by side")
     if opened:
         phone.settings()
         phone.page.wait_for_function("() => getComputedStyle(document.querySelector('#settings')).transform === 'none'")
@@ -118,7 +115,7 @@ def shot(page: Page, box: Any, part: str, style: str) -> NDArray[np.uint8]:
     tag = page.add_style_tag(content=f"{part} {{ {style} }}")
     png = page.screenshot(clip=box)
     tag.evaluate("(tag) => tag.remove()")
-    return np.asarray(Image.open(io.BytesIO(png)).convert("RGB"))
+    return pixels_of(png)
 
 
 def beside(letters: NDArray[np.bool_], reach: int) -> NDArray[np.bool_]:
@@ -135,7 +132,7 @@ def beside(letters: NDArray[np.bool_], reach: int) -> NDArray[np.bool_]:
 )
 def test_words_stand_out(llvmpipe: Lane, server: str, window: str, preset: str) -> None:
     """Over pale sky, night and white dots: what lies beside letters is of another tone, by their ink or their glow."""
-    with visit(llvmpipe, server, "icon.svg", size=WINDOWS[window], settle=False) as made:
+    with visit(llvmpipe, server, BLANK, size=WINDOWS[window], settle=False) as made:
         page = made.page
         # The still stands, which shows what is drawn.
         Held(page, "**/api/plans")
@@ -147,7 +144,6 @@ def test_words_stand_out(llvmpipe: Lane, server: str, window: str, preset: str) 
             colour = words.evaluate("(words) => getComputedStyle(words).color")
             ink = luminance([float(number) for number in re.findall(r"[\d.]+", colour)][:3])
             box = words.bounding_box()
-            assert box is not None
             with_ink, without = (shot(page, box, part, style) for style in ("", "color: transparent"))
             behind = luminance(without)[beside((with_ink != without).any(axis=-1), 2)]
             contrast = (np.maximum(ink, behind) + 0.05) / (np.minimum(ink, behind) + 0.05)

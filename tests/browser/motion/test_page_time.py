@@ -1,13 +1,10 @@
 """The page's time, speed, resolution and quality."""
 
-import re
-
 import numpy as np
 import pytest
-from playwright.sync_api import Route
 
 from support.browser.lanes import Lane
-from support.browser.visits import SMALL, Visit, differs, visit
+from support.browser.visits import BLANK, SMALL, Held, Visit, differs, visit
 from support.scenes import load_preset
 
 
@@ -29,31 +26,26 @@ def test_quality_follows_what_was_measured_unless_it_is_named(llvmpipe: Lane, se
     """The page in motion goes to the tier whose picture is the best in time; who names one keeps it."""
     measured = [
         {"tier": "standard", "fixed": 1.0, "pixels": 600.0, "errors": [20.0, 30.0]},
-        {"tier": "draft", "fixed": 1.0, "pixels": 60.0, "errors": [5.0, 6.0]},
+        {"tier": "fast", "fixed": 1.0, "pixels": 60.0, "errors": [5.0, 6.0]},
     ]
     fronts = {"scales": [1.0, 0.25], "presets": {"default": measured}}
-    opened = llvmpipe.browser.new_context(viewport={"width": 320, "height": 500})
-    page = opened.new_page()
-    held: list[Route] = []
-    page.route(re.compile(r"/fronts[.]json"), lambda route: held.append(route))
     stats = "(tier) => document.querySelector('.frame-stats')?.textContent.startsWith(tier) === true"
-    try:
+    with visit(llvmpipe, server, BLANK, size=(320, 500), settle=False) as made:
+        page, held = made.page, Held(made.page, "**/fronts.json")
         # On a busy machine the server would win, and the first tier be gone before anybody looked.
         page.goto(f"{server}/#draw=browser", wait_until="load")
         page.wait_for_function(stats, arg="standard", timeout=120_000)
-        for route in held:
+        for route in held.routes:
             route.fulfill(json=fronts)
-        page.wait_for_function(stats, arg="draft", timeout=120_000)
-        assert page.evaluate("() => window.seafoam.state().quality") is None
-        page.get_by_role("button", name="Settings", exact=True).click()
+        page.wait_for_function(stats, arg="fast", timeout=120_000)
+        assert made.state()["quality"] is None
+        made.settings()
         assert page.locator("#quality").input_value() == "auto"
         page.locator("#quality").select_option("standard")
         page.wait_for_function(stats, arg="standard", timeout=60_000)
         page.wait_for_function("() => !window.seafoam.state().busy", timeout=60_000)
         page.wait_for_timeout(3000)
-        assert page.evaluate("() => window.seafoam.state().quality") == "standard"
-    finally:
-        opened.close()
+        assert made.state()["quality"] == "standard"
 
 
 def test_a_pause_stops_every_pixel(small: Visit) -> None:
@@ -61,16 +53,16 @@ def test_a_pause_stops_every_pixel(small: Visit) -> None:
     small.frames(12)
     assert (small.canvas() == before).all()
     assert small.state()["time"] == time
-    small.page.get_by_role("button", name="Play").click()
+    small.press("Play")
     small.page.wait_for_function("(time) => window.seafoam.state().time > time", arg=time + 0.5)
-    small.page.get_by_role("button", name="Pause").click()
+    small.press("Pause")
     small.settle()
     after, later = small.canvas(), small.state()["time"]
     assert differs(after, before) > 0.2
     small.frames(12)
     assert (small.canvas() == after).all()
     assert small.state()["time"] == later
-    small.page.get_by_role("button", name="Reset time").click()
+    small.press("Reset time")
     small.settle()
     assert small.state()["time"] == load_preset("default").time
     small.page.locator("#canvas").press("Space")
@@ -87,12 +79,10 @@ def test_time_is_set(small: Visit) -> None:
     moment = small.page.get_by_label("Time in seconds")
     assert moment.input_value() == "30.00"
     for typed, time in (("-12.5", -12.5), ("1e9", 1e9), ("4,25", 4.25)):
-        moment.fill(typed)
-        moment.press("Enter")
+        small.enter("Time in seconds", typed)
         assert small.state()["time"] == time
         assert small.picture().std() > 5.0
-    moment.fill("never")
-    moment.press("Enter")
+    small.enter("Time in seconds", "never")
     assert small.state()["time"] == 4.25
     assert moment.input_value() == "4.25"
 
@@ -100,7 +90,7 @@ def test_time_is_set(small: Visit) -> None:
 def test_speed_scales_time(small: Visit) -> None:
     small.page.get_by_label("Speed", exact=True).select_option("4")
     assert small.state()["speed"] == 4
-    small.page.get_by_role("button", name="Play").click()
+    small.press("Play")
     # The page asks for its next frame before this does, so each sample follows the page's own step.
     samples = small.page.evaluate(
         "() => new Promise((done) => { const seen = [];"
@@ -116,15 +106,14 @@ def test_speed_scales_time(small: Visit) -> None:
 
 @pytest.mark.parametrize(("motion", "playing"), [("reduce", False), ("no-preference", True)])
 def test_starts_still_where_motion_is_unwelcome(llvmpipe: Lane, server: str, motion: str, playing: bool) -> None:
-    with visit(llvmpipe, server, "#quality=draft", size=(400, 300), settle=False, reduced_motion=motion) as made:
-        made.page.wait_for_function("() => window.seafoam !== undefined")
-        made.page.evaluate("() => window.seafoam.ready")
+    with visit(llvmpipe, server, "#quality=fast", size=(400, 300), settle=False, reduced_motion=motion) as made:
+        made.begin()
         assert made.state()["playing"] is playing
         assert made.page.get_by_role("button", name="Pause" if playing else "Play").count() == 1
 
 
 def test_a_hidden_tab_stands_still_and_goes_on_where_it_was(llvmpipe: Lane, server: str) -> None:
-    with visit(llvmpipe, server, "#preset=paper-height&quality=draft", size=SMALL, settle=False) as made:
+    with visit(llvmpipe, server, "#preset=paper-height&quality=fast", size=SMALL, settle=False) as made:
         page = made.page
         page.wait_for_function("() => window.seafoam?.state().playing && window.seafoam.state().time > 0")
         tab = page.context.new_cdp_session(page)

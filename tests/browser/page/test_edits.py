@@ -84,7 +84,7 @@ def test_a_scene_is_pasted_and_what_is_wrong_with_it_told(small: Visit) -> None:
 def test_a_scene_is_copied_whole(llvmpipe: Lane, server: str, permissions: list[str]) -> None:
     with visit(llvmpipe, server, link(scene={"/light/exposure": 1}), permissions=permissions) as made:
         made.settings()
-        made.page.get_by_role("button", name="Copy scene").click()
+        made.press("Copy scene")
         made.page.get_by_text("Scene copied").wait_for()
         copied = json.loads(made.page.evaluate("() => navigator.clipboard.readText()"))
         own = load_preset("default").scene.model_dump(mode="json")

@@ -1,7 +1,6 @@
 """Firefox and WebKitGTK on llvmpipe, under Xvfb: pixels, layout, touch, settings. Headless they have no WebGL."""
 
 import base64
-import io
 import os
 import shutil
 import subprocess
@@ -10,12 +9,11 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 import pytest
-from PIL import Image
 
 from support.browser.axe import AXE
 from support.browser.bidi import Firefox
 from support.browser.engine import Engine
-from support.browser.visits import DESKTOP, PHONE, link
+from support.browser.visits import DESKTOP, PHONE, link, pixels_of
 from support.browser.webkit import WebKit
 from support.sweep import REST
 
@@ -94,7 +92,7 @@ def engine(request: pytest.FixtureRequest, engines: Callable[[str], Engine]) -> 
 
 def opened(engine: Engine, server: str, preset: str, size: tuple[int, int]) -> None:
     engine.size(*size)
-    engine.visit(f"{server}/#paused=1&quality=draft&preset={preset}&time={TIME}")
+    engine.visit(f"{server}/#paused=1&quality=fast&preset={preset}&time={TIME}")
     engine.until(SETTLED)
 
 
@@ -105,13 +103,13 @@ def test_presets_are_the_servers_pixels(engine: Engine, server: str) -> None:
     renderer = "Apple GPU" if isinstance(engine, WebKit) else "llvmpipe"
     assert renderer in engine.evaluate("window.seafoam.renderer")
     for preset in PRESETS:
-        options = f"{{ time: {TIME}, width: {WIDTH}, height: {HEIGHT}, quality: 'draft' }}"
+        options = f"{{ time: {TIME}, width: {WIDTH}, height: {HEIGHT}, quality: 'fast' }}"
         drawn = engine.evaluate(f"window.seafoam.render('{preset}', {options})")
         assert drawn["glError"] == 0
         ours = np.frombuffer(base64.b64decode(drawn["pixels"]), np.uint8).reshape(HEIGHT, WIDTH, 4)[..., :3]
-        query = f"time={TIME}&width={WIDTH}&height={HEIGHT}&quality=draft&dither=false"
+        query = f"time={TIME}&width={WIDTH}&height={HEIGHT}&quality=fast&dither=false"
         with urllib.request.urlopen(f"{server}/api/frames/{preset}.png?{query}", timeout=120) as reply:
-            truth = np.asarray(Image.open(io.BytesIO(reply.read())).convert("RGB"))
+            truth = pixels_of(reply.read())
         assert truth.std() > 5.0
         assert (ours != truth).any(axis=-1).mean() <= 1e-4, preset
     assert engine.complaints == []
@@ -185,7 +183,7 @@ def test_a_water_is_found_by_words(engine: Engine, server: str, size: tuple[int,
 @engines_at(firefox="desktop", webkit="desktop")
 def test_a_lost_context_comes_back(engine: Engine, server: str, size: tuple[int, int]) -> None:
     opened(engine, server, "paper-threshold", size)
-    draw = f"window.seafoam.render('default', {{ time: {TIME}, width: 64, height: 36, quality: 'draft' }})"
+    draw = f"window.seafoam.render('default', {{ time: {TIME}, width: 64, height: 36, quality: 'fast' }})"
     before = engine.evaluate(draw)["pixels"]
     engine.evaluate("window.seafoam.loseContext()")
     engine.until("/context lost/.test(document.querySelector('.toast')?.textContent)")
@@ -198,7 +196,7 @@ def test_a_lost_context_comes_back(engine: Engine, server: str, size: tuple[int,
 @engines_at(firefox="phone")
 def test_the_server_draws_where_it_is_asked_to(engine: Engine, server: str, size: tuple[int, int]) -> None:
     engine.size(*size)
-    engine.visit(f"{server}/?draw=server#paused=1&quality=draft&preset=paper-threshold&time={TIME}")
+    engine.visit(f"{server}/?draw=server#paused=1&quality=fast&preset=paper-threshold&time={TIME}")
     engine.until(f"{SETTLED} && document.querySelector('.served canvas')?.width > 0")
     click(engine, "Play")
     engine.until(f"window.seafoam.state().time > {TIME} + 0.2")

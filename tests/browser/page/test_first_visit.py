@@ -8,7 +8,7 @@ from typing import Any
 from playwright.sync_api import expect
 
 from support.browser.lanes import Lane
-from support.browser.visits import SMALL, Held, Visit, link, until, visit
+from support.browser.visits import BLANK, Held, Visit, link, until, visit
 
 MOST = 900_000
 """Bytes from navigation until the water moves, as they come over the network."""
@@ -49,7 +49,7 @@ def moves(visit: Visit) -> None:
 
 
 def test_a_first_visit_is_light_until_the_water_moves(llvmpipe: Lane, server: str) -> None:
-    with visit(llvmpipe, server, "icon.svg", size=WINDOW, settle=False) as made, counted(made) as bytes_of:
+    with visit(llvmpipe, server, BLANK, size=WINDOW, settle=False) as made, counted(made) as bytes_of:
         # What comes as soon as the water moves is held back: it would be counted where it came before we looked.
         later = [Held(made.page, pattern) for pattern in (LOWER, "**/*.small.webp")]
         made.page.goto(f"{server}/{MOVING}", wait_until="load")
@@ -74,16 +74,16 @@ def test_the_picture_becomes_the_exact_one_and_none_is_saved_before(llvmpipe: La
     at = {"time": 12.5, "preset": "default", "draw": "browser"}
     with visit(llvmpipe, server, link(**at)) as made:
         exact = made.picture()
-    with visit(llvmpipe, server, "icon.svg", settle=False) as made:
+    with visit(llvmpipe, server, BLANK, settle=False) as made:
         held = Held(made.page, LOWER)
-        made.page.goto(f"{server}/#quality=draft&draw=browser&scale=0.25&time=12.5", wait_until="load")
+        made.page.goto(f"{server}/#quality=fast&draw=browser&scale=0.25&time=12.5", wait_until="load")
         moves(made)
         made.page.keyboard.press("Space")
         made.follow(link(**at))
         assert made.state()["rough"]
         saved: list[str] = []
         made.page.on("download", lambda one: saved.append(one.suggested_filename))
-        made.page.get_by_role("button", name="Save image as PNG").click()
+        made.press("Save image as PNG")
         held.arrived()
         made.frames(20)
         assert made.state()["rough"]
@@ -94,32 +94,19 @@ def test_the_picture_becomes_the_exact_one_and_none_is_saved_before(llvmpipe: La
         assert (made.picture() == exact).all()
 
 
-def test_on_a_slow_network_the_still_stands_until_the_plan_is_here(llvmpipe: Lane, server: str) -> None:
-    with visit(llvmpipe, server, "icon.svg", size=SMALL, settle=False, reduced_motion="reduce") as made:
-        page, held = made.page, Held(made.page, PLANS)
-        page.goto(f"{server}/#paused=1&quality=draft")
-        page.locator("#title", has_text="Evening swell").wait_for()
-        expect(page.locator("#still")).to_be_visible()
-        expect(page.locator("#loading")).to_be_hidden()
-        made.settings()
-        expect(page.locator(".busy")).to_be_visible()
-        held.let_go()
-        made.settle()
-        expect(page.locator(".busy")).to_be_hidden()
-        expect(page.locator("#still")).to_be_hidden()
-        assert made.canvas().std() > 5.0
-
-
 def test_the_picture_stays_on_a_slow_network_and_the_last_choice_counts(small: Visit) -> None:
     page, before = small.page, small.picture()
+    small.settings()
     held = Held(page, PLANS)
     for look in ("textured", "halftone"):
         page.evaluate("(hash) => { location.hash = hash; }", link(scene={"/foam/look": look}))
         page.wait_for_function("() => window.seafoam.state().busy")
         page.wait_for_timeout(300)  # longer than the page waits for a slider to come to rest
+    expect(page.locator(".busy")).to_be_visible()
     assert (small.saved()[0] == before).all()
     held.let_go()
     page.wait_for_function("() => !window.seafoam.state().busy")
+    expect(page.locator(".busy")).to_be_hidden()
     halftone = small.picture()
     small.follow(link(scene={"/foam/look": "halftone"}))
     assert (small.picture() == halftone).all()

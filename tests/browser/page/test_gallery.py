@@ -1,15 +1,13 @@
 """The gallery: addresses, search, list, keys, layout; and the keys and the hint of the whole page."""
 
-import io
 from typing import Any
 
 import numpy as np
 import pytest
-from PIL import Image
 from playwright.sync_api import Page, expect
 
 from support.browser.lanes import Lane
-from support.browser.visits import DESKTOP, PHONE, STILL, Visit, link, visit
+from support.browser.visits import BLANK, DESKTOP, PHONE, STILL, Visit, drag, link, pixels_of, visit
 from support.scenes import load_preset, preset_names
 
 BOXES = """(selector) => [...document.querySelectorAll(selector)].map((one) => {
@@ -63,8 +61,7 @@ def test_an_unknown_address_is_told(llvmpipe: Lane, server: str) -> None:
         made.expected = "404"
         assert "atlantis" in (made.page.get_by_role("heading").text_content() or "")
         made.page.get_by_role("link", name="Open Seafoam").click()
-        made.page.wait_for_function("() => window.seafoam !== undefined")
-        made.page.evaluate("() => window.seafoam.ready")
+        made.begin()
         chosen(made.page, "default")
 
 
@@ -120,37 +117,6 @@ def test_the_strip_goes_by_keys(small: Visit) -> None:
     small.settle()
 
 
-@pytest.mark.parametrize("size", [DESKTOP, PHONE], ids=["desktop", "phone"])
-def test_nothing_of_the_gallery_overlaps(llvmpipe: Lane, server: str, size: tuple[int, int]) -> None:
-    with visit(llvmpipe, server, size=size) as made:
-        thumbnails = np.array(made.page.evaluate(BOXES, "#gallery [role=option]"))
-        assert len(thumbnails) == len(preset_names())
-        assert (thumbnails[1:, 0] >= thumbnails[:-1, 0] + thumbnails[:-1, 2] + 8).all()
-        groups = np.array(made.page.evaluate(BOXES, "#gallery [role=group]"))
-        assert (groups[1:, 0] >= groups[:-1, 0] + groups[:-1, 2]).all()
-        made.page.keyboard.press("/")
-        box = made.page.locator(".waters").bounding_box()
-        assert box is not None
-        assert box["x"] >= 0
-        assert box["y"] >= 0
-        assert box["x"] + box["width"] <= size[0]
-        assert box["y"] + box["height"] <= size[1]
-
-
-@pytest.mark.parametrize("size", [DESKTOP, PHONE], ids=["desktop", "phone"])
-def test_the_heading_is_type_and_nothing_else(llvmpipe: Lane, server: str, size: tuple[int, int]) -> None:
-    """No box and no shade lie over the sky: without its words a white page is white."""
-    with visit(llvmpipe, server, size=size) as made:
-        made.page.add_style_tag(
-            content="body > :not(#heading), #heading > * { visibility: hidden } html, body { background: #fff }"
-        )
-        shot = np.asarray(Image.open(io.BytesIO(made.page.screenshot())).convert("L"), int)
-    assert (shot == 255).all()
-
-
-# Keys and the hint
-
-
 def test_time_steps_by_frames_and_is_typed_exactly(small: Visit) -> None:
     page = small.page
     small.follow(link(time=1))
@@ -186,26 +152,43 @@ def hints(page: Page) -> Any:
     return page.locator(".hint:not(.gone)").all_text_contents()
 
 
+@pytest.mark.parametrize("size", [DESKTOP, PHONE], ids=["desktop", "phone"])
+def test_nothing_of_the_gallery_overlaps_and_the_heading_is_type_alone(
+    llvmpipe: Lane, server: str, size: tuple[int, int]
+) -> None:
+    """No box and no shade of the heading lie over the sky: without its words a white page is white."""
+    with visit(llvmpipe, server, size=size) as made:
+        left, _, width, _ = np.array(made.page.evaluate(BOXES, "#gallery [role=option]")).T
+        assert len(left) == len(preset_names())
+        assert (left[1:] >= left[:-1] + width[:-1] + 8).all()
+        left, _, width, _ = np.array(made.page.evaluate(BOXES, "#gallery [role=group]")).T
+        assert (left[1:] >= left[:-1] + width[:-1]).all()
+        made.page.keyboard.press("/")
+        box = made.page.locator(".waters").bounding_box() or {}
+        assert min(box["x"], box["y"]) >= 0
+        assert box["x"] + box["width"] <= size[0]
+        assert box["y"] + box["height"] <= size[1]
+        made.page.keyboard.press("Escape")
+        made.page.add_style_tag(
+            content="body > :not(#heading), #heading > * { visibility: hidden } html, body { background: #fff }"
+        )
+        assert (pixels_of(made.page.screenshot()) == 255).all()
+
+
 def test_a_hint_goes_with_the_first_move_or_after_half_a_minute(llvmpipe: Lane, server: str) -> None:
     with visit(llvmpipe, server) as made:
         assert "Touch the water" in hints(made.page)[0]
-        made.page.mouse.move(200, 200)
-        made.page.mouse.down()
-        made.page.mouse.up()
+        drag(made.page, (200, 200))
         assert hints(made.page) == []
         expect(made.page.locator(".hint")).to_have_count(0)
-    opened = llvmpipe.browser.new_context(viewport={"width": 400, "height": 300})
-    page = opened.new_page()
-    try:
-        page.clock.install()
-        page.goto(f"{server}/{STILL}", wait_until="load")
+    with visit(llvmpipe, server, BLANK, size=(400, 300), settle=False) as made:
+        made.page.clock.install()
+        made.page.goto(f"{server}/{STILL}", wait_until="load")
         for _ in range(600):
-            page.clock.run_for(50)
-            if hints(page):
+            made.page.clock.run_for(50)
+            if hints(made.page):
                 break
-        page.clock.run_for(29_000)
-        assert len(hints(page)) == 1
-        page.clock.run_for(1_100)
-        assert hints(page) == []
-    finally:
-        opened.close()
+        made.page.clock.run_for(29_000)
+        assert len(hints(made.page)) == 1
+        made.page.clock.run_for(1_100)
+        assert hints(made.page) == []

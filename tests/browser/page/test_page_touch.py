@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from support.browser.lanes import Lane
-from support.browser.visits import PHONE, Visit, differs, link, swipe, visit
+from support.browser.visits import PHONE, Visit, differs, drag, link, swipe, visit
 
 SIZE = (560, 360)
 LAKE = link(preset="lake-calm", time=2.0)
@@ -46,14 +46,13 @@ def test_a_tap_raises_a_ring_there(lake: Visit) -> None:
     lake.settings()
     served, _ = lake.saved("Render on server")
     assert differs(served, after) < 1e-4
-    lake.page.get_by_role("button", name="Close settings").click()
+    lake.press("Close settings")
     # A second touch needs no plan.
     lake.page.mouse.click(200, 220)
     lake.page.wait_for_function("() => window.seafoam.state().touches.length === 2")
     assert differs(lake.picture(), after) > 0.002
     assert lake.plans() == asked + 1
-    lake.page.get_by_label("Time in seconds").fill("1")
-    lake.page.get_by_label("Time in seconds").press("Enter")
+    lake.enter("Time in seconds", "1")
     touched = lake.picture()
     lake.page.get_by_role("button", name="Touch water").focus()
     lake.follow(link(preset="lake-calm", time=1.0))
@@ -62,11 +61,7 @@ def test_a_tap_raises_a_ring_there(lake: Visit) -> None:
 
 
 def test_a_drag_leaves_a_train_that_a_link_restores(lake: Visit, llvmpipe: Lane, server: str) -> None:
-    lake.page.mouse.move(120, 240)
-    lake.page.mouse.down()
-    for x in range(130, 440, 15):
-        lake.page.mouse.move(x, 240 + x // 20)
-    lake.page.mouse.up()
+    drag(lake.page, (120, 240), *((x, 240 + x // 20) for x in range(130, 440, 15)), steps=1)
     drawn(lake)
     made = touches(lake)
     steps = np.hypot(*np.diff([[one["x"], one["z"]] for one in made], axis=0).T)
@@ -117,10 +112,7 @@ def test_keys_touch_and_choose_what_a_drag_does(lake: Visit) -> None:
     lake.page.keyboard.press("t")
     assert button.get_attribute("aria-pressed") == "false"
     before = lake.state()["camera"]
-    lake.page.mouse.move(200, 200)
-    lake.page.mouse.down()
-    lake.page.mouse.move(260, 200, steps=3)
-    lake.page.mouse.up()
+    drag(lake.page, (200, 200), (260, 200))
     lake.page.wait_for_function("(yaw) => window.seafoam.state().camera.yaw !== yaw", arg=before["yaw"])
     assert len(touches(lake)) == 1
 
@@ -128,11 +120,11 @@ def test_keys_touch_and_choose_what_a_drag_does(lake: Visit) -> None:
 def test_rings_begin_when_they_can_be_seen(llvmpipe: Lane, server: str) -> None:
     """The first touch waits for its plan: no ring has died away before it is drawn."""
     with visit(llvmpipe, server, link(preset="lake-calm", time=2.0, scale=0.1), size=SIZE) as made:
-        made.page.get_by_role("button", name="Play").click()
+        made.press("Play")
         made.page.mouse.click(300, 250)
         touched = made.state()["time"]
         made.page.wait_for_function("() => window.seafoam.state().touches !== null && !window.seafoam.state().busy")
-        made.page.get_by_role("button", name="Pause").click()
+        made.press("Pause")
         (ring,) = touches(made)
         assert touched - 0.02 <= ring["time"] <= made.state()["time"]
 

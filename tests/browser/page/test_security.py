@@ -16,8 +16,7 @@ document.addEventListener("securitypolicyviolation", ({ violatedDirective, block
 
 def blocked(page: Page) -> list[Any]:
     """What the policy has blocked since the page opened."""
-    found: list[Any] = page.evaluate("() => window.blocked")
-    return found
+    return page.evaluate("() => window.blocked")
 
 
 def test_the_policy_is_in_force(llvmpipe: Lane, server: str) -> None:

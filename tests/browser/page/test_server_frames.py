@@ -1,16 +1,14 @@
 """Without WebGL 2 the server draws, and the page works as it does with it."""
 
 import base64
-import io
 from collections.abc import Iterator
 
 import numpy as np
 import pytest
-from PIL import Image
 from playwright.sync_api import Route, expect
 
 from support.browser.lanes import Lane
-from support.browser.visits import Held, Pixels, Visit, link, visit
+from support.browser.visits import BLANK, Held, Pixels, Visit, link, pixels_of, visit
 
 SIZE = (400, 300)
 NO_WEBGL = """
@@ -26,7 +24,10 @@ FRAMES, PRESETS = "**/api/frames", "**/api/presets/*"
 @pytest.fixture
 def served(llvmpipe: Lane, server: str) -> Iterator[Visit]:
     """A page whose browser has no WebGL 2, paused."""
-    with visit(llvmpipe, server, ADDRESS, size=SIZE, before=NO_WEBGL, reduced_motion="reduce") as made:
+    with visit(llvmpipe, server, BLANK, size=SIZE, settle=False, reduced_motion="reduce") as made:
+        made.page.add_init_script(NO_WEBGL)
+        made.page.goto(f"{server}/{ADDRESS}")
+        made.settle()
         yield made
 
 
@@ -51,9 +52,9 @@ def test_the_servers_frame_stands_in_the_canvass_place(served: Visit, server: st
     page = served.page
     notice = page.locator("#heading .notice")
     expect(notice).to_have_text("The server draws the frames. WebGL 2 is not available or is disabled in this browser.")
-    query = f"quality=draft&time=1&width={SIZE[0]}&height={SIZE[1]}"
+    query = f"quality=fast&time=1&width={SIZE[0]}&height={SIZE[1]}"
     reply = page.request.get(f"{server}/api/frames/paper-threshold.png?{query}")
-    want = np.asarray(Image.open(io.BytesIO(reply.body())).convert("RGB"))
+    want = pixels_of(reply.body())
     assert (shown(served) == want).all()
     box = page.locator(".served canvas").bounding_box()
     assert box == {"x": 0, "y": 0, "width": SIZE[0], "height": SIZE[1]}
@@ -71,8 +72,7 @@ def test_time_camera_settings_and_presets_work(served: Visit) -> None:
         pictures.append(shown(served))
         assert (pictures[-1].shape != pictures[-2].shape) or (pictures[-1] != pictures[-2]).any()
 
-    page.get_by_label("Time in seconds").fill("2.5")
-    page.get_by_label("Time in seconds").press("Enter")
+    served.enter("Time in seconds", "2.5")
     changed()
     page.get_by_role("button", name="Play").click()
     page.wait_for_function("() => window.seafoam.state().timing.frames > 4 && window.seafoam.state().time > 2.6")
@@ -134,8 +134,7 @@ def test_one_request_at_a_time_and_the_newest_view_next(served: Visit) -> None:
     page = served.page
     held = Held(page, FRAMES)
     for time in (2, 3, 4, 5):
-        page.get_by_label("Time in seconds").fill(str(time))
-        page.get_by_label("Time in seconds").press("Enter")
+        served.enter("Time in seconds", str(time))
         served.frames(5)
     assert [body["time"] for body in held.bodies()] == [2]
     held.let_go(holding=True)
@@ -155,8 +154,7 @@ def test_the_picture_stays_while_the_server_is_away(served: Visit) -> None:
         route.abort("connectionrefused")
 
     page.route(FRAMES, refuse)
-    page.get_by_label("Time in seconds").fill("2.5")
-    page.get_by_label("Time in seconds").press("Enter")
+    served.enter("Time in seconds", "2.5")
     page.locator(".toast.error", has_text="does not respond").wait_for()
     page.wait_for_timeout(1500)
     assert 1 <= len(failed) < 5, "it is asked again, not at every frame"

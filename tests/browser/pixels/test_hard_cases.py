@@ -1,6 +1,7 @@
 """Every effect's hard cases in a real browser: the server's pixels on its renderer, sound pictures on another."""
 
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 import pytest
@@ -12,13 +13,15 @@ from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
 from support.browser.lanes import Lane, opened, rendered
+from support.browser.visits import STILL, visit
 from support.cases import HardCase, cases_of
 from support.exact import UNFILTERED
 from support.pictures import draw
 from support.report import REPORT
-from support.scenes import Scene, load_preset
+from support.scenes import Camera, Scene, load_preset
 from support.sweep import rested
 
+Pictures = tuple[NDArray[np.uint8], NDArray[np.uint8], NDArray[np.int64]]
 SIZE = (48, 27)
 CASES = [pytest.param(case, id=f"{effect.name}: {case.name}") for effect in EFFECTS for case in cases_of(effect).hard]
 FIRST = [pytest.param(cases_of(effect).hard[0], id=effect.name) for effect in EFFECTS]
@@ -35,35 +38,33 @@ HIDDEN = [
 ]
 
 
-def plainly(scene: Scene) -> HardCase:
-    """A scene that is not hard, from its own camera."""
-    return HardCase("", scene, guard="", camera=scene.camera)
-
-
-def both(
-    page: Page, executor: Executor, case: HardCase, time: float, size: tuple[int, int] = SIZE
-) -> tuple[NDArray[np.uint8], NDArray[np.uint8], NDArray[np.int64]]:
+def off(
+    page: Page, executor: Executor, scene: Scene, camera: Camera | None = None, time: float = 2.7, **how: Any
+) -> Pictures:
     """The page's frame, the server's, and the largest difference of each pixel."""
-    plan = make_plan(case.scene, TIERS["standard"])
-    got = rendered(page, plan, time=time, size=size, camera=case.camera)
-    want = draw(executor, plan, case.camera, time=time, size=size)
-    return got, want, np.abs(got.astype(int) - want.astype(int)).max(axis=-1)  # type: ignore[return-value]
+    plan, seen, size = (
+        make_plan(scene, how.get("quality", TIERS["standard"])),
+        camera or scene.camera,
+        how.get("size", SIZE),
+    )
+    got = rendered(page, plan, time=time, size=size, camera=seen)
+    want = draw(executor, plan, seen, time=time, size=size)
+    return got, want, np.abs(got.astype(int) - want.astype(int)).max(axis=-1)
+
+
+def same(difference: NDArray[np.int64]) -> bool:
+    return bool((difference == 0).mean() >= 0.999 and difference.max() <= 1)
 
 
 @pytest.mark.parametrize("case", FIRST)
 def test_same_pixels_on_the_same_renderer(page: Page, executor: Executor, case: HardCase) -> None:
     """One case of each effect: so is every preset (test_parity.py), and every rule of a uniform by numbers."""
-    for time in case.times:
-        _, _, difference = both(page, executor, case, time)
-        assert (difference == 0).mean() >= 0.999
-        assert difference.max() <= 1
+    assert all(same(off(page, executor, case.scene, case.camera, time)[2]) for time in case.times)
 
 
 @pytest.mark.parametrize("size", [(1, 1), (1, 4096), (4096, 1), (47, 27)], ids=str)
 def test_sizes(page: Page, executor: Executor, size: tuple[int, int]) -> None:
-    _, _, difference = both(page, executor, plainly(load_preset("default").scene), 2.7, size)
-    assert (difference == 0).mean() >= 0.999
-    assert difference.max() <= 1
+    assert same(off(page, executor, load_preset("default").scene, size=size)[2])
 
 
 @pytest.fixture(scope="module")
@@ -78,7 +79,7 @@ def test_sound_on_another_renderer(other: Page, executor: Executor, case: HardCa
     foam = case.scene.foam
     allowed = SOFT if foam is None or foam.look in ("filtered", "textured") else HARD
     for time in case.times:
-        got, want, difference = both(other, executor, case, time)
+        got, want, difference = off(other, executor, case.scene, case.camera, time)
         mean, over = float(difference.mean()), float((difference > 2).mean())
         REPORT.add(
             "Hard cases on SwiftShader against the server on llvmpipe, 48 × 27",
@@ -100,22 +101,11 @@ def test_sound_on_another_renderer(other: Page, executor: Executor, case: HardCa
 @pytest.mark.parametrize("hidden", HIDDEN)
 def test_without_extensions(llvmpipe: Lane, server: str, executor: Executor, hidden: str) -> None:
     """The same pixels without them; where a float32 target is called for and cannot be had, a plain word."""
-    made = llvmpipe.browser.new_page(viewport={"width": 320, "height": 180}, device_scale_factor=1)
-    try:
-        made.goto(f"{server}/?hide={hidden}#paused=1&quality=draft", wait_until="load")
-        made.wait_for_function("() => window.seafoam !== undefined")
-        made.evaluate("() => window.seafoam.ready")
-        scene = load_preset("default").scene
-        _, _, difference = both(made, executor, plainly(scene), 2.7)
-        assert (difference == 0).mean() >= 0.999
-        assert difference.max() <= 1
-        exact = make_plan(scene, UNFILTERED)
+    scene = load_preset("default").scene
+    with visit(llvmpipe, server, f"?hide={hidden}{STILL}", size=(320, 180)) as made:
+        assert same(off(made.page, executor, scene)[2])
         if "EXT_color_buffer_float" in hidden:
             with pytest.raises(Error, match="EXT_color_buffer_float"):
-                rendered(made, exact, time=2.7, size=SIZE, camera=scene.camera)
+                off(made.page, executor, scene, quality=UNFILTERED)
         else:
-            want = draw(executor, exact, scene.camera, time=2.7, size=SIZE)
-            got = rendered(made, exact, time=2.7, size=SIZE, camera=scene.camera)
-            assert np.abs(got.astype(int) - want.astype(int)).max() <= 1
-    finally:
-        made.close()
+            assert off(made.page, executor, scene, quality=UNFILTERED)[2].max() <= 1

@@ -57,8 +57,7 @@ def chosen(programs: dict[str, Program]) -> dict[str, Program]:
 def compiled(page: Page, programs: dict[str, Program]) -> list[str]:
     """What Chromium says of these programs; they are all that a plan to compile needs."""
     dumped: dict[str, Any] = {name: program.model_dump(mode="json") for name, program in programs.items()}
-    errors: list[str] = page.evaluate("(programs) => window.seafoam.compile({ programs })", dumped)
-    return errors
+    return page.evaluate("(programs) => window.seafoam.compile({ programs })", dumped)
 
 
 def broken(program: Program, line: str) -> Program:

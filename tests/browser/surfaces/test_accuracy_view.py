@@ -11,14 +11,13 @@ from typing import Any
 
 import numpy as np
 import pytest
-from PIL import Image
 from playwright.sync_api import Locator, expect
 
 from seafoam.quality import TIERS
 from support.browser.accuracy_answers import PRESET, SIZE, points, staged, truth
 from support.browser.axe import violations
 from support.browser.lanes import Lane
-from support.browser.visits import FINGER, PHONE, STILL, TARGETS, Visit, visit
+from support.browser.visits import FINGER, PHONE, STILL, TARGETS, Visit, pixels_of, visit
 
 LARGE = (1280, 800)
 SMALL_PICTURE = "scale=0.25"
@@ -41,7 +40,7 @@ def measured(llvmpipe: Lane, server: str) -> Iterator[Visit]:
         staged(made.page)
         assert made.page.locator("#accuracy").count() == 0
         assert not any("accuracy" in url for _, url in made.asked), "something of the view ran before it was opened"
-        made.page.get_by_role("button", name="Accuracy benchmark").click()
+        made.press("Accuracy benchmark")
         expect(made.page.locator("#accuracy")).to_contain_text("Computing the float64 reference… 40 %, 7 s left")
         opened(made)
         yield made
@@ -150,7 +149,6 @@ def test_a_click_runs_a_tier(measured: Visit) -> None:
     mark = measured.page.locator("#accuracy .machine .mark[data-id=reference]")
     mark.scroll_into_view_if_needed()
     box = mark.locator(".dot").bounding_box()
-    assert box is not None
     measured.page.mouse.click(box["x"] + box["width"] / 2 + 4, box["y"] + box["height"] / 2 - 3)
     assert quality(measured) == "reference"
     # Which of two small pictures takes longer is the machine's to say; how near each is to the truth is not.
@@ -166,20 +164,20 @@ def test_a_click_runs_a_tier(measured: Visit) -> None:
 def canvas(measured: Visit, side: str) -> np.ndarray[Any, Any]:
     shown = measured.page.locator(f"#accuracy .frame canvas{side}")
     data = shown.evaluate("(canvas) => canvas.toDataURL('image/png').split(',')[1]")
-    return np.asarray(Image.open(io.BytesIO(base64.b64decode(data))).convert("RGB")).astype(float)
+    return pixels_of(base64.b64decode(data)).astype(float)
 
 
 def test_the_picture_beside_its_error(measured: Visit) -> None:
     panel = measured.page.locator("#accuracy")
     heat = {}
-    for tier in ("draft", "reference"):
+    for tier in ("fast", "reference"):
         panel.locator(f"details:has-text('All qualities') tr[data-id={tier}] button").evaluate("(b) => b.click()")
         assert quality(measured) == tier
         heat[tier] = canvas(measured, ".right")
     width, height = SIZE
-    assert heat["draft"].shape == (height, width, 3)
-    assert heat["draft"].std() > 10.0, "a blank map"
-    assert heat["draft"].mean() > 1.2 * heat["reference"].mean(), "more error is no warmer"
+    assert heat["fast"].shape == (height, width, 3)
+    assert heat["fast"].std() > 10.0, "a blank map"
+    assert heat["fast"].mean() > 1.2 * heat["reference"].mean(), "more error is no warmer"
     # Against the reference itself: one picture beside the other, the right way up.
     panel.get_by_role("button", name="reference", exact=True).and_(panel.locator(".toggle button")).click()
     picture, true = canvas(measured, ":not(.right)"), canvas(measured, ".right")
@@ -250,8 +248,6 @@ def test_the_server_s_own_measurement(measured: Visit) -> None:
         "() => document.querySelector('#accuracy').getAnimations({ subtree: true }).length === 0"
     )
     here, beside = panel.locator(".chart.machine").bounding_box(), there.bounding_box()
-    assert here is not None
-    assert beside is not None
     assert (here["y"], here["width"]) == pytest.approx((beside["y"], beside["width"]))
     assert beside["x"] >= here["x"] + here["width"]
     # A mark under the pointer is marked in both.
@@ -293,10 +289,10 @@ def test_a_setting_s_curve_stands_out(measured: Visit) -> None:
 
 def test_insets_show_one_place_in_all(measured: Visit) -> None:
     panel = measured.page.locator("#accuracy")
-    panel.locator("details:has-text('All qualities') tr[data-id=draft] button").evaluate("(b) => b.click()")
+    panel.locator("details:has-text('All qualities') tr[data-id=fast] button").evaluate("(b) => b.click()")
     insets = panel.locator(".insets figure")
     assert insets.locator("figcaption b").all_text_contents() == ["Selected", "Equal time", "Equal error", "Reference"]
-    assert re.match(r"draft: [\d.]+ ms, RMSE [\d.]+", insets.first.locator("figcaption span").text_content() or "")
+    assert re.match(r"fast: [\d.]+ ms, RMSE [\d.]+", insets.first.locator("figcaption span").text_content() or "")
     panel.get_by_role("button", name="Worst pixel").click()
     floats = panel.locator(".floats tbody tr")
     column, row = (int(panel.get_by_label(name, exact=True).input_value()) for name in ("Column", "Row"))
@@ -319,7 +315,7 @@ def test_insets_show_one_place_in_all(measured: Visit) -> None:
 
 def test_the_error_has_a_spectrum(measured: Visit) -> None:
     chart = measured.page.locator("#accuracy .line-chart")
-    assert chart.get_by_role("img").get_attribute("aria-label") == "Power spectrum of the error of draft"
+    assert chart.get_by_role("img").get_attribute("aria-label") == "Power spectrum of the error of fast"
     rows = chart.locator("tbody tr")
     assert rows.count() == SIZE[1] // 2
     powers = np.array([[float(cell.text_content() or "nan") for cell in row.locator("td").all()] for row in rows.all()])
@@ -327,9 +323,9 @@ def test_the_error_has_a_spectrum(measured: Visit) -> None:
     assert (powers > 0.0).all()
     # Of the ring of a frequency there are about as many waves as it is high.
     rings = np.arange(1, len(powers) + 1)
-    assert (rings * error).sum() > (rings * standard).sum(), "a draft errs more"
+    assert (rings * error).sum() > (rings * standard).sum(), "a fast errs more"
     errors = told_errors(measured)
-    ratio = errors["draft"] / errors["standard"]
+    ratio = errors["fast"] / errors["standard"]
     assert ratio > 1.0
     # The sum over frequencies weights those of few waves more than the mean square does.
     assert ratio**2 / 1.5 < error.sum() / standard.sum() < 1.5 * ratio**2
@@ -360,7 +356,7 @@ def test_what_is_shown_is_saved(measured: Visit) -> None:
 def test_a_changed_scene_is_told(measured: Visit) -> None:
     note = measured.page.locator("#accuracy .edited")
     assert not note.is_visible()
-    measured.follow('#paused=1&quality=draft&accuracy=1&scene={"/light/exposure":-1.5}')
+    measured.follow('#paused=1&quality=fast&accuracy=1&scene={"/light/exposure":-1.5}')
     expect(note).to_contain_text("presets only")
     assert len(marks(measured).all()) == len(points())
     measured.follow(STILL)
@@ -393,7 +389,6 @@ def test_opened_by_its_address_and_cancelled(llvmpipe: Lane, server: str) -> Non
         )
         assert [target for target in made.page.evaluate(TARGETS) if min(target[1:]) < FINGER] == []
         box = panel.bounding_box()
-        assert box is not None
         assert (box["x"], box["width"]) == (0, PHONE[0])
         assert box["y"] > PHONE[1] / 4, "no picture is left to judge by"
         assert made.page.evaluate("() => document.documentElement.scrollWidth - innerWidth") <= 0

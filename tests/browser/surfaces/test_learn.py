@@ -1,6 +1,5 @@
 """The chapter "How foam pops" and the foam laboratory, as a visitor reads and moves them."""
 
-import io
 import re
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -9,11 +8,10 @@ from urllib.parse import parse_qsl, urldefrag, urljoin, urlsplit
 
 import numpy as np
 import pytest
-from PIL import Image
 from playwright.sync_api import Locator, Page
 
 from support.browser.lanes import Lane
-from support.browser.visits import FINGER, PHONE, TARGETS, Pixels, differs
+from support.browser.visits import FINGER, PHONE, TARGETS, Pixels, differs, pixels_of
 
 FIGURES = ("saturation", "threshold", "popping", "masks", "equations", "picture")
 MOVING = ("saturation", "threshold", "popping", "equations", "picture")
@@ -59,13 +57,9 @@ def seen(page: Page, name: str) -> Locator:
     return figure
 
 
-def shown(figure: Locator) -> Pixels:
-    """What a figure shows on the screen, (height, width, 3)."""
-    picture = Image.open(io.BytesIO(figure.locator(".plate").screenshot()))
-    return np.asarray(picture.convert("RGB"))
-
-
-def test_the_chapter_reads_without_a_script(llvmpipe: Lane, server: str) -> None:
+def test_the_chapter_reads_without_a_script_and_every_link_leads_to_what_it_names(llvmpipe: Lane, server: str) -> None:
+    texts: dict[str, str] = {}
+    links = set()
     with opened(llvmpipe, f"{server}/{LEARN}", java_script_enabled=False) as page:
         assert page.url == f"{server}/{LEARN}/"
         text = page.inner_text("main")
@@ -88,17 +82,10 @@ def test_the_chapter_reads_without_a_script(llvmpipe: Lane, server: str) -> None
         # Every formula has its code beside it.
         for formula in page.locator(".formula-block").all():
             assert formula.locator("a[href*='source/']").count() >= 1
-
-
-def test_every_link_leads_to_what_it_names(llvmpipe: Lane, server: str) -> None:
-    texts: dict[str, str] = {}
-    links = set()
-    with opened(llvmpipe, f"{server}/{LEARN}/", java_script_enabled=False) as page:
         for start in (f"{server}/{LEARN}/", f"{server}/{LABORATORY}"):
             page.goto(start)
-            links |= {
-                urljoin(start, link.get_attribute("href") or "") for link in page.locator("a[href], noscript a").all()
-            }
+            named = page.locator("a[href], noscript a").all()
+            links |= {urljoin(start, link.get_attribute("href") or "") for link in named}
         assert sum("/source/" in link for link in links) >= 20
         for link in sorted(links):
             address, fragment = urldefrag(link)
@@ -110,6 +97,11 @@ def test_every_link_leads_to_what_it_names(llvmpipe: Lane, server: str) -> None:
             if "/source/" in address:
                 assert fragment, link
                 assert f'id="{fragment}"' in texts[address], link
+
+
+def shown(figure: Locator) -> Pixels:
+    """What a figure shows on the screen, (height, width, 3)."""
+    return pixels_of(figure.locator(".plate").screenshot())
 
 
 def test_source_pages_show_the_line(llvmpipe: Lane, server: str) -> None:
@@ -169,7 +161,7 @@ def test_controls_change_the_figures(llvmpipe: Lane, server: str) -> None:
         )
         assert pattern.is_visible()
         spreads = [
-            float(re.search(r"±([\d.]+)", caption)[1])  # type: ignore[index]
+            float(re.search(r"±([\d.]+)", caption)[1])
             for caption in (even, figure.locator(".patches p").first.inner_text())
         ]
         assert spreads[0] < 0.3 * spreads[1], "blue noise covers boxes evenly, white noise does not"
@@ -255,16 +247,3 @@ def test_bubbles_pop_in_the_laboratory(llvmpipe: Lane, server: str) -> None:
         assert "paused=1" in page.url
         height = page.evaluate("() => document.documentElement.scrollHeight")
         assert height <= DESKTOP[1], "one screen"
-
-
-def test_the_page_leads_to_the_laboratory(llvmpipe: Lane, server: str) -> None:
-    made = llvmpipe.browser.new_context(viewport={"width": 760, "height": 500})
-    page = made.new_page()
-    asked: list[str] = []
-    page.on("request", lambda request: asked.append(request.url))
-    page.goto(f"{server}/#paused=1&quality=draft")
-    link = page.get_by_role("link", name="Foam laboratory")
-    link.wait_for()
-    assert not [url for url in asked if "laboratory" in url], "it is loaded when opened"
-    assert urljoin(page.url, link.get_attribute("href") or "") == f"{server}/{LABORATORY}"
-    made.close()

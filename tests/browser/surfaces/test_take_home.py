@@ -18,8 +18,19 @@ from playwright.sync_api import Page
 from seafoam.render.encode.exr import encode_exr
 from seafoam.render.encode.png import recipe_in_png
 from seafoam.render.encode.webp import encode_webp
-from support.browser.lanes import Lane, complaints_of
-from support.browser.visits import DESKTOP, FINGER, PHONE, TARGETS, Pixels, Visit, differs, link, visit
+from support.browser.lanes import Lane
+from support.browser.visits import (
+    BLANK,
+    DESKTOP,
+    FINGER,
+    PHONE,
+    TARGETS,
+    Visit,
+    differs,
+    link,
+    pixels_of,
+    visit,
+)
 
 ROOT = Path(__file__).resolve().parents[3]
 SIZE = (400, 300)
@@ -43,10 +54,6 @@ def downloaded(page: Page, button: str) -> tuple[bytes, str]:
     with page.expect_download(timeout=60_000) as download:
         page.get_by_role("button", name=button, exact=True).click()
     return Path(download.value.path()).read_bytes(), download.value.suggested_filename
-
-
-def pixels(png: bytes) -> Pixels:
-    return np.asarray(Image.open(io.BytesIO(png)).convert("RGB"))
 
 
 def other_formats(png: bytes) -> dict[float, bytes]:
@@ -82,7 +89,7 @@ def test_a_frame_of_the_server_restores_the_view_and_gives_the_same_bytes(llvmpi
         after = restored(made, "paper-halftone")
         assert after == before
         assert dict(after["changes"]) == CHANGES
-        made.page.get_by_role("button", name="Take home").click()
+        made.press("Take home")
         again, _ = downloaded(made.page, "PNG, drawn by the server")
     assert hashlib.sha256(again).hexdigest() == hashlib.sha256(first).hexdigest()
 
@@ -93,13 +100,13 @@ def test_a_picture_of_the_page_restores_itself(llvmpipe: Lane, server: str) -> N
         first, _ = downloaded(made.page, "Save image as PNG")
         before = restored(made, "paper-halftone")
     with visit(llvmpipe, server, link(preset="paper-height"), size=SIZE) as made:
-        made.page.get_by_role("button", name="Take home").click()
+        made.press("Take home")
         made.page.get_by_label("Restore from a picture").set_input_files(
             {"name": "seafoam.png", "mimeType": "image/png", "buffer": first}
         )
         assert restored(made, "paper-halftone") == before
         again, _ = downloaded(made.page, "Save image as PNG")
-    assert (pixels(again) == pixels(first)).all()
+    assert (pixels_of(again) == pixels_of(first)).all()
 
 
 def test_other_files_are_refused_in_plain_words(llvmpipe: Lane, server: str) -> None:
@@ -119,27 +126,20 @@ def test_the_zip_draws_what_the_server_draws(llvmpipe: Lane, server: str, tmp_pa
         content, name = downloaded(made.page, "Zip")
         assert name == f"seafoam-{preset}.zip"
         served, _ = downloaded(made.page, "PNG, drawn by the server")
-    zipfile.ZipFile(io.BytesIO(content)).extractall(tmp_path)
-    for snippet in (ROOT / "docs/snippets").iterdir():
-        assert (tmp_path / "snippets" / snippet.name).read_bytes() == snippet.read_bytes()
-    context = llvmpipe.browser.new_context(viewport={"width": SIZE[0], "height": SIZE[1]})
-    page = context.new_page()
-    complaints = complaints_of(page)
-    asked: list[str] = []
-    page.on("request", lambda request: asked.append(request.url))
-    try:
-        page.goto(f"{(tmp_path / 'index.html').as_uri()}#paused")
-        page.wait_for_function("() => document.documentElement.dataset.state", timeout=60_000)
-        assert page.locator("#failure").inner_text() == ""
-        png, _ = downloaded(page, "Save PNG")
-    finally:
-        context.close()
-    assert complaints == []
-    assert all(url.startswith(("file://", "data:", "blob:")) for url in asked), asked
-    drawn = pixels(png)
+        zipfile.ZipFile(io.BytesIO(content)).extractall(tmp_path)
+        for snippet in (ROOT / "docs/snippets").iterdir():
+            assert (tmp_path / "snippets" / snippet.name).read_bytes() == snippet.read_bytes()
+    with visit(llvmpipe, server, BLANK, size=SIZE, settle=False) as made:
+        made.asked.clear()
+        made.page.goto(f"{(tmp_path / 'index.html').as_uri()}#paused")
+        made.page.wait_for_function("() => document.documentElement.dataset.state", timeout=60_000)
+        assert made.page.locator("#failure").inner_text() == ""
+        png, _ = downloaded(made.page, "Save PNG")
+        assert [url for _, url in made.asked if not url.startswith(("file://", "data:", "blob:"))] == []
+    drawn = pixels_of(png)
     assert drawn.std() > 5.0
-    assert differs(drawn, pixels(served)) <= 1e-4
-    recipes = [json.loads(Image.open(io.BytesIO(one)).text["seafoam"]) for one in (png, served)]  # type: ignore[attr-defined]
+    assert differs(drawn, pixels_of(served)) <= 1e-4
+    recipes = [json.loads(Image.open(io.BytesIO(one)).text["seafoam"]) for one in (png, served)]
     for told in ("scene", "quality", "camera", "time", "width", "height", "preset"):
         assert recipes[0][told] == recipes[1][told], told
 
@@ -175,7 +175,6 @@ def test_a_surface_has_an_address_fits_and_closes(
         sheet.get_by_role("heading", level=2).wait_for()
         sheet.get_by_role("heading", level=3).first.wait_for()
         box = sheet.bounding_box()
-        assert box is not None
         assert box["x"] >= 0
         assert box["x"] + box["width"] <= size[0]
         assert made.page.evaluate("() => document.querySelector('.sheet').scrollWidth") <= box["width"]

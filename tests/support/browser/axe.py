@@ -16,8 +16,7 @@ def violations(page: Page) -> list[Any]:
         " playState !== 'running' || effect.getTiming().iterations === Infinity)"
     )
     page.evaluate(AXE.read_text(encoding="utf-8"))
-    found: list[Any] = page.evaluate(
+    return page.evaluate(
         "async () => (await axe.run({ resultTypes: ['violations'] })).violations"
         ".map(({ id, nodes }) => [id, nodes.map(({ html }) => html.slice(0, 120))])"
     )
-    return found

@@ -120,8 +120,7 @@ class Started:
 
     def frames(self) -> list[dict[str, Any]]:
         """Pictures that were drawn: ``at`` (ms), ``by``, ``width``, ``height``."""
-        frames: list[dict[str, Any]] = self.page.evaluate("() => window.seen.frames")
-        return frames
+        return self.page.evaluate("() => window.seen.frames")
 
     def more_frames(self, count: int) -> None:
         """Wait until so many more pictures are drawn."""

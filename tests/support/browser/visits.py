@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,7 +27,9 @@ ERRORS_STAY = f"""(() => {{
   window.setTimeout = (run, delay, ...rest) => later(run, delay === {_GOES} ? 3600000 : delay, ...rest);
 }})()"""
 """Keeps messages of errors, which go by the clock: on a busy machine before a test has looked."""
-STILL = "#paused=1&quality=draft"
+STILL = "#paused=1&quality=fast"
+BLANK = "icon.svg"
+"""Address of a picture alone."""
 FINGER = 44
 """Least side of what a finger must hit, px."""
 TARGETS = """() => [...document.querySelectorAll('button, select, input, summary, [role=slider]')]
@@ -39,6 +41,11 @@ TARGETS = """() => [...document.querySelectorAll('button, select, input, summary
 """Gives the label, width and height, px, of each thing in sight that a finger can hit."""
 
 Pixels = NDArray[np.uint8]
+
+
+def pixels_of(png: bytes) -> Pixels:
+    """A picture's colours, (height, width, 3)."""
+    return np.asarray(Image.open(io.BytesIO(png)).convert("RGB"))
 
 
 @dataclass
@@ -63,9 +70,22 @@ class Visit:
                 f"never at rest: {state}, {self.complaints}, {self.page.inner_text('body')}"
             ) from error
 
+    def begin(self) -> None:
+        """Wait until the page draws."""
+        self.page.wait_for_function("() => window.seafoam !== undefined")
+        self.page.evaluate("() => window.seafoam.ready")
+
+    def press(self, name: str, *, exact: bool = False) -> None:
+        """Press the button of that name."""
+        self.page.get_by_role("button", name=name, exact=exact).click()
+
+    def enter(self, label: str, text: str) -> None:
+        """Type into the field of that name, and press Enter."""
+        self.page.get_by_label(label).fill(text)
+        self.page.get_by_label(label).press("Enter")
+
     def state(self) -> dict[str, Any]:
-        state: dict[str, Any] = self.page.evaluate("() => window.seafoam.state()")
-        return state
+        return self.page.evaluate("() => window.seafoam.state()")
 
     def plans(self) -> int:
         """How often a plan was asked for."""
@@ -78,10 +98,10 @@ class Visit:
     def saved(self, button: str = "Save image as PNG") -> tuple[Pixels, str]:
         """The PNG behind a button, (height, width, 3), and its name."""
         with self.page.expect_download(timeout=180_000) as download:
-            self.page.get_by_role("button", name=button).click()
-        png = Image.open(io.BytesIO(Path(download.value.path()).read_bytes()))
-        assert png.format == "PNG"
-        return np.asarray(png.convert("RGB")), download.value.suggested_filename
+            self.press(button)
+        png = Path(download.value.path()).read_bytes()
+        assert Image.open(io.BytesIO(png)).format == "PNG"
+        return pixels_of(png), download.value.suggested_filename
 
     def picture(self) -> Pixels:
         """What the canvas shows, at full size, once the plans that were asked for are here."""
@@ -91,11 +111,9 @@ class Visit:
     def canvas(self) -> Pixels:
         """The middle of the page as it is on the screen: water alone, nothing of the page over it."""
         size = self.page.viewport_size
-        assert size is not None
         width, height = size["width"], size["height"]
         clip = {"x": 0, "y": 0.4 * height, "width": width, "height": 0.25 * height}
-        shot = self.page.screenshot(clip=clip)  # type: ignore[arg-type]
-        return np.asarray(Image.open(io.BytesIO(shot)).convert("RGB"))
+        return pixels_of(self.page.screenshot(clip=clip))
 
     def follow(self, fragment: str) -> None:
         """Go where a link points, without loading the page again."""
@@ -111,7 +129,7 @@ class Visit:
         self.page.locator(".toast").evaluate_all("(toasts) => toasts.forEach((toast) => toast.remove())")
         self.page.evaluate("() => document.activeElement?.blur()")
         if self.page.locator("#settings.open").count():
-            self.page.get_by_role("button", name="Close settings").click()
+            self.press("Close settings")
         self.follow(link(preset="default"))
         self.settle()
         self.complaints.clear()
@@ -130,7 +148,7 @@ class Visit:
         """The panel, opened."""
         panel = self.page.locator("#settings")
         if "open" not in (panel.get_attribute("class") or ""):
-            self.page.get_by_role("button", name="Settings", exact=True).click()
+            self.press("Settings", exact=True)
         panel.get_by_role("heading", name="Settings").wait_for()
         return panel
 
@@ -149,7 +167,7 @@ class Held:
     """Requests that wait on a slow network."""
 
     page: Page
-    pattern: str
+    pattern: str | re.Pattern[str]
     routes: list[Route] = field(default_factory=list)
     holding: bool = True
 
@@ -189,19 +207,17 @@ def visit(
     *,
     size: tuple[int, int] = SMALL,
     settle: bool = True,
-    before: str = "",
     **context: Any,
 ) -> Iterator[Visit]:
     """The page at an address below the server's, in a browser that remembers nothing; it may complain of nothing.
 
-    before: a script that runs before the page's own.
+    Who has to do something with a page before it loads begins at ``BLANK``.
     """
     width, height = size
     opened = lane.browser.new_context(viewport={"width": width, "height": height}, **context)
     opened.set_default_timeout(180_000)
     page = opened.new_page()
     page.add_init_script(ERRORS_STAY)
-    page.add_init_script(before)
     made = Visit(page, complaints_of(page))
     page.on("request", lambda request: made.asked.append((request.method, request.url)))
     try:
@@ -222,6 +238,15 @@ def until(page: Page, condition: str, seconds: float = 60) -> None:
             return
         page.wait_for_timeout(100)
     raise AssertionError(f"never true: {condition}")
+
+
+def drag(page: Page, *places: tuple[float, float], button: Literal["left", "right"] = "left", steps: int = 4) -> None:
+    """Drag the mouse from place to place."""
+    page.mouse.move(*places[0])
+    page.mouse.down(button=button)
+    for place in places[1:]:
+        page.mouse.move(*place, steps=steps)
+    page.mouse.up(button=button)
 
 
 def swipe(page: Page, *fingers: tuple[tuple[float, float], tuple[float, float]], steps: int = 4) -> None:
@@ -245,7 +270,7 @@ def swipe(page: Page, *fingers: tuple[tuple[float, float], tuple[float, float]],
 def link(**parts: Any) -> str:
     """An address's fragment."""
     words = {key: json.dumps(value) if isinstance(value, dict) else value for key, value in parts.items()}
-    return "#" + "&".join(f"{key}={value}" for key, value in ({"paused": 1, "quality": "draft"} | words).items())
+    return "#" + "&".join(f"{key}={value}" for key, value in ({"paused": 1, "quality": "fast"} | words).items())
 
 
 def differs(a: Pixels, b: Pixels) -> float:

@@ -91,8 +91,7 @@ class WebKit(Engine):
     @property
     def complaints(self) -> list[str]:
         """What went wrong on the page since its first script ran."""
-        said: list[str] = self.evaluate("window.complaints")
-        return said
+        return self.evaluate("window.complaints")
 
     def size(self, width: int, height: int) -> None:
         """Give the page this size, css px."""
