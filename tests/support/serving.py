@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from types import SimpleNamespace
+from urllib.parse import urlencode
 
 from PIL import Image
 from starlette.testclient import TestClient
@@ -24,6 +25,7 @@ from support.api_fakes import FakeRenderer
 from support.command import free_port
 
 SMALL = {"width": 24, "height": 16}
+LOG = "server.log"
 SERVER = """
 from functools import partial
 from seafoam.api import app
@@ -71,11 +73,61 @@ def problem(response, status):
     return body
 
 
+class Clock:
+    """Seconds that pass when told."""
+
+    def __init__(self, now: float = 1000.0) -> None:
+        self.now = now
+
+    def __call__(self) -> float:
+        return self.now
+
+
 async def eventually(condition, seconds=30.0):
     """Wait until a condition holds."""
     async with asyncio.timeout(seconds):
         while not condition():
             await asyncio.sleep(0.01)
+
+
+@contextmanager
+def busy(client: TestClient):
+    """While the only worker of a server is taken: its pool."""
+    pool = client.app.state.context.pool
+    client.portal.call(pool._free_workers.acquire)
+    try:
+        yield pool
+    finally:
+        client.portal.call(pool._free_workers.release)
+
+
+def left_status(client: TestClient, path: str, **params) -> int:
+    """What a client is answered that leaves while its frame waits for the only worker."""
+    query = urlencode(params).encode()
+    scope = {
+        "type": "http", "method": "GET", "path": path, "raw_path": path.encode(), "query_string": query, "headers": [],
+        "http_version": "1.1", "scheme": "http", "root_path": "",
+    }  # fmt: skip
+    pool, sent = client.app.state.context.pool, []
+
+    async def leave():
+        arriving = iter([{"type": "http.request", "body": b"", "more_body": False}])
+
+        async def receive():
+            for message in arriving:
+                return message
+            await eventually(lambda: len(pool._tickets) == 1)
+            return {"type": "http.disconnect"}
+
+        async def send(message):
+            sent.append(message)
+
+        await pool._free_workers.acquire()
+        await client.app(scope, receive, send)
+        pool._free_workers.release()
+
+    client.portal.call(leave)
+    return sent[0]["status"]
 
 
 def answering(**settings) -> TestClient:
@@ -92,18 +144,19 @@ def answering(**settings) -> TestClient:
 
 
 @contextmanager
-def served(folder: Path, **environment: str) -> Iterator[tuple[str, "subprocess.Popen[str]"]]:
-    """`seafoam serve` with a renderer that only pretends to draw: its address and its process, once it is ready."""
+def served(folder: Path, **environment: str) -> Iterator[tuple[str, "subprocess.Popen[bytes]"]]:
+    """`seafoam serve` with a renderer that only pretends to draw: its address and its process, once it is ready.
+
+    What it says is in ``LOG`` of the folder.
+    """
     script = folder / "served.py"
     script.write_text(SERVER)
     address = f"http://127.0.0.1:{(port := free_port())}"
-    process = subprocess.Popen(
-        [sys.executable, script, "serve", "--port", str(port)],
-        env={**os.environ, "PYTHONPATH": str(Path(__file__).parents[1]), "SEAFOAM_WORKERS": "1", **environment},
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        text=True,
-    )
+    tests = str(Path(__file__).parents[1])
+    variables = {**os.environ, "PYTHONPATH": tests, "SEAFOAM_WORKERS": "1", **environment}
+    command = [sys.executable, script, "serve", "--port", str(port)]
+    with (folder / LOG).open("w") as log:
+        process = subprocess.Popen(command, env=variables, stdout=log, stderr=subprocess.STDOUT)
     try:
         for _ in range(600):
             assert process.poll() is None
@@ -115,4 +168,4 @@ def served(folder: Path, **environment: str) -> Iterator[tuple[str, "subprocess.
         yield address, process
     finally:
         process.kill()
-        process.communicate()
+        process.wait()

@@ -1,16 +1,10 @@
-from collections.abc import Callable, Iterator
-from contextlib import AbstractContextManager
+from collections.abc import Iterator
 
 import pytest
 from starlette.testclient import TestClient
 
 from support.api_fakes import no_renderer
 from support.serving import serving
-
-
-@pytest.fixture(scope="package")
-def serve() -> Callable[..., AbstractContextManager[TestClient]]:
-    return serving
 
 
 @pytest.fixture(scope="package")

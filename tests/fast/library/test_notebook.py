@@ -22,20 +22,13 @@ from seafoam.textures.store import spec_of, texture
 
 @pytest.fixture
 def water() -> Water:
-    return Water("paper-halftone", quality="draft")
-
-
-def sent(water: Water, monkeypatch: pytest.MonkeyPatch) -> list[tuple[Any, list[bytes]]]:
-    """What the widget sends from now on."""
-    messages: list[tuple[Any, list[bytes]]] = []
-    monkeypatch.setattr(water, "send", lambda content, buffers=None: messages.append((content, buffers or [])))
-    return messages
+    return Water("paper-halftone", quality="fast")
 
 
 def test_it_begins_with_the_preset(water: Water) -> None:
     preset = load_preset("paper-halftone")
     assert (water.scene, water.camera, water.time) == (preset.scene, preset.scene.camera, preset.time)
-    assert (water.quality, water.playing, water.panel, water.error) == ("draft", True, False, "")
+    assert (water.quality, water.playing, water.panel, water.error) == ("fast", True, False, "")
     state = water.get_state()
     assert state["scene"] == preset.scene.model_dump(mode="json")
     assert state["camera"] == preset.scene.camera.model_dump(mode="json")
@@ -65,7 +58,9 @@ def test_python_changes_the_scene(water: Water) -> None:
             setattr(water, name, value)
 
 
-def test_the_page_changes_the_scene(water: Water) -> None:
+def test_the_page_changes_the_scene_and_what_it_may_not_change_is_undone_there(
+    water: Water, monkeypatch: pytest.MonkeyPatch
+) -> None:
     seen = []
     water.observe(lambda change: seen.append(change["new"].foam.look), "scene")
     edited = water.scene.model_dump(mode="json")
@@ -74,9 +69,6 @@ def test_the_page_changes_the_scene(water: Water) -> None:
     assert seen == ["fading"]
     water.set_state({"camera": {**edited["camera"], "yaw": 0.5}, "time": 7.5, "playing": False})
     assert (water.camera.yaw, water.time, water.playing) == (0.5, 7.5, False)
-
-
-def test_what_the_page_may_not_change_is_undone_there(water: Water, monkeypatch: pytest.MonkeyPatch) -> None:
     before = water.scene
     restored: list[Any] = []
     monkeypatch.setattr(water, "send_state", lambda key=None: restored.append(key))
@@ -90,10 +82,11 @@ def test_what_the_page_may_not_change_is_undone_there(water: Water, monkeypatch:
 
 
 def test_plans_and_textures_are_the_servers(water: Water, monkeypatch: pytest.MonkeyPatch) -> None:
-    messages = sent(water, monkeypatch)
-    asked = {"kind": "plan", "scene": water.get_state()["scene"], "quality": "draft"}
+    messages: list[tuple[Any, list[bytes]]] = []
+    monkeypatch.setattr(water, "send", lambda content, buffers=None: messages.append((content, buffers or [])))
+    asked = {"kind": "plan", "scene": water.get_state()["scene"], "quality": "fast"}
     water._answer(water, {"id": "a/1", **asked}, [])
-    plan = make_plan(water.scene, TIERS["draft"])
+    plan = make_plan(water.scene, TIERS["fast"])
     ((content, _),) = messages
     assert content["id"] == "a/1"
     assert json.dumps(content["value"], sort_keys=True) == json.dumps(plan.model_dump(mode="json"), sort_keys=True)
@@ -101,7 +94,7 @@ def test_plans_and_textures_are_the_servers(water: Water, monkeypatch: pytest.Mo
         water._answer(water, {"id": "a/2", "kind": "texture", "url": one.url}, [])
         assert messages[-1][1] == [texture(spec_of(one.url)).data]
     water._answer(water, "not a request", [])
-    water._answer(water, {"id": "a/3", "kind": "plan", "scene": {"foam": {"mask": "zzz"}}, "quality": "draft"}, [])
+    water._answer(water, {"id": "a/3", "kind": "plan", "scene": {"foam": {"mask": "zzz"}}, "quality": "fast"}, [])
     assert "scene/foam/mask" in messages[-1][0]["error"]
 
 
@@ -112,11 +105,8 @@ def without_none(value: Any) -> Any:
     return [without_none(inner) for inner in value] if isinstance(value, list) else value
 
 
-def test_the_schema_is_the_servers() -> None:
+def test_schema_and_lists_of_names_are_the_servers() -> None:
     assert without_none(schema()["components"]["schemas"]) == without_none(reduced(create_app().openapi()))
-
-
-def test_lists_of_names() -> None:
     names, parts = answer({"kind": "choices", "url": "/api/masks"})
     assert {"name": "vac-24", "title": load_catalogue()["vac-24"].title} in names
     assert parts == []
@@ -130,7 +120,7 @@ def test_lists_of_names() -> None:
         ({"kind": "plan", "scene": {}}, "'quality' is missing"),
         ({"kind": "texture", "url": "/api/textures/none"}, "there is no texture"),
         ({"kind": "choices", "url": "/etc/passwd"}, "there is no list"),
-        ({"kind": "plan", "scene": {"sea": {"wind": 99}}, "quality": "draft"}, "scene/sea/wind"),
+        ({"kind": "plan", "scene": {"sea": {"wind": 99}}, "quality": "fast"}, "scene/sea/wind"),
     ],
 )
 def test_requests_that_are_refused(asked: dict[str, Any], said: str) -> None:
@@ -148,10 +138,5 @@ def test_a_still_is_what_the_picture_shows(water: Water, monkeypatch: pytest.Mon
     monkeypatch.setattr("seafoam.notebook.widget.frame", frame)
     water.time = 4.0
     water.still((64, 36))
-    assert asked == {
-        "scene": water.scene,
-        "time": 4.0,
-        "camera": water.camera,
-        "quality": "draft",
-        "size": (64, 36),
-    }
+    shown = {"scene": water.scene, "time": 4.0, "camera": water.camera, "quality": "fast"}
+    assert asked == {**shown, "size": (64, 36)}

@@ -21,21 +21,13 @@ from seafoam.reference.bake import TIMES
 from seafoam.render.gl.executor import NoRendererError
 from seafoam.scene.presets import preset_names
 from support.parity import FLIPPED, NEAR, Parity
+from support.serving import Clock
 
 GPU = Device(1, renderer="Some GPU/PCIe", version="4.6", vendor="Some")
 LLVMPIPE = Device(0, renderer="llvmpipe (LLVM 15.0.6, 256 bits)", version="4.5", vendor="Mesa")
 BROKEN = Device(2, problem="no OpenGL context: eglInitialize failed")
 NONE = "no OpenGL context: requested device index 3, but found 3 devices"
 SIZE = (1280, 720)
-
-
-class Clock:
-    """Seconds that pass when a test says so."""
-
-    now = 0.0
-
-    def __call__(self) -> float:
-        return self.now
 
 
 class Pool:
@@ -71,28 +63,24 @@ def a_report(**given: Any) -> Report:
 
 
 class TestDevice:
-    @pytest.mark.parametrize(
-        ("found", "index"), [([LLVMPIPE, GPU], 1), ([LLVMPIPE], 0), ([BROKEN, GPU], 1), ([BROKEN, LLVMPIPE], 0)]
-    )
-    def test_a_gpu_comes_before_software_and_either_before_none(self, found: list[Device], index: int) -> None:
-        assert choose(found).index == index
+    def test_a_gpu_comes_before_software_and_either_before_none(self) -> None:
+        for found in ([LLVMPIPE, GPU], [BROKEN, GPU]):
+            assert choose(found) == GPU
+        for found in ([LLVMPIPE], [BROKEN, LLVMPIPE]):
+            assert choose(found) == LLVMPIPE
 
-    def test_where_none_draws_each_reason_is_said(self) -> None:
+    def test_where_none_draws_each_reason_is_said_and_so_is_what_few_units_draw(self) -> None:
         with pytest.raises(NoRendererError, match=r"device 2: no OpenGL.*default device: crashed"):
             choose([BROKEN, Device(None, problem="crashed")])
-
-    def test_devices_are_looked_at_until_there_are_no_more(self) -> None:
-        there = {0: LLVMPIPE, 1: GPU, 2: BROKEN, 3: Device(3, problem=NONE)}
-        assert survey(None, lambda index: there[index or 0]) == [LLVMPIPE, GPU, BROKEN]
-        assert survey(2, lambda index: there[index or 0]) == [BROKEN]
-
-    def test_what_few_units_draw_is_said(self) -> None:
         assert not GPU.note
         note = Device(0, renderer="NVIDIA H200/PCIe/SSE2").note
         assert "two of its 66" in note
         assert note in page.page(a_report(note=note), "make gpu")
 
-    def test_the_default_is_looked_at_where_no_device_draws(self) -> None:
+    def test_devices_are_looked_at_until_there_are_no_more_and_the_default_where_none_draws(self) -> None:
+        there = {0: LLVMPIPE, 1: GPU, 2: BROKEN, 3: Device(3, problem=NONE)}
+        assert survey(None, lambda index: there[index or 0]) == [LLVMPIPE, GPU, BROKEN]
+        assert survey(2, lambda index: there[index or 0]) == [BROKEN]
         asked = []
 
         def look(index: int | None) -> Device:
@@ -105,44 +93,41 @@ class TestDevice:
 
 class TestBudget:
     def test_nothing_is_begun_that_took_longer_than_what_is_left(self) -> None:
-        clock = Clock()
+        clock = Clock(0.0)
         budget = Budget(100.0, clock)
-        assert budget.has_room("draft")
-        budget.took("draft", 5.0)
+        assert budget.has_room("fast")
+        budget.took("fast", 5.0)
         budget.took("reference", 30.0)
         budget.took("reference", 20.0)
         clock.now = 65.0
         assert (budget.spent, budget.left(), budget.left(reserved=10.0)) == (65.0, 35.0, 25.0)
         assert budget.has_room("reference")
         assert not budget.has_room("reference", reserved=10.0)
-        assert budget.has_room("draft", reserved=10.0)
+        assert budget.has_room("fast", reserved=10.0)
         # Of a kind that has not been seen, one as long as any.
         assert not budget.has_room("high", reserved=10.0)
         clock.now = 200.0
         assert budget.left() == 0.0
-        assert not Budget(0.0, clock).has_room("draft")
+        assert not Budget(0.0, clock).has_room("fast")
 
     def test_what_is_left_out_is_named(self) -> None:
-        clock, report = Clock(), a_report()
-        work: list[Task] = [Draw(f"p{number}", "draft", SIZE) for number in range(6)]
-        pool = Pool(clock, 10.0, lambda task: drawn(task))  # type: ignore[arg-type]
-        command._schedule(pool, report, deque(work), 1, Budget(45.0, clock), reserved=10.0)  # type: ignore[arg-type]
+        clock, report = Clock(0.0), a_report()
+        work: list[Task] = [Draw(f"p{number}", "fast", SIZE) for number in range(6)]
+        pool = Pool(clock, 10.0, lambda task: drawn(task))
+        command._schedule(pool, report, deque(work), 1, Budget(45.0, clock), reserved=10.0)
         assert [one.task.preset for one in report.drawn] == ["p0", "p1", "p2"]
-        assert report.skipped == {f"p{number}, draft, 1280 × 720": command.NO_TIME for number in (3, 4, 5)}
+        assert report.skipped == {f"p{number}, fast, 1280 × 720": command.NO_TIME for number in (3, 4, 5)}
         # None may run into the time that is kept back.
         assert pool.timeouts == [35.0, 25.0, 15.0]
         assert not report.wrong
 
     def test_what_fails_is_wrong_and_what_did_not_end_is_skipped(self) -> None:
-        outcomes = {
-            "late": TimeoutError(),
-            "stale": StaleTruthError("of an earlier preset"),
-            "bad": ValueError("no\nGL"),
-        }
+        stale, bad = StaleTruthError("of an earlier preset"), ValueError("no\nGL")
+        outcomes = {"late": TimeoutError(), "stale": stale, "bad": bad}
         report = a_report()
         work: list[Task] = [Judge(name, 2.7) for name in (*outcomes, "good")]
-        pool = Pool(Clock(), 0.0, lambda task: outcomes.get(task.preset, judged(0.1)))
-        command._schedule(pool, report, deque(work), 2, Budget(9.0, Clock()), reserved=0.0)  # type: ignore[arg-type]
+        pool = Pool(Clock(0.0), 0.0, lambda task: outcomes.get(task.preset, judged(0.1)))
+        command._schedule(pool, report, deque(work), 2, Budget(9.0, Clock(0.0)), reserved=0.0)
         assert len(report.judged) == 1
         assert report.wrong == {"bad, parity at 2.7 s": "ValueError: no"}
         assert report.skipped["stale, parity at 2.7 s"] == "of an earlier preset"
@@ -171,18 +156,12 @@ def test_queries_are_believed_where_they_agree_with_the_clock() -> None:
     assert not plausible(2**32 / 1e9, 5.0)
 
 
-@pytest.mark.parametrize(
-    ("found", "said"),
-    [
-        (judged(NEAR), []),
-        (judged(NEAR, 1.0), []),
-        (judged(2 * NEAR), ["below 1° 1 > 0.5"]),
-        (judged(math.nan), ["below 1° nan > 0.5"]),
-        (judged(0.1, 2 * FLIPPED, hard=True), ["flipped samples 0.01 > 0.005"]),
-    ],
-)
-def test_a_bound_that_does_not_hold_is_said(found: Judged, said: list[str]) -> None:
-    assert list(found.faults) == said
+def test_a_bound_that_does_not_hold_is_said() -> None:
+    assert not judged(NEAR).faults
+    assert not judged(NEAR, 1.0).faults
+    assert list(judged(2 * NEAR).faults) == ["below 1° 1 > 0.5"]
+    assert list(judged(math.nan).faults) == ["below 1° nan > 0.5"]
+    assert list(judged(0.1, 2 * FLIPPED, hard=True).faults) == ["flipped samples 0.01 > 0.005"]
 
 
 class TestPage:
@@ -202,7 +181,7 @@ class TestPage:
             drawn=[drawn(Draw("beach", "high", SIZE), faults=("a blank picture",))],
             judged=[judged(0.1), judged(0.9, preset="storm")],
             served=[Served("default, png", 4, 55.5, {"queue": 0.001, "encode": 0.01})],
-            failed={"river, draft": "ShaderError: x"},
+            failed={"river, fast": "ShaderError: x"},
             skipped={"lagoon, high": command.NO_TIME},
         )
         text = page.page(report, "make gpu")
@@ -211,7 +190,7 @@ class TestPage:
         assert "1 preset and tier pairs drawn; 1 of 2 frames within" in text
         assert "3 wrong, 1 skipped" in text
         for line in (
-            "- river, draft: ShaderError: x",
+            "- river, fast: ShaderError: x",
             "- beach, high, 1280 × 720: a blank picture",
             "- storm, parity at 2.7 s: below 1° 0.9 > 0.5",
             "- lagoon, high: no time was left",
@@ -229,19 +208,17 @@ class TestPage:
         assert "**This machine drew without a GPU**" in text
         assert "## Frames" not in text
 
-    @pytest.mark.parametrize("given", [[], ["--output", str(command.PAGE)]])
-    def test_a_software_renderer_does_not_write_the_gpus_page(
-        self, given: list[str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    def test_neither_a_software_renderer_nor_a_part_writes_the_gpus_page(
+        self, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
     ) -> None:
         monkeypatch.setattr(command, "survey", lambda _: [LLVMPIPE])
         monkeypatch.setattr(command, "_measured", lambda *_: pytest.fail("measured"))
-        assert command.main(given) == 2
-        assert "--output FILE" in capsys.readouterr().err
-
-    @pytest.mark.parametrize("part", [["--presets", "beach"], ["--size", "64x36"]])
-    def test_a_part_does_not_take_the_place_of_the_whole(self, part: list[str]) -> None:
-        with pytest.raises(SystemExit, match="2"):
-            command.main(part)
+        for given in ([], ["--output", str(command.PAGE)]):
+            assert command.main(given) == 2
+            assert "--output FILE" in capsys.readouterr().err
+        for part in (["--presets", "beach"], ["--size", "64x36"]):
+            with pytest.raises(SystemExit, match="2"):
+                command.main(part)
 
     def test_another_file_is_written(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr(command, "survey", lambda _: [LLVMPIPE])

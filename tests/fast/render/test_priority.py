@@ -8,70 +8,50 @@ import pytest
 from seafoam.render.service.frame_cache import InFlight
 from seafoam.render.service.priority import STREAMED, PrioritySemaphore, Ticket
 
+pytestmark = pytest.mark.anyio
+
 
 async def settle() -> None:
     for _ in range(5):
         await asyncio.sleep(0)
 
 
-def test_visitors_go_before_the_background_in_order_of_arrival() -> None:
-    async def run() -> None:
-        slots, served = PrioritySemaphore(1), []
-        await slots.acquire()
-        tickets = {"b1": Ticket(True), "b2": Ticket(True), "v1": Ticket(), "b3": Ticket(True), "v2": Ticket()}
-
-        async def wait(name: str) -> None:
-            await slots.acquire(tickets[name])
-            served.append(name)
-
-        tasks = [asyncio.ensure_future(wait(name)) for name in tickets]
-        await settle()
-        tickets["b3"].background = False  # a visitor asks for the same
-        for _ in tickets:
-            slots.release()
-            await settle()
-        assert served == ["v1", "b3", "v2", "b1", "b2"]
-        assert slots.locked()
-        slots.release()
-        assert not slots.locked()
-        await asyncio.gather(*tasks)
-
-    asyncio.run(run())
-
-
-def served(
+async def served(
     tickets: dict[str, Ticket], new: Callable[[str], tuple[str, Ticket] | None] = lambda name: None
 ) -> list[str]:
     """In which order one worker serves callers. new: who comes when a caller has been served."""
+    slots, order, tasks = PrioritySemaphore(1), [], []
+    await slots.acquire()
 
-    async def run() -> list[str]:
-        slots, order = PrioritySemaphore(1), []
-        await slots.acquire()
-        tasks = []
+    async def wait(name: str, ticket: Ticket) -> None:
+        await slots.acquire(ticket)
+        order.append(name)
+        if (come := new(name)) is not None:
+            tasks.append(asyncio.ensure_future(wait(*come)))
 
-        async def wait(name: str, ticket: Ticket) -> None:
-            await slots.acquire(ticket)
-            order.append(name)
-            if (come := new(name)) is not None:
-                tasks.append(asyncio.ensure_future(wait(*come)))
-
-        tasks += [asyncio.ensure_future(wait(name, ticket)) for name, ticket in tickets.items()]
+    tasks += [asyncio.ensure_future(wait(name, ticket)) for name, ticket in tickets.items()]
+    await settle()
+    while len(order) < len(tasks):
+        slots.release()
         await settle()
-        while len(order) < len(tasks):
-            slots.release()
-            await settle()
-        await asyncio.gather(*tasks)
-        return order
-
-    return asyncio.run(run())
+    await asyncio.gather(*tasks)
+    assert slots.locked()
+    slots.release()
+    assert not slots.locked()
+    return order
 
 
-def test_frames_of_streams_go_between_visitors_and_the_background() -> None:
-    tickets = {"b1": Ticket(True), "s1": Ticket(stream=True), "v1": Ticket(), "s2": Ticket(stream=True), "v2": Ticket()}
-    assert served(tickets) == ["v1", "v2", "s1", "s2", "b1"]
+async def test_frames_of_streams_go_between_visitors_and_the_background_in_order_of_arrival() -> None:
+    tickets = {"b1": Ticket(True), "s1": Ticket(stream=True), "b2": Ticket(True), "v1": Ticket(), "b3": Ticket(True)}
+    tickets |= {"s2": Ticket(stream=True), "v2": Ticket()}
+
+    def asked_for_by_a_visitor(name: str) -> None:
+        tickets["b3"].background = False
+
+    assert await served(tickets, asked_for_by_a_visitor) == ["v1", "b3", "v2", "s1", "s2", "b1", "b2"]
 
 
-def test_the_background_is_served_while_streams_always_wait() -> None:
+async def test_the_background_is_served_while_streams_always_wait() -> None:
     """Two streams ask for the next frame whenever one has come."""
     left = iter(range(5 * STREAMED))
 
@@ -80,87 +60,78 @@ def test_the_background_is_served_while_streams_always_wait() -> None:
 
     tickets = {f"b{number}": Ticket(True) for number in range(2)}
     tickets |= {"stream": Ticket(stream=True), "v": Ticket()}
-    order = served(tickets, again)
+    order = await served(tickets, again)
     assert order[0] == "v"
     assert [place for place, name in enumerate(order) if name.startswith("b")] == [STREAMED + 1, 2 * STREAMED + 2]
 
 
-def test_no_worker_is_lost_with_a_caller_that_gives_up() -> None:
-    async def run() -> None:
-        slots = PrioritySemaphore(1)
-        await slots.acquire()
-        first, second = (asyncio.ensure_future(slots.acquire()) for _ in range(2))
-        await settle()
-        first.cancel()
-        slots.release()  # before the cancelled one has run
-        await settle()
-        assert second.done()
-        third, fourth = (asyncio.ensure_future(slots.acquire()) for _ in range(2))
-        await settle()
-        slots.release()
-        third.cancel()  # given and cancelled at once
-        await settle()
-        assert fourth.done()
-        assert not fourth.cancelled()
-        slots.release()
-        assert not slots.locked()
-
-    asyncio.run(run())
+async def test_no_worker_is_lost_with_a_caller_that_gives_up() -> None:
+    slots = PrioritySemaphore(1)
+    await slots.acquire()
+    first, second = (asyncio.ensure_future(slots.acquire()) for _ in range(2))
+    await settle()
+    first.cancel()
+    slots.release()  # before the cancelled one has run
+    await settle()
+    assert second.done()
+    third, fourth = (asyncio.ensure_future(slots.acquire()) for _ in range(2))
+    await settle()
+    slots.release()
+    third.cancel()  # given and cancelled at once
+    await settle()
+    assert fourth.done()
+    assert not fourth.cancelled()
+    slots.release()
+    assert not slots.locked()
 
 
-def test_identical_calls_share_a_run_and_its_failure() -> None:
-    async def run() -> None:
-        runs: InFlight[int] = InFlight()
-        starts = []
+async def test_identical_calls_share_a_run_and_its_failure() -> None:
+    runs: InFlight[int] = InFlight()
+    starts = []
 
-        async def work(ticket: Ticket) -> int:
-            starts.append(ticket)
-            await asyncio.sleep(0.01)
-            if len(starts) == 2:
-                raise KeyError("lost")
-            return len(starts)
+    async def work(ticket: Ticket) -> int:
+        starts.append(ticket)
+        await asyncio.sleep(0.01)
+        if len(starts) == 2:
+            raise KeyError("lost")
+        return len(starts)
 
-        async def three(background: bool) -> list[int | BaseException]:
-            calls = (runs.run("a", work, background=background) for _ in range(3))
-            return await asyncio.gather(*calls, return_exceptions=True)
+    async def three(background: bool) -> list[int | BaseException]:
+        calls = (runs.run("a", work, background=background) for _ in range(3))
+        return await asyncio.gather(*calls, return_exceptions=True)
 
-        assert await three(False) == [1, 1, 1]
-        assert [type(error) for error in await three(True)] == [KeyError] * 3
-        assert await three(True) == [3, 3, 3]
-        assert [ticket.background for ticket in starts] == [False, True, True]
-
-    asyncio.run(run())
+    assert await three(False) == [1, 1, 1]
+    assert [type(error) for error in await three(True)] == [KeyError] * 3
+    assert await three(True) == [3, 3, 3]
+    assert [ticket.background for ticket in starts] == [False, True, True]
 
 
-def test_a_run_ends_with_its_last_caller_and_goes_to_the_front_with_its_first_visitor() -> None:
-    async def run() -> None:
-        runs: InFlight[int] = InFlight()
-        tickets: list[Ticket] = []
-        ended: list[bool] = []
+async def test_a_run_ends_with_its_last_caller_and_goes_to_the_front_with_its_first_visitor() -> None:
+    runs: InFlight[int] = InFlight()
+    tickets: list[Ticket] = []
+    ended: list[bool] = []
 
-        async def work(ticket: Ticket) -> int:
-            tickets.append(ticket)
-            try:
-                await asyncio.sleep(60)
-            finally:
-                ended.append(True)
-            return 0
+    async def work(ticket: Ticket) -> int:
+        tickets.append(ticket)
+        try:
+            await asyncio.sleep(60)
+        finally:
+            ended.append(True)
+        return 0
 
-        background = asyncio.ensure_future(runs.run("a", work, background=True))
-        await settle()
-        visitor = asyncio.ensure_future(runs.run("a", work, background=False))
-        await settle()
-        assert len(tickets) == 1
-        assert not tickets[0].background
-        background.cancel()
-        await settle()
-        assert not ended
-        visitor.cancel()
-        await settle()
-        assert ended
-        assert "a" not in runs
-        for task in (background, visitor):
-            with pytest.raises(asyncio.CancelledError):
-                await task
-
-    asyncio.run(run())
+    background = asyncio.ensure_future(runs.run("a", work, background=True))
+    await settle()
+    visitor = asyncio.ensure_future(runs.run("a", work, background=False))
+    await settle()
+    assert len(tickets) == 1
+    assert not tickets[0].background
+    background.cancel()
+    await settle()
+    assert not ended
+    visitor.cancel()
+    await settle()
+    assert ended
+    assert "a" not in runs
+    for task in (background, visitor):
+        with pytest.raises(asyncio.CancelledError):
+            await task

@@ -8,7 +8,8 @@ import pytest
 
 from seafoam.quality import TIERS
 from seafoam.scene.presets import load_preset
-from support.api_fakes import FakeRenderer, no_renderer
+from support.api_fakes import no_renderer
+from support.serving import problem, serving
 
 PRESET = "paper-threshold"
 URL = f"/api/accuracy/{PRESET}"
@@ -30,17 +31,16 @@ def eventually(ask, seconds=60.0):
 
 
 @pytest.fixture(scope="module")
-def fresh(serve, tmp_path_factory):
+def fresh(tmp_path_factory):
     """An app that has measured nothing yet."""
-    with serve(FakeRenderer, cache=tmp_path_factory.mktemp("cache"), **SMALL) as client:
+    with serving(cache=tmp_path_factory.mktemp("cache"), **SMALL) as client:
         yield client
 
 
 def test_measured_on_request(fresh):
     asked = {"quality": "auto", "budget_ms": 8, **FRAME}
     early = fresh.get(f"/api/frames/{PRESET}.png", params=asked)
-    assert early.status_code == 503
-    assert early.json()["type"] == "urn:seafoam:problem:not-measured"
+    assert problem(early, 503)["type"] == "urn:seafoam:problem:not-measured"
     assert "measure" in early.json()["detail"]
     first, *_, last = eventually(lambda: fresh.get(URL))
     assert first.status_code == 202
@@ -50,8 +50,8 @@ def test_measured_on_request(fresh):
     found = last.json()
     assert found["preset"] == PRESET
     assert found["machine"]["renderer"] == "gradient"
-    # The preset is level water without ripples, where a draft is the standard.
-    assert {point["id"] for point in found["points"]} >= set(TIERS) - {"draft"}
+    # The preset is level water without ripples, where a fast is the standard.
+    assert {point["id"] for point in found["points"]} >= set(TIERS) - {"fast"}
     assert set(found["front"]) <= {point["id"] for point in found["points"]}
     assert fresh.get(URL, headers={"If-None-Match": last.headers["ETag"]}).status_code == 304
     points = fresh.get(f"{URL}/points").json()
@@ -70,7 +70,7 @@ def test_every_form_of_it(fresh):
     assert truth[..., 3].max() > 0.0
 
 
-def test_auto_says_what_it_took_and_why(fresh):
+def test_auto_says_what_it_took_and_why_and_measures_a_changed_preset_by_itself(fresh):
     eventually(lambda: fresh.get(URL))
     asked = {"quality": "auto", "budget_ms": 8, **FRAME}
     response = fresh.get(f"/api/frames/{PRESET}.png", params=asked)
@@ -86,27 +86,19 @@ def test_auto_says_what_it_took_and_why(fresh):
     posted = fresh.post("/api/frames", json={"scene": scene, "quality": "auto", "budget_ms": 8, **FRAME})
     assert posted.headers["Seafoam-Quality"] == response.headers["Seafoam-Quality"]
     assert "Seafoam-Quality" not in fresh.get(f"/api/frames/{PRESET}.png", params=FRAME).headers
-
-
-def test_a_changed_preset_is_measured_by_itself(fresh):
     eventually(lambda: fresh.get(URL))
     asked = {"quality": "auto", "budget_ms": 8, "mask": "vac-6", **FRAME}
     assert fresh.get(f"/api/frames/{PRESET}.png", params=asked).status_code == 503
 
 
-def test_auto_and_its_budget_come_together(fresh):
+def test_auto_and_its_budget_come_together_with_what_can_be_drawn(fresh):
     scene = load_preset(PRESET).scene.model_dump(mode="json")
     for given in ({"quality": "auto"}, {"budget_ms": 8}, {"quality": "auto", "budget_ms": 0}):
         got = fresh.get(f"/api/frames/{PRESET}.png", params=FRAME | given)
-        assert got.status_code == 422
-        assert got.json()["errors"][0]["parameter"] == "budget_ms"
         posted = fresh.post("/api/frames", json={"scene": scene, **FRAME, **given})
-        assert posted.status_code == 422
-        assert posted.json()["errors"][0]["pointer"] == "/budget_ms"
+        assert problem(got, 422)["errors"][0]["parameter"] == "budget_ms"
+        assert problem(posted, 422)["errors"][0]["pointer"] == "/budget_ms"
     assert fresh.get(f"/api/plans/{PRESET}", params={"quality": "auto"}).status_code == 422
-
-
-def test_auto_refuses_what_cannot_be_planned_or_drawn(fresh):
     auto = {"quality": "auto", "budget_ms": 8}
     got = fresh.get(f"/api/frames/{PRESET}.png", params=FRAME | auto | {"mask": "nobody-has"})
     assert got.json()["errors"][0]["parameter"] == "mask"
@@ -114,31 +106,28 @@ def test_auto_refuses_what_cannot_be_planned_or_drawn(fresh):
     assert wide.json()["errors"][0]["parameter"] == "width"
 
 
-def test_a_finished_measurement_outlives_the_server(fresh, serve):
+def test_a_finished_measurement_outlives_the_server_which_stops_in_the_middle_of_another(fresh, tmp_path):
     found = eventually(lambda: fresh.get(URL))[-1].json()
     cache = fresh.app.state.context.settings.cache
-    with serve(FakeRenderer, cache=cache, **SMALL) as again:
+    with serving(cache=cache, **SMALL) as again:
         response = again.get(URL)
         assert response.status_code == 200
         assert response.json() == found
+    long = SMALL | {"accuracy_width": 640, "accuracy_samples": 32}
+    with serving(cache=tmp_path, **long) as client:
+        assert client.get("/api/accuracy/default/truth.npy").status_code == 202
+        assert client.get("/api/accuracy/default").status_code == 202
+        time.sleep(0.5)
+    with serving(cache=tmp_path, **long) as again:
+        assert again.get("/api/accuracy/default/truth.npy").status_code == 202, "it waited for the measurement"
 
 
-def test_without_gl_there_is_truth_but_no_time(serve, tmp_path):
-    with serve(no_renderer, cache=tmp_path, **SMALL) as client:
+def test_without_gl_there_is_truth_but_no_time(tmp_path):
+    with serving(no_renderer, cache=tmp_path, **SMALL) as client:
         assert client.get(f"{URL}/points").status_code == 200
         assert client.get(URL).status_code == 503
         assert client.get(URL).json()["remedy"]
         assert eventually(lambda: client.get(f"{URL}/truth.npy"))[-1].status_code == 200
-
-
-def test_a_server_stops_in_the_middle_of_a_measurement(serve, tmp_path):
-    long = SMALL | {"accuracy_width": 640, "accuracy_samples": 32}
-    with serve(FakeRenderer, cache=tmp_path, **long) as client:
-        assert client.get("/api/accuracy/default/truth.npy").status_code == 202
-        assert client.get("/api/accuracy/default").status_code == 202
-        time.sleep(0.5)
-    with serve(FakeRenderer, cache=tmp_path, **long) as again:
-        assert again.get("/api/accuracy/default/truth.npy").status_code == 202, "it waited for the measurement"
 
 
 def test_quality_lists_the_parameters(client):

@@ -9,10 +9,11 @@ from urllib.parse import urljoin
 import pytest
 
 from seafoam.api.settings import SERVED, Settings
+from seafoam.render.encode import read_recipe
 from seafoam.render.service.pool import BACKGROUND_QUEUE
 from seafoam.scene.presets import load_preset, preset_names
 from support.api_fakes import SLOW
-from support.serving import SMALL, eventually, frame, picture, serving
+from support.serving import SMALL, busy, eventually, frame, picture, problem, serving
 
 CACHED = {"cache_size": 16 << 20, "cache_memory": 4 << 20}
 
@@ -47,19 +48,17 @@ def test_nothing_is_kept_unless_it_is_set_and_serve_sets_it(client, monkeypatch)
 
 def test_a_repeat_is_answered_from_memory_without_planning(cached, monkeypatch):
     first = frame(cached, time=1.5)
+    body = {"scene": load_preset("default").scene.model_dump(mode="json"), "preset": "default", "time": 1.5, **SMALL}
+    assert cached.post("/api/frames", json=body).content == first.content
+    assert origin(cached.post("/api/frames", json=body)) == "memory"
     monkeypatch.setattr("seafoam.api.context.compile_scene", None)
     again = frame(cached, time=1.5)
     assert (origin(first), origin(again)) == ("queue", "memory")
+    # In a folder of the cache for measurements.
+    assert cached.app.state.context.frames.disk.directory == Path(cached.app.state.context.settings.cache) / "frames"
     assert again.content == first.content
     for name in ("ETag", "Seafoam-Plan", "Seafoam-Renderer", "Cache-Control", "Link", "Content-Type"):
         assert again.headers[name] == first.headers[name]
-
-
-def test_a_posted_frame_is_found_too(cached):
-    body = {"scene": load_preset("default").scene.model_dump(mode="json"), "preset": "default", "time": 2.5, **SMALL}
-    first = frame(cached, time=2.5)
-    assert cached.post("/api/frames", json=body).content == first.content
-    assert origin(cached.post("/api/frames", json=body)) == "memory"
 
 
 def test_a_restarted_server_answers_from_disk_without_its_renderer(tmp_path):
@@ -115,9 +114,10 @@ def test_requests_in_flight_share_a_render():
         assert client.app.state.context.metrics.frames.labels("png")._value.get() == 2
 
 
-def test_no_visitor_waits_behind_a_queued_thumbnail(serve):
+def test_no_visitor_waits_behind_a_queued_thumbnail():
+    assert 2 * len(preset_names()) <= BACKGROUND_QUEUE, "thumbnails have a queue of their own"
     names = preset_names()[:4]
-    with serve() as client, ThreadPoolExecutor(len(names) + 2) as threads:
+    with serving() as client, ThreadPoolExecutor(len(names) + 2) as threads:
         assert frame(client).status_code == 200
         pool = client.app.state.context.pool
         order: list[str] = []
@@ -127,15 +127,13 @@ def test_no_visitor_waits_behind_a_queued_thumbnail(serve):
             order.append(name)
             return status
 
-        client.portal.call(pool._free_workers.acquire)
-        thumbnails = [
-            threads.submit(ask, f"thumbnail {name}", f"/api/presets/{name}/thumbnail.webp?width=16") for name in names
-        ]
-        client.portal.call(eventually, lambda: pool.waiting_background == len(names))
-        assert pool.waiting == 0
-        visitor = threads.submit(ask, "visitor", "/api/frames/default.png?width=9&height=9")
-        client.portal.call(eventually, lambda: pool.waiting == 1)
-        client.portal.call(pool._free_workers.release)
+        with busy(client):
+            urls = {name: f"/api/presets/{name}/thumbnail.webp?width=16" for name in names}
+            thumbnails = [threads.submit(ask, *each) for each in urls.items()]
+            client.portal.call(eventually, lambda: pool.waiting_background == len(names))
+            assert pool.waiting == 0
+            visitor = threads.submit(ask, "visitor", "/api/frames/default.png?width=9&height=9")
+            client.portal.call(eventually, lambda: pool.waiting == 1)
         assert visitor.result() == 200
         assert [thumbnail.result() for thumbnail in thumbnails] == [200] * len(names)
         assert order[0] == "visitor"
@@ -155,40 +153,32 @@ def test_a_thumbnail_is_a_small_frame_of_its_preset(cached):
     assert current.status_code == 304
 
 
-def test_thumbnails_have_a_queue_of_their_own():
-    assert 2 * len(preset_names()) <= BACKGROUND_QUEUE
+def test_every_frame_names_its_immutable_address(cached):
+    asked = {"time": -1e-7, "yaw": 0.1}
+    for response in (
+        frame(cached, **asked),
+        frame(cached, dither=False, **asked),
+        frame(cached, "exr", precision="float", **asked),
+        cached.post("/api/frames", json={"scene": {}, "time": 2.0, **SMALL}),
+        cached.get("/api/presets/default/thumbnail.webp?width=32"),
+    ):
+        address = re.fullmatch(r'<(\S+)>; rel="canonical"', response.headers["Link"])[1]
+        found = cached.get(urljoin(str(response.url), address))
+        assert found.status_code == 200, found.text
+        assert found.headers["Cache-Control"] == "public, max-age=31536000, immutable"
+        assert found.headers["Seafoam-Plan"] == response.headers["Seafoam-Plan"]
+        assert urljoin(str(found.url), re.match("<(.+)>", found.headers["Link"])[1]) == str(found.url)
+        if "exr" not in response.headers["Content-Type"]:  # the same picture; its recipe names no preset
+            assert picture(found).tobytes() == picture(response).tobytes()
+        tag = found.headers["ETag"]
+        assert cached.get(str(found.url), headers={"If-None-Match": tag}).status_code == 304
 
 
-@pytest.mark.parametrize("form", ["get", "post", "thumbnail", "exr", "exact"])
-def test_every_frame_names_its_immutable_address(cached, form):
-    match form:
-        case "post":
-            response = cached.post("/api/frames", json={"scene": {}, "time": 2.0, **SMALL})
-            base = "http://testserver/api/frames"
-        case "thumbnail":
-            response = cached.get("/api/presets/default/thumbnail.webp?width=32")
-            base = "http://testserver/api/presets/default/thumbnail.webp"
-        case _:
-            asked = {"exr": {"precision": "float"}, "exact": {"dither": False}}.get(form, {})
-            response = frame(cached, "exr" if form == "exr" else "png", time=-1e-7, yaw=0.1, **asked)
-            base = "http://testserver/api/frames/default.png"
-    address = re.fullmatch(r'<(\S+)>; rel="canonical"', response.headers["Link"])[1]
-    found = cached.get(urljoin(base, address))
-    assert found.status_code == 200, found.text
-    assert found.headers["Cache-Control"] == "public, max-age=31536000, immutable"
-    assert found.headers["Seafoam-Plan"] == response.headers["Seafoam-Plan"]
-    assert urljoin(str(found.url), re.match("<(.+)>", found.headers["Link"])[1]) == str(found.url)
-    if form != "exr":  # the same picture; its recipe names no preset
-        assert picture(found).tobytes() == picture(response).tobytes()
-    tag = found.headers["ETag"]
-    assert cached.get(urljoin(base, address), headers={"If-None-Match": tag}).status_code == 304
-
-
-def test_plans_are_known_by_their_hash_also_after_a_restart(tmp_path):
+def test_plans_are_known_by_their_hash_after_a_restart_but_not_by_another_version(tmp_path, monkeypatch):
     where = "width=8&height=8&x=0&y=4&z=0&yaw=0&pitch=0&roll=0&fov=1"
     scene = {"waves": [{"model": "parametric"}]}
     with serving(cache=tmp_path, **CACHED) as client:
-        plan = client.post("/api/plans", json={"scene": scene, "quality": "draft"}).headers["Seafoam-Plan"]
+        plan = client.post("/api/plans", json={"scene": scene, "quality": "fast"}).headers["Seafoam-Plan"]
         preset = client.get("/api/plans/storm?quality=high").headers["Seafoam-Plan"]
         url = f"/api/plans/{plan}/frames/1.png?{where}"
         first = client.get(url)
@@ -197,32 +187,16 @@ def test_plans_are_known_by_their_hash_also_after_a_restart(tmp_path):
         assert client.get(url).content == first.content
         assert client.get(f"/api/plans/{preset}/frames/1.png?{where}").headers["Seafoam-Plan"] == preset
     with serving(cache=tmp_path / "other", **CACHED) as client:
-        answer = client.get(url)
-        assert answer.status_code == 404
-        assert answer.headers["Content-Type"] == "application/problem+json"
-        assert answer.headers["Cache-Control"] == "no-store"
-        assert answer.json()["errors"][0]["parameter"] == "plan"
-
-
-def test_a_stored_plan_that_another_version_made_is_not_known(tmp_path, monkeypatch):
-    with serving(cache=tmp_path, **CACHED) as client:
-        plan = client.get("/api/plans/default").headers["Seafoam-Plan"]
+        assert problem(client.get(url), 404)["errors"][0]["parameter"] == "plan"
     monkeypatch.setattr("seafoam.api.frames.plans.plan_hash", lambda scene, quality: "0" * 64)
     with serving(cache=tmp_path, **CACHED) as client:
         assert client.app.state.context.plan_index.find(plan) is None
 
 
 def test_what_a_frame_carries_is_its_recipe(cached):
-    from seafoam.render.encode import read_recipe
-
     for suffix, own in (("png", "dither"), ("webp", "dither"), ("exr", "precision")):
         response = frame(cached, suffix, time=6.5)
         recipe = json.loads(read_recipe(response.content))
         assert recipe["plan"] == response.headers["Seafoam-Plan"]
         assert (recipe["time"], recipe["width"], recipe["height"], recipe["format"]) == (6.5, 24, 16, suffix)
         assert {"dither", "precision"} & set(recipe) == {own}
-
-
-def test_the_cache_is_a_folder_of_the_one_for_measurements(cached):
-    disk = cached.app.state.context.frames.disk
-    assert disk.directory == Path(cached.app.state.context.settings.cache) / "frames"

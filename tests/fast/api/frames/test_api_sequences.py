@@ -2,10 +2,11 @@
 
 import io
 import json
-import threading
+import time as clock
 import zipfile
 from collections.abc import Iterator
-from contextlib import AbstractContextManager
+from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -14,39 +15,27 @@ from PIL import Image
 from starlette.testclient import TestClient
 
 from support.api_fakes import RAISE, FakeRenderer
-from support.serving import SMALL, frame, serving
+from support.serving import SMALL, eventually, frame, problem, serving
 
 SCENE = {"waves": [{"model": "parametric"}]}
 GATE = 333.0
 
 
 class Gated(FakeRenderer):
-    """From a time on, waits for a file that is named in the plan's place: the folder of its cache."""
+    """From a time on, waits for a file."""
 
-    gate: Path
+    def __init__(self, gate: Path) -> None:
+        super().__init__()
+        self.gate = gate
 
     def render(self, plan, *, time, **options):
-        import time as clock
-
         while time >= GATE and not self.gate.exists():
             clock.sleep(0.02)
         return super().render(plan, time=time, **options)
 
 
-class GatedAt:
-    """A factory of renderers that workers can import."""
-
-    def __init__(self, gate: Path) -> None:
-        self.gate = gate
-
-    def __call__(self) -> Gated:
-        renderer = Gated()
-        renderer.gate = self.gate
-        return renderer
-
-
 def asked(**changes: Any) -> dict[str, Any]:
-    return {"scene": SCENE, "quality": "draft", "stop": 0.25, "format": "zip", **SMALL, **changes}
+    return {"scene": SCENE, "quality": "fast", "stop": 0.25, "format": "zip", **SMALL, **changes}
 
 
 def start(client: TestClient, **changes: Any) -> dict[str, Any]:
@@ -90,28 +79,24 @@ def test_from_the_request_to_the_file(client: TestClient) -> None:
     with zipfile.ZipFile(io.BytesIO(file.content)) as archive:
         pictures = [archive.read(name) for name in archive.namelist()]
     assert len(set(pictures)) == 6
-    single = {"scene": SCENE, "quality": "draft", "time": 3 / 24, **SMALL}
+    single = {"scene": SCENE, "quality": "fast", "time": 3 / 24, **SMALL}
     assert pictures[3] == client.post("/api/frames", json=single).content
     part = client.get(f"/api/sequences/{begun['id']}/file", headers={"Range": "bytes=0-3"})
     assert (part.status_code, part.content) == (206, b"PK\x03\x04")
-    for known in (
-        {"If-None-Match": f'"x", {file.headers["ETag"]}'},
-        {"If-Modified-Since": file.headers["Last-Modified"]},
-    ):
+    tag, date = file.headers["ETag"], file.headers["Last-Modified"]
+    for known in ({"If-None-Match": f'"x", {tag}'}, {"If-Modified-Since": date}):
         assert client.get(f"/api/sequences/{begun['id']}/file", headers=known).status_code == 304
-    again = start(client)
-    assert again == status
+    assert start(client) == status
 
 
 def test_animations_and_videos(client: TestClient) -> None:
-    names = {}
+    files = {}
     for format in ("webp", "mp4"):
-        names[format] = start(client, format=format)["id"]
-        assert events(client, names[format])[-1]["status"] == "done"
-    content = client.get(f"/api/sequences/{names['webp']}/file").content
-    assert Image.open(io.BytesIO(content)).n_frames == 6
-    video = client.get(f"/api/sequences/{names['mp4']}/file")
-    assert (video.headers["content-type"], video.content[4:8]) == ("video/mp4", b"ftyp")
+        name = start(client, format=format)["id"]
+        assert events(client, name)[-1]["status"] == "done"
+        files[format] = client.get(f"/api/sequences/{name}/file")
+    assert Image.open(io.BytesIO(files["webp"].content)).n_frames == 6
+    assert (files["mp4"].headers["content-type"], files["mp4"].content[4:8]) == ("video/mp4", b"ftyp")
 
 
 def test_it_goes_on_after_a_restart(tmp_path: Path) -> None:
@@ -124,9 +109,7 @@ def test_it_goes_on_after_a_restart(tmp_path: Path) -> None:
         assert (failed["status"], failed["drawn"]) == ("failed", 2)
         assert "could not be drawn" in failed["detail"]
         assert "secret" not in json.dumps(failed)
-        response = client.get(f"/api/sequences/{other}/file")
-        assert response.status_code == 409
-        assert "failed" in response.json()["detail"]
+        assert "failed" in problem(client.get(f"/api/sequences/{other}/file"), 409)["detail"]
     with serving(cache=tmp_path) as client:
         assert client.get(f"/api/sequences/{name}").json()["status"] == "done"
         assert client.get(f"/api/sequences/{name}/file").content == whole
@@ -135,18 +118,13 @@ def test_it_goes_on_after_a_restart(tmp_path: Path) -> None:
         assert events(client, other)[-1]["drawn"] == 2
 
 
-def gated(tmp_path: Path, **settings: Any) -> AbstractContextManager[TestClient]:
-    return serving(GatedAt(tmp_path / "gate"), cache=tmp_path, **settings)
-
-
 def test_a_bounded_number_waits_and_each_can_be_cancelled(tmp_path: Path) -> None:
-    with gated(tmp_path, sequences_waiting=2, deadline=60.0) as client:
+    with serving(partial(Gated, tmp_path / "gate"), cache=tmp_path, sequences_waiting=2) as client:
         running = start(client, start=GATE, stop=GATE + 0.1)["id"]
         queued = start(client, start=GATE, stop=GATE + 0.2)["id"]
         full = client.post("/api/sequences", json=asked(start=GATE, stop=GATE + 0.3))
-        assert full.status_code == 503
+        assert problem(full, 503)["type"] == "urn:seafoam:problem:busy"
         assert int(full.headers["retry-after"]) > 0
-        assert full.json()["type"] == "urn:seafoam:problem:busy"
         assert start(client, start=GATE, stop=GATE + 0.2)["id"] == queued
         assert client.get(f"/api/sequences/{queued}/file").status_code == 409
         assert client.delete(f"/api/sequences/{queued}").status_code == 204
@@ -174,24 +152,18 @@ def test_the_oldest_files_make_room(tmp_path: Path) -> None:
 
 def test_visitors_come_first(tmp_path: Path) -> None:
     """While a visitor's frame is in the only worker, and another waits, no frame of the sequence is taken."""
-    with gated(tmp_path, queue=4, deadline=60.0) as client:
-        client.get("/api/frames/default.png", params=SMALL)  # waits until it is ready
-        visitors = [
-            threading.Thread(target=frame, args=(client,), kwargs={"time": GATE + number, "quality": "draft"})
-            for number in range(2)
-        ]
-        for visitor in visitors:
-            visitor.start()
+    gated = serving(partial(Gated, tmp_path / "gate"), cache=tmp_path, queue=4)
+    with gated as client, ThreadPoolExecutor(2) as threads:
+        frame(client)  # waits until it is ready
+        visitors = [threads.submit(frame, client, time=GATE + number, quality="fast") for number in range(2)]
         pool = client.app.state.context.pool
-        while client.portal.call(lambda: pool.active + pool.waiting) < 2:
-            pass
+        client.portal.call(eventually, lambda: pool.active + pool.waiting == 2)
         name = start(client)["id"]
         for _ in range(5):
             client.get("/healthz")
             assert client.get(f"/api/sequences/{name}").json()["drawn"] == 0
         (tmp_path / "gate").touch()
-        for visitor in visitors:
-            visitor.join()
+        assert all(visitor.result() for visitor in visitors)
         assert events(client, name)[-1]["status"] == "done"
 
 
@@ -202,15 +174,13 @@ def test_a_rate_of_the_trade(client: TestClient) -> None:
 
 
 def test_without_pyav_or_gl(client: TestClient, without_gl: TestClient, monkeypatch: pytest.MonkeyPatch) -> None:
-    response = without_gl.post("/api/sequences", json=asked())
-    assert response.status_code == 503
+    problem(without_gl.post("/api/sequences", json=asked()), 503)
     monkeypatch.setattr("seafoam.extras.find_spec", lambda name: None)
-    response = client.post("/api/sequences", json=asked(format="mp4"))
-    assert response.status_code == 501
-    assert response.json()["remedy"] == "pip install 'seafoam[video]'"
+    told = problem(client.post("/api/sequences", json=asked(format="mp4")), 501)
+    assert told["remedy"] == "pip install 'seafoam[video]'"
 
 
-@pytest.mark.parametrize("path", ["", "/events", "/file"])
-def test_names_that_nothing_has(client: TestClient, path: str) -> None:
-    assert client.get(f"/api/sequences/{'0' * 32}{path}").status_code == 404
-    assert client.get(f"/api/sequences/UPPER{path}").status_code == 422
+def test_names_that_nothing_has(client: TestClient) -> None:
+    for path in ("", "/events", "/file"):
+        problem(client.get(f"/api/sequences/{'0' * 32}{path}"), 404)
+        problem(client.get(f"/api/sequences/UPPER{path}"), 422)

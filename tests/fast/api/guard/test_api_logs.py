@@ -13,9 +13,12 @@ from starlette.testclient import TestClient
 from seafoam.api.watch import logs
 from support.serving import answering
 
+Logged = Callable[[], list[dict[str, object]]]
+"""What was written since, a line each."""
+
 
 @pytest.fixture
-def logged() -> Iterator[Callable[[], list[dict[str, object]]]]:
+def logged() -> Iterator[Logged]:
     """What was written since, a line each."""
     stream = io.StringIO()
     handler = logging.StreamHandler(stream)
@@ -45,22 +48,16 @@ def test_each_request_has_an_id_also_where_an_error_is_unexpected(
     assert response.headers["X-Request-ID"] == response.json()["request_id"] == "one"
 
 
-@pytest.mark.parametrize("sent", ["abc", "01J8-X_y.z:1", "a" * 128])
-def test_a_sane_id_is_kept(client: TestClient, sent: str) -> None:
-    response = client.get("/api/presets/none", headers={"X-Request-ID": sent})
-    assert response.headers["X-Request-ID"] == sent
-    assert response.json()["request_id"] == sent
+def test_a_sane_id_is_kept_and_another_replaced(client: TestClient) -> None:
+    for sent in ("abc", "01J8-X_y.z:1", "a" * 128):
+        response = client.get("/api/presets/none", headers={"X-Request-ID": sent})
+        assert response.headers["X-Request-ID"] == response.json()["request_id"] == sent
+    for sent in ("", " ", "a b", "a" * 129, '{"a":1}', "é".encode(), b"\xff", "a,b", "-a", "<b>"):
+        response = client.get("/healthz", headers={"X-Request-ID": sent})
+        assert re.fullmatch("[0-9a-f]{32}", response.headers["X-Request-ID"]), sent
 
 
-@pytest.mark.parametrize("sent", ["", " ", "a b", "a" * 129, '{"a":1}', "é".encode(), b"\xff", "a,b", "-a", "<b>"])
-def test_another_is_replaced(client: TestClient, sent: str | bytes) -> None:
-    response = client.get("/healthz", headers={"X-Request-ID": sent})
-    assert re.fullmatch("[0-9a-f]{32}", response.headers["X-Request-ID"])
-
-
-def test_a_line_for_each_request_but_for_probes(
-    client: TestClient, logged: Callable[[], list[dict[str, object]]]
-) -> None:
+def test_a_line_for_each_request_but_for_probes(client: TestClient, logged: Logged) -> None:
     response = client.get("/api/presets/none?x=1", headers={"X-Request-ID": "one"})
     client.head("/api/quality")
     client.get("/learn/")
@@ -78,7 +75,7 @@ def test_a_line_for_each_request_but_for_probes(
     assert third["route"] == "(page)"
 
 
-def test_a_key_is_logged_by_its_name(logged: Callable[[], list[dict[str, object]]]) -> None:
+def test_a_key_is_logged_by_its_name(logged: Logged) -> None:
     key = "correct-horse-battery"
     restricted = answering(log_format="json", api_keys=f"alice:{key}")
     restricted.get("/api/quality", headers={"Authorization": f"Bearer {key}"})
@@ -87,9 +84,7 @@ def test_a_key_is_logged_by_its_name(logged: Callable[[], list[dict[str, object]
     assert key not in json.dumps(logged())
 
 
-def test_frames_of_streams_are_logged_if_they_are_refused(
-    monkeypatch: pytest.MonkeyPatch, logged: Callable[[], list[dict[str, object]]]
-) -> None:
+def test_frames_of_streams_are_logged_if_they_are_refused(monkeypatch: pytest.MonkeyPatch, logged: Logged) -> None:
     client = answering(log_format="json")
     path = "/api/streams/x/frame.webp"
     client.get(path)
@@ -111,11 +106,11 @@ def test_an_exception_is_part_of_its_line() -> None:
 
 
 def test_json_replaces_uvicorns_own_log_and_as_text_uvicorn_writes_the_lines(
-    monkeypatch: pytest.MonkeyPatch, logged: Callable[[], list[dict[str, object]]]
+    monkeypatch: pytest.MonkeyPatch, logged: Logged
 ) -> None:
     made: dict[str, object] = {}
     monkeypatch.setattr(logging, "basicConfig", lambda **options: made.update(options))
     assert logs.configure("json") == {"log_config": None, "access_log": False}
-    assert isinstance(made["handlers"][0].formatter, logs.JsonLines)  # type: ignore[index]
+    assert isinstance(made["handlers"][0].formatter, logs.JsonLines)
     answering().get("/api/quality")
     assert logged() == []

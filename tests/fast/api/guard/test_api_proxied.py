@@ -10,12 +10,10 @@ from urllib.parse import urljoin
 
 import httpx2
 import pytest
-from pydantic import ValidationError
 from starlette.testclient import TestClient
 
 import seafoam
 from seafoam.api.guard.proxy_headers import relative
-from seafoam.api.settings import Settings
 from seafoam.scene.presets import preset_names
 from support.browser.proxy import proxied
 from support.command import free_port
@@ -104,38 +102,30 @@ def test_programs_draw_by_the_proxys_address(behind: str) -> None:
     assert httpx2.get(urljoin(str(frame.url), where[1]), timeout=60).headers["link"]
     with seafoam.connect(behind) as connection:
         assert connection.frame("default", size=(16, 16)).size == (16, 16)
-    opened = httpx2.post(f"{behind}api/streams", json={"scene": {}, "quality": "draft"}, timeout=60)
+    opened = httpx2.post(f"{behind}api/streams", json={"scene": {}, "quality": "fast"}, timeout=60)
     stream = urljoin(str(opened.url), opened.headers["location"])
     query = "time=1&width=16&height=16&x=0&y=3&z=0&yaw=0&pitch=0&roll=0&fov=1"
     assert httpx2.get(f"{stream}/frame.webp?{query}", timeout=60).headers["content-type"] == "image/webp"
 
 
-@pytest.mark.parametrize(
-    ("peer", "sent", "base"),
-    [
-        ("127.0.0.1", {}, "/set/"),
-        ("127.0.0.1", {"X-Forwarded-Prefix": "/told/"}, "/told/"),
-        ("127.0.0.1", {"X-Forwarded-Prefix": '/"><script>'}, "/set/"),
-        ("203.0.113.9", {"X-Forwarded-Prefix": "/told"}, "/set/"),
-    ],
-)
-def test_a_prefix_is_set_or_told_by_who_is_trusted(peer: str, sent: dict[str, str], base: str) -> None:
-    client = TestClient(answering(root_path="/set/").app, client=(peer, 1))
-    page = client.get("/water/default", headers=sent).text
-    assert f'property="og:url" content="http://testserver{base}water/default"' in page
+def test_a_prefix_is_set_or_told_by_who_is_trusted() -> None:
+    app = answering(root_path="/set/").app
+    for peer, told, base in (
+        ("127.0.0.1", None, "/set/"),
+        ("127.0.0.1", "/told/", "/told/"),
+        ("127.0.0.1", '/"><script>', "/set/"),
+        ("203.0.113.9", "/told", "/set/"),
+    ):
+        sent = {"X-Forwarded-Prefix": told} if told else {}
+        page = TestClient(app, client=(peer, 1)).get("/water/default", headers=sent).text
+        assert f'property="og:url" content="http://testserver{base}water/default"' in page, (peer, told)
 
 
-@pytest.mark.parametrize("value", ["water", "/water?", "//", '/"'])
-def test_a_root_path_is_a_path(value: str) -> None:
-    with pytest.raises(ValidationError):
-        Settings(root_path=value)
-
-
-@pytest.mark.parametrize("path", ["/learn", "/docs/", "/a/b", "/a/b/"])
-@pytest.mark.parametrize("target", ["/learn/", "/docs", "/a/b/", "/a:b/c?d=e", "/"])
-def test_relative_addresses_lead_where_absolute_ones_do(path: str, target: str) -> None:
-    here = "http://testserver" + path
-    assert urljoin(here, relative(path, "http://testserver" + target)) == "http://testserver" + target
+def test_relative_addresses_lead_where_absolute_ones_do() -> None:
+    for path in ("/learn", "/docs/", "/a/b", "/a/b/"):
+        for target in ("/learn/", "/docs", "/a/b/", "/a:b/c?d=e", "/"):
+            whole = "http://testserver" + target
+            assert urljoin("http://testserver" + path, relative(path, whole)) == whole, (path, target)
 
 
 @pytest.mark.parametrize("path", ["/api", "/api/"])

@@ -1,25 +1,13 @@
 """Rates by client: the bucket, who a client is, and what the answers say."""
 
 import pytest
-from pydantic import ValidationError
 from starlette.testclient import TestClient
 
 from seafoam.api.guard.rates import TokenBuckets, bucket_of
-from seafoam.api.settings import Settings
-from support.serving import answering, problem
+from support.serving import Clock, answering, problem
 
 KEY = "correct-horse-battery"
 URL = "/api/quality"
-
-
-class Clock:
-    """Seconds that pass when told."""
-
-    def __init__(self) -> None:
-        self.now = 1000.0
-
-    def __call__(self) -> float:
-        return self.now
 
 
 def of(client: TestClient, address: str) -> TestClient:
@@ -68,18 +56,10 @@ def test_the_memory_is_bounded_and_the_busy_are_remembered() -> None:
     assert not buckets.take("busy").allowed
 
 
-@pytest.mark.parametrize(
-    ("one", "other", "same"),
-    [
-        ("10.0.0.1", "10.0.0.2", False),
-        ("2001:db8::1", "2001:db8::ffff:1", True),
-        ("2001:db8:0:1::1", "2001:db8:0:2::1", False),
-        ("::ffff:10.0.0.1", "10.0.0.1", True),
-        ("testclient", "", False),
-    ],
-)
-def test_an_ipv6_network_is_one_client(one: str, other: str, same: bool) -> None:
-    assert (bucket_of(one) == bucket_of(other)) is same
+def test_an_ipv6_network_is_one_client() -> None:
+    same = {("2001:db8::1", "2001:db8::ffff:1"), ("::ffff:10.0.0.1", "10.0.0.1")}
+    others = {("10.0.0.1", "10.0.0.2"), ("2001:db8:0:1::1", "2001:db8:0:2::1"), ("testclient", "")}
+    assert {pair for pair in same | others if bucket_of(pair[0]) == bucket_of(pair[1])} == same
 
 
 def test_beyond_its_rate_a_client_is_told_when_to_come_back() -> None:
@@ -132,9 +112,3 @@ def test_only_a_trusted_proxy_says_who_the_client_is() -> None:
     assert status("10.1.2.3", "198.51.100.7, 203.0.113.2") == 429
     assert status("192.0.2.1", "203.0.113.3") == 200
     assert status("192.0.2.1", "203.0.113.4") == 429
-
-
-@pytest.mark.parametrize("proxies", ["nginx", "10.0.0.1/8", "127.0.0.1,x"])
-def test_proxies_are_addresses_or_networks(proxies: str) -> None:
-    with pytest.raises(ValidationError, match="trusted_proxies"):
-        Settings(trusted_proxies=proxies)

@@ -108,7 +108,7 @@ def test_a_drawn_frames_stages_are_spans_within_its_request(recorded: Recorded) 
         job = SimpleNamespace(format="png")
         request = SimpleNamespace(method="POST", receive=leave)
         with recorded.traces._tracer.start_as_current_span(origin):
-            asyncio.run(answer(ResolvedFrame(job, "", {}, None), request, context))  # type: ignore[arg-type]
+            asyncio.run(answer(ResolvedFrame(job, "", {}, None), request, context))
     spans = recorded.spans()
     parent = next(each for each in spans if each.name == "drawn")
     stages = [each for each in spans if each.name not in get_args(Origin)]

@@ -1,4 +1,4 @@
-"""What an operator sees of a running server: how it stops, and what it leaves on disk."""
+"""What an operator sees of a server: its settings, how it stops, and what it leaves on disk."""
 
 import signal
 import time
@@ -7,11 +7,12 @@ from pathlib import Path
 
 import httpx2
 import pytest
+from pydantic import ValidationError
 
 from seafoam.api.settings import Settings
 from support.api_fakes import HANG
 from support.command import run
-from support.serving import served
+from support.serving import LOG, served
 
 
 @pytest.mark.parametrize("form", ["text", "json"])
@@ -29,7 +30,8 @@ def test_frames_in_flight_are_told_that_the_server_stops(tmp_path: Path, form: s
                 time.sleep(0.1)
             process.send_signal(signal.SIGTERM)
             responses = [answer.result() for answer in answers]
-        log = process.communicate(timeout=60)[0]
+        process.wait(60)
+    log = (tmp_path / LOG).read_text()
     for response in responses:
         assert response.status_code == 503, response.text
         assert response.headers["content-type"] == "application/problem+json"
@@ -59,6 +61,31 @@ def environments(parent: int) -> set[str]:
     workers = [child for child, command in commands.items() if "spawn_main" in command]
     assert workers
     return set.intersection(*(set(Path(f"/proc/{each}/environ").read_text().split("\0")) for each in workers))
+
+
+@pytest.mark.parametrize(
+    ("name", "values"),
+    [
+        ("cors_origins", ("example.org", "https://example.org/", "https://example.org/a", "https://a b", "null")),
+        ("trusted_proxies", ("nginx", "10.0.0.1/8", "127.0.0.1,x")),
+        ("root_path", ("water", "/water?", "//", '/"')),
+        ("streams", (-1,)),
+    ],
+)
+def test_a_setting_that_cannot_be_is_refused(name: str, values: tuple[object, ...]) -> None:
+    for value in values:
+        with pytest.raises(ValidationError, match=name):
+            Settings(**{name: value})
+
+
+def test_settings_that_do_not_fit_each_other_are_refused() -> None:
+    """A key is hexadecimal, of 16 bytes or more, and has a salt; readiness outlasts two canaries."""
+    for key, salt in (("00" * 16, ""), ("", "00"), ("00" * 15, "00"), ("0" * 33, "00"), ("xy" * 16, "00")):
+        with pytest.raises(ValidationError, match="signing_key"):
+            Settings(signing_key=key, signing_salt=salt)
+    for canary, age in ((60.0, 119.0), (0.0, 180.0), (3601.0, 9000.0)):
+        with pytest.raises(ValidationError, match="canary"):
+            Settings(canary=canary, ready_age=age)
 
 
 def test_the_help_of_serve_has_every_setting_with_its_default() -> None:

@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from seafoam.effects import register, unregister
+from support.serving import problem, serving
 
 EXAMPLE = Path(__file__).parents[4] / "docs" / "example"
 
@@ -24,9 +25,9 @@ def plan(client, scene, quality=None):
     return client.post("/api/plans", json=body)
 
 
-def test_a_registered_extension_is_described_and_checked(serve, windrows):
+def test_a_registered_extension_is_described_and_checked(windrows):
     scene = {"foam": {}, "extensions": {"windrows": {"spacing": 20.0}}}
-    with serve() as client:
+    with serving() as client:
         schemas = client.get("/openapi.json").json()["components"]["schemas"]
         assert schemas["Scene"]["properties"]["extensions"]["$ref"].endswith("/SceneExtensions")
         model, _ = schemas["SceneExtensions"]["properties"]["windrows"]["anyOf"]
@@ -37,14 +38,12 @@ def test_a_registered_extension_is_described_and_checked(serve, windrows):
         made = response.json()
         assert "windrows" in {note["name"] for note in made["effects"]}
         assert "/extensions/windrows/strength" in made["live"]
-        response = plan(client, {"foam": {}, "extensions": {"windrows": {"spacing": 1e9}}})
-        (error,) = response.json()["errors"]
-        assert error["pointer"] == "/scene/extensions/windrows/spacing"
-        assert error["allowed"] == {"minimum": 2.0, "maximum": 500.0}
-        response = plan(client, {"foam": {}, "extensions": {"windrow": {}}})
-        (error,) = response.json()["errors"]
-        assert error["pointer"] == "/scene/extensions/windrow"
-        assert error["allowed"] == {"members": ["windrows"]}
+        for wrong, pointer, allowed in (
+            ({"windrows": {"spacing": 1e9}}, "windrows/spacing", {"minimum": 2.0, "maximum": 500.0}),
+            ({"windrow": {}}, "windrow", {"members": ["windrows"]}),
+        ):
+            (error,) = problem(plan(client, {"foam": {}, "extensions": wrong}), 422)["errors"]
+            assert (error["pointer"], error["allowed"]) == (f"/scene/extensions/{pointer}", allowed)
 
 
 def test_presets_have_no_extensions(client):

@@ -3,12 +3,10 @@
 from pathlib import Path
 
 import pytest
-from pydantic import ValidationError
 from starlette.testclient import TestClient
 
-from seafoam.api.settings import Settings
 from support.api_fakes import RAISE
-from support.serving import SMALL, answering, problem
+from support.serving import SMALL, answering, problem, serving
 
 ELSEWHERE = {"Origin": "https://elsewhere.test"}
 PUBLIC = (
@@ -37,12 +35,9 @@ def test_pages_of_every_site_read_public_data(client: TestClient, url: str) -> N
     assert client.options(url, headers=ELSEWHERE | asked).headers["Access-Control-Allow-Origin"] == "*"
 
 
-@pytest.mark.parametrize("url", PRIVATE)
-def test_the_rest_they_read_by_setting_alone(client: TestClient, url: str) -> None:
-    assert "Access-Control-Allow-Origin" not in client.get(url, headers=ELSEWHERE).headers
-
-
-def test_they_post_nothing_by_default(client: TestClient) -> None:
+def test_the_rest_they_neither_read_nor_post_by_default(client: TestClient) -> None:
+    for url in PRIVATE:
+        assert "Access-Control-Allow-Origin" not in client.get(url, headers=ELSEWHERE).headers, url
     for url in ("/api/scenes", "/api/plans", "/api/frames"):
         asked = {"Access-Control-Request-Method": "POST", "Access-Control-Request-Headers": "content-type"}
         preflight = client.options(url, headers=ELSEWHERE | asked)
@@ -50,7 +45,7 @@ def test_they_post_nothing_by_default(client: TestClient) -> None:
         assert preflight.status_code == 405
 
 
-def test_other_origins_are_let_in_by_setting_alone() -> None:
+def test_other_origins_are_let_in_by_setting_alone_and_a_preflight_needs_no_key() -> None:
     origin = {"Origin": "https://example.org"}
     client = answering(cors_origins="https://example.org, https://a.test:8443", api_keys="a:correct-horse-battery")
     # An error too, so that the page can read it.
@@ -62,9 +57,6 @@ def test_other_origins_are_let_in_by_setting_alone() -> None:
     # With keys nothing is public.
     other = client.get("/api/quality", headers={"Origin": "https://example.com"})
     assert "Access-Control-Allow-Origin" not in other.headers
-
-
-def test_a_preflight_needs_no_key() -> None:
     client = answering(cors_origins="https://example.org", api_keys="a:correct-horse-battery")
     asked = {
         "Origin": "https://example.org",
@@ -75,16 +67,8 @@ def test_a_preflight_needs_no_key() -> None:
     assert client.options("/api/frames", headers=asked | {"Origin": "https://example.com"}).status_code == 400
 
 
-@pytest.mark.parametrize(
-    "origins", ["example.org", "https://example.org/", "https://example.org/a", "https://a b", "null"]
-)
-def test_origins_are_scheme_host_and_port(origins: str) -> None:
-    with pytest.raises(ValidationError, match="cors_origins"):
-        Settings(cors_origins=origins)
-
-
-def test_an_error_has_the_headers_of_a_success(serve, monkeypatch: pytest.MonkeyPatch) -> None:
-    with serve(cors_origins=ELSEWHERE["Origin"], streams=0, rate=1000.0) as client:
+def test_an_error_has_the_headers_of_a_success(monkeypatch: pytest.MonkeyPatch) -> None:
+    with serving(cors_origins=ELSEWHERE["Origin"], streams=0, rate=1000.0) as client:
         good = client.get("/api/streams", headers=ELSEWHERE)
         full = client.post("/api/streams", json={"scene": {}}, headers=ELSEWHERE)
         drawn = client.get("/api/frames/default.png", params=SMALL | {"time": RAISE}, headers=ELSEWHERE)
@@ -120,11 +104,8 @@ def test_an_answer_has_the_coding_that_is_asked_for(
     assert response.status_code == 200
     assert response.headers.get("Content-Encoding") == coding
     assert "Accept-Encoding" in response.headers["Vary"]
-
-
-def test_two_lines_are_a_list(client: TestClient) -> None:
-    lines = [("Accept-Encoding", "deflate"), ("Accept-Encoding", "gzip;q=0.5")]
-    assert client.get(PLAN, headers=lines).headers["Content-Encoding"] == "gzip"
+    lines = [("Accept-Encoding", line) for line in sent.split(",")]
+    assert client.get(url, headers=lines).headers.get("Content-Encoding") == coding
 
 
 @pytest.mark.parametrize(
@@ -231,9 +212,9 @@ def test_half_a_surrogate_pair_is_refused_with_its_place(client: TestClient, bod
     assert "surrogate" in str(error["detail"])
 
 
-@pytest.mark.parametrize("path", ["plans", "frames", "export", "sequences", "streams"])
-def test_every_body_must_be_text(client: TestClient, path: str) -> None:
-    assert posted(client, '{"scene": {}, "preset": "\\ud800"}', f"/api/{path}")["pointer"] == "/preset"
+def test_every_body_must_be_text(client: TestClient) -> None:
+    for path in ("plans", "frames", "export", "sequences", "streams"):
+        assert posted(client, '{"scene": {}, "preset": "\\ud800"}', f"/api/{path}")["pointer"] == "/preset"
     assert posted(client, '{"\\ud83c\\udf0a": 1}')["pointer"] == "/🌊", "a whole pair is text"
 
 
@@ -283,13 +264,11 @@ def test_usual_ways_of_writing_a_number_are_taken(client: TestClient) -> None:
     assert len(tags) == 1
 
 
-@pytest.mark.parametrize("sent", ["lines=0-1", "bytes=5-1", "bytes=", "bytes=-", "bytes=a-b", "bytes=1_0-", "bytes"])
-def test_a_malformed_range_is_ignored(built: TestClient, sent: str) -> None:
-    assert built.get("/assets/a.js", headers={"Range": sent, "Accept-Encoding": "identity"}).status_code == 200
+def test_a_malformed_range_is_ignored_and_one_outside_of_a_file_a_problem(built: TestClient) -> None:
+    for sent in ("lines=0-1", "bytes=5-1", "bytes=", "bytes=-", "bytes=a-b", "bytes=1_0-", "bytes"):
+        whole = built.get("/assets/a.js", headers={"Range": sent, "Accept-Encoding": "identity"})
+        assert whole.status_code == 200, sent
     assert built.get("/assets/a.js", headers={"Range": "bytes=0-5", "Accept-Encoding": ""}).text == "export"
-
-
-def test_a_range_outside_of_a_file_is_a_problem_that_names_what_there_is(built: TestClient) -> None:
     last = len(built.get("/assets/a.js", headers={"Accept-Encoding": "identity"}).content) - 1
     asked = {"Range": f"bytes={last + 1}-", "Accept-Encoding": "identity"}
     response = built.get("/assets/a.js", headers=asked)

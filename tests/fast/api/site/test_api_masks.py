@@ -4,7 +4,6 @@ import asyncio
 import hashlib
 import io
 import re
-import struct
 
 import numpy as np
 import pytest
@@ -12,6 +11,8 @@ from PIL import Image
 
 from seafoam.api.routers import masks
 from seafoam.masks.catalogue import is_kept, load_catalogue, load_mask
+from seafoam.masks.formats import to_dds, to_npy, to_png8, to_png16, to_u16
+from support.serving import problem
 
 CUSTOM = {"family": "vac", "sigma": 2, "size": 64, "seed": 5}
 SOURCES = [("/api/masks/vac-6", {}), ("/api/masks/custom", CUSTOM)]
@@ -29,47 +30,35 @@ def fetch(client, request):
     return get
 
 
-def test_the_catalogue(client):
+def test_the_catalogue_lists_what_is_served(client):
     listed = client.get("/api/masks").json()
     assert [mask["name"] for mask in listed] == list(load_catalogue())
     for mask in listed:
         assert client.get(f"/api/masks/{mask['name']}").json() == mask
+    content = client.get("/api/masks/mix/data.u16").content
+    ranks = load_mask("mix").ranks
+    np.testing.assert_array_equal(np.frombuffer(content, "<u2"), (ranks.ravel() // 4).astype("<u2"))
 
 
 def test_all_formats_hold_the_mask_of_the_hash(fetch):
+    """What the formats are is tested in test_formats.py."""
     info = fetch().json()
     size = info["parameters"]["width"]
     thresholds = np.load(io.BytesIO(fetch("/data.npy").content), allow_pickle=False)
     ranks = np.rint(thresholds.astype(np.float64) * size * size - 0.5).astype(np.uint32)
-    assert thresholds.dtype == np.float32
     assert hashlib.sha256(ranks.astype("<u4").tobytes()).hexdigest() == info["sha256"]
-    words = (ranks.astype(np.uint64) << 16) // (size * size)
-    np.testing.assert_array_equal(np.frombuffer(fetch("/data.u16").content, "<u2").reshape(size, size), words)
-    png = Image.open(io.BytesIO(fetch("/data.png").content))
-    assert png.mode == "I;16"
-    np.testing.assert_array_equal(np.asarray(png), words)
-    png8 = Image.open(io.BytesIO(fetch("/data8.png").content))
-    assert png8.mode == "L"
-    np.testing.assert_array_equal(np.asarray(png8), words >> 8)
-    dds = fetch("/data.dds").content
-    assert dds[:4] == b"DDS "
-    assert struct.unpack_from("<2I", dds, 12) == (size, size)
-    np.testing.assert_array_equal(np.frombuffer(dds, "<u2", offset=148).reshape(size, size), words)
+    for suffix, form in {"npy": to_npy, "u16": to_u16, "png": to_png16, "dds": to_dds}.items():
+        assert fetch(f"/data.{suffix}").content == form(ranks), suffix
+    assert fetch("/data8.png").content == to_png8(ranks)
 
 
-def test_a_download_has_a_name(fetch):
+def test_a_download_has_a_name_and_the_sidecar_the_description_and_the_measurements(fetch):
     name = fetch().json()["name"]
     assert fetch("/data.dds").headers["Content-Disposition"] == f'inline; filename="{name}.dds"'
-
-
-def test_the_sidecar_holds_the_description_and_the_measurements(fetch):
     sidecar = fetch("/sidecar").json()
     assert sidecar.items() >= fetch().json().items()
     assert sidecar["spectrum"] == fetch("/spectrum").json()
     assert sidecar["quantile"]["entries"]
-
-
-def test_the_plot_is_a_picture(fetch):
     assert Image.open(io.BytesIO(fetch("/spectrum.png").content)).format == "PNG"
 
 
@@ -82,20 +71,10 @@ def test_a_custom_mask_is_the_same_each_time_and_differs_by_seed(client):
     assert first.headers["ETag"] == again.headers["ETag"] != other.headers["ETag"]
 
 
-@pytest.mark.parametrize("family", ["vac", "blur", "clump", "bubble", "mix"])
-def test_every_family_is_made_with_its_own_default(client, family):
-    info = client.get("/api/masks/custom", params={"family": family, "size": 64}).json()
-    assert info["family"] == family
-    assert (info["parameters"]["width"], info["parameters"]["height"]) == (64, 64)
-
-
-def test_the_shipped_ranks_are_served(client):
-    content = client.get("/api/masks/mix/data.u16").content
-    ranks = load_mask("mix").ranks
-    np.testing.assert_array_equal(np.frombuffer(content, "<u2"), (ranks.ravel() // 4).astype("<u2"))
-
-
-def test_a_mask_of_any_width_and_height(client):
+def test_a_mask_of_every_family_and_of_any_width_and_height(client):
+    for family in ("vac", "blur", "clump", "bubble", "mix"):
+        info = client.get("/api/masks/custom", params={"family": family, "size": 64}).json()
+        assert (info["family"], info["parameters"]["width"], info["parameters"]["height"]) == (family, 64, 64)
     params = {"family": "vac", "sigma": 2, "width": 96, "height": 40, "seed": 5}
     info = client.get("/api/masks/custom", params=params).json()
     assert info["name"] == "vac-2-96x40-5"
@@ -124,24 +103,19 @@ def test_a_slow_mask_is_followed_and_then_there(client, monkeypatch):
 
 
 def test_few_slow_masks_at_once(client, monkeypatch):
-    pool = client.app.state.context.slow_masks
-    monkeypatch.setattr(pool, "_queue", 0)
+    monkeypatch.setattr(client.app.state.context.slow_masks, "_queue", 0)
     busy = client.get("/api/masks/custom/events", params=CUSTOM)
-    assert busy.status_code == 503
+    problem(busy, 503)
     assert busy.headers["Retry-After"]
 
 
-def test_a_mask_that_nobody_follows_ends_early():
+@pytest.mark.anyio
+async def test_a_mask_that_nobody_follows_ends_early():
     asked = masks.check_custom(masks.CustomMask(family="vac", sigma=2, size=256, seed=78), slow=True)
     made = []
-
-    async def leave():
-        making = masks._Making(asked)
-        task = asyncio.create_task(asyncio.to_thread(lambda: made.append(making.run())))
-        events = making.events(task)
-        assert "progress" in await anext(events)
-        await events.aclose()
-
-    asyncio.run(leave())
+    making = masks._Making(asked)
+    events = making.events(asyncio.create_task(asyncio.to_thread(lambda: made.append(making.run()))))
+    assert "progress" in await anext(events)
+    await events.aclose()
     assert made == []
     assert not is_kept(asked)
