@@ -1,16 +1,16 @@
 """The page as a visitor meets it: its picture, stills, presets, looks side by side, masks and panel."""
 
-import io
 import re
+from itertools import combinations
 from typing import Any
 
 import numpy as np
 import pytest
 from PIL import Image
-from playwright.sync_api import Page, expect
+from playwright.sync_api import expect
 
 from support.browser.lanes import Lane, rendered
-from support.browser.visits import DESKTOP, PHONE, SMALL, Visit, differs, link, visit
+from support.browser.visits import BLANK, DESKTOP, PHONE, SMALL, Held, Visit, differs, drag, link, pixels_of, visit
 from support.scenes import load_preset, preset_names
 
 
@@ -21,9 +21,6 @@ def overlap(a: dict[str, float], b: dict[str, float]) -> bool:
         and a["y"] < b["y"] + b["height"]
         and b["y"] < a["y"] + a["height"]
     )
-
-
-# What is there
 
 
 @pytest.mark.parametrize("size", [DESKTOP, PHONE], ids=["desktop", "phone"])
@@ -39,75 +36,51 @@ def test_opens_whole(llvmpipe: Lane, server: str, size: tuple[int, int]) -> None
         images.last.scroll_into_view_if_needed()
         made.page.wait_for_function("() => [...document.querySelectorAll('#gallery img')].at(-1).naturalWidth > 0")
         assert made.page.locator("#title").text_content() == load_preset("default").title
-        foreign = [url for _, url in made.asked if not url.startswith((server, f"blob:{server}", "data:"))]
-        assert foreign == []
-        assert [url for _, url in made.asked if "/api/frames" in url] == [], (
-            "nothing is drawn for a visitor who arrives"
-        )
+        urls = [url for _, url in made.asked]
+        assert [url for url in urls if not url.startswith((server, f"blob:{server}", "data:"))] == []
+        assert [url for url in urls if "/api/frames" in url] == [], "nothing is drawn for a visitor who arrives"
         assert made.plans() == 1
-        overflow = made.page.evaluate("() => document.documentElement.scrollWidth - innerWidth")
-        assert overflow <= 0
-        boxes = {
-            name: made.page.locator(name).bounding_box()
-            for name in ("#title", "#summary", "#tools", "#gallery", "#transport")
-        }
-        for name, box in boxes.items():
-            assert box is not None, name
-            if name != "#gallery":
-                assert box["x"] >= 0, name
-                assert box["x"] + box["width"] <= size[0], name
-        crossing = [(a, b) for a in boxes for b in boxes if a < b and overlap(boxes[a], boxes[b])]  # type: ignore[arg-type]
-        assert crossing == []
+        assert made.page.evaluate("() => document.documentElement.scrollWidth - innerWidth") <= 0
+        parts = ("#title", "#summary", "#tools", "#gallery", "#transport")
+        boxes = {name: made.page.locator(name).bounding_box() or {} for name in parts}
+        for name in set(parts) - {"#gallery"}:
+            assert boxes[name]["x"] >= 0, name
+            assert boxes[name]["x"] + boxes[name]["width"] <= size[0], name
+        assert [pair for pair in combinations(parts, 2) if overlap(*(boxes[name] for name in pair))] == []
         # The sea is seen first.
         assert not made.page.locator("#settings").is_visible()
 
 
-def still_shown(page: Page) -> str:
-    """Name of the still that the page shows; empty: none."""
-    shown: str = page.evaluate(
-        "() => { const still = document.querySelector('#still');"
-        " return still.hidden ? '' : still.src.replace(/.*\\/|[.]avif$/g, ''); }"
-    )
-    return shown
-
-
-@pytest.mark.parametrize("fragment", ["", "#paused=1", "#preset=paper-halftone", "#quality=draft&paused=1"])
+@pytest.mark.parametrize("fragment", ["", "#paused=1", "#preset=paper-halftone", "#quality=fast&paused=1"])
 def test_a_still_comes_first_and_the_water_takes_its_place(llvmpipe: Lane, server: str, fragment: str) -> None:
     """The server's own picture of the start stands until the live water, of the same moment, is there."""
     name = "paper-halftone" if "preset" in fragment else preset_names()[0]
     preset = load_preset(name)
-    opened = llvmpipe.browser.new_context(viewport={"width": SMALL[0], "height": SMALL[1]})
-    page = opened.new_page()
-    waiting: list[Any] = []
-    page.route(re.compile(r"/api/plans"), lambda route: waiting.append(route))
-    try:
+    with visit(llvmpipe, server, BLANK, settle=False) as made:
+        page, held = made.page, Held(made.page, re.compile(r"/api/plans"))
         page.goto(f"{server}/{fragment}", wait_until="load")
         page.wait_for_function("() => window.seafoam !== undefined && document.querySelector('#still').complete")
-        assert still_shown(page) == name
+        assert page.locator("#still").is_visible()
+        assert (page.locator("#still").get_attribute("src") or "").endswith(f"/{name}.avif")
         assert not page.locator("#loading").is_visible()
         page.wait_for_timeout(300)
         # The heading's shade reaches far down in a window this small, and the hint far up.
         page.evaluate("() => document.querySelectorAll('#heading, .hint').forEach((part) => { part.hidden = true; })")
-        shot = np.asarray(Image.open(io.BytesIO(page.screenshot())).convert("RGB"), float)
-        assert page.evaluate("() => window.seafoam.state().time") == preset.time, "time waits for the water"
+        shot = pixels_of(page.screenshot())
+        assert made.state()["time"] == preset.time, "time waits for the water"
         page.wait_for_function("() => window.seafoam.state().busy")
-        while not waiting:
-            page.wait_for_timeout(20)
-        for route in waiting:
-            route.continue_()
-        page.unroute_all()
+        held.arrived()
+        held.let_go()
         page.evaluate("() => window.seafoam.ready")
         page.wait_for_function("() => document.querySelector('#still').hidden", timeout=10_000)
         water = rendered(page, name, time=preset.time, size=SMALL)[..., :3]
         # Where nothing of the page covers it; softened, since one sample a pixel is not four.
         middle = slice(int(0.45 * SMALL[1]), int(0.66 * SMALL[1]))
         soft = [
-            np.asarray(Image.fromarray(part.astype(np.uint8)).resize((95, 16), Image.Resampling.BOX), float)
-            for part in (shot[middle], water[middle])
+            np.asarray(Image.fromarray(part[middle]).resize((95, 16), Image.Resampling.BOX), float)
+            for part in (shot, water)
         ]
         assert np.abs(soft[0] - soft[1]).mean() < 6.0, "the water is not where the still had it"
-    finally:
-        opened.close()
 
 
 @pytest.mark.parametrize(
@@ -115,22 +88,19 @@ def test_a_still_comes_first_and_the_water_takes_its_place(llvmpipe: Lane, serve
     ["#time=3.5", "#camera=0,9,0,0.5,-0.3,0,0.9", "#scene={%22/light/exposure%22:-1}", "#preset=no-such-sea"],
 )
 def test_no_still_of_what_was_not_asked_for(llvmpipe: Lane, server: str, fragment: str) -> None:
-    opened = llvmpipe.browser.new_context(viewport={"width": 400, "height": 300})
-    page = opened.new_page()
-    page.route(re.compile(r"/api/presets"), lambda route: route.abort())
-    try:
-        page.goto(f"{server}/{fragment}", wait_until="load")
-        page.wait_for_timeout(200)
-        assert page.evaluate("() => document.documentElement.classList.contains('still')") is False
-        assert page.locator("#loading").is_visible()
-    finally:
-        opened.close()
+    with visit(llvmpipe, server, BLANK, size=(400, 300), settle=False) as made:
+        made.expected = "ERR_FAILED"
+        made.page.route(re.compile(r"/api/presets"), lambda route: route.abort())
+        made.page.goto(f"{server}/{fragment}", wait_until="load")
+        made.page.wait_for_timeout(200)
+        assert made.page.evaluate("() => document.documentElement.classList.contains('still')") is False
+        assert made.page.locator("#loading").is_visible()
 
 
 def test_the_canvas_shows_what_the_plan_draws(small: Visit) -> None:
     for time in (0.0, 12.5):
         small.follow(link(time=time))
-        want = rendered(small.page, "default", time=time, size=SMALL, quality="draft")[..., :3]
+        want = rendered(small.page, "default", time=time, size=SMALL, quality="fast")[..., :3]
         assert (small.picture() == want).all()
     # And on the screen, once it stands alone there.
     style = small.page.add_style_tag(content="body > :not(#stage) { display: none !important }")
@@ -160,9 +130,6 @@ def test_presets_are_listed_and_chosen(small: Visit, server: str) -> None:
     small.page.wait_for_function("(path) => location.pathname === path", arg=f"/water/{chosen['name']}")
 
 
-# Two looks side by side
-
-
 def test_two_looks_side_by_side(small: Visit) -> None:
     width = SMALL[0]
     whole = {}
@@ -171,7 +138,7 @@ def test_two_looks_side_by_side(small: Visit) -> None:
         whole[look] = small.picture()
     assert differs(whole["textured"], whole["halftone"]) > 0.1
 
-    small.page.get_by_role("button", name="Compare side by side").click()
+    small.press("Compare side by side")
     small.page.get_by_label("Compared field").select_option("/foam/look")
     small.page.get_by_label("Left value").select_option("textured")
     small.page.get_by_label("Right value").select_option("halftone")
@@ -188,21 +155,15 @@ def test_two_looks_side_by_side(small: Visit) -> None:
     assert check() == 0.5
     asked = small.plans()
     box = small.page.locator("#split-view .handle").bounding_box()
-    assert box is not None
-    small.page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
-    small.page.mouse.down()
-    small.page.mouse.move(width * 0.3, box["y"] + 5, steps=4)
-    small.page.mouse.up()
+    handle = (box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    drag(small.page, handle, (width * 0.3, box["y"] + 5))
     assert check() == pytest.approx(0.3, abs=0.01)
     small.page.locator("#split-view .handle").press("ArrowRight")
     assert check() == pytest.approx(0.32, abs=0.01)
     assert small.plans() == asked
-    small.page.get_by_role("button", name="Compare side by side").click()
+    small.press("Compare side by side")
     assert not small.page.locator("#split-view").is_visible()
     assert (small.picture() == whole["halftone"]).all(), "the scene's own look is the right one's"
-
-
-# Masks
 
 
 def test_masks_come_from_the_server(small: Visit, server: str) -> None:
@@ -227,11 +188,8 @@ def test_a_visitor_dives(llvmpipe: Lane, server: str) -> None:
     bright = link(preset="lake-calm", scene={"/light/exposure": 1.0})
     with visit(llvmpipe, server, bright, size=(400, 300), reduced_motion="reduce") as made:
         over = made.picture()
-        mouse, keyboard = made.page.mouse, made.page.keyboard
-        mouse.move(200, 150)
-        mouse.down(button="right")
-        mouse.move(200, 20, steps=4)
-        mouse.up(button="right")
+        keyboard = made.page.keyboard
+        drag(made.page, (200, 150), (200, 20), button="right")
         made.frames(6)
         assert made.state()["camera"]["position"][1] > 0.0
         made.page.locator("#canvas").focus()
@@ -245,9 +203,6 @@ def test_a_visitor_dives(llvmpipe: Lane, server: str) -> None:
         made.settings()
         served, _ = made.saved("Render on server")
         assert differs(served, under) < 1e-3
-
-
-# The panel
 
 
 def test_fields_keep_to_the_ranges_of_the_schema(small: Visit, server: str) -> None:
