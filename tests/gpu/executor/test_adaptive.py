@@ -163,7 +163,7 @@ def test_any_size_has_room_for_all_that_is_chosen(executor: Executor, size: tupl
 
 def test_a_mesh_is_marched_where_more_samples_are_drawn(executor: Executor) -> None:
     scene = load_preset("default").scene
-    drawn = TIERS["fast"].model_copy(update={"surface": SurfaceQuality(method="mesh", cells=112, refine=2)})
+    drawn = quality(TIERS["fast"], surface=SurfaceQuality(method="mesh", cells=112, refine=2), pixel_width=1)
     how = quality(drawn, samples_max=16)
     plan = make_plan(scene, how)
     again = [one for one in plan.passes if one.name.startswith("surface, ")]

@@ -11,7 +11,7 @@ QUALITIES = {
     "exact": EXACT,
     "march": TIERS["standard"].model_copy(update={"target": "RGBA32F"}),
     "mesh": TIERS["fast"].model_copy(
-        update={"target": "RGBA32F", "surface": SurfaceQuality(method="mesh", cells=112, refine=2)}
+        update={"target": "RGBA32F", "pixel_width": 1, "surface": SurfaceQuality(method="mesh", cells=112, refine=2)}
     ),
 }
 HARD = [(effect, case) for effect in EFFECTS for case in cases_of(effect).hard]

@@ -31,6 +31,8 @@ class ReferenceFrame:
     """(H·n, W·n), foam amount of each sample, at most 1."""
     hit: Bools
     """(H·n, W·n), whether a sample met the surface."""
+    depression: Floats
+    """(H, W), angle of each pixel's middle ray below the horizon, rad."""
     samples: int
     """n, samples along each side of a pixel."""
 
@@ -90,6 +92,7 @@ def render(
         alpha=alpha.reshape(height, width),
         amount=amount.reshape(shape),
         hit=hit.reshape(shape),
+        depression=cameras.depression(view, width, height),
         samples=samples,
     )
 
