@@ -2,15 +2,11 @@
 
 import copy
 import json
-import os
 import random
-import subprocess
-import sys
 import time
-import urllib.request
 from collections import Counter
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -27,59 +23,26 @@ from seafoam.api.app import create_app
 from seafoam.api.settings import Settings
 from seafoam.scene.presets import load_preset, preset_names
 from support.api_fakes import FakeRenderer
-from support.command import free_port
 from support.report import Report
+from support.serving import served
 from support.sweep import REST
 
 HUNG = 20.0
 """Seconds; the server's deadline for a frame is ten."""
 SCENES = {
     "/api/scenes": {},
-    "/api/plans": {"quality": "draft"},
-    "/api/frames": {"quality": "draft", "time": 1.0, "width": 16, "height": 16, "format": "png"},
-    "/api/export": {"quality": "draft"},
-    "/api/streams": {"quality": "draft"},
-    "/api/sequences": {"stop": 0.1, "width": 16, "height": 16, "quality": "draft", "format": "zip"},
+    "/api/plans": {"quality": "fast"},
+    "/api/frames": {"quality": "fast", "time": 1.0, "width": 16, "height": 16, "format": "png"},
+    "/api/export": {"quality": "fast"},
+    "/api/streams": {"quality": "fast"},
+    "/api/sequences": {"stop": 0.1, "width": 16, "height": 16, "quality": "fast", "format": "zip"},
 }
 """Bodies that hold a whole scene, which is what is made bad in them: random ones take seconds each to make."""
-SERVER = """
-import sys, tempfile, uvicorn
-from seafoam.api.app import create_app
-from seafoam.api.watch.process import share_one_arena
-from seafoam.api.settings import Settings
-from support.api_fakes import FakeRenderer
-share_one_arena()
-settings = Settings(workers=1, queue=64, max_side=64, cache=tempfile.mkdtemp(), accuracy_width=16, accuracy_height=16)
-if __name__ == "__main__":
-    uvicorn.run(create_app(settings, renderer=FakeRenderer), port=int(sys.argv[1]), log_level="error")
-"""
+JSON = {"Content-Type": "application/json"}
 WRONG: list[Any] = [
     None, True, -1, 0, 1e308, -1e308, 1e-320, 2**70, "", "x" * 5000, "\x00", "../../etc/passwd", "💧", [], {},
     [[]] * 50, {"model": "tsunami"}, "NaN", "Infinity", float("nan"), float("inf"),
 ]  # fmt: skip
-
-
-@contextmanager
-def served(folder: Path) -> Iterator[tuple[str, int]]:
-    """A running server; gives its address and its process."""
-    script = folder / "served.py"
-    script.write_text(SERVER)
-    port = free_port()
-    tests = {"PYTHONPATH": str(Path(__file__).parents[3])}
-    process = subprocess.Popen([sys.executable, script, str(port)], env={**os.environ, **tests})
-    address = f"http://127.0.0.1:{port}"
-    try:
-        for _ in range(600):
-            assert process.poll() is None
-            try:
-                urllib.request.urlopen(f"{address}/api/presets", timeout=120).close()
-                break
-            except OSError:
-                time.sleep(0.1)
-        yield address, process.pid
-    finally:
-        process.terminate()
-        process.wait(20)
 
 
 def spoilt(document: Any, chance: random.Random) -> Any:
@@ -120,7 +83,9 @@ class Judge:
         """Requests that were refused as bad."""
         return sum(number for status, number in self.statuses.items() if 400 <= status < 500)
 
-    def note(self, status: int, began: float, what: str) -> None:
+    def note(self, ask: Callable[[], Any], what: str) -> None:
+        began = time.perf_counter()
+        status = ask().status_code
         seconds = time.perf_counter() - began
         assert status < 500 or status in (503, 504), f"{status} for {what[:2000]}"
         self.statuses[status] += 1
@@ -138,7 +103,7 @@ class Judge:
                 for part, value in (("water", "roughness"), ("foam", "mask_tile"), ("wind", "speed")):
                     if scene[part]:
                         scene[part][value] *= chance.uniform(1.0, 1.1)
-                quality = chance.choice(("draft", "standard", "high"))
+                quality = chance.choice(("fast", "standard", "high"))
                 answer = session.post(
                     f"{self.address}/api/plans", json={"scene": scene, "quality": quality}, timeout=60
                 )
@@ -159,18 +124,15 @@ class Judge:
             )  # fmt: skip
             @hypothesis.given(case=operation.as_strategy(generation_mode=GenerationMode.NEGATIVE))
             def ask(case: schemathesis.Case) -> None:
-                began = time.perf_counter()
-                answer = case.call(base_url=self.address, timeout=2 * HUNG)
-                self.note(answer.status_code, began, case.as_curl_command())
+                self.note(partial(case.call, base_url=self.address, timeout=2 * HUNG), case.as_curl_command())
 
             try:
                 ask()
             except Unsatisfiable:
                 # It has nothing that could be bad: but for its method, and its address.
                 for method in ("PATCH", "TRACE"):
-                    began = time.perf_counter()
-                    answer = requests.request(method, f"{self.address}{operation.path}", timeout=2 * HUNG)
-                    self.note(answer.status_code, began, f"{method} {operation.path}")
+                    url = f"{self.address}{operation.path}"
+                    self.note(partial(requests.request, method, url, timeout=2 * HUNG), f"{method} {url}")
 
     def scenes(self, until: int) -> None:
         """Scenes of presets with something wrong, to all that takes a scene, until so many requests were bad."""
@@ -184,17 +146,15 @@ class Judge:
                 body = json.dumps(spoilt(whole, chance))
                 if chance.random() < 0.05:
                     body = body[: chance.randrange(len(body))]
-                began = time.perf_counter()
-                answer = session.post(
-                    self.address + path, body, headers={"Content-Type": "application/json"}, timeout=2 * HUNG
-                )
-                self.note(answer.status_code, began, f"{path} {body}")
+                send = partial(session.post, self.address + path, body, headers=JSON, timeout=2 * HUNG)
+                self.note(send, f"{path} {body}")
 
 
 @pytest.mark.parametrize("least", [200, pytest.param(10_000, marks=REST)])
 def test_bad_requests_are_refused_and_cost_nothing(least: int, tmp_path: Path, report: Report) -> None:
-    with served(tmp_path) as (address, pid):
-        judge = Judge(address, pid)
+    side = {"SEAFOAM_ACCURACY_WIDTH": "16", "SEAFOAM_ACCURACY_HEIGHT": "16", "SEAFOAM_MAX_SIDE": "64"}
+    with served(tmp_path, SEAFOAM_QUEUE="64", SEAFOAM_CACHE=str(tmp_path), **side) as (address, process):
+        judge = Judge(address, process.pid)
         # Else the first thousands would: some spoilt scenes are still good.
         judge.fill(1000 if least >= 10_000 else 0)
         judge.generated(each=max(2, least // 100))
