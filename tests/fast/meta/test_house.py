@@ -59,16 +59,12 @@ def files() -> list[str]:
 @pytest.fixture(scope="module")
 def trees(files: list[str]) -> dict[str, ast.Module]:
     """Every Python file by its dotted name: of the package as it is imported, of others from the checkout's root."""
-    return {dotted(name): parsed(ROOT / name) for name in files if name.endswith(".py")}
+    return {dotted(name): ast.parse((ROOT / name).read_text("utf-8"), name) for name in files if name.endswith(".py")}
 
 
 def dotted(path: str) -> str:
     """The name of a module by its file's path."""
     return path.removeprefix("server/").removesuffix(".py").removesuffix("/__init__").replace("/", ".")
-
-
-def parsed(path: Path) -> ast.Module:
-    return ast.parse(path.read_text(encoding="utf-8"), str(path))
 
 
 def row_of(path: str, rows: Mapping[str, int]) -> str | None:

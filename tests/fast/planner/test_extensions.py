@@ -78,7 +78,7 @@ def test_without_extensions_nothing_speaks_of_them() -> None:
 
 
 @pytest.mark.usefixtures("rows")
-def test_fields_are_validated_where_they_stand() -> None:
+def test_fields_are_validated_and_described_where_they_stand() -> None:
     scene = with_rows(spacing=3.0)
     assert scene.extensions.given(Rows) == Rows(spacing=3.0)
     assert Scene.model_validate_json(scene.model_dump_json(), strict=True) == scene != Scene()
@@ -97,23 +97,13 @@ def test_fields_are_validated_where_they_stand() -> None:
     assert refused(Scene, {"extensions": {"rows": {"spacing": "3"}}}) == {("float_type", (*at, "spacing"))}
     assert refused(Quality, {"extensions": {"rows": {"taps": 9}}}) == {("less_than_equal", (*at, "taps"))}
     assert refused(Scene, {"extensions": []}) == {("model_type", ("extensions",))}
-
-
-@pytest.mark.usefixtures("rows")
-def test_the_schema_has_what_is_registered() -> None:
     schema = Scene.model_json_schema()
     found = schema["$defs"]["SceneExtensions"]
     assert found["additionalProperties"] is False
     model, null = found["properties"]["rows"]["anyOf"]
     assert null == {"type": "null"}
-    assert model["properties"]["spacing"] | {"title": ""} == {
-        "default": 14.0,
-        "description": "Spacing, m",
-        "maximum": 500.0,
-        "minimum": 1.0,
-        "title": "",
-        "type": "number",
-    }
+    described = {"default": 14.0, "description": "Spacing, m", "maximum": 500.0, "minimum": 1.0, "type": "number"}
+    assert model["properties"]["spacing"] | {"title": ""} == described | {"title": ""}
 
 
 def test_a_scene_without_the_part_stays_as_it_was() -> None:
@@ -151,23 +141,14 @@ def test_a_name_is_given_once() -> None:
     with pytest.raises(ValueError, match="registered already"):
         register(other)
     taken = EFFECTS[5]
-    assert taken.saturation is not None
     with pytest.raises(ValueError, match="has an effect already"):
         register(Effect("again", contribute, saturation=taken.saturation))
     assert outside() == (ROWS,)
 
 
-def test_unregistering_leaves_nothing() -> None:
-    register(ROWS)
-    scene = with_rows()
-    make_plan(scene, STANDARD)
-    unregister(ROWS)
-    assert outside() == ()
-    assert "rows" not in {note.name for note in make_plan(scene, STANDARD).effects}
-    test_without_extensions_nothing_speaks_of_them()
-
-
-def test_installed_packages_register_by_entry_point(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_installed_packages_register_by_entry_point_and_unregistering_leaves_nothing(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     def points(group: str) -> list[EntryPoint]:
         return [EntryPoint("rows", f"{__name__}:ROWS", group)] if group == "seafoam.effects" else []
 
@@ -177,6 +158,13 @@ def test_installed_packages_register_by_entry_point(monkeypatch: pytest.MonkeyPa
         assert outside() == (ROWS,)
     finally:
         unregister(ROWS)
+    register(ROWS)
+    scene = with_rows()
+    make_plan(scene, STANDARD)
+    unregister(ROWS)
+    assert outside() == ()
+    assert "rows" not in {note.name for note in make_plan(scene, STANDARD).effects}
+    test_without_extensions_nothing_speaks_of_them()
 
 
 def parts_of(model: type[BaseModel], at: str = "") -> Iterator[tuple[str, type[Part]]]:

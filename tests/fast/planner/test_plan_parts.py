@@ -4,7 +4,7 @@ import pytest
 
 from seafoam.framegraph.passes import State
 from seafoam.framegraph.resources import ViewportSize
-from seafoam.planner import AssemblyError, PlanError, link, make_plan
+from seafoam.planner import AssemblyError, link, make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.scene.foam import Foam, HeightSaturation, SurfSaturation
 from seafoam.scene.models import Scene
@@ -16,7 +16,7 @@ from seafoam.scene.waves import ParametricWave
 STANDARD = TIERS["standard"]
 
 
-def test_a_shore_draws_its_map_before_the_sea() -> None:
+def test_a_shore_draws_its_map_before_the_sea_as_large_as_the_quality_says() -> None:
     plan = make_plan(Scene(shore=Shore()), STANDARD)
     names = [one.name for one in plan.passes]
     drawn = [name for name in names if name.startswith("shore")]
@@ -26,12 +26,9 @@ def test_a_shore_draws_its_map_before_the_sea() -> None:
     assert drawn[-1] == "shore: map"
     assert names.index("shore: map") < names.index("surface")
     assert plan.targets["shore_map"].format == "RGBA32F"
-
-
-def test_the_map_is_as_large_as_the_quality_says() -> None:
     quality = STANDARD.model_copy(update={"shore_map": 64, "shore_floor": 128, "shore_profile": 32})
     plan = make_plan(Scene(shore=Shore()), quality)
-    assert plan.targets["shore_map"].size.width == 64  # type: ignore[union-attr]
+    assert plan.targets["shore_map"].size.width == 64
     assert plan.textures["shore_floor"].width == 128
     assert plan.textures["shore_profiles"].width == 32
 
@@ -47,15 +44,12 @@ def test_without_a_coast_in_reach_the_shore_is_left_out() -> None:
         assert "shore" in {note.name for note in near.effects}
 
 
-def test_surf_foam_needs_surf() -> None:
+def test_surf_foam_needs_surf_and_a_shore_has_a_floor_of_its_own() -> None:
     foam = Foam(saturation=(SurfSaturation(),))
     for scene in (Scene(foam=foam), Scene(foam=foam, shore=Shore(surf=Surf(height=0.0)))):
         assert {"surf foam", "foam look"} <= {note.name for note in make_plan(scene, STANDARD).skipped}
     both = make_plan(Scene(foam=foam, shore=Shore()), STANDARD)
     assert {"surf foam", "foam look"} <= {note.name for note in both.effects}
-
-
-def test_a_shore_has_a_floor_of_its_own() -> None:
     plan = make_plan(Scene(shore=Shore(), water=Water(depth=3.0)), STANDARD)
     assert "floor" not in {note.name for note in (*plan.effects, *plan.skipped)}
 
@@ -77,26 +71,20 @@ def test_a_scene_with_the_look_loads_the_mask_and_not_the_atlas() -> None:
     assert other.kept != plan.kept
 
 
-@pytest.mark.parametrize("state", [State(clear=True), State(blend="add"), State(depth=True)])
-def test_whole_numbers_are_not_cleared_blended_or_tested(state: State) -> None:
+def test_whole_numbers_are_not_cleared_blended_or_tested() -> None:
     plan = make_plan(masked("vac-24"), STANDARD)
     (atlas,) = [one for one in plan.passes if one.name == "mask: atlas"]
     link.refuse_integers(atlas, plan.targets)
-    with pytest.raises(AssemblyError, match="integers"):
-        link.refuse_integers(atlas.model_copy(update={"state": state}), plan.targets)
-
-
-def test_a_mask_that_cannot_be_made_names_its_field() -> None:
-    with pytest.raises(PlanError) as caught:
-        make_plan(masked("blur:1:100:3"), STANDARD)
-    assert caught.value.pointer == "/foam/mask"
+    for state in (State(clear=True), State(blend="add"), State(depth=True)):
+        with pytest.raises(AssemblyError, match="integers"):
+            link.refuse_integers(atlas.model_copy(update={"state": state}), plan.targets)
 
 
 def chosen(**changes: int) -> Quality:
     return STANDARD.model_copy(update=changes)
 
 
-def test_no_target_is_larger_than_four_pictures() -> None:
+def test_no_target_is_larger_than_four_pictures_and_fewer_samples_are_no_choice() -> None:
     for preset in preset_names():
         for most in (4, 16):
             scene = load_preset(preset).scene
@@ -104,17 +92,14 @@ def test_no_target_is_larger_than_four_pictures() -> None:
             scales = [one.size.scale for one in plan.targets.values() if isinstance(one.size, ViewportSize)]
             # Without light a sample costs less than its choice.
             assert max(scales) == (1 if scene.light is None else 2)
-
-
-@pytest.mark.parametrize(("samples", "most", "kinds"), [(1, 1, ()), (1, 4, (4,)), (1, 16, (4, 16)), (4, 16, (16,))])
-def test_kinds_of_choice(samples: int, most: int, kinds: tuple[int, ...]) -> None:
-    how = chosen(samples=samples, samples_max=most)
-    assert how.chosen_samples == kinds
-    names = {one.name for one in make_plan(load_preset("default").scene, how).passes}
-    assert {f"surface, {count} samples" in names for count in kinds} <= {True}
-    assert ("contrast" in names) == bool(kinds)
-
-
-def test_more_samples_than_the_greatest_number_are_no_choice() -> None:
     scene = load_preset("default").scene
     assert make_plan(scene, chosen(samples=16, samples_max=16)) == make_plan(scene, chosen(samples=16))
+
+
+def test_kinds_of_choice() -> None:
+    for samples, most, kinds in ((1, 1, ()), (1, 4, (4,)), (1, 16, (4, 16)), (4, 16, (16,))):
+        how = chosen(samples=samples, samples_max=most)
+        assert how.chosen_samples == kinds
+        names = {one.name for one in make_plan(load_preset("default").scene, how).passes}
+        assert {f"surface, {count} samples" for count in kinds} <= names
+        assert ("contrast" in names) == bool(kinds)

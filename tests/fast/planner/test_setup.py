@@ -21,17 +21,14 @@ SHADER = assemble(
     [Inline("uniform float u_number;\nuniform sampler2D u_read;\nout vec4 o;\nvoid main() { o = vec4(0.0); }\n")], {}
 )
 BLIND = assemble([Inline("uniform float u_number;\nout vec4 o;\nvoid main() { o = vec4(u_number); }\n")], {})
-PROGRAMS = {
-    "read": Program(vertex=WHOLE, fragment=SHADER),
-    "blind": Program(vertex=WHOLE, fragment=BLIND),
-}
+PROGRAMS = {"read": Program(vertex=WHOLE, fragment=SHADER), "blind": Program(vertex=WHOLE, fragment=BLIND)}
 STILL = number(1.0)
 
 
 def one(target: str, *read: str, **fields: object) -> Pass:
     inputs = {"u_read": TargetInput(target=read[0])} if read else {}
     given = {"name": target, "when": "frame", "program": "read" if read else "blind", "mesh": Fullscreen(), **fields}
-    return Pass(target=target, inputs=inputs, **given)  # type: ignore[arg-type]
+    return Pass(target=target, inputs=inputs, **given)
 
 
 def settled(*passes: Pass, number: Uniform = STILL, targets: dict[str, Target] | None = None) -> tuple[str, set[str]]:
@@ -70,13 +67,11 @@ class TestInference:
         found, kept = settled(one("a"), own, one("screen", "b"))
         assert (found, kept) == (("ssf", {"b"}) if still else ("sff", {"a"}))
 
-    def test_a_target_as_large_as_the_picture_is_drawn_in_every_frame(self) -> None:
+    def test_a_target_of_the_pictures_size_or_of_some_eyes_or_views_is_drawn_in_every_frame(self) -> None:
         large = Target(size=ViewportSize(), format="RGBA16F")
         assert settled(one("a"), one("screen", "a"), targets={"a": large}) == ("ff", set())
         size = Uniform(type="vec2", rules=(Viewport(),))
         assert settled(one("a", uniforms={"u_number": size}), one("screen", "a")) == ("sf", {"a"})
-
-    def test_what_is_drawn_for_some_eyes_or_views_alone_is_not_kept(self) -> None:
         assert settled(one("a", eye=("over",)), one("screen", "a")) == ("ff", set())
         assert settled(one("a", view="rising"), one("screen", "a")) == ("ff", set())
 
@@ -87,22 +82,16 @@ class TestInference:
         assert settled(one("a"), one("a", state=added, uniforms=moved), one("screen", "a")) == ("fff", set())
         assert settled(one("a", uniforms=moved), one("a"), one("screen", "a")) == ("fff", set())
 
-    @pytest.mark.parametrize(
-        "first", [{"state": State(blend="add")}, {"mesh": Points(count=3)}, {"state": State(depth=True)}]
-    )
-    def test_the_first_writer_must_leave_nothing_of_what_was_there(self, first: dict[str, object]) -> None:
-        assert settled(one("a", **first), one("screen", "a")) == ("ff", set())
-        state = first.get("state", State())
-        assert isinstance(state, State)
-        cleared = {**first, "state": state.model_copy(update={"clear": True})}
-        assert settled(one("a", **cleared), one("screen", "a")) == ("sf", {"a"})
+    def test_the_first_writer_must_leave_nothing_of_what_was_there(self) -> None:
+        for first in ({"state": State(blend="add")}, {"mesh": Points(count=3)}, {"state": State(depth=True)}):
+            assert settled(one("a", **first), one("screen", "a")) == ("ff", set())
+            cleared = {**first, "state": first.get("state", State()).model_copy(update={"clear": True})}
+            assert settled(one("a", **cleared), one("screen", "a")) == ("sf", {"a"})
 
-    def test_a_target_that_is_drawn_again_after_a_frame_pass_read_it_is_not_kept(self) -> None:
+    def test_a_target_that_is_drawn_again_or_shows_the_last_frame_is_not_kept(self) -> None:
         assert settled(one("a"), one("screen", "a"), one("a"), one("screen", "a")) == ("ffff", set())
         # Among setup passes the order is kept.
         assert settled(one("a"), one("b", "a"), one("a", "b"), one("b", "a"), one("screen", "b")) == ("ssssf", {"b"})
-
-    def test_what_the_last_frame_left_is_no_still_picture(self) -> None:
         assert settled(one("a", "b"), one("b", "a"), one("screen", "b")) == ("fff", set())
 
 
@@ -117,14 +106,10 @@ def test_the_flow_of_drift_and_the_ways_along_it_are_drawn_once() -> None:
 
 def test_plans_share_what_hangs_on_the_same() -> None:
     scene = load_preset("island-surf").scene
-    assert scene.shore is not None
 
     def kept(**changes: object) -> str:
-        shore = scene.shore
-        assert shore is not None
-        return make_plan(
-            Scene(shore=shore.model_copy(update=changes), light=scene.light, water=scene.water), STANDARD
-        ).kept["shore_smooth"]
+        shore = scene.shore.model_copy(update=changes)
+        return make_plan(Scene(shore=shore, light=scene.light, water=scene.water), STANDARD).kept["shore_smooth"]
 
     assert kept() == make_plan(scene, STANDARD).kept["shore_smooth"]
     assert kept() == kept(sand=(0.1, 0.1, 0.1), place=(9.0, 9.0), plants_from=99.0)
