@@ -73,7 +73,8 @@ export class AutoQuality {
     // With no tier within budget, the fastest is best.
     const [best] = fitting.length > 0 ? fitting.sort((a, b) => a.error - b.error) : candidates.sort((a, b) => a.time - b.time);
     if (best === undefined || best.tier === currentTier) return null;
-    const keeps = current.withinBudget && (current.scale >= COARSE || fine.length === 0);
+    // What is not measured is not drawn yet: nothing stands still for another.
+    const keeps = load.cost !== null && current.withinBudget && (current.scale >= COARSE || fine.length === 0);
     if (keeps && best.error > MIN_IMPROVEMENT * current.error) return null;
     if (load.cost !== null) this.rejected.add(currentTier);
     return best;

@@ -58,6 +58,9 @@ describe("automatic quality", () => {
     const close = costsOf(tierCosts.map((cost) => ({ ...cost, errors: [10, 10, 10] })));
     expect(new AutoQuality().next(close, "sea", "fast", loadOf("fast", 1, 0.02))).toBeNull();
     expect(new AutoQuality().next(costs, "pond", "fast", loadOf("fast", 1, 0.02))).toBeNull();
+    const little = costsOf(tierCosts.map((cost) => ({ ...cost, fixed: 2, pixels: 2, errors: cost.tier === "fast" ? [10, 11, 12] : [9, 11, 12] })));
+    expect(new AutoQuality().next(little, "sea", "fast", loadOf("fast", 1, 1))).toBeNull();
+    expect(new AutoQuality().next(little, "sea", "fast", { ...loadOf("fast", 1, 1), cost: null })?.tier).toBe("exact");
     expect(new AutoQuality().next(costs, "sea", '{"samples":4}', loadOf("fast", 1, 0.02))).toBeNull();
   });
 
