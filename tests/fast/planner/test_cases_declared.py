@@ -49,7 +49,7 @@ def test_guards_stand_where_they_are_said_to() -> None:
     assert [fault for _, case in HARD for fault in misplaced(case)] == []
 
 
-def test_a_bound_that_is_not_small_keeps_the_effect() -> None:
+def test_a_bound_that_is_not_small_keeps_the_effect_and_what_it_hangs_on_is_not_live() -> None:
     """Some preset shows each effect, so leaving it out is not the rule; what only visitors add, a variant shows."""
     finer = TIERS["standard"].model_copy(update={"foam_relief": True})
     scenes = [load_preset(name).scene for name in preset_names()]
@@ -59,10 +59,7 @@ def test_a_bound_that_is_not_small_keeps_the_effect() -> None:
             scenes += cases_of(effect).variants
     shown = {note.name for scene in scenes for note in make_plan(scene, finer).effects}
     assert {effect.name for effect in EFFECTS} <= shown
-
-
-def test_a_field_that_a_bound_hangs_on_is_not_live() -> None:
-    """Raising the exposure may bring back what the plan left out, so the page must ask for a new plan."""
+    # Raising the exposure may bring back what the plan left out, so the page must ask for a new plan.
     deep = make_plan(Scene(water=Water(depth=500.0)), TIERS["standard"])
     assert "floor" in {note.name for note in deep.skipped}
     assert "/light/exposure" not in deep.live

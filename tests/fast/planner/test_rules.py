@@ -70,11 +70,13 @@ def test_an_age_is_as_exact_as_the_times_it_lies_between(birth: float, age: floa
     assert min(away, Fraction(7.5) - away) <= Fraction(math.ulp(time)) + Fraction(math.ulp(7.5))
 
 
-def test_held_stops_at_its_ends() -> None:
+def test_held_stops_at_its_ends_and_a_uniform_that_its_rules_do_not_fill_is_refused() -> None:
     rule = Clamp(offset=0.5, k=(1.0, 0.0), low=-2.0, high=3.0)
     places = (-1e7, 1.0, 1e7)
     got = [evaluate_rule(rule, state(0.0, Camera(position=(x, 5.0, 0.0)))) for x in places]
     assert got == [(-2.0,), (1.5,), (3.0,)]
+    with pytest.raises(ValueError, match="2 values for 1 × vec3"):
+        evaluate(Uniform(type="vec3", rules=(Constant(value=(1.0, 2.0)),)), state())
 
 
 @given(yaw=st.floats(-6, 6), pitch=st.floats(-math.pi / 2, math.pi / 2), roll=st.floats(-3, 3))
@@ -96,8 +98,3 @@ def test_projection_agrees_with_the_rays() -> None:
         clip = matrix @ np.append(point, 1.0)
         np.testing.assert_allclose(clip[:2] / clip[3], (x, y), atol=1e-12)
         assert -1.0 < clip[2] / clip[3] < 1.0
-
-
-def test_a_uniform_that_its_rules_do_not_fill_is_refused() -> None:
-    with pytest.raises(ValueError, match="2 values for 1 × vec3"):
-        evaluate(Uniform(type="vec3", rules=(Constant(value=(1.0, 2.0)),)), state())

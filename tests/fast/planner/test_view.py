@@ -31,7 +31,7 @@ def names(plan: FramePlan, camera: Camera, target: str = "screen") -> list[str]:
 
 @pytest.mark.parametrize(("preset", "tier"), PRESETS)
 def test_pinned_views_are_those_of_today(preset: str, tier: str) -> None:
-    plan = make_plan(load_preset(preset).scene, TIERS[tier])  # type: ignore[index]
+    plan = make_plan(load_preset(preset).scene, TIERS[tier])
     for picture in PRESETS[preset, tier]["pictures"]:
         drawn = drawn_passes(
             plan, Camera.model_validate(picture["camera"]), picture["width"], picture["height"], "screen"
