@@ -18,7 +18,7 @@ from seafoam.scene.presets import preset_names
 from support.report import Report
 from support.sweep import crossed
 
-HELD: tuple[Tier, ...] = ("draft", "standard")
+HELD: tuple[Tier, ...] = ("fast", "standard")
 """The tiers that a GPU draws in motion; all four take twice as long, and the bench compiles them."""
 
 SHARES = 3
@@ -129,55 +129,44 @@ def test_loops_in_a_row_are_counted_through_functions() -> None:
     assert longest_chain(textwrap.dedent(text)) == 3
 
 
-def test_the_table_knows_every_tier() -> None:
+def test_the_table_knows_every_tier_and_names_uses_by_preset_tier_and_program() -> None:
     _, admitted = read_table()
     assert {use.split(" ")[1] for use in admitted} == set(TIERS)
     assert {use.split(" ")[0] for use in admitted} == set(preset_names())
+    assert str(Use("default", "high", "surface, underwater")) == "default high surface, underwater"
 
 
-@pytest.mark.parametrize(
-    ("change", "said"),
-    [
+def test_what_the_table_does_not_admit_is_named_and_what_it_admits_passes() -> None:
+    use = "default standard surface"
+    for change, said in (
         ({"spills": 1}, "1 registers spilled, 0 admitted"),
         ({"waves": 11}, "11 waves, 12 admitted"),
         ({"instructions": 1031}, "1031 instructions, +3.10 % for 1000 admitted"),
-    ],
-)
-def test_what_the_table_does_not_admit_is_named(change: dict[str, int], said: str) -> None:
-    (line,) = worse({"default standard surface": replace(GOOD, **change)}, {"default standard surface": GOOD})
-    assert line.startswith("default standard surface: ")
-    assert said in line
-
-
-def test_what_the_table_admits_passes() -> None:
+    ):
+        (line,) = worse({use: replace(GOOD, **change)}, {use: GOOD})
+        assert line.startswith(f"{use}: ")
+        assert said in line
     better = replace(GOOD, instructions=900, vgprs=40, waves=24, bytes=4000)
     for now in (GOOD, better, replace(GOOD, instructions=1030)):
-        assert worse({"default standard surface": now}, {"default standard surface": GOOD}) == []
+        assert worse({use: now}, {use: GOOD}) == []
 
 
-def test_programs_that_came_or_went_are_named() -> None:
-    (came,) = worse({"default draft new": GOOD}, {})
-    assert came == "default draft new: not in the table"
-    table = ("default draft surface", "default draft old", "default high old")
-    lost = gone(["default draft surface"], table, preset_names(), HELD)
-    assert lost == ["default draft old: in the table, and nowhere else"]
-
-
-def test_another_driver_is_held_to_no_spills_alone() -> None:
-    figures = {"default draft a": replace(GOOD, waves=1), "default draft b": replace(GOOD, spills=3)}
+def test_programs_that_came_or_went_are_named_and_another_driver_is_held_to_no_spills_alone() -> None:
+    (came,) = worse({"default fast new": GOOD}, {})
+    assert came == "default fast new: not in the table"
+    table = ("default fast surface", "default fast old", "default high old")
+    lost = gone(["default fast surface"], table, preset_names(), HELD)
+    assert lost == ["default fast old: in the table, and nowhere else"]
+    figures = {"default fast a": replace(GOOD, waves=1), "default fast b": replace(GOOD, spills=3)}
     other = Compiled(driver="another", figures=figures, programs=2)
-    assert not_admitted(other, preset_names(), HELD) == ["default draft b: 3 registers spilled"]
+    assert not_admitted(other, preset_names(), HELD) == ["default fast b: 3 registers spilled"]
 
 
-def test_a_text_that_is_no_glsl_is_refused_with_its_line() -> None:
+def test_a_text_that_is_no_glsl_of_webgl_is_refused_with_its_line() -> None:
     use, program = next(iter(uses(["paper-threshold"], ["standard"]).items()))
     with pytest.raises(CompilerError, match="undeclared identifier"):
         compiled({use: _with_fragment(program, "    nothing = 1;\n}\n")})
-
-
-def test_a_text_that_only_desktops_take_is_refused() -> None:
-    """Chromium would refuse it too: glslang reads GLSL ES 3.00 by the letter."""
-    use, program = next(iter(uses(["paper-threshold"], ["standard"]).items()))
+    # Chromium would refuse it too: glslang reads GLSL ES 3.00 by the letter.
     with pytest.raises(CompilerError, match=r"GLSL ES 3\.00"):
         compiled({use: _with_fragment(program, "    float half_of_it = 1 / 2.0;\n}\n")})
 
@@ -194,7 +183,3 @@ def test_what_is_missing_is_named_with_the_command(monkeypatch: pytest.MonkeyPat
     with pytest.raises(CompilerError) as error:
         compiled({})
     assert str(error.value) == "missing: glslang-tools, spirv-tools, mesa-vulkan-drivers; run scripts/system.sh test"
-
-
-def test_uses_are_named_by_preset_tier_and_program() -> None:
-    assert str(Use("default", "high", "surface, underwater")) == "default high surface, underwater"
