@@ -35,7 +35,7 @@ from support.command import free_port
 
 
 def spec(frames: int, start: float = 0.0) -> SequenceSpec:
-    job = PictureRequest("paper-halftone", time=start, size=(64, 36), quality="draft").job()
+    job = PictureRequest("paper-halftone", time=start, size=(64, 36), quality="fast").job()
     return SequenceSpec(job, start + frames / 24, 24.0)
 
 
@@ -56,8 +56,7 @@ def fleet() -> Iterator[DaskWorkers]:
 @pytest.fixture(scope="module")
 def scheduler(fleet: DaskWorkers) -> str:
     """Address of a cluster with two workers."""
-    address: str = fleet.client.scheduler.address
-    return address
+    return fleet.client.scheduler.address
 
 
 def frames(path: Path) -> dict[str, bytes]:
@@ -65,8 +64,7 @@ def frames(path: Path) -> dict[str, bytes]:
 
 
 def pids(fleet: DaskWorkers) -> list[int]:
-    found: list[int] = list(fleet.client.run(os.getpid).values())
-    return found
+    return list(fleet.client.run(os.getpid).values())
 
 
 def test_a_lost_worker_loses_no_frame(fleet: DaskWorkers, tmp_path: Path) -> None:
