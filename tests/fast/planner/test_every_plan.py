@@ -10,7 +10,7 @@ import pytest
 from seafoam.framegraph.rules import COMPONENTS
 from seafoam.framegraph.shader import declared_uniforms
 from seafoam.planner import FramePlan, make_plan
-from seafoam.quality import TIERS, Tier
+from seafoam.quality import TIERS
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 from seafoam.textures.store import spec_of, texture, url_of
@@ -28,19 +28,15 @@ RULE_SIZES = {"constant": 0, "view_projection": 16, "eye_height": 1, "camera": 3
         for (i, name), (j, tier) in product(enumerate(preset_names()), enumerate(TIERS))
     ],
 )
-def asked(request: pytest.FixtureRequest) -> tuple[str, Tier]:
-    pair: tuple[str, Tier] = request.param
-    return pair
+def drawn(request: pytest.FixtureRequest) -> tuple[Scene, FramePlan]:
+    name, tier = request.param
+    scene = load_preset(name).scene
+    return scene, make_plan(scene, TIERS[tier])
 
 
 @pytest.fixture(scope="module")
-def scene(asked: tuple[str, Tier]) -> Scene:
-    return load_preset(asked[0]).scene
-
-
-@pytest.fixture(scope="module")
-def plan(asked: tuple[str, Tier], scene: Scene) -> FramePlan:
-    return make_plan(scene, TIERS[asked[1]])
+def plan(drawn: tuple[Scene, FramePlan]) -> FramePlan:
+    return drawn[1]
 
 
 def test_every_uniform_is_filled_and_every_reference_resolves(plan: FramePlan) -> None:
@@ -62,9 +58,10 @@ def test_every_uniform_is_filled_and_every_reference_resolves(plan: FramePlan) -
 
 
 def test_what_is_drawn_once_is_a_shores_map_but_for_its_last_pass_and_what_is_named(
-    plan: FramePlan, scene: Scene
+    drawn: tuple[Scene, FramePlan],
 ) -> None:
     """By name: a pass that became still by mistake would freeze what it draws."""
+    scene, plan = drawn
     assert all(one.name.startswith(ONCE) for one in plan.passes if one.when == "setup")
     passes = [one for one in plan.passes if one.name.startswith("shore: ")]
     if scene.shore is None:
