@@ -60,7 +60,8 @@ def test_the_servers_frame_stands_in_the_canvass_place(served: Visit, server: st
     assert box == {"x": 0, "y": 0, "width": SIZE[0], "height": SIZE[1]}
     expect(page.locator(".frame-stats")).to_contain_text("server")
     saved, _ = served.saved()
-    assert (saved == want).all()
+    exact = page.request.get(f"{server}/api/frames/paper-threshold.png?{query}&dither=false")
+    assert (saved == pixels_of(exact.body())).all()
     expect(page.get_by_role("button", name="Accuracy benchmark")).to_have_count(0)
 
 
