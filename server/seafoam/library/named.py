@@ -11,13 +11,14 @@ R = TypeVar("R")
 S = TypeVar("S")
 
 
-def named(function: Callable[P, R]) -> Callable[P, R]:
+def named(function: Callable[P, R], called: str = "") -> Callable[P, R]:
     """Return the function, with a ``TypeError`` for a keyword that it does not have that lists those it has.
 
-    Signature, types and documentation are the function's. Python's own error names the keyword alone.
+    Signature, types and documentation are the function's. Python's own error names the keyword alone. ``called``: the
+    name that users call it by, if it is another than its own.
     """
     known = [name for name in inspect.signature(function).parameters if name != "self"]
-    called = function.__qualname__.removesuffix(".__init__").rpartition(".")[2]
+    called = called or function.__qualname__.removesuffix(".__init__").rpartition(".")[2]
 
     @wraps(function)
     def checked(*args: P.args, **options: P.kwargs) -> R:

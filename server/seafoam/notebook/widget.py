@@ -1,6 +1,7 @@
 """``Water``: the live water in a notebook, its scene shared with Python both ways."""
 
 from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -83,7 +84,7 @@ class WaterWidget(anywidget.AnyWidget):
     error = traitlets.Unicode("").tag(sync=True)
     """Why the last change was not drawn; empty: it was."""
 
-    @named
+    @partial(named, called="Water")
     def __init__(
         self,
         what: SceneLike = "default",
