@@ -15,6 +15,8 @@ interface TierChoice {
 
 /** Another tier is chosen only if its error is smaller by this factor: while its programs compile, slow machines stand still. */
 const MIN_IMPROVEMENT = 0.8;
+/** Or if it errs no more, and its frames take less than this share of the time. */
+const MUCH_FASTER = 0.7;
 
 /** Below this scale a picture is coarse. */
 const COARSE = 0.4;
@@ -75,7 +77,8 @@ export class AutoQuality {
     if (best === undefined || best.tier === currentTier) return null;
     // What is not measured is not drawn yet: nothing stands still for another.
     const keeps = load.cost !== null && current.withinBudget && (current.scale >= COARSE || fine.length === 0);
-    if (keeps && best.error > MIN_IMPROVEMENT * current.error) return null;
+    const faster = best.error <= current.error && best.time < MUCH_FASTER * current.time;
+    if (keeps && !faster && best.error > MIN_IMPROVEMENT * current.error) return null;
     if (load.cost !== null) this.rejected.add(currentTier);
     return best;
   }

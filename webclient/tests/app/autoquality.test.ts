@@ -64,6 +64,13 @@ describe("automatic quality", () => {
     expect(new AutoQuality().next(costs, "sea", '{"samples":4}', loadOf("fast", 1, 0.02))).toBeNull();
   });
 
+  it("selects the tier that errs no more where it is much faster", () => {
+    const quick = costsOf(tierCosts.map((cost) => ({ ...cost, errors: cost.tier === "fast" ? [9, 11, 13] : [9, 12, 14] })));
+    const { tier, scale } = new AutoQuality().next(quick, "sea", "exact", loadOf("exact", 0.46, 2, 0)) ?? { tier: null, scale: 0 };
+    expect(tier).toBe("fast");
+    expect(scale).toBeGreaterThan(0.46);
+  });
+
   it("knows how much more one preset costs than another", () => {
     const presets = { sea: tierCosts, pond: [{ tier: "fast", fixed: 1, pixels: 15, errors: [1, 1, 1] }] };
     expect(costRatio({ scales, presets }, ["pond", "fast"], ["sea", "exact"])).toBeCloseTo(124 / 16);
