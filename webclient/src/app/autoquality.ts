@@ -91,8 +91,8 @@ export class AutoQuality {
 /** Switches the selected tier by the measured load. */
 export class QualityPilot {
   private readonly choices = new AutoQuality();
-  /** Null until loaded. */
-  private costs: TierCosts | null = null;
+  /** Undefined until loaded; null if they cannot be. */
+  private costs: TierCosts | null | undefined;
   /** Preset and tier that are drawn; null before the first. */
   private drawn: readonly [string, string] | null = null;
   /** Those of the server's frames in motion. */
@@ -105,11 +105,10 @@ export class QualityPilot {
   ) {}
 
   loadCosts(): void {
-    if (this.costs !== null) return;
     this.api.tierCosts().then(
       (costs) => (this.costs = costs),
       // Without costs the quality is not switched.
-      () => undefined,
+      () => (this.costs = null),
     );
   }
 
@@ -122,16 +121,17 @@ export class QualityPilot {
   /** `load`: null until it is measured. */
   update(load: RenderLoad | null): void {
     const { preset, quality, auto, split } = this.store.now;
-    if (!auto || split !== null || this.costs === null || load === null) return;
+    if (!auto || split !== null || !this.costs || load === null) return;
     const choice = this.choices.next(this.costs, preset.name, quality, load);
     if (choice === null) return;
     this.store.set({ quality: choice.tier });
   }
 
   /** The tier for frames that the server draws in motion, which the selection does not show; null: as selected. */
-  movingTier(load: RenderLoad): MovingTier | null {
+  movingTier(load: RenderLoad): MovingTier | null | undefined {
     const { preset, quality, auto, split } = this.store.now;
-    if (!auto || split !== null || this.costs === null) return null;
+    if (!auto || split !== null) return null;
+    if (!this.costs) return this.costs;
     const before = this.moving?.[0] === preset.name ? this.moving[1] : quality;
     const tier = this.movingChoices.next(this.costs, preset.name, before, load)?.tier ?? before;
     this.moving = [preset.name, tier];

@@ -68,8 +68,8 @@ export interface DisplayEvents {
   frameDone(): void;
   /** The other source draws from now on. */
   sourceChanged(): void;
-  /** The tier in which the server is to draw frames in motion; null: as selected. */
-  movingTier(load: RenderLoad): MovingTier | null;
+  /** The tier in which the server is to draw frames in motion; null: as selected; undefined: it will be known soon. */
+  movingTier(load: RenderLoad): MovingTier | null | undefined;
 }
 
 export interface Display {

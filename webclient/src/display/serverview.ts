@@ -147,10 +147,11 @@ export class ServerView implements Display {
     const camera = JSON.stringify(view.camera);
     const isNewView = camera !== this.view && now - this.lastNewView > NEW_VIEW_INTERVAL && this.pending.length === DEPTH;
     if (this.pending.length >= DEPTH && !isNewView) return;
+    const tier = this.movingTier();
+    if (tier === undefined) return;
     if (isNewView) this.lastNewView = now;
     this.view = camera;
     this.dirty = false;
-    const tier = this.movingTier();
     const scale = this.fixed ?? this.resolution.scale;
     const frame = this.frame(view, scale);
     const take = () => Promise.all(this.views.map(({ scene, request }, side) => (this.streams[side] as FrameStream).frame(scene, tier ?? request.quality, frame)));
@@ -172,10 +173,11 @@ export class ServerView implements Display {
     void this.show(take, { ...this.frame(view, scale), scale, moving: false, tier: null });
   }
 
-  /** The tier for the next frame in motion; null: as selected. */
-  private movingTier(): string | null {
+  /** The tier for the next frame in motion; null: as selected; undefined: not known yet. */
+  private movingTier(): string | null | undefined {
     const load = this.load();
     const chosen = load && this.events.movingTier(load);
+    if (chosen === undefined) return undefined;
     // What is not measured yet starts small, whatever the tier.
     if (load?.cost && chosen && chosen.cost !== 1) this.resolution.expect(chosen.cost);
     return chosen?.tier ?? null;
