@@ -85,7 +85,9 @@ export function evaluate(rule: Rule, state: FrameState): readonly number[] {
       return camera(rule, state);
     case "viewport": {
       const [width, height] = rule.of === "picture" ? [state.width, state.height] : [state.targetWidth, state.targetHeight];
-      return [Math.ceil((rule.times * width) / (rule.narrow ?? 1)), rule.times * height];
+      // Plans leave it out where it is 1.
+      const { narrow = 1 }: { narrow?: number } = rule;
+      return [Math.ceil((rule.times * width) / narrow), rule.times * height];
     }
     case "pass_index":
       return [state.passIndex];
