@@ -86,8 +86,8 @@ export function evaluate(rule: Rule, state: FrameState): readonly number[] {
     case "viewport": {
       const [width, height] = rule.of === "picture" ? [state.width, state.height] : [state.targetWidth, state.targetHeight];
       // Plans leave it out where it is 1.
-      const { narrow = 1 }: { narrow?: number } = rule;
-      return [Math.ceil((rule.times * width) / narrow), rule.times * height];
+      const given: { narrow?: number } = rule;
+      return [Math.ceil((rule.times * width) / (given.narrow ?? 1)), rule.times * height];
     }
     case "pass_index":
       return [state.passIndex];
