@@ -4,10 +4,11 @@ import platform
 from pathlib import Path
 from typing import Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import ConfigDict, Field
 
 from seafoam.effects.effect import Cause
 from seafoam.quality import Quality, Tier
+from seafoam.scene.base import Described
 
 FORMAT = 4
 """Version of the JSON format; part of the cache keys."""
@@ -15,7 +16,7 @@ FORMAT = 4
 ParameterValue = bool | int | float | str
 
 
-class SweepPart(BaseModel):
+class SweepPart(Described):
     """Base class of this module's models."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
@@ -44,9 +45,8 @@ class ParameterChoice(SweepPart):
 class Point(SweepPart):
     """A measured quality: a tier, or tier standard with one setting changed."""
 
-    id: str = Field(
-        description="Name of the tier, or the changed setting and its value", examples=["standard", "samples=4"]
-    )
+    id: str = Field(examples=["standard", "samples=4"])
+    """Name of the tier, or the changed setting and its value"""
     label: str
     tier: Tier | None
     parameter: ParameterChoice | None
@@ -98,20 +98,16 @@ class TimeModel(SweepPart):
 class Errors(SweepPart):
     """Errors against the float64 picture."""
 
-    rmse: float = Field(
-        description="Root mean square error of linear RGB, clipped at display white, in levels (white = 255)"
-    )
+    rmse: float
+    """Root mean square error of linear RGB, clipped at display white, in levels (white = 255)"""
     max: float = Field(description="Maximum error of any channel, in the same levels")
     flip: float = Field(description="Mean FLIP of the tone-mapped sRGB pictures, 0 to 1")
     coverage: float = Field(description="RMSE of foam coverage, 0 to 1")
-    flipped: float = Field(
-        description="Fraction of pixels that have foam (coverage above 0.5) in only one of the two pictures"
-    )
-    popping: float | None = Field(
-        description="Popping: fraction of the existing foam that disappears within 1/60 s, in the worst pair "
-        "of frames; null without foam. Compare with tier reference: some foam of the sea "
-        "disappears in truth"
-    )
+    flipped: float
+    """Fraction of pixels that have foam (coverage above 0.5) in only one of the two pictures"""
+    popping: float | None
+    """Popping: fraction of the existing foam that disappears within 1/60 s, in the worst pair of frames; null without
+    foam. Compare with tier reference: some foam of the sea disappears in truth"""
 
 
 class Causes(SweepPart):
@@ -130,10 +126,9 @@ class MeasuredPoint(Point):
     """A quality with its time and its error."""
 
     on_front: bool = Field(description="True if no measured point is both faster and more exact")
-    beaten_by: tuple[str, ...] = Field(
-        description="Points with no greater error that are faster by at least a tenth in three quarters of "
-        "the rounds; the most exact first"
-    )
+    beaten_by: tuple[str, ...]
+    """Points with no greater error that are faster by at least a tenth in three quarters of the rounds; the most exact
+    first"""
     time: TimeSpread
     model: TimeModel
     error: Errors
@@ -163,14 +158,11 @@ class Step(SweepPart):
 class Timing(SweepPart):
     """Conditions of the timing."""
 
-    timer: Literal["wall", "processor", "gpu"] = Field(
-        description="wall: wall clock around a frame until it is finished; processor: processor time of the process "
-        "meanwhile; gpu: GPU timer queries"
-    )
-    width: int = Field(
-        description="Size of the larger timed frames, pixels; slow points are timed at the size of the "
-        "compared pictures"
-    )
+    timer: Literal["wall", "processor", "gpu"]
+    """wall: wall clock around a frame until it is finished; processor: processor time of the process meanwhile; gpu:
+    GPU timer queries"""
+    width: int
+    """Size of the larger timed frames, pixels; slow points are timed at the size of the compared pictures"""
     height: int
     small_width: int = Field(description="Size of the smaller timed frames, for the constant part of the time model")
     small_height: int
@@ -217,9 +209,8 @@ class Sweep(SweepPart):
     measured_at: str = Field(description="Date and time of the measurement, ISO 8601, UTC")
     seconds: float = Field(description="Duration of the sweep without the float64 reference, s")
     points: tuple[MeasuredPoint, ...]
-    front: tuple[str, ...] = Field(
-        description="Pareto front: IDs of points that no other point beats in both time and RMSE, fastest first"
-    )
+    front: tuple[str, ...]
+    """Pareto front: IDs of points that no other point beats in both time and RMSE, fastest first"""
     steps: tuple[Step, ...]
     sentences: tuple[str, ...] = Field(description="Summary of the front in words")
 

@@ -33,36 +33,20 @@ class Clouds(Part):
     """A layer of clouds: gradient noise that drifts with the wind and changes shape, lit from the lamp's side."""
 
     cover: Annotated[float, Field(ge=0.0, le=1.0, description="Fraction of the sky covered by clouds")] = 0.4
-    thickness: float = Field(
-        default=6.0,
-        ge=0.0,
-        le=50.0,
-        description="Optical depth of the densest cloud; larger values darken the clouds and hide the sun",
-    )
-    softness: float = Field(
-        default=1.0,
-        ge=0.05,
-        le=3.0,
-        description="Width of the clouds' edges, in standard deviations of the noise; larger values are softer",
-    )
+    thickness: float = Field(default=6.0, ge=0.0, le=50.0)
+    """Optical depth of the densest cloud; larger values darken the clouds and hide the sun"""
+    softness: float = Field(default=1.0, ge=0.05, le=3.0)
+    """Width of the clouds' edges, in standard deviations of the noise; larger values are softer"""
     size: float = Field(default=2500.0, ge=50.0, le=50000.0, description="Size of the largest clouds, m")
     height: float = Field(default=1800.0, ge=200.0, le=15000.0, description="Altitude of the clouds' bases, m")
-    depth: float = Field(
-        default=700.0, ge=0.0, le=5000.0, description="Height of the clouds from base to top, m; 0: a thin layer"
-    )
-    rain: float = Field(
-        default=0.0,
-        ge=0.0,
-        le=10.0,
-        description="Optical depth of the rain below the densest clouds, seen as veils in the distance; 0: none",
-    )
-    shadows: Share = Field(
-        default=0.0,
-        description="Strength of the clouds' shadows and of the sunlit gaps between them; 0: their mean everywhere",
-    )
-    wind: Annotated[float | None, Follows("speed", alone=8.0, factor=1.6)] = Field(
-        default=None, ge=0.0, le=100.0, description="Drift speed of the clouds, m/s; null: 1.6 times the scene's wind"
-    )
+    depth: float = Field(default=700.0, ge=0.0, le=5000.0)
+    """Height of the clouds from base to top, m; 0: a thin layer"""
+    rain: float = Field(default=0.0, ge=0.0, le=10.0)
+    """Optical depth of the rain below the densest clouds, seen as veils in the distance; 0: none"""
+    shadows: Share = 0.0
+    """Strength of the clouds' shadows and of the sunlit gaps between them; 0: their mean everywhere"""
+    wind: Annotated[float | None, Follows("speed", alone=8.0, factor=1.6)] = Field(default=None, ge=0.0, le=100.0)
+    """Drift speed of the clouds, m/s; null: 1.6 times the scene's wind"""
     wind_speed: ClassVar[InEffect] = InEffect("wind")
     wind_direction: Downwind = None
     downwind: ClassVar[InEffect] = InEffect("wind_direction")
@@ -77,14 +61,11 @@ class Cirrus(Part):
     thickness: float = Field(default=0.8, ge=0.0, le=5.0, description="Optical depth of the densest streaks")
     size: float = Field(default=4000.0, ge=500.0, le=50000.0, description="Width of the largest streaks, m")
     height: float = Field(default=9000.0, ge=3000.0, le=15000.0, description="Altitude of the streaks, m")
-    direction: Annotated[Angle | None, Follows("direction", alone=0.6)] = Field(
-        default=None,
-        description="Direction of the streaks and of their drift, rad from +x toward +z; null: as the scene's wind",
-    )
+    direction: Annotated[Angle | None, Follows("direction", alone=0.6)] = None
+    """Direction of the streaks and of their drift, rad from +x toward +z; null: as the scene's wind"""
     downwind: ClassVar[InEffect] = InEffect("direction")
-    wind: Annotated[float | None, Follows("speed", alone=25.0, factor=2.5)] = Field(
-        default=None, ge=0.0, le=150.0, description="Drift speed of the streaks, m/s; null: 2.5 times the scene's wind"
-    )
+    wind: Annotated[float | None, Follows("speed", alone=25.0, factor=2.5)] = Field(default=None, ge=0.0, le=150.0)
+    """Drift speed of the streaks, m/s; null: 2.5 times the scene's wind"""
     wind_speed: ClassVar[InEffect] = InEffect("wind")
     seed: int = Field(default=1, ge=0, le=65535, description="Random seed of the streaks")
 
@@ -94,15 +75,10 @@ class Moon(Part):
 
     azimuth: Angle = Field(default=-1.2, description="Azimuth of the moon, rad from +x toward +z")
     elevation: Elevation = Field(default=0.35, description="Elevation of the moon above the horizon, rad")
-    brightness: float = Field(
-        default=1.0,
-        ge=0.0,
-        le=10.0,
-        description="Brightness of the moonlight; at 1 a full moon gives 1 % of the sun's light (in reality 1/400 000)",
-    )
-    size: float = Field(
-        default=1.0, ge=0.5, le=20.0, description="Angular diameter, relative to the real moon's (0.52°)"
-    )
+    brightness: float = Field(default=1.0, ge=0.0, le=10.0)
+    """Brightness of the moonlight; at 1 a full moon gives 1 % of the sun's light (in reality 1/400 000)"""
+    size: float = Field(default=1.0, ge=0.5, le=20.0)
+    """Angular diameter, relative to the real moon's (0.52°)"""
 
 
 class Sky(Part):
@@ -120,12 +96,8 @@ class Gusts(Part):
 
     strength: Share = Field(default=0.6, description="Relative variation of the ripples' slope about its mean")
     size: float = Field(default=25.0, ge=0.5, le=5000.0, description="Size of the largest patches, m")
-    speed: Annotated[float | None, Follows("speed", alone=3.0, factor=0.8)] = Field(
-        default=None,
-        ge=0.0,
-        le=60.0,
-        description="Speed at which the patches move with the wind, m/s; null: 0.8 times the scene's wind",
-    )
+    speed: Annotated[float | None, Follows("speed", alone=3.0, factor=0.8)] = Field(default=None, ge=0.0, le=60.0)
+    """Speed at which the patches move with the wind, m/s; null: 0.8 times the scene's wind"""
     wind_speed: ClassVar[InEffect] = InEffect("speed")
     change: float = Field(default=12.0, ge=0.5, le=1e5, description="Time scale on which a patch changes shape, s")
     seed: int = Field(default=1, ge=0, le=65535, description="Random seed of the gusts")
@@ -157,23 +129,14 @@ def sun_angles(day: Day) -> tuple[float, float]:
 class Sparkles(Part):
     """Sparkles in the sun's reflection (GPU ocean, 2007); their mean radiance is that of the smooth glint."""
 
-    size: Radians = Field(
-        default=0.0016,
-        ge=2e-4,
-        le=0.02,
-        description="Angular diameter of a sparkle, independent of the picture's size, rad",
-    )
-    rate: float = Field(
-        default=1.0,
-        ge=0.1,
-        le=10000.0,
-        description="Births of sparkles per second and square degree, where the glint is as bright as white "
-        "paper in the sun; fewer sparkles are brighter, so that the mean stays",
-    )
+    size: Radians = Field(default=0.0016, ge=2e-4, le=0.02)
+    """Angular diameter of a sparkle, independent of the picture's size, rad"""
+    rate: float = Field(default=1.0, ge=0.1, le=10000.0)
+    """Births of sparkles per second and square degree, where the glint is as bright as white paper in the sun; fewer
+    sparkles are brighter, so that the mean stays"""
     life: float = Field(default=0.3, ge=0.02, le=10.0, description="Lifetime of a sparkle, s")
-    share: float = Field(
-        default=0.9, ge=0.05, le=1.0, description="Fraction of the glint that is drawn as sparkles; the rest is smooth"
-    )
+    share: float = Field(default=0.9, ge=0.05, le=1.0)
+    """Fraction of the glint that is drawn as sparkles; the rest is smooth"""
 
 
 class Caustics(Part):
@@ -182,13 +145,9 @@ class Caustics(Part):
     With caustics, ripples and caustics repeat every 9.3 m; without, ripples never repeat.
     """
 
-    dispersion: float = Field(
-        default=1.0,
-        ge=0.0,
-        le=10.0,
-        description="Difference of the refractive index between red and blue, relative to that of water "
-        "(0.0075); 0: no colour fringes",
-    )
+    dispersion: float = Field(default=1.0, ge=0.0, le=10.0)
+    """Difference of the refractive index between red and blue, relative to that of water (0.0075); 0: no colour
+    fringes"""
 
 
 ToneCurve = Literal["filmic", "photographic"]
@@ -200,48 +159,29 @@ class Light(Part):
     sun_azimuth: Angle = Field(default=0.0, description="Azimuth of the sun, rad from +x toward +z")
     sun_elevation: Elevation = Field(default=0.6, description="Elevation of the sun above the horizon, rad")
     turbidity: float = Field(default=2.5, ge=1.0, le=10.0, description="Turbidity of the air: 1 pure, 2 clear, 10 hazy")
-    visibility: float = Field(
-        default=20000.0, ge=50.0, le=1e6, description="Visibility: distance at which contrast has fallen to 2 %, m"
-    )
+    visibility: float = Field(default=20000.0, ge=50.0, le=1e6)
+    """Visibility: distance at which contrast has fallen to 2 %, m"""
     exposure: float = Field(default=0.0, ge=-10.0, le=10.0, description="Exposure, stops; +1 doubles the brightness")
-    tone: ToneCurve = Field(
-        default="filmic",
-        description="Tone curve. filmic: contrasty, and white early; photographic: a long shoulder that holds colour "
-        "around the sun",
-    )
-    glare: float = Field(
-        default=0.0,
-        ge=0.0,
-        le=0.5,
-        description="Fraction of the light that spreads around bright spots, as in an eye or a lens; 0: none",
-    )
-    day: Day | None = Field(
-        default=None,
-        description="Time of day and place, which set the sun's position; absent: sun_azimuth and sun_elevation do",
-    )
+    tone: ToneCurve = "filmic"
+    """Tone curve. filmic: contrasty, and white early; photographic: a long shoulder that holds colour around the sun"""
+    glare: float = Field(default=0.0, ge=0.0, le=0.5)
+    """Fraction of the light that spreads around bright spots, as in an eye or a lens; 0: none"""
+    day: Day | None = None
+    """Time of day and place, which set the sun's position; absent: sun_azimuth and sun_elevation do"""
     sky: Sky | None = Field(default=None, description="Haze, clouds, moon and stars; absent: a clear sky")
-    reflection: Literal["sky", "cubemap", "planar"] = Field(
-        default="sky",
-        description="What the water reflects. sky: the sky only; cubemap: sky and land, seen from directly "
-        "below the camera; planar: sky and boats",
-    )
-    specular: Literal["glint", "blinn_phong"] = Field(
-        default="glint",
-        description="Model of the sun's reflection. glint: Beckmann distribution of the slopes that are too "
-        "small to resolve; blinn_phong: Blinn-Phong highlight whose half vector is perturbed by "
-        "the ripples",
-    )
-    specular_power: float = Field(
-        default=364.0, ge=1.0, le=2000.0, description="Exponent of blinn_phong; larger values give a smaller highlight"
-    )
-    specular_perturb: float = Field(
-        default=0.4, ge=0.0, le=10.0, description="Perturbation of blinn_phong's half vector by the tilt of the normal"
-    )
+    reflection: Literal["sky", "cubemap", "planar"] = "sky"
+    """What the water reflects. sky: the sky only; cubemap: sky and land, seen from directly below the camera; planar:
+    sky and boats"""
+    specular: Literal["glint", "blinn_phong"] = "glint"
+    """Model of the sun's reflection. glint: Beckmann distribution of the slopes that are too small to resolve;
+    blinn_phong: Blinn-Phong highlight whose half vector is perturbed by the ripples"""
+    specular_power: float = Field(default=364.0, ge=1.0, le=2000.0)
+    """Exponent of blinn_phong; larger values give a smaller highlight"""
+    specular_perturb: float = Field(default=0.4, ge=0.0, le=10.0)
+    """Perturbation of blinn_phong's half vector by the tilt of the normal"""
     sparkles: Sparkles | None = Field(default=None, description="Sparkles in the sun's reflection; absent: none")
-    caustics: Caustics | None = Field(
-        default=None,
-        description="Caustics: sunlight that the ripples focus on the floor; absent: a uniformly lit floor",
-    )
+    caustics: Caustics | None = None
+    """Caustics: sunlight that the ripples focus on the floor; absent: a uniformly lit floor"""
 
     @property
     def sun(self) -> tuple[float, float]:

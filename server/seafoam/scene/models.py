@@ -27,40 +27,30 @@ class SceneExtensions(Extensions):
 class Scene(Extensible, Part):
     """A scene: water, foam, shore, objects, light and camera."""
 
-    wind: Wind | None = Field(
-        default=None, description="Wind that parts follow which have none of their own; absent: each has its default"
-    )
+    wind: Wind | None = None
+    """Wind that parts follow which have none of their own; absent: each has its default"""
     waves: tuple[Wave, ...] = Field(default=(), max_length=16)
-    rings: tuple[Ring, ...] = Field(
-        default=(), max_length=RINGS_MOST, description="Circular waves from stones, drops and blasts"
-    )
-    touches: tuple[Touch, ...] = Field(
-        default=(), max_length=TOUCHES_MOST, description="Touches of the water, each of which raises a small ring"
-    )
+    rings: tuple[Ring, ...] = Field(default=(), max_length=RINGS_MOST)
+    """Circular waves from stones, drops and blasts"""
+    touches: tuple[Touch, ...] = Field(default=(), max_length=TOUCHES_MOST)
+    """Touches of the water, each of which raises a small ring"""
     sea: Sea | None = Field(default=None, description="Wind-driven open sea; absent: none")
     foam: Foam | None = Field(default=None, description="Foam; absent: none")
     water: Water = Field(default_factory=Water)
-    wave_groups: WaveGroups | None = Field(
-        default=None, description="Groups in which the parametric waves travel; absent: each wave has one height"
-    )
+    wave_groups: WaveGroups | None = None
+    """Groups in which the parametric waves travel; absent: each wave has one height"""
     shore: Shore | None = Field(default=None, description="Sea floor, land and surf; absent: open sea")
-    current: Current | None = Field(
-        default=None, description="Current of a river, which carries all that is on the water; absent: none"
-    )
-    drift: Drift | None = Field(
-        default=None, description="Flow that carries the foam of a drift saturation; absent: no flow"
-    )
+    current: Current | None = None
+    """Current of a river, which carries all that is on the water; absent: none"""
+    drift: Drift | None = None
+    """Flow that carries the foam of a drift saturation; absent: no flow"""
     spray: Spray | None = Field(default=None, description="Drops thrown up by waves and surf; absent: none")
     boats: tuple[Boat, ...] = Field(default=(), max_length=BOATS_MOST, description="Boats on the water")
-    light: Light | None = Field(
-        default_factory=Light, description="Sun, sky and haze; null: unlit, white foam on black"
-    )
+    light: Light | None = Field(default_factory=Light)
+    """Sun, sky and haze; null: unlit, white foam on black"""
     camera: Camera = Field(default_factory=Camera)
-    extensions: SceneExtensions = Field(
-        default=SceneExtensions(),
-        exclude_if=lambda given: not dict(given),
-        description="Parts of effects outside the package, by name; absent: off",
-    )
+    extensions: SceneExtensions = Field(default=SceneExtensions(), exclude_if=lambda given: not dict(given))
+    """Parts of effects outside the package, by name; absent: off"""
 
     @property
     def settled(self) -> Self:

@@ -24,83 +24,54 @@ class Surf(Part):
 
     height: float = Field(default=1.0, ge=0.0, le=6.0, description="Height of the breakers, m; 0: no surf")
     period: float = Field(default=7.0, ge=2.0, le=20.0, description="Wave period, s")
-    skew: Share = Field(
-        default=0.5,
-        description="γ: asymmetry of the profile at breaking; 1 is symmetric, smaller values lean toward the shore",
-    )
-    sharpness: float = Field(
-        default=0.05,
-        ge=0.0,
-        le=0.15,
-        description="b: horizontal displacement at the crests, in wavelengths; larger values sharpen them",
-    )
-    variation: Share = Field(
-        default=0.7,
-        description="Strength of the slow variation of the wave height along the coast; 0: all waves break alike",
-    )
+    skew: Share = 0.5
+    """γ: asymmetry of the profile at breaking; 1 is symmetric, smaller values lean toward the shore"""
+    sharpness: float = Field(default=0.05, ge=0.0, le=0.15)
+    """b: horizontal displacement at the crests, in wavelengths; larger values sharpen them"""
+    variation: Share = 0.7
+    """Strength of the slow variation of the wave height along the coast; 0: all waves break alike"""
     heading: Angle = Field(default=0.0, description="Direction of travel of the swell, rad from +x toward +z")
-    exposure: Share = Field(
-        default=0.0,
-        description="Reduction of the surf on coasts that face away from the swell: 0 none, 1 no surf there",
-    )
-    refraction: bool = Field(
-        default=False,
-        description="Crests follow the travel time of a swell from `heading` over the depth, which bends them around "
-        "capes and islands; false: waves approach every coast at normal incidence",
-    )
+    exposure: Share = 0.0
+    """Reduction of the surf on coasts that face away from the swell: 0 none, 1 no surf there"""
+    refraction: bool = False
+    """Crests follow the travel time of a swell from `heading` over the depth, which bends them around capes and
+    islands; false: waves approach every coast at normal incidence"""
 
 
 class Shore(Part):
     """Sea floor and land: a height field over a square; beyond it the floor is level."""
 
-    kind: Literal["beach", "island", "islands", "lagoon", "image"] = Field(
-        default="beach",
-        description="Shape of the coast. beach: a straight coast across the square; island; islands: several; "
-        "lagoon: a ring with an opening; image: heights from `image`",
-    )
+    kind: Literal["beach", "island", "islands", "lagoon", "image"] = "beach"
+    """Shape of the coast. beach: a straight coast across the square; island; islands: several; lagoon: a ring with an
+    opening; image: heights from `image`"""
     place: tuple[Place, Place] = Field(default=(0.0, 0.0), description="Centre of the square (x, z), m")
     size: float = Field(default=500.0, ge=40.0, le=10000.0, description="Side of the square, m")
-    heading: Angle = Field(
-        default=0.0, description="Direction of a beach's land, or of a lagoon's opening, rad from +x toward +z"
-    )
+    heading: Angle = 0.0
+    """Direction of a beach's land, or of a lagoon's opening, rad from +x toward +z"""
     radius: float = Field(default=60.0, ge=1.0, le=4000.0, description="Radius of an island or of a lagoon's ring, m")
     depth: float = Field(default=12.0, ge=0.5, le=1000.0, description="Depth of the level floor offshore, m")
     inner_depth: float = Field(default=3.0, ge=0.2, le=100.0, description="Depth inside a lagoon, m")
     height: float = Field(default=6.0, ge=0.0, le=300.0, description="Approximate height of the land, m")
     slope: float = Field(default=0.06, ge=0.01, le=1.0, description="Slope of the floor at the waterline")
-    roughness: Share = Field(
-        default=0.5, description="Irregularity of the coastline: bays and capes; 0: the plain shape"
-    )
+    roughness: Share = 0.5
+    """Irregularity of the coastline: bays and capes; 0: the plain shape"""
     relief: Share = Field(default=0.0, description="Ruggedness of the land: ridges and valleys; 0: smooth hills")
-    level: float = Field(
-        default=0.0,
-        ge=-1000.0,
-        le=100.0,
-        description="Vertical offset of floor and land, m; negative values raise the water",
-    )
+    level: float = Field(default=0.0, ge=-1000.0, le=100.0)
+    """Vertical offset of floor and land, m; negative values raise the water"""
     seed: int = Field(default=1, ge=0, le=65535, description="Random seed of the coastline and the terrain")
-    image: str | None = Field(
-        default=None,
-        max_length=8192,
-        description="Height map for kind 'image': a base64 PNG, 2 to 128 pixels a side; black is the offshore "
-        "depth, white the height of the land; the top row is toward −z",
-    )
-    smoothing: float = Field(
-        default=6.0,
-        ge=0.0,
-        le=60.0,
-        description="Standard deviation of the Gaussian that smooths the distance to the shore, m",
-    )
+    image: str | None = Field(default=None, max_length=8192)
+    """Height map for kind 'image': a base64 PNG, 2 to 128 pixels a side; black is the offshore depth, white the height
+    of the land; the top row is toward −z"""
+    smoothing: float = Field(default=6.0, ge=0.0, le=60.0)
+    """Standard deviation of the Gaussian that smooths the distance to the shore, m"""
     sand: Rgb = Field(default=(0.66, 0.56, 0.40), description="Albedo of dry sand, linear RGB")
     rock: Rgb = Field(default=(0.27, 0.24, 0.21), description="Albedo of rock, on steep ground, linear RGB")
     plants: Rgb = Field(default=(0.06, 0.10, 0.035), description="Albedo of vegetation, linear RGB")
     plants_from: float = Field(default=2.0, ge=0.0, le=400.0, description="Height above which vegetation grows, m")
     reef: Share = Field(default=0.5, description="Fraction of the shallow floor covered by dark reef and seaweed")
-    detail: Share = Field(
-        default=1.0,
-        description="Strength of the land's fine detail: sand ripples, layers and cracks of rock, clumps of plants, "
-        "a line of seaweed, a film of water behind the swash; 0: smooth land",
-    )
+    detail: Share = 1.0
+    """Strength of the land's fine detail: sand ripples, layers and cracks of rock, clumps of plants, a line of seaweed,
+    a film of water behind the swash; 0: smooth land"""
     shadows: bool = Field(default=False, description="Land throws shadows on land, water and the floor")
     surf: Surf = Field(default_factory=Surf)
 

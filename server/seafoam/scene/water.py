@@ -15,13 +15,11 @@ class Ripples(Part):
     wind_direction: Downwind = None
     downwind: ClassVar[InEffect] = InEffect("wind_direction")
     slope: float = Field(default=0.12, ge=0.0, le=0.6, description="Root mean square slope of the ripples")
-    spread: Radians = Field(
-        default=1.0, ge=0.0, le=3.1416, description="Standard deviation of the ripples' directions, rad"
-    )
+    spread: Radians = Field(default=1.0, ge=0.0, le=3.1416)
+    """Standard deviation of the ripples' directions, rad"""
     seed: int = Field(default=1, ge=0, le=65535, description="Random seed of the ripples")
-    gusts: Gusts | None = Field(
-        default=None, description="Moving patches of rougher and smoother ripples; absent: uniform ripples"
-    )
+    gusts: Gusts | None = None
+    """Moving patches of rougher and smoother ripples; absent: uniform ripples"""
 
 
 class Water(Part):
@@ -31,49 +29,25 @@ class Water(Part):
         Annotated[float, Field(ge=0.01, le=1000.0)],
         Annotated[float, Field(ge=0.01, le=1000.0)],
         Annotated[float, Field(ge=0.01, le=1000.0)],
-    ] = Field(
-        default=(7.0, 30.0, 70.0),
-        description="Distance after which absorption leaves 1/e of red, green and blue light, m (Outerra: 7, 30, 70)",
-    )
-    scattering: float = Field(
-        default=0.005,
-        ge=0.0,
-        le=0.5,
-        description="Scattering coefficient, 1/m (Outerra: 0.005); larger values give brighter, murkier water",
-    )
-    depth: float | None = Field(
-        default=None, ge=0.05, le=11000.0, description="Depth of the floor below still water, m; absent: deep water"
-    )
+    ] = (7.0, 30.0, 70.0)
+    """Distance after which absorption leaves 1/e of red, green and blue light, m (Outerra: 7, 30, 70)"""
+    scattering: float = Field(default=0.005, ge=0.0, le=0.5)
+    """Scattering coefficient, 1/m (Outerra: 0.005); larger values give brighter, murkier water"""
+    depth: float | None = Field(default=None, ge=0.05, le=11000.0)
+    """Depth of the floor below still water, m; absent: deep water"""
     floor_albedo: Rgb = Field(default=(0.62, 0.54, 0.40), description="Albedo of the floor, linear RGB")
-    floor_tile: float | None = Field(
-        default=None, ge=0.05, le=100.0, description="Side of the square tiles on the floor, m; absent: no tiles"
-    )
-    view_below: bool = Field(
-        default=True,
-        description="Draw the view from below the surface: Snell's window, total reflection, floor and water",
-    )
-    translucency: float = Field(
-        default=0.25, ge=0.0, le=2.0, description="Strength of the sunlight that shines through thin crests"
-    )
-    aeration: float = Field(
-        default=0.0,
-        ge=0.0,
-        le=10.0,
-        description="Scattering coefficient of the air bubbles below foam, 1/m; makes the water there milky; 0: clear",
-    )
-    plume_depth: float = Field(
-        default=1.5,
-        ge=0.01,
-        le=20.0,
-        description="Depth of the bubble plume where the saturation is 1, m; shallower in proportion to the saturation",
-    )
-    roughness: float = Field(
-        default=0.05,
-        ge=0.01,
-        le=0.5,
-        description="Root mean square slope of the surface detail below ripple scale; larger values widen the "
-        "sun's glint",
-    )
+    floor_tile: float | None = Field(default=None, ge=0.05, le=100.0)
+    """Side of the square tiles on the floor, m; absent: no tiles"""
+    view_below: bool = True
+    """Draw the view from below the surface: Snell's window, total reflection, floor and water"""
+    translucency: float = Field(default=0.25, ge=0.0, le=2.0)
+    """Strength of the sunlight that shines through thin crests"""
+    aeration: float = Field(default=0.0, ge=0.0, le=10.0)
+    """Scattering coefficient of the air bubbles below foam, 1/m; makes the water there milky; 0: clear"""
+    plume_depth: float = Field(default=1.5, ge=0.01, le=20.0)
+    """Depth of the bubble plume where the saturation is 1, m; shallower in proportion to the saturation"""
+    roughness: float = Field(default=0.05, ge=0.01, le=0.5)
+    """Root mean square slope of the surface detail below ripple scale; larger values widen the sun's glint"""
     ripples: Ripples | None = Field(default=None, description="Wind ripples; absent: none")
 
 
@@ -86,10 +60,8 @@ class Stone(Part):
 
     place: tuple[Place, Place] = Field(default=(0.0, -12.0), description="Centre (x, z), m")
     radius: float = Field(default=0.6, ge=0.1, le=10.0, description="Radius, m")
-    waves: Share = Field(
-        default=0.4,
-        description="Amplitude of the waves at the stone, as a fraction of the velocity head U²/2g; 0: none",
-    )
+    waves: Share = 0.4
+    """Amplitude of the waves at the stone, as a fraction of the velocity head U²/2g; 0: none"""
 
 
 class Current(Part):

@@ -15,68 +15,42 @@ class ParametricWave(Part):
     amplitude: float = Field(default=0.5, ge=0.0, le=50.0, description="A: height of the crest above the trough, m")
     wavelength: float = Field(default=12.0, ge=0.05, le=2000.0, description="λ: wavelength in deep water, m")
     direction: Angle = Field(default=0.0, description="Direction of travel, rad from +x toward +z")
-    exponent: float = Field(
-        default=2.0,
-        ge=0.1,
-        le=100.0,
-        description="K: exponent of the profile; 1 is a sine, larger values sharpen the crests",
-    )
+    exponent: float = Field(default=2.0, ge=0.1, le=100.0)
+    """K: exponent of the profile; 1 is a sine, larger values sharpen the crests"""
     phase: Angle = Field(default=0.0, description="Phase θ at the origin at time 0, rad")
-    speed: float | None = Field(
-        default=None, ge=0.0, le=200.0, description="s: phase speed, m/s; absent: √(gλ/2π), the speed in deep water"
-    )
+    speed: float | None = Field(default=None, ge=0.0, le=200.0)
+    """s: phase speed, m/s; absent: √(gλ/2π), the speed in deep water"""
 
 
 class WaveGroups(Part):
     """Groups of high waves, with calmer water between them: a factor of the heights of all parametric waves."""
 
     size: float = Field(default=100.0, ge=1.0, le=10_000.0, description="Mean distance of a group from the next, m")
-    contrast: Share = Field(
-        default=0.7,
-        description="How much lower waves are where they are lowest, as a fraction of their greatest height: 0 is "
-        "no groups, 1 is still water between them",
-    )
+    contrast: Share = 0.7
+    """How much lower waves are where they are lowest, as a fraction of their greatest height: 0 is no groups, 1 is
+    still water between them"""
     seed: int = Field(default=1, ge=0, le=65535, description="Random seed of where the groups are")
 
 
 class Sea(Part):
     """Wind-driven open sea: a JONSWAP spectrum (Hasselmann et al. 1973) on tiles."""
 
-    model: Literal["gerstner", "fft"] = Field(
-        default="fft",
-        description="gerstner: dozens of waves on two tiles; fft: the whole spectrum on four tiles (Tessendorf 2001)",
-    )
-    wind: Annotated[float | None, Follows("speed", alone=10.0)] = Field(
-        default=None,
-        ge=0.0,
-        le=60.0,
-        description="U: wind speed at 10 m, m/s; sets wave height and peak period; null: as the scene's wind",
-    )
+    model: Literal["gerstner", "fft"] = "fft"
+    """gerstner: dozens of waves on two tiles; fft: the whole spectrum on four tiles (Tessendorf 2001)"""
+    wind: Annotated[float | None, Follows("speed", alone=10.0)] = Field(default=None, ge=0.0, le=60.0)
+    """U: wind speed at 10 m, m/s; sets wave height and peak period; null: as the scene's wind"""
     wind_speed: ClassVar[InEffect] = InEffect("wind")
-    fetch: float = Field(
-        default=2e5,
-        ge=100.0,
-        le=1e7,
-        description="Fetch: distance over which the wind blows across the sea, m; longer gives higher and longer waves",
-    )
+    fetch: float = Field(default=2e5, ge=100.0, le=1e7)
+    """Fetch: distance over which the wind blows across the sea, m; longer gives higher and longer waves"""
     wind_direction: Downwind = None
     downwind: ClassVar[InEffect] = InEffect("wind_direction")
-    spread: float = Field(
-        default=6.0,
-        ge=0.0,
-        le=100.0,
-        description="s: exponent of the directional spreading cos^2s(θ/2), θ the angle to the wind; larger "
-        "values align the waves",
-    )
-    against: Share = Field(
-        default=0.3,
-        description="Factor on the energy of waves that travel against the wind; 0 removes them, as in rivers",
-    )
-    choppiness: Share = Field(
-        default=0.9,
-        description="λ: horizontal displacement of the water, as a fraction of that of trochoids in deep "
-        "water; 0 gives rounded crests, 1 sharp ones",
-    )
+    spread: float = Field(default=6.0, ge=0.0, le=100.0)
+    """s: exponent of the directional spreading cos^2s(θ/2), θ the angle to the wind; larger values align the waves"""
+    against: Share = 0.3
+    """Factor on the energy of waves that travel against the wind; 0 removes them, as in rivers"""
+    choppiness: Share = 0.9
+    """λ: horizontal displacement of the water, as a fraction of that of trochoids in deep water; 0 gives rounded
+    crests, 1 sharp ones"""
     seed: int = Field(default=1, ge=0, le=65535, description="Random seed of the wave amplitudes and phases")
 
 
@@ -98,22 +72,13 @@ class Ring(Part):
 
     place: tuple[Place, Place] = Field(default=(0.0, -20.0), description="Centre (x, z), m")
     birth: float = Field(default=0.0, ge=-1e9, le=1e9, description="Time at which the ring starts, s")
-    every: float | None = Field(
-        default=None,
-        ge=0.1,
-        le=1e5,
-        description="Interval at which the ring is repeated, s; at least its lifetime, at most 5.55/b; "
-        "absent: it happens once",
-    )
+    every: float | None = Field(default=None, ge=0.1, le=1e5)
+    """Interval at which the ring is repeated, s; at least its lifetime, at most 5.55/b; absent: it happens once"""
     amplitude: float = Field(default=0.2, ge=0.0, le=20.0, description="I0: initial amplitude of the crests, m")
     decay: float = Field(default=0.3, ge=0.01, le=10.0, description="b: decay rate of the amplitude, 1/s")
     wavelength: float = Field(default=3.0, ge=0.05, le=500.0, description="λ: wavelength in deep water, m")
-    crests: float | None = Field(
-        default=None,
-        ge=0.5,
-        le=100.0,
-        description="Number of waves behind the front, after which the water is calm; absent: waves to the centre",
-    )
+    crests: float | None = Field(default=None, ge=0.5, le=100.0)
+    """Number of waves behind the front, after which the water is calm; absent: waves to the centre"""
 
     @property
     def dead(self) -> float:

@@ -2,7 +2,7 @@
 
 from typing import Annotated, Any, Literal, get_args
 
-from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag, field_validator
+from pydantic import ConfigDict, Discriminator, Field, Tag, field_validator
 from pydantic.fields import FieldInfo
 
 from seafoam.api.http.problems import BadRequestError, FieldProblem
@@ -10,6 +10,7 @@ from seafoam.numerals import numeral_fields
 from seafoam.quality import TIERS, Quality, Tier
 from seafoam.render.encode import FrameFormat, Precision
 from seafoam.render.service.jobs import FrameJob
+from seafoam.scene.base import Described
 from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Foam, Look
 from seafoam.scene.models import Scene
@@ -22,7 +23,7 @@ DEFAULT_WIDTH, DEFAULT_HEIGHT = 1280, 720
 TierOrAuto = Literal[Tier, "auto"]
 
 
-class Parameters(BaseModel):
+class Parameters(Described):
     """Base class of query parameters; unknown ones are rejected. This class itself has none."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
@@ -101,9 +102,8 @@ class SceneOverrides(Parameters):
 class PlanParameters(SceneOverrides):
     """Parameters of a preset's frame plan."""
 
-    quality: Tier = Field(
-        default="standard", description="Quality tier; single settings require POST", examples=["high"]
-    )
+    quality: Tier = Field(default="standard", examples=["high"])
+    """Quality tier; single settings require POST"""
 
 
 FORMATS = "png, webp (lossless), exr (linear, OpenEXR), or npy (linear float32)"
@@ -112,21 +112,13 @@ FORMATS = "png, webp (lossless), exr (linear, OpenEXR), or npy (linear float32)"
 class FrameParameters(SceneOverrides):
     """Parameters of a frame of a preset."""
 
-    quality: TierOrAuto = Field(
-        default="standard",
-        description="Quality tier, or auto: the most exact quality predicted to render within budget_ms; "
-        "single settings require POST",
-        examples=["high"],
-    )
+    quality: TierOrAuto = Field(default="standard", examples=["high"])
+    """Quality tier, or auto: the most exact quality predicted to render within budget_ms; single settings require
+    POST"""
     budget_ms: Budget = None
 
-    time: float | None = Field(
-        default=None,
-        ge=-TIME_LIMIT,
-        le=TIME_LIMIT,
-        description="Time, s; absent: the preset's",
-        examples=[12.5],
-    )
+    time: float | None = Field(default=None, ge=-TIME_LIMIT, le=TIME_LIMIT, examples=[12.5])
+    """Time, s; absent: the preset's"""
     width: int | None = Field(default=None, ge=1, description="Width, pixels; absent: the preset's", examples=[640])
     height: int | None = Field(default=None, ge=1, description="Height, pixels; absent: the preset's", examples=[360])
     x: float | None = _axis(0, "Camera position along +x, m; absent: the preset's, as for all camera parameters", 0.0)
@@ -196,13 +188,8 @@ class StreamFrameParameters(ViewParameters):
 class ThumbnailParameters(Parameters):
     """Parameters of a preset's thumbnail."""
 
-    width: int = Field(
-        default=320,
-        ge=16,
-        le=640,
-        description="Width, pixels; the height follows from the preset's size",
-        examples=[320],
-    )
+    width: int = Field(default=320, ge=16, le=640, examples=[320])
+    """Width, pixels; the height follows from the preset's size"""
 
 
 def _tier_or_quality(value: Any) -> Literal["tier", "parameters"]:
@@ -226,33 +213,28 @@ def quality_of(quality: Tier | Quality) -> Quality:
     return quality if isinstance(quality, Quality) else TIERS[quality]
 
 
-class SceneRequest(BaseModel):
+class SceneRequest(Described):
     """A scene, as JSON."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
-    scene: Scene = Field(
-        description="The scene: waves, foam, water, light and camera",
-        examples=[{"waves": [{"model": "parametric"}], "foam": {}}],
-    )
+    scene: Scene = Field(examples=[{"waves": [{"model": "parametric"}], "foam": {}}])
+    """The scene: waves, foam, water, light and camera"""
 
 
 class PlanRequest(SceneRequest):
     """A scene and a quality to compile into a frame plan."""
 
-    quality: TierOrQuality = Field(
-        default="standard", description="A tier, or the settings that differ from tier standard"
-    )
+    quality: TierOrQuality = "standard"
+    """A tier, or the settings that differ from tier standard"""
 
 
 class FrameRequest(SceneRequest):
     """A frame to render: scene, quality, time, size and camera."""
 
-    quality: TierAutoOrQuality = Field(
-        default="standard",
-        description="A tier, the settings that differ from tier standard, or auto: the most exact quality "
-        "predicted to render within budget_ms",
-    )
+    quality: TierAutoOrQuality = "standard"
+    """A tier, the settings that differ from tier standard, or auto: the most exact quality predicted to render within
+    budget_ms"""
     budget_ms: Budget = None
     time: Time = 0.0
     width: int = Field(default=DEFAULT_WIDTH, ge=1, description="Width, pixels", examples=[640])
@@ -275,14 +257,9 @@ class ExportRequest(PlanRequest):
     """A scene to take home: what is drawn, how exactly, and the frame that it opens with."""
 
     time: Time = 0.0
-    width: int = Field(
-        default=DEFAULT_WIDTH, ge=1, le=4096, description="Width of the frame that the uniforms are listed for, pixels"
-    )
-    height: int = Field(
-        default=DEFAULT_HEIGHT,
-        ge=1,
-        le=4096,
-        description="Height of the frame that the uniforms are listed for, pixels",
-    )
+    width: int = Field(default=DEFAULT_WIDTH, ge=1, le=4096)
+    """Width of the frame that the uniforms are listed for, pixels"""
+    height: int = Field(default=DEFAULT_HEIGHT, ge=1, le=4096)
+    """Height of the frame that the uniforms are listed for, pixels"""
     camera: OwnCamera = None
     preset: OriginalPreset = None

@@ -6,20 +6,19 @@ Nothing here imports the web framework, for commands use the models of parameter
 from collections.abc import Sequence
 from typing import Any
 
-from pydantic import BaseModel, Field
+from pydantic import Field
+
+from seafoam.scene.base import Described
 
 
-class FieldProblem(BaseModel):
+class FieldProblem(Described):
     """An error in one body member or parameter."""
 
     pointer: str | None = Field(default=None, description="JSON pointer (RFC 6901) into the request body")
     parameter: str | None = Field(default=None, description="Name of the query or path parameter")
     detail: str = Field(description="Description of the error")
-    allowed: dict[str, Any] | None = Field(
-        default=None,
-        description="Allowed values: minimum and maximum (inclusive), enum, members, pattern or type",
-        examples=[{"minimum": 1, "maximum": 4096}],
-    )
+    allowed: dict[str, Any] | None = Field(default=None, examples=[{"minimum": 1, "maximum": 4096}])
+    """Allowed values: minimum and maximum (inclusive), enum, members, pattern or type"""
 
 
 class ApiError(Exception):

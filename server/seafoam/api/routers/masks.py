@@ -62,12 +62,9 @@ SIGMA_STEPS = 200
 class CustomMask(Parameters):
     """Parameters of a custom mask. The same parameters give the same mask."""
 
-    family: Family = Field(
-        description="Construction of the mask. vac: void-and-cluster; blur: low-pass filtered white noise; "
-        "clump: band-pass filtered noise; bubble: shrinking discs; mix: clusters of bubbles; "
-        "lace: cell walls of a foam",
-        examples=["vac"],
-    )
+    family: Family = Field(examples=["vac"])
+    """Construction of the mask. vac: void-and-cluster; blur: low-pass filtered white noise; clump: band-pass filtered
+    noise; bubble: shrinking discs; mix: clusters of bubbles; lace: cell walls of a foam"""
     sigma: float | None = Field(
         default=None,
         ge=families.SIGMA_MIN,
@@ -82,20 +79,10 @@ class CustomMask(Parameters):
     width: _Side | None = Field(default=None, description="Width of the tile, texels; absent: size", examples=[128])
     height: _Side | None = Field(default=None, description="Height of the tile, texels; absent: size", examples=[128])
     seed: int = Field(default=0, ge=0, le=families.SEED_MAX, description="Random seed", examples=[2011])
-    aspect: float = Field(
-        default=1.0,
-        ge=1.0,
-        le=families.ASPECT_MAX,
-        description="Aspect ratio of the cells along x (lace only)",
-        examples=[1.0],
-    )
-    age: float = Field(
-        default=0.0,
-        ge=0.0,
-        le=1.0,
-        description="Age of the foam, 0 (young) to 1 (old and torn) (lace only)",
-        examples=[0.0],
-    )
+    aspect: float = Field(default=1.0, ge=1.0, le=families.ASPECT_MAX, examples=[1.0])
+    """Aspect ratio of the cells along x (lace only)"""
+    age: float = Field(default=0.0, ge=0.0, le=1.0, examples=[0.0])
+    """Age of the foam, 0 (young) to 1 (old and torn) (lace only)"""
 
 
 _EVENT_SECONDS = 1.0

@@ -5,12 +5,13 @@ import re
 from typing import Any
 
 from fastapi import APIRouter, Request
-from pydantic import BaseModel, Field
+from pydantic import Field
 
 from seafoam.api.context import InContext
 from seafoam.api.http.openapi import problem_responses
 from seafoam.api.http.validation import NoParameters, Strict
 from seafoam.quality import TIERS, Tier
+from seafoam.scene.base import Described
 from seafoam.scene.models import Scene
 
 router = APIRouter(prefix="/api", tags=["presets"])
@@ -19,13 +20,12 @@ ROOTS = ("Scene", "Quality")
 _REFERENCE = re.compile(r'"#/components/schemas/(\w+)"')
 
 
-class Schemas(BaseModel):
+class Schemas(Described):
     """Schemas of what a client edits."""
 
     tiers: list[Tier] = Field(description="Names of the quality tiers, fastest first")
-    components: dict[str, dict[str, Any]] = Field(
-        description="`schemas`: the JSON schemas of Scene, Quality and their parts, as in the OpenAPI document"
-    )
+    components: dict[str, dict[str, Any]]
+    """`schemas`: the JSON schemas of Scene, Quality and their parts, as in the OpenAPI document"""
 
 
 def reduced(document: dict[str, Any]) -> dict[str, Any]:

@@ -52,22 +52,14 @@ class SequenceRequest(PlanRequest):
     """A sequence to render: frames of a scene from ``start`` to before ``stop``."""
 
     start: float = Field(default=0.0, ge=-TIME_LIMIT, le=TIME_LIMIT, description="Time of the first frame, s")
-    stop: float = Field(
-        ge=-TIME_LIMIT,
-        le=TIME_LIMIT,
-        description="Time before which the last frame is, s; above start. The server limits the number of frames",
-        examples=[2.0],
-    )
-    fps: Rate = Field(
-        default=24.0,
-        description="Frames per second: a number, or a fraction as text; 29.97 is taken as 30000/1001",
-        examples=[24, "30000/1001"],
-    )
+    stop: float = Field(ge=-TIME_LIMIT, le=TIME_LIMIT, examples=[2.0])
+    """Time before which the last frame is, s; above start. The server limits the number of frames"""
+    fps: Rate = Field(default=24.0, examples=[24, "30000/1001"])
+    """Frames per second: a number, or a fraction as text; 29.97 is taken as 30000/1001"""
     width: int = Field(default=DEFAULT_WIDTH, ge=1, description="Width, pixels; even in a video", examples=[640])
     height: int = Field(default=DEFAULT_HEIGHT, ge=1, description="Height, pixels; even in a video", examples=[360])
-    format: Literal["zip", "webp", "mp4"] = Field(
-        default="mp4", description="zip: of PNG frames; webp: animated, lossless; mp4: video"
-    )
+    format: Literal["zip", "webp", "mp4"] = "mp4"
+    """zip: of PNG frames; webp: animated, lossless; mp4: video"""
     codec: Codec = Field(default="h264", description="Of a video; av1 needs sides of at least 64 pixels")
     camera: OwnCamera = None
     preset: OriginalPreset = None

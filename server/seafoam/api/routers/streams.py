@@ -4,7 +4,7 @@ import asyncio
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Path, Query, Request, Response
-from pydantic import BaseModel, Field
+from pydantic import Field
 
 from seafoam.api.context import Context, InContext
 from seafoam.api.frames.respond import CLIENT_CLOSED_REQUEST, server_timing, unless_gone
@@ -17,6 +17,7 @@ from seafoam.api.http.validation import NoParameters, Strict
 from seafoam.quality import Quality
 from seafoam.render.service.jobs import EncodedFrame, FrameJob
 from seafoam.render.service.priority import Ticket
+from seafoam.scene.base import Described
 
 router = APIRouter(prefix="/api/streams", tags=["frames"])
 
@@ -28,14 +29,13 @@ _FRAME = content("The frame, lossy, without recipe", "image/webp") | {
 StreamId = Annotated[str, Path(max_length=64, description="ID of the stream", examples=["Zk1uY2F0c2Vh"])]
 
 
-class StreamState(BaseModel):
+class StreamState(Described):
     """The streams of this server."""
 
     limit: int = Field(description="Number of streams at once")
     open: int = Field(description="Number of streams that are open")
-    megapixels_per_second: float | None = Field(
-        description="What this server draws and encodes for streams, of late; null: nothing yet"
-    )
+    megapixels_per_second: float | None
+    """What this server draws and encodes for streams, of late; null: nothing yet"""
 
 
 class OpenStream(StreamState):

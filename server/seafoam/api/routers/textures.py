@@ -21,19 +21,14 @@ router = APIRouter(prefix="/api", tags=["textures"], default_response_class=Resp
 class TextureParameters(Parameters):
     """Parameters of a texture."""
 
-    sha256: str | None = Field(
-        default=None,
-        pattern="^[0-9a-f]{64}$",
-        description="SHA-256 of the bytes, from the plan; makes the response cacheable without limit. Bytes "
-        "with another hash are refused",
-    )
-    part: TexturePart | None = Field(
-        default=None,
-        description="A part of a texture of format R16UI; absent: all of it. upper: the upper 6 bits of each texel, a "
-        "byte each, as what is to be added modulo 64 to the median of the texel before it, the one above it, and their "
-        "sum less the one between them. lower: the lowest 8 bits of each texel, then the 2 above of four texels a "
-        "byte. The hash is that of the whole",
-    )
+    sha256: str | None = Field(default=None, pattern="^[0-9a-f]{64}$")
+    """SHA-256 of the bytes, from the plan; makes the response cacheable without limit. Bytes with another hash are
+    refused"""
+    part: TexturePart | None = None
+    """A part of a texture of format R16UI; absent: all of it. upper: the upper 6 bits of each texel, a byte each, as
+    what is to be added modulo 64 to the median of the texel before it, the one above it, and their sum less the one
+    between them. lower: the lowest 8 bits of each texel, then the 2 above of four texels a byte. The hash is that of
+    the whole"""
 
 
 _RESPONSES = content(
