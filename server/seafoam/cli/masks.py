@@ -98,7 +98,7 @@ def mask_spectrum(
         raise CommandError("--output or --json: exactly one is required")
     mask = mask_of(name)
     if output is None:
-        say(json.dumps(mask.spectrum.to_json()))
+        say(json.dumps(mask.spectrum.model_dump()))
         return
     require_reports()
     from seafoam.masks.judge.plots import plot_spectrum

@@ -86,7 +86,7 @@ def _bake(mask: ShippedMask, size: int, kept: bytes | None, progress: Progress =
     entry = describe(mask.name, parameters, SHIPPED_METHOD, ranks)
     measured = MaskTables.measure(ranks)
     tables = Mask(entry, ranks, measured).filtering.to_bytes()
-    return {**entry.model_dump(), **measured.to_json()}, encode_ranks(ranks), tables
+    return {**entry.model_dump(), **measured.model_dump()}, encode_ranks(ranks), tables
 
 
 def main() -> None:

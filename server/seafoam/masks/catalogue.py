@@ -10,7 +10,6 @@ from functools import cache, cached_property, lru_cache
 from pathlib import Path
 from threading import Lock
 from types import MappingProxyType
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -30,7 +29,7 @@ from seafoam.masks.families import (
 )
 from seafoam.masks.formats import decode_ranks
 from seafoam.masks.judge.morphology import MaskMorphology, measure_morphology
-from seafoam.masks.judge.spectrum import MaskSpectrum, measure_spectrum, spectrum_from_json
+from seafoam.masks.judge.spectrum import MaskSpectrum, measure_spectrum
 from seafoam.masks.shipped import FAMILY_SUMMARIES, FAMILY_TITLES
 from seafoam.masks.torus import Progress, Ranks, no_progress
 from seafoam.ocean.arrays import read_only
@@ -51,14 +50,23 @@ class MaskTooSlowError(ValueError):
     """A valid request whose construction would take longer than :data:`ON_REQUEST_SECONDS`."""
 
 
-@dataclass(frozen=True, slots=True)
-class MaskTables:
+class QuantileTable(BaseModel):
+    """Quantile table for magnification (:func:`prefilter.quantile_table`)."""
+
+    model_config = ConfigDict(frozen=True)
+
+    abscissa: str = QUANTILE_ABSCISSA
+    entries: tuple[float, ...]
+
+
+class MaskTables(BaseModel):
     """Measurements of a mask."""
+
+    model_config = ConfigDict(frozen=True)
 
     sigma_l: tuple[float, ...]
     """Deviation inside boxes of 2^l texels, by level (:func:`prefilter.footprint_deviations`)."""
-    quantile: tuple[float, ...]
-    """Quantile table for magnification (:func:`prefilter.quantile_table`)."""
+    quantile: QuantileTable
     spectrum: MaskSpectrum
     morphology: MaskMorphology
 
@@ -66,29 +74,10 @@ class MaskTables:
     def measure(ranks: Ranks) -> MaskTables:
         """Measure a mask; about a second at 512 x 512."""
         return MaskTables(
-            tuple(_rounded(prefilter.footprint_deviations(ranks))),
-            tuple(_rounded(prefilter.quantile_table(ranks))),
-            measure_spectrum(ranks),
-            measure_morphology(ranks),
-        )
-
-    def to_json(self) -> dict[str, object]:
-        """Plain JSON values; the inverse is :meth:`from_json`."""
-        return {
-            "sigma_l": list(self.sigma_l),
-            "quantile": {"abscissa": QUANTILE_ABSCISSA, "entries": list(self.quantile)},
-            "spectrum": self.spectrum.to_json(),
-            "morphology": self.morphology.model_dump(),
-        }
-
-    @staticmethod
-    def from_json(document: Mapping[str, Any]) -> MaskTables:
-        """Read what :meth:`to_json` wrote. Raises ``KeyError`` if a part is missing."""
-        return MaskTables(
-            tuple(document["sigma_l"]),
-            tuple(document["quantile"]["entries"]),
-            spectrum_from_json(document["spectrum"]),
-            MaskMorphology.model_validate(document["morphology"]),
+            sigma_l=_rounded(prefilter.footprint_deviations(ranks)),
+            quantile=QuantileTable(entries=_rounded(prefilter.quantile_table(ranks))),
+            spectrum=measure_spectrum(ranks),
+            morphology=measure_morphology(ranks),
         )
 
 
@@ -178,7 +167,7 @@ class Mask:
     @property
     def quantile(self) -> tuple[float, ...]:
         """Its quantile table for magnification."""
-        return self.tables.quantile
+        return self.tables.quantile.entries
 
     @cached_property
     def thresholds(self) -> NDArray[np.float64]:
@@ -207,7 +196,7 @@ class Mask:
 
     def sidecar(self) -> dict[str, object]:
         """Metadata of a download, as plain JSON values."""
-        return {**self.entry.model_dump(), **self.tables.to_json()}
+        return {**self.entry.model_dump(), **self.tables.model_dump()}
 
 
 def rank_sha256(ranks: Ranks) -> str:
@@ -247,7 +236,9 @@ def read_catalogue(directory: Path) -> dict[str, tuple[MaskInfo, MaskTables]]:
     Raises ``FileNotFoundError`` if there is none.
     """
     document = json.loads((directory / CATALOGUE_FILE).read_text("utf-8"))
-    return {item["name"]: (MaskInfo.model_validate(item), MaskTables.from_json(item)) for item in document["masks"]}
+    return {
+        item["name"]: (MaskInfo.model_validate(item), MaskTables.model_validate(item)) for item in document["masks"]
+    }
 
 
 def rank_file(directory: Path, name: str) -> Path:
@@ -336,5 +327,5 @@ def is_kept(parameters: MaskSpec) -> bool:
     return parameters in _kept
 
 
-def _rounded(values: list[float]) -> list[float]:
-    return [float(f"{value:.6g}") for value in values]
+def _rounded(values: list[float]) -> tuple[float, ...]:
+    return tuple(float(f"{value:.6g}") for value in values)

@@ -257,7 +257,7 @@ _PARTS = {
         "get_spectrum",
         "Get the measured spectrum of a {} mask.",
         "Radially averaged power spectrum and anisotropy by grey level",
-        lambda mask: json.dumps(mask.spectrum.to_json()).encode(),
+        lambda mask: json.dumps(mask.spectrum.model_dump()).encode(),
     ),
     "shapes": _MaskPart(
         "get_shapes",

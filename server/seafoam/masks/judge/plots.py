@@ -55,13 +55,11 @@ def plot_spectrum(spectrum: MaskSpectrum, title: str = "") -> bytes:
     reference = spectrum.isotropic_reference
     for grey, colour in zip(spectrum.greys, _colours(spectrum), strict=True):
         lower.plot(spectrum.frequency, grey.anisotropy, color=colour, lw=0.7, alpha=0.85)
-    lower.axhline(reference, color=_INK, lw=0.9, ls="--", label=f"isotropic: {reference + 0.0:.4g} dB")
+    lower.axhline(reference, color=_INK, lw=0.9, ls="--", label=f"isotropic: {reference:.4g} dB")
     lower.legend(frameon=False, fontsize="small", loc="upper center")
     lower.set_ylim(reference - 10.0, reference + 14.0)
     lower.set_ylabel("anisotropy (dB)")
-    segments = spectrum.segments
-    extent = "the whole periodic tile" if segments == 1 else f"mean of {segments} segments"
-    lower.set_xlabel(f"radial frequency (cycles per texel); K = {segments}, {extent}")
+    lower.set_xlabel("radial frequency (cycles per texel); K = 1, the whole periodic tile")
     for axes in (upper, lower):
         _tidy(axes)
         axes.set_xlim(0.0, _HIGHEST_FREQUENCY)
