@@ -6,10 +6,11 @@ import multiprocessing
 import os
 import time
 from collections.abc import Callable
+from concurrent.futures import Future
 from concurrent.futures import TimeoutError as NotYet
 from dataclasses import dataclass, replace
 from importlib.metadata import version
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +23,7 @@ from seafoam.scene.models import Scene
 POLITE = 5
 """Niceness: frames and the web server have priority."""
 POLL_SECONDS = 0.2
+T = TypeVar("T")
 
 Truth = NDArray[np.float32]
 """(height, width, 4): linear RGB and foam coverage, top row first."""
@@ -95,31 +97,36 @@ def _converged_elsewhere(spec: TruthSpec, watcher: Watcher) -> Truth:
     pool = ProcessPool(max_workers=1, context=multiprocessing.get_context("spawn"))
     try:
         coarse = replace(spec, samples_along=max(1, spec.samples_along // 4))
-        _, seconds = _wait(pool, coarse, lambda _: None, watcher.stopped)
+        _, seconds = finished(pool.schedule(_politely, (coarse,)), watcher.stopped)
         expected = max(seconds * (spec.samples_along / coarse.samples_along) ** 2, 1e-3)
 
         def tell(spent: float) -> None:
             watcher.progress("float64 truth", min(spent / expected, 0.99), max(expected - spent, 0.0))
 
-        truth, _ = _wait(pool, spec, tell, watcher.stopped)
+        truth, _ = finished(pool.schedule(_politely, (spec,)), watcher.stopped, tell)
     finally:
         pool.stop()  # type: ignore[no-untyped-call]
         pool.join()
     return truth
 
 
-def _wait(
-    pool: ProcessPool, spec: TruthSpec, progress: Callable[[float], None], stopped: Callable[[], bool]
-) -> tuple[Truth, float]:
-    future = pool.schedule(_politely, (spec,))
+def finished(future: Future[T], stopped: Callable[[], bool], tell: Callable[[float], None] = lambda _: None) -> T:
+    """Return a future's result, or raise what it raises. ``tell``: now and then called with the seconds until now.
+
+    Raises :class:`SweepStoppedError`, and cancels the future, once ``stopped`` says so.
+    """
     began = time.perf_counter()
     while True:
         try:
             return future.result(POLL_SECONDS)
         except NotYet:
+            # Also what work that timed out raises, which has nothing to wait for.
+            if future.done():
+                raise
             if stopped():
+                future.cancel()
                 raise SweepStoppedError from None
-            progress(time.perf_counter() - began)
+            tell(time.perf_counter() - began)
 
 
 def _politely(spec: TruthSpec) -> tuple[Truth, float]:

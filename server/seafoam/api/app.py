@@ -122,6 +122,8 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
         servers=[{"url": "."}],
         docs_url=None,
         redoc_url=None,
+        # A scene is one type in the clients' code, whichever way it travels.
+        separate_input_output_schemas=False,
         lifespan=lifespan,
         dependencies=[Depends(one_value_each)],
         middleware=_middleware(settings, metrics),

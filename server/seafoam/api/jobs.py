@@ -5,13 +5,12 @@ import math
 from collections import deque
 from collections.abc import Iterable, Mapping
 from concurrent.futures import Future
-from concurrent.futures import TimeoutError as NotYet
 
 from seafoam.accuracy.cache import Store, cache_dir
 from seafoam.accuracy.model import Running
 from seafoam.accuracy.sweep import Rig, SweepSettings
 from seafoam.accuracy.sweep_service import SweepService
-from seafoam.accuracy.truth import SweepStoppedError
+from seafoam.accuracy.truth import finished
 from seafoam.api.settings import Settings
 from seafoam.render.service.errors import DeadlineError, RenderError, RendererUnavailableError, RenderQueueFullError
 from seafoam.render.service.jobs import Drawn, FrameJob, MeasureJob
@@ -23,7 +22,6 @@ from seafoam.sequences.workers import DrawnFrames, Unit
 
 LONGEST_WAIT = 15
 """Maximum delay between requests for a running measurement, s."""
-_POLL_SECONDS = 0.2
 _ATTEMPTS = 10
 """Of a frame whose deadline passes while it waits for visitors' frames."""
 
@@ -39,17 +37,7 @@ def sweep_service(settings: Settings, pool: RenderPool, loop: asyncio.AbstractEv
     """Return a service that measures on the pool; coroutines run on ``loop``."""
 
     def measure(job: MeasureJob) -> tuple[Drawn, ...]:
-        future = asyncio.run_coroutine_threadsafe(pool.measure(job), loop)
-        while True:
-            try:
-                return future.result(_POLL_SECONDS)
-            except NotYet:
-                # Also what a coroutine that timed out raises, which has nothing to wait for.
-                if future.done():
-                    raise
-                if service.stopped:
-                    future.cancel()
-                    raise SweepStoppedError from None
+        return finished(asyncio.run_coroutine_threadsafe(pool.measure(job), loop), lambda: service.stopped)
 
     sizes = (settings.accuracy_width, settings.accuracy_height, settings.accuracy_samples, settings.accuracy_rounds)
     service = SweepService(

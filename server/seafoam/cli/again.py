@@ -10,48 +10,38 @@ import numpy as np
 import OpenEXR
 from numpy.typing import NDArray
 from PIL import Image
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import ConfigDict, Field, ValidationError
 
-from seafoam.api.http.parameters import TIME_LIMIT, TierOrQuality, quality_of
+from seafoam.api.http.parameters import FrameRequest, TierOrQuality, Time
 from seafoam.cli.support import UNABLE, CommandError, write
 from seafoam.planner import PlanError
-from seafoam.render.encode import FrameFormat, NoRecipeError, Precision, read_recipe
+from seafoam.render.encode import NoRecipeError, read_recipe
 from seafoam.render.gl import executor as gl
 from seafoam.render.service.errors import FrameTooLargeError
-from seafoam.render.service.jobs import FrameJob, draw_frame, encode_frame, plan_hash
+from seafoam.render.service.jobs import draw_frame, encode_frame, plan_hash
 from seafoam.render.service.limits import IN_PROCESS
 from seafoam.render.service.recipe import RECIPE_VERSION, renderer_of
 from seafoam.scene.camera import Camera
-from seafoam.scene.models import Scene
 
 
-class _Recipe(BaseModel):
-    """A recipe as it is read; what earlier versions and the page do not write has what they drew with."""
+class _Recipe(FrameRequest):
+    """A recipe as it is read: a request with what it was drawn by; what earlier versions and the page do not write has
+    what they drew with.
+    """
 
-    model_config = ConfigDict(extra="ignore", frozen=True, allow_inf_nan=False)
+    model_config = ConfigDict(extra="ignore")
 
     recipe: Literal[1]
     seafoam: str
     renderer: str
     plan: str | None = None
-    preset: str | None = None
-    scene: Scene
     quality: TierOrQuality
     camera: Camera
-    time: float = Field(ge=-TIME_LIMIT, le=TIME_LIMIT)
+    time: Time
     width: int = Field(ge=1)
     height: int = Field(ge=1)
-    format: FrameFormat = "png"
     dither: bool = False
-    precision: Precision = "half"
     split: Any = None
-
-    @property
-    def job(self) -> FrameJob:
-        """Return the frame that the recipe describes."""
-        view = self.camera, self.width, self.height
-        ways = self.dither, self.precision
-        return FrameJob(self.scene, quality_of(self.quality), self.time, *view, self.format, self.preset, *ways)
 
 
 def draw_again(source: Path, output: Path | None) -> tuple[bool, list[str]]:

@@ -77,17 +77,8 @@ class Embedded(PictureSource):
 def _made(asked: MaskRequest) -> bytes:
     if not asked.given and asked.name in load_catalogue():
         return to_npy(load_mask(asked.name).ranks)
-    return to_npy(
-        make_mask(
-            asked.name,
-            sigma=asked.sigma,
-            size=CUSTOM_SIZE if asked.size is None else asked.size,
-            seed=asked.seed or 0,
-            aspect=1.0 if asked.aspect is None else asked.aspect,
-            age=asked.age or 0.0,
-            method="batched",
-        )
-    )
+    given = {name: value for name, value in vars(asked).items() if name != "name" and value is not None}
+    return to_npy(make_mask(asked.name, **{"size": CUSTOM_SIZE, **given}))
 
 
 HERE = Embedded()

@@ -3,9 +3,9 @@
 import math
 from collections.abc import Mapping
 from dataclasses import KW_ONLY, dataclass
-from typing import Any, get_args
+from typing import Any, TypeVar, get_args
 
-from pydantic import ValidationError
+from pydantic import BaseModel, ValidationError
 
 from seafoam.library.errors import InvalidRequestError
 from seafoam.quality import TIERS, Quality, Tier
@@ -14,7 +14,7 @@ from seafoam.render.service.errors import FrameTooLargeError
 from seafoam.render.service.jobs import FrameJob
 from seafoam.render.service.limits import IN_PROCESS
 from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Look
+from seafoam.scene.foam import Foam, Look
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import Preset, load_preset, preset_names
 
@@ -30,6 +30,7 @@ Size = tuple[int, int]
 TIME_LIMIT = 1e9
 """Greatest |time|, s."""
 DEFAULT_SIZE: Size = (1280, 720)
+M = TypeVar("M", bound=BaseModel)
 
 
 @dataclass(frozen=True)
@@ -88,10 +89,7 @@ def scene_of(what: SceneLike) -> Scene:
         return what
     if isinstance(what, str):
         return preset(what).scene
-    try:
-        return Scene.model_validate(what)
-    except ValidationError as error:
-        raise InvalidRequestError.of("scene", error) from error
+    return _read(Scene, "scene", what)
 
 
 def quality_of(quality: QualityLike) -> Quality:
@@ -102,20 +100,26 @@ def quality_of(quality: QualityLike) -> Quality:
         if quality not in TIERS:
             raise InvalidRequestError(f"quality: must be one of {', '.join(TIERS)}, not {quality!r}")
         return TIERS[quality]
-    try:
-        return Quality.model_validate(quality)
-    except ValidationError as error:
-        raise InvalidRequestError.of("quality", error) from error
+    return _read(Quality, "quality", quality)
 
 
 def camera_of(camera: CameraLike | None, own: Camera) -> Camera:
     """Return a camera: ``own`` with the given fields. Raises :class:`InvalidRequestError`."""
     if camera is None or isinstance(camera, Camera):
         return camera or own
+    return _read(Camera, "camera", {**own.model_dump(), **camera})
+
+
+def _read(model: type[M], where: str, fields: Mapping[str, Any]) -> M:
+    """Return a model with these fields. Raises :class:`InvalidRequestError` with all that is wrong, as one line."""
     try:
-        return Camera.model_validate({**own.model_dump(), **camera})
+        return model.model_validate(fields)
     except ValidationError as error:
-        raise InvalidRequestError.of("camera", error) from error
+        lines = []
+        for item in error.errors():
+            place = "/".join(str(step) for step in (where, *item["loc"]))
+            lines.append(f"{place}: {item['msg'].removeprefix('Value error, ')}, not {item['input']!r:.80}")
+        raise InvalidRequestError("; ".join(lines)) from error
 
 
 def _with_foam(scene: Scene, changes: Mapping[str, str]) -> Scene:
@@ -125,10 +129,7 @@ def _with_foam(scene: Scene, changes: Mapping[str, str]) -> Scene:
         raise InvalidRequestError(f"{next(iter(changes))}: this scene has no foam")
     if changes.get("look", scene.foam.look) not in get_args(Look):
         raise InvalidRequestError(f"look: must be one of {', '.join(get_args(Look))}, not {changes['look']!r}")
-    try:
-        foam = type(scene.foam).model_validate({**scene.foam.model_dump(), **changes})
-    except ValidationError as error:
-        raise InvalidRequestError.of("foam", error) from error
+    foam = _read(Foam, "foam", {**scene.foam.model_dump(), **changes})
     return scene.model_copy(update={"foam": foam})
 
 

@@ -32,15 +32,8 @@ class MaskRequest:
     def given(self) -> dict[str, float]:
         """What is given beside the name."""
         width, height = self.size if isinstance(self.size, tuple) else (self.size, self.size)
-        options = {
-            "sigma": self.sigma,
-            "width": width,
-            "height": height,
-            "seed": self.seed,
-            "aspect": self.aspect,
-            "age": self.age,
-        }
-        return {name: value for name, value in options.items() if value is not None}
+        options = {"width": width, "height": height, **vars(self)}
+        return {name: one for name, one in options.items() if name not in ("name", "size") and one is not None}
 
 
 class PictureSource(ABC):

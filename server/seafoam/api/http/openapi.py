@@ -5,7 +5,6 @@ from http import HTTPStatus
 from typing import Any
 
 from fastapi import FastAPI
-from fastapi.openapi.utils import get_openapi
 
 from seafoam.api.http.errors import MEDIA_TYPE, PROBLEM_TYPES, Problem
 from seafoam.quality import QualityExtensions
@@ -52,24 +51,17 @@ def headers_of(descriptions: Mapping[str, str]) -> dict[str, Any]:
 def install(app: FastAPI, max_side: int) -> None:
     """Add the problem schema and the greatest side of a frame, pixels, to the application's document."""
 
+    made = app.openapi
+
     def openapi() -> dict[str, Any]:
         if app.openapi_schema is None:
-            app.openapi_schema = _document(app, max_side)
-        return app.openapi_schema
+            _complete(made(), max_side)
+        return made()
 
     app.openapi = openapi  # type: ignore[method-assign]
 
 
-def _document(app: FastAPI, max_side: int) -> dict[str, Any]:
-    document = get_openapi(
-        title=app.title,
-        version=app.version,
-        description=app.description,
-        routes=app.routes,
-        servers=app.servers,
-        # A scene is one type in the clients' code, whichever way it travels.
-        separate_input_output_schemas=False,
-    )
+def _complete(document: dict[str, Any], max_side: int) -> None:
     schemas = document["components"]["schemas"]
     problem = Problem.model_json_schema(ref_template="#/components/schemas/{model}")
     schemas |= problem.pop("$defs") | {"Problem": problem}
@@ -83,4 +75,3 @@ def _document(app: FastAPI, max_side: int) -> dict[str, Any]:
         for alternative in schema.get("anyOf", [schema]):
             if alternative["type"] == "integer":
                 alternative["maximum"] = max_side
-    return document

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache, partial
 from importlib.metadata import version
-from typing import Any, Literal, Protocol, get_args
+from typing import TYPE_CHECKING, Any, Literal, Protocol, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +18,9 @@ from seafoam.render.encode import BYTES_PER_PIXEL, FrameFormat, Output, Precisio
 from seafoam.render.service.recipe import RECIPE_VERSION, described, renderer_of
 from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
+
+if TYPE_CHECKING:
+    from seafoam.render.gl.executor import RenderedPixels
 
 
 @dataclass(frozen=True, slots=True)
@@ -156,18 +159,6 @@ class Drawn:
     pixels: NDArray[Any] | None
 
 
-class RendererResult(Protocol):
-    """Result of a renderer."""
-
-    @property
-    def pixels(self) -> NDArray[Any]:
-        """(height, width, 4), top row first; uint8, uint16 or, linear, float32."""
-
-    @property
-    def timings(self) -> Mapping[str, float]:
-        """Seconds by ``render`` and ``read``."""
-
-
 class Renderer(Protocol):
     """What a worker renders with: :class:`seafoam.render.gl.executor.Executor`, or a test's stand-in."""
 
@@ -177,7 +168,7 @@ class Renderer(Protocol):
 
     def render(
         self, plan: FramePlan, *, time: float, camera: Camera, width: int, height: int, output: Output
-    ) -> RendererResult:
+    ) -> "RenderedPixels":
         """Draw one frame."""
 
 
