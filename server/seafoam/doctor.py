@@ -12,7 +12,7 @@ from typing import Literal
 
 from pebble import ProcessExpired, ProcessPool
 
-from seafoam.extras import MissingExtraError, require_reports
+from seafoam.extras import MissingExtraError, require
 from seafoam.resources import data_dir
 
 PROBE_SECONDS = 60.0
@@ -109,7 +109,7 @@ def _webclient() -> Finding:
 
 def _reports() -> Finding:
     try:
-        require_reports()
+        require("reports")
     except MissingExtraError as error:
         return Finding("Reports", "optional", str(error).partition("; ")[0], error.remedy)
     return Finding("Reports", "good", "plots and measurements of accuracy")

@@ -18,7 +18,11 @@ _NEEDS: dict[Extra, tuple[str, tuple[str, ...]]] = {
 """Extra -> the beginning of the error, and the modules of its packages."""
 
 
-class MissingExtraError(RuntimeError):
+class UnableError(RuntimeError):
+    """This machine lacks what is asked of it; the text says what to do. A command ends with it, exit code 1."""
+
+
+class MissingExtraError(UnableError):
     """A package of an extra is not installed. ``remedy``: the command that installs it."""
 
     def __init__(self, packages: tuple[str, ...], extra: Extra) -> None:
@@ -38,8 +42,3 @@ def _installed(module: str) -> bool:
         return find_spec(module) is not None
     except ModuleNotFoundError:  # a package above it
         return False
-
-
-def require_reports() -> None:
-    """Raise :class:`MissingExtraError` unless the packages of the extra ``reports`` are installed."""
-    require("reports")

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
-from seafoam.extras import require
+from seafoam.extras import UnableError, require
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor
@@ -18,7 +18,7 @@ SCHEDULER = "Address of a Dask scheduler, such as tcp://host:8786, whose workers
 """Help for an option of commands."""
 
 
-class NoClusterError(RuntimeError):
+class NoClusterError(UnableError):
     """No scheduler answers at an address."""
 
 

@@ -1,7 +1,5 @@
 """Plot of time against error. Uses only matplotlib's object interface, as threads of a server must."""
 
-from __future__ import annotations
-
 import io
 from collections.abc import Iterator
 from typing import Any

@@ -15,7 +15,7 @@ from seafoam.api.jobs import sequence_service, sweep_service
 from seafoam.api.settings import Settings
 from seafoam.api.watch.metrics import Metrics
 from seafoam.api.watch.telemetry import Traces
-from seafoam.extras import require_reports
+from seafoam.extras import require
 from seafoam.quality import Quality
 from seafoam.render.service.frame_cache import FrameCache
 from seafoam.scene.models import Scene
@@ -59,7 +59,7 @@ class Context:
 
         Raises :class:`seafoam.extras.MissingExtraError` without the packages of the extra ``reports``.
         """
-        require_reports()
+        require("reports")
         await self.pool.wait_until_settled()
         return await self.plans.run(self.sweeps.sweep, subject)
 

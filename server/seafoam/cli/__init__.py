@@ -22,7 +22,7 @@ from seafoam.cli.consoles import prepare, say
 from seafoam.cli.masks import masks
 from seafoam.cli.sequences import sequence
 from seafoam.cli.support import UNABLE, Command, CommandError, Serve, member_of, refuse, size_of
-from seafoam.extras import MissingExtraError, require_reports
+from seafoam.extras import UnableError, require
 from seafoam.processes import SCHEDULER
 
 app = typer.Typer(
@@ -53,7 +53,6 @@ def serve(
     from seafoam.api.settings import Settings
     from seafoam.api.watch import logs
     from seafoam.api.watch.process import keep_programs, share_one_arena
-    from seafoam.api.watch.telemetry import UnsupportedTelemetryError
     from seafoam.cli.listening import listen
 
     share_one_arena()
@@ -63,10 +62,7 @@ def serve(
     except ValidationError as error:
         refuse(error, Settings, lambda field: f"--{field}" if field in given else f"SEAFOAM_{field.upper()}")
     keep_programs((settings.cache or cache_dir()) / "mesa")
-    try:
-        application = create_app(settings)
-    except UnsupportedTelemetryError as error:
-        raise CommandError(str(error), UNABLE) from error
+    application = create_app(settings)
     listening, address = listen(settings.host, settings.port)
     # The application itself heeds what trusted proxies say.
     config = uvicorn.Config(
@@ -152,7 +148,7 @@ def accuracy(
     scheduler: Annotated[str | None, typer.Option(help=SCHEDULER)] = None,
 ) -> None:
     """Measure time against error: each tier and setting, compared with float64. Takes minutes; results are stored."""
-    require_reports()
+    require("reports")
     if (preset is None) != every:
         raise CommandError("PRESET or --all: exactly one is required")
     if preset is not None:
@@ -165,9 +161,8 @@ def accuracy(
     from seafoam.render.service.jobs import TIMERS
 
     clock = member_of(timer, TIMERS, "--timer")
-    outputs = {"--output": (".png", output), "--json": (".json", as_json), "--csv": (".csv", as_csv)}
-    outputs["--html"] = (".html", as_html)
-    files = {(option, extension): path for option, (extension, path) in outputs.items()}
+    files = {("--output", ".png"): output, ("--json", ".json"): as_json, ("--csv", ".csv"): as_csv}
+    files["--html", ".html"] = as_html
     measure_presets(
         preset, size, SweepSettings(width, height, samples, rounds, clock), files, again=again, scheduler=scheduler
     )
@@ -287,7 +282,7 @@ def main(arguments: Sequence[str] | None = None) -> NoReturn:
         if message:  # empty where no arguments at all were given and the help has been shown
             say(f"seafoam: {message}", err=True)
         sys.exit(error.exit_code)
-    except MissingExtraError as error:
+    except UnableError as error:
         say(f"seafoam: {error}", err=True)
         sys.exit(UNABLE)
     except typer.Abort:

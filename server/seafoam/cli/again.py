@@ -64,8 +64,6 @@ def draw_again(source: Path, output: Path | None) -> tuple[bool, list[str]]:
         raise CommandError(f"--again: {error}") from error
     except PlanError as error:
         raise CommandError(f"--again: {source}: {error.pointer or 'scene'}: {error.message}") from error
-    except gl.NoRendererError as error:
-        raise CommandError(str(error), UNABLE) from error
     again = encode_frame(picture, job).content
     if output is not None:
         write(output, again)

@@ -8,8 +8,8 @@ from pydantic import ValidationError
 
 from seafoam.api.http.parameters import FrameParameters
 from seafoam.api.http.problems import ApiError
-from seafoam.cli.support import UNABLE, CommandError, extension_of, refuse, size_of, write
-from seafoam.extras import require_reports
+from seafoam.cli.support import CommandError, extension_of, refuse, size_of, write
+from seafoam.extras import require
 from seafoam.planner import PlanError
 from seafoam.quality import TIERS
 from seafoam.render.encode import FRAME_FORMATS
@@ -42,8 +42,6 @@ def render_to_file(preset: str, output: Path, size: str | None, options: Mapping
         member = error.pointer.rpartition("/")[2]
         where = f"--{member}" if member in parameters.changed else error.pointer or "scene"
         raise CommandError(f"{where}: {error.message}") from error
-    except gl.NoRendererError as error:
-        raise CommandError(str(error), UNABLE) from error
     write(output, frame.content)
     times = ", ".join(f"{stage} {1000 * seconds:.0f} ms" for stage, seconds in frame.timings.items())
     summary = f"{output}: {job.width} × {job.height}, {len(frame.content):,} bytes; {times}; {renderer}"
@@ -70,7 +68,7 @@ def _with_quality(executor: gl.Executor, given: FrameParameters, preset: Preset,
     if given.quality != "auto":
         return job, ""
     assert given.budget_ms is not None
-    require_reports()
+    require("reports")
     # Here, because no other frame needs what measurements do.
     from seafoam.accuracy.sweep import Subject, SweepSettings
     from seafoam.accuracy.timing import choose

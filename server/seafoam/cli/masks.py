@@ -8,7 +8,7 @@ import typer
 
 from seafoam.cli.consoles import say
 from seafoam.cli.support import CommandError, Output, extension_of, write
-from seafoam.extras import require_reports
+from seafoam.extras import require
 
 if TYPE_CHECKING:
     from seafoam.masks.catalogue import Mask
@@ -100,7 +100,7 @@ def mask_spectrum(
     if output is None:
         say(json.dumps(mask.spectrum.model_dump()))
         return
-    require_reports()
+    require("reports")
     from seafoam.masks.judge.plots import plot_spectrum
 
     extension_of(output, ("png",))

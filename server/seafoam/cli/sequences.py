@@ -118,7 +118,6 @@ def _make(
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
-    from seafoam.render.gl import executor as gl
     from seafoam.sequences import making
     from seafoam.sequences.errors import MixedFleetError, OtherSequenceError, OutputError, SequenceError
 
@@ -142,8 +141,6 @@ def _make(
     except MixedFleetError as error:
         raise CommandError(f"--scheduler: {error}; --mixed allows it") from error
     except SequenceError as error:
-        raise CommandError(str(error), UNABLE) from error
-    except gl.NoRendererError as error:
         raise CommandError(str(error), UNABLE) from error
     except OSError as error:
         raise CommandError(f"--output: cannot write {output.path}: {error.strerror}", UNABLE) from error

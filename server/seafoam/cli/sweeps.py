@@ -17,7 +17,7 @@ from seafoam.accuracy.cache import Store
 from seafoam.accuracy.model import Sweep
 from seafoam.accuracy.sweep import Rig, Subject, SweepSettings, make_sweep
 from seafoam.accuracy.truth import Watcher
-from seafoam.cli.support import UNABLE, CommandError, write
+from seafoam.cli.support import CommandError, write
 from seafoam.render.gl import executor as gl
 from seafoam.render.service import jobs
 from seafoam.scene import presets
@@ -39,7 +39,7 @@ def measure_presets(
 
     ``size``: as written in the command. ``files``: option and extension -> file, or directory for all presets.
     ``scheduler``: each preset is measured by a worker of this Dask cluster, whose machine the times are of. Raises
-    :class:`CommandError` for a file of another extension, or without a renderer.
+    :class:`CommandError` for a file of another extension.
     """
     for (option, extension), path in files.items():
         if path is not None and preset is not None and path.suffix.lower() != extension:
@@ -65,18 +65,15 @@ def _sweeps(
     names: Sequence[str], settings: SweepSettings, again: bool, scheduler: str | None
 ) -> Iterator[tuple[str, Sweep]]:
     """Yield each preset and its sweep: in their order here, on a cluster as they are finished."""
-    try:
-        if scheduler is None:
-            executor = gl.Executor()
-            for name in names:
-                yield name, measured(executor, Subject.of_preset(name), settings, again=again)
-            return
-        with processes.executor(scheduler, 0) as pool:
-            running = {pool.submit(_measured_there, name, settings, again): name for name in names}
-            for done in as_completed(running):
-                yield running[done], done.result()
-    except (gl.NoRendererError, processes.NoClusterError) as error:
-        raise CommandError(str(error), UNABLE) from error
+    if scheduler is None:
+        executor = gl.Executor()
+        for name in names:
+            yield name, measured(executor, Subject.of_preset(name), settings, again=again)
+        return
+    with processes.executor(scheduler, 0) as pool:
+        running = {pool.submit(_measured_there, name, settings, again): name for name in names}
+        for done in as_completed(running):
+            yield running[done], done.result()
 
 
 def _measured_there(name: str, settings: SweepSettings, again: bool) -> Sweep:

@@ -4,8 +4,6 @@ It constructs, measures and writes them; with ``--only`` all others keep their r
 tcp://host:8786`` they are made on the workers of a Dask cluster.
 """
 
-from __future__ import annotations
-
 import argparse
 import json
 from concurrent.futures import Executor, as_completed
@@ -13,7 +11,7 @@ from pathlib import Path
 
 from rich.progress import Progress as ProgressBar
 
-from seafoam.extras import MissingExtraError
+from seafoam.extras import UnableError
 from seafoam.files import write_whole
 from seafoam.masks.catalogue import CATALOGUE_FILE, Mask, MaskTables, describe, rank_file, tables_file
 from seafoam.masks.construct.make import build, estimated_seconds
@@ -21,7 +19,7 @@ from seafoam.masks.families import check_parameters
 from seafoam.masks.formats import decode_ranks, encode_ranks
 from seafoam.masks.shipped import SHIPPED, SHIPPED_METHOD, SHIPPED_SEED, SHIPPED_SIZE, ShippedMask
 from seafoam.masks.torus import Progress, no_progress
-from seafoam.processes import SCHEDULER, NoClusterError, executor
+from seafoam.processes import SCHEDULER, executor
 
 MEASURING_SECONDS = 1.0
 
@@ -110,7 +108,7 @@ def main() -> None:
         try:
             with executor(arguments.scheduler, 0) as pool:
                 bake_all(directory, tell, only, pool)
-        except (MissingExtraError, NoClusterError) as error:
+        except UnableError as error:
             raise SystemExit(str(error)) from error
 
 

@@ -1,7 +1,5 @@
 """The masks on disk and the masks made on request, behind one type."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 from collections.abc import Mapping, Sequence
@@ -71,7 +69,7 @@ class MaskTables(BaseModel):
     morphology: MaskMorphology
 
     @staticmethod
-    def measure(ranks: Ranks) -> MaskTables:
+    def measure(ranks: Ranks) -> "MaskTables":
         """Measure a mask; about a second at 512 x 512."""
         return MaskTables(
             sigma_l=_rounded(prefilter.footprint_deviations(ranks)),
@@ -119,7 +117,7 @@ class Thresholds:
     ramps: NDArray[np.float64]
 
     @staticmethod
-    def measure(quantile: ArrayLike, spans: Sequence[prefilter.Level]) -> Thresholds:
+    def measure(quantile: ArrayLike, spans: Sequence[prefilter.Level]) -> "Thresholds":
         """The tables of a mask with this quantile table and these spans."""
         quantiles = np.vstack((np.asarray(quantile, np.float64)[None], prefilter.span_quantiles(spans)))
         return Thresholds(read_only(quantiles), read_only(prefilter.ramp_tables(quantile, spans)))
@@ -129,7 +127,7 @@ class Thresholds:
         return np.vstack((self.quantiles, self.ramps)).astype("<f8").tobytes()
 
     @staticmethod
-    def from_bytes(content: bytes) -> Thresholds:
+    def from_bytes(content: bytes) -> "Thresholds":
         """Read what :meth:`to_bytes` wrote."""
         rows = np.frombuffer(content, "<f8").reshape(-1, prefilter.QUANTILE_ENTRIES)
         # Of n levels there are n + 1 rows of quantiles and n + 2 of ramps.

@@ -14,8 +14,6 @@ lace     spacing of the finest of the three grids of its coarse cells
 ======== ==========================================================================
 """
 
-from __future__ import annotations
-
 import math
 import re
 from dataclasses import dataclass

@@ -4,8 +4,6 @@
 range at every size; the threshold of a stored v is (v + 0.5) / 2^b.
 """
 
-from __future__ import annotations
-
 import io
 import struct
 

@@ -5,8 +5,6 @@ saturation is first mapped by its quantile function, the quantile table. Under m
 of a level that each approximate the distribution of their thresholds: the spans, with a quantile table for each level.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

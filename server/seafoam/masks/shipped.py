@@ -1,7 +1,5 @@
 """The shipped masks and their descriptions."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from seafoam.masks.families import Family, Method

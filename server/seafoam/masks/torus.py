@@ -1,7 +1,5 @@
 """Operations on the torus that the constructions share: Gaussians, noise filtering, ranking, local minima."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 

@@ -18,7 +18,7 @@ from seafoam.api.http.openapi import BINARY, NOT_MODIFIED, Responses, content, p
 from seafoam.api.http.parameters import Parameters
 from seafoam.api.http.problems import BadRequestError, FieldProblem, NotFoundError
 from seafoam.api.http.validation import NoParameters
-from seafoam.extras import require_reports
+from seafoam.extras import require
 from seafoam.masks import families, formats
 from seafoam.masks.catalogue import (
     ON_REQUEST_SECONDS,
@@ -181,7 +181,7 @@ def _info(mask: Mask) -> bytes:
 
 @lru_cache(maxsize=32)
 def _plot(mask: Mask) -> bytes:
-    require_reports()
+    require("reports")
     # Matplotlib takes a second to import, so only a server that is asked for a plot pays.
     from seafoam.masks.judge.plots import plot_spectrum
 

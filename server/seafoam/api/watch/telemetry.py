@@ -10,7 +10,7 @@ from fastapi.telemetry import TelemetryConfig
 
 from seafoam.api.frames.streams import is_frame
 from seafoam.api.watch.logs import PROBES
-from seafoam.extras import require
+from seafoam.extras import UnableError, require
 
 if TYPE_CHECKING:
     from opentelemetry.sdk.trace.export import SpanExporter
@@ -21,7 +21,7 @@ _PROTOCOLS = ("OTEL_EXPORTER_OTLP_TRACES_PROTOCOL", "OTEL_EXPORTER_OTLP_PROTOCOL
 _PROTOCOL = "http/protobuf"
 
 
-class UnsupportedTelemetryError(ValueError):
+class UnsupportedTelemetryError(UnableError):
     """A variable asks for what is not supported."""
 
 

@@ -5,8 +5,6 @@ so the foam at a threshold t is the union of discs of radius sqrt((t - r_i) / a)
 shrink and disappear one after another.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from seafoam.masks.construct import void_cluster

@@ -1,7 +1,5 @@
 """Masks that are white noise, filtered and ranked: ``blur`` (low-pass) and ``clump`` (band-pass)."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from seafoam.masks.torus import Field, Ranks, Shape, filter_noise, gaussian_response, rank

@@ -5,8 +5,6 @@ falls, the insides of cells open first and their walls last, so holes grow and m
 open before those of the coarse one, and noise breaks walls into threads.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

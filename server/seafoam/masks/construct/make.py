@@ -1,7 +1,5 @@
 """Constructs masks: permutations of 0..N-1 on a torus whose level sets are the foam patterns."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

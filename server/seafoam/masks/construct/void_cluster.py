@@ -12,8 +12,6 @@ Three departures from Ulichney's text, none of which changes what is optimised:
   to that. Narrower, its tails would vanish in rounding and the voids would be chosen by noise.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -3,8 +3,6 @@
 Foam is 8-connected, water 4-connected, so that a diagonal step belongs to exactly one of them.
 """
 
-from __future__ import annotations
-
 from typing import Literal
 
 import numpy as np

@@ -3,8 +3,6 @@
 Only matplotlib's object interface is used: pyplot keeps global state, which threads of a server may not share.
 """
 
-from __future__ import annotations
-
 import io
 from collections.abc import Sequence
 

@@ -5,6 +5,8 @@ from typing import Any
 
 import moderngl
 
+from seafoam.extras import UnableError
+
 _ES3 = "GL_ARB_ES3_compatibility"
 _REMEDY = (
     "install Mesa's software renderer (Debian, Ubuntu: apt-get install libegl1 libgl1 "
@@ -12,7 +14,7 @@ _REMEDY = (
 )
 
 
-class NoRendererError(RuntimeError):
+class NoRendererError(UnableError):
     """OpenGL is not usable on this machine. The message says what failed and what to install."""
 
 
