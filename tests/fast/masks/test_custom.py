@@ -47,4 +47,4 @@ def test_baking_writes_what_the_catalogue_reads(tmp_path, monkeypatch):
         assert baked.quantiles.shape == (8, 65)
         assert np.allclose(baked.quantiles, computed.quantiles, rtol=0.0, atol=1e-4)
         assert np.allclose(baked.ramps, computed.ramps, rtol=0.0, atol=1e-4)
-        assert np.isfinite(tables.quantile).all()
+        assert np.isfinite(tables.quantile.entries).all()
