@@ -75,11 +75,8 @@ TABLES: dict[str, tuple[str, Callable[[Sequence[Row]], str]]] = {
         lambda rows: across(rows, "preset", "look", "picture"),
     ),
     "over waves": ("Filtered once against halftone sixteen times", plain),
-    "presets": ("Coverage in presets", plain),
-    "level water": ("Coverage of level water", plain),
     "by scale": ("Coverage by scale", by_scale),
     "mean coverage": ("Mean coverage of the filtered look", plain),
-    "shimmer": ("Shimmer within 8°", plain),
     "flicker": ("Flicker of default", plain),
 }
 """Name of a place in the page -> how the title of the tests' table begins, and the form of its rows."""

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from docs.whitecaps_measure import Rule, awe_coverage, awe_threshold, grey, levelled, patches, pip_curve
+from docs.whitecaps_measure import Rule, awe_coverage, grey, levelled, patches
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter
 
@@ -35,52 +35,6 @@ def test_awe_finds_a_known_coverage(report: Report, coverage: float, rule: Rule)
         found=" ".join(f"{100 * share:.2f}" for share in found),
     )
     assert np.abs(found / coverage - 1.0).max() <= 0.2
-
-
-@pytest.mark.parametrize("rule", ["program", "least"])
-def test_awe_finds_nothing_in_water(rule: Rule) -> None:
-    """Stray brightest pixels may count: a ten-thousandth is none."""
-    assert awe_coverage([photograph(0.0, seed) for seed in range(4)], rule).max() <= 1e-4
-    assert awe_threshold(np.full(SIZE, 0.3), rule) is None
-
-
-def test_awe_follows_the_light_alike_in_bytes_and_shares() -> None:
-    """Half the exposure, half the threshold: no grey is built in."""
-    bright, dark = (awe_threshold(photograph(0.03, 1, k * 0.4, k * 0.95)) for k in (1.0, 0.6))
-    assert dark < bright - 0.1
-    image = photograph(0.02, 3)
-    assert awe_threshold(image) == awe_threshold(image / 255.0)
-
-
-def test_pip_is_the_share_that_a_step_lets_in() -> None:
-    """Of an even ramp N grows by the same at every step: PIP_i = 100/i, where smoothing has little to do."""
-    curve = pip_curve(np.linspace(0.0, 1.0, 480_000).reshape(480, 1000))
-    steps = np.arange(60, 110)
-    assert np.abs(curve.pip[steps] * (steps + 2) / 100.0 - 1.0).max() <= 0.02
-
-
-def test_what_is_no_grey_picture_is_refused() -> None:
-    even = (np.full((4, 4), value) for value in (1.5, np.nan, -1.0))
-    for image in (np.zeros((4, 4, 3)), np.zeros((0, 4)), *even):
-        with pytest.raises(ValueError, match="grey picture"):
-            awe_threshold(image)
-
-
-def test_grey_is_the_weighted_sum_and_a_levelled_picture_has_even_rows() -> None:
-    picture = np.zeros((2, 3, 4), np.uint8)
-    picture[..., 1] = 255
-    assert grey(picture) == pytest.approx(np.full((2, 3), 0.587))
-    with pytest.raises(ValueError, match="picture"):
-        grey(np.zeros((2, 3)))
-    # Water that grows brighter upward becomes as bright as in the middle, and blue is taken where it slopes less.
-    slope = np.linspace(0.6, 0.2, 200)[:, None]
-    picture = np.repeat(np.tile(slope, (1, 50))[..., None], 3, axis=2)
-    assert levelled(picture) == pytest.approx(np.full((200, 50), slope[100, 0]), abs=2e-4)
-    picture[..., 2] = np.linspace(0.5, 0.4, 200)[:, None]
-    assert levelled(picture) == pytest.approx(np.full((200, 50), picture[100, 0, 2]), abs=2e-4)
-    assert levelled(np.full((4, 4, 3), 255, np.uint8)) == pytest.approx(np.ones((4, 4)), abs=2e-4)
-    with pytest.raises(ValueError, match="picture"):
-        levelled(np.zeros((2, 3)))
 
 
 @pytest.mark.parametrize("coverage", [0.02, 0.08])

@@ -6,7 +6,7 @@ import pytest
 from seafoam.masks.construct.make import check_parameters, estimated_seconds, make_mask
 from seafoam.masks.families import FAMILIES, SIZES, sigma_range
 from seafoam.masks.judge.spectrum import measure_spectrum
-from seafoam.masks.torus import local_minima, rank, wrapped_gaussian
+from seafoam.masks.torus import wrapped_gaussian
 
 
 def is_permutation(ranks):
@@ -79,15 +79,6 @@ def test_exact_order_is_a_permutation_that_fills_the_largest_void():
         assert chosen == pytest.approx(energy[~ones].min(), abs=1e-9)
 
 
-def test_progress_runs_up_to_one():
-    for family in FAMILIES:
-        seen = []
-        make_mask(family, sigma=4.0, size=128, seed=0, progress=seen.append)
-        assert seen == sorted(seen)
-        assert min(seen) >= 0.0
-        assert seen[-1] == 1.0
-
-
 @pytest.mark.parametrize(
     ("arguments", "named"),
     [
@@ -119,29 +110,6 @@ def test_estimates_tell_slow_requests_from_quick_ones_and_default_sigma_fits_sma
         assert estimated_seconds(family, 4.0, 512) < 2.0
     assert check_parameters("vac", None, 64, 0).sigma == 8.0
     assert check_parameters("clump", None, 512, 0).sigma == 1.5
-
-
-def test_minima_of_windows_are_those_of_every_shift_and_skip_filled_texels():
-    values = np.random.default_rng(0).random((16, 16))
-    for radius in (1, 2, 3, 7):
-        shifts = [
-            np.roll(values, (dy, dx), (0, 1)) for dy in range(-radius, radius + 1) for dx in range(-radius, radius + 1)
-        ]
-        minima = np.flatnonzero(values == np.min(shifts, axis=0))
-        assert local_minima(values, radius).tolist() == sorted(minima, key=lambda place: values.flat[place])
-    values = np.ones((16, 16))
-    values += np.random.default_rng(1).random((16, 16))
-    values[3, 4], values[0, 0], values[15, 15] = 0.5, 0.25, np.inf
-    minima = local_minima(values, 3)
-    assert minima[:2].tolist() == [0, 3 * 16 + 4]
-    assert 255 not in minima
-
-
-def test_ranks_of_equal_values_follow_raster_order_and_the_kernel_is_whole_and_periodic():
-    assert rank(np.array([[2.0, 1.0], [1.0, 0.0]])).tolist() == [[3, 1], [2, 0]]
-    kernel = wrapped_gaussian((64, 64), 8.0)
-    assert kernel.sum() == pytest.approx(2 * np.pi * 8.0**2, rel=1e-9)
-    assert np.allclose(kernel[1:, 1:], kernel[:0:-1, :0:-1])
 
 
 def test_bubbles_are_round():

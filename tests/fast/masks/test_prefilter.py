@@ -27,38 +27,6 @@ def test_magnified_cover_is_the_saturation_by_a_table_that_rises(name):
     assert table[-1] <= 1.0
 
 
-def test_without_the_tables_cover_is_wrong():
-    samples = prefilter.bspline_samples(load_mask("vac-1.5").ranks, 3)
-    assert float((samples < 0.1).mean()) < 0.01
-    # What the levels' tables are for: thresholds in a texel are not quite even.
-    assert cover(load_mask("vac-1.5").spans[1], [0.09])[0] < 0.06
-    # The naive way that the tables replace: far away a tenth of cover vanishes.
-    low, width = np.moveaxis(load_mask("vac-1.5").spans[4].astype(np.float64), -1, 0)
-    assert float((low + 0.5 * width < 0.1).mean()) == 0.0
-
-
-def test_quantile_abscissa_inverts():
-    s = np.linspace(0.0, 1.0, 1001)
-    t = prefilter.quantile_position(s)
-    assert np.allclose(prefilter.quantile_saturation(t), s, atol=1e-12)
-    assert (np.diff(t) > 0.0).all()
-    assert prefilter.quantile_position([-0.5, 0.0, 0.5, 1.0, 2.0]).tolist() == [0.0, 0.0, 0.5, 1.0, 1.0]
-
-
-def test_bspline_weights_sum_to_one_and_meet_between_texels_and_samples_are_of_them():
-    for f in np.linspace(0.0, 0.999, 17):
-        assert sum(prefilter.bspline_weights(float(f))) == pytest.approx(1.0)
-    assert prefilter.bspline_weights(0.0) == pytest.approx((1 / 6, 2 / 3, 1 / 6, 0.0))
-    assert prefilter.bspline_weights(1.0 - 1e-12) == pytest.approx((0.0, 1 / 6, 2 / 3, 1 / 6), abs=1e-9)
-    ranks = load_mask("mix").ranks
-    u = prefilter.thresholds(ranks)
-    samples = prefilter.bspline_samples(ranks, 4)
-    for y, x, j, i in ((0, 0, 0, 0), (511, 3, 3, 1), (100, 511, 2, 3)):
-        wy, wx = prefilter.bspline_weights((j + 0.5) / 4), prefilter.bspline_weights((i + 0.5) / 4)
-        value = sum(wy[a] * wx[b] * u[(y - 1 + a) % 512, (x - 1 + b) % 512] for a in range(4) for b in range(4))
-        assert samples[4 * y + j, 4 * x + i] == pytest.approx(value, abs=1e-6)
-
-
 @pytest.mark.parametrize("name", ["vac-24", "mix"])
 def test_spans_say_where_the_thresholds_of_a_texel_lie(name):
     mask = load_mask(name)

@@ -1,6 +1,5 @@
 """The baked masks are what their catalogue says, and have the spectra they are shipped for."""
 
-import json
 from itertools import pairwise
 
 import numpy as np
@@ -94,16 +93,3 @@ def test_masks_are_loaded_once_and_one_without_recorded_tables_measures_them():
     shipped = load_mask("clump")
     fresh = Mask(shipped.entry, shipped.ranks)
     assert fresh.quantile == pytest.approx(shipped.quantile, abs=1e-6)
-
-
-def test_sidecar_is_json():
-    mask = load_mask("vac-24")
-    document = json.loads(json.dumps(mask.sidecar(), allow_nan=False))
-    size, none = {"width": 512, "height": 512}, {"aspect": None, "age": None}
-    assert document["parameters"] == {"sigma": 24.0, **size, "seed": 2011, **none, "method": "exact"}
-    assert document["sha256"] == mask.entry.sha256
-    assert document["license"] == "CC0-1.0"
-    assert len(document["sigma_l"]) == 10
-    assert len(document["quantile"]["entries"]) == 65
-    assert document["spectrum"]["segments"] == 1
-    assert [grey["grey"] for grey in document["spectrum"]["greys"]] == [1 / 16, 1 / 8, 1 / 4, 1 / 2, 3 / 4]

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from seafoam.masks.catalogue import load_mask
 from seafoam.masks.construct.make import make_mask
 from seafoam.masks.judge.plots import contact_sheet, corner_pattern, magnified_sheet, plot_spectrum
 from seafoam.masks.judge.spectrum import MaskSpectrum, measure_spectrum
@@ -63,14 +62,6 @@ def test_ring_statistics_are_those_of_the_definition():
         if len(values) > 1:
             expected = 10 * np.log10(np.var(values, ddof=1) / np.mean(values) ** 2)
             assert spectrum.greys[0].anisotropy[ring - 1] == pytest.approx(expected)
-
-
-def test_rolling_the_mask_leaves_the_spectrum():
-    mask = load_mask("vac-24")
-    rolled = measure_spectrum(np.roll(mask.ranks, (137, 301), (0, 1)))
-    for before, after in zip(measure_spectrum(mask.ranks).greys, rolled.greys, strict=True):
-        assert np.allclose(before.raps, after.raps)
-        assert np.allclose(before.anisotropy, after.anisotropy, equal_nan=True)
 
 
 def test_white_noise_is_isotropic_and_a_plaid_reads_as_anisotropic():

@@ -13,7 +13,7 @@ import pytest
 
 import seafoam
 from seafoam.planner import FramePlan, PlanError, make_plan
-from seafoam.planner.glsl import PART, parts_of, read_file
+from seafoam.planner.glsl import PART, parts_of
 from seafoam.quality import TIERS
 from seafoam.resources import data_dir
 from seafoam.scene.camera import Camera
@@ -126,22 +126,6 @@ def test_live_fields_change_nothing_but_their_constants(preset: str) -> None:
         for document in (patched, theirs):
             del document["effects"]
         assert theirs == patched, pointer
-
-
-def test_structural_fields_are_not_live() -> None:
-    plan = make_plan(load_preset("default").scene, STANDARD)
-    for pointer in ("/foam/fade", "/foam/texture", "/foam/look", "/waves/0/amplitude", "/light/sun_elevation"):
-        assert pointer not in plan.live
-
-
-def test_every_shader_starts_as_webgl_wants_it_and_maps_its_lines() -> None:
-    plan = make_plan(load_preset("default").scene, STANDARD)
-    for program in plan.programs.values():
-        for shader in (program.vertex, program.fragment):
-            assert shader.text.startswith("#version 300 es\nprecision highp float;\n")
-            lines = shader.text.split("\n")
-            for file in shader.files:
-                assert lines[file.line - 1] == read_file(file.path).split("\n")[0]
 
 
 def test_shaders_are_files_of_parts_without_a_preprocessor_raw_time_or_hashed_floats() -> None:

@@ -16,23 +16,6 @@ from seafoam.scene.waves import ParametricWave
 STANDARD = TIERS["standard"]
 
 
-def test_a_shore_draws_its_map_before_the_sea_as_large_as_the_quality_says() -> None:
-    plan = make_plan(Scene(shore=Shore()), STANDARD)
-    names = [one.name for one in plan.passes]
-    drawn = [name for name in names if name.startswith("shore")]
-    steps = [name for name in drawn if "flood" in name]
-    assert [int(name.split()[-2]) for name in steps] == [1, 128, 64, 32, 16, 8, 4, 2, 1]
-    assert drawn[:3] == ["shore: highest land", "shore: highest land around", "shore: seed"]
-    assert drawn[-1] == "shore: map"
-    assert names.index("shore: map") < names.index("surface")
-    assert plan.targets["shore_map"].format == "RGBA32F"
-    quality = STANDARD.model_copy(update={"shore_map": 64, "shore_floor": 128, "shore_profile": 32})
-    plan = make_plan(Scene(shore=Shore()), quality)
-    assert plan.targets["shore_map"].size.width == 64
-    assert plan.textures["shore_floor"].width == 128
-    assert plan.textures["shore_profiles"].width == 32
-
-
 def test_without_a_coast_in_reach_the_shore_is_left_out() -> None:
     plan = make_plan(Scene(waves=(ParametricWave(),), shore=Shore(level=-900.0)), STANDARD)
     assert {note.name for note in plan.skipped} >= {"shore"}

@@ -1,7 +1,6 @@
 """The bench's own arithmetic, and what its tables are made of."""
 
 import io
-import math
 import re
 from pathlib import Path
 
@@ -73,15 +72,6 @@ def test_a_text_that_is_not_as_expected_is_not_counted(old: str, new: str, said:
         counting_shader(shader.model_copy(update={"text": text}))
 
 
-def test_notes_of_tables_are_wrapped_and_columns_lined_up() -> None:
-    table = Table(
-        "Title", "word " * 50, (Column("a", "first"), Column("b", "second", "{:.1f}".format)), [("x", math.pi)]
-    )
-    lines = table.text().splitlines()
-    assert max(map(len, lines)) <= 116
-    assert lines[-3:] == ["first  second", "-----  ------", "x         3.1"]
-
-
 def _pass(name: str, seconds: float, *, kept: bool = False) -> Taken:
     return Taken(name, "program", 64, 64, seconds, kept)
 
@@ -113,15 +103,6 @@ def test_passes_of_a_kind_are_one_and_bars_of_the_same_figures_the_same_picture(
         picture = np.asarray(Image.open(io.BytesIO(made)).convert("RGB"))
         assert picture.shape[1] > 700
         assert (picture == (0x1F, 0x3A, 0x73)).all(axis=-1).mean() > 0.05, "no bar is to be seen"
-
-
-def test_figures_go_to_their_place_in_the_docs() -> None:
-    text = "a\n<!-- bench: one -->\nold\n<!-- end -->\nb\n<!-- bench: two -->\n<!-- end -->\n"
-    filled = document.fill(text, "one", "new \\1")
-    assert filled == "a\n<!-- bench: one -->\nnew \\1\n<!-- end -->\nb\n<!-- bench: two -->\n<!-- end -->\n"
-    assert document.fill(filled, "one", "old") == text
-    with pytest.raises(RuntimeError, match="0 places for the figures of three"):
-        document.fill(text, "three", "")
 
 
 def test_a_run_is_written_into_the_docs(tmp_path: Path) -> None:

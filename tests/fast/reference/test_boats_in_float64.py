@@ -5,19 +5,15 @@ import math
 import numpy as np
 import pytest
 
-from seafoam.effects.boats import boat as effect
 from seafoam.effects.foam.wake_foam import wake_limit
 from seafoam.ocean.waves.wakes import Wake
-from seafoam.planner import make_plan
-from seafoam.quality import TIERS
 from seafoam.reference.boats import floating
 from seafoam.reference.boats import wake as wakes_of
 from seafoam.reference.boats.form import FORMS
 from seafoam.scene.boats import Boat
 from seafoam.scene.foam import Foam, WakeSaturation
 from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset
-from support.scenes.fleet import BOATS, WAKES, around
+from support.scenes.fleet import WAKES, around
 
 
 def test_smoothing_is_the_mean_over_a_disc() -> None:
@@ -61,33 +57,9 @@ def test_a_wake_is_kelvins() -> None:
     assert (outside == 0.0).all()
 
 
-def test_no_plan_blends_the_surface() -> None:
-    for name in ("lake-choppy", "storm", "boat-race", "boat-in-storm"):
-        for tier in TIERS.values():
-            plan = make_plan(load_preset(name).scene, tier)
-            for one in plan.passes:
-                if one.name in ("surface", "sky"):
-                    assert one.state.blend == "none"
-                    assert one.state.depth
-
-
-def test_boats_bring_nothing_to_a_scene_without_them() -> None:
-    plan = make_plan(load_preset("default").scene, TIERS["standard"]).canonical_json().decode()
-    assert "u_boat" not in plan
-    assert "boats/hull.glsl@hull" not in plan
-    assert "wake" not in plan
-    assert "mirror_" not in plan
-
-
 def test_a_wider_boat_than_its_circle_is_refused() -> None:
     with pytest.raises(ValueError, match="radius"):
         Boat(length=20.0, radius=10.0)
-
-
-def test_the_pose_is_as_small_as_the_fleet() -> None:
-    plan = make_plan(Scene(boats=BOATS), TIERS["standard"])
-    assert plan.targets["boat_pose"].size.width == len(BOATS)  # type: ignore[union-attr]
-    assert effect.EFFECT.parameters
 
 
 def test_white_water_lies_along_a_moving_hull_alone() -> None:

@@ -80,38 +80,3 @@ def test_six_octaves_only_resolve_grey() -> None:
         assert np.array_equal(np.sort((y * size + x).ravel()), np.arange(count))
     grey = (left > 0) & (left < ramp)
     assert grey.mean() < 0.02
-
-
-def test_on_approach_whole_foam_stays_whole_and_clear_water_clear(lace: Assets) -> None:
-    """In the limit at a place: more octaves change grey alone."""
-    u, v = places(5)
-    points = looked.MaskPoints(u, v, np.zeros((u.size, 2)), np.zeros((u.size, 2)))
-    for s in (0.1, 0.4, 0.8):
-        far = np.full(u.size, s)
-        for octaves in (2, 3, 4):
-            near = looked.coverage(Foam(octaves=octaves), lace, np.full(u.size, s), points, filtering=False)
-            np.testing.assert_array_equal(near[far == 1.0], 1.0)
-            np.testing.assert_array_equal(near[far == 0.0], 0.0)
-            far = near
-        assert ((far == 0.0) | (far == 1.0)).mean() > 0.75
-
-
-@pytest.mark.parametrize("s", [0.1, 0.4, 0.8])
-def test_a_flight_toward_the_water_does_not_pop(lace: Assets, s: float) -> None:
-    """One millimetre of ten metres changes no place by more than an edge does; a metre, the mean by nothing."""
-    at = places(7)
-    for texels in 2.0 ** np.arange(-6.0, 9.0, 2.1):
-        before = amount(lace, s, texels, 4, at)
-        moved = amount(lace, s, texels * (1.0 - 1e-4), 4, at)
-        assert np.abs(moved - before).max() <= 0.02
-        nearer = amount(lace, s, texels * 0.9, 4, at)
-        assert nearer.mean() == pytest.approx(before.mean(), abs=0.003)
-
-
-@pytest.mark.parametrize("texels", [0.05, 0.5, 4.0])
-def test_a_flight_along_the_water_does_not_pop(lace: Assets, texels: float) -> None:
-    """A thousandth of a pixel aside changes a pixel by little; the finest octave shown has 64 texels in it."""
-    at = places(9)
-    before = amount(lace, 0.4, texels, 4, at)
-    moved = amount(lace, 0.4, texels, 4, at + np.array([[1e-3], [0.0]]) * texels / 512.0)
-    assert np.abs(moved - before).max() <= 0.03

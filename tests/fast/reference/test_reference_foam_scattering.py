@@ -23,13 +23,6 @@ def test_a_thick_smooth_layer_without_a_lobe_is_matt_foam() -> None:
     np.testing.assert_allclose(got, opacity[:, None] * light.foam(air, 0.9, UP), rtol=1e-12)
 
 
-def test_no_foam_is_no_layer() -> None:
-    d = unit(np.array([[1.0, -0.2, 0.0]]))
-    got, opacity = foam_layer(light.air(Light()), FoamScattering(), 0.9, UP, d, np.zeros(1))
-    np.testing.assert_array_equal(got, 0.0)
-    np.testing.assert_array_equal(opacity, 0.0)
-
-
 @pytest.mark.parametrize("slope", [0.2, 0.7, 1.5])
 def test_lumps_have_the_mean_cosine_of_gaussian_slopes(slope: float) -> None:
     """Mean of max(c + s g, 0) over a Gaussian g; the closed form is within 0.071 s of it."""

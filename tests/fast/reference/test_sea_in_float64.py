@@ -9,8 +9,6 @@ import pytest
 
 from seafoam.ocean.basics import spectrum as sea_spectrum
 from seafoam.ocean.waves import cascades as sea_tiles
-from seafoam.planner import make_plan
-from seafoam.quality import TIERS
 from seafoam.reference.waves import sea as truth
 from seafoam.scene.foam import Foam, WhitecapSaturation
 from seafoam.scene.models import Scene
@@ -125,16 +123,6 @@ def test_shallow_water_lowers_and_shortens_the_sea() -> None:
     assert np.abs(numeric / group - 1.0).max() <= 5e-3
     assert (factor <= 1.0).all()
     assert (np.diff(factor) >= -1e-12).all()
-
-
-def test_a_scene_without_a_sea_has_none_of_its_code() -> None:
-    for quality in TIERS.values():
-        for scene in (load_preset("default").scene, Scene(sea=Sea(wind=0.0))):
-            plan = make_plan(scene, quality)
-            text = "".join(program.fragment.text + program.vertex.text for program in plan.programs.values())
-            for word in ("sea_", "u_fft", "fold_", "gerstner"):
-                assert word not in text
-            assert not any("sea" in name or "age" in name for name in (*plan.targets, *plan.textures))
 
 
 @pytest.mark.parametrize("model_name", ["fft", "gerstner"])

@@ -4,12 +4,8 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 from pydantic import ValidationError
 
-from seafoam.ocean.basics.dispersion import angular_frequency, wavenumber, wavevector
-from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.waves.ripples import TILES, TURN, WAVES_PER_TILE, ripple_cascades, tiles
 from seafoam.scene.base import non_defaults
 from seafoam.scene.foam import Foam, HeightSaturation, SlopeSaturation
@@ -17,7 +13,6 @@ from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 from seafoam.scene.water import Ripples, Water
-from seafoam.scene.waves import ParametricWave
 
 
 @pytest.mark.parametrize(
@@ -62,22 +57,6 @@ def test_presets_have_words_and_a_size() -> None:
         assert preset.title
         assert preset.summary.endswith(".")
         assert min(preset.size) >= 16
-
-
-@given(deep=st.floats(1e-3, 200.0), depth=st.floats(0.05, 11000.0))
-def test_dispersion_relation_holds(deep: float, depth: float) -> None:
-    k = wavenumber(deep, depth)
-    assert k >= deep * (1.0 - 1e-12)
-    assert math.isclose(k * math.tanh(k * depth), deep, rel_tol=1e-12)
-
-
-def test_waves_keep_their_frequency_over_a_floor() -> None:
-    wave = ParametricWave(wavelength=20.0, direction=0.3)
-    assert math.isclose(angular_frequency(wave), math.sqrt(GRAVITY * 2 * math.pi / 20.0))
-    deep, shallow = wavevector(wave, None), wavevector(wave, 1.0)
-    assert math.hypot(*shallow) > math.hypot(*deep)
-    assert math.isclose(math.atan2(shallow[1], shallow[0]), 0.3)
-    assert math.isclose(angular_frequency(ParametricWave(wavelength=20.0, speed=3.0)), 3.0 * 2 * math.pi / 20.0)
 
 
 def test_ripples_tile_and_have_the_slope_asked_for() -> None:

@@ -16,10 +16,7 @@ from numpy.typing import NDArray
 from pydantic import BaseModel
 
 from seafoam.effects.light.light import sky_irradiance, sun_irradiance
-from seafoam.ocean.basics.dispersion import angular_frequency
-from seafoam.ocean.waves.cascades import cascades
-from seafoam.ocean.waves.rings import trains
-from seafoam.ocean.waves.ripples import TILES, ripple_cascades
+from seafoam.ocean.waves.ripples import TILES
 from seafoam.quality import TIERS, Quality
 from seafoam.render.gl.executor import Executor
 from support import sweep
@@ -241,45 +238,11 @@ def test_any_sea_is_finite_and_no_brighter_than_its_light(executor: Executor, se
         is_sound(executor, scene, quality, camera, time)
 
 
-def fastest(scene: Scene) -> float:
-    """Greatest angular frequency of the scene, rad/s."""
-    found = [angular_frequency(wave) for wave in scene.waves] + [train.omega for train in trains(scene)]
-    if scene.water.ripples is not None:
-        found += [wave.omega for cascade in ripple_cascades(scene.water.ripples) for wave in cascade]
-    return max(found, default=0.0)
-
-
 def alike(report: Report, what: str, one: Pixels, other: Pixels, mean: float = 0.5, over_2: float = math.inf) -> None:
     """Two pictures are so near: their mean difference in levels, and the share of pixels that are off by over 2."""
     off = levels(one, other)
     title = "Properties of any scene, 32 × 18, levels"
     report.within(title, property=what, mean=(off.mean(), mean), over_2=((off > 2.0).mean(), over_2))
-
-
-@pytest.mark.parametrize("seed", sweep.spread(range(15), 3))
-def test_a_small_step_of_time_changes_the_picture_a_little(executor: Executor, report: Report, seed: int) -> None:
-    r = Random(seed)
-    scene, time = seen(r), TIMES(r)
-    step = max(1e-6, 8.0 * math.ulp(time))
-    turned = fastest(scene) * step + 2.0 * math.ulp(fastest(scene) * abs(time))
-    camera = view(r, scene)
-    now, then = (
-        samples(executor, scene, QUALITIES["standard"], camera, time=at, size=SIZE) for at in (time, time + step)
-    )
-    alike(report, "a small step of time", now, then, 0.5 + 255.0 * 20.0 * turned)
-
-
-@pytest.mark.parametrize("seed", sweep.spread(range(6), 3))
-def test_a_small_step_of_time_changes_the_sea_a_little(executor: Executor, report: Report, seed: int) -> None:
-    r = Random(seed)
-    sea = SEAS(r).model_copy(update={"wind": spread(1.0, 60.0)(r)})
-    scene, time = Scene(sea=sea, light=Light()), TIMES(r)
-    camera = Camera(position=(r.uniform(-1e7, 1e7), 150.0, 0.0), pitch=-0.5)
-    step = max(1e-6, 8.0 * math.ulp(time))
-    quickest = max(float(tile.turns.max()) for tile in cascades(sea, None)) * 2.0 * math.pi / 2048.0
-    now, then = (samples(executor, scene, SEA_QUALITIES[1], camera, time=at, size=SIZE) for at in (time, time + step))
-    # float32 holds the fine part of the loop, under 2 s, to 1.2e-7 s.
-    alike(report, "a small step of time, open sea", now, then, 0.5 + 255.0 * 20.0 * quickest * (step + 2.4e-7))
 
 
 def still(scene: Scene, tile: float, share: int) -> Scene:
@@ -309,16 +272,3 @@ def test_a_shift_by_whole_tiles_changes_nothing(executor: Executor, report: Repo
     cameras = [camera.model_copy(update={"position": at}) for at in ((x, y, z), (x + away[0], y, z + away[1]))]
     here, there = (samples(executor, scene, quality, one, time=time, size=SIZE) for one in cameras)
     alike(report, "a shift by whole tiles", here, there, over_2=0.01)
-
-
-@pytest.mark.parametrize("seed", sweep.spread(range(12), 3))
-def test_the_order_of_waves_changes_nothing(executor: Executor, report: Report, seed: int) -> None:
-    r = Random(seed)
-    scene, time = seen(r), TIMES(r)
-    waves = [WAVES(r) for _ in range(r.randint(2, 5))]
-    scene = scene.model_copy(update={"waves": tuple(waves)})
-    camera = view(r, scene)
-    r.shuffle(waves)
-    both = scene, scene.model_copy(update={"waves": tuple(waves)})
-    one, other = (samples(executor, each, QUALITIES["standard"], camera, time=time, size=SIZE) for each in both)
-    alike(report, "another order of waves", one, other)

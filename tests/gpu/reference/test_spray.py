@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from seafoam.effects.spray.births import fastest_rise
 from seafoam.effects.spray.spray import contribute
 from seafoam.ocean.coast.rocks import ROCKS, rocks
 from seafoam.ocean.foam.spray import BATCHES, cell_sides, fold_limits
@@ -322,19 +321,6 @@ def test_gales_tear_spindrift_from_crests(executor: Executor) -> None:
     tau, weight = flying.falls(drop.DRIFT * one, 0.8 * one)
     late = flying.speed(np.zeros((1, 3)), 2.0 * one, tau, weight, (14.0, 0.0))
     assert late[0, 0] >= 0.9 * 14.0
-
-
-def test_fronts_throw_drops_where_water_rises_fast() -> None:
-    assert SCENE.spray is not None
-    drops = thrown(SCENE, 40.0, (0.0, 0.0), np.array([0.0, -1.0]), None)
-    assert drops is not None
-    assert drops.age.size > 100
-    for i in range(0, drops.age.size, 50):
-        x, z = drops.birth[i : i + 1, 0], drops.birth[i : i + 1, 2]
-        heights = [wave_set(SCENE, 40.0 - float(drops.age[i]) + e, (0.0, 0.0)).height(x, z)[0] for e in (-1e-4, 1e-4)]
-        assert (heights[1] - heights[0]) / 2e-4 > SCENE.spray.threshold
-    assert fastest_rise(SCENE) < 10.0
-    assert contribute(SCENE.model_copy(update={"spray": Spray(threshold=10.0)}), TIERS["standard"]).bound is not None  # type: ignore[union-attr]
 
 
 def test_no_drop_is_left_at_rest(executor: Executor, report: Report) -> None:

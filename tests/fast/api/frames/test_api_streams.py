@@ -11,7 +11,7 @@ import pytest
 from httpx2 import Response
 from starlette.testclient import TestClient
 
-from seafoam.api.frames.streams import FRAMES_AT_ONCE, LEASE_SECONDS, Stream, Streams, is_frame
+from seafoam.api.frames.streams import FRAMES_AT_ONCE, LEASE_SECONDS, Stream, Streams
 from seafoam.api.settings import Settings
 from seafoam.quality import TIERS
 from seafoam.render.service.errors import DeadlineError
@@ -403,10 +403,3 @@ def test_a_key_is_asked_for_and_a_page_of_a_listed_origin_may_change_its_stream(
     client = answering(cors_origins="https://example.org")
     asked = {"Origin": "https://example.org", "Access-Control-Request-Method": "PUT"}
     assert client.options("/api/streams/x", headers=asked).status_code == 200
-
-
-def test_which_paths_are_frames_of_streams() -> None:
-    frames = {"/api/streams/Zk1u-_/frame.webp", "/api/streams/Zk1u/frame.webp?time=1"}
-    others = {"/api/streams", "/api/streams/Zk1u", "/api/streams/frame.webp", "/api/frames/default.png"}
-    others |= {"/signed/x/api/streams/Zk1u/frame.webp"}
-    assert {path for path in frames | others if is_frame(path)} == frames

@@ -117,14 +117,6 @@ def test_flow_equals_float64_right_into_the_centre(probe: Probe) -> None:
     assert np.abs(got - want).max() < 2e-6
 
 
-def test_a_vortex_is_fastest_at_its_radius_and_ends_at_six() -> None:
-    square = np.linspace(0.0, 50.0, 200_001)
-    speed = np.sqrt(square) * truth.angular_velocity(square, 1.0, 1.0)
-    assert abs(math.sqrt(square[np.argmax(speed)]) - 1.0) < 1e-3
-    assert abs(speed.max() - 1.0) < 1e-8
-    assert (speed[square >= 36.0] == 0.0).all()
-
-
 @pytest.mark.parametrize("speed", [1.2, -0.6])
 def test_error_by_step_around_an_analytic_vortex(probe: Probe, report: Report, speed: float) -> None:
     """Water circles a vortex: after a time T it has turned by Ω(r) T, which is the truth. Fourth order in the step."""
@@ -151,13 +143,6 @@ def test_error_by_step_around_an_analytic_vortex(probe: Probe, report: Report, s
         error=(errors[-1], 5e-4),
         references_own_step=(np.abs(own - want).max(), 2e-4),
     )
-
-
-def test_patches_equal_float64(probe: Probe) -> None:
-    at = places(20_000, 60.0)
-    for generation in (0, 7, 1023):
-        got = shader(probe, SCENE, f"y.x = drift_patch({generation}u, x.xy);", at)[:, 0]
-        assert np.abs(got - truth.patch(SOURCE, generation, *at.T)).max() < 2e-4
 
 
 @pytest.mark.parametrize("coverage", [0.05, 0.3, 0.6, 0.9])
@@ -247,15 +232,6 @@ def test_backward_is_one_everywhere_where_forward_gaps_and_piles(executor: Execu
     )
     assert empty > 0.02
     assert twice > 0.005
-
-
-def test_forward_foam_sticks_below_half_a_cell_a_step(executor: Executor) -> None:
-    """Half a cell is 0.16 m here: 0.2 m/s in steps of 0.5 s leads nowhere, and what came up is still there."""
-    slow = drifting(current=(0.2, 0.0))
-    for way, sticks in (("forward", True), ("backward", False)):
-        quality = STANDARD.model_copy(update={"drift": way, "drift_size": 128, "drift_step": 0.5})
-        moved, still = (drawn(executor, scene, quality, 33.0) for scene in (slow, STILL))
-        assert np.array_equal(moved, still) is sticks
 
 
 def test_nothing_jumps_when_a_generation_comes_up(probe: Probe) -> None:

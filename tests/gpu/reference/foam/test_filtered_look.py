@@ -10,10 +10,9 @@ from scipy import ndimage
 
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from support.pictures import colours, linear, rms
+from support.pictures import linear, rms
 from support.report import Report
 from support.scenes import Camera, Foam, HeightSaturation, Look, Scene, load_preset
-from support.sweep import spread
 
 TILE = 5.12
 """512 texels of 1 cm."""
@@ -75,12 +74,6 @@ def test_mean_coverage_is_the_saturation(
     assert max(errors) <= bound
 
 
-@pytest.mark.parametrize("texels_a_pixel", [0.01, 0.3, 0.7, 1.0, 2.0, 8.0, 100.0])
-def test_none_at_0_and_all_at_1(executor: Executor, texels_a_pixel: float) -> None:
-    assert (coverage(executor, 0.0, texels_a_pixel, 128) == 0.0).all()
-    assert (coverage(executor, 1.0, texels_a_pixel, 128) == 1.0).all()
-
-
 SCALES = {0.5: 1.5, 1.0: 2.5, 1.5: 2.5, 2.0: 2.5, 3.0: 2.0, 4.0: 2.0, 6.0: 1.0, 8.0: 1.0}
 """Texels a pixel, and how often the error of halftone at 16 samples the filtered look may have at one."""
 
@@ -138,35 +131,6 @@ def test_up_close_no_edge_is_square(executor: Executor, report: Report, mask: st
     assert axis_aligned_share(square) > 0.8
     title = "Edges along the texel grid, 48 pixels a texel (1/15 = no preference)"
     report.within(title, mask=mask, halftone=axis_aligned_share(square), filtered=(axis_aligned_share(smooth), 0.2))
-
-
-def shimmer(executor: Executor, look: Look) -> float:
-    """How much more a far pixel changes at one sample than at 64 while the camera turns a third of a pixel; levels.
-
-    Time is frozen. Rows from the horizon to 8 degrees below it.
-    """
-    preset = load_preset("paper-halftone")
-    scene = preset.scene.model_copy(update={"foam": preset.scene.foam.model_copy(update={"look": look})})
-    size, eye = (320, 180), scene.camera
-    turned = [eye.model_copy(update={"yaw": eye.yaw + turn * eye.fov / size[1] / 3.0}) for turn in range(4)]
-    changes = []
-    for samples in (1, 64):
-        quality = TIERS["standard"].model_copy(update={"samples": samples})
-        frames = [colours(linear(executor, scene, quality, camera, time=preset.time, size=size)) for camera in turned]
-        changes.append(np.diff(np.stack(frames), axis=0))
-    up = np.tan(eye.fov / 2) * (1.0 - 2.0 * (np.arange(size[1]) + 0.5) / size[1])
-    depression = -(eye.pitch + np.arctan(up))
-    far = (depression > 0.0) & (depression < math.radians(8.0))
-    return float(np.abs(changes[0] - changes[1])[:, far].mean() * 255.0)
-
-
-def test_the_horizon_does_not_shimmer(executor: Executor, report: Report) -> None:
-    measured = {look: shimmer(executor, look) for look in ("halftone", "filtered")}
-    report.add(
-        "Shimmer within 8° of the horizon: change a frame beyond that of 64 samples, levels of linear light",
-        **{look: f"{value:.2f}" for look, value in measured.items()},
-    )
-    assert measured["filtered"] <= 0.5 * measured["halftone"]
 
 
 def lace(saturation: float, octaves: int) -> Scene:
@@ -240,22 +204,3 @@ def preset_amounts(executor: Executor, name: str, look: Look, samples: int, part
     quality = TIERS["standard"].model_copy(update={"samples": samples})
     drawn = linear(executor, scene, quality, time=2.7, size=(96 * parts, 54 * parts))[..., 3]
     return drawn.astype(np.float64).reshape(54, parts, 96, parts).mean(axis=(1, 3))
-
-
-HELD = ("swell", "boat-race", "drift-vortices", "murky-estuary")
-"""Presets beside those of the paper in which the filtered look has no more error once than halftone at 16 samples."""
-
-
-@pytest.mark.parametrize("name", spread(HELD, 2))
-def test_filtered_once_against_halftone_sixteen_times_in_presets(executor: Executor, report: Report, name: str) -> None:
-    """Root mean square error of coverage, each look against 256 samples a pixel."""
-    errors = {}
-    for look, samples in (("halftone", 16), ("filtered", 1)):
-        limit = preset_amounts(executor, name, look, 16, 4)
-        errors[look] = rms(preset_amounts(executor, name, look, samples) - limit)
-    report.add(
-        "Coverage in presets: filtered once and halftone 16 times, each against its own limit",
-        preset=name,
-        **{look: f"{error:.4f}" for look, error in errors.items()},
-    )
-    assert errors["filtered"] <= errors["halftone"]

@@ -13,8 +13,6 @@ from seafoam.quality import TIERS
 from seafoam.reference import render
 from seafoam.reference.foam import aging
 from seafoam.reference.foam.front import STILL, decaying_front
-from seafoam.reference.renderer.relief import Relief
-from seafoam.reference.shore.shore import Coast
 from seafoam.reference.types import SurfacePoints
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.render.gl.executor import Executor
@@ -30,8 +28,6 @@ from support.scenes import (
     Light,
     ParametricWave,
     Scene,
-    Shore,
-    SurfSaturation,
     load_preset,
 )
 
@@ -230,27 +226,6 @@ def test_a_footprint_sees_the_mean_of_what_fronts_left(executor: Executor) -> No
     off = off - render(scene, time=4.0, width=48, height=27, samples=8, mode="converged").alpha
     assert abs(off.mean()) < 0.01
     assert rms(off) < 0.06
-
-
-def test_the_swash_leaves_a_line() -> None:
-    """Foam lies on what the swash swept, most where it turned, none beyond, and thins until the next wave."""
-    shore = Shore(size=160.0, depth=6.0, slope=0.1, smoothing=3.0)
-    source = SurfSaturation(line=1.0)
-    x, z = np.random.default_rng(2).uniform(-70.0, 70.0, (2, 40_000))
-    means = []
-    for time in np.arange(0.0, shore.surf.period, 0.5):
-        coast = Coast(shore, float(time), (0.0, 0.0), Relief(()))
-        q_x, q_z = coast.place(x, z)
-        ground = coast.ground(q_x, q_z)[0]
-        wave = coast.field.value(q_x, q_z)[:, 1]
-        dry = ground > 0.0
-        f = coast.swash_foam(source, x[dry], z[dry], ground[dry], None)
-        beyond = ground[dry] > 1.06 * np.maximum(wave[dry], 1e-3)
-        assert (f[beyond] == 0.0).all()
-        reach = ground[dry] / np.maximum(wave[dry], 1e-3)
-        means.append((f[np.abs(reach - 0.9) < 0.05].mean(), f[np.abs(reach - 0.5) < 0.05].mean()))
-    line, swept = np.array(means).T
-    assert line.mean() > swept.mean() > 0.01
 
 
 def test_whole_foam_has_no_relief(executor: Executor) -> None:

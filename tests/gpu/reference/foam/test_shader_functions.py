@@ -83,20 +83,6 @@ def test_front_equals_its_float64_form(probe: Probe, constants: str, intensity: 
     assert away.max() <= TOLERANCE
 
 
-@pytest.mark.parametrize("constants", ["text", "listing"])
-def test_front_is_the_papers_formula(probe: Probe, constants: str) -> None:
-    """The literal exp(−tan(θ/2 + δ))/C, on both sides of its pole."""
-    delta, base = CONSTANTS[constants]
-    pole = math.pi - 2.0 * delta
-    theta = np.concatenate([np.linspace(pole + 0.05, pole + 6.2, 2000), pole + np.geomspace(1e-3, 0.05, 100)])
-    wrapped = np.arctan2(np.sin(theta + 2 * delta - math.pi), np.cos(theta + 2 * delta - math.pi)).astype(np.float32)
-    body, given = "y.x = front_profile(vec2(cos(x.x), sin(x.x)), 1.0);", front_of(4.0, base) | {"textures": {}}
-    got = probe((NUMBERS, *PHASE), body, wrapped[:, None], **given)[:, 0]
-    exact = wrapped.astype(np.float64) + math.pi - 2 * delta
-    literal = np.minimum(base ** np.clip(-np.tan(exact / 2 + delta), -700, 700) / 4.0, 4.0)
-    assert np.abs(got - literal).max() <= TOLERANCE
-
-
 @pytest.mark.parametrize("intensity", [0.5, 4.0, 30.0])
 def test_filtered_front_equals_its_float64_form(probe: Probe, intensity: float) -> None:
     widths = np.array([1e-4, 3e-3, 0.05, 0.1, 0.3, 1.0, 3.0, 6.28, 6.3, 20.0, 1000.0])

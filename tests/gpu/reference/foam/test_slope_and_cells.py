@@ -6,13 +6,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from seafoam.effects.foam.look import CELLS
 from seafoam.effects.waves import parametric
 from seafoam.framegraph.evaluation import FrameState, evaluate
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference import render as reference
-from seafoam.reference.foam.cells import corners
 from seafoam.reference.renderer.sources import slope_saturation
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.render.gl.executor import Executor
@@ -120,21 +118,6 @@ def test_foam_in_cells_covers_what_the_saturation_says(executor: Executor, heigh
         assert abs(float(cover.mean()) - share) < 0.015
         if share in (0.0, 1.0):
             assert (cover == share).all()
-
-
-def test_weights_of_cells_add_up_and_reach_nothing_at_their_rim() -> None:
-    rng = np.random.default_rng(1)
-    u, v = rng.uniform(-5000.0, 5000.0, (2, 4000))
-    found = corners(u, v, True)
-    assert np.allclose(sum(corner.weight for corner in found), 1.0)
-    beside = corners(u + 1e-9, v, True)
-    # A place between two triangles has the same cells from both sides: no step.
-    for field in ("u", "v"):
-        mean = [sum(c.weight * np.cos(2.0 * math.pi * getattr(c, field)) for c in part) for part in (found, beside)]
-        assert float(np.abs(mean[0] - mean[1]).max()) < 1e-5
-    again = corners(u + CELLS, v, True)
-    for a, b in zip(found, again, strict=True):
-        np.testing.assert_allclose(a.u, b.u, atol=1e-8)
 
 
 @pytest.mark.parametrize("look", ["filtered", "halftone", "textured"])

@@ -1,7 +1,5 @@
 """Server frames against the float64 truth in ``tests/references``."""
 
-import math
-
 import numpy as np
 import pytest
 
@@ -13,7 +11,7 @@ from support.exact import UNFILTERED
 from support.parity import HARD, REFERENCES, mean_of, parity
 from support.pictures import linear, rms, rmse, samples
 from support.report import Report
-from support.scenes import Camera, Foam, HeightSaturation, Scene, load_preset, preset_names
+from support.scenes import load_preset, preset_names
 from support.sweep import crossed
 
 
@@ -96,31 +94,3 @@ def test_filtered_once_is_halftone_sixteen_times_over_waves(executor: Executor, 
         **{name: f"{error:.4f}" for name, error in errors.items()},
     )
     assert errors["filtered_coverage"] <= errors["halftone_coverage"]
-
-
-VIEWS = {
-    "straight down from 4 m": Camera(position=(0.3, 4.0, 0.2), pitch=-math.pi / 2, fov=0.9),
-    "straight down from 30 m": Camera(position=(0.3, 30.0, 0.2), pitch=-math.pi / 2, fov=0.9),
-    "along it from 3 m": Camera(position=(0.3, 3.0, 0.2), pitch=-0.2),
-}
-"""Pixels of three texels of the mask or more; nearer, filtered has more than twice the error (docs/accuracy.md)."""
-
-
-@pytest.mark.parametrize("view", VIEWS)
-@pytest.mark.parametrize("base", [-1.0, -0.2])
-def test_filtered_once_is_halftone_sixteen_times(executor: Executor, report: Report, view: str, base: float) -> None:
-    """Foam on level water, a half and a sixth of it covered: what is left is the mask's own error."""
-    errors = {}
-    for look, count in (("halftone", 1), ("halftone", 16), ("filtered", 1)):
-        foam = Foam(saturation=(HeightSaturation(base=base, full=1.0),), look=look, mask="vac-1.5")
-        scene = Scene(foam=foam, camera=VIEWS[view])
-        truth = render(scene, time=0.0, width=96, height=54, samples=12, mode="converged")
-        drawn = linear(executor, scene, TIERS["standard"].model_copy(update={"samples": count}), size=(96, 54))
-        errors[f"{look}_{count}"] = rms(drawn[..., 3] - truth.alpha)
-    report.add(
-        "Coverage of level water against 144 samples, each look against its own limit, 96 × 54",
-        view=view,
-        saturation=f"{-base / (1.0 - base):.2f}",
-        **{name: f"{error:.4f}" for name, error in errors.items()},
-    )
-    assert errors["filtered_1"] <= errors["halftone_16"]

@@ -12,7 +12,6 @@ from seafoam.ocean.constants import WATER_INDEX
 from seafoam.ocean.waves.ripples import REPEATING_TILES
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
-from seafoam.reference.light.light import air
 from seafoam.reference.water import seafloor
 from seafoam.render.gl.executor import Executor
 from support.pictures import draw_target
@@ -98,11 +97,6 @@ def test_the_trace_itself_converges() -> None:
     assert errors[0] > 5.0 * errors[1] > 25.0 * errors[2]
 
 
-def test_level_water_spreads_light_evenly() -> None:
-    calm = POOL.model_copy(update={"water": POOL.water.model_copy(update={"ripples": Ripples(slope=0.0)})})
-    assert np.abs(seafloor.photon_map(calm, 0.0, 64, 128) - 1.0).max() <= 1e-9
-
-
 def test_rays_bend_by_snells_law() -> None:
     rng = np.random.default_rng(5)
     d, n = (v / np.linalg.norm(v, axis=1)[:, None] for v in rng.normal(size=(2, 4000, 3)))
@@ -110,16 +104,6 @@ def test_rays_bend_by_snells_law() -> None:
     r = seafloor.refracted(d, n)
     assert np.abs(np.linalg.norm(r, axis=1) - 1.0).max() <= 1e-12
     assert np.abs(np.cross(d, n) - WATER_INDEX * np.cross(r, n)).max() <= 1e-12
-
-
-def test_a_ray_lands_where_its_slope_sends_it() -> None:
-    """Small slopes under a sun at the zenith: beside its entrance by depth × slope × (1 − 1/index), uphill."""
-    zenith = air(Light(sun_elevation=math.pi / 2))
-    slope = np.array([1e-4])
-    x, z, share = seafloor.landing(zenith, 3.0, slope, np.zeros(1), WATER_INDEX)
-    assert x[0] == pytest.approx(3.0 * 1e-4 * (1.0 - 1.0 / WATER_INDEX), rel=1e-6)
-    assert abs(z[0]) <= 1e-12
-    assert share[0] == pytest.approx(1.0)
 
 
 def parted(dispersion: float) -> Scene:

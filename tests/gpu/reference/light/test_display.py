@@ -61,11 +61,6 @@ def test_glare_keeps_the_light() -> None:
     assert all(2.0 < fall < 9.0 for fall in falls), falls
 
 
-def test_glare_of_even_light_is_that_light() -> None:
-    frame = np.full((90, 160, 3), 0.7)
-    np.testing.assert_allclose(glare.spread(frame, 0.5), frame, rtol=1e-12)
-
-
 def test_linear_frames_are_without_glare(executor: Executor) -> None:
     plain, _ = both(executor, scene(), (96, 54))
     spread, _ = both(executor, scene(glare=0.4), (96, 54))

@@ -1,14 +1,11 @@
 """The planar mirror, of boats and of land, against float64 rays from the water."""
 
-from itertools import pairwise
-
-import numpy as np
 import pytest
 
 from seafoam.reference import render
 from seafoam.render.gl.executor import Executor
 from support.exact import EXACT
-from support.pictures import colours, rmse, samples
+from support.pictures import rmse, samples
 from support.report import Report
 from support.scenes import Boat, Camera, Clouds, Light, ParametricWave, Ripples, Scene, Shore, Sky, Surf, Water
 
@@ -83,29 +80,3 @@ def test_what_stands_by_the_water_is_in_the_mirror(
         sky_alone=sky,
     )
     assert sky >= better * by_map
-
-
-def test_the_map_nears_the_traced_mirror_as_it_grows(executor: Executor, report: Report) -> None:
-    """Still water and boats: the map against rays from the water in float64."""
-    truth = colours(render(BOATS, time=0.0, width=160, height=90).rgb)
-
-    def off(scene: Scene, **parameters: object) -> float:
-        drawn = samples(executor, scene, EXACT.model_copy(update=parameters), size=(160, 90))
-        return 255.0 * float(np.abs(colours(drawn) - truth).mean())
-
-    sizes = (64, 128, 256, 512, 1024)
-    errors = [off(BOATS, reflection="map", reflection_size=size) for size in sizes]
-    without = off(BOATS.model_copy(update={"light": BOATS.light.model_copy(update={"reflection": "sky"})}))
-    order = -np.polyfit(np.log2(sizes), np.log2(errors), 1)[0]
-    assert without > 1.0
-    report.within(
-        "Planar mirror against a float64 ray trace, still water, 160 × 90, mean error in levels, 64 to 1024 texels",
-        by_size=" ".join(f"{error:.3f}" for error in errors),
-        order=order,
-        finest=(errors[-1], 0.1 * without),
-        traced=(off(BOATS), 0.05),
-    )
-    # Edges of boats are a texel wide: order 1.
-    assert order > 0.6
-    assert all(b < a for a, b in pairwise(errors[::2]))
-    assert all(b < a for a, b in pairwise(errors[1::2]))

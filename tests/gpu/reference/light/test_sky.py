@@ -170,19 +170,6 @@ def test_a_cube_s_faces_meet_without_a_seam(probe: Probe, size: int) -> None:
     assert np.abs(values[0] - values[1]).max() <= 2e-5
 
 
-def test_a_cube_converges_with_its_size(probe: Probe, report: Report) -> None:
-    d = directions(5000)
-    want = np.column_stack((d[:, 0] * d[:, 1], d[:, 2], np.sin(3.0 * d[:, 0] + d[:, 2])))
-    errors = [rms(cube(probe, size, d) - want) for size in (16, 32, 64, 128)]
-    orders = [math.log2(a / b) for a, b in pairwise(errors)]
-    report.add(
-        "A smooth function in a cube map, error by size 16, 32, 64, 128",
-        rmse=" ".join(f"{error:.1e}" for error in errors),
-        order=" ".join(f"{order:.2f}" for order in orders),
-    )
-    assert min(orders) >= 1.8
-
-
 def test_the_lake_in_the_cube_map_nears_the_truth(executor: Executor, report: Report) -> None:
     """The baked frame of ray-traced surroundings, against cube maps of rising size: hills and clouds on the water."""
     scene = load_preset("cubemap-lake").scene

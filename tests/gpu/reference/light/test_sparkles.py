@@ -15,7 +15,7 @@ from seafoam.render.gl.executor import Executor
 from support.pictures import linear
 from support.probe import Probe, stand_in
 from support.report import Report
-from support.scenes import Camera, Light, ParametricWave, Ripples, Scene, Sparkles, Water
+from support.scenes import Camera, Light, Scene, Sparkles, Water
 
 SPARKLES = Sparkles(size=0.004, rate=3.0, life=0.4, share=1.0)
 FILES = (
@@ -89,35 +89,9 @@ def test_they_swell_and_fade_without_a_jump() -> None:
     assert (course == 0.0).any(axis=0).mean() >= 0.9
 
 
-WATER = Water(ripples=Ripples(slope=0.15), roughness=0.17)
 SUNSET = Light(sun_elevation=0.15, sun_azimuth=-math.pi / 2, visibility=1e6)
 VIEW = Camera(position=(0.0, 6.0, 0.0), pitch=-0.1, fov=0.12)
 FEW = Sparkles(size=0.001, rate=6.0, life=0.3, share=1.0)
-
-
-def water_light(
-    executor: Executor, light: Light, size: tuple[int, int], times: NDArray[np.float64]
-) -> NDArray[np.float64]:
-    """Mean linear light, unclipped, of each row."""
-    scene = Scene(waves=(ParametricWave(amplitude=0.2, wavelength=9.0),), water=WATER, light=light)
-    rows = [linear(executor, scene, WIDE_RANGE, VIEW, time=time, size=size) for time in times]
-    return np.mean([row[..., 1].astype(np.float64).mean(axis=1) for row in rows], axis=0)
-
-
-def test_frames_neither_gain_nor_lose_light(executor: Executor, report: Report) -> None:
-    """Far and near, at two sizes of picture: what the sun adds is what the smooth glint adds."""
-    times = 1000.0 + 0.31 * np.arange(60)
-    sparkling = SUNSET.model_copy(update={"sparkles": FEW})
-    # Without the sun's mirror: one whose highlight is nowhere.
-    none = SUNSET.model_copy(update={"specular": "blinn_phong", "specular_power": 2000.0, "specular_perturb": 0.0})
-    for size in ((160, 90), (320, 180)):
-        base = water_light(executor, none, size, times[:20])
-        glint, sparks = (water_light(executor, light, size, times) - base for light in (SUNSET, sparkling))
-        parts = [np.array([band.sum() for band in np.array_split(light, 3)]) for light in (sparks, glint)]
-        off = np.abs(parts[0] / parts[1] - 1.0)
-        title = "Sparkles' light over the glint's less 1, 60 frames"
-        bands = dict(zip(("far", "middle", "near"), ((one, 0.02) for one in off), strict=True))
-        report.within(title, size=f"{size[0]} × {size[1]}", **bands)
 
 
 def test_a_sparkle_is_as_large_in_every_picture(executor: Executor) -> None:

@@ -4,10 +4,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from seafoam.planner import make_plan
 from seafoam.reference.shore import soil as truth
 from seafoam.render.gl.executor import Executor
-from support.exact import EXACT
 from support.report import Report
 from support.scenes import Scene
 from support.scenes.coasts import SEA, SHORE, coast, floor_of, on_shore, places
@@ -29,10 +27,6 @@ class Ground:
 
 def _feet(side: float, count: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     return np.tile((side, 0.2 * side), (count, 1)), np.tile((-0.1 * side, 0.5 * side), (count, 1))
-
-
-def _text(side: float) -> str:
-    return f"Footprint fp = Footprint({side} * vec2(1.0, 0.2), {side} * vec2(-0.1, 0.5)); vec2 q = shore_place(p);"
 
 
 def _drawn(executor: Executor, scene: Scene, side: float, colour: str, name: str = "land") -> NDArray[np.float64]:
@@ -128,10 +122,3 @@ def test_no_detail_is_the_smooth_land(executor: Executor) -> None:
     colour = _drawn(executor, plain, 0.3, "vec4(soil.albedo, soil.film)")
     assert np.quantile(np.abs(colour - np.column_stack((want.albedo, want.film))), 0.99) <= 1e-3
     assert want.glints is False
-
-
-def test_a_scene_without_land_in_detail_has_no_octaves() -> None:
-    plain = SEA.model_copy(update={"shore": SHORE.model_copy(update={"detail": 0.0})})
-    for scene, there in ((SEA, True), (plain, False), (Scene(), False)):
-        text = "".join(one.fragment.text for one in make_plan(scene, EXACT).programs.values())
-        assert ("noise_slopes" in text) is there

@@ -113,15 +113,6 @@ def test_heights_and_slopes_stay_within_their_bounds() -> None:
     assert closest > 0.2
 
 
-def test_the_gradient_is_the_heights() -> None:
-    scene = Scene(rings=some_rings(0.0, (0.0, 0.0), 2))
-    x, z = points(scene, (0.0, 0.0), 5, 4000).astype(np.float64).T
-    rings, step = ring_set(scene, 0.0, (0.0, 0.0)), 1e-6
-    for (a, b), exact in zip(((step, 0.0), (0.0, step)), rings.gradient(x, z), strict=True):
-        numeric = (rings.height(x + a, z + b) - rings.height(x - a, z - b)) / (2.0 * step)
-        assert np.abs(numeric - exact).max() < 1e-6
-
-
 def test_a_hundred_rings_at_one_point(probe: Probe) -> None:
     """They add up to one a hundred times as high, at their centre and around it, and reach their bound."""
     origin = (1e7, 1e7)
@@ -225,31 +216,6 @@ def test_the_map_does_not_swim(executor: Executor) -> None:
     for name, uniform in drawn.uniforms.items():
         values = [evaluate(uniform, state) for state in states]
         assert (values[0] == values[1]).all(), name
-
-
-@pytest.mark.parametrize("origin", ORIGINS)
-def test_rings_are_still_where_the_map_leaves_them_out(probe: Probe, origin: tuple[float, float]) -> None:
-    scene = Scene(rings=some_rings(100.0, origin, 5))
-    body = (
-        "y = vec4(0.0);\nfor (int i = 0; i < RING_COUNT; ++i) {\n"
-        "    vec2 way = x.xy + u_ring_now[i].xy;\n"
-        "    vec4 ring = abs(ring_profile(way, u_ring_now[i], u_ring_shape[i]));\n"
-        "    bool here = ring_here(way, u_ring_now[i], u_ring_shape[i]);\n"
-        "    y = here ? vec4(y.x, max(y.y, ring.x), y.z + 1.0, 0.0) : vec4(max(y.x, max(ring.x, ring.w)), y.yzw);\n}"
-    )
-    got = probe.contributed(given(scene), FILES, body, points(scene, origin, 6, 20000), time=100.0, origin=origin)
-    assert got[:, 0].max() < 1e-9
-    assert got[:, 1].max() > 0.01
-    # Of the rings next to none reaches a place: that is what it is for.
-    assert got[:, 2].mean() < 0.5 * len(scene.rings)
-
-
-def test_bits_are_found_one_by_one(probe: Probe) -> None:
-    at = np.array([[float(i)] for i in range(32)], np.float32)
-    body = "uint bits = 0xffffffffu << uint(int(x.x));\ny.x = float(ring_first(bits));\ny.y = float(ring_first(0u));"
-    got = probe(("lib/numbers.glsl", "waves/rings.glsl@ring"), body, at, consts=given(Scene(rings=(Ring(),))).consts)
-    assert (got[:, 0] == np.arange(32)).all()
-    assert (got[:, 1] == 0.0).all()
 
 
 def test_more_rings_than_a_word_has_bits_are_all_in_the_map(executor: Executor) -> None:

@@ -19,10 +19,9 @@ from seafoam.reference.renderer.frame import Assets, SampleShader
 from seafoam.reference.waves import sea as truth
 from seafoam.render.gl.executor import Executor
 from support.exact import EXACT
-from support.float64.tile import summed
 from support.pictures import draw_target, linear, rms
 from support.report import Report
-from support.scenes import Camera, Foam, Scene, Sea, WhitecapSaturation, load_preset
+from support.scenes import Camera, Sea, load_preset
 from support.scenes.seas import SEAS, seen
 from support.sweep import crossed
 
@@ -170,58 +169,11 @@ def test_significant_height(executor: Executor, report: Report, wind: float, nam
     )
 
 
-@pytest.mark.parametrize("name", SEAS)
-def test_without_choppiness_nothing_folds(executor: Executor, name: str) -> None:
-    calm = tile(executor, SEAS[name].model_copy(update={"choppiness": 0.0}), 5.0)
-    assert np.abs(calm[..., 3]).max() == 0.0
-    assert np.abs(calm[..., 0]).max() > 0.1
-
-
-@pytest.mark.parametrize("name", SEAS)
-def test_a_tile_has_no_seam(executor: Executor, name: str) -> None:
-    """Across its edge a tile changes as it does inside; and its waves are the same a whole tile away."""
-    drawn = tile(executor, SEAS[name], 5.0)[..., :3].astype(np.float64)
-    for axis in (0, 1):
-        inside = np.abs(np.diff(drawn, axis=axis)).reshape(-1, 3)
-        edge = np.abs(np.take(drawn, 0, axis) - np.take(drawn, -1, axis)).reshape(-1, 3)
-        assert (edge.max(axis=0) <= inside.max(axis=0)).all()
-        assert (edge.mean(axis=0) <= 2.0 * inside.mean(axis=0)).all()
-    of = sea_tiles.cascades(SEAS[name], None)[0]
-    x = np.linspace(0.0, of.size, 50)
-    here, there = summed(of, 5.0, x, 0.3 * x), summed(of, 5.0, x + of.size, 0.3 * x - of.size)
-    assert np.abs(here.h - there.h).max() <= 1e-9
-
-
-def test_dc_and_nyquist_are_empty(executor: Executor) -> None:
-    for of in sea_tiles.cascades(Sea(wind=60.0, fetch=1e7), None):
-        assert of.h0[sea_tiles.BAND, sea_tiles.BAND] == 0.0
-        assert not of.h0[0].any()
-        assert not of.h0[:, 0].any()
-    assert np.isfinite(tile(executor, SEAS["fft"], 5.0, "sea_a", sea_size=64)).all()
-
-
 def test_time_is_a_loop_of_whole_turns(executor: Executor) -> None:
     """The sea a whole loop later is the same; 1e9 s is as any other time."""
     first, later, other = (tile(executor, SEAS["fft"], time) for time in (11.0, 11.0 + 1000.0 * sea_tiles.LOOP, 11.1))
     assert np.array_equal(first, later)
     assert np.abs(first - other).max() > 1e-3
-
-
-@pytest.mark.parametrize("look", ["halftone", "filtered"])
-def test_whitecaps_counted_in_a_picture(executor: Executor, report: Report, look: str) -> None:
-    """From above, one sample a pixel: the drawn foam covers what the closed form says."""
-    foam = Foam(saturation=(WhitecapSaturation(),), look=look)
-    scene, wanted = Scene(sea=Sea(wind=15.0, fetch=5e5), foam=foam, light=None), 3.84e-6 * 15.0**3.41
-    off = []
-    for height, side in ((300.0, 360), (4000.0, 240)):
-        camera = Camera(position=(0.0, height, 0.0), pitch=-math.pi / 2, fov=1.0)
-        frames = [
-            linear(executor, scene, TIERS["standard"], camera, time=time, size=(side, side))[..., 3]
-            for time in (0.0, 333.0, 777.0)
-        ]
-        off.append(abs(float(np.mean(frames)) / wanted - 1.0))
-    title = "Whitecaps counted in pictures from above, 15 m/s, over the law less 1"
-    report.within(title, look=look, law=wanted, from_300_m=(off[0], 0.2), from_4_km=(off[1], 0.2))
 
 
 @pytest.mark.parametrize("preset", ["open-ocean", "boat-in-storm"])

@@ -1,7 +1,6 @@
 """Groups of parametric waves: how they share out heights, what they carry, fronts and frames, and their bounds."""
 
 import math
-from typing import Any
 
 import numpy as np
 import pytest
@@ -11,8 +10,6 @@ from seafoam.effects.effect import Contribution
 from seafoam.effects.waves import parametric
 from seafoam.effects.waves.groups import group_bounds, orbit_files, wave_files
 from seafoam.reference import render
-from seafoam.reference.foam.front import STILL, decaying_front
-from seafoam.reference.types import SurfacePoints
 from seafoam.reference.waves.groups import group_factor
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.render.gl.executor import Executor
@@ -26,7 +23,6 @@ from support.scenes import (
     FoamLife,
     FoamSource,
     FrontSaturation,
-    ParametricWave,
     Scene,
     SlopeSaturation,
     Water,
@@ -112,27 +108,6 @@ def test_frames_are_the_float64_truth(
         foam=(rms(got[..., 3] - want.alpha), 0.01),
         light=(255.0 * np.abs(got[..., :3] - want.rgb).mean(), 0.5),
     )
-
-
-def test_groups_break_up_the_lattice_of_two_waves() -> None:
-    """Two waves and their foam repeat every 20 m along x; in groups neither does."""
-    turns = (math.pi / 3, -math.pi / 3)
-    waves = tuple(ParametricWave(amplitude=0.4, wavelength=10.0, direction=turn, exponent=1.0) for turn in turns)
-    source = FrontSaturation(intensity=7.0, group=(0.3, 0.9), decay=3.0)
-    x, z = np.random.default_rng(5).uniform(-300.0, 300.0, (2, 4000))
-
-    def alike(groups: WaveGroups | None) -> tuple[float, float]:
-        scene = Scene(waves=waves, wave_groups=groups)
-        of = wave_set(scene, 3.0, (0.0, 0.0))
-        heights = [of.height(x + shift, z) for shift in (0.0, 20.0)]
-        points = [SurfacePoints(x + shift, z, 0.0 * x, None, 1.0, 3.0, (0.0, 0.0)) for shift in (0.0, 20.0)]
-        foam: Any = [decaying_front(source, of, one, 1.0, STILL) for one in points]
-        return float(np.corrcoef(*heights)[0, 1]), float(np.corrcoef(*foam)[0, 1])
-
-    assert min(alike(None)) > 0.999
-    height, foam = alike(WaveGroups(size=30.0, contrast=1.0))
-    assert height < 0.85
-    assert foam < 0.5
 
 
 def test_groups_travel_with_their_velocity() -> None:
