@@ -1,7 +1,5 @@
 """What the page keeps and gives: links that restore a view, files, and what asks for a plan."""
 
-import re
-
 import pytest
 
 from support.browser.lanes import Lane
@@ -48,13 +46,6 @@ def test_the_png_is_the_canvas(llvmpipe: Lane, server: str, ratio: int) -> None:
         assert pixels.shape == (300 * ratio, 400 * ratio, 3)
         assert pixels.std() > 5.0
         assert name == "seafoam-default-3.25s.png"
-
-
-def test_the_server_draws_the_same(small: Visit) -> None:
-    small.settings()
-    served, name = small.saved("Render on server")
-    assert name.endswith("-server.png")
-    assert differs(served, small.picture()) < 1e-4
 
 
 # What asks for a plan, and what does not
@@ -128,9 +119,3 @@ def test_a_bad_value_is_told_and_the_picture_stays(small: Visit) -> None:
     small.complaints.clear()
     small.follow(link(time=13.0, scene={"/foam/mask": "vac-6"}))
     assert differs(small.picture(), before) > 0.05
-
-
-def test_the_address_stays_readable(small: Visit) -> None:
-    small.follow(link(time=2.5, scene={"/light/exposure": -1.0}))
-    small.page.wait_for_function("() => location.hash.includes('time=2.5')")
-    assert re.fullmatch(r"#[\w.,=&/:{}\[\]%~-]+", "#" + small.page.url.partition("#")[2])

@@ -222,19 +222,6 @@ def test_a_budget_picks_the_best_that_fits(measured: Visit) -> None:
     expect(picked).to_contain_text(f"{LARGE[0]} × {LARGE[1]}")
 
 
-def test_knobs_are_sorted_by_worth(measured: Visit) -> None:
-    rows = measured.page.locator("#accuracy details", has_text="Benefit of each setting").locator("tbody tr")
-    assert rows.count() == sum(point["parameter"] is not None for point in points())
-    worth = {"free": np.inf, "–": 0.0}
-    found = [row.locator("td").last.text_content() or "" for row in rows.all()]
-    numbers = [worth[said] if said in worth else float(said.replace("−", "-")) for said in found]
-    assert numbers == sorted(numbers, reverse=True)
-    measured.page.locator("#accuracy summary", has_text="Time by pass").click()
-    passes = measured.page.locator("#accuracy .passes li")
-    assert passes.count() > 1
-    assert all(re.search(r"[\d.]+ ms$", said) for said in passes.all_text_contents())
-
-
 def test_the_server_s_own_measurement(measured: Visit) -> None:
     panel = measured.page.locator("#accuracy")
     there = panel.locator(".chart.server")
@@ -311,25 +298,6 @@ def test_insets_show_one_place_in_all(measured: Visit) -> None:
     places = insets.locator("i").evaluate_all("(marks) => marks.map(({ style }) => `${style.left} ${style.top}`)")
     assert len(places) >= 2
     assert len(set(places)) == 1
-
-
-def test_the_error_has_a_spectrum(measured: Visit) -> None:
-    chart = measured.page.locator("#accuracy .line-chart")
-    assert chart.get_by_role("img").get_attribute("aria-label") == "Power spectrum of the error of fast"
-    rows = chart.locator("tbody tr")
-    assert rows.count() == SIZE[1] // 2
-    powers = np.array([[float(cell.text_content() or "nan") for cell in row.locator("td").all()] for row in rows.all()])
-    error, standard, own = powers.T
-    assert (powers > 0.0).all()
-    # Of the ring of a frequency there are about as many waves as it is high.
-    rings = np.arange(1, len(powers) + 1)
-    assert (rings * error).sum() > (rings * standard).sum(), "a fast errs more"
-    errors = told_errors(measured)
-    ratio = errors["fast"] / errors["standard"]
-    assert ratio > 1.0
-    # The sum over frequencies weights those of few waves more than the mean square does.
-    assert ratio**2 / 1.5 < error.sum() / standard.sum() < 1.5 * ratio**2
-    assert own[0] > own[-1], "a picture has more power at low frequencies"
 
 
 def test_what_is_shown_is_saved(measured: Visit) -> None:

@@ -104,15 +104,6 @@ def shown(figure: Locator) -> Pixels:
     return pixels_of(figure.locator(".plate").screenshot())
 
 
-def test_source_pages_show_the_line(llvmpipe: Lane, server: str) -> None:
-    link = f"{server}/source/shaders/foam/look.glsl.html#halftone"
-    with opened(llvmpipe, link) as page:
-        line = page.locator("li:target")
-        assert line.inner_text() == "// @part halftone"
-        marked = line.evaluate("(line) => getComputedStyle(line).backgroundColor")
-        assert marked != page.locator("li").first.evaluate("(line) => getComputedStyle(line).backgroundColor")
-
-
 def test_figures_live_while_they_are_seen(llvmpipe: Lane, server: str) -> None:
     with opened(llvmpipe, f"{server}/{LEARN}/") as page:
         assert page.locator("figure[data-figure=picture][data-live]").count() == 0, "it starts when it is near"

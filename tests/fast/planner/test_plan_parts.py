@@ -12,6 +12,7 @@ from seafoam.scene.presets import load_preset, preset_names
 from seafoam.scene.shore import Shore, Surf
 from seafoam.scene.water import Water
 from seafoam.scene.waves import ParametricWave
+from support.sweep import spread
 
 STANDARD = TIERS["standard"]
 
@@ -67,19 +68,19 @@ def chosen(**changes: int) -> Quality:
     return STANDARD.model_copy(update=changes)
 
 
-def test_no_target_is_larger_than_four_pictures_and_fewer_samples_are_no_choice() -> None:
-    for preset in preset_names():
-        for most in (4, 16):
-            scene = load_preset(preset).scene
-            plan = make_plan(scene, chosen(samples_max=most))
-            scales = [one.size.scale for one in plan.targets.values() if isinstance(one.size, ViewportSize)]
-            # Without light a sample costs less than its choice.
-            assert max(scales) == (1 if scene.light is None else 2)
+@pytest.mark.parametrize("preset", spread(preset_names(), 8))
+def test_no_target_is_larger_than_four_pictures(preset: str) -> None:
+    for most in (4, 16):
+        scene = load_preset(preset).scene
+        plan = make_plan(scene, chosen(samples_max=most))
+        scales = [one.size.scale for one in plan.targets.values() if isinstance(one.size, ViewportSize)]
+        # Without light a sample costs less than its choice.
+        assert max(scales) == (1 if scene.light is None else 2)
+
+
+def test_kinds_of_choice_and_fewer_samples_are_none() -> None:
     scene = load_preset("default").scene
     assert make_plan(scene, chosen(samples=16, samples_max=16)) == make_plan(scene, chosen(samples=16))
-
-
-def test_kinds_of_choice() -> None:
     for samples, most, kinds in ((1, 1, ()), (1, 4, (4,)), (1, 16, (4, 16)), (4, 16, (16,))):
         how = chosen(samples=samples, samples_max=most)
         assert how.chosen_samples == kinds

@@ -21,7 +21,7 @@ from support.sweep import crossed
 HELD: tuple[Tier, ...] = ("fast", "standard")
 """The tiers that a GPU draws in motion; all four take twice as long, and the bench compiles them."""
 
-SHARES = 3
+SHARES = 6
 """Of the presets; one of them is compiled, at one tier, but for the sweep."""
 
 CHAIN = 10

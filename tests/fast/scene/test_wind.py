@@ -10,7 +10,7 @@ import pytest
 from seafoam.ocean.waves.cascades import cascades
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.reference import render, scene_sha256
+from seafoam.reference import scene_sha256
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 from seafoam.sums import summed
@@ -90,9 +90,6 @@ def test_a_wind_draws_what_its_parts_would() -> None:
     plans = [make_plan(each, TIERS["standard"]).sha256 for each in scenes]
     assert plans[0] == plans[1] != plans[2]
     assert scene_sha256(scenes[0]) == scene_sha256(scenes[1]) != scene_sha256(scenes[2])
-    frames = [render(each, time=3.0, width=8, height=6).rgb for each in scenes]
-    assert (frames[0] == frames[1]).all()
-    assert (frames[0] != frames[2]).any()
 
 
 def test_more_wind_is_a_rougher_sea_with_faster_clouds_and_more_rows_of_foam() -> None:

@@ -1,7 +1,5 @@
-"""Work on a Dask cluster of this machine: frames of the same bytes, a lost worker, mixed fleets; masks and truth."""
+"""Work on a Dask cluster of this machine: frames of the same bytes, a lost worker, mixed fleets; masks."""
 
-import io
-import json
 import os
 import signal
 import subprocess
@@ -9,10 +7,8 @@ import sys
 import time
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
-from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
 import pytest
 from distributed import Client, LocalCluster
 from typer.testing import CliRunner
@@ -22,8 +18,6 @@ from seafoam.cli import app
 from seafoam.extras import MissingExtraError
 from seafoam.library.request import PictureRequest
 from seafoam.masks import bake
-from seafoam.reference.bake import baked, jobs_of
-from seafoam.scene.presets import load_preset
 from seafoam.sequences.errors import MixedFleetError, SequenceError
 from seafoam.sequences.fleet import DaskWorkers
 from seafoam.sequences.folder import SequenceFolder
@@ -193,7 +187,7 @@ def test_no_scheduler_and_no_dask(monkeypatch: pytest.MonkeyPatch) -> None:
         DaskWorkers()
 
 
-# Masks, truth and sweeps
+# Masks
 
 
 def test_jobs_run_elsewhere(scheduler: str) -> None:
@@ -238,18 +232,3 @@ def test_masks_of_a_cluster_are_those_of_this_process(
     here, there = ({file.name: file.read_bytes() for file in (tmp_path / one).iterdir()} for one in ("here", "there"))
     assert len(here) == 2 * len(bake.SHIPPED) + 1
     assert here == there
-
-
-def test_truth_of_a_cluster_is_that_of_this_process(scheduler: str) -> None:
-    job = replace(jobs_of("default", load_preset("default").scene)[0], size=(8, 5), samples=1)
-    with processes.executor(scheduler, 0) as pool:
-        there, seconds = pool.submit(baked, job).result()
-    here, _ = baked(job)
-    assert seconds > 0.0
-    one, other = (np.load(io.BytesIO(content)) for content in (here, there))
-    assert set(one.files) == set(other.files)
-    for name in set(one.files) - {"meta"}:
-        np.testing.assert_array_equal(one[name], other[name])
-    about = [json.loads(each["meta"].tobytes()) for each in (one, other)]
-    # How long it took is part of the file.
-    assert {**about[0], "seconds": 0.0} == {**about[1], "seconds": 0.0}

@@ -1,4 +1,4 @@
-"""The command in processes of its own: it draws with GL, and it serves."""
+"""The command in processes of its own: it draws with GL, it serves, and it measures on a cluster."""
 
 import http.client
 import json
@@ -11,6 +11,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
+from distributed import LocalCluster
 from PIL import Image
 
 import seafoam
@@ -109,3 +110,15 @@ def test_a_restart_under_load_tears_no_answer(tmp_path):
     assert wrong == []
     assert away < counts["away"]
     assert all(len(answers[path]) == 1 for path in paths)
+
+
+def test_a_cluster_measures_accuracy(tmp_path):
+    """The sweep of a worker, in this process's files."""
+    asked = ["--size", "16x16", "--rounds", "2", "--samples", "2", "--again", "--json", str(tmp_path / "a.json")]
+    with LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None, host="127.0.0.1") as cluster:
+        done = run("accuracy", "paper-threshold", *asked, "--scheduler", cluster.scheduler_address)
+    assert done.returncode == 0, done.stderr
+    assert "paper-threshold: errors at 16 × 16" in done.stdout
+    measured = json.loads((tmp_path / "a.json").read_text(encoding="utf-8"))
+    assert {point["tier"] for point in measured["points"]} >= {"high", "reference"}
+    assert all(point["error"]["rmse"] >= 0.0 for point in measured["points"])

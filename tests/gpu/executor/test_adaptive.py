@@ -188,13 +188,3 @@ def test_points_lie_over_the_samples_of_chosen_pixels(executor: Executor) -> Non
     error = np.abs(np.clip(given, 0.0, 1.0) - np.clip(many, 0.0, 1.0))[..., :3].mean(axis=-1)
     left_out = np.abs(np.clip(bare, 0.0, 1.0) - np.clip(many, 0.0, 1.0))[..., :3].mean(axis=-1)
     assert error[drops].mean() < 0.5 * left_out[drops].mean()
-
-
-def test_eyes_under_the_surface(executor: Executor) -> None:
-    scene = load_preset("shallows").scene
-    low = Camera(position=(0.0, -1.0, 0.0), pitch=0.4)
-    given = frame(executor, scene, quality(samples_max=16), camera=low)
-    least = frame(executor, scene, STANDARD, camera=low)
-    few, many = (frame(executor, scene, STANDARD, camera=low, chosen=n) for n in (4, 16))
-    assert (same(given, least) | same(given, few) | same(given, many)).all()
-    assert (~same(given, least)).mean() > 0.01

@@ -5,11 +5,9 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 import pytest
 
-from seafoam.framegraph.rules import PlanPart
 from seafoam.framegraph.shader import Shader
 from seafoam.planner import FramePlan, make_plan
 from seafoam.quality import TIERS, SurfaceQuality
-from seafoam.render.gl import executor as module
 from seafoam.render.gl.executor import Executor, ShaderError
 from support.pictures import ROUNDED, draw
 from support.scenes import load_preset
@@ -72,18 +70,3 @@ def test_another_thread_is_refused(executor: Executor) -> None:
     plan = make_plan(scene, TIERS["standard"])
     with ThreadPoolExecutor(1) as pool, pytest.raises(RuntimeError, match="only in the thread that created it"):
         pool.submit(executor.render, plan, time=0.0, camera=scene.camera, width=8, height=8).result()
-
-
-def test_grid_covers_the_unit_square() -> None:
-    vertices, indices = module.grid(3, 2)
-    assert vertices.shape == (12, 2)
-    assert indices.max() == 11
-    corners = vertices[indices.reshape(-1, 3)].astype(np.float64)
-    a, b = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
-    assert np.isclose(np.abs(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]).sum() / 2, 1.0)
-
-
-def test_plan_parts_are_immutable() -> None:
-    with pytest.raises(ValueError, match="frozen"):
-        make_plan(load_preset("default").scene, TIERS["standard"]).samples = 2
-    assert issubclass(FramePlan, PlanPart)

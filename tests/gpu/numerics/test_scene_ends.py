@@ -1,13 +1,13 @@
-"""Every scene that is accepted compiles and draws finite pixels: fields at their ends, alone and in pairs, and every
-effect left out."""
+"""Every scene that is accepted compiles and draws sound pixels: fields at their ends, alone and in pairs, from cameras
+and at times of all kinds, and every effect left out."""
 
 import copy
+import math
 from collections.abc import Iterator
 from dataclasses import replace
 from random import Random
 from typing import Any
 
-import numpy as np
 import pytest
 
 from seafoam.effects import EFFECTS
@@ -16,9 +16,10 @@ from seafoam.framegraph.plan import FramePlan
 from seafoam.planner import PlanError, make_plan, planner
 from seafoam.quality import TIERS, Quality
 from seafoam.render.gl.executor import Executor
+from support.hard.pictures import unsound
 from support.pictures import draw
 from support.report import Report
-from support.scenes import Scene, load_preset, preset_names
+from support.scenes import Camera, Scene, load_preset, preset_names
 from support.sweep import crossed, spread
 
 Path = tuple[str | int, ...]
@@ -37,7 +38,7 @@ KINDS: dict[str, type | tuple[type, ...]] = {
 def edges(scene: Scene) -> Iterator[tuple[Path, Any]]:
     """Path and value: both ends of each number, other values of each choice, and nothing where that is allowed.
 
-    The camera's fields are left out: other tests move it.
+    The camera's fields are left out: they are drawn for each picture.
     """
     for path, value in _edges_of(SCHEMA, scene.model_dump(mode="json"), ()):
         if path[0] != "camera":
@@ -106,6 +107,17 @@ PARTS = 24
 DRAWN = 8
 """One in so many is drawn too: a driver compiles for a second or two."""
 QUALITY = TIERS["fast"].model_copy(update={"target": "RGBA32F", "samples": 1})
+TIMES = (0.0, 2.7, -1e9, 1e9)
+
+
+def camera(random: Random, own: Camera) -> Camera:
+    """The preset's own now and then; else one of any place, turned anyhow, low or high or under the surface."""
+    if random.random() < 0.3:
+        return own
+    eye = random.choice((-1000.0, 0.0, random.uniform(-5.0, 100.0), math.exp(random.uniform(-7.0, 11.5))))
+    place = (random.uniform(-1e7, 1e7), eye, random.uniform(-1e7, 1e7))
+    turn = {name: random.uniform(-most, most) for name, most in (("yaw", 6.28), ("pitch", 1.57), ("roll", 3.14))}
+    return Camera(position=place, fov=random.uniform(0.01, 2.6), **turn)
 
 
 def compiles(executor: Executor, plan: FramePlan) -> None:
@@ -129,8 +141,9 @@ def test_fields_at_their_ends(executor: Executor, report: Report, preset: str, p
             continue
         compiles(executor, plan)
         if index % DRAWN == part % DRAWN:
-            pixels = draw(executor, plan, scene.camera, time=2.7, size=(16, 9), output="samples")
-            assert np.isfinite(pixels).all(), changes
+            eye, time = camera(random, scene.camera), random.choice(TIMES)
+            pixels = draw(executor, plan, eye, time=time, size=(16, 9), output="samples")
+            assert unsound(pixels) == [], (changes, eye, time)
     assert refused < 0.5 * len(tried)
     report.add("Fields at their ends", preset=preset, part=f"{part}", scenes=f"{len(tried)}", refused=f"{refused}")
 

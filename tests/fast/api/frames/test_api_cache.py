@@ -26,10 +26,6 @@ def origins(client) -> dict[str, float]:
     return dict(client.app.state.context.frames.origins)
 
 
-def written(client) -> None:
-    client.portal.call(client.app.state.context.frames.close)
-
-
 @pytest.fixture(scope="module")
 def cached(tmp_path_factory):
     with serving(cache=tmp_path_factory.mktemp("cache"), **CACHED) as client:
@@ -74,33 +70,6 @@ def test_a_restarted_server_answers_from_disk_without_its_renderer(tmp_path):
         text = client.get("/metrics").text
         assert 'seafoam_frame_origins_total{origin="disk"} 1.0' in text
         assert "seafoam_cache_damaged_total 0.0" in text
-
-
-def test_a_torn_file_is_drawn_again_and_replaced(tmp_path):
-    settings = {"cache": tmp_path, "cache_size": 1 << 20}
-    with serving(**settings) as client:
-        first = frame(client, time=4.5)
-        written(client)
-        (path,) = (each for each in (tmp_path / "frames").rglob("*") if each.is_file() and "-" not in each.name)
-        path.write_bytes(path.read_bytes()[:-100])
-        again = frame(client, time=4.5)
-        assert (origin(again), again.content) == ("queue", first.content)
-        written(client)
-        assert origin(frame(client, time=4.5)) == "disk"
-        assert "seafoam_cache_damaged_total 1.0" in client.get("/metrics").text
-
-
-def test_a_full_disk_costs_no_frame(tmp_path, monkeypatch):
-    def full(*_):
-        raise OSError(28, "No space left on device")
-
-    monkeypatch.setattr("seafoam.render.service.disk.os.fsync", full)
-    with serving(cache=tmp_path, cache_size=1 << 20) as client:
-        contents = {frame(client, time=time).content for time in (1.0, 2.0, 3.0)}
-        assert len(contents) == 3
-        written(client)
-        assert "seafoam_cache_failures_total 1.0" in client.get("/metrics").text
-    assert [path for path in (tmp_path / "frames").rglob("*") if path.is_file()] == []
 
 
 def test_requests_in_flight_share_a_render():

@@ -167,12 +167,6 @@ def test_visitors_come_first(tmp_path: Path) -> None:
         assert events(client, name)[-1]["status"] == "done"
 
 
-def test_a_rate_of_the_trade(client: TestClient) -> None:
-    names = {start(client, fps=fps)["id"] for fps in (29.97, "30000/1001", "60000/2002")}
-    assert len(names) == 1
-    assert start(client, fps=30)["id"] not in names
-
-
 def test_without_pyav_or_gl(client: TestClient, without_gl: TestClient, monkeypatch: pytest.MonkeyPatch) -> None:
     problem(without_gl.post("/api/sequences", json=asked()), 503)
     monkeypatch.setattr("seafoam.extras.find_spec", lambda name: None)

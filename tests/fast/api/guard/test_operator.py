@@ -13,9 +13,10 @@ from seafoam.api.settings import Settings
 from support.api_fakes import HANG
 from support.command import run
 from support.serving import LOG, served
+from support.sweep import REST
 
 
-@pytest.mark.parametrize("form", ["text", "json"])
+@pytest.mark.parametrize("form", [pytest.param("text", marks=REST), "json"])
 def test_frames_in_flight_are_told_that_the_server_stops(tmp_path: Path, form: str) -> None:
     with served(tmp_path, SEAFOAM_DEADLINE="60", SEAFOAM_QUEUE="20", SEAFOAM_LOG_FORMAT=form) as (address, process):
 
