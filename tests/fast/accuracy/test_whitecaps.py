@@ -1,10 +1,8 @@
 """Whitecaps in photographs: the threshold that AWE finds, and the sizes of patches, on pictures of known coverage."""
 
-import math
-
 import numpy as np
 import pytest
-from docs.whitecaps_measure import Rule, awe_coverage, grey, levelled, patches
+from docs.whitecaps_measure import Rule, awe_coverage, grey, levelled
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter
 
@@ -48,40 +46,3 @@ def test_awe_finds_a_known_coverage_on_a_slope(coverage: float) -> None:
         found.append([float(awe_coverage([image])[0]) / coverage for image in (grey(picture), levelled(picture))])
     plain, levels = np.abs(np.array(found) - 1.0).max(axis=0)
     assert levels <= 0.2 < plain
-
-
-def test_patches_of_known_shape() -> None:
-    """An ellipse turned by half a radian: area, length, axes; what touches the edge or is small is left out."""
-    y, x = np.mgrid[:400, :400]
-    u = (x - 200) * math.cos(0.5) + (y - 200) * math.sin(0.5)
-    v = -(x - 200) * math.sin(0.5) + (y - 200) * math.cos(0.5)
-    foam = (u / 100.0) ** 2 + (v / 40.0) ** 2 <= 1.0
-    foam[:10, :10] = True
-    foam[390, 390] = True
-    found = patches(foam, 0.25)
-    assert found.areas == pytest.approx([math.pi * 25.0 * 10.0], rel=0.01)
-    assert found.lengths == pytest.approx([50.0], rel=0.02)
-    assert found.axis_ratios == pytest.approx([0.4], rel=0.03)
-
-
-def test_discs_are_smooth_and_their_sizes_are_recovered_unless_there_are_none() -> None:
-    """Discs with areas of a density A^−2: outlines of dimension 1, and the exponent."""
-    foam = np.zeros((3000, 3000), bool)
-    y, x = np.mgrid[-60:61, -60:61]
-    random = np.random.default_rng(1)
-    for i in range(24):
-        for j in range(24):
-            area = min(100.0 / (1.0 - random.uniform()), 10_000.0)
-            foam[62 + 122 * i - 60 : 62 + 122 * i + 61, 62 + 122 * j - 60 : 62 + 122 * j + 61] |= (
-                np.pi * (x**2 + y**2) <= area
-            )
-    found = patches(foam, 1.0)
-    assert found.dimension() == pytest.approx(1.0, abs=0.02)
-    assert found.exponent() == pytest.approx(2.0, abs=0.15)
-    with pytest.raises(ValueError, match="patches need"):
-        patches(np.zeros((2, 2), bool), 0.0)
-    none = patches(np.zeros((9, 9), bool), 1.0)
-    with pytest.raises(ValueError, match="no dimension"):
-        none.dimension()
-    with pytest.raises(ValueError, match="too few"):
-        none.exponent()

@@ -11,31 +11,32 @@ import pytest
 from seafoam.api.app import create_app
 from seafoam.cli.consoles import spelt
 from support.command import COMMAND, run
+from support.sweep import crossed
 
 PLAIN_LOCALE = {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONIOENCODING": ""}
 CONSOLES = {"ascii": {"PYTHONIOENCODING": "ascii"}, "cp437": {"PYTHONIOENCODING": "cp437"}, "C locale": PLAIN_LOCALE}
 
 
-@pytest.mark.parametrize("console", CONSOLES)
-@pytest.mark.parametrize(
-    ("command", "shown"),
-    [
-        ("presets", r"^default +"),
-        ("masks list", r"^vac-24 +"),
-        ("masks shapes lace", r"largest component"),
-        ("doctor", r"This machine can"),
-        ("sequence --help", r"30000/1001"),
-        ("masks make --size 32 --sigma 1 -o MASK", r"mask\.png: vac, 32 (x|\?|×) 32, "),
-    ],
-)
-def test_every_console_gets_readable_text(tmp_path: Path, console: str, command: str, shown: str) -> None:
+COMMANDS = {
+    "presets": r"^default +",
+    "masks list": r"^vac-24 +",
+    "masks shapes lace": r"largest component",
+    "doctor": r"This machine can",
+    "sequence --help": r"30000/1001",
+    "masks make --size 32 --sigma 1 -o MASK": r"mask\.png: vac, 32 (x|\?|×) 32, ",
+}
+"""What each of them shows."""
+
+
+@pytest.mark.parametrize(("command", "console"), crossed(COMMANDS, CONSOLES, len(CONSOLES)))
+def test_every_console_gets_readable_text(tmp_path: Path, command: str, console: str) -> None:
     environment = {**os.environ, "PYTHONWARNDEFAULTENCODING": "1", "COLUMNS": "100", **CONSOLES[console]}
     arguments = command.replace("MASK", str(tmp_path / "mask.png")).split()
     done = subprocess.run([*COMMAND, *arguments], capture_output=True, timeout=60, env=environment)
     encoding = "cp437" if console == "cp437" else "ascii"
     text, errors = done.stdout.decode(encoding), done.stderr.decode(encoding)
     assert (done.returncode, errors) in ((0, ""), (1, "") if command == "doctor" else ())
-    assert re.search(shown, text, re.MULTILINE), text
+    assert re.search(COMMANDS[command], text, re.MULTILINE), text
     assert "\\" not in text
 
 

@@ -6,7 +6,6 @@ import socket
 import pytest
 
 from seafoam.render.gl.executor import NoRendererError
-from support.command import run
 
 RENDER = "render default -o a.png"
 SEQUENCE = "sequence default --start 0 --stop 0.25 --size 24x16 --quality fast"
@@ -142,9 +141,3 @@ def test_what_the_machine_lacks_ends_in_one_line_too(seafoam, monkeypatch, tmp_p
     monkeypatch.setattr("seafoam.render.gl.executor.Executor", none)
     for command in (f"{RENDER} --size 8x8 -o", f"{SEQUENCE} -o"):
         assert said(command, tmp_path / "a.webp") == "seafoam: no OpenGL context; install a driver\n"
-
-
-def test_no_traceback_reaches_the_user_of_a_process():
-    done = run("render", "default", "-o", "/nowhere/a.gif")
-    assert (done.returncode, done.stderr.count("\n")) == (2, 1)
-    assert "Traceback" not in done.stderr

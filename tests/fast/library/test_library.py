@@ -4,8 +4,6 @@ import asyncio
 import inspect
 import io
 import json
-import subprocess
-import sys
 import threading
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -275,21 +273,3 @@ def test_no_server_and_no_address() -> None:
     url = f"http://127.0.0.1:{free_port()}"
     with seafoam.connect(url) as source, pytest.raises(seafoam.ServerError, match=urlsplit(url).netloc):
         source.frame("default", size=SMALL)
-
-
-def test_a_star_import_needs_no_extra() -> None:
-    program = """
-import importlib.util
-found = importlib.util.find_spec
-importlib.util.find_spec = lambda name, *package: None if name == "anywidget" else found(name, *package)
-from seafoam import *
-assert frame and "Water" not in globals()
-import seafoam
-try:
-    seafoam.Water
-except RuntimeError as error:
-    assert "seafoam[notebook]" in str(error)
-else:
-    raise AssertionError
-"""
-    subprocess.run([sys.executable, "-c", program], check=True, timeout=60)

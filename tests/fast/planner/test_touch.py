@@ -15,6 +15,7 @@ from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 from seafoam.scene.water import Current
 from seafoam.scene.waves import TOUCHES_MOST, Ring, Touch
+from support.sweep import spread
 
 STANDARD = TIERS["standard"]
 SOME = (Touch(place=(1.25, -7.5), time=2.0), Touch(place=(-3.0, -9.0), time=2.5, strength=0.1))
@@ -33,7 +34,7 @@ def test_every_strength_is_a_ring() -> None:
         assert 2.0 * 3.1416 * ring.amplitude / ring.wavelength < 0.4
 
 
-@pytest.mark.parametrize("preset", preset_names())
+@pytest.mark.parametrize("preset", spread(preset_names(), 4))
 def test_no_preset_has_touches_and_every_preset_takes_them(preset: str) -> None:
     """Untouched, no file or number of touches is in a plan; touched, all that was there still is."""
     scene = load_preset(preset).scene

@@ -56,22 +56,6 @@ def test_a_counting_text_counts_in_every_function_that_evaluates_waves(name: str
     assert "foam" not in main
 
 
-@pytest.mark.parametrize(
-    ("old", "new", "said"),
-    [
-        ("int first_met(", "int met_first(", "no function that finds what a ray meets first"),
-        ("waves", "heights", "no function that evaluates the waves"),
-        ("void main() {", "void main() {\n}\n\nvoid main() {", "2 main functions"),
-    ],
-)
-def test_a_text_that_is_not_as_expected_is_not_counted(old: str, new: str, said: str) -> None:
-    shader = SURFACE["surface"].fragment
-    assert old in shader.text
-    text = shader.text.replace(old, new).replace("vec4 waves_shading(" if "heights" in new else "\0", "vec4 shading(")
-    with pytest.raises(RuntimeError, match=said):
-        counting_shader(shader.model_copy(update={"text": text}))
-
-
 def _pass(name: str, seconds: float, *, kept: bool = False) -> Taken:
     return Taken(name, "program", 64, 64, seconds, kept)
 

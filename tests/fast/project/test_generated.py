@@ -41,21 +41,6 @@ def test_the_table_of_hard_cases_is_the_effects() -> None:
     assert page == make_stability.filled(page, figures), "run python docs/make_stability.py"
 
 
-def test_figures_are_of_the_case_as_it_is() -> None:
-    """A run's figures replace a case's own and no others; what was measured of another scene is forgotten."""
-    first, second, third = cases_of(EFFECTS[0]).hard[:3]
-    old = {"of": "another scene", "mean": 0.5, "over_2": 1.0, "swiftshader": 0.1}
-    known = {first.name: {**old, "of": make_stability.drawn(first)}, second.name: old, third.name: old, "no case": old}
-    tables = {
-        make_stability.REFERENCE: [{"case": second.name, "mean": "apart", "over_2": ""}],
-        make_stability.BROWSER: [{"case": first.name, "mean": mean} for mean in ("0.200", "0.300")],
-    }
-    assert make_stability.merged(known, tables) == {
-        first.name: {**known[first.name], "swiftshader": 0.3},
-        second.name: {"of": make_stability.drawn(second), "mean": None, "over_2": None},
-    }
-
-
 def test_the_version_is_cited() -> None:
     version = metadata.version("seafoam")
     cited = (ROOT / "CITATION.cff").read_text(encoding="utf-8")

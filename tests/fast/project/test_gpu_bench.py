@@ -1,17 +1,15 @@
 """A GPU's proof: which device, what is begun while time is left, and what the page says. Without GL."""
 
-import math
 from collections import deque
 from collections.abc import Callable
 from concurrent.futures import Future
-from pathlib import Path
 from typing import Any
 
 import pytest
 from bench.gpu import __main__ as command
 from bench.gpu import page
 from bench.gpu.budget import Budget
-from bench.gpu.devices import Device, choose, survey
+from bench.gpu.devices import Device, choose
 from bench.gpu.page import Report, Served
 from bench.gpu.tasks import Draw, Drawn, Judge, Judged, StaleTruthError, Task, order
 from bench.gpu.timers import distrust, plausible
@@ -20,13 +18,12 @@ from seafoam.quality import TIERS
 from seafoam.reference.bake import TIMES
 from seafoam.render.gl.executor import NoRendererError
 from seafoam.scene.presets import preset_names
-from support.parity import FLIPPED, NEAR, Parity
+from support.parity import Parity
 from support.serving import Clock
 
 GPU = Device(1, renderer="Some GPU/PCIe", version="4.6", vendor="Some")
 LLVMPIPE = Device(0, renderer="llvmpipe (LLVM 15.0.6, 256 bits)", version="4.5", vendor="Mesa")
 BROKEN = Device(2, problem="no OpenGL context: eglInitialize failed")
-NONE = "no OpenGL context: requested device index 3, but found 3 devices"
 SIZE = (1280, 720)
 
 
@@ -76,19 +73,6 @@ class TestDevice:
         note = Device(0, renderer="NVIDIA H200/PCIe/SSE2").note
         assert "two of its 66" in note
         assert note in page.page(a_report(note=note), "make gpu")
-
-    def test_devices_are_looked_at_until_there_are_no_more_and_the_default_where_none_draws(self) -> None:
-        there = {0: LLVMPIPE, 1: GPU, 2: BROKEN, 3: Device(3, problem=NONE)}
-        assert survey(None, lambda index: there[index or 0]) == [LLVMPIPE, GPU, BROKEN]
-        assert survey(2, lambda index: there[index or 0]) == [BROKEN]
-        asked = []
-
-        def look(index: int | None) -> Device:
-            asked.append(index)
-            return Device(index, problem=NONE if index == 1 else "") if index else Device(index, problem="broken")
-
-        assert [device.index for device in survey(None, look)] == [0, None]
-        assert asked == [0, 1, None]
 
 
 class TestBudget:
@@ -156,14 +140,6 @@ def test_queries_are_believed_where_they_agree_with_the_clock() -> None:
     assert not plausible(2**32 / 1e9, 5.0)
 
 
-def test_a_bound_that_does_not_hold_is_said() -> None:
-    assert not judged(NEAR).faults
-    assert not judged(NEAR, 1.0).faults
-    assert list(judged(2 * NEAR).faults) == ["below 1° 1 > 0.5"]
-    assert list(judged(math.nan).faults) == ["below 1° nan > 0.5"]
-    assert list(judged(0.1, 2 * FLIPPED, hard=True).faults) == ["flipped samples 0.01 > 0.005"]
-
-
 class TestPage:
     def test_rates_are_of_the_gpu_where_it_is_timed_and_else_of_the_clock(self) -> None:
         timed, untimed = Draw("beach", "standard", SIZE), Draw("default", "standard", SIZE)
@@ -200,14 +176,6 @@ class TestPage:
         assert "GL timer queries" in text
         assert "without a GPU" not in text
 
-    def test_why_times_are_the_clocks_is_said_and_software_is_called_so(self) -> None:
-        report = a_report(distrust="the renderer draws on the processor")
-        report.software = True
-        text = page.page(report, "make gpu")
-        assert "not of timer queries: the renderer draws on the processor." in text
-        assert "**This machine drew without a GPU**" in text
-        assert "## Frames" not in text
-
     def test_neither_a_software_renderer_nor_a_part_writes_the_gpus_page(
         self, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
     ) -> None:
@@ -219,10 +187,3 @@ class TestPage:
         for part in (["--presets", "beach"], ["--size", "64x36"]):
             with pytest.raises(SystemExit, match="2"):
                 command.main(part)
-
-    def test_another_file_is_written(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-        monkeypatch.setattr(command, "survey", lambda _: [LLVMPIPE])
-        monkeypatch.setattr(command, "_measured", lambda *_: a_report(judged=[judged(0.9)]))
-        file = tmp_path / "page.md"
-        assert command.main(["--output", str(file)]) == 1
-        assert f"--output {file}" in file.read_text(encoding="utf-8")

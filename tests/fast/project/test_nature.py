@@ -8,8 +8,6 @@ import pytest
 from docs import make_nature
 from docs.nature import laws, measure
 
-from seafoam.scene.camera import Camera
-from seafoam.scene.light import direction
 from seafoam.scene.presets import load_preset
 
 FIGURES = json.loads(make_nature.FIGURES.read_text(encoding="utf-8"))
@@ -39,30 +37,6 @@ def test_what_lies_out_of_a_band_says_why_and_bands_have_what_was_published() ->
     (_, height), (_, period) = laws.growth(20.0, 1e6)
     assert (height, period) == pytest.approx((211.5 * 0.72 / 9.81, 239.8 * 0.72**0.5 / 9.81), rel=0.01)
     assert laws.growth(20.0, 1e5)[0][0] < laws.growth(20.0, 1e6)[0][0]
-
-
-def test_slopes_are_found_in_a_picture_of_glitter() -> None:
-    view = measure.rays(Camera(pitch=-0.5 * math.pi, fov=1.9), (96, 96))
-    sun = direction(0.4, 1.2)
-    picture = 7.0 * measure.glitter(view, sun, 0.9, (0.031, 0.018)) + 0.2
-    assert measure.fitted_variances(picture, view, sun, 0.9) == pytest.approx((0.031, 0.018), rel=1e-3)
-
-
-def test_the_glitter_mirrors_no_more_than_falls_on_it() -> None:
-    """Over all directions upward it sends back what water reflects, its facets facing straight up to a few degrees."""
-    view = measure.rays(Camera(pitch=-0.5 * math.pi, fov=1.6), (400, 400))
-    down = -view[..., 1]
-    pixel = (2.0 * math.tan(0.8) / 400) ** 2 * down**3
-    sent = float((measure.glitter(view, (0.0, 1.0, 0.0), 0.0, (0.002, 0.002)) * down * pixel).sum())
-    assert sent == pytest.approx(0.0204, rel=0.02)
-
-
-def test_a_paths_width_is_two_and_a_half_deviations() -> None:
-    lamp = (0.3, 0.25)
-    view = measure.path_view(lamp)[1]
-    aside = np.arctan2(view[..., 2], view[..., 0]) - lamp[0]
-    picture = 3.0 + np.exp(-0.5 * (aside / 0.08) ** 2)
-    assert measure.equivalent_width(picture, view, lamp) == pytest.approx(math.sqrt(2.0 * math.pi) * 0.08, rel=0.03)
 
 
 def test_patches_that_shrink_have_their_decay_time() -> None:

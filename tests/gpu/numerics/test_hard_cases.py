@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from seafoam.effects.effect import Effect
-from seafoam.reference import render as reference
 from seafoam.reference.foam import front
 from seafoam.render.gl.executor import Executor
 from support.cases import HardCase
@@ -48,13 +47,6 @@ def test_sizes(executor: Executor, size: tuple[int, int], quality: str) -> None:
         pixels = samples(executor, scene, wanted, scene.camera, time=0.0, size=size)
         assert pixels.shape == (size[1], size[0], 4)
         assert unsound(pixels) == []
-
-
-def test_one_pixel_is_the_references(executor: Executor) -> None:
-    scene = load_preset("default").scene
-    got = samples(executor, scene, EXACT, scene.camera, time=2.7, size=(1, 1))
-    want = reference(scene, time=2.7, width=1, height=1)
-    assert levels(got, want.rgb).max() <= 1.0
 
 
 def test_a_hundred_equal_waves(executor: Executor) -> None:

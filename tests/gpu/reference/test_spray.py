@@ -387,19 +387,6 @@ def test_surf_throws_drops_from_rocks_after_its_crest() -> None:
     assert len(rocks(Shore(slope=0.05, roughness=0.0), 0.5)) == 0
 
 
-def test_drops_end_on_water_and_ground() -> None:
-    coast = Coast(ROCK, 17.5, (0.0, 0.0), Relief(()))
-    drops = drop.from_rocks(Scene(shore=ROCK, spray=Spray()), coast, 17.5, (0.0, 0.0))
-    high = np.array([0.0, 300.0, 0.0])
-    x, z = drops.birth[:, 0], drops.birth[:, 2]
-    ground = np.maximum(coast.height(x, z), coast.ground(*coast.place(x, z))[0])
-    for lift, clear in ((0.2, 1.0), (0.05, 0.5), (-0.05, 0.0)):
-        place = np.column_stack([x, ground + lift, z])
-        seen, over = flying._visible(place - high, 300.0, np.full(x.size, 0.1), coast, coast, None)
-        assert seen == pytest.approx(clear)
-        assert over == pytest.approx(lift)
-
-
 def test_fewer_drops_cover_as_much(executor: Executor, report: Report) -> None:
     """What spray changes in a picture."""
     scene = load_preset("spray-on-rocks").scene

@@ -19,9 +19,8 @@ from seafoam.api.settings import Settings
 from seafoam.render.service.background import BackgroundFullError
 from support.api_fakes import FakeRenderer
 from support.serving import serving
+from support.sweep import REST
 
-LEAST = 200
-"""Requests, over all routes."""
 MARGIN = 500
 """Bytes from which text is compressed."""
 ELSEWHERE = "https://elsewhere.test"
@@ -159,10 +158,12 @@ def check_copy(client: TestClient, address: str, headers: list[tuple[str, str]],
     assert varying[0] <= varying[1], address
 
 
+@pytest.mark.parametrize("least", [200, pytest.param(10_000, marks=REST)])
 @pytest.mark.parametrize("route", ROUTES, ids=" ".join)
 def test_no_request_breaks_a_route(
-    client: TestClient, route: tuple[str, str], caplog: pytest.LogCaptureFixture
+    client: TestClient, route: tuple[str, str], least: int, caplog: pytest.LogCaptureFixture
 ) -> None:
+    """So many requests, over all routes."""
     method, path = route
     operation = PATHS.get(path.replace(":path}", "}"), {}).get(method.lower(), {})
     declared = operation.get("parameters", [])
@@ -170,7 +171,7 @@ def test_no_request_breaks_a_route(
 
     @hypothesis.seed(35)
     @hypothesis.settings(
-        max_examples=math.ceil(LEAST / len(ROUTES)), deadline=None, database=None,
+        max_examples=math.ceil(least / len(ROUTES)), deadline=None, database=None,
         phases=[hypothesis.Phase.generate], suppress_health_check=list(hypothesis.HealthCheck),
     )  # fmt: skip
     @hypothesis.given(data=st.data())
@@ -202,4 +203,3 @@ def test_no_request_breaks_a_route(
 
 def test_every_route_is_asked() -> None:
     assert {path for _, path in ROUTES} >= {*PATHS, "/docs", "/water/{name}", "/"} - {"/api/textures/{name}"}
-    assert len(ROUTES) * math.ceil(LEAST / len(ROUTES)) >= LEAST

@@ -44,7 +44,3 @@ def test_a_registered_extension_is_described_and_checked(windrows):
         ):
             (error,) = problem(plan(client, {"foam": {}, "extensions": wrong}), 422)["errors"]
             assert (error["pointer"], error["allowed"]) == (f"/scene/extensions/{pointer}", allowed)
-
-
-def test_presets_have_no_extensions(client):
-    assert "extensions" not in client.get("/api/presets/default").json()["scene"]

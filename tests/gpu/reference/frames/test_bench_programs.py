@@ -5,17 +5,13 @@ from pathlib import Path
 import bench
 import pytest
 from bench.drawn.economy import QUALITY, ByHand, by_hand, same_picture, with_surface
-from bench.drawn.passes import SIZE, measure
-from bench.drawn.steps import Steps, steps
+from bench.drawn.steps import steps
 from bench.drawn.uber import uber_plan
-from bench.watch import Watch
-from rich.progress import Progress
 
-from seafoam.framegraph.visibility import drawn_passes
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from support.scenes import Camera, Scene, load_preset
+from support.scenes import load_preset
 
 MINIMAL = Path(bench.__file__).with_name("minimal")
 
@@ -38,13 +34,6 @@ def test_the_program_with_every_effect_draws_what_the_plan_draws(executor: Execu
     same_picture(executor, uber_plan(scene, QUALITY), make_plan(scene, QUALITY), scene.camera)
 
 
-def test_pixels_of_water_are_counted(executor: Executor) -> None:
-    """Half of a level look at a level sea is water, and nothing is evaluated to find it."""
-    scene = Scene(camera=Camera(position=(0.0, 3.0, 0.0), pitch=0.0))
-    found = steps(executor, make_plan(scene, QUALITY), time=0.0, camera=scene.camera, size=(64, 36))
-    assert found == Steps(water=0.5, mean=0.0, most=0.0, everywhere=0.0)
-
-
 @pytest.mark.parametrize("name", ["default", "beach"])
 def test_evaluations_of_waves_are_counted(executor: Executor, name: str) -> None:
     """A pixel of water takes at least one, and better tiers take more where most are taken."""
@@ -56,14 +45,3 @@ def test_evaluations_of_waves_are_counted(executor: Executor, name: str) -> None
     assert 0.1 < found[0].water < 1.0
     assert 1.0 <= found[0].mean < found[0].most
     assert found[0].most < found[1].most
-
-
-def test_every_pass_of_a_frame_is_timed(executor: Executor) -> None:
-    """By name and in drawing order, however the executor keeps what it has drawn."""
-    (frame,), table = measure(executor, ["paper-wake"], Watch(Progress(disable=True), 0.01))
-    plan = make_plan(load_preset("paper-wake").scene, QUALITY)
-    shown = drawn_passes(plan, load_preset("paper-wake").scene.camera, *SIZE, "screen")
-    assert [one.name for one in frame.passes] == [plan.passes[index].name for index, shows in shown.items() if shows]
-    assert all(one.seconds > 0.0 for one in frame.passes)
-    assert (frame.passes[-1].width, frame.passes[-1].height) == SIZE
-    assert len(table.rows) == len(frame.passes)

@@ -9,7 +9,6 @@ import pytest
 from numpy.typing import NDArray
 
 from seafoam.ocean.constants import WATER_INDEX
-from seafoam.ocean.waves.ripples import REPEATING_TILES
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.reference.water import seafloor
@@ -88,15 +87,6 @@ def test_no_seam_shows(executor: Executor, kind: str, parameter: str) -> None:
     assert rim.mean() <= 1.3 * away.mean()
 
 
-def test_the_trace_itself_converges() -> None:
-    """Photons of half as many a side: far below what is asked of shaders."""
-    truth = seafloor.photon_map(POOL, TIME, 128, 1024)
-    assert abs(truth.mean() - 1.0) <= 1e-6
-    assert truth.max() > 2.5
-    errors = [float(np.abs(seafloor.photon_map(POOL, TIME, 128, count) - truth).mean()) for count in (64, 128, 256)]
-    assert errors[0] > 5.0 * errors[1] > 25.0 * errors[2]
-
-
 def test_rays_bend_by_snells_law() -> None:
     rng = np.random.default_rng(5)
     d, n = (v / np.linalg.norm(v, axis=1)[:, None] for v in rng.normal(size=(2, 4000, 3)))
@@ -138,13 +128,6 @@ def test_colours_by_grid_part_as_the_trace_has_them(
         red_less_blue=(np.abs(apart - wide).mean() / np.abs(wide).mean(), off),
         light=(np.abs(light - truth).mean(), 0.06),
     )
-
-
-def test_ripples_repeat_with_their_light() -> None:
-    long, short = REPEATING_TILES
-    assert long / short == pytest.approx(3.0)
-    plan = make_plan(POOL, TIERS["standard"])
-    assert all(f"{tile:g} m tile" in " ".join(one.name for one in plan.passes) for tile in REPEATING_TILES)
 
 
 def test_what_cannot_be_drawn_is_not_in_the_plan() -> None:

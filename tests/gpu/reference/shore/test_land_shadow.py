@@ -1,7 +1,5 @@
 """Shadows of land against float64, and against rays to the sun (docs/formulae.md, section 8)."""
 
-import math
-
 import numpy as np
 import pytest
 
@@ -38,22 +36,3 @@ def test_share_of_the_sun(elevation: float, azimuth: float, executor: Executor, 
         off=(np.quantile(np.abs(drawn - want)[above], 0.999), 0.02),
         otherwise=(((want > 0.5) != open_sky)[above].mean(), 0.01),
     )
-
-
-def test_shadow_is_as_long_as_the_sun_is_low() -> None:
-    """Behind an island, shadows end where a line toward the sun leaves its top: h/tan(elevation)."""
-    shore = SHORE.model_copy(update={"kind": "island", "shadows": True, "height": 20.0, "slope": 0.5})
-    land = coast(SEA.model_copy(update={"shore": shore}), 0.0)
-    ends = []
-    for elevation in (0.1, 0.2):
-        sun = np.array([math.cos(elevation), math.sin(elevation), 0.0])
-        x = np.linspace(-400.0, 0.0, 4001) - land.offset[0]
-        place = np.stack((x, np.zeros_like(x), np.full_like(x, -land.offset[1])), axis=-1)
-        feet = (np.zeros((x.size, 2)), np.zeros((x.size, 2)))
-        share = LandShadow(land, sun).sunlight(place, feet)
-        ends.append(float(x[np.flatnonzero(share < 0.5)[0]]) + land.offset[0])
-        q = np.linspace(-200.0, 200.0, 8001)
-        top = land.ground(q, np.zeros_like(q))[0]
-        expected = float((q - top / math.tan(elevation))[top > 0.0].min())
-        assert ends[-1] == pytest.approx(expected, abs=3.0)
-    assert ends[0] < ends[1] - 20.0

@@ -98,14 +98,6 @@ def test_the_mean_height_is_still_water(executor: Executor, report: Report, way:
     )
 
 
-@pytest.mark.parametrize("way", WAYS)
-def test_a_rising_wind_does_not_raise_the_sea(executor: Executor, way: str) -> None:
-    """From a breeze to a storm the mean stays within a fortieth of the significant height."""
-    for wind in (4.0, 12.0, 25.0):
-        values = np.concatenate([WAYS[way](executor, Scene(sea=Sea(wind=wind)), time) for time in TIMES[:3]])
-        assert abs(float(values.mean())) <= 0.1 * float(values.std()), wind
-
-
 @pytest.mark.parametrize(("exponent", "mean"), [(0.5, 2.0 / math.pi), (1.0, 0.5), (2.0, 3.0 / 8.0), (3.0, 5.0 / 16.0)])
 def test_the_mean_of_a_wave_is_the_analytic_one(exponent: float, mean: float) -> None:
     scene = Scene(waves=(ParametricWave(amplitude=2.0, exponent=exponent),))

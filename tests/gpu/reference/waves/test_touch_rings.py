@@ -7,7 +7,6 @@ import pytest
 
 from seafoam.effects.waves.touch import EFFECT
 from seafoam.framegraph.rules import afloat
-from seafoam.planner import make_plan
 from seafoam.reference import render as reference
 from seafoam.reference.waves.rings import touch_set
 from seafoam.render.gl.executor import Executor
@@ -16,7 +15,6 @@ from support.pictures import levels, samples
 from support.probe import Probe
 from support.report import Report
 from support.scenes import (
-    TOUCHES_MOST,
     Camera,
     Current,
     Foam,
@@ -112,12 +110,3 @@ def test_a_touched_water_is_the_references(executor: Executor, report: Report, w
         mean=(away.mean(), 0.5),
         over_2=((away > 2.0).mean(), 0.01),
     )
-
-
-def test_a_list_of_another_length_has_the_same_programs() -> None:
-    """As many touches as there may be, or one: the programs differ in nothing."""
-    one, many = (
-        make_plan(Scene(touches=train(0.0)[:count]), EXACT) for count in (1, min(TOUCHES_MOST, len(train(0.0))))
-    )
-    assert one.programs == many.programs
-    assert one.passes == many.passes
