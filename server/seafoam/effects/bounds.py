@@ -3,7 +3,8 @@
 import math
 
 from seafoam.effects.effect import Bound
-from seafoam.effects.light.light import brightest_sun, lamp_angles, sky_irradiance
+from seafoam.effects.light.atmosphere import lamp_angles
+from seafoam.effects.light.light import brightest_sun, sky_irradiance
 from seafoam.effects.registry import saturation_limits
 from seafoam.ocean.basics.levels import paper_level
 from seafoam.ocean.waves.cascades import RAISED, cascades
@@ -104,7 +105,7 @@ def crest_limit(scene: Scene) -> float:
         water.translucency / math.pi * sun * math.exp(-6.0 / length) * math.cos(lamp_angles(light)[1])
         for sun, length in zip(brightest_sun(light), water.absorption_length, strict=True)
     )
-    return max(transmitted) * math.exp2(light.exposure)
+    return float(max(transmitted)) * math.exp2(light.exposure)
 
 
 def body_limit(scene: Scene) -> float:
@@ -141,4 +142,4 @@ def foam_limit(foam: Foam, scene: Scene) -> float:
 def _brightest_irradiance(light: Light) -> float:
     """Exposed irradiance of overhead sun and whole sky, the brightest channel."""
     both = (sun + sky for sun, sky in zip(brightest_sun(light), sky_irradiance(light), strict=True))
-    return max(both) * math.exp2(light.exposure)
+    return float(max(both)) * math.exp2(light.exposure)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from seafoam.effects.light.light import sun_direction
+from seafoam.effects.light.atmosphere import lamp
 from seafoam.effects.shader import Inline
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
@@ -149,7 +149,7 @@ def test_shadows_of_land_end(executor: Executor, elevation: float, away: float) 
     """At a distance down the sun from an island 14 m high, beyond its square."""
     light = Light(sun_elevation=elevation, sun_azimuth=0.0)
     shore = Shore(kind="island", size=160.0, radius=25.0, height=14.0, slope=0.3, shadows=True)
-    x, _, z = sun_direction(light)
+    x, _, z = lamp(light)
 
     def lit(metres: float) -> float:
         place = f"vec3({-metres * x:.3f}, 0.0, {-metres * z:.3f})"

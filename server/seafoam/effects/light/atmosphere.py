@@ -5,19 +5,18 @@ from functools import lru_cache
 
 import numpy as np
 
+from seafoam.ocean.arrays import Floats, read_only
 from seafoam.ocean.sky import skylight
 from seafoam.scene.light import Direction, Light, direction
 from seafoam.sums import summed
 
-Rgb = tuple[float, float, float]
-
-RAYLEIGH: Rgb = (0.055, 0.108, 0.215)
+RAYLEIGH = np.array([0.055, 0.108, 0.215])
 """Optical depth of molecules at the zenith: red, green, blue."""
 SUN_POWER = 20.0
 """Irradiance of the sun above the atmosphere."""
 MOON_POWER = 0.2
 """Irradiance of a full moon above the atmosphere: 1 % of the sun's, for a dark-adapted observer."""
-MOON_TINT: Rgb = (0.75, 0.9, 1.2)
+MOON_TINT = np.array([0.75, 0.9, 1.2])
 """Colour of moonlight, which looks blue to a dark-adapted observer."""
 MOON_RADIUS = 0.0045
 """Angular radius of the moon, rad."""
@@ -47,26 +46,16 @@ def air_mass(height: float) -> float:
     return 1.0 / (max(height, 0.0) + 0.03)
 
 
-def path(light: Light, height: float) -> Rgb:
-    """Optical depth of the air between sea level and a lamp at this sine of elevation."""
+def path(light: Light, height: float) -> Floats:
+    """(3,) optical depth of the air between sea level and a lamp at this sine of elevation."""
     if light.sky is not None:
-        red, green, blue = skylight.atmosphere(mie_depth(light), light.sky.haze).depth(height)
-    else:
-        mass = air_mass(height)
-        red, green, blue = ((tau + mie_depth(light)) * mass for tau in RAYLEIGH)
-    return red, green, blue
+        return skylight.atmosphere(mie_depth(light), light.sky.haze).depth(height)
+    return (RAYLEIGH + mie_depth(light)) * air_mass(height)
 
 
 def sun(light: Light) -> Direction:
     """Unit vector toward the sun."""
     return direction(*light.sun)
-
-
-def sun_power(light: Light) -> Rgb:
-    """Irradiance above the atmosphere of the sunlight in a layered sky, as an eye adapted to dusk sees it."""
-    gain = skylight.adapted(sun(light)[1])
-    red, green, blue = (power * gain for power in skylight.SUN_POWER)
-    return red, green, blue
 
 
 def moon(light: Light) -> Direction | None:
@@ -85,15 +74,14 @@ def moon_phase(light: Light) -> float:
     return lit * lit
 
 
-def moon_power(light: Light) -> Rgb:
-    """Irradiance of moonlight above the atmosphere; 0 until the sine of the sun's elevation is -0.06."""
+def moon_power(light: Light) -> Floats:
+    """(3,) irradiance of moonlight above the atmosphere; 0 until the sine of the sun's elevation is -0.06."""
     toward = moon(light)
     if toward is None or light.sky is None or light.sky.moon is None:
-        return 0.0, 0.0, 0.0
+        return np.zeros(3)
     dark = smooth(0.06, 0.12, -sun(light)[1])
     power = MOON_POWER * light.sky.moon.brightness * moon_phase(light) * dark * smooth(-0.02, 0.02, toward[1])
-    red, green, blue = (power * tint for tint in MOON_TINT)
-    return red, green, blue
+    return power * MOON_TINT
 
 
 def moon_is_lamp(light: Light) -> bool:
@@ -101,25 +89,28 @@ def moon_is_lamp(light: Light) -> bool:
     return moon(light) is not None and sun(light)[1] < -0.06
 
 
-def direct(light: Light) -> Rgb:
-    """Irradiance of the lamp, sun or moon, on a surface that faces it, under a clear sky."""
+def lamp_angles(light: Light) -> tuple[float, float]:
+    """Return azimuth and elevation of the lamp, rad: the sun, or the moon if the sun is well below the horizon."""
+    if light.sky is not None and light.sky.moon is not None and moon_is_lamp(light):
+        return light.sky.moon.azimuth, light.sky.moon.elevation
+    return light.sun
+
+
+def lamp(light: Light) -> Direction:
+    """Return the unit vector toward the lamp, sun or moon."""
+    return direction(*lamp_angles(light))
+
+
+def direct(light: Light) -> Floats:
+    """(3,) irradiance of the lamp, sun or moon, on a surface that faces it, under a clear sky."""
+    height = lamp(light)[1]
     if moon_is_lamp(light):
-        toward = moon(light)
-        assert toward is not None
-        red, green, blue = (
-            power * math.exp(-tau) for power, tau in zip(moon_power(light), path(light, toward[1]), strict=True)
-        )
+        above = moon_power(light)
     elif light.sky is not None:
-        height = sun(light)[1]
-        shown = skylight.disc_shown(height)
-        red, green, blue = (
-            power * shown * math.exp(-tau) for power, tau in zip(skylight.SUN_POWER, path(light, height), strict=True)
-        )
+        above = np.array(skylight.SUN_POWER) * skylight.disc_shown(height)
     else:
-        height = sun(light)[1]
-        up = smooth(-0.02, 0.02, height)
-        red, green, blue = (SUN_POWER * math.exp(-tau) * up for tau in path(light, height))
-    return red, green, blue
+        above = np.array(SUN_POWER * smooth(-0.02, 0.02, height))
+    return above * np.exp(-path(light, height))
 
 
 def glows(light: Light) -> dict[str, tuple[Direction, skylight.Glow]]:
@@ -127,16 +118,18 @@ def glows(light: Light) -> dict[str, tuple[Direction, skylight.Glow]]:
     assert light.sky is not None
     haze = mie_depth(light), light.sky.haze
     toward = sun(light)
-    result = {"sun": (toward, skylight.glow(*haze, toward[1], sun_power(light), skylight.NIGHT))}
+    # As an eye adapted to dusk sees it.
+    power = skylight.adapted(toward[1]) * np.array(skylight.SUN_POWER)
+    result = {"sun": (toward, skylight.glow(*haze, toward[1], tuple(power.tolist()), skylight.NIGHT))}
     other, power = moon(light), moon_power(light)
     if other is not None and min(power) > 0.0:
-        result["moon"] = (other, skylight.glow(*haze, other[1], power))
+        result["moon"] = (other, skylight.glow(*haze, other[1], tuple(power.tolist())))
     return result
 
 
 @lru_cache(maxsize=64)
-def clear_irradiance(light: Light) -> Rgb:
-    """Irradiance of the clear sky on level water, by the midpoint rule (96 × 96)."""
+def clear_irradiance(light: Light) -> Floats:
+    """(3,) irradiance of the clear sky on level water, by the midpoint rule (96 × 96)."""
     # Equal steps in the root of the height: the sky changes fastest at the horizon.
     root = (np.arange(_NODES) + 0.5) / _NODES
     height = np.repeat((root * root)[:, None], _NODES, axis=1)
@@ -147,5 +140,4 @@ def clear_irradiance(light: Light) -> Rgb:
         gamma = along * math.hypot(toward[0], toward[2]) + height * toward[1]
         rings = skylight.radiance(glow, height, along, gamma, ASYMMETRY).mean(axis=1)
         total += root**3 @ rings * (4.0 * math.pi / _NODES)
-    red, green, blue = (float(value) for value in total)
-    return red, green, blue
+    return read_only(total)

@@ -4,7 +4,8 @@ import math
 
 from seafoam.effects.effect import Bound, Contribution, Effect, QualityParameter
 from seafoam.effects.light import overcast
-from seafoam.effects.light.light import sun_direction, sun_irradiance
+from seafoam.effects.light.atmosphere import lamp
+from seafoam.effects.light.light import sun_irradiance
 from seafoam.effects.noise import PERLIN_3
 from seafoam.effects.shader import SlotFile
 from seafoam.framegraph.rules import rounded, vector
@@ -53,7 +54,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 def sunward(light: Light, clouds: Clouds) -> tuple[float, float, float, float]:
     """Way from still water toward the lamp to the clouds, along x and z, its height in them, and the standard
     deviation of the place where the lamp's disc is seen through them; cells."""
-    x, y, z = sun_direction(light)
+    x, y, z = lamp(light)
     along, rest = EARTH * y, (2.0 * EARTH + clouds.height) * clouds.height
     way = rest / (along + math.sqrt(along * along + rest))
     slant = (along + way) / (EARTH + clouds.height)

@@ -18,9 +18,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if light is None or light.sky is None or light.sky.clouds is None:
         return None
     clouds = light.sky.clouds
-    lamp = atmosphere.moon(light) if atmosphere.moon_is_lamp(light) else atmosphere.sun(light)
-    assert lamp is not None
-    means = overcast.cloud_means(light, clouds)
+    mean, parted = overcast.cloud_means(light, clouds)
     rain = (SlotFile("rain", "light/clouds.glsl@rain"),) if clouds.rain > 0.0 else ()
     return Contribution(
         why=f"clouds over {100 * clouds.cover:.0f} % of the sky",
@@ -38,14 +36,14 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "u_cloud_shape": vector(
                 rounded((clouds.height, clouds.size, overcast.cloud_start(clouds), clouds.thickness))
             ),
-            "u_cloud_mean": vector(rounded(means[0])),
-            "u_cloud_parted": vector(rounded(means[1])),
+            "u_cloud_mean": vector(rounded(mean)),
+            "u_cloud_parted": vector(rounded(parted)),
             "u_cloud_far": vector(rounded(overcast.cloud_far(light, clouds))),
             "u_cloud_tall": number(clouds.depth, None if clouds.shadows > 0.0 else "/light/sky/clouds/depth"),
             "u_cloud_rain": number(clouds.rain, "/light/sky/clouds/rain"),
             "u_cloud_softness": number(clouds.softness),
             "u_cloud_edge": vector(rounded(overcast.cloud_edge(clouds))),
-            "u_cloud_toward": vector(rounded(lamp)),
+            "u_cloud_toward": vector(rounded(atmosphere.lamp(light))),
             "u_cloud_light": vector(rounded(overcast.cloud_light(light, clouds.height))),
             "u_cloud_sky": vector(rounded(overcast.cloud_sky(light))),
         },

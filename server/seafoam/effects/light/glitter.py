@@ -6,7 +6,7 @@ from seafoam.effects.effect import Bound, Contribution, Effect
 from seafoam.effects.light import atmosphere
 from seafoam.effects.light.light import brightest_sun, sun_disc
 from seafoam.effects.shader import SlotFile
-from seafoam.framegraph.rules import Uniform, number, vector
+from seafoam.framegraph.rules import Uniform, number, rounded, vector
 from seafoam.quality import Quality
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
@@ -43,7 +43,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     return Contribution(
         why="glitter of the moon" if atmosphere.moon_is_lamp(light) else "glitter of the sun",
         slots=(SlotFile("glitter", path, needs=needs), SlotFile("disc", "light/sky.glsl@sun_disc")),
-        uniforms={"u_sun_disc": vector(sun_disc(light)), **uniforms},
+        uniforms={"u_sun_disc": vector(rounded(sun_disc(light))), **uniforms},
         bound=Bound(brightest_glint(scene), "the lamp is below the horizon", ("/light/exposure", "/water/roughness")),
     )
 

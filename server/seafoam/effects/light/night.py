@@ -2,6 +2,8 @@
 
 import math
 
+import numpy as np
+
 from seafoam.effects.effect import Bound, Contribution, Effect
 from seafoam.effects.light import atmosphere
 from seafoam.effects.light.glow import glow_source, glow_uniforms
@@ -49,19 +51,12 @@ def moon(scene: Scene, quality: Quality) -> Contribution | None:
             "u_moon_radius": number(significant(radius)),
             "u_moon_sun": vector(
                 rounded(
-                    tuple(
-                        summed(a * b for a, b in zip(sun, axis, strict=True))
-                        for axis in (right, up, tuple(-value for value in toward))
-                    )
+                    summed(a * b for a, b in zip(sun, axis, strict=True))
+                    for axis in (right, up, tuple(-value for value in toward))
                 )
             ),
             "u_moon_radiance": vector(
-                rounded(
-                    tuple(
-                        face * tint * math.exp(-0.5 * tau)
-                        for tint, tau in zip(atmosphere.MOON_TINT, atmosphere.path(light, toward[1]), strict=True)
-                    )
-                )
+                rounded(face * atmosphere.MOON_TINT * np.exp(-0.5 * atmosphere.path(light, toward[1])))
             ),
         },
         bound=Bound(0.0, "the moon is below the horizon") if toward[1] < -max(0.02, 2.0 * radius) else None,
@@ -78,7 +73,7 @@ def stars(scene: Scene, quality: Quality) -> Contribution | None:
         why="stars",
         slots=(SlotFile("stars", "light/night.glsl@stars", needs=("lib/texels.glsl@cube_face", HASH)),),
         uniforms={
-            "u_star_path": vector(rounded(tuple(tau + atmosphere.mie_depth(light) for tau in atmosphere.RAYLEIGH))),
+            "u_star_path": vector(rounded(atmosphere.RAYLEIGH + atmosphere.mie_depth(light))),
             "u_star_brightness": number(significant(STAR_POWER * light.sky.stars * dark)),
         },
         bound=Bound(0.0, "the sun is above the horizon") if dark == 0.0 else None,

@@ -7,8 +7,7 @@ from statistics import NormalDist
 import numpy as np
 
 from seafoam.effects.light import atmosphere
-from seafoam.effects.light.atmosphere import Rgb
-from seafoam.ocean.arrays import Floats
+from seafoam.ocean.arrays import Floats, read_only
 from seafoam.scene.light import Cirrus, Clouds, Light
 
 _SLICES = np.array([[0.0], [0.4], [0.8]])
@@ -47,44 +46,36 @@ def cirrus_start(cirrus: Cirrus) -> float:
     return -NormalDist().inv_cdf(min(max(cirrus.cover, 1e-3), 1.0 - 1e-3)) - 1.2
 
 
-def cloud_light(light: Light, altitude: float) -> Rgb:
-    """Irradiance of the lamp at an altitude (m): through the air above, and until later after sunset."""
+def cloud_light(light: Light, altitude: float) -> Floats:
+    """(3,) irradiance of the lamp at an altitude (m): through the air above, and until later after sunset."""
+    height = atmosphere.lamp(light)[1]
+    above = np.array(atmosphere.SUN_POWER * atmosphere.smooth(-0.06, 0.02, height))
     if atmosphere.moon_is_lamp(light):
-        toward = atmosphere.moon(light)
-        assert toward is not None
-        red, green, blue = (
-            power * math.exp(-tau)
-            for power, tau in zip(atmosphere.moon_power(light), _path(light, altitude, toward[1]), strict=True)
-        )
-    else:
-        height = atmosphere.sun(light)[1]
-        up = atmosphere.smooth(-0.06, 0.02, height)
-        red, green, blue = (atmosphere.SUN_POWER * math.exp(-tau) * up for tau in _path(light, altitude, height))
-    return red, green, blue
+        above = atmosphere.moon_power(light)
+    haze = atmosphere.mie_depth(light) * math.exp(-altitude / MIE_HEIGHT)
+    depth = atmosphere.RAYLEIGH * math.exp(-altitude / RAYLEIGH_HEIGHT) + haze
+    return above * np.exp(-depth * atmosphere.air_mass(height))
 
 
-def cloud_sky(light: Light) -> Rgb:
-    """Radiance of the skylight on clouds, mean over all directions."""
-    red, green, blue = (0.6 / math.pi * value for value in atmosphere.clear_irradiance(light))
-    return red, green, blue
+def cloud_sky(light: Light) -> Floats:
+    """(3,) radiance of the skylight on clouds, mean over all directions."""
+    return 0.6 / math.pi * atmosphere.clear_irradiance(light)
 
 
-def irradiance(light: Light) -> Rgb:
-    """Irradiance of sky and clouds on level water."""
+def irradiance(light: Light) -> Floats:
+    """(3,) irradiance of sky and clouds on level water."""
     clear = atmosphere.clear_irradiance(light)
     clouds = light.sky.clouds if light.sky is not None else None
     if clouds is None:
         return clear
-    cover, grey = cloud_mean(clouds), _overcast(light, clouds)
-    red, green, blue = ((1.0 - cover) * sky + cover * math.pi * mean for sky, mean in zip(clear, grey, strict=True))
-    return red, green, blue
+    cover = cloud_mean(clouds)
+    return (1.0 - cover) * clear + cover * math.pi * _overcast(light, clouds)
 
 
-def cloud_far(light: Light, clouds: Clouds) -> tuple[float, float, float, float]:
+def cloud_far(light: Light, clouds: Clouds) -> tuple[float, ...]:
     """Light of the air along the horizon that clouds keep the lamp from: its radiance, premultiplied, and its share."""
     share = SHADED * cloud_mean(clouds)
-    red, green, blue = (share * value for value in _overcast(light, clouds))
-    return red, green, blue, share
+    return *(share * _overcast(light, clouds)), share
 
 
 LEAST_PASSED = 1e-4
@@ -135,24 +126,20 @@ def cloud_edge(clouds: Clouds) -> tuple[float, float, float, float]:
     wide = cloud_start(clouds) + TAPER * _SLICES + middle
     wide -= wide * width / math.hypot(width, 1.0)
     missed = cloud_mean(clouds) - float(_column(clouds, wide, wide[1], 0.0)[0][0])
-    return middle, width, missed, _means(clouds, 0.0)[2]
+    return middle, width, missed, _means(clouds, 0.0)[1]
 
 
-def cloud_means(light: Light, clouds: Clouds) -> tuple[Rgb, Rgb]:
-    """Means of lamp, haze's scattering and sky in the light of clouds, and of clouds whose slices are parted."""
-    toward = atmosphere.moon(light) if atmosphere.moon_is_lamp(light) else atmosphere.sun(light)
-    assert toward is not None
-    whole, parted, _ = _means(clouds, toward[1])
-    return whole, parted
+def cloud_means(light: Light, clouds: Clouds) -> Floats:
+    """(2, 3) means of lamp, haze's scattering and sky in the light of clouds, and of those whose slices are parted."""
+    return _means(clouds, atmosphere.lamp(light)[1])[0]
 
 
-def _overcast(light: Light, clouds: Clouds) -> Rgb:
-    """Mean radiance of clouds."""
-    sunny, forward, grey = (0.5 * (a + b) for a, b in zip(*cloud_means(light, clouds), strict=True))
+def _overcast(light: Light, clouds: Clouds) -> Floats:
+    """(3,) mean radiance of clouds."""
+    sunny, forward, grey = cloud_means(light, clouds).mean(axis=0)
     lamp, sky = cloud_light(light, clouds.height), cloud_sky(light)
-    sunny += forward / (4.0 * math.pi)
-    red, green, blue = (sunny * one + grey * other for one, other in zip(lamp, sky, strict=True))
-    return red, green, blue
+    result: Floats = (sunny + forward / (4.0 * math.pi)) * lamp + grey * sky
+    return result
 
 
 @lru_cache(maxsize=1)
@@ -165,27 +152,20 @@ def _lattice() -> Floats:
 
 
 @lru_cache(maxsize=64)
-def _means(clouds: Clouds, height: float) -> tuple[Rgb, Rgb, float]:
+def _means(clouds: Clouds, height: float) -> tuple[Floats, float]:
     """Means of :func:`_column` over the noise, those of radiance weighted by the opacity: of slices above each other,
-    of slices that have only the finer octaves in common, and what these are more opaque."""
+    of slices that have only the finer octaves in common, (2, 3), and what these are more opaque."""
     if clouds.cover * clouds.thickness == 0.0:
-        return (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0
+        return np.zeros((2, 3)), 0.0
     fine, lower, here, upper, other = _lattice()
     ahead = 0.712 * here + 0.382 * fine + 0.589 * other
-    shines: list[Rgb] = []
-    covers: list[float] = []
+    means, covers = [], []
     for slices in ((here, here, here), (lower, here, upper)):
         noise = 0.58 * fine + math.sqrt(1.0 - 0.58 * 0.58) * np.stack(slices)
-        opaque, sunny, forward, grey = _column(clouds, noise, ahead, height)
+        opaque, *shines = _column(clouds, noise, ahead, height)
         covers.append(float(opaque.mean()))
-        shines.append(
-            (
-                float(opaque @ sunny / opaque.sum()),
-                float(opaque @ forward / opaque.sum()),
-                float(opaque @ grey / opaque.sum()),
-            )
-        )
-    return shines[0], shines[1], covers[1] - covers[0]
+        means.append([opaque @ one / opaque.sum() for one in shines])
+    return read_only(np.array(means)), covers[1] - covers[0]
 
 
 def _column(clouds: Clouds, noise: Floats, ahead: Floats, height: float) -> tuple[Floats, Floats, Floats, Floats]:
@@ -217,10 +197,3 @@ def _smooth(t: Floats) -> Floats:
     t = np.clip(t, 0.0, 1.0)
     result: Floats = t * t * (3.0 - 2.0 * t)
     return result
-
-
-def _path(light: Light, altitude: float, height: float) -> Rgb:
-    """Optical depth of the air between an altitude (m) and a lamp at this sine of elevation."""
-    mass, haze = atmosphere.air_mass(height), atmosphere.mie_depth(light) * math.exp(-altitude / MIE_HEIGHT)
-    red, green, blue = ((tau * math.exp(-altitude / RAYLEIGH_HEIGHT) + haze) * mass for tau in atmosphere.RAYLEIGH)
-    return red, green, blue

@@ -99,7 +99,7 @@ def _bound(scene: Scene, light: Light) -> Bound | None:
     factor = 2.0**light.exposure
     if light.sky is not None:
         return None
-    land = max(sun + sky for sun, sky in zip(sun_irradiance(light), sky_irradiance(light), strict=True)) / math.pi
+    land = max(sun_irradiance(light) + sky_irradiance(light)) / math.pi
     # The brightest point of the sky, where all light is scattered forward.
     brightest = max(air_light(light)) * 2.6
     return Bound(factor * max(land, brightest), "there is no light to reflect", ("/light/exposure",))

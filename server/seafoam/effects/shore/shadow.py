@@ -3,7 +3,8 @@
 import math
 
 from seafoam.effects.effect import Bound, Contribution, Effect, QualityParameter
-from seafoam.effects.light.light import sun_direction, sun_irradiance
+from seafoam.effects.light.atmosphere import lamp
+from seafoam.effects.light.light import sun_irradiance
 from seafoam.effects.shader import SlotFile
 from seafoam.effects.shore.limits import limits
 from seafoam.effects.shore.maps import GROUND
@@ -58,7 +59,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 
 def sights(light: Light) -> tuple[float, float, float, float]:
     """Level unit vector toward the sun, (x, z), and the slopes of the sights of its upper and lower rim."""
-    x, y, z = sun_direction(light)
+    x, y, z = lamp(light)
     elevation = math.atan2(y, math.hypot(x, z))
     level = max(math.hypot(x, z), 1e-6)
     upper = min(elevation + SUN_RADIUS, 1.5)
@@ -67,7 +68,7 @@ def sights(light: Light) -> tuple[float, float, float, float]:
 
 
 def _lit(light: Light) -> bool:
-    return max(sun_irradiance(light)) > 0.0
+    return bool(sun_irradiance(light).any())
 
 
 def _bound(shore: Shore, light: Light, quality: Quality) -> Bound | None:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 from seafoam.effects.bounds import FLOOR_FIELDS, floor_limit, min_surface_height
 from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, Resources
-from seafoam.effects.light.light import sun_direction
+from seafoam.effects.light.atmosphere import lamp
 from seafoam.effects.shader import SlotFile
 from seafoam.effects.waves.ripples import ripple_phases
 from seafoam.framegraph.passes import Grid, Points
@@ -44,7 +44,7 @@ _MAX_FOCUS = 64.0
 
 def landing(light: Light, depth: float, slope: tuple[float, float], index: float = WATER_INDEX) -> tuple[float, float]:
     """Horizontal distance (x, z), m, from where sunlight enters water of this slope to where it meets the floor."""
-    sun = sun_direction(light)
+    sun = lamp(light)
     size = math.sqrt(1.0 + slope[0] ** 2 + slope[1] ** 2)
     n = (-slope[0] / size, 1.0 / size, -slope[1] / size)
     c = max(summed(a * b for a, b in zip(n, sun, strict=True)), 0.0)

@@ -4,7 +4,7 @@ import math
 
 from seafoam.effects.bounds import FLOOR_FIELDS, floor_limit, min_surface_height
 from seafoam.effects.effect import Bound, Contribution, Effect
-from seafoam.effects.light.light import lamp_angles
+from seafoam.effects.light.atmosphere import lamp_angles
 from seafoam.effects.noise import VALUE_NOISE
 from seafoam.effects.shader import SlotFile
 from seafoam.framegraph.rules import Uniform, array, in_tile, number, significant, vector

@@ -175,11 +175,9 @@ class Atmosphere:
             (RAYLEIGH, self.mie / MIE_HEIGHT * MIE_TINT, self.haze / (_HORIZON_MASS * HAZE_HEIGHT) * MIE_TINT, OZONE)
         )
 
-    def depth(self, height: float) -> tuple[float, float, float]:
-        """Optical depth between the eye and a lamp at this sine of elevation; below the horizon as along it."""
-        radius = np.array(EARTH + EYE)
-        red, green, blue = (float(value) for value in _column(radius, np.array(height)) @ self.extinction)
-        return red, green, blue
+    def depth(self, height: float) -> Floats:
+        """(3,) optical depth between the eye and a lamp at this sine of elevation; below the horizon as along it."""
+        return _column(np.array(EARTH + EYE), np.array(height)) @ self.extinction
 
     def transmittance(self, radius: Floats, cosine: Floats) -> Floats:
         """Share of a sun's light that arrives at a radius (km) from a zenith cosine; (..., 3)."""

@@ -16,7 +16,8 @@ from seafoam.ocean.arrays import Floats
 from seafoam.ocean.sky.air import EARTH, EYE, Atmosphere
 from seafoam.ocean.sky.air import disc_shown as shown_from
 
-Rgb = tuple[float, float, float]
+Rgb = tuple[float, ...]
+"""Red, green and blue."""
 Exponents = tuple[tuple[int, int], ...]
 
 SCALE = 0.1

@@ -328,11 +328,10 @@ def layered_sky(light: Light, time: float, eye: tuple[float, float, float]) -> L
         return None
     mie = mie_depth(light)
 
-    def lamp(direction: Floats, power: Floats, least: tuple[float, float, float]) -> Lamp:
+    def lamp(direction: Floats, power: Floats, least: skylight.Rgb) -> Lamp:
         height = float(direction[1])
-        red, green, blue = (float(value) for value in power)
-        path = np.array(skylight.atmosphere(mie, sky.haze).depth(height))
-        return Lamp(direction, path, power, skylight.glow(mie, sky.haze, height, (red, green, blue), least))
+        path = skylight.atmosphere(mie, sky.haze).depth(height)
+        return Lamp(direction, path, power, skylight.glow(mie, sky.haze, height, tuple(power.tolist()), least))
 
     sun = to_sun(light)
     low = float(sun[1])

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from seafoam.effects.light.light import sky_irradiance, sun_direction, sun_irradiance
+from seafoam.effects.light.atmosphere import lamp
+from seafoam.effects.light.light import sky_irradiance, sun_irradiance
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference import load_truth, noise
@@ -91,7 +92,7 @@ def test_light_from_above_is_the_integral(report: Report) -> None:
         light = Light(sun_elevation=elevation, sun_azimuth=0.7, sky=sky)
         air = reference_light.air(light)
         worst = max(worst, float(np.abs(np.array(sky_irradiance(light)) / air.sky_irradiance - 1.0).max()))
-        assert np.allclose(sun_direction(light), air.sun, atol=1e-12)
+        assert np.allclose(lamp(light), air.sun, atol=1e-12)
         assert np.allclose(sun_irradiance(light), air.sun_irradiance, rtol=1e-6, atol=1e-12)
     report.within("Light of the layered sky, plan over reference less 1", worst=(worst, 5e-3))
 
@@ -189,8 +190,8 @@ def test_the_lake_in_the_cube_map_nears_the_truth(executor: Executor, report: Re
 def test_at_night_the_moon_is_the_lamp() -> None:
     sky = Sky(moon=Moon(azimuth=1.0, elevation=0.5))
     by_day, by_night = Light(sun_elevation=0.3, sky=sky), Light(sun_elevation=-0.5, sky=sky)
-    assert sun_direction(by_day)[1] == pytest.approx(math.sin(0.3))
-    assert sun_direction(by_night)[1] == pytest.approx(math.sin(0.5))
+    assert lamp(by_day)[1] == pytest.approx(math.sin(0.3))
+    assert lamp(by_night)[1] == pytest.approx(math.sin(0.5))
     names = {note.name for note in make_plan(Scene(light=by_night), TIERS["standard"]).effects}
     assert "sun glitter" in names
     new_moon = Light(sun_elevation=-0.5, sun_azimuth=1.0, sky=Sky(moon=Moon(azimuth=1.0, elevation=-0.45)))
