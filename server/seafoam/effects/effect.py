@@ -5,6 +5,7 @@ Effects describe; the planner assembles.
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields, replace
+from functools import wraps
 from itertools import chain
 from typing import Any, Literal, Self, TypeVar
 
@@ -16,6 +17,7 @@ from seafoam.framegraph.resources import Filter, Input, Target, WrapMode
 from seafoam.framegraph.rules import Uniform
 from seafoam.quality import Quality, QualityParameters
 from seafoam.scene.base import Part
+from seafoam.scene.foam import Foam
 from seafoam.scene.models import Scene
 from seafoam.textures.spec import TextureSpec
 
@@ -41,15 +43,16 @@ T = TypeVar("T")
 class PassSpec:
     """A pass that an effect adds; ``vertex`` and ``fragment`` list the files of its shaders.
 
-    A :class:`SlotRef` among them also adds the inputs of its slot. ``mesh``: what is drawn, by default the whole
-    target. ``stage``: drawn before the surface, or after surface and sky into :data:`ABOVE`, which is cleared before
-    the first of these passes, or after the linear frame is finished, for its display.
+    A :class:`SlotRef` among them also adds the inputs of its slot. ``target``: by default that of the program's name.
+    ``mesh``: what is drawn, by default the whole target. ``stage``: drawn before the surface, or after surface and sky
+    into :data:`ABOVE`, which is cleared before the first of these passes, or after the linear frame is finished, for
+    its display.
     """
 
     name: str
     program: str
     fragment: tuple[Piece | SlotRef, ...]
-    target: str
+    target: str = ""
     vertex: tuple[Piece | SlotRef, ...] = ("vertex/vertex.glsl@fullscreen",)
     mesh: Mesh = field(default_factory=Fullscreen)
     inputs: dict[str, Input] = field(default_factory=dict)
@@ -60,6 +63,9 @@ class PassSpec:
     view: View = "any"
     under: tuple[Piece | SlotRef, ...] = ()
     """Files of the fragment shader for a camera under the water; empty: those of ``fragment`` for it too."""
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "target", self.target or self.program)
 
 
 @dataclass(frozen=True)
@@ -211,6 +217,24 @@ class Effect:
     extension: Extension | None = None
     afloat: tuple[str, ...] = ()
     without: Callable[[Scene], Scene] | None = None
+
+
+def foam_effect(
+    name: str, draw: Callable[[Scene, Foam, Any, Quality], Contribution], source: SaturationSource, **declared: Any
+) -> Effect:
+    """Return the effect that draws a source of foam saturation: active if the scene's foam has one of its model.
+
+    ``draw``: its contribution to a scene, of whose foam and source it is told. ``declared``: fields of the effect.
+    """
+
+    @wraps(draw)
+    def contribute(scene: Scene, quality: Quality) -> Contribution | None:
+        if scene.foam is None:
+            return None
+        given = next((part for part in scene.foam.saturation if isinstance(part, source.model)), None)
+        return None if given is None else draw(scene, scene.foam, given, quality)
+
+    return Effect(name, contribute, saturation=source, **declared)
 
 
 class AssemblyError(RuntimeError):

@@ -125,18 +125,13 @@ def patches(
     ``octaves``: the size of cells, and whether they are turned. Places and cells are in units of ``unit`` m.
     """
     t_x, t_z = 0.8 * x - 0.6 * z, 0.6 * x + 0.8 * z
-    noises = [
-        (weight, cell * unit, value(KEY, t_x / cell, t_z / cell) if turned else value(KEY, x / cell, z / cell))
-        for weight, (cell, turned) in zip(TORN_SHARES, octaves, strict=True)
-    ]
-    if footprints is None:
-        return smoothstep(*TORN, np.sum([weight * noise for weight, _, noise in noises], axis=0))
-    x, y = footprints
-    mean, lost = np.full(x.shape[0], 0.5), np.zeros(x.shape[0])
-    for weight, cell, noise in noises:
-        per = 3.23 / 12.0 / cell**2
-        area = per * (x[:, 0] * y[:, 1] - x[:, 1] * y[:, 0])
-        kept = 1.0 / (1.0 + per * ((x**2).sum(axis=1) + (y**2).sum(axis=1)) + area**2)
+    along, down = (side.T for side in footprints) if footprints is not None else np.zeros((2, 2, 1))
+    mean, lost = np.full(x.shape, 0.5), np.zeros(x.shape)
+    for weight, (cell, turned) in zip(TORN_SHARES, octaves, strict=True):
+        noise = value(KEY, t_x / cell, t_z / cell) if turned else value(KEY, x / cell, z / cell)
+        per = 3.23 / 12.0 / (cell * unit) ** 2
+        area = per * (along[0] * down[1] - along[1] * down[0])
+        kept = 1.0 / (1.0 + per * ((along**2).sum(axis=0) + (down**2).sum(axis=0)) + area**2)
         mean += weight * np.sqrt(kept) * (noise - 0.5)
         lost += weight**2 * 0.046 * (1.0 - kept)
     return filtered_step(*TORN, mean, lost)

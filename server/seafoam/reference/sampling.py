@@ -4,6 +4,7 @@ Coordinates u run along columns and v along rows, 1 a tile. Images are (size, si
 from v = 0, size a power of two.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -56,7 +57,7 @@ def bilinear(image: Floats, u: Floats, v: Floats) -> Floats:
     return result
 
 
-def trilinear(chain: list[Floats], u: Floats, v: Floats, level: Floats) -> Floats:
+def trilinear(chain: Sequence[Floats], u: Floats, v: Floats, level: Floats) -> Floats:
     """Bilinear at the two levels around ``level``, clamped to existing ones, linear between; (r,) or (r, channels)."""
     level = np.clip(level, 0.0, len(chain) - 1.0)
     result = np.zeros(u.shape + chain[0].shape[2:])

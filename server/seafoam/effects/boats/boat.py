@@ -132,7 +132,6 @@ def _pose_pass(scene: Scene) -> PassSpec:
         name="how boats float",
         program="boat_pose",
         fragment=("lib/numbers.glsl", SlotRef("waves"), COURSE, support, "boats/pose.glsl@pass"),
-        target="boat_pose",
     )
 
 

@@ -156,7 +156,6 @@ def _map(kind: WakeKind, count: int, size: int) -> Resources:
             name=f"{kind.title}, {size} texels along",
             program=name,
             fragment=("lib/numbers.glsl", form, _PATTERN, kind.file("boats/wake.glsl@map_pass")),
-            target=name,
         ),
         PassSpec(
             name=f"{kind.title}, greatest of blocks",
@@ -166,14 +165,12 @@ def _map(kind: WakeKind, count: int, size: int) -> Resources:
                 form,
                 kind.file("boats/wake_bounds.glsl@blocks"),
             ),
-            target=f"{name}_blocks",
             inputs=kind.renamed(target_inputs({"u_wake_map": name})),
         ),
         PassSpec(
             name=f"{kind.title}, greatest of all",
             program=f"{name}_bounds",
             fragment=(form, kind.file("boats/wake_bounds.glsl@join")),
-            target=f"{name}_bounds",
             inputs=kind.renamed(target_inputs({"u_wake_blocks": f"{name}_blocks"})),
         ),
     )

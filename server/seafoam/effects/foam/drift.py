@@ -7,12 +7,12 @@ from seafoam.effects.bounds import SATURATION_CAP
 from seafoam.effects.effect import (
     Bound,
     Contribution,
-    Effect,
     PassSpec,
     PlanError,
     QualityParameter,
     Resources,
     SaturationSource,
+    foam_effect,
 )
 from seafoam.effects.noise import VALUE_NOISE
 from seafoam.effects.shader import Const, Piece, SlotFile, Source
@@ -62,17 +62,12 @@ _NUMBERS = ("lib/numbers.glsl", "foam/drift.glsl@square")
 _FLOW_MAP = ("lib/texels.glsl@bilinear", "foam/drift.glsl@flow_map")
 
 
-def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if a saturation has source ``drift``."""
-    if scene.foam is None:
-        return None
-    source = scene.foam.source(DriftSaturation)
-    if source is None:
-        return None
+def draw(scene: Scene, foam: Foam, source: DriftSaturation, quality: Quality) -> Contribution:
+    """Foam of a saturation with source ``drift``."""
     if scene.drift is None:
         return Contribution.invisible("the scene has no drift")
-    amount = f"{scene.foam.pointer(source)}/amount"
-    advection = _Advection(scene, scene.foam, scene.drift, source, quality)
+    amount = f"{foam.pointer(source)}/amount"
+    advection = _Advection(scene, foam, scene.drift, source, quality)
     common = Contribution(
         why=advection.why,
         consts=advection.consts,
@@ -189,14 +184,12 @@ class _Advection:
             name="flow of drift",
             program="drift_flow",
             fragment=(*_NUMBERS, "foam/drift.glsl@flow", "foam/drift_passes.glsl@flow"),
-            target="drift_flow",
             uniforms={**self.square, **self.flow, **self.texel},
         )
         coarse = PassSpec(
             name="drift, means",
             program="drift_coarse",
             fragment=("foam/drift_passes.glsl@coarse",),
-            target="drift_coarse",
             inputs=target_inputs({"u_drift_map": "drift"}),
         )
         return (flow, *(self._forward() if self.forward else self._backward()), coarse)
@@ -218,7 +211,6 @@ class _Advection:
                 name="drift, quarters of a generation back",
                 program="drift_still",
                 fragment=(*still, "foam/drift_passes.glsl@still"),
-                target="drift_still",
                 inputs=target_inputs(flow),
                 uniforms={**self.square, **self.texel},
             ),
@@ -234,7 +226,6 @@ class _Advection:
                 name="drift, ways of the youngest",
                 program="drift_way",
                 fragment=(*back, "foam/drift.glsl@rest", "foam/drift_passes.glsl@way"),
-                target="drift_way",
                 inputs=target_inputs({**flow, "u_drift_still": "drift_still"}),
                 uniforms={**self.square, **self.clock, **self.texel},
             ),
@@ -248,7 +239,6 @@ class _Advection:
                     "foam/drift.glsl@patches",
                     "foam/drift_passes.glsl@backward",
                 ),
-                target="drift",
                 inputs=target_inputs({**flow, "u_drift_way": "drift_way", "u_drift_older": "drift_older"}),
                 uniforms={**self.square, **self.clock, **self.patches, **self.texel, **self.coverage},
             ),
@@ -354,11 +344,11 @@ def drift_limit(source: DriftSaturation, scene: Scene) -> float:
     return min(2.0 * source.amount, SATURATION_CAP) if scene.drift is not None else 0.0
 
 
-EFFECT = Effect(
+EFFECT = foam_effect(
     "drifting foam",
-    contribute,
+    draw,
+    SaturationSource(DriftSaturation, drift_limit, ("amount",)),
     fields=("/drift", "/drift/vortices"),
-    saturation=SaturationSource(DriftSaturation, drift_limit, ("amount",)),
     parameters=(
         QualityParameter("/drift", "drift", ("forward", "backward", "exact"), "geometry"),
         QualityParameter("/drift_size", "texels of the drift maps", (64, 128, 256, 512), "geometry"),

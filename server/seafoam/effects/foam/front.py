@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass, replace
 
 from seafoam.effects.bounds import SATURATION_CAP, parametric_wave_height
-from seafoam.effects.effect import Bound, Contribution, Effect, SaturationSource, TextureUse
+from seafoam.effects.effect import Bound, Contribution, SaturationSource, TextureUse, foam_effect
 from seafoam.effects.foam.living import follows_orbits
 from seafoam.effects.noise import PERLIN_3, drifting_noise
 from seafoam.effects.shader import Const, Piece, SlotFile
@@ -16,7 +16,7 @@ from seafoam.ocean.basics.dispersion import angular_frequency, wavevector
 from seafoam.ocean.waves.groups import group_velocity, in_groups
 from seafoam.ocean.waves.stokes import foam_drift, orbit
 from seafoam.quality import Quality
-from seafoam.scene.foam import FrontSaturation
+from seafoam.scene.foam import Foam, FrontSaturation
 from seafoam.scene.models import Scene
 from seafoam.sums import summed
 from seafoam.textures.front import FRONT_NODES, FrontIntegral, front_fading, front_full
@@ -46,23 +46,18 @@ _CONSTANTS = {
 }
 
 
-def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if a saturation has source ``front``."""
-    if scene.foam is None:
-        return None
-    front = scene.foam.source(FrontSaturation)
-    if front is None:
-        return None
+def draw(scene: Scene, foam: Foam, front: FrontSaturation, quality: Quality) -> Contribution:
+    """Foam of a saturation with source ``front``."""
     if not scene.waves:
         return Contribution.invisible("no wave, so no front")
     bound = None
     if front_limit(front, scene) == 0.0:
         bound = Bound(0.0, "the group's threshold is above the greatest possible sum of the waves")
-    filtered = scene.foam.look == "filtered"
+    filtered = foam.look == "filtered"
     if front.decay is not None:
         contribution = _decaying(scene, front, front.decay, filtered=filtered)
     else:
-        contribution = _present(scene, front, f"{scene.foam.pointer(front)}/intensity")
+        contribution = _present(scene, front, f"{foam.pointer(front)}/intensity")
         if filtered:
             contribution = _averaged(scene, front, contribution)
     return replace(contribution, bound=bound)
@@ -268,9 +263,9 @@ def front_limit(front: FrontSaturation, scene: Scene) -> float:
     return SATURATION_CAP if scene.waves and (front.group[0] < 1.0 or front.variation > 0.0) else 0.0
 
 
-EFFECT = Effect(
+EFFECT = foam_effect(
     "front foam",
-    contribute,
-    saturation=SaturationSource(FrontSaturation, front_limit),
+    draw,
+    SaturationSource(FrontSaturation, front_limit),
     afloat=("u_front_phase",),
 )

@@ -5,14 +5,14 @@ import math
 import numpy as np
 
 from seafoam.effects.bounds import SATURATION_CAP, max_surface_height
-from seafoam.effects.effect import Bound, Contribution, Effect, SaturationSource
+from seafoam.effects.effect import Bound, Contribution, SaturationSource, foam_effect
 from seafoam.effects.shader import Const, SlotFile
 from seafoam.effects.waves.parametric import max_profile_slope
 from seafoam.framegraph.rules import Uniform, constants, number, rounded, significant, vector
 from seafoam.ocean.basics.dispersion import wavevector
 from seafoam.ocean.basics.levels import paper_level
 from seafoam.quality import Quality
-from seafoam.scene.foam import HeightSaturation
+from seafoam.scene.foam import Foam, HeightSaturation
 from seafoam.scene.models import Scene
 from seafoam.sums import summed
 
@@ -50,22 +50,15 @@ def visible_heights(scene: Scene) -> tuple[float, float, list[tuple[float, float
     return float(h.mean()), steepest, seen
 
 
-def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if a saturation has source ``height``."""
-    if scene.foam is None:
-        return None
-    height = scene.foam.source(HeightSaturation)
-    if height is None:
-        return None
-    pointer = scene.foam.pointer(height)
-    file = (
-        "foam/saturation/height.glsl@filtered" if scene.foam.look == "filtered" else "foam/saturation/height.glsl@plain"
-    )
+def draw(scene: Scene, foam: Foam, height: HeightSaturation, quality: Quality) -> Contribution:
+    """Foam of a saturation with source ``height``."""
+    pointer = foam.pointer(height)
+    file = "foam/saturation/height.glsl@filtered" if foam.look == "filtered" else "foam/saturation/height.glsl@plain"
     consts: dict[str, Const] = {}
     uniforms: dict[str, Uniform] = {}
     needs: tuple[str, ...] = ()
     # Shores refract waves, and an open sea resolves its heights until its largest waves are smaller than a pixel.
-    if scene.foam.look == "filtered" and scene.sea is None and scene.shore is None:
+    if foam.look == "filtered" and scene.sea is None and scene.shore is None:
         raised = [wave for wave in scene.waves if wave.amplitude > 0.0]
         if raised:
             file, needs = "foam/saturation/height.glsl@seen", ("foam/saturation/height.glsl@level",)
@@ -96,6 +89,4 @@ def height_limit(height: HeightSaturation, scene: Scene) -> float:
     return min(max(fraction, 0.0), SATURATION_CAP)
 
 
-EFFECT = Effect(
-    "height foam", contribute, saturation=SaturationSource(HeightSaturation, height_limit, ("base", "full"))
-)
+EFFECT = foam_effect("height foam", draw, SaturationSource(HeightSaturation, height_limit, ("base", "full")))

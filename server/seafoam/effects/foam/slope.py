@@ -1,11 +1,11 @@
 """Foam saturation from the surface's slope (GPU ocean, 2007). docs/formulae.md, section 4."""
 
 from seafoam.effects.bounds import SATURATION_CAP, max_surface_height
-from seafoam.effects.effect import Bound, Contribution, Effect, QualityParameter, SaturationSource
+from seafoam.effects.effect import Bound, Contribution, QualityParameter, SaturationSource, foam_effect
 from seafoam.effects.shader import Const, SlotFile
 from seafoam.framegraph.rules import Uniform, number
 from seafoam.quality import Quality
-from seafoam.scene.foam import SlopeSaturation
+from seafoam.scene.foam import Foam, SlopeSaturation
 from seafoam.scene.models import Scene
 
 WIDENED = 1.5
@@ -14,20 +14,15 @@ WIDENED = 1.5
 _WIDENED = "foam/saturation/slope.glsl@widened"
 
 
-def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if a saturation has source ``slope``."""
-    if scene.foam is None:
-        return None
-    slope = scene.foam.source(SlopeSaturation)
-    if slope is None:
-        return None
+def draw(scene: Scene, foam: Foam, slope: SlopeSaturation, quality: Quality) -> Contribution:
+    """Foam of a saturation with source ``slope``."""
     # Without slope filtering a wider footprint has no effect.
     blurred = _WIDENED if quality.slope_places == 1 and quality.surface.filter else "foam/saturation/slope.glsl@blurred"
     file = blurred if slope.blur > 0.0 else "foam/saturation/slope.glsl@plain"
-    consts: dict[str, Const] = {"SLOPE_MOST": 1.0 if scene.foam.look == "filtered" else 4.0}
+    consts: dict[str, Const] = {"SLOPE_MOST": 1.0 if foam.look == "filtered" else 4.0}
     if file == _WIDENED:
         consts["SLOPE_WIDENED"] = WIDENED
-    pointer = scene.foam.pointer(slope)
+    pointer = foam.pointer(slope)
     uniforms: dict[str, Uniform] = {
         "u_slope_gain": number(slope.gain, f"{pointer}/gain"),
         "u_slope_base": number(slope.base, f"{pointer}/base"),
@@ -48,9 +43,9 @@ def slope_limit(slope: SlopeSaturation, scene: Scene) -> float:
     return min(slope.gain * (1.0 - slope.base), SATURATION_CAP) if max_surface_height(scene) > 0.0 else 0.0
 
 
-EFFECT = Effect(
+EFFECT = foam_effect(
     "slope foam",
-    contribute,
-    saturation=SaturationSource(SlopeSaturation, slope_limit, ("base", "gain")),
+    draw,
+    SaturationSource(SlopeSaturation, slope_limit, ("base", "gain")),
     parameters=(QualityParameter("/slope_places", "points of the blurred slope", (1, 5), "filtering"),),
 )

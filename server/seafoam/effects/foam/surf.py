@@ -1,26 +1,21 @@
 """Foam of the surf. docs/formulae.md, section 8."""
 
 from seafoam.effects.bounds import SATURATION_CAP
-from seafoam.effects.effect import Bound, Contribution, Effect, SaturationSource
+from seafoam.effects.effect import Bound, Contribution, SaturationSource, foam_effect
 from seafoam.effects.shader import SlotFile
 from seafoam.framegraph.rules import number, significant
 from seafoam.quality import Quality
-from seafoam.scene.foam import SurfSaturation
+from seafoam.scene.foam import Foam, SurfSaturation
 from seafoam.scene.models import Scene
 
 
-def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if a saturation has source ``surf``."""
-    if scene.foam is None:
-        return None
-    surf = scene.foam.source(SurfSaturation)
-    if surf is None:
-        return None
-    pointer = scene.foam.pointer(surf)
+def draw(scene: Scene, foam: Foam, surf: SurfSaturation, quality: Quality) -> Contribution:
+    """Foam of a saturation with source ``surf``."""
+    pointer = foam.pointer(surf)
     if scene.shore is None:
         return Contribution.invisible("there is no shore to break on")
     height = scene.shore.surf.height
-    filtered = scene.foam.look == "filtered"
+    filtered = foam.look == "filtered"
     torn = "foam/saturation/wake.glsl@torn" if filtered else "foam/saturation/wake.glsl@torn_exact"
     front = "foam/saturation/surf.glsl@front_filtered" if filtered else "foam/saturation/surf.glsl@front"
     needs = (torn, "foam/saturation/surf.glsl@patches", "foam/saturation/surf.glsl@swept", front)
@@ -53,4 +48,4 @@ def surf_limit(surf: SurfSaturation, scene: Scene) -> float:
     return min(2.4 * surf.amount + 2.0 * surf.veil, SATURATION_CAP)
 
 
-EFFECT = Effect("surf foam", contribute, saturation=SaturationSource(SurfSaturation, surf_limit))
+EFFECT = foam_effect("surf foam", draw, SaturationSource(SurfSaturation, surf_limit))

@@ -5,7 +5,7 @@ import math
 from seafoam.effects.boats.boat import HULLS
 from seafoam.effects.boats.wake import WAY
 from seafoam.effects.bounds import SATURATION_CAP
-from seafoam.effects.effect import Contribution, Effect, SaturationSource
+from seafoam.effects.effect import Contribution, SaturationSource, foam_effect
 from seafoam.effects.noise import VALUE_NOISE
 from seafoam.effects.shader import Const, SlotFile
 from seafoam.effects.waves.standing import WAY as STONE_WAY
@@ -13,7 +13,7 @@ from seafoam.effects.waves.standing import places
 from seafoam.framegraph.rules import Uniform, constants, significant
 from seafoam.ocean.waves.wakes import LEAST_SPEED, Wake, stone_wakes
 from seafoam.quality import Quality
-from seafoam.scene.foam import WakeSaturation
+from seafoam.scene.foam import Foam, WakeSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.water import Current
 
@@ -23,16 +23,11 @@ _CONTACT, _NO_CONTACT = "foam/saturation/wake.glsl@contact", "foam/saturation/wa
 _STILL = "no boat moves, and no stone stands in a current"
 
 
-def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if a saturation has source ``wake``."""
-    if scene.foam is None:
-        return None
-    wake = scene.foam.source(WakeSaturation)
-    if wake is None:
-        return None
+def draw(scene: Scene, foam: Foam, wake: WakeSaturation, quality: Quality) -> Contribution:
+    """Foam of a saturation with source ``wake``."""
     if wake_limit(wake, scene) == 0.0:
         return Contribution.invisible(_STILL)
-    filtered = scene.foam.look == "filtered"
+    filtered = foam.look == "filtered"
     torn = "foam/saturation/wake.glsl@torn" if filtered else "foam/saturation/wake.glsl@torn_exact"
     consts: dict[str, Const] = {"WAKE_CAP": 1.0 if filtered else SATURATION_CAP}
     if scene.current is not None and _stones(scene):
@@ -40,8 +35,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "saturation", "foam/saturation/surf.glsl@stones", prefix="stones", needs=(*VALUE_NOISE, torn, *STONE_WAY)
         )
         why = f"foam behind stones, {wake.life:g} s to 1/e"
-        foam = Contribution(why=why, slots=(slot,), consts=consts, uniforms=_stone_amounts(scene.current, wake))
-        return foam.joined(places(scene.current))
+        behind = Contribution(why=why, slots=(slot,), consts=consts, uniforms=_stone_amounts(scene.current, wake))
+        return behind.joined(places(scene.current))
     amounts = []
     for boat in scene.boats:
         moves = boat.speed >= LEAST_SPEED
@@ -104,4 +99,4 @@ def wake_limit(wake: WakeSaturation, scene: Scene) -> float:
     return min(len(scene.boats) * (1.2 * (wake.amount + wake.contact) + 1.7 * wake.bow), SATURATION_CAP)
 
 
-EFFECT = Effect("wake foam", contribute, saturation=SaturationSource(WakeSaturation, wake_limit))
+EFFECT = foam_effect("wake foam", draw, SaturationSource(WakeSaturation, wake_limit))

@@ -3,7 +3,7 @@
 import math
 from dataclasses import replace
 
-from seafoam.effects.effect import Contribution, Effect, PassSpec, QualityParameter, Resources, SaturationSource
+from seafoam.effects.effect import Contribution, PassSpec, QualityParameter, Resources, SaturationSource, foam_effect
 from seafoam.effects.shader import Const, SlotFile, Source
 from seafoam.effects.waves.sea import (
     DISPLACED,
@@ -22,7 +22,7 @@ from seafoam.ocean.foam.whitecaps import OLD_STEP, OLD_STEPS, OLD_TEXELS, Whitec
 from seafoam.ocean.waves.cascades import RAISED, Cascade
 from seafoam.ocean.waves.stokes import foam_drift
 from seafoam.quality import Quality
-from seafoam.scene.foam import SlopeSaturation, WhitecapSaturation
+from seafoam.scene.foam import Foam, SlopeSaturation, WhitecapSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.waves import Sea
 from seafoam.sums import summed
@@ -35,13 +35,8 @@ _TIMES = {
 """Files of the foam, by how many earlier times are read."""
 
 
-def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if a saturation has source ``whitecap``."""
-    if scene.foam is None:
-        return None
-    source = scene.foam.source(WhitecapSaturation)
-    if source is None:
-        return None
+def draw(scene: Scene, foam: Foam, source: WhitecapSaturation, quality: Quality) -> Contribution:
+    """Foam of a saturation with source ``whitecap``."""
     raised = drawn_tiles(scene, quality)[:RAISED]
     if scene.sea is None or not raised:
         return Contribution.invisible("no sea whose waves could break")
@@ -52,7 +47,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if model is None:
         return Contribution.invisible("a sea whose waves do not break, or a coverage of 0")
     # The Jacobian of the sample just shaded is reused, unless foam by slope evaluates the waves at other places first.
-    shared = scene.foam.source(SlopeSaturation) is None
+    shared = foam.source(SlopeSaturation) is None
     present = Contribution(
         why=f"foam where the Jacobian is below {1.0 + model.now[0]:.2f}",
         slots=(_slot(model, steps),),
@@ -149,7 +144,6 @@ def _old(scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Quality, 
         name="foam of long ago",
         program="old_foam",
         fragment=(*RESAMPLED, "lib/texels.glsl@bilinear", "waves/age.glsl@old_foam_pass"),
-        target="old_foam",
         inputs=target_inputs({"u_sea_displaced": DISPLACED, "u_old_folds": jacobians.target}),
         uniforms={
             "u_sea_block": tile_block(sea, largest, 0, quality),
@@ -186,10 +180,10 @@ def fold_limit(source: WhitecapSaturation, scene: Scene) -> float:
     return 1.0 if scene.sea is not None and scene.sea.wind_speed > 0.0 else 0.0
 
 
-EFFECT = Effect(
+EFFECT = foam_effect(
     "whitecaps",
-    contribute,
-    saturation=SaturationSource(WhitecapSaturation, fold_limit),
+    draw,
+    SaturationSource(WhitecapSaturation, fold_limit),
     parameters=(
         QualityParameter("/age_steps", "earlier times of folds", (0, 4, 8), "geometry"),
         QualityParameter("/age_step", "interval between folds, s", (0.17, 0.35, 0.7), "geometry"),

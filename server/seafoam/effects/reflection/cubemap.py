@@ -8,7 +8,7 @@ from seafoam.effects.noise import VALUE_NOISE
 from seafoam.effects.shader import SlotFile, SlotRef
 from seafoam.effects.shore.land import LAND_LIGHT, soil_files
 from seafoam.effects.shore.maps import MAXIMA
-from seafoam.framegraph.resources import FixedSize, Input, Target, TargetInput, TextureInput
+from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.quality import Quality
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
@@ -26,6 +26,14 @@ SHORE = (
     *MAXIMA,
 )
 """Files that give the land's height and colour."""
+
+
+SURROUNDINGS: tuple[str | SlotRef, ...] = (
+    "lib/numbers.glsl",
+    "lib/rays.glsl@camera",
+    *map(SlotRef, ("sky", "open sun", "sunlight")),
+)
+"""First files of passes that draw them."""
 
 
 def lit_land(shore: Shore) -> tuple[str, ...]:
@@ -49,9 +57,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             slots=(SlotFile("reflection", "reflection/mirror.glsl@exact", needs=scenery),),
             bound=_bound(scene, light),
         )
-    inputs: dict[str, Input] = {}
-    if shore is not None:
-        inputs["u_shore_floor"] = TextureInput(texture="shore_floor")
     return Contribution(
         why=f"reflects sky{' and land' if shore else ''} from a cube map of six faces of {quality.cube_size}²",
         slots=(
@@ -76,18 +81,12 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 name="cube map",
                 program="cube",
                 fragment=(
-                    "lib/numbers.glsl",
-                    "lib/rays.glsl@camera",
-                    SlotRef("sky"),
-                    SlotRef("open sun"),
-                    SlotRef("sunlight"),
+                    *SURROUNDINGS,
                     *scenery,
                     "lib/texels.glsl@cube_face",
                     "reflection/cube.glsl@cube",
                     "reflection/cube.glsl@pass",
                 ),
-                target="cube",
-                inputs=inputs,
             ),
         ),
         bound=_bound(scene, light),

@@ -2,9 +2,9 @@
 
 from seafoam.effects.boats.boat import COURSE, LIGHT, TRACE
 from seafoam.effects.effect import Contribution, Effect, PassSpec, QualityParameter
-from seafoam.effects.reflection.cubemap import SHORE, lit_land
-from seafoam.effects.shader import Inline, Piece, SlotFile, SlotRef, constant_function
-from seafoam.framegraph.resources import FixedSize, Input, Target, TargetInput, TextureInput
+from seafoam.effects.reflection.cubemap import SHORE, SURROUNDINGS, lit_land
+from seafoam.effects.shader import Inline, Piece, SlotFile, constant_function
+from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 
@@ -31,17 +31,14 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if not scene.boats and scene.shore is None:
         return Contribution.invisible("no boat or land is above the water")
     boats: tuple[Piece, ...] = (*TRACE, *LIGHT, "reflection/mirror.glsl@boats_met") if scene.boats else (_NO_BOATS,)
+    met = (*boats, *_land(scene), "reflection/mirror.glsl@met")
     if quality.reflection == "traced":
-        met = (*boats, *_land(scene), "reflection/mirror.glsl@met")
         return Contribution(
             why=f"reflected rays are traced to {_objects(scene)}",
             slots=(SlotFile("reflection", "reflection/mirror.glsl@traced", needs=met),),
         )
     size = quality.reflection_size
     guess: tuple[Piece, ...] = (COURSE, "reflection/mirror.glsl@guess") if scene.boats else (_NO_GUESS,)
-    inputs: dict[str, Input] = {}
-    if scene.shore is not None:
-        inputs["u_shore_floor"] = TextureInput(texture="shore_floor")
     return Contribution(
         why=f"a mirrored camera draws {_objects(scene)}, {size} texels a side",
         slots=(SlotFile("reflection", "reflection/mirror.glsl@planar", needs=guess),),
@@ -58,19 +55,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             PassSpec(
                 name=f"planar mirror, {size} texels",
                 program="mirror",
-                fragment=(
-                    "lib/numbers.glsl",
-                    "lib/rays.glsl@camera",
-                    SlotRef("sky"),
-                    SlotRef("open sun"),
-                    SlotRef("sunlight"),
-                    *boats,
-                    *_land(scene),
-                    "reflection/mirror.glsl@met",
-                    "reflection/mirror.glsl@map_pass",
-                ),
-                target="mirror",
-                inputs=inputs,
+                fragment=(*SURROUNDINGS, *met, "reflection/mirror.glsl@map_pass"),
             ),
         ),
     )

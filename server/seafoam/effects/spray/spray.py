@@ -101,7 +101,6 @@ def _passes(scene: Scene, quality: Quality, found: Births) -> tuple[PassSpec, ..
             *found.files,
             "spray/births.glsl@pass",
         ),
-        target="spray_births",
         inputs=found.inputs,
         stage="after",
     )
@@ -141,7 +140,6 @@ def _air_pass(scene: Scene, quality: Quality) -> PassSpec:
             *over,
             "spray/air.glsl@air",
         ),
-        target="spray_air",
         inputs=_BIRTHS,
         # Rays are those of the picture, not of the table.
         uniforms={"u_viewport": array("vec2", (rays,), 1)},

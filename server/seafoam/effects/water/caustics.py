@@ -195,7 +195,6 @@ def _slope_map(tile: _Tile, size: int) -> Resources:
         name="caustics: slopes",
         program="caustic_slopes",
         fragment=("lib/numbers.glsl", "water/caustics.glsl@slopes"),
-        target="caustic_slopes",
         uniforms={
             "u_caustic_wave": constants("vec4", waves),
             "u_caustic_phase": ripple_phases(tile.waves),
@@ -280,7 +279,6 @@ def _light_pass(tile: _Tile, colour: str, difference: float, vertex: str, fragme
         program="caustic_light",
         vertex=("lib/refraction.glsl", "water/caustics.glsl@landing", vertex),
         fragment=(fragment,),
-        target="caustic_light",
         inputs=target_inputs({"u_caustic_slopes": "caustic_slopes"}),
         uniforms={
             "u_caustic_depth": number(significant(tile.depth)),

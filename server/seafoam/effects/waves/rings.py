@@ -165,7 +165,6 @@ def _map_pass(shown: Sequence[Train], square: _Square, target: str, shader: str,
         name=f"{target.replace('_', ', ')}, {square.side:g} m map",
         program=target,
         fragment=("lib/numbers.glsl", "waves/rings.glsl@ring", "waves/rings.glsl@reaching", shader),
-        target=target,
         uniforms={**_ring_uniforms(shown, corner), "u_ring_texel": number(square.side / size)},
     )
 

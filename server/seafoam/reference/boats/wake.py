@@ -13,7 +13,7 @@ from seafoam.ocean.waves.wakes import LEAST_SPEED, Wake, joint_height, joint_slo
 from seafoam.reference.boats.floating import HULL_SPEED, Course, course_of
 from seafoam.reference.boats.form import FORMS, STEM
 from seafoam.reference.noise import filtered_step, footprint_variance, patches
-from seafoam.reference.types import Bools, Floats, Footprints, Gradient, smoothstep, smoothstep_slope
+from seafoam.reference.types import Bools, Floats, Footprints, Gradient, smoothstep_slope
 from seafoam.scene.boats import Boat
 from seafoam.scene.foam import WakeSaturation
 from seafoam.scene.models import Scene
@@ -95,21 +95,17 @@ class WakeSet(Wakes):
             on_x, on_z = (x + course.centre[0]) / size, (z + course.centre[1]) / size
             torn = patches(on_x, on_z, PATCHES, footprints, size)
             width = 0.085 + 0.055 * np.sqrt(past)
-            q = np.clip((s - 0.5 * width) / (0.65 * width), 0.0, 1.0)
-            band = (1.0 - q * q * (3.0 - 2.0 * q)) * smoothstep(-0.06, 0.04, b - 0.86)
+            v_b, v_s = (footprint_variance(part, footprints) / size**2 for part in (on_behind, on_aside))
+            band = filtered_step(-1.15 * width, -0.5 * width, s, v_s)
+            band -= filtered_step(0.5 * width, 1.15 * width, s, v_s)
+            band *= filtered_step(-0.06, 0.04, b - 0.86, v_b)
             age = np.exp(-np.minimum(past * size / (source.life * boat.speed), 80.0))
             run, ahead = np.minimum(b / 0.55, 1.0), np.maximum(b, 0.0)
             edge = 0.015 + 0.105 * run * (2.0 - run) + 0.16 * np.maximum(b - 0.55, 0.0)
             off = (s - edge) / (0.02 + 0.025 * ahead)
-            thrown = smoothstep(-0.01, 0.06, b) * np.exp(-np.minimum(off * off + 1.3 * ahead, 80.0))
-            if footprints is not None:
-                v_b, v_s = (footprint_variance(part, footprints) / size**2 for part in (on_behind, on_aside))
-                band = filtered_step(-1.15 * width, -0.5 * width, s, v_s)
-                band -= filtered_step(0.5 * width, 1.15 * width, s, v_s)
-                band *= filtered_step(-0.06, 0.04, b - 0.86, v_b)
-                wider = 1.0 + 2.0 * v_s / (0.02 + 0.025 * ahead) ** 2
-                bell = np.exp(-np.minimum(off * off / wider + 1.3 * ahead, 80.0)) / np.sqrt(wider)
-                thrown = filtered_step(-0.01, 0.06, b, v_b) * bell
+            wider = 1.0 + 2.0 * v_s / (0.02 + 0.025 * ahead) ** 2
+            bell = np.exp(-np.minimum(off * off / wider + 1.3 * ahead, 80.0)) / np.sqrt(wider)
+            thrown = filtered_step(-0.01, 0.06, b, v_b) * bell
             share = min(boat.speed / (HULL_SPEED * math.sqrt(size)), 1.0)
             total += source.amount * band * age * (0.3 + 0.9 * torn)
             total += source.bow * share**2 * thrown * (0.3 + torn)

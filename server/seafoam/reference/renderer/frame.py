@@ -62,13 +62,9 @@ def render(
         thrown = drops(scene, time, shader.origin, view.ray_z[::2], shader.surface.coast)
         if thrown is not None:
             flying = splats(scene, thrown, grid, shader.surface, shader.fleet, shader.lighting)
-    pixels, shape = width * height, (grid.rows, grid.columns)
-    rgb = np.empty((pixels, 3))
-    alpha = np.empty(pixels)
-    amount = np.empty((height, samples, width, samples))
-    hit = np.empty((height, samples, width, samples), np.bool_)
-    spray_shape = (height, samples, width, samples) if flying is not None else (0, 0, 0, 0)
-    picture, clip_x, clip_y = np.empty((*spray_shape, 3)), np.empty(spray_shape), np.empty(spray_shape)
+    pixels, shape = width * height, (height, samples, width, samples)
+    picture, clip_x, clip_y = np.empty((*shape, 3)), np.empty(shape), np.empty(shape)
+    amount, hit = np.empty(shape), np.empty(shape, np.bool_)
     jitter = np.random.default_rng(JITTER_SEED)
     step = max(1, CHUNK // samples**2)
     for start in range(0, pixels, step):
@@ -77,21 +73,16 @@ def render(
         offset = jitter.random((*cells, 2)) if mode == "converged" else np.full((*cells, 2), 0.5)
         where, X, Y = _samples(index, width, height, samples, offset)
         colour, a, met = shader.shade(X.ravel(), Y.ravel())
-        if flying is not None:
-            picture[where], clip_x[where], clip_y[where] = colour.reshape(*cells, 3), X, Y
-        rgb[index] = colour.reshape(index.size, samples**2, 3).mean(axis=1)
-        alpha[index] = a.reshape(index.size, samples**2).mean(axis=1)
-        amount[where] = a.reshape(cells)
-        hit[where] = met.reshape(cells)
+        picture[where], clip_x[where], clip_y[where] = colour.reshape(*cells, 3), X, Y
+        amount[where], hit[where] = a.reshape(cells), met.reshape(cells)
+    grid_shape = grid.rows, grid.columns
     if flying is not None:
-        sampled = picture.reshape(*shape, 3)
-        flying.draw_over(sampled, clip_x.reshape(shape), clip_y.reshape(shape))
-        rgb[:] = sampled.reshape(height, samples, width, samples, 3).mean(axis=(1, 3)).reshape(pixels, 3)
+        flying.draw_over(picture.reshape(*grid_shape, 3), clip_x.reshape(grid_shape), clip_y.reshape(grid_shape))
     return ReferenceFrame(
-        rgb=rgb.reshape(height, width, 3),
-        alpha=alpha.reshape(height, width),
-        amount=amount.reshape(shape),
-        hit=hit.reshape(shape),
+        rgb=picture.mean(axis=(1, 3)),
+        alpha=amount.mean(axis=(1, 3)),
+        amount=amount.reshape(grid_shape),
+        hit=hit.reshape(grid_shape),
         depression=cameras.depression(view, width, height),
         samples=samples,
     )

@@ -53,20 +53,8 @@ def signed_distance(land: Bools) -> Floats:
 def gaussian(values: Floats, deviation: float) -> Floats:
     """Values (n, n) smoothed by a Gaussian, its deviation in texels, cut at 3 deviations, with repeated edges."""
     reach = min(max(math.ceil(3.0 * deviation), 1), 48)
-    offset = np.arange(-reach, reach + 1) / max(deviation, 0.01)
-    weight = np.exp(-0.5 * np.minimum(offset * offset, 160.0))
-    weight /= weight.sum()
-    first: Floats = ndimage.correlate1d(values, weight, axis=1, mode="nearest")
-    result: Floats = ndimage.correlate1d(first, weight, axis=0, mode="nearest")
+    result: Floats = ndimage.gaussian_filter(values, max(deviation, 0.01), radius=reach, mode="nearest")
     return result
-
-
-def sobel(values: Floats) -> tuple[Floats, Floats]:
-    """Gradient per texel along x (axis 1) and z (axis 0) by Sobel's filter, with repeated edges."""
-    return (
-        ndimage.sobel(values, axis=1, mode="nearest") / 8.0,
-        ndimage.sobel(values, axis=0, mode="nearest") / 8.0,
-    )
 
 
 def _quadratic(at: Floats) -> tuple[Indices, Floats, Floats]:
@@ -124,8 +112,8 @@ def _smooth(shore: Shore) -> tuple[Floats, Floats, Floats, Floats]:
     deviation = min(shore.smoothing / texel, MAP / 12.0)
     d = gaussian(signed_distance(heights >= 0.0) * texel, deviation)
     depth = gaussian(-heights, deviation)
-    g_x, g_z = sobel(d)
-    return d, depth, g_x / texel, g_z / texel
+    g_x, g_z = (ndimage.sobel(d, axis=axis, mode="nearest") / (8.0 * texel) for axis in (1, 0))
+    return d, depth, g_x, g_z
 
 
 def travel(shore: Shore, d: Floats) -> Floats:

@@ -18,7 +18,7 @@ from seafoam.reference.renderer import intersect
 from seafoam.reference.renderer.camera import SampleGrid, View
 from seafoam.reference.renderer.relief import ReliefPart
 from seafoam.reference.renderer.state import Lighting, Surface
-from seafoam.reference.sampling import bilinear
+from seafoam.reference.sampling import trilinear
 from seafoam.reference.shore.shore import Coast
 from seafoam.reference.spray.births import COLUMN, SHEET, Drops, on_rocks
 from seafoam.reference.types import Floats, dot, smoothstep, unit
@@ -109,9 +109,10 @@ class Splats:
         u, v, stretch = self.window[i]
         by_u, by_v = a * stretch, b * 0.5 * WINDOW
         within = 1.0 - square
-        rank = strands(u + by_u, v + by_v, float(self.level[i]))
+        level, levels = np.full(a.shape, self.level[i]), strand_levels()
+        rank = trilinear(levels, u + by_u, v + by_v, level)
         cover = np.clip((self.cover[i] * within - rank) / self.soft[i] + 0.5, 0.0, 1.0)
-        finer = strands(v + FINER * by_v, u - FINER * by_u, float(self.level[i]) + math.log2(FINER))
+        finer = trilinear(levels, v + FINER * by_v, u - FINER * by_u, level + math.log2(FINER))
         cover = cover + self.fine[i] * (np.clip((cover - finer) / 0.3 + 0.5, 0.0, 1.0) - cover)
         depth = self.depth[i] * within * cover
         along, across, eye = self.sun[i]
@@ -303,14 +304,3 @@ def _visible(
         behind |= fleet.trace(np.array([0.0, eye_y, 0.0]), d).t < BEHIND * far
     result[above[behind]] = 0.0
     return result, over
-
-
-def strands(u: Floats, v: Floats, level: float) -> Floats:
-    """The strands' ranks at (u, v) in tiles, linear between texels and between levels; of u's shape."""
-    levels = strand_levels()
-    level = min(max(level, 0.0), len(levels) - 1.0)
-    low = int(level)
-    near = bilinear(levels[low], u, v)
-    if level == low:
-        return near
-    return near + (bilinear(levels[low + 1], u, v) - near) * (level - low)

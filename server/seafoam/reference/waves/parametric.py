@@ -10,7 +10,7 @@ from fractions import Fraction
 from functools import cached_property
 
 import numpy as np
-from scipy import special
+from scipy import optimize, special
 
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.waves.ripples import ripple_cascades
@@ -263,16 +263,8 @@ def wavenumber(wavelength: float, depth: float | None) -> float:
     if depth is None:
         return deep
     # k tanh(kh) rises with k, is below k, and is k²h/(1 + kh) or more: its root bounds k from above.
-    low, high = deep, 0.5 * (deep + math.sqrt(deep * deep + 4.0 * deep / depth))
-    for _ in range(200):
-        middle = 0.5 * (low + high)
-        if middle in (low, high):
-            break
-        if middle * math.tanh(middle * depth) < deep:
-            low = middle
-        else:
-            high = middle
-    return 0.5 * (low + high)
+    most = 0.5 * (deep + math.sqrt(deep * deep + 4.0 * deep / depth))
+    return float(optimize.brentq(lambda k: k * math.tanh(k * depth) - deep, deep, most, xtol=1e-300, rtol=1e-15))
 
 
 def afloat(scene: Scene, time: float, origin: tuple[float, float]) -> tuple[float, float]:
