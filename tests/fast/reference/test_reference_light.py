@@ -60,6 +60,13 @@ def test_tone_rises_from_black_to_white() -> None:
     np.testing.assert_allclose(shown, [0.0, 0.04045, 0.7354, 1.0], atol=1e-4)
 
 
+def test_disc_is_where_the_sun_is() -> None:
+    air = light.air(Light(sun_elevation=0.5, sun_azimuth=1.0))
+    np.testing.assert_allclose(light.sun_disc(air, air.sun), np.minimum(air.sun_irradiance / 6.8e-5, 3000.0))
+    np.testing.assert_array_equal(light.sun_disc(air, unit(air.sun + np.array([0.02, 0.0, 0.0]))), 0.0)
+    assert (light.sun_disc(light.air(Light(sun_elevation=-0.1)), air.sun) == 0.0).all()
+
+
 def test_haze_ends_in_the_sky_at_the_horizon() -> None:
     air, d = light.air(Light()), sphere(100, 5)
     d[0] = [0.0, -1.0, 0.0]

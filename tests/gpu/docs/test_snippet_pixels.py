@@ -1,4 +1,4 @@
-"""The pixels of docs/snippets on a plane in perspective, against 256 samples a pixel, beside the filtered look."""
+"""The pixels of docs/snippets on a plane in perspective, against 256 samples a pixel."""
 
 import math
 import re
@@ -10,13 +10,12 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from seafoam.effects.shader import Const, Inline
 from seafoam.masks.catalogue import load_mask
 from seafoam.masks.formats import quantised, to_u16
-from seafoam.masks.prefilter import OCTAVE_RAMP, QUANTILE_ENTRIES, footprint_deviations
+from seafoam.masks.prefilter import footprint_deviations
 from seafoam.masks.torus import Ranks
 from seafoam.render.gl.executor import Executor
-from support.probe import WHOLE, Probe, stand_in
+from support.probe import WHOLE, Probe
 from support.report import Report
 
 SNIPPETS = Path(__file__).parents[3] / "docs" / "snippets"
@@ -32,19 +31,6 @@ vec2 place(vec2 pixel) {{
     return mat2(0.8, 0.6, -0.6, 0.8) * (ray.xz / -ray.y * 0.25);
 }}
 """
-FILTERED: dict[str, Const] = {
-    "MASK_SIZE": SIDE,
-    "MASK_LEVELS": 10,
-    "MASK_ROWS": 11,
-    "QUANTILES": QUANTILE_ENTRIES,
-    "FOAM_FADES": False,
-    "FOAM_OCTAVES": 1,
-    "OCTAVE_RAMP": OCTAVE_RAMP,
-    "FOAM_TEXTURED": False,
-    "FOAM_SIDE": 4,
-    "FOAM_LIVES": False,
-    "FOAM_MASKS": 1,
-}
 HARD = "texelFetch(u_mask, ivec2(fract(uv) * vec2(textureSize(u_mask, 0))), 0).r < u_saturation ? 1.0 : 0.0"
 
 
@@ -88,46 +74,19 @@ def drawn(executor: Executor, ranks: Ranks, saturation: float, value: str, sampl
     return render(executor, text, mask, {"u_mask": 0, "u_saturation": saturation}, samples)
 
 
-def filtered(probe: Probe, name: str, saturation: float, samples: int = 1) -> Picture:
-    """The same picture in the filtered look."""
-    y, x = np.mgrid[0 : HEIGHT * samples, 0 : WIDTH * samples]
-    inputs = np.stack([(x.ravel() + 0.5) / samples, (y.ravel() + 0.5) / samples], axis=1)
-    got = probe(
-        [
-            "lib/numbers.glsl",
-            "foam/mask.glsl@coordinates",
-            stand_in("one_texture"),
-            "lib/texels.glsl@cubic_spline",
-            "foam/look.glsl@filtered",
-            Inline(PLACE),
-        ],
-        f"vec2 step = vec2({0.5 / samples}, 0.0);\n"
-        "vec2 dx = place(x.xy + step) - place(x.xy - step), dy = place(x.xy + step.yx) - place(x.xy - step.yx);\n"
-        f"y.x = filtered_coverage({saturation}, 1.0, place(x.xy), dx, dy);",
-        inputs,
-        consts=FILTERED,
-        uniforms={"u_foam_fade": 0.0},
-        textures={"u_mask_atlas": f"mask/{name}/atlas", "u_mask_quantiles": f"mask/{name}/quantiles"},
-    )[:, 0]
-    return got.astype(np.float64).reshape(HEIGHT, samples, WIDTH, samples, 1).mean(axis=(1, 3))
-
-
 def error(picture: Picture, truth: Picture) -> float:
     """Root mean square difference, levels of 255."""
     return 255.0 * float(np.sqrt(((picture - truth) ** 2).mean()))
 
 
 @pytest.mark.parametrize(("name", "bound"), [("vac-24", 14.0), ("vac-1.5", 15.5), ("mix", 9.5), ("lace", 10.0)])
-def test_sixteen_taps_are_near_256_samples(
-    executor: Executor, probe: Probe, report: Report, name: str, bound: float
-) -> None:
+def test_sixteen_taps_are_near_256_samples(executor: Executor, report: Report, name: str, bound: float) -> None:
     ranks = load_mask(name).ranks
     truth = drawn(executor, ranks, 0.3, HARD, SAMPLES)
     snippet = drawn(executor, ranks, 0.3, "foam(u_saturation, uv)")
     errors = {
         "hard": error(drawn(executor, ranks, 0.3, HARD), truth),
         "snippet": error(snippet, truth),
-        "filtered": error(filtered(probe, name, 0.3), filtered(probe, name, 0.3, SAMPLES)),
     }
     report.add(
         "Coverage of a plane at saturation 0.3 against 256 samples a pixel, levels of 255 (docs/masks.md)",
@@ -135,7 +94,6 @@ def test_sixteen_taps_are_near_256_samples(
         **{look: f"{value:.1f}" for look, value in errors.items()},
     )
     assert errors["snippet"] <= bound
-    assert errors["snippet"] <= errors["filtered"] + 1.0
     assert errors["hard"] > 7.0 * errors["snippet"]
     assert abs(snippet.mean() - truth.mean()) < 0.004
     for whole in (0.0, 1.0):

@@ -308,21 +308,6 @@ def test_a_sea_without_single_waves_throws_drops_where_it_folds(executor: Execut
     assert contribute(calm, TIERS["standard"]).bound is not None  # type: ignore[union-attr]
 
 
-def test_gales_tear_spindrift_from_crests(executor: Executor) -> None:
-    """From Beaufort 8 on, and it goes with the wind after a moment."""
-    assert STORM.sea is not None
-    share = []
-    for wind in (14.0, 22.0):
-        table = births(executor, STORM.model_copy(update={"sea": STORM.sea.model_copy(update={"wind": wind})}), 52.0)
-        share.append(float(np.mean(table[2, table[2, :, 0] > 0.0, 1] == drop.DRIFT)))
-    assert share[0] == 0.0
-    assert 0.4 <= share[1] <= 0.6
-    one = np.ones(1)
-    tau, weight = flying.falls(drop.DRIFT * one, 0.8 * one)
-    late = flying.speed(np.zeros((1, 3)), 2.0 * one, tau, weight, (14.0, 0.0))
-    assert late[0, 0] >= 0.9 * 14.0
-
-
 def test_no_drop_is_left_at_rest(executor: Executor, report: Report) -> None:
     """All that was thrown falls: at the end of its life nothing of a drop is seen, and a burst leaves nothing."""
     kinds = np.repeat([drop.SHEET, drop.MIST, drop.DRIFT, drop.COLUMN], 50)

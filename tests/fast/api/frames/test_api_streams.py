@@ -336,21 +336,6 @@ async def test_a_page_that_asks_faster_than_frames_are_drawn_gets_what_was_begun
     assert drawing.stream.frames == []
 
 
-async def test_no_place_is_lost_with_a_frame_that_is_given_up() -> None:
-    drawing = Drawing()
-    tasks = [await drawing.ask(str(number)) for number in range(20)]
-    assert [drawing.ended[str(number)] for number in range(18)] == ["given up"] * 18
-    tasks[18].cancel()  # its client leaves
-    await settle()
-    tasks.append(await drawing.ask("last", begun=True))
-    assert drawing.placed[-1] == "last"
-    for name in ("19", "last"):
-        drawing.begin[name].set()
-        drawing.finish[name].set()
-    await asyncio.gather(*tasks)
-    assert (drawing.ended["19"], drawing.ended["last"]) == ("drawn", "drawn")
-
-
 # The rest of the server
 
 

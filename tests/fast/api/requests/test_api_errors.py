@@ -4,7 +4,6 @@ import json
 
 import pytest
 
-from seafoam.api.http.schema_limits import allowed_at, describe_allowed
 from seafoam.scene.presets import load_preset
 from support.api_fakes import RAISE
 from support.serving import SMALL, problem
@@ -260,26 +259,3 @@ def test_an_inner_error_tells_nothing_of_the_inside(client, monkeypatch):
     monkeypatch.setattr("seafoam.api.routers.masks.load_catalogue", fail)
     for url in (f"{FRAME}?time={RAISE}&width=8&height=8", "/api/masks"):
         assert "secret" not in json.dumps(problem(client.get(url), 500))
-
-
-def test_what_is_allowed_in_words():
-    schema = {
-        "properties": {
-            "a": {"anyOf": [{"type": "number", "minimum": 0, "maximum": 2.5}, {"type": "null"}]},
-            "b": {"type": "integer", "minimum": 3},
-            "c": {"enum": ["x", "y"]},
-            "d": {"$ref": "#/$defs/D"},
-            "e": {"type": "number", "exclusiveMinimum": 0},
-        },
-        "$defs": {"D": {"properties": {"f": {"type": "boolean"}}}},
-    }
-    words = {
-        "a": "0 to 2.5",
-        "b": "at least 3",
-        "c": "one of x, y",
-        "d": "members: f",
-        "d.f": "boolean",
-        "e": "above 0",
-    }
-    assert {at: describe_allowed(allowed_at(schema, schema, tuple(at.split("."))) or {}) for at in words} == words
-    assert allowed_at(schema, schema, ("zz",)) is None
