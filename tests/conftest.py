@@ -28,6 +28,8 @@ os.environ |= {"MESA_SHADER_CACHE_DIR": CACHES, "MESA_SHADER_CACHE_MAX_SIZE": "2
 vars(sys.modules["__main__"]).pop("__file__", None)
 # What earlier runs drew must not answer for what is drawn now.
 os.environ |= {"SEAFOAM_CACHE_SIZE": "0", "SEAFOAM_CACHE_MEMORY": "0"}
+# Many servers are started for a few requests each, and two cores draw for all of them.
+os.environ["SEAFOAM_COMPILE_AHEAD"] = "false"
 
 
 BROWSER = Path(__file__).with_name("browser")

@@ -43,6 +43,7 @@ from seafoam.api.watch.metrics import MeasureRequests, Metrics
 from seafoam.api.watch.telemetry import NO_TELEMETRY
 from seafoam.api.watch.telemetry import traces as configured_traces
 from seafoam.render.gl.executor import Executor
+from seafoam.render.service.ahead import compile_ahead
 from seafoam.render.service.disk import DiskCache
 from seafoam.render.service.frame_cache import FrameCache
 from seafoam.render.service.jobs import Renderer
@@ -85,13 +86,14 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
     :class:`UnsupportedTelemetryError` where ``OTEL_*`` variables ask for what is not there.
     """
     settings = settings or Settings()
+    factory = renderer or partial(Executor, settings.device_index)
     pool = RenderPool(
         workers=settings.workers,
         queue=settings.queue,
         deadline=settings.deadline,
         recycle=settings.recycle,
         check_seconds=settings.canary,
-        factory=renderer or partial(Executor, settings.device_index),
+        factory=factory,
     )
     disk = DiskCache((settings.cache or cache_dir()) / "frames", settings.cache_size) if settings.cache_size else None
     frame_cache = FrameCache(pool, disk, settings.cache_memory)
@@ -102,11 +104,14 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
         context = app.state.context = Context(settings, frame_cache, metrics, traces)
         await pool.start()
-        warming = asyncio.create_task(presets.warm(context.plans))
+        warming = [asyncio.create_task(presets.warm(context.plans))]
+        if settings.compile_ahead:
+            warming.append(asyncio.create_task(compile_ahead(pool, factory)))
         yield
-        warming.cancel()
-        with suppress(asyncio.CancelledError, BusyError):
-            await warming
+        for task in warming:
+            task.cancel()
+            with suppress(asyncio.CancelledError, BusyError):
+                await task
         await asyncio.to_thread(context.sweeps.stop)
         await asyncio.to_thread(context.sequences.stop)
         await pool.stop()

@@ -21,7 +21,7 @@ def default_workers() -> int:
     return max(1, min(4, (os.cpu_count() or 1) // 2))
 
 
-SERVED = {"cache_size": 1 << 30, "cache_memory": 64 << 20}
+SERVED = {"cache_size": 1 << 30, "cache_memory": 64 << 20, "compile_ahead": True}
 """What ``seafoam serve`` sets where the environment does not; an application made by a program keeps nothing."""
 
 
@@ -63,6 +63,9 @@ class Settings(Described, BaseSettings):
     """Maximum size of the frames on disk, bytes; 0: none. `seafoam serve` sets 1 GiB if absent"""
     cache_memory: int = Field(default=0, ge=0)
     """Maximum size of the frames in memory, bytes; 0: none. `seafoam serve` sets 64 MiB if absent"""
+    compile_ahead: bool = False
+    """Whether a process of the least priority compiles the programs of all presets, for the driver's cache on disk, once
+    the renderer is ready. `seafoam serve` sets true if absent"""
 
     canary: float = Field(default=60.0, gt=0.0, le=3600.0)
     """Interval at which an idle renderer draws its test picture, s"""

@@ -31,16 +31,21 @@ def target_inputs(targets: Mapping[str, str]) -> dict[str, Input]:
 
 class ViewportSize(PlanPart):
     """The picture's size times ``scale``, divided by ``part`` along each side and by ``narrow`` also along the width,
-    rounded up."""
+    rounded up; ``odd``: to an odd number, at least 3.
+
+    Software drivers compile a program anew where a side of what it reads becomes a power of two.
+    """
 
     rule: Literal["viewport"] = "viewport"
     scale: int = Field(default=1, ge=1)
     part: int = Field(default=1, ge=1)
     narrow: int = Field(default=1, ge=1)
+    odd: bool = False
 
     def of_picture(self, width: int, height: int) -> tuple[int, int]:
         """Return width and height in a picture of this size, pixels."""
-        return -(-width * self.scale // (self.part * self.narrow)), -(-height * self.scale // self.part)
+        sides = -(-width * self.scale // (self.part * self.narrow)), -(-height * self.scale // self.part)
+        return (max(3, sides[0] | 1), max(3, sides[1] | 1)) if self.odd else sides
 
 
 class FixedSize(PlanPart):

@@ -227,7 +227,8 @@ def _starts(sampled: ViewportSize, *, measured: bool) -> Resources:
     """
 
     def tiles(side: int) -> Target:
-        return Target(size=sampled.model_copy(update={"part": sampled.part * side}), format="RGBA16F")
+        size = sampled.model_copy(update={"part": sampled.part * side, "odd": True})
+        return Target(size=size, format="RGBA16F")
 
     search = (*COMMON, SlotRef("waves"), SlotRef("beyond"), SlotRef("bounds"), SlotRef("start"))
     near = PassSpec(

@@ -254,13 +254,16 @@ export interface components {
         };
         /**
          * @description The picture's size times ``scale``, divided by ``part`` along each side and by ``narrow`` also along the width,
-         *     rounded up.
+         *     rounded up; ``odd``: to an odd number, at least 3.
+         *
+         *     Software drivers compile a program anew where a side of what it reads becomes a power of two.
          */
         ViewportSize: {
             rule: "viewport";
             scale: number;
             part: number;
             narrow: number;
+            odd: boolean;
         };
         /** @description k·origin + rate·t + offset, modulo ``period``, in float64: [0, period). ``rate``: absent where it is 0. */
         Wrap: {

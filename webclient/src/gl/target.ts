@@ -30,8 +30,9 @@ export interface CachedTarget extends Target {
 export function targetSize(spec: TargetSpec, width: number, height: number): [number, number] {
   const size = spec.size;
   if (size.rule === "fixed") return [size.width, size.height];
-  const { scale, part, narrow } = size;
-  return [Math.ceil((width * scale) / (part * narrow)), Math.ceil((height * scale) / part)];
+  const { scale, part, narrow, odd } = size;
+  const sides: [number, number] = [Math.ceil((width * scale) / (part * narrow)), Math.ceil((height * scale) / part)];
+  return odd ? [Math.max(3, sides[0] | 1), Math.max(3, sides[1] | 1)] : sides;
 }
 
 /** Makes a target of a format that `checkFormats` has accepted: to ask the driver here would wait for all that it draws. */
