@@ -162,8 +162,9 @@ def _serve(run: Run, asked: argparse.Namespace, watch: Watch) -> None:
     if {"yardstick", "http", "page"} & set(asked.only):
         _serve_uncached(run, asked, watch)
     if "engines" in asked.only:
-        # As people start it, with its caches.
+        # As people find it some minutes after its start, with its caches.
         with server.running(SEAFOAM_CACHE_SIZE="", SEAFOAM_CACHE_MEMORY="", MESA_SHADER_CACHE_DISABLE="") as port:
+            server.wait_until_compiled(port)
             run.add("engines", engines.measure(port, watch))
 
 

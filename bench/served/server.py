@@ -21,6 +21,7 @@ HOST = "127.0.0.1"
 START_SECONDS = 60.0
 REQUEST_SECONDS = 30.0
 STOP_SECONDS = 20.0
+AHEAD_SECONDS = 1200.0
 PROBE_SECONDS = 0.1
 """Between two requests of a probe."""
 QUEUE = 16
@@ -40,6 +41,19 @@ class Answer:
     def http(self) -> float:
         """Time outside all stages: parsing, entity tag, and the socket in both directions."""
         return self.wall - sum(self.stages.values())
+
+
+def wait_until_compiled(port: int) -> None:
+    """Wait until the server has compiled the programs of all presets ahead, as it has some minutes after its start."""
+    until = time.monotonic() + AHEAD_SECONDS
+    while True:
+        with connected(port) as connection:
+            connection.request("GET", "/readyz")
+            if not json.load(connection.getresponse())["compiling_ahead"]:
+                return
+        if time.monotonic() > until:
+            raise RuntimeError(f"the presets' programs were not compiled within {AHEAD_SECONDS:.0f} s")
+        time.sleep(1.0)
 
 
 @contextmanager

@@ -106,7 +106,8 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
         await pool.start()
         warming = [asyncio.create_task(presets.warm(context.plans))]
         if settings.compile_ahead:
-            warming.append(asyncio.create_task(compile_ahead(pool, factory)))
+            context.ahead = asyncio.create_task(compile_ahead(pool, factory))
+            warming.append(context.ahead)
         yield
         for task in warming:
             task.cancel()

@@ -42,6 +42,8 @@ class Context:
         self.sweeps = sweep_service(settings, self.pool, loop)
         self.sequences = sequence_service(settings, self.pool, loop)
         self.streams = Streams(settings.streams)
+        self.ahead: asyncio.Task[None] | None = None
+        """Compiles the presets' programs ahead, if the settings say so."""
 
     async def compiled(self, scene: Scene, quality: Quality, **origin: Unpack[SceneOrigin]) -> CompiledPlan:
         """Run :func:`compile_scene` in a thread."""

@@ -65,6 +65,7 @@ def test_the_process_ends_with_its_server(monkeypatch, wanted):
         while wanted and not compiling() and time.monotonic() < until:
             time.sleep(0.05)
         assert len(compiling()) == wanted
+        assert client.get("/readyz").json()["compiling_ahead"] is wanted
         [*children] = compiling()
     for child in children:
         child.join(30.0)

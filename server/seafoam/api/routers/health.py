@@ -44,6 +44,9 @@ class Ready(BaseModel):
     active: int = Field(description="Number of busy render workers")
     waiting: int = Field(description="Number of frames in the queue")
     queue: int = Field(description="Capacity of the queue, frames")
+    compiling_ahead: bool = Field(
+        description="Whether the programs of the presets are being compiled ahead of their first frames"
+    )
 
 
 @router.get("/healthz", responses=problem_responses(422))
@@ -78,6 +81,7 @@ async def get_readiness(_: NoParameters, context: InContext) -> Response:
         active=pool.active,
         waiting=pool.waiting,
         queue=pool.queue,
+        compiling_ahead=context.ahead is not None and not context.ahead.done(),
     )
     return JSONResponse(ready.model_dump(), headers={"Cache-Control": NO_STORE})
 
