@@ -42,8 +42,8 @@ from seafoam.api.watch.logs import LogRequests
 from seafoam.api.watch.metrics import MeasureRequests, Metrics
 from seafoam.api.watch.telemetry import NO_TELEMETRY
 from seafoam.api.watch.telemetry import traces as configured_traces
+from seafoam.render.ahead import compile_ahead
 from seafoam.render.gl.executor import Executor
-from seafoam.render.service.ahead import compile_ahead
 from seafoam.render.service.disk import DiskCache
 from seafoam.render.service.frame_cache import FrameCache
 from seafoam.render.service.jobs import Renderer

@@ -64,8 +64,8 @@ class Settings(Described, BaseSettings):
     cache_memory: int = Field(default=0, ge=0)
     """Maximum size of the frames in memory, bytes; 0: none. `seafoam serve` sets 64 MiB if absent"""
     compile_ahead: bool = False
-    """Whether a process of the least priority compiles the programs of all presets, for the driver's cache on disk, once
-    the renderer is ready. `seafoam serve` sets true if absent"""
+    """Whether a process of the least priority compiles the programs of all presets for the driver's cache on disk.
+    `seafoam serve` sets true if absent"""
 
     canary: float = Field(default=60.0, gt=0.0, le=3600.0)
     """Interval at which an idle renderer draws its test picture, s"""

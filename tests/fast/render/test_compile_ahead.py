@@ -8,7 +8,7 @@ import pytest
 
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.render.service import ahead
+from seafoam.render import ahead
 from seafoam.scene.presets import load_preset
 from support.api_fakes import FakeRenderer
 from support.serving import serving
