@@ -1,6 +1,5 @@
 """Plot of time against error. Uses only matplotlib's object interface, as threads of a server must."""
 
-import io
 from collections.abc import Iterator
 from typing import Any
 
@@ -10,8 +9,8 @@ from matplotlib.figure import Figure
 from matplotlib.transforms import Bbox
 
 from seafoam.accuracy.model import MeasuredPoint, Sweep
+from seafoam.masks.judge.plots import INK, png, tidy
 
-_INK = "#1c2b33"
 _FAINT = "#8a979e"
 _COLOURS = {"tier": "#b5353c", "geometry": "#1f3a73", "filtering": "#2a9d78", "precision": "#e0912f"}
 _MARKERS = {"tier": "s", "geometry": "o", "filtering": "D", "precision": "^"}
@@ -28,7 +27,7 @@ def plot_sweep(sweep: Sweep) -> bytes:
     axes.plot(
         [point.time.median_ms for point in best],
         [_shown(point) for point in best],
-        color=_INK,
+        color=INK,
         lw=1.2,
         drawstyle="steps-post",
         label="front: no point is faster and more exact",
@@ -60,22 +59,17 @@ def plot_sweep(sweep: Sweep) -> bytes:
         f"frame time at {timing.own_width} × {timing.own_height}, ms ({timing.timer} clock, median, quartiles)"
     )
     axes.set_ylabel(f"RMSE against float64 at {sweep.width} × {sweep.height}, levels (white = 255)")
-    axes.set_title(f"Cost of accuracy: {sweep.preset or 'a scene'}", loc="left", color=_INK)
+    axes.set_title(f"Cost of accuracy: {sweep.preset or 'a scene'}", loc="left", color=INK)
     axes.set_title(sweep.machine.renderer, loc="right", color=_FAINT, fontsize="small")
     axes.legend(frameon=False, fontsize="small", loc="best")
-    axes.spines[["top", "right"]].set_visible(False)
-    axes.grid(color="#dde3e6", lw=0.6, which="both")
-    axes.set_axisbelow(True)
-    axes.tick_params(colors=_INK, which="both")
+    tidy(axes, "both")
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_formatter(_plain)
         axis.set_minor_formatter(_plain)
     axes.tick_params(which="minor", labelsize=6.5)
     figure.draw_without_rendering()
     _label(axes, canvas, sweep)
-    buffer = io.BytesIO()
-    figure.savefig(buffer, format="png")
-    return buffer.getvalue()
+    return png(figure)
 
 
 def _plain(value: float, _: object) -> str:
