@@ -22,23 +22,24 @@ class SweepPart(Described):
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
 
-class ParameterInfo(SweepPart):
-    """A quality setting and its measured values."""
+class SettingPart(SweepPart):
+    """Base class of what is said of one quality setting."""
 
     owner: str = Field(description="Effect that declares the setting, or 'frame'")
     pointer: str = Field(description="JSON pointer into the quality")
     title: str
     cause: Cause = Field(description="Kind of error that the setting affects")
+
+
+class ParameterInfo(SettingPart):
+    """A quality setting and its measured values."""
+
     steps: tuple[ParameterValue, ...] = Field(description="Measured values, fastest first")
 
 
-class ParameterChoice(SweepPart):
+class ParameterChoice(SettingPart):
     """A value of one setting; all others are as in tier standard."""
 
-    owner: str
-    pointer: str
-    title: str
-    cause: Cause
     value: ParameterValue
 
 
@@ -135,13 +136,9 @@ class MeasuredPoint(Point):
     causes: Causes | None = Field(description="Error by cause, for tiers; null where a single setting is changed")
 
 
-class Step(SweepPart):
+class Step(SettingPart):
     """Step from one value of a setting to the next more exact one, all other settings as in tier standard."""
 
-    owner: str
-    pointer: str
-    title: str
-    cause: Cause
     value_from: ParameterValue
     value_to: ParameterValue
     point_from: str

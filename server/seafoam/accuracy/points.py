@@ -48,10 +48,10 @@ def chains(scene: Scene, points: tuple[Point, ...]) -> list[tuple[ParameterChoic
 def _settings(scene: Scene) -> Iterator[tuple[ParameterChoice, Quality, str]]:
     """Yield every value of every setting of a scene: the choice, tier standard with it, and the hash of that plan."""
     for owner, parameter in all_parameters(scene):
-        pointer, title, cause = parameter.pointer, parameter.title, parameter.cause
+        said = {"owner": owner, "pointer": parameter.pointer, "title": parameter.title, "cause": parameter.cause}
         for value in parameter.steps:
-            quality = with_value(TIERS["standard"], pointer, value)
-            choice = ParameterChoice(owner=owner, pointer=pointer, title=title, cause=cause, value=value)
+            quality = with_value(TIERS["standard"], parameter.pointer, value)
+            choice = ParameterChoice(**said, value=value)
             yield choice, quality, plan_hash(scene, quality)
 
 

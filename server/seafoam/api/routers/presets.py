@@ -90,10 +90,5 @@ async def get_preset(preset: PresetName, _: NoParameters, context: InContext) ->
 @router.get("/quality", responses=problem_responses(422))
 async def get_quality(_: NoParameters) -> QualityTiers:
     """Get the quality tiers with the value of every setting, and the allowed values of each setting."""
-    measured = [
-        ParameterInfo(
-            owner=owner, pointer=parameter.pointer, title=parameter.title, cause=parameter.cause, steps=parameter.steps
-        )
-        for owner, parameter in every_parameter()
-    ]
+    measured = [ParameterInfo(owner=owner, **vars(parameter)) for owner, parameter in every_parameter()]
     return QualityTiers(tiers=TIERS, parameters=Quality.model_json_schema(), measured=measured)
