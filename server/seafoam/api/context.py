@@ -1,13 +1,13 @@
 """State that the request handlers of an application share."""
 
 import asyncio
-from typing import Annotated, Unpack
+from typing import Annotated
 
 from fastapi import Depends, Request
 
 from seafoam.accuracy.model import Running, Sweep
 from seafoam.accuracy.sweep import Subject
-from seafoam.api.frames.plans import CompiledPlan, PlanIndex, SceneOrigin, compile_scene
+from seafoam.api.frames.plans import CompiledPlan, PlanIndex, compile_scene
 from seafoam.api.frames.request_cache import RequestCache
 from seafoam.api.frames.streams import Streams
 from seafoam.api.http.thread_pool import ThreadPool
@@ -45,13 +45,13 @@ class Context:
         self.ahead: asyncio.Task[None] | None = None
         """Compiles the presets' programs ahead, if the settings say so."""
 
-    async def compiled(self, scene: Scene, quality: Quality, **origin: Unpack[SceneOrigin]) -> CompiledPlan:
+    async def compiled(self, scene: Scene, quality: Quality) -> CompiledPlan:
         """Run :func:`compile_scene` in a thread."""
-        return await self.plans.run(compile_scene, scene, quality, **origin)
+        return await self.plans.run(compile_scene, scene, quality)
 
-    async def addressed(self, scene: Scene, quality: Quality, **origin: Unpack[SceneOrigin]) -> CompiledPlan:
+    async def addressed(self, scene: Scene, quality: Quality) -> CompiledPlan:
         """Compile a scene, and let its plan's hash be an address of its frames."""
-        compiled = await self.compiled(scene, quality, **origin)
+        compiled = await self.compiled(scene, quality)
         if not self.plan_index.holds(compiled.sha256):
             await self.plans.run(self.plan_index.remember, compiled.sha256, scene, quality)
         return compiled

@@ -7,7 +7,6 @@ from seafoam.accuracy.model import Running
 from seafoam.accuracy.sweep import Subject
 from seafoam.accuracy.timing import choose
 from seafoam.api.context import Context
-from seafoam.api.frames.plans import SceneOrigin
 from seafoam.api.http.parameters import FrameParameters, FrameRequest
 from seafoam.api.http.problems import BadRequestError, FieldProblem, NotMeasuredError
 from seafoam.api.jobs import retry_seconds
@@ -27,10 +26,7 @@ async def with_quality(
             raise _refused(asked, "allowed only with quality auto")
         return job, {}
     # A scene that cannot be planned is refused before it is measured.
-    origin: SceneOrigin = {"scene_at": "/scene"}
-    if isinstance(asked, FrameParameters):
-        origin = {"parameters": asked.changed}
-    await context.compiled(job.scene, job.quality, **origin)
+    await context.compiled(job.scene, job.quality)
     if asked.budget_ms is None:
         raise _refused(asked, "quality auto requires budget_ms, the frame time allowed in milliseconds")
     limits = context.settings.frame_limits

@@ -1,13 +1,10 @@
 """Frame plans of requests: compiled, kept, and found again by their hash (``/api/plans/{plan}/frames``)."""
 
-from collections.abc import Collection
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import TypedDict, Unpack
 
 from pydantic import BaseModel
 
-from seafoam.api.http.problems import BadRequestError, FieldProblem
 from seafoam.framegraph.plan import FramePlan
 from seafoam.planner import PlanError, make_plan
 from seafoam.quality import Quality
@@ -30,36 +27,10 @@ class CompiledPlan:
 
 
 @lru_cache(maxsize=64)
-def _compiled(scene: Scene, quality: Quality) -> CompiledPlan:
+def compile_scene(scene: Scene, quality: Quality) -> CompiledPlan:
+    """Compile a scene into a plan. Raises :class:`PlanError`, of which an answer names what set the value at fault."""
     plan = make_plan(scene, quality)
     return CompiledPlan(plan, plan.canonical_json(), plan_hash(scene, quality))
-
-
-class SceneOrigin(TypedDict, total=False):
-    """What set a scene's values: its JSON pointer in a body, or names of query parameters."""
-
-    scene_at: str
-    parameters: Collection[str]
-
-
-def compile_scene(scene: Scene, quality: Quality, **origin: Unpack[SceneOrigin]) -> CompiledPlan:
-    """Compile a scene into a plan.
-
-    A scene that cannot be planned raises :class:`BadRequestError`, which names the member of the body or the query
-    parameter that set the value.
-    """
-    try:
-        return _compiled(scene, quality)
-    except PlanError as error:
-        scene_at, parameters = origin.get("scene_at"), origin.get("parameters", ())
-        member = error.pointer.rpartition("/")[2]
-        parameter = member if scene_at is None and member in parameters else None
-        pointer = None if parameter else f"{scene_at or ''}{error.pointer}"
-        raise BadRequestError(
-            FieldProblem(
-                pointer=pointer, parameter=parameter, detail=f"{parameter or pointer or 'scene'}: {error.message}"
-            )
-        ) from error
 
 
 class PlanSource(BaseModel):

@@ -2,7 +2,7 @@
 
 import asyncio
 from collections.abc import Awaitable, Callable, Mapping
-from typing import Any, TypeVar, Unpack
+from typing import Any, TypeVar
 from urllib.parse import urlencode
 
 from fastapi import Request
@@ -10,7 +10,6 @@ from starlette.responses import Response
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from seafoam.api.context import Context
-from seafoam.api.frames.plans import SceneOrigin
 from seafoam.api.frames.request_cache import ResolvedFrame
 from seafoam.api.http.etags import not_modified
 from seafoam.api.http.openapi import content
@@ -75,13 +74,11 @@ def at_hand(resolved: ResolvedFrame, request: Request, context: Context) -> Resp
     return None if held is None else _response(resolved, held)
 
 
-async def resolve_frame(
-    job: FrameJob, request: Request, headers: Mapping[str, str], plans_at: str, **origin: Unpack[SceneOrigin]
-) -> ResolvedFrame:
+async def resolve_frame(job: FrameJob, request: Request, headers: Mapping[str, str], plans_at: str) -> ResolvedFrame:
     """Check and plan a frame, and find its key and headers. plans_at: relative address of ``/api/plans``."""
     context: Context = request.app.state.context
     context.settings.frame_limits.check(job.width, job.height, job.quality.samples_drawn)
-    plan = (await context.addressed(job.scene, job.quality, **origin)).sha256
+    plan = (await context.addressed(job.scene, job.quality)).sha256
     await context.pool.wait_until_settled()
     own = {
         "Seafoam-Plan": plan,

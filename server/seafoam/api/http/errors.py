@@ -22,8 +22,10 @@ from seafoam.api.http.schema_limits import Schema, allowed_at
 from seafoam.api.watch.logs import request_id
 from seafoam.extras import MissingExtraError
 from seafoam.masks.catalogue import MaskTooSlowError
+from seafoam.planner import PlanError
 from seafoam.render.service import errors as render
 from seafoam.render.service.background import BackgroundFullError
+from seafoam.sequences.errors import OutputError
 from seafoam.sequences.service import NotFinishedError, UnknownSequenceError
 
 log = logging.getLogger(__name__)
@@ -57,13 +59,16 @@ class ProblemType:
 
 _NOT_FOUND = ProblemType(404, "not-found", "Not found")
 _BUSY = ProblemType(503, "busy", "The server is busy")
+_INVALID = ProblemType(422, "bad-request", "Invalid request")
 
 PROBLEM_TYPES: dict[type[Exception], ProblemType] = {
     problems.ExportTooLargeError: ProblemType(422, "export-too-large", "The scene is too large to take home"),
     problems.NotFoundError: _NOT_FOUND,
     UnknownSequenceError: _NOT_FOUND,
     problems.UnsupportedMediaError: ProblemType(415, "unsupported-media-type", "The request body must be JSON"),
-    BadRequestError: ProblemType(422, "bad-request", "Invalid request"),
+    BadRequestError: _INVALID,
+    OutputError: _INVALID,
+    PlanError: _INVALID,
     render.FrameTooLargeError: ProblemType(422, "frame-too-large", "The frame exceeds the size limit"),
     MaskTooSlowError: ProblemType(422, "mask-too-slow", "The mask would take too long to generate"),
     render.RenderFailedError: ProblemType(500, "render-failed", "The frame could not be rendered"),
@@ -172,17 +177,27 @@ def _field_error(item: Mapping[str, Any], body: Any, openapi: Schema, operation:
 async def _known(request: Request, error: Exception) -> JSONResponse:
     kind = next(PROBLEM_TYPES[base] for base in type(error).__mro__ if base in PROBLEM_TYPES)
     errors: list[FieldProblem] = getattr(error, "errors", [])
+    detail, posted = str(error), request.method != "GET"
     match error:
         case UnknownSequenceError():
-            errors = [FieldProblem(parameter="sequence", detail=str(error))]
+            errors = [FieldProblem(parameter="sequence", detail=detail)]
+        case OutputError():
+            errors = [FieldProblem(pointer=f"/{error.field}", detail=detail)]
+        case PlanError():
+            # Set by the query parameter of the same name, or in a body, which is the scene or has it as a member.
+            member = error.pointer.rpartition("/")[2]
+            parameter = member if not posted and member in request.query_params else None
+            within = "/scene" if posted and not request.url.path.endswith("/scenes") else ""
+            pointer = None if parameter else within + error.pointer
+            detail = f"{parameter or pointer or 'scene'}: {error.message}"
+            errors = [FieldProblem(pointer=pointer, parameter=parameter, detail=detail)]
         case render.FrameTooLargeError():
             bounds = {"minimum": error.least, "maximum": error.greatest}
-            posted = request.method == "POST"
             pointer, parameter = (f"/{error.field}", None) if posted else (None, error.field)
-            errors = [FieldProblem(pointer=pointer, parameter=parameter, detail=str(error), allowed=bounds)]
+            errors = [FieldProblem(pointer=pointer, parameter=parameter, detail=detail, allowed=bounds)]
     wait, remedy = getattr(error, "retry_after", None), getattr(error, "remedy", None)
     headers = {} if wait is None else {"Retry-After": str(wait)}
-    return problem(request.url.path, kind, str(error), errors=errors, remedy=remedy, headers=headers)
+    return problem(request.url.path, kind, detail, errors=errors, remedy=remedy, headers=headers)
 
 
 async def _invalid(request: Request, error: Exception) -> JSONResponse:
@@ -192,7 +207,7 @@ async def _invalid(request: Request, error: Exception) -> JSONResponse:
     operation = openapi["paths"].get(route.path_format, {}).get(request.method.lower(), {})
     errors = field_errors(error, openapi, operation)
     detail = "; ".join(item.detail for item in errors)
-    return problem(request.url.path, PROBLEM_TYPES[BadRequestError], detail, errors=errors)
+    return problem(request.url.path, _INVALID, detail, errors=errors)
 
 
 async def _http(request: Request, error: Exception) -> JSONResponse:

@@ -31,7 +31,7 @@ async def export_scene(body: Strict[ExportRequest], context: InContext) -> Respo
     """Pack a scene sent as JSON with its programs, textures, uniforms and a player."""
     known_preset(body.preset)
     quality = quality_of(body.quality)
-    compiled = await context.compiled(body.scene, quality, scene_at="/scene")
+    compiled = await context.compiled(body.scene, quality)
     camera = body.camera or body.scene.camera
     job = FrameJob(body.scene, quality, body.time, camera, body.width, body.height, "png", body.preset)
     title = load_preset(body.preset).title if body.preset else "A scene"

@@ -98,7 +98,7 @@ async def get_frame(
         subject = Subject(None if query.changed else loaded.name, job.scene, loaded.time, loaded.size)
         job, chosen = await with_quality(job, query, subject, context)
         headers = {"Cache-Control": REVALIDATE, **chosen}
-        return await resolve_frame(job, request, headers, "../plans", parameters=query.changed)
+        return await resolve_frame(job, request, headers, "../plans")
 
     # Once more is measured, the same request is answered by another quality.
     known = query.quality != "auto"
@@ -112,7 +112,7 @@ async def render_frame(body: Strict[FrameRequest], request: Request, context: In
     known_preset(body.preset)
     job, chosen = await with_quality(body.job, body, Subject.of_scene(body.scene), context)
     headers = {"Cache-Control": NO_STORE, **chosen}
-    return await answer(await resolve_frame(job, request, headers, "plans", scene_at="/scene"), request, context)
+    return await answer(await resolve_frame(job, request, headers, "plans"), request, context)
 
 
 @router.get(

@@ -37,7 +37,7 @@ async def get_plan(
 ) -> Response:
     """Get the frame plan of a preset."""
     scene = query.apply(find_preset(preset).scene)
-    compiled = await context.addressed(scene, TIERS[query.quality], parameters=query.changed)
+    compiled = await context.addressed(scene, TIERS[query.quality])
     headers = {"Cache-Control": REVALIDATE, "Seafoam-Plan": compiled.sha256}
     return not_modified(request, f'"{compiled.sha256}"', headers) or _plan(compiled, headers)
 
@@ -46,7 +46,7 @@ async def get_plan(
 async def make_plan(body: Strict[PlanRequest], context: InContext) -> Response:
     """Compile a scene sent as JSON into a frame plan."""
     quality = quality_of(body.quality)
-    compiled = await context.addressed(body.scene, quality, scene_at="/scene")
+    compiled = await context.addressed(body.scene, quality)
     return _plan(compiled, {"Cache-Control": NO_STORE, "Seafoam-Plan": compiled.sha256})
 
 

@@ -62,7 +62,7 @@ def _summary(name: str) -> PresetSummary:
 def _made_summary(name: str) -> PresetSummary:
     """A preset's list entry, cached, because its effects require a plan."""
     preset = load_preset(name)
-    compiled = compile_scene(preset.scene, TIERS["standard"], scene_at="")
+    compiled = compile_scene(preset.scene, TIERS["standard"])
     effects = [effect.name for effect in compiled.plan.effects]
     return PresetSummary(**preset.model_dump(include=set(PresetSummary.model_fields)), effects=effects)
 

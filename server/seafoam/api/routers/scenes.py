@@ -53,5 +53,5 @@ async def get_schema(_: NoParameters, request: Request) -> Schemas:
 @router.post("/scenes", responses=problem_responses(413, 415, 422, 501, 503))
 async def complete_scene(scene: Strict[Scene], context: InContext) -> Scene:
     """Check a scene sent as JSON, and return it with the default of every absent field."""
-    await context.compiled(scene, TIERS["standard"], scene_at="")
+    await context.compiled(scene, TIERS["standard"])
     return scene

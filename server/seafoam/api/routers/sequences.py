@@ -24,7 +24,6 @@ from seafoam.api.http.parameters import (
 from seafoam.api.http.problems import BadRequestError, FieldProblem
 from seafoam.api.http.validation import NoParameters, Strict
 from seafoam.render.service.jobs import FrameJob
-from seafoam.sequences.errors import OutputError
 from seafoam.sequences.service import FINISHED, SequenceStatus, UnknownSequenceError
 from seafoam.sequences.spec import GREATEST_FPS, LEAST_FPS, SequenceSpec, sequence_of
 from seafoam.sequences.video import Codec
@@ -89,12 +88,9 @@ async def start_sequence(body: Strict[SequenceRequest], context: InContext) -> S
     """
     known_preset(body.preset)
     spec = _spec(body, context)
-    await context.compiled(body.scene, spec.job.quality, scene_at="/scene")
+    await context.compiled(body.scene, spec.job.quality)
     await context.pool.wait_until_settled()
-    try:
-        status = await context.plans.run(context.sequences.submit, spec, body.format, body.codec)
-    except OutputError as error:
-        raise _refused(error) from error
+    status = await context.plans.run(context.sequences.submit, spec, body.format, body.codec)
     headers = {"Location": f"/api/sequences/{status.id}", "Cache-Control": NO_STORE}
     return JSONResponse(status.model_dump(mode="json"), 202, headers)  # type: ignore[return-value]
 
@@ -147,10 +143,7 @@ def _spec(body: SequenceRequest, context: Context) -> SequenceSpec:
     settings.frame_limits.check(body.width, body.height, quality.samples_drawn)
     camera = body.camera or body.scene.camera
     job = FrameJob(body.scene, quality, body.start, camera, body.width, body.height, "png", body.preset)
-    try:
-        spec = sequence_of(job, body.stop, body.fps)
-    except OutputError as error:
-        raise _refused(error) from error
+    spec = sequence_of(job, body.stop, body.fps)
     if spec.count > settings.sequence_frames:
         greatest = body.start + float(settings.sequence_frames / spec.fps)
         limit = f"{spec.count:,} frames exceed the limit of {settings.sequence_frames:,}"
@@ -178,7 +171,3 @@ async def _events(first: SequenceStatus, context: Context) -> AsyncIterator[str]
 
 def _event(status: SequenceStatus) -> str:
     return f"event: status\ndata: {status.model_dump_json()}\n\n"
-
-
-def _refused(error: OutputError) -> BadRequestError:
-    return BadRequestError(FieldProblem(pointer=f"/{error.field}", detail=str(error)))

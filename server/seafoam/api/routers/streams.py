@@ -122,7 +122,7 @@ async def _drawn(stream: Stream, job: FrameJob, context: Context) -> EncodedFram
 async def _planned(body: PlanRequest, context: Context) -> Quality:
     """Return the quality, of a scene that can be planned with it."""
     quality = quality_of(body.quality)
-    await context.compiled(body.scene, quality, scene_at="/scene")
+    await context.compiled(body.scene, quality)
     return quality
 
 
