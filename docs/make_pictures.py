@@ -406,7 +406,7 @@ def main() -> None:
     foam(executor)
     executor.close()
     masks = [(name, load_mask(name)) for name in load_catalogue()]
-    write_smaller("masks", contact_sheet([(name, m.ranks, m.spectrum) for name, m in masks]))
+    write_smaller("masks", contact_sheet([(name, m.ranks, m.tables.spectrum) for name, m in masks]))
     write_smaller("masks-magnified", magnified_sheet([(name, m.ranks, m.quantile) for name, m in masks]))
 
 

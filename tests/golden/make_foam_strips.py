@@ -119,9 +119,9 @@ def main() -> None:
             "saturation": height_saturation(heights, 0.3, 0.9).tolist(),
         },
         "amounts": amounts(),
-        "mask": {"size": SIDE, "words": words.ravel().tolist(), "quantiles": mask.quantiles[0].tolist()},
+        "mask": {"size": SIDE, "words": words.ravel().tolist(), "quantiles": mask.filtering.quantiles[0].tolist()},
         "sample": SAMPLE,
-        "filtered": filtered(words, mask.quantiles[0]),
+        "filtered": filtered(words, mask.filtering.quantiles[0]),
         "spectra": [{"grey": one.grey, "raps": one.raps.tolist()} for one in spectra.greys],
         "white": {"seed": WHITE_SEED, "ranks": shuffled()},
     }

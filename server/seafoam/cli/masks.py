@@ -98,13 +98,13 @@ def mask_spectrum(
         raise CommandError("--output or --json: exactly one is required")
     mask = mask_of(name)
     if output is None:
-        say(json.dumps(mask.spectrum.model_dump()))
+        say(json.dumps(mask.tables.spectrum.model_dump()))
         return
     require("reports")
     from seafoam.masks.judge.plots import plot_spectrum
 
     extension_of(output, ("png",))
-    write(output, plot_spectrum(mask.spectrum, mask.entry.title))
+    write(output, plot_spectrum(mask.tables.spectrum, mask.entry.title))
     say(f"{output}: spectrum of {mask.entry.title}")
 
 
@@ -114,16 +114,16 @@ def mask_shapes(
     as_json: Annotated[bool, typer.Option("--json", help="Print as JSON.")] = False,
 ) -> None:
     """Measure the foam shapes of a mask by saturation: connected components, holes and chord lengths, in texels."""
-    mask = mask_of(name)
+    shapes = mask_of(name).tables.morphology
     if as_json:
-        say(json.dumps(mask.morphology.model_dump()))
+        say(json.dumps(shapes.model_dump()))
         return
     from rich.console import Console
     from rich.table import Table
 
     columns = ("saturation", "largest component", "Euler number", "holes 10 / 50 / 90 %", "foam chord", "water chord")
     table = Table(*columns, box=None, pad_edge=False)
-    for entry in mask.morphology.saturations:
+    for entry in shapes.saturations:
         holes = " / ".join(f"{diameter:.0f}" for diameter in entry.hole_diameters)
         table.add_row(
             f"{entry.saturation:g}",
@@ -134,7 +134,7 @@ def mask_shapes(
             f"{entry.water_chord:.1f}",
         )
     Console().print(table)
-    say(f"At saturation {mask.morphology.joined_from:g} and above, one component holds more than half of the foam.")
+    say(f"At saturation {shapes.joined_from:g} and above, one component holds more than half of the foam.")
 
 
 def mask_of(name: str) -> "Mask":

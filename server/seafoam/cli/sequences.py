@@ -70,10 +70,9 @@ def _output(path: Path, codec: str) -> "SequenceOutput":
     kind = kinds.get(path.suffix.lower())
     if kind is None:
         raise CommandError(f"--output: {path.name!r} must be a directory or end in .mp4, .webp, .zip")
-    chosen = next((name for name in CODECS if name == codec), None)
-    if chosen is None:
+    if codec not in CODECS:
         raise CommandError(f"--codec: must be one of {', '.join(CODECS)}, not {codec!r}")
-    return Output(path, kind, chosen)
+    return Output(path, kind, codec)
 
 
 def _spec(preset: str, start: float | None, stop: float, fps: str, others: dict[str, object]) -> "SequenceSpec":

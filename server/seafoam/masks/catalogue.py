@@ -114,7 +114,9 @@ class Thresholds:
     """Tables by which shaders threshold a mask, 65 entries a row, read-only. Half a second at 512 x 512 to compute."""
 
     quantiles: NDArray[np.float64]
+    """Of the magnified mask, then of each level of :attr:`Mask.spans`."""
     ramps: NDArray[np.float64]
+    """Of the ramp of an octave, see :func:`prefilter.ramp_tables`."""
 
     @staticmethod
     def measure(quantile: ArrayLike, spans: Sequence[prefilter.Level]) -> "Thresholds":
@@ -145,22 +147,12 @@ class Mask:
     measured: MaskTables | None = None
     """Its tables if known in advance: those of the catalogue."""
     baked: Thresholds | None = None
-    """What :attr:`quantiles` and :attr:`ramps` are, if known in advance: that of the mask's file."""
+    """What :attr:`filtering` is, if known in advance: that of the mask's file."""
 
     @cached_property
     def tables(self) -> MaskTables:
         """Its spectrum and filtering tables: the known ones, else measured now."""
         return self.measured or MaskTables.measure(self.ranks)
-
-    @property
-    def spectrum(self) -> MaskSpectrum:
-        """Its RAPS and anisotropy."""
-        return self.tables.spectrum
-
-    @property
-    def morphology(self) -> MaskMorphology:
-        """Connected components, holes and chord lengths of its foam."""
-        return self.tables.morphology
 
     @property
     def quantile(self) -> tuple[float, ...]:
@@ -181,16 +173,6 @@ class Mask:
     def filtering(self) -> Thresholds:
         """Its tables for shaders: the known ones, else computed now."""
         return self.baked or Thresholds.measure(self.quantile, self.spans)
-
-    @property
-    def quantiles(self) -> NDArray[np.float64]:
-        """Quantile tables, 65 entries a row: of the magnified mask, then of each level of :attr:`spans`; read-only."""
-        return self.filtering.quantiles
-
-    @property
-    def ramps(self) -> NDArray[np.float64]:
-        """Tables of the ramp of an octave, see :func:`prefilter.ramp_tables`; read-only."""
-        return self.filtering.ramps
 
     def sidecar(self) -> dict[str, object]:
         """Metadata of a download, as plain JSON values."""

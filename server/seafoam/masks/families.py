@@ -98,8 +98,7 @@ def check_parameters(
 
     Raises ``ValueError`` naming the argument, its value and what is allowed.
     """
-    known = next((name for name in FAMILIES if name == family), None)
-    if known is None:
+    if family not in FAMILIES:
         raise ValueError(f"family {family!r} is not one of {', '.join(FAMILIES)}")
     width, height = size if isinstance(size, tuple) else (size, size)
     for side in (width, height):
@@ -107,18 +106,18 @@ def check_parameters(
             raise ValueError(f"size {side!r} is not a whole number of texels in {SIDE_MIN}..{SIDE_MAX}")
     if isinstance(seed, bool) or not isinstance(seed, int) or not 0 <= seed <= SEED_MAX:
         raise ValueError(f"seed {seed!r} is not an integer in 0..{SEED_MAX}")
-    least, greatest = sigma_range(known, min(width, height))
-    chosen = min(DEFAULT_SIGMA[known], greatest) if sigma is None else float(sigma)
+    least, greatest = sigma_range(family, min(width, height))
+    chosen = min(DEFAULT_SIGMA[family], greatest) if sigma is None else float(sigma)
     if not (math.isfinite(chosen) and least <= chosen <= greatest):
         tile = f"{width} x {height} texels"
-        raise ValueError(f"sigma {chosen!r} is outside {least:g}..{greatest:g} texels for {known} at {tile}")
+        raise ValueError(f"sigma {chosen!r} is outside {least:g}..{greatest:g} texels for {family} at {tile}")
     for name, value, low, high in (("aspect", aspect, 1.0, ASPECT_MAX), ("age", age, 0.0, 1.0)):
-        if known != "lace":
+        if family != "lace":
             if value != low:
-                raise ValueError(f"{name} {value!r} is allowed only for lace, not {known}")
+                raise ValueError(f"{name} {value!r} is allowed only for lace, not {family}")
         elif not (math.isfinite(value) and low <= value <= high):
             raise ValueError(f"{name} {value!r} is outside {low:g}..{high:g}")
-    return MaskSpec(known, chosen, width, height, seed, float(aspect), float(age))
+    return MaskSpec(family, chosen, width, height, seed, float(aspect), float(age))
 
 
 def parse_parameters(text: str) -> MaskSpec:
@@ -143,7 +142,6 @@ def parse_size(text: str) -> tuple[int, int]:
 
 def check_method(method: str) -> Method:
     """Return ``method`` typed; raises ``ValueError`` for an unknown one."""
-    known = next((name for name in METHODS if name == method), None)
-    if known is None:
+    if method not in METHODS:
         raise ValueError(f"method {method!r} is not one of {', '.join(METHODS)}")
-    return known
+    return method

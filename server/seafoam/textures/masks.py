@@ -64,9 +64,9 @@ class MaskTexture(TextureSpec):
             case "atlas":
                 return Image("RG32UI", (atlas(mask.ranks, mask.spans).astype("<u4"),))
             case "quantiles":
-                return _entries([one.quantiles for one in masks])
+                return _entries([one.filtering.quantiles for one in masks])
             case "ramps":
-                return _entries([one.ramps for one in masks])
+                return _entries([one.filtering.ramps for one in masks])
 
 
 def _entries(tables: list[NDArray[np.float64]]) -> Image:

@@ -120,7 +120,7 @@ def test_two_masks_beside_each_other(lab: Visit) -> None:
 
 
 def test_spectra_are_the_server_s(lab: Visit) -> None:
-    measured = mask_by_name("vac:2:64:7").spectrum
+    measured = mask_by_name("vac:2:64:7").tables.spectrum
     grey = measured.grey(0.25)
     tables = lab.page.locator(".spectra table")
     raps, anisotropy = numbers(tables.nth(0), 1), numbers(tables.nth(1), 1)

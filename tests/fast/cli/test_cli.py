@@ -106,7 +106,7 @@ def test_masks_are_made_in_every_format_and_spectra_written_as_json_or_a_plot(se
     assert picture(tmp_path / "b.png").mode == "L"
     code, out, _ = seafoam("masks", "spectrum", "vac-6", "--json")
     assert code == 0
-    assert json.loads(out) == load_mask("vac-6").spectrum.model_dump(mode="json")
+    assert json.loads(out) == load_mask("vac-6").tables.spectrum.model_dump(mode="json")
     code, _, _ = seafoam("masks", "spectrum", "blur:2:64:0", "-o", tmp_path / "a.png")
     assert code == 0
     assert picture(tmp_path / "a.png").format == "PNG"

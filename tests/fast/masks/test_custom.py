@@ -24,7 +24,7 @@ def test_tables_are_measured_when_asked_for():
     assert "tables" not in vars(mask)
     assert len(mask.quantile) == 65
     assert len(mask.tables.sigma_l) == 8
-    assert mask.spectrum.frequency[0] == 1 / 128
+    assert mask.tables.spectrum.frequency[0] == 1 / 128
     assert mask.sidecar()["spectrum"]
 
 

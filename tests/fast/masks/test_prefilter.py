@@ -116,8 +116,8 @@ def cover(level, thresholds):
 @pytest.mark.parametrize("name", ["vac-1.5", "vac-24", "clump", "mix"])
 def test_minified_cover_is_the_saturation(name):
     mask = load_mask(name)
-    assert mask.quantiles.shape == (11, prefilter.QUANTILE_ENTRIES)
-    assert np.array_equal(mask.quantiles[0], mask.quantile)
-    assert np.array_equal(prefilter.span_quantiles(mask.spans), mask.quantiles[1:])
-    for level, table in zip(mask.spans, mask.quantiles[1:], strict=True):
+    assert mask.filtering.quantiles.shape == (11, prefilter.QUANTILE_ENTRIES)
+    assert np.array_equal(mask.filtering.quantiles[0], mask.quantile)
+    assert np.array_equal(prefilter.span_quantiles(mask.spans), mask.filtering.quantiles[1:])
+    for level, table in zip(mask.spans, mask.filtering.quantiles[1:], strict=True):
         assert cover(level, prefilter.quantile_lookup(table, SATURATIONS)) == pytest.approx(SATURATIONS, abs=1e-3)

@@ -38,7 +38,7 @@ def test_ranks_are_the_recorded_permutation_with_the_recorded_spectra(name):
     assert rank_sha256(mask.ranks) == mask.entry.sha256
     assert not mask.ranks.flags.writeable
     again = measure_spectrum(mask.ranks)
-    for recorded, measured in zip(mask.spectrum.greys, again.greys, strict=True):
+    for recorded, measured in zip(mask.tables.spectrum.greys, again.greys, strict=True):
         assert np.allclose(recorded.raps, measured.raps, rtol=1e-4, atol=1e-12)
         assert np.allclose(recorded.anisotropy, measured.anisotropy, rtol=1e-4, atol=1e-4, equal_nan=True)
 
@@ -48,10 +48,10 @@ def test_recorded_tables_are_those_of_the_ranks(name):
     mask = load_mask(name)
     assert np.allclose(mask.quantile, quantile_table(mask.ranks), atol=1e-5)
     computed = Mask(mask.entry, mask.ranks, mask.measured)
-    assert np.allclose(mask.quantiles, computed.quantiles, rtol=0.0, atol=1e-9)
-    assert np.allclose(mask.ramps, computed.ramps, rtol=0.0, atol=1e-9)
-    assert not mask.quantiles.flags.writeable
-    assert not mask.ramps.flags.writeable
+    assert np.allclose(mask.filtering.quantiles, computed.quantiles, rtol=0.0, atol=1e-9)
+    assert np.allclose(mask.filtering.ramps, computed.ramps, rtol=0.0, atol=1e-9)
+    assert not mask.filtering.quantiles.flags.writeable
+    assert not mask.filtering.ramps.flags.writeable
 
 
 @pytest.mark.parametrize("name", ["blur-6", "clump", "bubble", "mix", "lace", "lacetorn", "streak"])
@@ -67,21 +67,23 @@ def test_the_recorded_arguments_make_the_mask_again(name):
 
 def test_low_frequencies_are_suppressed_and_only_void_and_cluster_keeps_high_ones():
     for name in VAC:
-        assert load_mask(name).spectrum.mean_raps(1 / 2, 0.0, 0.02) < 0.03
+        assert load_mask(name).tables.spectrum.mean_raps(1 / 2, 0.0, 0.02) < 0.03
     for name in ("blur-1.5", "blur-6", "blur-24"):
-        assert load_mask(name).spectrum.mean_raps(1 / 2, 0.0, 0.02) > 3.0
+        assert load_mask(name).tables.spectrum.mean_raps(1 / 2, 0.0, 0.02) > 3.0
     for sigma in ("1.5", "6", "24"):
-        vac, blur = load_mask(f"vac-{sigma}").spectrum, load_mask(f"blur-{sigma}").spectrum
+        vac, blur = load_mask(f"vac-{sigma}").tables.spectrum, load_mask(f"blur-{sigma}").tables.spectrum
         assert vac.mean_raps(1 / 2, 0.5, 0.7) > 0.7
         assert blur.mean_raps(1 / 2, 0.5, 0.7) < 0.2
-    power = [load_mask(name).spectrum.mean_raps(1 / 2, 0.5, 0.7) for name in ("vac-1.5", "vac-3", "vac-6", "vac-12")]
+    power = [
+        load_mask(name).tables.spectrum.mean_raps(1 / 2, 0.5, 0.7) for name in ("vac-1.5", "vac-3", "vac-6", "vac-12")
+    ]
     assert all(first > second for first, second in pairwise(power))
-    assert load_mask("vac-24").spectrum.mean_raps(1 / 2, 0.5, 0.7) < 0.9
+    assert load_mask("vac-24").tables.spectrum.mean_raps(1 / 2, 0.5, 0.7) < 0.9
 
 
 @pytest.mark.parametrize("name", VAC)
 def test_void_and_cluster_masks_are_isotropic(name):
-    spectrum = load_mask(name).spectrum
+    spectrum = load_mask(name).tables.spectrum
     assert spectrum.isotropic_reference == 0.0
     for grey in spectrum.greys:
         assert abs(spectrum.mean_anisotropy(grey.grey)) < 0.3

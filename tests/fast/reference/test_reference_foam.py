@@ -127,6 +127,6 @@ def test_filtered_coverage_is_the_share_of_the_footprint(texels: float, within: 
     across, down = np.meshgrid(steps * texels / 64.0, steps * 0.6 * texels / 64.0)
     b = sampling.bspline(MASK.thresholds, (u[:, None] + across.ravel()).ravel(), (v[:, None] + down.ravel()).ravel())
     for s in (0.1, 0.4, 0.8):
-        hard = looks.converged_coverage(np.full(b.value.size, s), b.value, MASK.quantiles[0], 0.0)
+        hard = looks.converged_coverage(np.full(b.value.size, s), b.value, MASK.filtering.quantiles[0], 0.0)
         errors = covered(s, texels, 0.0)[:600] - hard.reshape(600, -1).mean(axis=1)
         assert float(np.sqrt((errors**2).mean())) <= within

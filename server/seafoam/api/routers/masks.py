@@ -185,7 +185,7 @@ def _plot(mask: Mask) -> bytes:
     # Matplotlib takes a second to import, so only a server that is asked for a plot pays.
     from seafoam.masks.judge.plots import plot_spectrum
 
-    return plot_spectrum(mask.spectrum, mask.entry.title)
+    return plot_spectrum(mask.tables.spectrum, mask.entry.title)
 
 
 @dataclass(frozen=True, slots=True)
@@ -257,13 +257,13 @@ _PARTS = {
         "get_spectrum",
         "Get the measured spectrum of a {} mask.",
         "Radially averaged power spectrum and anisotropy by grey level",
-        lambda mask: json.dumps(mask.spectrum.model_dump()).encode(),
+        lambda mask: json.dumps(mask.tables.spectrum.model_dump()).encode(),
     ),
     "shapes": _MaskPart(
         "get_shapes",
         "Get the measured foam shapes of a {} mask.",
         "Connected components, holes and chord lengths of the foam by saturation; lengths in texels",
-        lambda mask: json.dumps(mask.morphology.model_dump()).encode(),
+        lambda mask: json.dumps(mask.tables.morphology.model_dump()).encode(),
     ),
     "spectrum.png": _MaskPart(
         "get_plot",

@@ -42,8 +42,8 @@ class Assets:
             older=tuple(Assets.of(other, texture) for other in older if other.ranks.shape == mask.ranks.shape),
             thresholds=sampling.thresholds(mask.ranks),
             spans=[level.astype(np.float64) for level in mask.spans],
-            quantiles=mask.quantiles,
-            ramps=mask.ramps,
+            quantiles=mask.filtering.quantiles,
+            ramps=mask.filtering.ramps,
             texture=sampling.box_chain(np.asarray(texture, np.float64)),
         )
 
