@@ -45,6 +45,6 @@ def test_baking_writes_what_the_catalogue_reads(tmp_path, monkeypatch):
         baked = Thresholds.from_bytes((tmp_path / "masks" / f"{name}.tables").read_bytes())
         computed = Mask(entry, ranks, tables)
         assert baked.quantiles.shape == (8, 65)
-        assert np.allclose(baked.quantiles, computed.quantiles, rtol=0.0, atol=1e-4)
-        assert np.allclose(baked.ramps, computed.ramps, rtol=0.0, atol=1e-4)
+        assert np.allclose(baked.quantiles, computed.filtering.quantiles, rtol=0.0, atol=1e-4)
+        assert np.allclose(baked.ramps, computed.filtering.ramps, rtol=0.0, atol=1e-4)
         assert np.isfinite(tables.quantile.entries).all()

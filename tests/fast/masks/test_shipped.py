@@ -48,8 +48,8 @@ def test_recorded_tables_are_those_of_the_ranks(name):
     mask = load_mask(name)
     assert np.allclose(mask.quantile, quantile_table(mask.ranks), atol=1e-5)
     computed = Mask(mask.entry, mask.ranks, mask.measured)
-    assert np.allclose(mask.filtering.quantiles, computed.quantiles, rtol=0.0, atol=1e-9)
-    assert np.allclose(mask.filtering.ramps, computed.ramps, rtol=0.0, atol=1e-9)
+    assert np.allclose(mask.filtering.quantiles, computed.filtering.quantiles, rtol=0.0, atol=1e-9)
+    assert np.allclose(mask.filtering.ramps, computed.filtering.ramps, rtol=0.0, atol=1e-9)
     assert not mask.filtering.quantiles.flags.writeable
     assert not mask.filtering.ramps.flags.writeable
 
