@@ -27,10 +27,11 @@ AHEAD: tuple[Tier, ...] = ("fast", "standard")
 
 
 def presets_ahead() -> Iterator[tuple[str, Tier]]:
-    """Yield what is compiled, in its order: the page's first preset first."""
+    """Yield what is compiled, in its order: the preset with which the page opens first, at all tiers."""
     for tier in AHEAD:
-        for name in sorted(preset_names(), key=lambda name: name != "default"):
-            yield name, tier
+        yield "default", tier
+    for tier in AHEAD:
+        yield from ((name, tier) for name in preset_names() if name != "default")
 
 
 def draw_ahead(factory: Callable[[], Renderer], parent: int) -> None:
