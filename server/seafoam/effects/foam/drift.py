@@ -1,6 +1,7 @@
 """Foam advected by a flow: a current, Stokes drift, vortices. docs/formulae.md, section 14."""
 
 import math
+from dataclasses import replace
 from statistics import NormalDist
 
 from seafoam.effects.bounds import SATURATION_CAP
@@ -180,67 +181,50 @@ class _Advection:
 
     def passes(self) -> tuple[PassSpec, ...]:
         """The passes that draw the map, in order."""
-        flow = PassSpec(
-            name="flow of drift",
-            program="drift_flow",
-            fragment=(*_NUMBERS, "foam/drift.glsl@flow", "foam/drift_passes.glsl@flow"),
-            uniforms={**self.square, **self.flow, **self.texel},
+        files = (*_NUMBERS, "foam/drift.glsl@flow", "foam/drift_passes.glsl@flow")
+        return (
+            _pass("flow of drift", "drift_flow", files, {}, {**self.square, **self.flow, **self.texel}),
+            *(self._forward() if self.forward else self._backward()),
+            _pass("drift, means", "drift_coarse", ("foam/drift_passes.glsl@coarse",), {"u_drift_map": "drift"}, {}),
         )
-        coarse = PassSpec(
-            name="drift, means",
-            program="drift_coarse",
-            fragment=("foam/drift_passes.glsl@coarse",),
-            inputs=target_inputs({"u_drift_map": "drift"}),
-        )
-        return (flow, *(self._forward() if self.forward else self._backward()), coarse)
 
     def _backward(self) -> tuple[PassSpec, ...]:
         """Every texel traced back along the flow to where its water was when each generation appeared."""
         flow = {"u_drift_flow": "drift_flow"}
-        back = (
-            *_NUMBERS,
-            "foam/drift.glsl@clock",
-            *_FLOW_MAP,
-            "foam/drift.glsl@ago",
-            "foam/drift.glsl@back",
-        )
+        back = ("foam/drift.glsl@ago", "foam/drift.glsl@back", "foam/drift.glsl@rest")
+        way = (*_NUMBERS, "foam/drift.glsl@clock", *_FLOW_MAP, *back)
+        patches = (*way, *VALUE_NOISE, "foam/drift.glsl@patches", "foam/drift_passes.glsl@backward")
         # Without drift.glsl@clock, whose time-dependent uniform would have these passes drawn in every frame.
         still = (*_NUMBERS, *_FLOW_MAP, "foam/drift.glsl@ago")
         return (
-            PassSpec(
-                name="drift, quarters of a generation back",
-                program="drift_still",
-                fragment=(*still, "foam/drift_passes.glsl@still"),
-                inputs=target_inputs(flow),
-                uniforms={**self.square, **self.texel},
+            _pass(
+                "drift, quarters of a generation back",
+                "drift_still",
+                (*still, "foam/drift_passes.glsl@still"),
+                flow,
+                {**self.square, **self.texel},
             ),
-            PassSpec(
-                name="drift, two generations further back",
-                program="drift_still_older",
-                fragment=(*still, "foam/drift_passes.glsl@still_older"),
+            _pass(
+                "drift, two generations further back",
+                "drift_still_older",
+                (*still, "foam/drift_passes.glsl@still_older"),
+                {**flow, "u_drift_still": "drift_still"},
+                self.square,
                 target="drift_older",
-                inputs=target_inputs({**flow, "u_drift_still": "drift_still"}),
-                uniforms=self.square,
             ),
-            PassSpec(
-                name="drift, ways of the youngest",
-                program="drift_way",
-                fragment=(*back, "foam/drift.glsl@rest", "foam/drift_passes.glsl@way"),
-                inputs=target_inputs({**flow, "u_drift_still": "drift_still"}),
-                uniforms={**self.square, **self.clock, **self.texel},
+            _pass(
+                "drift, ways of the youngest",
+                "drift_way",
+                (*way, "foam/drift_passes.glsl@way"),
+                {**flow, "u_drift_still": "drift_still"},
+                {**self.square, **self.clock, **self.texel},
             ),
-            PassSpec(
-                name="drift, followed back",
-                program="drift",
-                fragment=(
-                    *back,
-                    "foam/drift.glsl@rest",
-                    *VALUE_NOISE,
-                    "foam/drift.glsl@patches",
-                    "foam/drift_passes.glsl@backward",
-                ),
-                inputs=target_inputs({**flow, "u_drift_way": "drift_way", "u_drift_older": "drift_older"}),
-                uniforms={**self.square, **self.clock, **self.patches, **self.texel, **self.coverage},
+            _pass(
+                "drift, followed back",
+                "drift",
+                patches,
+                {**flow, "u_drift_way": "drift_way", "u_drift_older": "drift_older"},
+                {**self.square, **self.clock, **self.patches, **self.texel, **self.coverage},
             ),
         )
 
@@ -248,40 +232,45 @@ class _Advection:
         """Points moved along the flow from where the patches appeared."""
         # The last move ends in the map that the surface reads.
         order = ("drift", "drift_moved") if self.moves % 2 == 0 else ("drift_moved", "drift")
-        start = PassSpec(
-            name="drift, where it comes up",
-            program="drift_start",
-            fragment=(
-                *_NUMBERS,
-                "foam/drift.glsl@clock",
-                *VALUE_NOISE,
-                "foam/drift.glsl@patches",
-                "foam/drift_passes.glsl@start",
-            ),
+        clock = (*_NUMBERS, "foam/drift.glsl@clock")
+        start = _pass(
+            "drift, where it comes up",
+            "drift_start",
+            (*clock, *VALUE_NOISE, "foam/drift.glsl@patches", "foam/drift_passes.glsl@start"),
+            {},
+            {**self.square, **self.clock, **self.patches, **self.texel},
             target=order[0],
-            uniforms={**self.square, **self.clock, **self.patches, **self.texel},
         )
         moves = (
-            PassSpec(
-                name=f"drift, move {i + 1} of {self.moves}",
-                program="drift_move",
-                vertex=(
-                    *_NUMBERS,
-                    "foam/drift.glsl@clock",
-                    *_FLOW_MAP,
-                    "foam/drift_passes.glsl@forward_vertex",
+            replace(
+                _pass(
+                    f"drift, move {i + 1} of {self.moves}",
+                    "drift_move",
+                    ("foam/drift_passes.glsl@forward",),
+                    {"u_drift_flow": "drift_flow", "u_drift_from": order[i % 2]},
+                    {**self.square, **self.clock, **self.texel},
+                    target=order[(i + 1) % 2],
                 ),
-                fragment=("foam/drift_passes.glsl@forward",),
-                target=order[(i + 1) % 2],
+                vertex=(*clock, *_FLOW_MAP, "foam/drift_passes.glsl@forward_vertex"),
                 mesh=Points(count=GENERATIONS * self.size * self.size),
-                inputs=target_inputs({"u_drift_flow": "drift_flow", "u_drift_from": order[i % 2]}),
-                uniforms={**self.square, **self.clock, **self.texel},
                 blend="add",
                 clear=True,
             )
             for i in range(self.moves)
         )
         return (start, *moves)
+
+
+def _pass(
+    name: str,
+    program: str,
+    files: tuple[str, ...],
+    read: dict[str, str],
+    uniforms: dict[str, Uniform],
+    target: str = "",
+) -> PassSpec:
+    """A pass that reads the targets ``read``: sampler -> target."""
+    return PassSpec(name, program, files, target, inputs=target_inputs(read), uniforms=uniforms)
 
 
 def advects_mask(scene: Scene, quality: Quality) -> bool:

@@ -50,7 +50,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     masks = _masks(foam)
     parts: list[_Part] = []
     if masks:
-        parts.append(_mask_place(scene, foam, masks[0].mask))
+        parts.append(_mask_place(scene, foam, masks[0][1]))
     if masks and foam.look != "filtered":
         parts.append(_exact_mask(foam, quality))
     if _textured(foam):
@@ -73,12 +73,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     return contribution.joined(*parts)
 
 
-@dataclass(frozen=True)
-class _NamedMask:
-    name: str
-    mask: Mask
-
-
 @dataclass(frozen=True, kw_only=True)
 class _Part(Resources):
     """A part of a look. ``needs``: files before the look's own."""
@@ -86,16 +80,17 @@ class _Part(Resources):
     needs: tuple[Piece, ...] = ()
 
 
-def _mask(name: str, pointer: str) -> _NamedMask:
+def _mask(name: str, pointer: str) -> tuple[str, Mask]:
+    """A mask with its name."""
     try:
-        return _NamedMask(name, drawn_mask(name))
+        return name, drawn_mask(name)
     except KeyError:
         raise PlanError(pointer, f"mask {name!r} was not found; GET /api/masks lists the masks") from None
     except ValueError as error:
         raise PlanError(pointer, str(error)) from None
 
 
-def _masks(foam: Foam) -> list[_NamedMask]:
+def _masks(foam: Foam) -> list[tuple[str, Mask]]:
     """The foam's masks, then those of older foam that have the size of the first; none in the textured look."""
     if foam.look == "textured":
         return []
@@ -103,7 +98,7 @@ def _masks(foam: Foam) -> list[_NamedMask]:
     if foam.life is None or foam.look != "filtered":
         return [first]
     older = [_mask(name, f"/foam/life/masks/{i}") for i, name in enumerate(foam.life.masks)]
-    return [first, *(mask for mask in older if mask.mask.ranks.shape == first.mask.ranks.shape)]
+    return [first, *(named for named in older if named[1].ranks.shape == first[1].ranks.shape)]
 
 
 def _turned(foam: Foam) -> tuple[float, float]:
@@ -154,13 +149,13 @@ def _exact_mask(foam: Foam, quality: Quality) -> _Part:
     )
 
 
-def _filtered_mask(scene: Scene, foam: Foam, masks: list[_NamedMask], quality: Quality) -> _Part:
+def _filtered_mask(scene: Scene, foam: Foam, masks: list[tuple[str, Mask]], quality: Quality) -> _Part:
     """The thresholds under a footprint, from the atlas of all masks."""
     octaves = min(foam.octaves, quality.foam_octaves)
     tables: MaskTable = "ramps" if octaves > 1 else "quantiles"
-    mask = masks[0].mask
+    names, ranks = zip(*masks, strict=True)
+    mask = ranks[0]
     levels = mask.ranks.shape[0].bit_length()
-    ranks = [named.mask for named in masks]
     return _Part(
         consts={
             "QUANTILES": len(mask.quantile),
@@ -182,7 +177,7 @@ def _filtered_mask(scene: Scene, foam: Foam, masks: list[_NamedMask], quality: Q
             "u_mask_atlas": TargetInput(target=mask_atlas.ATLAS),
             "u_mask_quantiles": TextureInput(texture=mask_atlas.tables(len(masks), tables)),
         },
-        textures=mask_atlas.textures([named.name for named in masks], tables),
+        textures=mask_atlas.textures(names, tables),
         targets=mask_atlas.targets(ranks),
         passes=mask_atlas.passes(ranks),
     )

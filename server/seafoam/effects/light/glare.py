@@ -4,10 +4,11 @@ It is part of the display, as the tone curve is: linear frames are without it.
 """
 
 import itertools
+from dataclasses import replace
 
 from seafoam.effects.effect import FINISHED, Contribution, Effect, PassSpec
 from seafoam.effects.shader import SlotFile
-from seafoam.framegraph.resources import Target, TargetInput, ViewportSize
+from seafoam.framegraph.resources import Target, TargetInput, ViewportSize, target_inputs
 from seafoam.framegraph.rules import number
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
@@ -25,36 +26,20 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         return None
     sizes = [4 << k for k in range(LEVELS)]
     names = [f"glare {size}" for size in sizes]
-    narrowing = [
-        PassSpec(
-            name=f"{coarser}: mean of {finer}",
-            program="glare, half",
-            fragment=(_TAPS, "output/glare.glsl@half"),
-            target=coarser,
-            inputs={"u_finer": TargetInput(target=finer)},
-            stage="finished",
-        )
-        for finer, coarser in itertools.pairwise(names)
-    ]
-    adding = [
-        PassSpec(
-            name=f"{finer}: with {coarser}",
-            program="glare, add",
-            fragment=(_TAPS, "output/glare.glsl@add"),
-            target=finer,
-            inputs={"u_coarser": TargetInput(target=coarser)},
-            stage="finished",
-            blend="add",
-        )
-        for finer, coarser in reversed([*itertools.pairwise(names)])
-    ]
-    first = PassSpec(
-        name=f"{names[0]}: of the frame",
-        program="glare, first",
-        fragment=("output/glare.glsl@first",),
-        target=names[0],
-        inputs={"u_frame": TargetInput(target=FINISHED)},
-        stage="finished",
+    pairs = list(itertools.pairwise(names))
+    passes = (
+        _pass(f"{names[0]}: of the frame", ("output/glare.glsl@first",), names[0], {"u_frame": FINISHED}),
+        *(
+            _pass(f"{coarser}: mean of {finer}", (_TAPS, "output/glare.glsl@half"), coarser, {"u_finer": finer})
+            for finer, coarser in pairs
+        ),
+        *(
+            replace(
+                _pass(f"{finer}: with {coarser}", (_TAPS, "output/glare.glsl@add"), finer, {"u_coarser": coarser}),
+                blend="add",
+            )
+            for finer, coarser in reversed(pairs)
+        ),
     )
     return Contribution(
         why=f"{100 * light.glare:.0f} % of the light spreads",
@@ -66,8 +51,13 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             name: Target(size=ViewportSize(part=size), format="RGBA16F", filter="linear")
             for name, size in zip(names, sizes, strict=True)
         },
-        passes=(first, *narrowing, *adding),
+        passes=passes,
     )
+
+
+def _pass(name: str, files: tuple[str, ...], target: str, read: dict[str, str]) -> PassSpec:
+    program = f"glare, {files[-1].rpartition('@')[-1]}"
+    return PassSpec(name, program, files, target, inputs=target_inputs(read), stage="finished")
 
 
 EFFECT = Effect("glare", contribute, fields=("/light/glare",))

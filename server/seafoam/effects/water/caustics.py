@@ -4,6 +4,8 @@ import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from seafoam.effects.bounds import FLOOR_FIELDS, floor_limit, min_surface_height
 from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, Resources
 from seafoam.effects.light.atmosphere import lamp
@@ -12,7 +14,7 @@ from seafoam.effects.waves.ripples import ripple_phases
 from seafoam.framegraph.passes import Grid, Points
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, target_inputs
 from seafoam.framegraph.rules import Uniform, array, constants, in_tile, number, rounded, significant, vector
-from seafoam.ocean.basics.refraction import refracted_cosine
+from seafoam.ocean.arrays import Floats
 from seafoam.ocean.constants import WATER_INDEX
 from seafoam.ocean.waves.ripples import Ripple, ripple_cascades, tiles
 from seafoam.quality import Quality
@@ -42,16 +44,14 @@ _MAX_FOCUS = 64.0
 """Greatest brightness of a texel relative to the light under level water; above all that the tests draw."""
 
 
-def landing(light: Light, depth: float, slope: tuple[float, float], index: float = WATER_INDEX) -> tuple[float, float]:
-    """Horizontal distance (x, z), m, from where sunlight enters water of this slope to where it meets the floor."""
-    sun = lamp(light)
-    size = math.sqrt(1.0 + slope[0] ** 2 + slope[1] ** 2)
-    n = (-slope[0] / size, 1.0 / size, -slope[1] / size)
-    c = max(summed(a * b for a, b in zip(n, sun, strict=True)), 0.0)
-    turn = c / index - refracted_cosine(c, index)
-    ray = tuple(turn * a - b / index for a, b in zip(n, sun, strict=True))
-    length = depth / max(-ray[1], _MIN_FALL)
-    return ray[0] * length, ray[2] * length
+def landing(light: Light, depth: float, slopes: Floats, index: float = WATER_INDEX) -> Floats:
+    """Distance (x, z) from where sunlight enters water of slopes (n, 2) to where it meets the floor, (n, 2) m."""
+    sun = np.array(lamp(light))
+    n = np.insert(-slopes, 1, 1.0, axis=1) / np.sqrt(1.0 + (slopes * slopes).sum(axis=1, keepdims=True))
+    c = np.maximum((n * sun).sum(axis=1, keepdims=True), 0.0)
+    ray = (c / index - np.sqrt(1.0 - (1.0 - c * c) / index**2)) * n - sun / index
+    result: Floats = ray[:, ::2] * depth / np.maximum(-ray[:, 1:2], _MIN_FALL)
+    return result
 
 
 @dataclass(frozen=True)
@@ -71,14 +71,15 @@ class _Tile:
     @property
     def level(self) -> tuple[float, float]:
         """Where the light lands under level water."""
-        return landing(self.light, self.depth, (0.0, 0.0))
+        x, z = landing(self.light, self.depth, np.zeros((1, 2)))[0].tolist()
+        return x, z
 
     @property
-    def steep_slopes(self) -> list[tuple[float, float]]:
-        """Slopes in all directions up to :data:`_MAX_DEVIATIONS` standard deviations."""
-        angles = [2.0 * math.pi * i / 64 for i in range(64)]
-        sizes = [share * _MAX_DEVIATIONS * self.ripples.slope for share in (0.25, 0.5, 0.75, 1.0)]
-        return [(size * math.cos(angle), size * math.sin(angle)) for angle in angles for size in sizes]
+    def steep_slopes(self) -> Floats:
+        """(n, 2) slopes in all directions up to :data:`_MAX_DEVIATIONS` standard deviations."""
+        angles = 2.0 * math.pi * np.arange(64) / 64
+        sizes = np.array([[0.25], [0.5], [0.75], [1.0]]) * _MAX_DEVIATIONS * self.ripples.slope
+        return np.stack((sizes * np.cos(angles), sizes * np.sin(angles)), axis=-1).reshape(-1, 2)
 
     @property
     def spread(self) -> float:
@@ -92,30 +93,23 @@ class _Tile:
 
     def margin(self, cells: int) -> int:
         """Width of the border of cells around the tile whose light can land in it, at most the tile's own width."""
-        level = self.level
-        reach = 0.0
-        for slope in self.steep_slopes:
-            x, z = landing(self.light, self.depth, slope)
-            reach = max(reach, abs(x - level[0]), abs(z - level[1]))
+        level = np.array(self.level)
+        reach = float(np.abs(landing(self.light, self.depth, self.steep_slopes) - level).max())
         # Dispersion moves light by a fraction of the whole distance, less than a thirtieth at the greatest setting.
-        reach += abs(level[0]) / 30.0 + abs(level[1]) / 30.0
+        reach += float(np.abs(level).sum()) / 30.0
         return min(math.ceil(1.05 * reach / self.side * cells) + 2, cells)
 
     def shifts(self, half: float) -> list[tuple[float, float]] | None:
         """Shift of each colour's light against green's, in half texels of ``half`` m; ``None`` if it varies."""
-        slopes = [(0.0, 0.0), *self.steep_slopes]
-        green = [landing(self.light, self.depth, slope) for slope in slopes]
-        shifts = []
-        for index in map(self.index, COLOUR_INDEX):
-            colour = (landing(self.light, self.depth, slope, index) for slope in slopes)
-            differences = (((b[0] - a[0]) / half, (b[1] - a[1]) / half) for a, b in zip(green, colour, strict=True))
-            # The first is that of level water.
-            (x, z), *others = differences
-            varies = any(max(abs(u - x), abs(v - z)) > SHIFT_TOLERANCE for u, v in others)
-            if varies or max(abs(x), abs(z)) > MAX_SHIFT:
-                return None
-            shifts.append((x, z))
-        return shifts
+        slopes = np.concatenate((np.zeros((1, 2)), self.steep_slopes))
+        green = landing(self.light, self.depth, slopes)
+        colours = [landing(self.light, self.depth, slopes, self.index(difference)) for difference in COLOUR_INDEX]
+        shifts = (np.array(colours) - green) / half
+        # The first are those of level water.
+        level = shifts[:, :1]
+        if np.abs(shifts - level).max() > SHIFT_TOLERANCE or np.abs(level).max() > MAX_SHIFT:
+            return None
+        return [(float(x), float(z)) for x, z in level[:, 0]]
 
 
 def _bspline(x: float) -> float:
