@@ -13,7 +13,7 @@ from pydantic import BaseModel
 
 from seafoam.effects.shader import Const, Piece, SlotFile, SlotRef
 from seafoam.framegraph.passes import Blend, Fullscreen, Mesh, View
-from seafoam.framegraph.resources import Filter, Input, Target, WrapMode
+from seafoam.framegraph.resources import Filter, Input, Target, WrapMode, target_inputs
 from seafoam.framegraph.rules import Uniform
 from seafoam.quality import Quality, QualityParameters
 from seafoam.scene.base import Part
@@ -43,20 +43,21 @@ T = TypeVar("T")
 class PassSpec:
     """A pass that an effect adds; ``vertex`` and ``fragment`` list the files of its shaders.
 
-    A :class:`SlotRef` among them also adds the inputs of its slot. ``target``: by default that of the program's name.
-    ``mesh``: what is drawn, by default the whole target. ``stage``: drawn before the surface, or after surface and sky
-    into :data:`ABOVE`, which is cleared before the first of these passes, or after the linear frame is finished, for
-    its display.
+    A :class:`SlotRef` among them also adds the inputs of its slot. ``read``: sampler -> the target that it reads;
+    ``inputs``: what others read. ``target``: by default that of the program's name. ``mesh``: what is drawn, by default
+    the whole target. ``stage``: drawn before the surface, or after surface and sky into :data:`ABOVE`, which is cleared
+    before the first of these passes, or after the linear frame is finished, for its display.
     """
 
     name: str
     program: str
     fragment: tuple[Piece | SlotRef, ...]
+    read: Mapping[str, str] = field(default_factory=dict)
+    uniforms: dict[str, Uniform] = field(default_factory=dict)
     target: str = ""
     vertex: tuple[Piece | SlotRef, ...] = ("vertex/vertex.glsl@fullscreen",)
     mesh: Mesh = field(default_factory=Fullscreen)
     inputs: dict[str, Input] = field(default_factory=dict)
-    uniforms: dict[str, Uniform] = field(default_factory=dict)
     stage: Literal["before", "after", "finished"] = "before"
     blend: Blend = "none"
     clear: bool = False
@@ -66,6 +67,7 @@ class PassSpec:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "target", self.target or self.program)
+        object.__setattr__(self, "inputs", {**self.inputs, **target_inputs(self.read)})
 
 
 @dataclass(frozen=True)

@@ -183,9 +183,9 @@ class _Advection:
         """The passes that draw the map, in order."""
         files = (*_NUMBERS, "foam/drift.glsl@flow", "foam/drift_passes.glsl@flow")
         return (
-            _pass("flow of drift", "drift_flow", files, {}, {**self.square, **self.flow, **self.texel}),
+            PassSpec("flow of drift", "drift_flow", files, {}, {**self.square, **self.flow, **self.texel}),
             *(self._forward() if self.forward else self._backward()),
-            _pass("drift, means", "drift_coarse", ("foam/drift_passes.glsl@coarse",), {"u_drift_map": "drift"}, {}),
+            PassSpec("drift, means", "drift_coarse", ("foam/drift_passes.glsl@coarse",), {"u_drift_map": "drift"}),
         )
 
     def _backward(self) -> tuple[PassSpec, ...]:
@@ -197,14 +197,14 @@ class _Advection:
         # Without drift.glsl@clock, whose time-dependent uniform would have these passes drawn in every frame.
         still = (*_NUMBERS, *_FLOW_MAP, "foam/drift.glsl@ago")
         return (
-            _pass(
+            PassSpec(
                 "drift, quarters of a generation back",
                 "drift_still",
                 (*still, "foam/drift_passes.glsl@still"),
                 flow,
                 {**self.square, **self.texel},
             ),
-            _pass(
+            PassSpec(
                 "drift, two generations further back",
                 "drift_still_older",
                 (*still, "foam/drift_passes.glsl@still_older"),
@@ -212,14 +212,14 @@ class _Advection:
                 self.square,
                 target="drift_older",
             ),
-            _pass(
+            PassSpec(
                 "drift, ways of the youngest",
                 "drift_way",
                 (*way, "foam/drift_passes.glsl@way"),
                 {**flow, "u_drift_still": "drift_still"},
                 {**self.square, **self.clock, **self.texel},
             ),
-            _pass(
+            PassSpec(
                 "drift, followed back",
                 "drift",
                 patches,
@@ -233,7 +233,7 @@ class _Advection:
         # The last move ends in the map that the surface reads.
         order = ("drift", "drift_moved") if self.moves % 2 == 0 else ("drift_moved", "drift")
         clock = (*_NUMBERS, "foam/drift.glsl@clock")
-        start = _pass(
+        start = PassSpec(
             "drift, where it comes up",
             "drift_start",
             (*clock, *VALUE_NOISE, "foam/drift.glsl@patches", "foam/drift_passes.glsl@start"),
@@ -243,7 +243,7 @@ class _Advection:
         )
         moves = (
             replace(
-                _pass(
+                PassSpec(
                     f"drift, move {i + 1} of {self.moves}",
                     "drift_move",
                     ("foam/drift_passes.glsl@forward",),
@@ -259,18 +259,6 @@ class _Advection:
             for i in range(self.moves)
         )
         return (start, *moves)
-
-
-def _pass(
-    name: str,
-    program: str,
-    files: tuple[str, ...],
-    read: dict[str, str],
-    uniforms: dict[str, Uniform],
-    target: str = "",
-) -> PassSpec:
-    """A pass that reads the targets ``read``: sampler -> target."""
-    return PassSpec(name, program, files, target, inputs=target_inputs(read), uniforms=uniforms)
 
 
 def advects_mask(scene: Scene, quality: Quality) -> bool:

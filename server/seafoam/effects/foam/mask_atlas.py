@@ -100,7 +100,7 @@ def _passes(mask: Mask, index: int, atlas: str) -> tuple[PassSpec, ...]:
                 program="mask_halve",
                 fragment=("foam/mask_passes.glsl@halve",),
                 target=_levels(level % 2) + _suffix(index),
-                inputs={"u_mask_moments": TargetInput(target=source)},
+                read={"u_mask_moments": source},
                 uniforms={"u_mask_side": number(float(side)), "u_mask_finer_row": number(float(row))},
             )
         )

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from seafoam.effects.effect import FINISHED, Contribution, Effect, PassSpec
 from seafoam.effects.shader import SlotFile
-from seafoam.framegraph.resources import Target, TargetInput, ViewportSize, target_inputs
+from seafoam.framegraph.resources import Target, TargetInput, ViewportSize
 from seafoam.framegraph.rules import number
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
@@ -27,18 +27,19 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     sizes = [4 << k for k in range(LEVELS)]
     names = [f"glare {size}" for size in sizes]
     pairs = list(itertools.pairwise(names))
+    half, add = (_TAPS, "output/glare.glsl@half"), (_TAPS, "output/glare.glsl@add")
     passes = (
-        _pass(f"{names[0]}: of the frame", ("output/glare.glsl@first",), names[0], {"u_frame": FINISHED}),
-        *(
-            _pass(f"{coarser}: mean of {finer}", (_TAPS, "output/glare.glsl@half"), coarser, {"u_finer": finer})
-            for finer, coarser in pairs
+        PassSpec(
+            f"{names[0]}: of the frame",
+            "glare, first",
+            ("output/glare.glsl@first",),
+            {"u_frame": FINISHED},
+            target=names[0],
         ),
+        *(PassSpec(f"{b}: mean of {a}", "glare, half", half, {"u_finer": a}, target=b) for a, b in pairs),
         *(
-            replace(
-                _pass(f"{finer}: with {coarser}", (_TAPS, "output/glare.glsl@add"), finer, {"u_coarser": coarser}),
-                blend="add",
-            )
-            for finer, coarser in reversed(pairs)
+            PassSpec(f"{a}: with {b}", "glare, add", add, {"u_coarser": b}, target=a, blend="add")
+            for a, b in reversed(pairs)
         ),
     )
     return Contribution(
@@ -51,13 +52,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             name: Target(size=ViewportSize(part=size), format="RGBA16F", filter="linear")
             for name, size in zip(names, sizes, strict=True)
         },
-        passes=passes,
+        passes=tuple(replace(one, stage="finished") for one in passes),
     )
-
-
-def _pass(name: str, files: tuple[str, ...], target: str, read: dict[str, str]) -> PassSpec:
-    program = f"glare, {files[-1].rpartition('@')[-1]}"
-    return PassSpec(name, program, files, target, inputs=target_inputs(read), stage="finished")
 
 
 EFFECT = Effect("glare", contribute, fields=("/light/glare",))

@@ -7,7 +7,7 @@ import math
 
 from seafoam.effects.effect import PassSpec
 from seafoam.effects.shader import Piece, refine
-from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput
+from seafoam.framegraph.resources import FixedSize, Target, TextureInput
 from seafoam.framegraph.rules import Phase, Rule, Uniform, array, number, significant, vector
 from seafoam.quality import Quality
 from seafoam.scene.shore import Shore
@@ -67,13 +67,13 @@ def _pass(
 ) -> PassSpec:
     """A pass that reads the height field, the targets ``read``: sampler -> target, and more of the shore's textures."""
     more = {f"u_{texture}": TextureInput(texture=texture) for texture in textures}
-    targets = {sampler: TargetInput(target=source) for sampler, source in (read or {}).items()}
     return PassSpec(
         name=f"shore: {name}",
         program=f"shore_{name.split(',')[0].replace(' ', '_')}",
         fragment=files,
         target=target,
-        inputs={"u_shore_floor": TextureInput(texture="shore_floor"), **more, **targets},
+        inputs={"u_shore_floor": TextureInput(texture="shore_floor"), **more},
+        read=read or {},
         uniforms=uniforms or {},
     )
 

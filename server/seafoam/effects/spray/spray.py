@@ -109,7 +109,7 @@ def _passes(scene: Scene, quality: Quality, found: Births) -> tuple[PassSpec, ..
         program="spray_over",
         fragment=(*_COMMON, "lib/rays.glsl@place", "spray/air.glsl@thick"),
         target=ABOVE,
-        inputs={"u_spray_thick": TargetInput(target="spray_thick")},
+        read={"u_spray_thick": "spray_thick"},
         stage="after",
         blend="over",
     )

@@ -12,7 +12,7 @@ from seafoam.effects.light.atmosphere import lamp
 from seafoam.effects.shader import SlotFile
 from seafoam.effects.waves.ripples import ripple_phases
 from seafoam.framegraph.passes import Grid, Points
-from seafoam.framegraph.resources import FixedSize, Target, TargetInput, target_inputs
+from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.framegraph.rules import Uniform, array, constants, in_tile, number, rounded, significant, vector
 from seafoam.ocean.arrays import Floats
 from seafoam.ocean.constants import WATER_INDEX
@@ -273,7 +273,7 @@ def _light_pass(tile: _Tile, colour: str, difference: float, vertex: str, fragme
         program="caustic_light",
         vertex=("lib/refraction.glsl", "water/caustics.glsl@landing", vertex),
         fragment=(fragment,),
-        inputs=target_inputs({"u_caustic_slopes": "caustic_slopes"}),
+        read={"u_caustic_slopes": "caustic_slopes"},
         uniforms={
             "u_caustic_depth": number(significant(tile.depth)),
             "u_caustic_flat": vector(rounded(tile.level)),
@@ -291,7 +291,7 @@ def _map_pass(shader: str, lights: Mapping[str, str], weights: dict[str, Uniform
         program="caustic_map",
         fragment=(shader,),
         target="caustics",
-        inputs=target_inputs(lights),
+        read=lights,
         uniforms=weights,
     )
 

@@ -5,7 +5,7 @@ docs/formulae.md, section 3.
 
 from seafoam.effects.effect import PassSpec, Resources
 from seafoam.effects.shader import Inline
-from seafoam.framegraph.resources import FixedSize, Target, TargetInput
+from seafoam.framegraph.resources import FixedSize, Target
 from seafoam.framegraph.rules import number
 
 BLOCK = 16
@@ -33,7 +33,7 @@ def measured_bounds(source: str, size: int, texel: float, stride: int = 1) -> Re
                 "surface/bounds.glsl@pass",
             ),
             target=blocks,
-            inputs={"u_bounded": TargetInput(target=source)},
+            read={"u_bounded": source},
             uniforms={"u_bounded_texel": number(texel)},
         ),
         PassSpec(
@@ -41,7 +41,7 @@ def measured_bounds(source: str, size: int, texel: float, stride: int = 1) -> Re
             program="bounds_join",
             fragment=("surface/bounds.glsl@join",),
             target=bounds,
-            inputs={"u_blocks": TargetInput(target=blocks)},
+            read={"u_blocks": blocks},
         ),
     )
     return Resources(targets=targets, passes=passes)

@@ -338,7 +338,7 @@ def _height_map(sea: Sea, index: int, tile: Cascade, quality: Quality) -> Resour
                 program="sea_tile",
                 fragment=(*RESAMPLED, "waves/sea_passes.glsl@tile_pass"),
                 target=name,
-                inputs={"u_sea_displaced": TargetInput(target=DISPLACED)},
+                read={"u_sea_displaced": DISPLACED},
                 uniforms={
                     "u_sea_block": tile_block(sea, tile, index, quality),
                     "u_sea_corner": number(displaced_size(quality) / size),
@@ -375,7 +375,7 @@ def _mip_maps(tiles: Sequence[Cascade], quality: Quality) -> Resources:
                     "waves/sea.glsl@seen_pass" if finer[i] else "waves/sea.glsl@seen_same_pass",
                 ),
                 target=f"sea_seen_{i}",
-                inputs={"u_sea_full": TargetInput(target=f"sea_tile_{i}")},
+                read={"u_sea_full": f"sea_tile_{i}"},
             )
             for i, tile in enumerate(tiles)
         ),
@@ -396,7 +396,7 @@ def _orbits(sea: Sea, raised: Sequence[Cascade], quality: Quality) -> Resources:
                 program="sea_orbit",
                 fragment=(*RESAMPLED, "foam/carry.glsl@sea_orbit"),
                 target="sea_orbits",
-                inputs={"u_sea_displaced": TargetInput(target=DISPLACED)},
+                read={"u_sea_displaced": DISPLACED},
                 uniforms=raised_blocks(sea, raised, quality),
             ),
         ),
