@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -21,6 +21,14 @@ Gradient = tuple[Floats | float, Floats | float] | Floats
 
 Sunlight = Callable[[Floats, Footprints], Floats]
 """Share (r,) of the sunlight that reaches places (r, 3), m from the origin, averaged over footprints."""
+
+
+class Rows:
+    """Arrays of as many rows each, as the fields of a dataclass."""
+
+    def subset(self, rows: Bools | Indices) -> Self:
+        """Return some of the rows, in order."""
+        return type(self)(*(array[rows] for array in vars(self).values()))
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ import numpy as np
 from seafoam.reference.boats.floating import Height, course_of, float_on
 from seafoam.reference.boats.form import DRAUGHT, FORMS, Form, Inequality, Pose, house, paint, plane
 from seafoam.reference.light.light import Air, fresnel, sky_light
-from seafoam.reference.types import Floats, Indices, Sunlight, dot, smoothstep, unit
+from seafoam.reference.types import Floats, Rows, Sunlight, dot, smoothstep, unit
 from seafoam.scene.boats import Boat
 from seafoam.scene.models import Scene
 
@@ -23,7 +23,7 @@ Vector = tuple[float, float, float]
 
 
 @dataclass
-class Hit:
+class Hit(Rows):
     """Nearest hits of r rays: distance, normal and position (in the boat's axes and lengths), part, and boat."""
 
     t: Floats
@@ -31,10 +31,6 @@ class Hit:
     place: Floats
     part: Floats
     boat: Floats
-
-    def subset(self, rays: Indices) -> "Hit":
-        """The hits of some rays."""
-        return Hit(self.t[rays], self.normal[rays], self.place[rays], self.part[rays], self.boat[rays])
 
 
 @dataclass(frozen=True)

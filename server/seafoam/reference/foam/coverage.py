@@ -10,7 +10,7 @@ from seafoam.masks.catalogue import Mask, mask_by_name
 from seafoam.ocean.waves.stokes import foam_life
 from seafoam.reference import sampling
 from seafoam.reference.foam import looks
-from seafoam.reference.types import Floats, Footprints, Indices
+from seafoam.reference.types import Floats, Footprints, Rows
 from seafoam.scene.foam import Foam
 from seafoam.scene.models import Scene
 from seafoam.textures.foam import foam_texture
@@ -58,17 +58,13 @@ class Assets:
 
 
 @dataclass(frozen=True, eq=False)
-class MaskPoints:
+class MaskPoints(Rows):
     """Places in a mask, (r,) in tiles, and both sides of the samples' footprints there, (r, 2) in tiles."""
 
     u: Floats
     v: Floats
     foot_u: Floats
     foot_v: Floats
-
-    def subset(self, rows: Indices) -> "MaskPoints":
-        """Some of the places."""
-        return MaskPoints(self.u[rows], self.v[rows], self.foot_u[rows], self.foot_v[rows])
 
     def finer(self) -> "MaskPoints":
         """The same places in the mask's next octave."""

@@ -80,28 +80,11 @@ def _front(state: ReferenceState, source: scenes.FrontSaturation, points: Surfac
     return front_source(source, waves, points, state.eye_y, history)
 
 
-def _height(state: ReferenceState, source: scenes.HeightSaturation, points: SurfacePoints) -> Floats:
-    return height_saturation(points.height + state.surface.waves.level, source.base, source.full)
-
-
-def _slope(state: ReferenceState, source: scenes.SlopeSaturation, points: SurfacePoints) -> Floats:
-    x, z = points.x, points.z
-    return slope_saturation(lambda x, z: state.surface.slopes(x, z)[1], x, z, source.gain, source.base, source.blur)
-
-
-def _fold(state: ReferenceState, source: scenes.WhitecapSaturation, points: SurfacePoints) -> Floats:
-    return whitecap_saturation(state.scene, source, state.surface.sea, points.x, points.z)
-
-
 def _surf(state: ReferenceState, source: scenes.SurfSaturation, points: SurfacePoints) -> Floats:
     coast = state.surface.coast
     if coast is None:
         return np.zeros_like(points.x)
     return coast.foam(source, points.x, points.z, points.height, points.footprints)
-
-
-def _drift(state: ReferenceState, source: scenes.DriftSaturation, points: SurfacePoints) -> Floats:
-    return drift_saturation(state.scene, source, points.time, points.origin, points.x, points.z)
 
 
 def _wake(state: ReferenceState, source: scenes.WakeSaturation, points: SurfacePoints) -> Floats:
@@ -113,11 +96,19 @@ def _wake(state: ReferenceState, source: scenes.WakeSaturation, points: SurfaceP
 
 _SOURCES: dict[type[BaseModel], Callable[[ReferenceState, Any, SurfacePoints], Floats]] = {
     scenes.FrontSaturation: _front,
-    scenes.HeightSaturation: _height,
-    scenes.SlopeSaturation: _slope,
-    scenes.WhitecapSaturation: _fold,
+    scenes.HeightSaturation: lambda state, source, at: height_saturation(
+        at.height + state.surface.waves.level, source.base, source.full
+    ),
+    scenes.SlopeSaturation: lambda state, source, at: slope_saturation(
+        lambda x, z: state.surface.slopes(x, z)[1], at.x, at.z, source.gain, source.base, source.blur
+    ),
+    scenes.WhitecapSaturation: lambda state, source, at: whitecap_saturation(
+        state.scene, source, state.surface.sea, at.x, at.z
+    ),
     scenes.SurfSaturation: _surf,
-    scenes.DriftSaturation: _drift,
+    scenes.DriftSaturation: lambda state, source, at: drift_saturation(
+        state.scene, source, at.time, at.origin, at.x, at.z
+    ),
     scenes.WakeSaturation: _wake,
 }
 

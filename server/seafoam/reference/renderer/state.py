@@ -14,7 +14,7 @@ from seafoam.reference.light import light, sparkles
 from seafoam.reference.renderer import intersect
 from seafoam.reference.renderer.camera import SampleGrid
 from seafoam.reference.renderer.relief import Relief, ReliefPart
-from seafoam.reference.shore.shadow import LandShadow
+from seafoam.reference.shore.shadow import land_shadow
 from seafoam.reference.shore.shore import Coast
 from seafoam.reference.types import Floats, Footprints, Sunlight, dot, unit
 from seafoam.reference.water.seafloor import Seabed, ShoreSeabed
@@ -114,7 +114,7 @@ class Lighting:
         step = max(math.sqrt(float(side @ side)) for side in grid.steps) if filtering else 0.0
         parts: list[Sunlight] = []
         if coast is not None and coast.shore.shadows:
-            parts.append(LandShadow(coast, air.sun).sunlight)
+            parts.append(land_shadow(coast, air.sun))
         layer = None if air.above is None else air.above.clouds
         if layer is not None and layer.clouds.shadows > 0.0 and layer.taken > 0.0:
             parts.append(layer.sunlight)

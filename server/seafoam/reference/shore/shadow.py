@@ -7,7 +7,7 @@ import numpy as np
 
 from seafoam.reference.shore.maps import QuadraticSpline, floor_spline
 from seafoam.reference.shore.shore import Coast
-from seafoam.reference.types import Floats, Footprints, dot
+from seafoam.reference.types import Floats, Footprints, Sunlight, dot, smoothstep
 from seafoam.scene.shore import Shore
 
 CELLS = 128
@@ -24,36 +24,31 @@ SOFT = 0.25
 """Error of an edge's place that softens it, cells."""
 
 
-class LandShadow:
-    """Shadows of a coast under a sun."""
+def land_shadow(coast: Coast, sun: Floats) -> Sunlight:
+    """The share of the sunlight that a coast's land leaves under a sun (3,)."""
+    x, y, z = (float(part) for part in sun)
+    elevation, level = math.atan2(y, math.hypot(x, z)), max(math.hypot(x, z), 1e-6)
+    toward, size = (x / level, z / level), coast.shore.size
+    rises = tuple(
+        max(math.tan(min(elevation + side * SUN_RADIUS, most)), LOWEST_RISE)
+        for side, most in ((1.0, STEEPEST), (-1.0, STEEPEST - 0.01))
+    )
+    seen_from = QuadraticSpline(_heights(coast.shore.ground, toward, rises), size)
 
-    def __init__(self, coast: Coast, sun: Floats) -> None:
-        self.coast = coast
-        x, y, z = (float(part) for part in sun)
-        level = max(math.hypot(x, z), 1e-6)
-        elevation = math.atan2(y, math.hypot(x, z))
-        self.toward = x / level, z / level
-        self.rises = tuple(
-            max(math.tan(min(elevation + side * SUN_RADIUS, most)), LOWEST_RISE)
-            for side, most in ((1.0, STEEPEST), (-1.0, STEEPEST - 0.01))
-        )
-        self.seen_from = QuadraticSpline(_heights(coast.shore.ground, self.toward, self.rises), coast.shore.size)
-
-    def sunlight(self, place: Floats, footprints: Footprints) -> Floats:
-        """Share of the sunlight that the land leaves to places (r, 3), m from the origin, with footprints; (r,)."""
-        size = self.coast.shore.size
-        q = self.coast.place(place[:, 0], place[:, 2])
+    def sunlight(place: Floats, footprints: Footprints) -> Floats:
+        q = coast.place(place[:, 0], place[:, 2])
         enters = [
             np.maximum(-0.5 * size - math.copysign(1.0, u) * part, 0.0) / max(abs(u), 1e-6)
-            for u, part in zip(self.toward, q, strict=True)
+            for u, part in zip(toward, q, strict=True)
         ]
         far = np.maximum(enters[0], enters[1])
-        here, change = self.seen_from.all(q[0] + far * self.toward[0], q[1] + far * self.toward[1])
+        here, change = seen_from.all(q[0] + far * toward[0], q[1] + far * toward[1])
         slope = change[..., 1].T
-        soft = 0.5 * sum(np.abs(dot(slope, side)) for side in footprints) + SOFT * self.rises[1] * size / CELLS
-        low, high = (here[:, i] - far * rise for i, rise in enumerate(self.rises))
-        t = np.clip((place[:, 1] - low + soft) / (high - low + 2.0 * soft), 0.0, 1.0)
-        return t * t * (3.0 - 2.0 * t)
+        soft = 0.5 * sum(np.abs(dot(slope, side)) for side in footprints) + SOFT * rises[1] * size / CELLS
+        low, high = (here[:, i] - far * rise for i, rise in enumerate(rises))
+        return smoothstep(0.0, 1.0, (place[:, 1] - low + soft) / (high - low + 2.0 * soft))
+
+    return sunlight
 
 
 @lru_cache(maxsize=8)

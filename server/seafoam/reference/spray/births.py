@@ -17,7 +17,7 @@ from seafoam.ocean.foam.spray import EPOCHS
 from seafoam.reference.noise import Words, chained, number, pcg
 from seafoam.reference.shore.maps import SWASH, rhythm
 from seafoam.reference.shore.shore import Coast
-from seafoam.reference.types import Bools, Floats, Indices
+from seafoam.reference.types import Floats, Rows
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.reference.waves.rings import ring_set
 from seafoam.scene.models import Scene
@@ -33,7 +33,7 @@ SPOT, JET = 6.0, 1.5
 
 
 @dataclass(frozen=True, eq=False)
-class Drops:
+class Drops(Rows):
     """Drops in the air, x and z of births relative to the camera; (n,) or (n, 3) each."""
 
     birth: Floats
@@ -45,15 +45,10 @@ class Drops:
     kind: Floats
     word: Words
 
-    def subset(self, chosen: Bools | Indices) -> "Drops":
-        """A subset, in order."""
-        return Drops(*(getattr(self, name)[chosen] for name in self.__dataclass_fields__))
-
 
 def joined(parts: list[Drops]) -> Drops:
     """All drops of the parts, in order."""
-    fields = ([getattr(part, name) for part in parts] for name in Drops.__dataclass_fields__)
-    return Drops(*map(np.concatenate, fields))
+    return Drops(*map(np.concatenate, zip(*(vars(part).values() for part in parts), strict=True)))
 
 
 def cycles(time: float, period: float) -> tuple[int, float]:

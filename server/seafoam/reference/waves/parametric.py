@@ -5,6 +5,7 @@ k·origin + phase is a fraction, and 2π has 50 digits. Only the vector from the
 """
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -18,7 +19,6 @@ from seafoam.ocean.waves.stokes import orbit
 from seafoam.reference.noise import PERIOD, fractal
 from seafoam.reference.types import Floats
 from seafoam.reference.waves.groups import GroupFactor, group_factor
-from seafoam.scene.light import Gusts
 from seafoam.scene.models import Scene
 from seafoam.scene.water import Ripples
 from seafoam.scene.waves import ParametricWave
@@ -166,19 +166,8 @@ class WaveSet:
         return self._grouped(by, x, z)
 
 
-@dataclass(frozen=True)
-class GustField:
-    """Section 9: the factor of gusts on the ripples' amplitude, which varies over the water."""
-
-    gusts: Gusts
-    place: tuple[float, float, float]
-    """The origin in their noise, cells."""
-
-    def __call__(self, x: Floats, z: Floats) -> Floats:
-        """The factor at (x, z), m from the origin; (r,), in [0, 2]."""
-        place = np.column_stack((x / self.gusts.size, z / self.gusts.size, np.zeros_like(x))) + self.place
-        noise = fractal(place, np.zeros_like(x), GUST_OCTAVES, 64 * self.gusts.seed)
-        return 1.0 + self.gusts.strength * np.clip(0.8 * noise, -1.0, 1.0)
+GustField = Callable[[Floats, Floats], Floats]
+"""The factor of gusts on the ripples' amplitude at (x, z), m from the origin; (r,), in [0, 2]."""
 
 
 @dataclass(frozen=True)
@@ -309,12 +298,19 @@ def ripple_set(
 
 
 def gust_field(ripples: Ripples | None, time: float, origin: tuple[float, float]) -> GustField | None:
-    """The gusts over ripples at a time (s) around an origin (x, z) in m; None without any."""
+    """Section 9: the gusts over ripples at a time (s) around an origin (x, z) in m; None without any."""
     if ripples is None or ripples.gusts is None:
         return None
     gusts, angle = ripples.gusts, ripples.downwind
     velocity = gusts.wind_speed * math.cos(angle), gusts.wind_speed * math.sin(angle)
-    return GustField(gusts, noise_place(gusts.size, gusts.change, velocity, time, origin))
+    here = noise_place(gusts.size, gusts.change, velocity, time, origin)
+
+    def factor(x: Floats, z: Floats) -> Floats:
+        place = np.column_stack((x / gusts.size, z / gusts.size, np.zeros_like(x))) + here
+        noise = fractal(place, np.zeros_like(x), GUST_OCTAVES, 64 * gusts.seed)
+        return 1.0 + gusts.strength * np.clip(0.8 * noise, -1.0, 1.0)
+
+    return factor
 
 
 def _whole_power(base: Floats, exponent: int) -> Floats:

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from seafoam.reference.light import light as sky
-from seafoam.reference.shore.shadow import LandShadow
+from seafoam.reference.shore.shadow import land_shadow
 from seafoam.render.gl.executor import Executor
 from support.report import Report
 from support.scenes import Light
@@ -22,7 +22,7 @@ def test_share_of_the_sun(elevation: float, azimuth: float, executor: Executor, 
     body = "Footprint fp = Footprint(vec2(2.0, 0.5), vec2(-0.2, 1.0)); o_color.x = sunlit(vec3(p.x, 0.3, p.y), fp);"
     drawn = on_shore(executor, scene, body)[:, 0]
     land, sun = coast(scene, 0.0), sky.air(light).sun
-    want = LandShadow(land, sun).sunlight(place, feet)
+    want = land_shadow(land, sun)(place, feet)
     # From a metre up toward the sun: nothing is met, or land.
     open_sky = land.crossing(x, place[:, 1], z, np.repeat(sun[None, :], x.size, axis=0), 1e4) >= 1e4
     above = land.ground(*land.place(x, z))[0] < 0.0
