@@ -33,9 +33,5 @@ def drifting_noise(size: float, speed: float, heading: float, change: float) -> 
     """
     k = 2.0 * math.pi / (CELLS * size)
     velocity = (speed * math.cos(heading), speed * math.sin(heading))
-    phases = (
-        Phase(offset=0.0, rate=-k * velocity[0], k=(k, 0.0)),
-        Phase(offset=0.0, rate=-k * velocity[1], k=(0.0, k)),
-        Phase(offset=0.0, rate=2.0 * math.pi / (CELLS * change), k=(0.0, 0.0)),
-    )
-    return array("float", phases, 3)
+    changes = Phase(offset=0.0, rate=2.0 * math.pi / (CELLS * change), k=(0.0, 0.0))
+    return array("float", (*drifting_phases(((1.0, 0.0), (0.0, 1.0)), velocity, k).rules, changes), 3)

@@ -4,7 +4,6 @@ docs/formulae.md, section 15.
 """
 
 import math
-from collections.abc import Sequence
 
 from seafoam.effects.bounds import body_limit, max_displacement
 from seafoam.effects.effect import ABOVE, Bound, Contribution, Effect, PassSpec, QualityParameter
@@ -19,7 +18,6 @@ from seafoam.framegraph.rules import (
     Phase,
     Rule,
     Uniform,
-    UniformType,
     array,
     constants,
     significant,
@@ -102,27 +100,18 @@ def _courses(boats: tuple[Boat, ...]) -> Uniform:
 
 def _form_uniforms(boats: tuple[Boat, ...]) -> dict[str, Uniform]:
     """Sizes, angles (as cosine and sine) and colours of the boats."""
-    forms: list[tuple[float, ...]] = []
-    rigs: list[tuple[float, ...]] = []
-    for boat in boats:
-        forms.append((boat.length, boat.smoothing, *_direction(boat.heel)))
-        rigs.append((1.0 if boat.kind == "motor" else 0.0, *_direction(boat.boom)))
+    rigs = [(1.0 if boat.kind == "motor" else 0.0, *_direction(boat.boom)) for boat in boats]
     return {
-        "u_boat_form": _per_boat(forms),
-        "u_boat_rig": _per_boat(rigs),
-        "u_boat_hull": _per_boat([boat.hull for boat in boats]),
-        "u_boat_sails": _per_boat([boat.sails for boat in boats]),
+        "u_boat_form": constants("vec4", [(boat.length, boat.smoothing, *_direction(boat.heel)) for boat in boats]),
+        "u_boat_rig": constants("vec3", rigs),
+        "u_boat_hull": constants("vec3", [boat.hull for boat in boats]),
+        "u_boat_sails": constants("vec3", [boat.sails for boat in boats]),
     }
 
 
 def _direction(angle: float) -> tuple[float, float]:
     """Cosine and sine of an angle, rad."""
     return significant(math.cos(angle)), significant(math.sin(angle))
-
-
-def _per_boat(values: Sequence[tuple[float, ...]]) -> Uniform:
-    kind: UniformType = "vec3" if len(values[0]) == 3 else "vec4"
-    return constants(kind, values)
 
 
 def _pose_pass(scene: Scene) -> PassSpec:

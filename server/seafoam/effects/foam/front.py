@@ -218,22 +218,21 @@ def _phase_uniforms(scene: Scene, of: _Constants) -> dict[str, Uniform]:
 def _past_waves(scene: Scene, shared: bool) -> tuple[list[tuple[float, ...]], float]:
     """Of each wave: q = frequency over the mean, cos and sin of 2πq, and its weight; and the mean frequency, rad/s.
 
-    Frequencies are those that drifting water meets. ``shared``: only waves of the surface, whose amplitude is above 0.
+    Frequencies are those that drifting water meets: it meets a wave less often that it drifts along with. ``shared``:
+    only waves of the surface, whose amplitude is above 0.
     """
-    drift_x, drift_z = foam_drift(scene)
-    rates = []
-    for wave in scene.waves:
-        kx, kz = wavevector(wave, scene.water.depth)
-        # Water that drifts along with a wave meets it less often.
-        rates.append(angular_frequency(wave) - kx * drift_x - kz * drift_z)
-    weights = _weights(scene)
+    drift, weights = foam_drift(scene), _weights(scene)
+    vectors = [wavevector(wave, scene.water.depth) for wave in scene.waves]
+    rates = [
+        angular_frequency(wave) - kx * drift[0] - kz * drift[1]
+        for wave, (kx, kz) in zip(scene.waves, vectors, strict=True)
+    ]
     mean = max(summed(weight * rate for weight, rate in zip(weights, rates, strict=True)), LEAST_RATE)
-    waves: list[tuple[float, ...]] = []
-    for wave, weight, rate in zip(scene.waves, weights, rates, strict=True):
-        if wave.amplitude > 0.0 or not shared:
-            turn = 2.0 * math.pi * rate / mean
-            past = (rate / mean, math.cos(turn), math.sin(turn))
-            waves.append((*rounded(past), weight))
+    waves = [
+        (*rounded((rate / mean, math.cos(2.0 * math.pi * rate / mean), math.sin(2.0 * math.pi * rate / mean))), weight)
+        for wave, weight, rate in zip(scene.waves, weights, rates, strict=True)
+        if wave.amplitude > 0.0 or not shared
+    ]
     return waves, mean
 
 
@@ -251,11 +250,9 @@ def _weights(scene: Scene) -> list[float]:
 
 def _relief(scene: Scene, spatial: float) -> float:
     """Slope amplitude of a sinusoid with the mean square slope of all waves, their wavenumbers times ``spatial``."""
-    total = 0.0
-    for wave in scene.waves:
-        square = profile_square(wave.exponent)
-        total += (spatial * math.hypot(*wavevector(wave, scene.water.depth)) * wave.amplitude) ** 2 * square
-    return math.sqrt(2.0 * total)
+    slopes = (spatial * math.hypot(*wavevector(wave, scene.water.depth)) * wave.amplitude for wave in scene.waves)
+    squares = (profile_square(wave.exponent) for wave in scene.waves)
+    return math.sqrt(2.0 * summed(slope**2 * square for slope, square in zip(slopes, squares, strict=True)))
 
 
 def front_limit(front: FrontSaturation, scene: Scene) -> float:

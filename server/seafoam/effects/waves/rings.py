@@ -29,6 +29,13 @@ from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.waves import DEAD, DEAD_SHARE, Ring
 
+RING_CONSTS: dict[str, Const] = {
+    "RING_DEAD": DEAD,
+    "RING_DEAD_SHARE": DEAD_SHARE,
+    "RING_SOFT": SOFT,
+    "RING_FRONT": FRONT,
+}
+"""What every file of rings needs."""
 _MIN_TEXELS = 4.0
 """Texels to the shortest wave below which a map does not resolve it, so that the rings are summed instead."""
 
@@ -95,7 +102,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     how = "summed at each sample" if summed else f"drawn into a map of {square.side:g} m in each frame"
     contribution = Contribution(
         why=f"{len(shown)} ring{'s' if len(shown) > 1 else ''}, {how}",
-        consts=_consts(len(shown)),
+        consts={"RING_COUNT": len(shown), "RING_BLOCK": min(len(shown), 32), **RING_CONSTS},
         bound=_bound(scene, height, max_slope),
         max_height=height,
         min_height=-height,
@@ -107,17 +114,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         march_factor=1 if scene.sea is None else 8,
     )
     return contribution.joined(_sum(shown) if summed else _map(shown, square, quality.rings_size))
-
-
-def _consts(count: int) -> dict[str, Const]:
-    return {
-        "RING_COUNT": count,
-        "RING_BLOCK": min(count, 32),
-        "RING_DEAD": DEAD,
-        "RING_DEAD_SHARE": DEAD_SHARE,
-        "RING_SOFT": SOFT,
-        "RING_FRONT": FRONT,
-    }
 
 
 def _sum(shown: Sequence[Train]) -> Resources:

@@ -7,9 +7,9 @@ import math
 
 from seafoam.effects.effect import Bound, Contribution, Effect
 from seafoam.effects.shader import SlotFile
+from seafoam.effects.waves.rings import RING_CONSTS
 from seafoam.framegraph.rules import FAR, Clamp, Constant, Rule, Term, array, significant
 from seafoam.ocean.constants import GRAVITY
-from seafoam.ocean.waves.rings import FRONT, SOFT
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.waves import (
@@ -46,10 +46,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "TOUCH_GRAVITY": GRAVITY,
             "TOUCH_LEAST_LENGTH": TOUCH_LEAST_LENGTH,
             "TOUCH_LENGTH": TOUCH_LENGTH,
-            "RING_DEAD": DEAD,
-            "RING_DEAD_SHARE": DEAD_SHARE,
-            "RING_SOFT": SOFT,
-            "RING_FRONT": FRONT,
+            **RING_CONSTS,
         },
         uniforms={"u_touch": array("vec4", rules, TOUCHES_MOST)},
         bound=_bound(scene),

@@ -6,6 +6,7 @@ Standing waves behind stones are wakes of hulls that move against the current as
 import math
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 
 import numpy as np
 
@@ -28,8 +29,14 @@ class Wakes:
     """Wakes as a part of the surface around one origin."""
 
     wakes: tuple[Wake, ...]
-    top: float
-    slope: float
+
+    @cached_property
+    def top(self) -> float:
+        return joint_height(self.wakes)
+
+    @cached_property
+    def slope(self) -> float:
+        return joint_slope(self.wakes)
 
     @property
     def trough(self) -> float:
@@ -193,9 +200,7 @@ def pattern(wake: Wake, behind: Floats, aside: Floats) -> tuple[Floats, Floats, 
 
 def wake_set(scene: Scene, time: float, origin: tuple[float, float]) -> WakeSet:
     """The wakes of a scene's boats at a time (s) around an origin (x, z) in m."""
-    patterns = wakes(scene.boats)
-    courses = tuple(course_of(boat, time, origin) for boat in scene.boats)
-    return WakeSet(patterns, joint_height(patterns), joint_slope(patterns), scene.boats, courses)
+    return WakeSet(wakes(scene.boats), scene.boats, tuple(course_of(boat, time, origin) for boat in scene.boats))
 
 
 @dataclass(frozen=True)
@@ -253,5 +258,4 @@ class StoneSet(Wakes):
 
 def stone_set(current: Current, origin: tuple[float, float]) -> StoneSet:
     """The standing waves of a current's stones around an origin (x, z) in m."""
-    patterns = stone_wakes(current)
-    return StoneSet(patterns, joint_height(patterns), joint_slope(patterns), current, origin)
+    return StoneSet(stone_wakes(current), current, origin)

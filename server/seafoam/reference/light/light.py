@@ -77,9 +77,7 @@ class Air:
 
 def air(light: Light, time: float = 0.0, eye: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> Air:
     """The air under a light at a time (s) around a camera position (m)."""
-    plain = _air(
-        atmosphere.to_sun(light), atmosphere.MIE_LEAST + atmosphere.MIE_PER_TURBIDITY * (light.turbidity - 1.0)
-    )
+    plain = _air(atmosphere.to_sun(light), atmosphere.mie_depth(light))
     above = atmosphere.layered_sky(light, time, eye)
     if above is None:
         return plain

@@ -105,10 +105,7 @@ def tile(cascade: Cascade, time: float, wanted: float, texels: int = TEXELS) -> 
     jacobian = rest.jacobian(choppiness)
     bounded = np.maximum(jacobian, LEAST_JACOBIAN)
     a_xx, a_zz, a_xz = 1.0 + choppiness * rest.xx, 1.0 + choppiness * rest.zz, choppiness * rest.xz
-    h_x, h_z = (
-        (a_zz * rest.h_x - a_xz * rest.h_z) / bounded,
-        (a_xx * rest.h_z - a_xz * rest.h_x) / bounded,
-    )
+    h_x, h_z = (a_zz * rest.h_x - a_xz * rest.h_z) / bounded, (a_xx * rest.h_z - a_xz * rest.h_x) / bounded
     length = np.hypot(h_x, h_z)
     kept = np.minimum(1.0, cascade.max_slope / np.maximum(length, 1e-300))
     height = np.clip(rest.h, -cascade.limit, cascade.limit)
@@ -145,10 +142,8 @@ class SeaSurface:
         """Greatest slope between texels, rounded up."""
         steepest = 0.0
         for tile in self._raised:
-            across = [
-                np.abs(np.diff(tile.height, axis=axis, append=tile.height.take([0], axis))).max() for axis in (0, 1)
-            ]
-            steepest += math.hypot(float(across[0]), float(across[1])) * tile.height.shape[0] / tile.size
+            across = (np.abs(tile.height - np.roll(tile.height, 1, axis)).max() for axis in (0, 1))
+            steepest += math.hypot(*map(float, across)) * tile.height.shape[0] / tile.size
         return 1.001 * steepest
 
     @cached_property
