@@ -8,7 +8,7 @@ from seafoam.effects.effect import Bound, Contribution, SaturationSource, Textur
 from seafoam.effects.foam.living import follows_orbits
 from seafoam.effects.noise import PERLIN_3, drifting_noise
 from seafoam.effects.shader import Const, Piece, SlotFile
-from seafoam.effects.waves.groups import front_files, front_orbit_files, signal_files
+from seafoam.effects.waves.groups import front_files, scaled_files
 from seafoam.effects.waves.parametric import profile_square, shares_phase
 from seafoam.framegraph.resources import TextureInput
 from seafoam.framegraph.rules import Phase, Uniform, array, constants, number, rounded, significant, vector
@@ -122,7 +122,7 @@ def _decaying(scene: Scene, front: FrontSaturation, decay: float, *, filtered: b
     if follows_orbits(scene) and shared:
         orbits = ("foam/saturation/front.glsl@way_shared",)
     elif follows_orbits(scene):
-        orbits = front_orbit_files(scene, "foam/saturation/front.glsl@way_own")
+        orbits = scaled_files(scene, "foam/saturation/front.glsl@way_own", "way")
         uniforms["u_front_orbit"] = _orbits(scene)
     life = significant(mean_rate * decay)
     born = significant(front_full(front.intensity, 1.0))
@@ -179,7 +179,7 @@ def _phase_files(scene: Scene) -> tuple[Piece, ...]:
     """The files that give the phase of the waves' sum: shared with the surface, or evaluated for the front."""
     if shares_phase(scene):
         return ("foam/saturation/front.glsl@shared",)
-    return signal_files(scene, "foam/saturation/front.glsl@own")
+    return scaled_files(scene, "foam/saturation/front.glsl@own", "signal")
 
 
 def _advance(scene: Scene, mean_rate: float) -> dict[str, Uniform]:

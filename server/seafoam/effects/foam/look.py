@@ -5,12 +5,13 @@ from dataclasses import dataclass
 
 from seafoam.effects.bounds import foam_limit, greatest_saturation
 from seafoam.effects.effect import Bound, Contribution, Effect, PlanError, QualityParameter, Resources, TextureUse
-from seafoam.effects.foam import drift, mask_atlas
+from seafoam.effects.foam import drift
 from seafoam.effects.foam.living import AGE, ageing_look
+from seafoam.effects.foam.mask_atlas import atlas_of
 from seafoam.effects.noise import HASH, drifting_phases
 from seafoam.effects.registry import saturation_fields
 from seafoam.effects.shader import Piece, SlotFile, Source, constant_function
-from seafoam.framegraph.resources import TargetInput, TextureInput
+from seafoam.framegraph.resources import TextureInput
 from seafoam.framegraph.rules import Uniform, Wrap, array, number, vector
 from seafoam.masks.catalogue import Mask, drawn_mask
 from seafoam.masks.prefilter import OCTAVE_RAMP
@@ -25,19 +26,6 @@ CELLS = 4096
 """Number of cells along each side of their lattice after which their rotations repeat."""
 
 _MASK_TABLES: dict[str, MaskTable] = {"u8": "ranks-8", "half": "thresholds-half", "u16": "ranks"}
-_MASK_TEXELS = {
-    "u8": "foam/mask.glsl@texel_u8",
-    "half": "foam/mask.glsl@texel_half",
-    "u16": "foam/mask.glsl@texel_u16",
-}
-_LOOKS = {
-    "halftone": "foam/look.glsl@halftone",
-    "halftone_textured": "foam/look.glsl@halftone_textured",
-    "textured": "foam/look.glsl@textured",
-    "fading": "foam/look.glsl@fading",
-    "listing": "foam/look.glsl@listing",
-    "filtered": "foam/look.glsl@filtered",
-}
 
 _NO_TEXTURE = constant_function("float", "foam_texture", "vec2 p, Footprint fp", "1.0")
 
@@ -143,7 +131,7 @@ def _cell_uniforms(foam: Foam) -> dict[str, Uniform]:
 def _exact_mask(foam: Foam, quality: Quality) -> _Part:
     """The mask's threshold at a texel."""
     return _Part(
-        needs=(_MASK_TEXELS[quality.mask], "foam/mask.glsl@exact"),
+        needs=(f"foam/mask.glsl@texel_{quality.mask}", "foam/mask.glsl@exact"),
         inputs={"u_mask_ranks": TextureInput(texture="mask_ranks")},
         textures={"mask_ranks": TextureUse(MaskTexture(masks=(foam.mask,), table=_MASK_TABLES[quality.mask]))},
     )
@@ -153,8 +141,7 @@ def _filtered_mask(scene: Scene, foam: Foam, masks: list[tuple[str, Mask]], qual
     """The thresholds under a footprint, from the atlas of all masks."""
     octaves = min(foam.octaves, quality.foam_octaves)
     tables: MaskTable = "ramps" if octaves > 1 else "quantiles"
-    names, ranks = zip(*masks, strict=True)
-    mask = ranks[0]
+    mask = masks[0][1]
     levels = mask.ranks.shape[0].bit_length()
     return _Part(
         consts={
@@ -169,18 +156,10 @@ def _filtered_mask(scene: Scene, foam: Foam, masks: list[tuple[str, Mask]], qual
             "FOAM_SIDE": math.isqrt(quality.foam_taps),
             "MASK_LEVELS": levels,
             "MASK_ROWS": levels + (2 if octaves > 1 else 1),
-            **mask_atlas.consts(mask),
         },
         uniforms={"u_foam_fade": number(foam.fade), "u_foam_texture_share": number(foam.texture)},
         needs=("lib/texels.glsl@cubic_spline",),
-        inputs={
-            "u_mask_atlas": TargetInput(target=mask_atlas.ATLAS),
-            "u_mask_quantiles": TextureInput(texture=mask_atlas.tables(len(masks), tables)),
-        },
-        textures=mask_atlas.textures(names, tables),
-        targets=mask_atlas.targets(ranks),
-        passes=mask_atlas.passes(ranks),
-    )
+    ).joined(atlas_of(masks, tables))
 
 
 def _textured(foam: Foam) -> bool:
@@ -216,7 +195,7 @@ def _texture_place(name: str, tile: float) -> dict[str, Uniform]:
 
 def _look_file(scene: Scene, foam: Foam, quality: Quality) -> tuple[str, tuple[Piece, ...]]:
     """The look's file, wrapped by those that rotate, advect or age its mask; and what they need."""
-    look, life = _LOOKS[foam.look], foam_life(scene)
+    look, life = f"foam/look.glsl@{foam.look}", foam_life(scene)
     needs: tuple[Piece, ...] = ()
     if _cells(scene, foam):
         blended = foam.look == "filtered"

@@ -6,7 +6,7 @@ bit-identical on all executors. Foam with a history has several masks: their atl
 
 from collections.abc import Sequence
 
-from seafoam.effects.effect import PassSpec, TextureUse
+from seafoam.effects.effect import PassSpec, Resources, TextureUse
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput
 from seafoam.framegraph.rules import number
 from seafoam.masks.catalogue import Mask
@@ -16,32 +16,32 @@ ATLAS = "mask_atlas"
 MOMENTS = "mask_moments"
 
 
-def consts(mask: Mask) -> dict[str, int]:
-    """``MASK_STEP``: thresholds are the texels' values plus half this number of 65536ths."""
-    return {"MASK_STEP": max(65536 // mask.ranks.size, 1)}
+def atlas_of(named: Sequence[tuple[str, Mask]], kind: MaskTable) -> Resources:
+    """The atlas of masks with their names, and the tables that the look reads: ``kind`` of all masks, stacked.
 
-
-def tables(masks: int, kind: str) -> str:
-    """The texture whose tables the look reads: ``quantiles`` or ``ramps`` of all masks, stacked."""
-    return f"mask_{kind}" if masks == 1 else "mask_tables"
-
-
-def textures(names: Sequence[str], kind: MaskTable) -> dict[str, TextureUse]:
-    """The textures that the passes and the look read."""
+    ``MASK_STEP``: thresholds are the texels' values plus half this number of 65536ths.
+    """
+    names, masks = zip(*named, strict=True)
+    tables = f"mask_{kind}" if len(masks) == 1 else "mask_tables"
     used: dict[str, TextureUse] = {}
     for i, name in enumerate(names):
         used[f"mask_ranks{_suffix(i)}"] = TextureUse(MaskTexture(masks=(name,), table="ranks"))
         # The atlas is made with the quantiles whatever the look itself reads.
         used[f"mask_quantiles{_suffix(i)}"] = _table((name,), "quantiles")
-    used[tables(len(names), kind)] = _table(tuple(names), kind)
-    return used
+    return Resources(
+        consts={"MASK_STEP": max(65536 // masks[0].ranks.size, 1)},
+        inputs={"u_mask_atlas": TargetInput(target=ATLAS), "u_mask_quantiles": TextureInput(texture=tables)},
+        textures={**used, tables: _table(names, kind)},
+        targets=_targets(masks),
+        passes=_all_passes(masks),
+    )
 
 
 def _table(names: tuple[str, ...], kind: MaskTable) -> TextureUse:
     return TextureUse(MaskTexture(masks=names, table=kind), wrap="clamp_to_edge")
 
 
-def targets(masks: Sequence[Mask]) -> dict[str, Target]:
+def _targets(masks: Sequence[Mask]) -> dict[str, Target]:
     """The atlas and its intermediate targets."""
 
     def whole(width: int, height: int) -> Target:
@@ -57,11 +57,8 @@ def targets(masks: Sequence[Mask]) -> dict[str, Target]:
     return {ATLAS: whole(5 * size // 2, size * len(masks)), **intermediate}
 
 
-def passes(masks: Sequence[Mask]) -> tuple[PassSpec, ...]:
-    """For each mask: mean and variance of the thresholds per texel, then per level, then the atlas.
-
-    They read the textures of :func:`textures`.
-    """
+def _all_passes(masks: Sequence[Mask]) -> tuple[PassSpec, ...]:
+    """For each mask: mean and variance of the thresholds per texel, then per level, then the atlas."""
     if len(masks) == 1:
         return _passes(masks[0], 0, ATLAS)
     alone = [f"{ATLAS}{_suffix(i)}_alone" for i in range(len(masks))]

@@ -22,6 +22,13 @@ SLOPE, CURVATURE, VARIANCE = 1.5, 6.0, 0.091973
 _WAVES = "waves/parametric.glsl"
 _EVEN_WAVES = Source(_WAVES, (("parametric_waves", "even_waves"), ("parametric_shading", "even_shading")))
 """The waves if all have one height, under other names."""
+_EVEN = {
+    "fronts": ("fronts_then", "even_fronts"),
+    "carry": ("parametric_carry", "even_carry"),
+    "signal": ("front_signal", "even_signal"),
+    "way": ("front_way", "even_way"),
+}
+"""Functions that are scaled, and their names in groups."""
 _NO_GROUPS = constant_function("float", "front_group", "vec2 q, float ago", "1.0")
 
 
@@ -60,34 +67,19 @@ def wave_files(scene: Scene) -> tuple[Piece, ...]:
 def earlier_wave_files(scene: Scene) -> tuple[Piece, ...]:
     """Files of the parametric waves of an earlier time."""
     waves = (*FACTOR, _EVEN_WAVES) if in_groups(scene) else (_WAVES,)
-    return (
-        *waves,
-        *_scaled(
-            scene, Source("spray/births.glsl@fronts", (("fronts_then", "even_fronts"),)), "waves/groups.glsl@fronts"
-        ),
-    )
+    return (*waves, *scaled_files(scene, "spray/births.glsl@fronts", "fronts"))
 
 
-def orbit_files(scene: Scene) -> tuple[Piece, ...]:
-    """Files of the way to where the waves' water rests."""
-    return _scaled(
-        scene, Source("foam/carry.glsl@parametric", (("parametric_carry", "even_carry"),)), "waves/groups.glsl@carry"
-    )
+def scaled_files(scene: Scene, path: str, part: str) -> tuple[Piece, ...]:
+    """Files of what is proportional to the waves' heights: ``path``, which has it if all have one height.
 
-
-def signal_files(scene: Scene, path: str) -> tuple[Piece, ...]:
-    """Files of the sum of a front's own waves; ``path``: of the sum if all have one height."""
-    return _scaled(scene, Source(path, (("front_signal", "even_signal"),)), "waves/groups.glsl@signal")
-
-
-def front_orbit_files(scene: Scene, path: str) -> tuple[Piece, ...]:
-    """Files of the way to where the water rests by a front's own waves; ``path``: if all have one height."""
-    return _scaled(scene, Source(path, (("front_way", "even_way"),)), "waves/groups.glsl@way")
-
-
-def _scaled(scene: Scene, even: Source, scaled: str) -> tuple[Piece, ...]:
-    """A file under its own names, or with groups: renamed, and the file that scales it by the factor."""
-    return (*FACTOR, even, scaled) if in_groups(scene) else (even.path,)
+    In groups, its function has another name, and a part of ``waves/groups.glsl`` scales it by the factor: ``fronts`` of
+    an earlier time; ``carry``, the way to where the waves' water rests; ``signal``, the sum of a front's own waves;
+    ``way``, that to where the water rests by these.
+    """
+    if not in_groups(scene):
+        return (path,)
+    return (*FACTOR, Source(path, (_EVEN[part],)), f"waves/groups.glsl@{part}")
 
 
 def front_files(scene: Scene) -> tuple[Piece, ...]:

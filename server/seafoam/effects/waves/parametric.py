@@ -6,7 +6,7 @@ from seafoam.effects.bounds import parametric_wave_height, waves_bound
 from seafoam.effects.effect import UNBOUNDED, Contribution, Effect, QualityParameter
 from seafoam.effects.foam.living import follows_orbits
 from seafoam.effects.shader import SlotFile
-from seafoam.effects.waves.groups import PLACE, group_bounds, group_part, orbit_files, wave_files
+from seafoam.effects.waves.groups import PLACE, group_bounds, group_part, scaled_files, wave_files
 from seafoam.framegraph.rules import Phase, array, constants, number, rounded, significant
 from seafoam.ocean.basics.dispersion import angular_frequency, wavevector
 from seafoam.ocean.basics.levels import paper_level, wave_level
@@ -103,7 +103,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     shared = shares_place(scene)
     orbits: tuple[SlotFile, ...] = ()
     if follows_orbits(scene):
-        *orbit_needs, path = ("foam/carry.glsl@parametric_shared",) if shared else orbit_files(scene)
+        own = scaled_files(scene, "foam/carry.glsl@parametric", "carry")
+        *orbit_needs, path = ("foam/carry.glsl@parametric_shared",) if shared else own
         orbits = (SlotFile("carry", path, prefix="parametric", needs=tuple(orbit_needs)),)
     *needs, path = wave_files(scene)
     height, groups = parametric_wave_height(scene), group_bounds(scene)

@@ -8,7 +8,7 @@ import pytest
 from gpu.reference.waves.test_parametric import SCENES, places
 from seafoam.effects.effect import Contribution
 from seafoam.effects.waves import parametric
-from seafoam.effects.waves.groups import group_bounds, orbit_files, wave_files
+from seafoam.effects.waves.groups import group_bounds, scaled_files, wave_files
 from seafoam.reference import render
 from seafoam.reference.waves.groups import group_factor
 from seafoam.reference.waves.parametric import wave_set
@@ -37,7 +37,7 @@ def contribution(scene: Scene) -> Contribution:
 def test_water_in_groups_is_carried_as_far_as_its_waves_are_high(probe: Probe) -> None:
     drifting = Foam(saturation=(SlopeSaturation(), FrontSaturation(decay=2.0)), life=FoamLife())
     scene = SCENE.model_copy(update={"foam": drifting})
-    files = ("lib/numbers.glsl", *wave_files(scene), *orbit_files(scene))
+    files = ("lib/numbers.glsl", *wave_files(scene), *scaled_files(scene, "foam/carry.glsl@parametric", "carry"))
     got = probe.contributed(contribution(scene), files, "y.xy = parametric_carry(x.xy);", places(), time=3.0)[:, :2]
     x, z = places().astype(np.float64).T
     want = np.column_stack(wave_set(scene, 3.0, (0.0, 0.0)).to_rest(x, z))
