@@ -135,7 +135,7 @@ def answering(**settings) -> TestClient:
     app = create_app(Settings(**settings), renderer=FakeRenderer)
     app.state.context = SimpleNamespace(
         settings=Settings(**settings),
-        request_cache=RequestCache(),
+        request_cache=RequestCache(16),
         pool=SimpleNamespace(info={}, state="starting"),
         masks=ThreadPool(1, 8),
         streams=Streams(2),

@@ -120,14 +120,7 @@ class Rig:
     @property
     def machine(self) -> Machine:
         """The machine, as recorded in sweeps."""
-        return Machine(
-            vendor=self.info["vendor"],
-            renderer=self.info["renderer"],
-            version=self.info["version"],
-            processor=processor(),
-            cores=os.cpu_count() or 1,
-            threads=self.threads,
-        )
+        return Machine(**self.info, processor=processor(), cores=os.cpu_count() or 1, threads=self.threads)
 
 
 def truth_info(subject: Subject, settings: SweepSettings) -> TruthInfo:

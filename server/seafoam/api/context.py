@@ -8,7 +8,7 @@ from fastapi import Depends, Request
 from seafoam.accuracy.model import Running, Sweep
 from seafoam.accuracy.sweep import Subject
 from seafoam.api.frames.plans import CompiledPlan, PlanIndex, compile_scene
-from seafoam.api.frames.request_cache import RequestCache
+from seafoam.api.frames.request_cache import REQUESTS_KEPT, RequestCache
 from seafoam.api.frames.streams import Streams
 from seafoam.api.http.thread_pool import ThreadPool
 from seafoam.api.jobs import sequence_service, sweep_service
@@ -34,7 +34,7 @@ class Context:
         self.frames = frames
         self.plan_index = PlanIndex(frames.disk)
         """The plans that have addresses."""
-        self.request_cache = RequestCache()
+        self.request_cache = RequestCache(REQUESTS_KEPT)
         self.metrics = metrics
         self.traces = traces
         # Apart, so that a mask, which takes seconds, delays no plan, and one that takes minutes no other mask.

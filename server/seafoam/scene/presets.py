@@ -37,16 +37,12 @@ def _documents() -> dict[str, dict[str, Any]]:
     return dict(sorted(found.items(), key=lambda item: (groups.index(item[1]["group"]), item[1]["order"])))
 
 
-@cache
-def _preset(name: str) -> Preset:
-    return Preset.model_validate({"name": name, **_documents()[name]})
-
-
 def preset_names() -> tuple[str, ...]:
     """Return the names of all presets, in menu order."""
     return tuple(_documents())
 
 
+@cache
 def load_preset(name: str) -> Preset:
     """Return a preset by name. Raises ``KeyError`` if there is none."""
-    return _preset(name)
+    return Preset.model_validate({"name": name, **_documents()[name]})

@@ -27,23 +27,10 @@ class ResolvedFrame:
     route: BaseRoute
 
 
-class RequestCache:
-    """What GET requests were found to ask for, by their address as it was sent, so that a repeat is neither checked nor
-    planned again; the least recently used go first.
-    """
-
-    def __init__(self) -> None:
-        self._held: LruCache[tuple[Any, ...], ResolvedFrame] = LruCache(REQUESTS_KEPT)
-
-    def get(self, scope: Scope, info: Mapping[str, str]) -> ResolvedFrame | None:
-        """Return what this request asked for before, with the same renderer, or None."""
-        return self._held.get(_address(scope, info))
-
-    def put(self, scope: Scope, info: Mapping[str, str], resolved: ResolvedFrame) -> None:
-        """Remember what a request asked for, unless its address is longer than any that is meant."""
-        if len(scope["query_string"]) <= ADDRESS_KEPT:
-            self._held.put(_address(scope, info), resolved)
+RequestCache = LruCache[tuple[Any, ...], ResolvedFrame]
+"""By :func:`address_of`, so that a repeat is neither checked nor planned again."""
 
 
-def _address(scope: Scope, info: Mapping[str, str]) -> tuple[Any, ...]:
+def address_of(scope: Scope, info: Mapping[str, str]) -> tuple[Any, ...]:
+    """Return a request's address as it was sent, with the renderer that it would be answered by."""
     return scope["path"], scope["query_string"], *info.values()

@@ -10,7 +10,7 @@ from starlette.responses import Response
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from seafoam.api.context import Context
-from seafoam.api.frames.request_cache import ResolvedFrame
+from seafoam.api.frames.request_cache import ADDRESS_KEPT, ResolvedFrame, address_of
 from seafoam.api.http.etags import not_modified
 from seafoam.api.http.openapi import content
 from seafoam.render.encode import MEDIA_TYPES
@@ -39,10 +39,11 @@ async def resolved_before(
     context: Context, request: Request, find: Callable[[], Awaitable[ResolvedFrame]]
 ) -> ResolvedFrame:
     """Return what a request asks for: as found before with the same renderer, or else by ``find``."""
-    resolved = context.request_cache.get(request.scope, context.pool.info)
+    resolved = context.request_cache.get(address_of(request.scope, context.pool.info))
     if resolved is None:
         resolved = await find()
-        context.request_cache.put(request.scope, context.pool.info, resolved)
+        if len(request.scope["query_string"]) <= ADDRESS_KEPT:
+            context.request_cache.put(address_of(request.scope, context.pool.info), resolved)
     return resolved
 
 
@@ -59,7 +60,7 @@ class AnswerFromMemory:
         response = None
         if scope["type"] == "http" and scope["method"] == "GET":
             context: Context = scope["app"].state.context
-            resolved = context.request_cache.get(scope, context.pool.info)
+            resolved = context.request_cache.get(address_of(scope, context.pool.info))
             if resolved is not None:
                 response = at_hand(resolved, Request(scope), context)
                 scope["route"] = resolved.route  # by which requests are counted

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Sequence
+from functools import partial
 
 from starlette.middleware.cors import CORSMiddleware
 from starlette.routing import BaseRoute, Route
@@ -30,16 +31,10 @@ class OtherOrigins:
         ]
         # One pattern for all, in which the names of groups would clash.
         self.public = re.compile("|".join(_GROUP_NAME.sub("?:", pattern) for pattern in patterns) or r"(?!)")
-        self.for_all = CORSMiddleware(app, allow_origins=("*",), allow_headers=_SENT, expose_headers=READABLE_ELSEWHERE)
-        self.for_some = app
-        if origins:
-            self.for_some = CORSMiddleware(
-                app,
-                allow_origins=origins,
-                allow_methods=("GET", "POST", "PUT", "DELETE"),
-                allow_headers=_SENT,
-                expose_headers=READABLE_ELSEWHERE,
-            )
+        cors = partial(CORSMiddleware, app, allow_headers=_SENT, expose_headers=READABLE_ELSEWHERE)
+        self.for_all = cors(allow_origins=("*",))
+        methods = ("GET", "POST", "PUT", "DELETE")
+        self.for_some = cors(allow_origins=origins, allow_methods=methods) if origins else app
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         path = scope["path"].removeprefix(scope.get("root_path", "")) if scope["type"] == "http" else ""

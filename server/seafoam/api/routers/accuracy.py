@@ -37,8 +37,7 @@ def _wait(running: Running) -> Response:
 
 
 def _subject(preset: str) -> Subject:
-    loaded = find_preset(preset)
-    return Subject(loaded.name, loaded.scene, loaded.time, loaded.size)
+    return Subject.of_preset(find_preset(preset).name)
 
 
 def _kept(request: Request, content: bytes, media: str, *identity: Any) -> Response:
