@@ -1,7 +1,5 @@
 """Entity tags, which allow a 304 response before any work is done."""
 
-import hashlib
-import json
 from collections.abc import Mapping
 from importlib.metadata import version
 from typing import Any
@@ -9,6 +7,8 @@ from typing import Any
 from fastapi import Request
 from starlette.responses import FileResponse, Response
 from starlette.staticfiles import NotModifiedResponse, StaticFiles
+
+from seafoam.accuracy.cache import key_of
 
 VERSION = version("seafoam")
 
@@ -20,8 +20,7 @@ NO_STORE = "no-store"
 
 def tag_of(*parts: Any) -> str:
     """Return a strong entity tag of JSON values and this package's version."""
-    text = json.dumps([VERSION, *parts], sort_keys=True, separators=(",", ":"))
-    return f'"{hashlib.sha256(text.encode()).hexdigest()[:40]}"'
+    return f'"{key_of(VERSION, *parts)}"'
 
 
 def not_modified(request: Request, tag: str, headers: Mapping[str, str]) -> Response | None:
