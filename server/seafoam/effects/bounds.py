@@ -141,5 +141,4 @@ def foam_limit(foam: Foam, scene: Scene) -> float:
 
 def _brightest_irradiance(light: Light) -> float:
     """Exposed irradiance of overhead sun and whole sky, the brightest channel."""
-    both = (sun + sky for sun, sky in zip(brightest_sun(light), sky_irradiance(light), strict=True))
-    return float(max(both)) * math.exp2(light.exposure)
+    return float(max(brightest_sun(light) + sky_irradiance(light))) * math.exp2(light.exposure)

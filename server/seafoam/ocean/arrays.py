@@ -1,4 +1,4 @@
-"""Types of arrays, and arrays that are kept."""
+"""Types of arrays, arrays that are kept, and the smoothstep."""
 
 from typing import TypeVar
 
@@ -14,3 +14,9 @@ def read_only(array: NDArray[T]) -> NDArray[T]:
     """Return an array that nobody may write to from now on: caches give the same one to all."""
     array.setflags(write=False)
     return array
+
+
+def smoothstep(low: float, high: float, x: Floats) -> Floats:
+    """3q² − 2q³ of q = (x − low)/(high − low) clamped to [0, 1]; low < high; of the shape of ``x``."""
+    q = np.clip((x - low) / (high - low), 0.0, 1.0)
+    return q * q * (3.0 - 2.0 * q)

@@ -11,11 +11,12 @@ import pytest
 from numpy.typing import NDArray
 from scipy.ndimage import label
 
+from seafoam.ocean.arrays import smoothstep
 from seafoam.ocean.basics.dispersion import wavenumber
 from seafoam.ocean.basics.refraction import refracted_cosine
 from seafoam.ocean.basics.spectrum import frequency_spectrum, peak_frequency
 from seafoam.ocean.coast.rocks import rocks
-from seafoam.ocean.coast.seabed import floor_grid, smoothstep
+from seafoam.ocean.coast.seabed import floor_grid
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.foam.spray import (
     CELLS,

@@ -7,7 +7,7 @@ from statistics import NormalDist
 import numpy as np
 
 from seafoam.effects.light import atmosphere
-from seafoam.ocean.arrays import Floats, read_only
+from seafoam.ocean.arrays import Floats, read_only, smoothstep
 from seafoam.scene.light import Cirrus, Clouds, Light
 
 _SLICES = np.array([[0.0], [0.4], [0.8]])
@@ -118,7 +118,7 @@ def cloud_edge(clouds: Clouds) -> tuple[float, float, float, float]:
     """Mean and standard deviation of the noise over a slice's start, where its opacity rises; the mean opacity less
     that of edges there, widened by the whole variance; and what parted slices are more opaque."""
     t = (np.arange(_EDGE_NODES) + 0.5) / _EDGE_NODES
-    rise = t * (1.0 - t) * np.exp(-clouds.thickness / 3.0 * _smooth(t))
+    rise = t * (1.0 - t) * np.exp(-clouds.thickness / 3.0 * smoothstep(0.0, 1.0, t))
     rise /= rise.sum()
     middle = float(rise @ t)
     width = float(np.sqrt(rise @ (t - middle) ** 2)) * clouds.softness
@@ -174,8 +174,8 @@ def _column(clouds: Clouds, noise: Floats, ahead: Floats, height: float) -> tupl
     ``noise``: of the slices, (3, n), or of all (n,); ``ahead`` (n,): toward the lamp, at this sine of elevation.
     """
     start = cloud_start(clouds) + TAPER * _SLICES
-    density = _smooth((noise - start) / clouds.softness)
-    shade = _smooth((ahead - start - 0.2 * TAPER) / clouds.softness)
+    density = smoothstep(0.0, 1.0, (noise - start) / clouds.softness)
+    shade = smoothstep(0.0, 1.0, (ahead - start - 0.2 * TAPER) / clouds.softness)
     core = np.maximum(noise - np.maximum(start + 0.5 * clouds.softness, CORE), 0.0)
     deep = clouds.thickness / 3.0 * density
     above = clouds.thickness * (np.array([[0.5], [0.33], [0.17]]) * density + 0.15 * core * core)
@@ -191,9 +191,3 @@ def _column(clouds: Clouds, noise: Floats, ahead: Floats, height: float) -> tupl
     left = np.exp(-deep.sum(axis=0))
     whole = np.maximum(1.0 - left, 1e-6)
     return 1.0 - left, (seen * lit).sum(axis=0) / whole, 0.3 * left, (seen * sky).sum(axis=0) / whole
-
-
-def _smooth(t: Floats) -> Floats:
-    t = np.clip(t, 0.0, 1.0)
-    result: Floats = t * t * (3.0 - 2.0 * t)
-    return result

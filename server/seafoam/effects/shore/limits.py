@@ -12,15 +12,14 @@ from numpy.typing import NDArray
 
 from seafoam.effects.shore.maps import MASK_WAVES, blur_deviation
 from seafoam.framegraph.rules import significant
-from seafoam.ocean.coast.seabed import floor_grid, smoothstep
+from seafoam.ocean.arrays import Floats, smoothstep
+from seafoam.ocean.coast.seabed import floor_grid
 from seafoam.ocean.coast.travel import travel_grid
 from seafoam.ocean.constants import GRAVITY
 from seafoam.quality import Quality
 from seafoam.scene.shore import Shore
 from seafoam.sums import summed
 from seafoam.textures.shore import ROWS, shore_profiles
-
-Floats = NDArray[np.float64]
 
 BREAKING_RATIO = 0.78
 """Height of a wave over the water depth at which it breaks."""

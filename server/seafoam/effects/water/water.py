@@ -41,15 +41,11 @@ def underside(scene: Scene, quality: Quality) -> Contribution | None:
     """Active if the scene allows views from below (``water.view_below``) and has light or foam."""
     if not scene.water.view_below or (scene.light is None and scene.foam is None):
         return None
-    if scene.light is None:
-        return Contribution(
-            why="from below, the surface shows its foam",
-            slots=(SlotFile("below", "water/underside.glsl@flat"),),
-        )
-    return Contribution(
-        why="from below, the surface transmits the sky and reflects the floor",
-        slots=(SlotFile("below", "water/underside.glsl@main", needs=(WATER,)),),
-    )
+    shows, file = "shows its foam", SlotFile("below", "water/underside.glsl@flat")
+    if scene.light is not None:
+        shows = "transmits the sky and reflects the floor"
+        file = SlotFile("below", "water/underside.glsl@main", needs=(WATER,))
+    return Contribution(why=f"from below, the surface {shows}", slots=(file,))
 
 
 EFFECT = Effect("water body", contribute, fields=("/water",))

@@ -5,7 +5,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from seafoam.ocean.arrays import Floats, Integers, read_only
+from seafoam.ocean.arrays import Floats, Integers, read_only, smoothstep
 from seafoam.ocean.basics.hash import chance
 from seafoam.scene.shore import STEPS, Shore, decoded_image
 
@@ -111,12 +111,6 @@ def _plain(shore: Shore, x: Floats, z: Floats) -> Floats:
             width = 0.16 * shore.radius
             along = (x * c + z * s) / np.maximum(r, 1e-6)
             return np.abs(r - shore.radius) - width + 2.2 * width * smoothstep(0.90, 0.985, along)
-
-
-def smoothstep(low: float, high: float, x: Floats) -> Floats:
-    """3q² − 2q³ of q = (x − low)/(high − low) clamped to [0, 1]; low < high; of the shape of ``x``."""
-    q = np.clip((x - low) / (high - low), 0.0, 1.0)
-    return q * q * (3.0 - 2.0 * q)
 
 
 def _value_noise(x: Floats, z: Floats, seed: int) -> Floats:

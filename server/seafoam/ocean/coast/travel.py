@@ -9,8 +9,8 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from seafoam.ocean.arrays import Floats, read_only
-from seafoam.ocean.coast.seabed import floor_grid, smoothstep
+from seafoam.ocean.arrays import Floats, read_only, smoothstep
+from seafoam.ocean.coast.seabed import floor_grid
 from seafoam.ocean.constants import GRAVITY
 from seafoam.scene.shore import Shore
 

@@ -1,7 +1,6 @@
 """The surface as a height field: the sum of everything that displaces it."""
 
-from dataclasses import dataclass
-from functools import cached_property
+from collections.abc import Iterable
 from typing import Protocol
 
 import numpy as np
@@ -39,36 +38,17 @@ class ReliefPart(Protocol):
         """(h_x, h_z) at (x, z); (2, r)."""
 
 
-@dataclass(frozen=True)
 class Relief:
     """The sum of parts, itself a part."""
 
-    parts: tuple[ReliefPart, ...]
-
-    @cached_property
-    def raised(self) -> tuple[ReliefPart, ...]:
+    def __init__(self, parts: Iterable[ReliefPart]) -> None:
+        self.raised = tuple(part for part in parts if part.top > 0.0)
         """The parts that are not flat."""
-        return tuple(part for part in self.parts if part.top > 0.0)
-
-    @cached_property
-    def top(self) -> float:
-        return sum(part.top for part in self.raised)
-
-    @cached_property
-    def trough(self) -> float:
-        return sum(part.trough for part in self.raised)
-
-    @cached_property
-    def slope(self) -> float:
-        return sum(part.slope for part in self.raised)
-
-    @cached_property
-    def curvature(self) -> float:
-        return sum(part.curvature for part in self.raised)
-
-    @cached_property
-    def shape(self) -> float:
-        return min((part.shape for part in self.raised), default=float("inf"))
+        self.top = sum(part.top for part in self.raised)
+        self.trough = sum(part.trough for part in self.raised)
+        self.slope = sum(part.slope for part in self.raised)
+        self.curvature = sum(part.curvature for part in self.raised)
+        self.shape = min((part.shape for part in self.raised), default=float("inf"))
 
     def height(self, x: Floats, z: Floats) -> Floats:
         return sum((part.height(x, z) for part in self.raised), np.zeros_like(x))

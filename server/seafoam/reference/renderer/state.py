@@ -53,7 +53,7 @@ class Surface:
         boats = wake_set(scene, time, origin) if scene.boats else None
         stones = None if scene.current is None else stone_set(scene.current, origin)
         parts = (waves, ring_set(scene, time, origin), boats, stones, sea)
-        open_sea = Relief(tuple(part for part in parts if part is not None))
+        open_sea = Relief(part for part in parts if part is not None)
         coast = None if scene.shore is None else Coast(scene.shore, time, origin, open_sea)
         repeats = scene.light is not None and scene.light.caustics is not None
         life, ripples = foam_life(scene), scene.water.ripples

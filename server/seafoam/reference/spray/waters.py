@@ -130,7 +130,7 @@ class _Waters:
             raised = cascades(sea, self.scene.water.depth)[:RAISED]
             tiles = tuple(tile(one, self.time, sea.choppiness) for one in raised)
             parts.append(SeaSurface(tiles, raised, self.origin, ()))
-        relief = Relief(tuple(parts))
+        relief = Relief(parts)
         if self.coast is None:
             return relief.height(x, z)
         return Coast(self.coast.shore, self.time, self.origin, relief).height(x, z)
