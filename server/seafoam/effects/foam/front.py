@@ -122,7 +122,7 @@ def _decaying(scene: Scene, front: FrontSaturation, decay: float, *, filtered: b
     if follows_orbits(scene) and shared:
         orbits = ("foam/saturation/front.glsl@way_shared",)
     elif follows_orbits(scene):
-        orbits = scaled_files(scene, "foam/saturation/front.glsl@way_own", "way")
+        orbits = scaled_files(scene, "foam/saturation/front.glsl@way_own", "waves/groups.glsl@way")
         uniforms["u_front_orbit"] = _orbits(scene)
     life = significant(mean_rate * decay)
     born = significant(front_full(front.intensity, 1.0))
@@ -179,7 +179,7 @@ def _phase_files(scene: Scene) -> tuple[Piece, ...]:
     """The files that give the phase of the waves' sum: shared with the surface, or evaluated for the front."""
     if shares_phase(scene):
         return ("foam/saturation/front.glsl@shared",)
-    return scaled_files(scene, "foam/saturation/front.glsl@own", "signal")
+    return scaled_files(scene, "foam/saturation/front.glsl@own", "waves/groups.glsl@signal")
 
 
 def _advance(scene: Scene, mean_rate: float) -> dict[str, Uniform]:

@@ -27,6 +27,20 @@ CELLS = 4096
 
 _MASK_TABLES: dict[str, MaskTable] = {"u8": "ranks-8", "half": "thresholds-half", "u16": "ranks"}
 
+_MASK_TEXELS = {
+    "u8": "foam/mask.glsl@texel_u8",
+    "half": "foam/mask.glsl@texel_half",
+    "u16": "foam/mask.glsl@texel_u16",
+}
+_LOOKS = {
+    "halftone": "foam/look.glsl@halftone",
+    "halftone_textured": "foam/look.glsl@halftone_textured",
+    "textured": "foam/look.glsl@textured",
+    "fading": "foam/look.glsl@fading",
+    "listing": "foam/look.glsl@listing",
+    "filtered": "foam/look.glsl@filtered",
+}
+
 _NO_TEXTURE = constant_function("float", "foam_texture", "vec2 p, Footprint fp", "1.0")
 
 
@@ -131,7 +145,7 @@ def _cell_uniforms(foam: Foam) -> dict[str, Uniform]:
 def _exact_mask(foam: Foam, quality: Quality) -> _Part:
     """The mask's threshold at a texel."""
     return _Part(
-        needs=(f"foam/mask.glsl@texel_{quality.mask}", "foam/mask.glsl@exact"),
+        needs=(_MASK_TEXELS[quality.mask], "foam/mask.glsl@exact"),
         inputs={"u_mask_ranks": TextureInput(texture="mask_ranks")},
         textures={"mask_ranks": TextureUse(MaskTexture(masks=(foam.mask,), table=_MASK_TABLES[quality.mask]))},
     )
@@ -195,7 +209,7 @@ def _texture_place(name: str, tile: float) -> dict[str, Uniform]:
 
 def _look_file(scene: Scene, foam: Foam, quality: Quality) -> tuple[str, tuple[Piece, ...]]:
     """The look's file, wrapped by those that rotate, advect or age its mask; and what they need."""
-    look, life = f"foam/look.glsl@{foam.look}", foam_life(scene)
+    look, life = _LOOKS[foam.look], foam_life(scene)
     needs: tuple[Piece, ...] = ()
     if _cells(scene, foam):
         blended = foam.look == "filtered"

@@ -19,6 +19,7 @@ from seafoam.scene.models import Scene
 
 ILLUMINATION = ("light/shade.glsl@irradiance", "light/shade.glsl@haze")
 """Irradiance of sun and sky, and the haze in front of what they light; after the sky's files."""
+_TONES = {"filmic": "output/tone.glsl@filmic", "photographic": "output/tone.glsl@photographic"}
 _DISC_SOLID_ANGLE = 6.8e-5
 """Solid angle of the sun's disc, sr."""
 _MAX_DISC = 3000.0
@@ -132,7 +133,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 "light/shade.glsl@lit",
                 needs=("lib/refraction.glsl", *ILLUMINATION, "light/shade.glsl@optics"),
             ),
-            SlotFile("tone", f"output/tone.glsl@{light.tone}"),
+            SlotFile("tone", _TONES[light.tone]),
         ),
         uniforms={
             "u_sun_direction": vector(rounded(lamp(light))),

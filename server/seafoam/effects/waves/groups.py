@@ -23,12 +23,12 @@ _WAVES = "waves/parametric.glsl"
 _EVEN_WAVES = Source(_WAVES, (("parametric_waves", "even_waves"), ("parametric_shading", "even_shading")))
 """The waves if all have one height, under other names."""
 _EVEN = {
-    "fronts": ("fronts_then", "even_fronts"),
-    "carry": ("parametric_carry", "even_carry"),
-    "signal": ("front_signal", "even_signal"),
-    "way": ("front_way", "even_way"),
+    "waves/groups.glsl@fronts": ("fronts_then", "even_fronts"),
+    "waves/groups.glsl@carry": ("parametric_carry", "even_carry"),
+    "waves/groups.glsl@signal": ("front_signal", "even_signal"),
+    "waves/groups.glsl@way": ("front_way", "even_way"),
 }
-"""Functions that are scaled, and their names in groups."""
+"""Functions that a file scales, and their names before."""
 _NO_GROUPS = constant_function("float", "front_group", "vec2 q, float ago", "1.0")
 
 
@@ -67,19 +67,16 @@ def wave_files(scene: Scene) -> tuple[Piece, ...]:
 def earlier_wave_files(scene: Scene) -> tuple[Piece, ...]:
     """Files of the parametric waves of an earlier time."""
     waves = (*FACTOR, _EVEN_WAVES) if in_groups(scene) else (_WAVES,)
-    return (*waves, *scaled_files(scene, "spray/births.glsl@fronts", "fronts"))
+    return (*waves, *scaled_files(scene, "spray/births.glsl@fronts", "waves/groups.glsl@fronts"))
 
 
-def scaled_files(scene: Scene, path: str, part: str) -> tuple[Piece, ...]:
+def scaled_files(scene: Scene, path: str, scaled: str) -> tuple[Piece, ...]:
     """Files of what is proportional to the waves' heights: ``path``, which has it if all have one height.
 
-    In groups, its function has another name, and a part of ``waves/groups.glsl`` scales it by the factor: ``fronts`` of
-    an earlier time; ``carry``, the way to where the waves' water rests; ``signal``, the sum of a front's own waves;
-    ``way``, that to where the water rests by these.
+    In groups, its function has another name, and ``scaled`` scales it by the factor: the fronts of an earlier time; the
+    way to where the waves' water rests; the sum of a front's own waves, and the way to where the water rests by these.
     """
-    if not in_groups(scene):
-        return (path,)
-    return (*FACTOR, Source(path, (_EVEN[part],)), f"waves/groups.glsl@{part}")
+    return (*FACTOR, Source(path, (_EVEN[scaled],)), scaled) if in_groups(scene) else (path,)
 
 
 def front_files(scene: Scene) -> tuple[Piece, ...]:

@@ -103,7 +103,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     shared = shares_place(scene)
     orbits: tuple[SlotFile, ...] = ()
     if follows_orbits(scene):
-        own = scaled_files(scene, "foam/carry.glsl@parametric", "carry")
+        own = scaled_files(scene, "foam/carry.glsl@parametric", "waves/groups.glsl@carry")
         *orbit_needs, path = ("foam/carry.glsl@parametric_shared",) if shared else own
         orbits = (SlotFile("carry", path, prefix="parametric", needs=tuple(orbit_needs)),)
     *needs, path = wave_files(scene)

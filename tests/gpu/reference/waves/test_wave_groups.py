@@ -37,7 +37,8 @@ def contribution(scene: Scene) -> Contribution:
 def test_water_in_groups_is_carried_as_far_as_its_waves_are_high(probe: Probe) -> None:
     drifting = Foam(saturation=(SlopeSaturation(), FrontSaturation(decay=2.0)), life=FoamLife())
     scene = SCENE.model_copy(update={"foam": drifting})
-    files = ("lib/numbers.glsl", *wave_files(scene), *scaled_files(scene, "foam/carry.glsl@parametric", "carry"))
+    carry = scaled_files(scene, "foam/carry.glsl@parametric", "waves/groups.glsl@carry")
+    files = ("lib/numbers.glsl", *wave_files(scene), *carry)
     got = probe.contributed(contribution(scene), files, "y.xy = parametric_carry(x.xy);", places(), time=3.0)[:, :2]
     x, z = places().astype(np.float64).T
     want = np.column_stack(wave_set(scene, 3.0, (0.0, 0.0)).to_rest(x, z))
