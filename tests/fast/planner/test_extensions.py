@@ -9,11 +9,13 @@ import pytest
 from pydantic import BaseModel, Field, ValidationError
 
 from seafoam.accuracy.parameters import every_parameter, value_at, with_value
+from seafoam.api.frames.plans import compile_scene
 from seafoam.effects import EFFECTS, outside, register, registry, unregister
 from seafoam.effects.effect import Contribution, Effect, Extension, QualityParameter, SaturationSource
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality, QualityParameters
 from seafoam.reference import scene_sha256
+from seafoam.render.service.jobs import plan_hash
 from seafoam.scene.base import Part
 from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Saturation
@@ -160,10 +162,12 @@ def test_installed_packages_register_by_entry_point_and_unregistering_leaves_not
         unregister(ROWS)
     register(ROWS)
     scene = with_rows()
-    make_plan(scene, STANDARD)
+    hashes = {make_plan(scene, STANDARD).sha256, plan_hash(scene, STANDARD), compile_scene(scene, STANDARD).sha256}
+    assert len(hashes) == 1
     unregister(ROWS)
     assert outside() == ()
     assert "rows" not in {note.name for note in make_plan(scene, STANDARD).effects}
+    assert hashes.isdisjoint({plan_hash(scene, STANDARD), compile_scene(scene, STANDARD).sha256})
     test_without_extensions_nothing_speaks_of_them()
 
 

@@ -5,6 +5,7 @@ from functools import lru_cache
 
 from pydantic import BaseModel
 
+from seafoam.effects.registry import CHANGED
 from seafoam.framegraph.plan import FramePlan
 from seafoam.planner import PlanError, make_plan
 from seafoam.quality import Quality
@@ -31,6 +32,9 @@ def compile_scene(scene: Scene, quality: Quality) -> CompiledPlan:
     """Compile a scene into a plan. Raises :class:`PlanError`, of which an answer names what set the value at fault."""
     plan = make_plan(scene, quality)
     return CompiledPlan(plan, plan.canonical_json(), plan_hash(scene, quality))
+
+
+CHANGED.append(compile_scene.cache_clear)
 
 
 class PlanSource(BaseModel):

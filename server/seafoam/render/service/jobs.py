@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Literal, Protocol, get_args
 import numpy as np
 from numpy.typing import NDArray
 
+from seafoam.effects.registry import CHANGED
 from seafoam.framegraph.plan import FramePlan
 from seafoam.planner import make_geometry_plan, make_plan
 from seafoam.quality import Quality
@@ -176,6 +177,9 @@ class Renderer(Protocol):
 def plan_hash(scene: Scene, quality: Quality) -> str:
     """Return the SHA-256 of a scene's frame plan. Raises :class:`seafoam.planner.PlanError`."""
     return make_plan(scene, quality).sha256
+
+
+CHANGED.append(plan_hash.cache_clear)
 
 
 def draw_frame(renderer: Renderer, job: FrameJob) -> Picture:
