@@ -1,28 +1,24 @@
 /** Figure 5: one wave under the paper's equations, its listing and the filtered look. */
 import { signal } from "@preact/signals";
-import { render } from "preact";
 import { Stack } from "../drawing/stack";
 import { loadMask, WHITE } from "../maths/mask";
 import { CONSTANTS } from "../maths/wave";
-import { PlayButton, Slider } from "../parts/controls";
+import { Slider } from "../parts/controls";
 import type { FigureContext, LiveFigure } from "../parts/live";
 import { loadFoamTexture } from "../parts/texture";
 
-export async function make({ api, plate, controls, playing, redraw }: FigureContext): Promise<LiveFigure> {
+export async function make({ api, plate }: FigureContext): Promise<LiveFigure> {
   const [mask, white, texture] = await Promise.all([loadMask(api, "vac-24"), loadMask(api, WHITE), loadFoamTexture(api)]);
   const [intensity, fade] = [signal(4), signal(0.2)];
   const stack = new Stack(plate, mask, white, texture, { rows: 24, thresholds: false, others: [] });
-  intensity.subscribe(redraw);
-  fade.subscribe(redraw);
-  render(
-    <>
-      <PlayButton playing={playing} />
-      <Slider label="C, divisor" value={intensity} min={0.5} max={30} step={0.1} log />
-      <Slider label="Fade of the filtered look" value={fade} min={0} max={0.6} step={0.01} />
-    </>,
-    controls,
-  );
   return {
+    controls: (
+      <>
+        <Slider label="C, divisor" value={intensity} min={0.5} max={30} step={0.1} log />
+        <Slider label="Fade of the filtered look" value={fade} min={0} max={0.6} step={0.01} />
+      </>
+    ),
+    inputs: [intensity, fade],
     resize: (width) => stack.resize(width),
     draw: (time, seconds) => stack.draw({ front: { ...CONSTANTS.text, intensity: intensity.value }, exponent: 3, time }, fade.value, seconds),
   };

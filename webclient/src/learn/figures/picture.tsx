@@ -1,13 +1,12 @@
 /** Figure 6: the picture under each look, by the plan and the GLSL that the page draws with. */
 import { effect, signal } from "@preact/signals";
-import { render } from "preact";
 import { cameraFromScene } from "../../camera/state";
 import { openContext, openGpu } from "../../gl/gpu";
 import { Executor } from "../../plan/executor";
 import { withValue } from "../../scene/json";
 import { element } from "../../ui/dom";
 import { LOOKS, type Look } from "../maths/looks";
-import { Choice, PlayButton, Slider } from "../parts/controls";
+import { Choice, Slider } from "../parts/controls";
 import type { FigureContext, LiveFigure } from "../parts/live";
 
 /** Of the picture; a renderer on the processor draws it smaller. */
@@ -18,7 +17,7 @@ const PRESET = "paper-halftone";
 /** Fade of the filtered look, as a share of the plane. */
 const FADE = 0.2;
 
-export async function make({ api, plate, controls, playing, redraw }: FigureContext): Promise<LiveFigure> {
+export async function make({ api, plate, redraw }: FigureContext): Promise<LiveFigure> {
   const canvas = element("canvas", { class: "picture aspect-video w-full", role: "img", "aria-label": "A wave with foam, in perspective" });
   const gpu = openGpu(openContext(canvas), new Set());
   const { scene } = await api.preset(PRESET);
@@ -58,16 +57,15 @@ export async function make({ api, plate, controls, playing, redraw }: FigureCont
       })
       .finally(() => (busy.value = false));
   });
-  height.subscribe(redraw);
   const Controls = () => (
     <>
-      <PlayButton playing={playing} />
       <Choice label={busy.value ? "Look, compiling" : "Look"} value={look} options={(Object.keys(LOOKS) as Look[]).map((one) => [one, LOOKS[one].title] as const)} />
       <Slider label="Camera over the water" value={height} min={2} max={60} step={0.1} log unit=" m" />
     </>
   );
-  render(<Controls />, controls);
   return {
+    controls: <Controls />,
+    inputs: [height],
     resize: (width) => {
       const most = gpu.capabilities.software ? WIDEST_SOFTWARE : WIDEST;
       canvas.width = Math.min(most, Math.round(width * devicePixelRatio));

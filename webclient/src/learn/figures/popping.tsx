@@ -1,10 +1,8 @@
 /** Figure 3: the same saturation as a fading texture and as bubbles that pop. */
-import { render } from "preact";
 import { element } from "../../ui/dom";
 import { Patch, PATCHES, patchSide } from "../drawing/patch";
 import { amount, PopCounter } from "../maths/looks";
 import { loadMask } from "../maths/mask";
-import { PlayButton } from "../parts/controls";
 import type { FigureContext, LiveFigure } from "../parts/live";
 import { foamTextures, loadFoamTexture } from "../parts/texture";
 
@@ -12,10 +10,10 @@ import { foamTextures, loadFoamTexture } from "../parts/texture";
 const PERIOD = 8;
 const DECAY = 2.2;
 
-export async function make({ api, plate, controls, playing }: FigureContext): Promise<LiveFigure> {
+export async function make({ api, plate }: FigureContext): Promise<LiveFigure> {
   const [mask, texture] = await Promise.all([loadMask(api, "mix"), loadFoamTexture(api)]);
-  const faded = new Patch("Foam that fades all at once", 1);
-  const popped = new Patch("Foam whose bubbles pop one by one", 1);
+  const faded = new Patch("Foam that fades all at once");
+  const popped = new Patch("Foam whose bubbles pop one by one");
   let textures = new Float32Array(0);
   let counter = new PopCounter(0);
   const [saturation, pops] = [element("output"), element("output")];
@@ -27,7 +25,6 @@ export async function make({ api, plate, controls, playing }: FigureContext): Pr
       element("div", {}, popped.canvas, element("p", { class: "strip-name" }, element("strong", {}, "Thresholded"), " ", pops)),
     ),
   );
-  render(<PlayButton playing={playing} />, controls);
   return {
     resize: (width) => {
       const side = patchSide(width);

@@ -1,28 +1,21 @@
 /** Figure 2: a row of thresholds under a saturation that moves. */
 import { signal } from "@preact/signals";
-import { render } from "preact";
 import { Plot } from "../drawing/canvas";
 import { drawThresholds } from "../drawing/profile";
 import { loadMask } from "../maths/mask";
 import { CONSTANTS } from "../maths/wave";
-import { PlayButton, Slider } from "../parts/controls";
+import { Slider } from "../parts/controls";
 import type { FigureContext, LiveFigure } from "../parts/live";
 
-export async function make({ api, plate, controls, playing, redraw }: FigureContext): Promise<LiveFigure> {
+export async function make({ api, plate }: FigureContext): Promise<LiveFigure> {
   const mask = await loadMask(api, "vac-1.5");
   const intensity = signal(4);
   const plot = new Plot("Bars of one row of the mask under the saturation; a bubble stands below each bar that the saturation exceeds");
   plate.append(plot.canvas);
-  intensity.subscribe(redraw);
-  render(
-    <>
-      <PlayButton playing={playing} />
-      <Slider label="C, divisor" value={intensity} min={0.5} max={30} step={0.1} log />
-    </>,
-    controls,
-  );
   let texel = 2;
   return {
+    controls: <Slider label="C, divisor" value={intensity} min={0.5} max={30} step={0.1} log />,
+    inputs: [intensity],
     resize: (width) => {
       texel = width / 320;
       plot.resize(width, width >= 640 ? 260 : 200);

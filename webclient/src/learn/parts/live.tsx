@@ -1,26 +1,30 @@
 /** Runs a figure while it is in view. */
-import { effect, type Signal, signal } from "@preact/signals";
+import { effect, type ReadonlySignal, signal } from "@preact/signals";
+import { type ComponentChild, render } from "preact";
 import { type Api, messageOf } from "../../api";
 import { element, prefersReducedMotion } from "../../ui/dom";
+import { PlayButton } from "./controls";
 
 export interface LiveFigure {
+  /** After the play button, which figures that move have. */
+  controls?: ComponentChild;
+  /** Values whose changes ask for a new picture. */
+  inputs?: readonly ReadonlySignal<unknown>[];
   /** width: of the figure's plate, px. */
   resize(width: number): void;
-  /** time: s; seconds: by which it moved since the last frame, 0 if it stands. */
-  draw(time: number, seconds: number): void;
+  /** time: s; seconds: by which it moved since the last frame, 0 if it stands. Absent where nothing moves by itself. */
+  draw?(time: number, seconds: number): void;
 }
 
 export interface FigureContext {
   api: Api;
   /** Where the picture goes. */
   plate: HTMLElement;
-  controls: HTMLElement;
-  playing: Signal<boolean>;
   /** Asks for a new picture of a figure that stands. */
   redraw: () => void;
 }
 
-export type MakeFigure = (context: FigureContext) => Promise<LiveFigure>;
+export type MakeFigure = (context: FigureContext) => LiveFigure | Promise<LiveFigure>;
 
 /** Longest step of time between two frames, s: a hidden figure stands still. */
 const LONGEST = 0.1;
@@ -81,10 +85,18 @@ export class Runner {
         this.dirty = true;
         this.schedule();
       };
-      const figure = await make({ api: this.api, plate: stage, controls, playing: this.playing, redraw });
+      const figure = await make({ api: this.api, plate: stage, redraw });
+      render(
+        <>
+          {figure.draw && <PlayButton playing={this.playing} />}
+          {figure.controls}
+        </>,
+        controls,
+      );
+      figure.inputs?.forEach((input) => input.subscribe(redraw));
       const width = plate.clientWidth;
       figure.resize(width);
-      figure.draw(this.time, 0);
+      figure.draw?.(this.time, 0);
       this.figure = figure;
       still?.replaceWith(stage);
       if (still === null) plate.append(stage);
@@ -116,7 +128,7 @@ export class Runner {
     if (!this.inView || this.figure === null) return;
     this.time += Math.max(seconds, 0);
     this.dirty = false;
-    this.figure.draw(this.time, Math.max(seconds, 0));
+    this.figure.draw?.(this.time, Math.max(seconds, 0));
     this.root.dataset["time"] = this.time.toFixed(3);
     this.schedule();
   }
