@@ -103,15 +103,13 @@ export class Plot {
 export class Texels {
   readonly canvas: HTMLCanvasElement;
   private readonly context: CanvasRenderingContext2D;
-  private image: ImageData;
+  private image = new ImageData(1, 1);
   /** Pixels, row by row. */
-  words: Uint32Array;
+  words = new Uint32Array(this.image.data.buffer);
 
   constructor(label: string) {
     this.canvas = element("canvas", { role: "img", "aria-label": label, class: "max-w-full [image-rendering:pixelated]" });
     this.context = context2d(this.canvas);
-    this.image = new ImageData(1, 1);
-    this.words = new Uint32Array(this.image.data.buffer);
   }
 
   resize(width: number, height: number): void {

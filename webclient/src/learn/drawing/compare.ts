@@ -5,8 +5,6 @@ import { spectrum, unevenness } from "../maths/spectrum";
 import { COLORS, Plot } from "./canvas";
 import { Patch, PATCHES, patchSide } from "./patch";
 
-/** Of a pattern before its size is known, texels. */
-const SIDE = 128;
 /** Boxes whose coverage is compared, texels. */
 const BOX = 32;
 /** Wait before spectra are computed anew: a slider may still move, ms. */
@@ -18,7 +16,7 @@ const HIGHEST = 0.7071;
 const BAND = 0.008;
 
 export class Comparison {
-  private readonly patches = [new Patch("Pattern of the first mask", SIDE), new Patch("Pattern of the second mask", SIDE)];
+  private readonly patches = [new Patch("Pattern of the first mask"), new Patch("Pattern of the second mask")];
   private readonly captions = [element("p", { class: "strip-name" }), element("p", { class: "strip-name" })];
   private readonly plot = new Plot("Radially averaged power spectra of both patterns");
   private timer = 0;

@@ -11,32 +11,19 @@ const [TEXEL, SMALL_TEXEL, WIDE] = [3, 2, 640];
 /** Texels along a side of each of two patches. width: of both, px. */
 export const patchSide = (width: number) => Math.floor(width / 2 / (width >= WIDE ? TEXEL : SMALL_TEXEL));
 
-export class Patch {
-  private readonly texels: Texels;
-  private side = 0;
-
+export class Patch extends Texels {
   /** side: texels. */
-  constructor(label: string, side: number) {
-    this.texels = new Texels(label);
-    this.resize(side);
-  }
-
-  resize(side: number): void {
-    this.side = side;
-    this.texels.resize(side, side);
-  }
-
-  get canvas(): HTMLCanvasElement {
-    return this.texels.canvas;
+  override resize(side: number): void {
+    super.resize(side, side);
   }
 
   /** Draws the amount of each texel, of its threshold and its number in the patch. */
   draw({ size, values }: Mask, amount: (m: number, i: number) => number): void {
-    const { words } = this.texels;
+    const { words, canvas: { width } } = this;
     for (let i = 0; i < words.length; i++) {
-      const m = values[Math.floor(i / this.side) * size + (i % this.side)] ?? 1;
+      const m = values[Math.floor(i / width) * size + (i % width)] ?? 1;
       words[i] = shade(BLEND, amount(m, i));
     }
-    this.texels.show();
+    this.show();
   }
 }
