@@ -18,15 +18,16 @@ export function paintPixels(canvas: HTMLCanvasElement, width: number, height: nu
 interface CanvasProps {
   label: string;
   class?: string;
-  /** Called again when it is another function. */
+  /** Called again when one of the values differs that it shows. */
   paint: (canvas: HTMLCanvasElement) => void;
+  shows: readonly unknown[];
 }
 
-/** A canvas that is painted whenever its painter changes. */
-export function Canvas({ label, class: name, paint }: CanvasProps) {
+/** A canvas that is painted whenever what it shows changes. */
+export function Canvas({ label, class: name, paint, shows }: CanvasProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
   useLayoutEffect(() => {
     if (canvas.current !== null) paint(canvas.current);
-  }, [paint]);
+  }, shows);
   return <canvas ref={canvas} class={name ?? ""} role="img" aria-label={label} />;
 }

@@ -2,7 +2,7 @@
 import "../style.css";
 import { signal } from "@preact/signals";
 import { render } from "preact";
-import { useCallback, useEffect, useMemo } from "preact/hooks";
+import { useEffect, useMemo } from "preact/hooks";
 import { Api, type Choice, messageOf } from "../api";
 import { Canvas, paintPixels } from "../charts/canvas";
 import { Progress, Select } from "../ui/controls";
@@ -116,19 +116,16 @@ function Side({ name, choice, mask: { loaded, busy, share, error }, shipped, gre
 }
 
 function Picture({ loaded: { info, mask }, grey, show }: { loaded: LoadedMask; grey: number | null; show: Show }) {
-  const paint = useCallback(
-    (canvas: HTMLCanvasElement) => {
-      const [width, values] = [viewOf(mask.width, show).shown, shades(mask, grey, show)];
-      paintPixels(canvas, width, values.length / width, (pixel) => {
-        const value = values[pixel] ?? 0;
-        return [value, value, value];
-      });
-    },
-    [mask, grey, show],
-  );
+  const paint = (canvas: HTMLCanvasElement) => {
+    const [width, values] = [viewOf(mask.width, show).shown, shades(mask, grey, show)];
+    paintPixels(canvas, width, values.length / width, (pixel) => {
+      const value = values[pixel] ?? 0;
+      return [value, value, value];
+    });
+  };
   return (
     <div class="picture aspect-square w-[min(100%,72vh)]">
-      <Canvas class={`size-full rounded-sm object-contain ${show === "detail" ? "[image-rendering:pixelated]" : ""}`} label={`${info.title}, ${grey === null ? "the mask" : `pattern at grey ${grey}`}, ${SHOW_TITLES[show]}`} paint={paint} />
+      <Canvas class={`size-full rounded-sm object-contain ${show === "detail" ? "[image-rendering:pixelated]" : ""}`} label={`${info.title}, ${grey === null ? "the mask" : `pattern at grey ${grey}`}, ${SHOW_TITLES[show]}`} paint={paint} shows={[mask, grey, show]} />
     </div>
   );
 }

@@ -1,5 +1,5 @@
 /** The error of a quality: its picture beside the error map or the reference, with a movable split, and its spectrum. */
-import { useCallback, useMemo, useState } from "preact/hooks";
+import { useMemo, useState } from "preact/hooks";
 import { Canvas } from "../../charts/canvas";
 import { type Line, LineChart } from "../../charts/linechart";
 import { INK } from "../../charts/uplot";
@@ -24,14 +24,10 @@ export function ErrorView({ shown, standard, truth }: { shown: QualityResult; st
   const { width, height } = truth;
   // The same scale for all qualities, so that they can be compared.
   const max = useMemo(() => roundUp(percentile(errorMap(standard.picture, truth), LEGEND_PERCENTILE)), [standard, truth]);
-  const paintLeft = useCallback((canvas: HTMLCanvasElement) => drawPicture(canvas, picture), [picture]);
-  const paintRight = useCallback(
-    (canvas: HTMLCanvasElement) => {
-      if (side === "error") drawErrors(canvas, width, height, errorMap(picture, truth), max);
-      else drawPicture(canvas, truth);
-    },
-    [side, picture, truth, width, height, max],
-  );
+  const paintRight = (canvas: HTMLCanvasElement) => {
+    if (side === "error") drawErrors(canvas, width, height, errorMap(picture, truth), max);
+    else drawPicture(canvas, truth);
+  };
   return (
     <figure class="border-t border-line py-3">
       <figcaption class="flex items-center justify-between gap-2.5">
@@ -45,8 +41,8 @@ export function ErrorView({ shown, standard, truth }: { shown: QualityResult; st
         </div>
       </figcaption>
       <div class="frame relative overflow-hidden rounded-lg" style={{ "--at": `${split}%`, aspectRatio: `${width} / ${height}` }}>
-        <Canvas class={LAYER} label={`Picture at quality ${point.label}`} paint={paintLeft} />
-        <Canvas class={`right ${LAYER} [clip-path:inset(0_0_0_var(--at))]`} label={side === "error" ? `Error map, 0 to ${max} levels` : "Float64 reference"} paint={paintRight} />
+        <Canvas class={LAYER} label={`Picture at quality ${point.label}`} paint={(canvas) => drawPicture(canvas, picture)} shows={[picture]} />
+        <Canvas class={`right ${LAYER} [clip-path:inset(0_0_0_var(--at))]`} label={side === "error" ? `Error map, 0 to ${max} levels` : "Float64 reference"} paint={paintRight} shows={[side, picture, truth, max]} />
         <div class="absolute inset-y-0 left-(--at) w-px bg-[#fff]" />
         <input class="absolute inset-0 size-full touch-pan-y [--track:none]" type="range" min={0} max={100} step={1} value={split} aria-label="Split position" onInput={(event) => setSplit(event.currentTarget.value)} />
       </div>

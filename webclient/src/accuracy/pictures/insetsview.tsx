@@ -1,5 +1,5 @@
 /** Insets of equal time and of equal error beside the reference, and a loupe that shows the numbers of one pixel in all of them. */
-import { useCallback, useMemo } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { Canvas } from "../../charts/canvas";
 import { Table } from "../../charts/table";
 import { formatNumber } from "../format";
@@ -92,12 +92,6 @@ function insetsOf(shown: QualityResult, { result: { measured }, input: { truth }
 
 function InsetFigure({ inset: { title, note, picture }, region, at, move }: { inset: Inset; region: Region; at: Pixel; move: (at: Pixel) => void }) {
   const { x, y, width, height } = region;
-  const paint = useCallback(
-    (canvas: HTMLCanvasElement) => {
-      if (picture) drawPicture(canvas, picture, { x, y, width, height });
-    },
-    [picture, x, y, width, height],
-  );
   const follow = (event: PointerEvent) => {
     if (!(event.currentTarget instanceof HTMLElement)) return;
     const box = event.currentTarget.getBoundingClientRect();
@@ -109,7 +103,7 @@ function InsetFigure({ inset: { title, note, picture }, region, at, move }: { in
   return (
     <figure>
       <div class={`relative cursor-crosshair touch-pan-y overflow-hidden rounded-sm bg-[#05090f] ${picture ? "" : "none"}`} style={{ aspectRatio: `${width} / ${height}` }} {...(picture ? { onPointerDown: follow } : {})}>
-        {picture && <Canvas class="absolute inset-0 size-full [image-rendering:pixelated]" label={`${title}: ${note}`} paint={paint} />}
+        {picture && <Canvas class="absolute inset-0 size-full [image-rendering:pixelated]" label={`${title}: ${note}`} paint={(canvas) => drawPicture(canvas, picture, region)} shows={[picture, x, y, width, height]} />}
         {picture && (
           <i class="absolute shadow-[0_0_0_3px_rgb(0_0_0/60%)] outline-[1.5px] outline-[#fff]" style={{ left: share(at.x, x, width), top: share(at.y, y, height), width: `${100 / width}%`, height: `${100 / height}%` }} />
         )}
