@@ -72,12 +72,7 @@ function Diagrams({ session, run }: { session: Session; run: BenchmarkRun | null
     };
     return { ...marks, axes: shared, curves: run ? curvesOf(run.input.points, run.input.standard, time) : [] };
   }, [run, sweep, metric]);
-  const common = {
-    ...{ curves, axes, current: session.current.value?.point.id ?? null, highlighted: session.highlighted.value },
-    ...{ emphasised: session.curve.value, fitting: session.choice.value?.fitting ?? null },
-    select: (id: string) => session.select(id),
-    highlight: (id: string | null) => (session.highlighted.value = id),
-  };
+  const common = { curves, axes, session, fitting: session.choice.value?.fitting ?? null };
   return (
     <>
       <div class="flex gap-4 text-soft">

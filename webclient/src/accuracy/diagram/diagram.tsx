@@ -4,6 +4,7 @@ import uPlot from "uplot";
 import { type Axes, INK, place, plotOptions, useSize } from "../../charts/uplot";
 import { formatNumber } from "../format";
 import type { Ranked } from "../measure/measured";
+import type { Session } from "../session";
 import type { Curve } from "./curves";
 import { placeLabels } from "./labels";
 
@@ -19,15 +20,9 @@ interface DiagramProps {
   marks: readonly Ranked[];
   curves: readonly Curve[];
   axes: Axes;
-  /** Id of the quality that the page runs. */
-  current: string | null;
-  highlighted: string | null;
-  /** Pointer of the emphasised curve. */
-  emphasised: string;
+  session: Session;
   /** Ids within the budget; null: all. */
   fitting: ReadonlySet<string> | null;
-  select: (id: string) => void;
-  highlight: (id: string | null) => void;
 }
 
 type PlacedMark = Ranked & { x: number; y: number };
@@ -35,11 +30,15 @@ type PlacedMark = Ranked & { x: number; y: number };
 /** Tiers are labelled in the diagram. */
 const isTier = ({ point }: Ranked) => point.tier !== null;
 
+/** Id of the quality that the page runs. */
+const currentOf = (session: Session) => session.current.value?.point.id ?? null;
+
 /** "1.2 ms, error 3.4". */
 const describe = ({ time, error }: Ranked) => `${formatNumber(time)} ms, error ${formatNumber(error)}`;
 
 export function Diagram(props: DiagramProps) {
-  const { kind, title, caption, marks, axes, current, highlighted, select, highlight } = props;
+  const { kind, title, caption, marks, axes, session } = props;
+  const highlight = (id: string | null) => (session.highlighted.value = id);
   const host = useRef<HTMLDivElement>(null);
   const overlay = useRef<SVGSVGElement>(null);
   const size = useSize(host);
@@ -51,7 +50,7 @@ export function Diagram(props: DiagramProps) {
     const distance = (mark: PlacedMark) => Math.hypot(mark.x - (clientX - (box?.left ?? 0)), mark.y - (clientY - (box?.top ?? 0)));
     return placed.filter((mark) => distance(mark) <= HIT_RADIUS).sort((a, b) => distance(a) - distance(b))[0];
   };
-  const stop = placed.find(({ id }) => id === tabStop)?.id ?? current ?? placed[0]?.id ?? null;
+  const stop = placed.find(({ id }) => id === tabStop)?.id ?? currentOf(session) ?? placed[0]?.id ?? null;
   const onKey = (event: KeyboardEvent, index: number) => {
     const last = placed.length - 1;
     const target = { ArrowLeft: index - 1, ArrowDown: index - 1, ArrowRight: index + 1, ArrowUp: index + 1, Home: 0, End: last }[event.key];
@@ -60,11 +59,11 @@ export function Diagram(props: DiagramProps) {
     event.preventDefault();
     const mark = placed[isSelect ? index : Math.min(last, Math.max(0, target ?? 0))];
     if (mark === undefined) return;
-    if (isSelect) select(mark.id);
+    if (isSelect) session.select(mark.id);
     setTabStop(mark.id);
     overlay.current?.querySelector<SVGElement>(`[data-id="${CSS.escape(mark.id)}"]`)?.focus();
   };
-  const tip = placed.find(({ id }) => id === highlighted);
+  const tip = placed.find(({ id }) => id === session.highlighted.value);
   return (
     <figure class={`chart ${kind} -mx-1.5 min-w-0 ${marks.length === 0 ? "opacity-40" : ""}`}>
       <figcaption class="truncate pl-[54px] text-fine">{caption}</figcaption>
@@ -77,7 +76,7 @@ export function Diagram(props: DiagramProps) {
         onClick={(event) => {
           // A screen reader's click may have no coordinates.
           const id = nearest(event)?.id ?? idOf(event.target);
-          if (id !== null) select(id);
+          if (id !== null) session.select(id);
         }}
         onFocusIn={(event) => highlight(idOf(event.target))}
         onFocusOut={() => highlight(null)}
@@ -95,9 +94,10 @@ export function Diagram(props: DiagramProps) {
 }
 
 /** Axes, curves, front and quartile bars, on uPlot's canvas. */
-function useCurves(host: { current: HTMLDivElement | null }, { marks, curves, axes, emphasised, current, highlighted }: DiagramProps, size: { width: number; height: number }) {
+function useCurves(host: { current: HTMLDivElement | null }, { marks, curves, axes, session }: DiagramProps, size: { width: number; height: number }) {
   const plot = useRef<uPlot | null>(null);
   const paint = useRef<(u: uPlot) => void>(() => undefined);
+  const [emphasised, current, highlighted] = [session.curve.value, currentOf(session), session.highlighted.value];
   paint.current = (u) => drawCurves(u, marks, curves, emphasised, new Set([current, highlighted]));
   const { x, y, xLabel, yLabel } = axes;
   useLayoutEffect(() => {
@@ -146,10 +146,10 @@ function drawCurves(u: uPlot, marks: readonly Ranked[], curves: readonly Curve[]
 }
 
 function MarkButton({ mark, state, isTabStop, onKey }: { mark: PlacedMark; state: DiagramProps; isTabStop: boolean; onKey: (event: KeyboardEvent) => void }) {
-  const { current, highlighted, fitting } = state;
+  const { session, fitting } = state;
   const { id, point, onFront, x, y } = mark;
   const tier = isTier(mark);
-  const states = { tier, "on-front": onFront, current: id === current, highlighted: id === highlighted, over: fitting?.has(id) === false };
+  const states = { tier, "on-front": onFront, current: id === currentOf(session), highlighted: id === session.highlighted.value, over: fitting?.has(id) === false };
   const classes = Object.entries(states).flatMap(([name, on]) => (on ? name : []));
   return (
     <g
@@ -157,7 +157,7 @@ function MarkButton({ mark, state, isTabStop, onKey }: { mark: PlacedMark; state
       role="button"
       tabindex={isTabStop ? 0 : -1}
       data-id={id}
-      aria-pressed={id === current}
+      aria-pressed={states.current}
       aria-label={`${point.label}: ${describe(mark)}${onFront ? ", on the Pareto front" : ""}`}
       onKeyDown={onKey}
     >
@@ -173,8 +173,8 @@ function MarkButton({ mark, state, isTabStop, onKey }: { mark: PlacedMark; state
 }
 
 /** Names of the tiers, and the values of the emphasised curve. */
-function Labels({ placed, props: { curves, emphasised }, size }: { placed: readonly PlacedMark[]; props: DiagramProps; size: { width: number; height: number } }) {
-  const values = new Map(curves.find(({ pointer }) => pointer === emphasised)?.points.map(({ id, value }) => [id, value]));
+function Labels({ placed, props: { curves, session }, size }: { placed: readonly PlacedMark[]; props: DiagramProps; size: { width: number; height: number } }) {
+  const values = new Map(curves.find(({ pointer }) => pointer === session.curve.value)?.points.map(({ id, value }) => [id, value]));
   const named = placed.flatMap((mark) => {
     const text = isTier(mark) ? mark.point.label : values.get(mark.id);
     return text === undefined ? [] : { ...mark, text };
