@@ -1,14 +1,7 @@
 /** Textures from the plan's bytes, level by level. */
 import type { Texture as TextureSpec } from "../generated/api";
 
-interface Layout {
-  channels: number;
-  pixels: typeof Uint8Array | typeof Uint16Array | typeof Uint32Array | typeof Float32Array;
-  format: "RED" | "RG" | "RGBA" | "RED_INTEGER" | "RG_INTEGER";
-  type: "UNSIGNED_BYTE" | "UNSIGNED_SHORT" | "UNSIGNED_INT" | "HALF_FLOAT" | "FLOAT";
-}
-
-const LAYOUTS: Record<TextureSpec["format"], Layout> = {
+const LAYOUTS = {
   R8: { channels: 1, pixels: Uint8Array, format: "RED", type: "UNSIGNED_BYTE" },
   R8UI: { channels: 1, pixels: Uint8Array, format: "RED_INTEGER", type: "UNSIGNED_BYTE" },
   R16UI: { channels: 1, pixels: Uint16Array, format: "RED_INTEGER", type: "UNSIGNED_SHORT" },
@@ -17,7 +10,7 @@ const LAYOUTS: Record<TextureSpec["format"], Layout> = {
   R32F: { channels: 1, pixels: Float32Array, format: "RED", type: "FLOAT" },
   RG32F: { channels: 2, pixels: Float32Array, format: "RG", type: "FLOAT" },
   RGBA32F: { channels: 4, pixels: Float32Array, format: "RGBA", type: "FLOAT" },
-};
+} as const satisfies Record<TextureSpec["format"], object>;
 
 export function textureKey(spec: TextureSpec): string {
   return [spec.sha256, spec.format, spec.width, spec.height, spec.levels, spec.filter, spec.wrap].join(" ");

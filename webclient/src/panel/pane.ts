@@ -143,10 +143,8 @@ export class ScenePane {
   private addOptional(parent: FolderApi, control: OptionalControl): void {
     const { inner } = control;
     const target = inner?.kind === "group" ? this.folder(parent, control, control.label) : parent;
-    const bound = { on: inner !== null };
-    const binding = target.addBinding(bound, "on", { label: inner?.kind === "group" ? "on" : control.label });
-    describe(binding, control.label, control.hint);
-    binding.on("change", ({ value }) => this.changed(control.pointer, value ? switchedOn(control, this.scene) : null));
+    const label = inner?.kind === "group" ? "on" : control.label;
+    this.bind(target, control, { label }, inner !== null, () => inner !== null, (on) => (on ? switchedOn(control, this.scene) : null));
     if (inner === null) return;
     if (inner.kind === "group") for (const each of inner.children) this.add(target, each);
     else this.add(target, { ...inner, label: "", hint: inner.hint || control.label });
@@ -162,14 +160,9 @@ export class ScenePane {
       const name = variant === null ? item.label : `${i + 1} · ${labelOf(variant)}`;
       const inside = this.folder(folder, item, name);
       if (control.variants.length > 1 && variant !== null) {
-        const bound = { variant };
         const options = control.variants.map(({ name: value }) => ({ text: labelOf(value), value }));
-        const binding = inside.addBinding(bound, "variant", { label: control.discriminator ?? "kind", options });
-        describe(binding, control.discriminator ?? "kind", control.variants.map((v) => `${v.name}: ${v.hint}`).join("\n"));
-        binding.on("change", ({ value }) => {
-          const chosen = control.variants.find((v) => v.name === value);
-          if (chosen) this.changed(item.pointer, chosen.initial);
-        });
+        const described = { ...item, label: control.discriminator ?? "kind", hint: control.variants.map((v) => `${v.name}: ${v.hint}`).join("\n") };
+        this.bind(inside, described, { options }, variant, () => variant, (chosen) => control.variants.find((v) => v.name === chosen)?.initial ?? null);
       }
       if (item.kind === "group") for (const inner of item.children) this.add(inside, inner);
       else this.add(inside, item);

@@ -3,6 +3,7 @@ import type { ComponentChildren } from "preact";
 import { useLayoutEffect, useState } from "preact/hooks";
 import type { PageContext } from "./context";
 import { copyText } from "../ui/clipboard";
+import { Icon } from "../ui/icons";
 import "./surface.css";
 
 /** Listens to the page from the first rendering on: an effect would wait for a paint, and miss what comes before it. */
@@ -15,9 +16,7 @@ export function Head({ title, close }: { title: string; close: () => void }) {
     <div class="sticky top-0 z-1 -mx-5 flex items-center justify-between border-b border-line bg-sheet p-2 pl-5">
       <h2 class="font-serif text-[22px]/[1.2]">{title}</h2>
       <button type="button" class="plain" aria-label={`Close ${title.toLowerCase()}`} onClick={close}>
-        <svg viewBox="0 0 24 24" aria-hidden="true">
-          <path d="M6.500 6.500l11 11M17.500 6.500l-11 11" />
-        </svg>
+        <Icon name="close" />
       </button>
     </div>
   );
