@@ -20,6 +20,8 @@ const MUCH_FASTER = 0.7;
 
 /** Below this scale a picture is coarse. */
 const COARSE = 0.4;
+/** Time of a frame, ms, up to which motion is fluent: worth more than a smaller error. */
+const FLUENT = 75;
 
 /** How much more a frame of one preset and tier costs than of another, at a megapixel; 1 where either is not known. */
 export function costRatio({ presets }: TierCosts, from: readonly [preset: string, tier: string], to: readonly [preset: string, tier: string]): number {
@@ -71,12 +73,13 @@ export class AutoQuality {
     const inTime = candidates.filter(({ withinBudget }) => withinBudget);
     // Errors say little of a picture that is too coarse to look at.
     const fine = inTime.filter(({ scale }) => scale >= COARSE);
-    const fitting = fine.length > 0 ? fine : inTime;
+    const fluent = fine.filter(({ time }) => time <= FLUENT);
+    const fitting = [fluent, fine].find(({ length }) => length > 0) ?? inTime;
     // With no tier within budget, the fastest is best.
     const [best] = fitting.length > 0 ? fitting.sort((a, b) => a.error - b.error) : candidates.sort((a, b) => a.time - b.time);
     if (best === undefined || best.tier === currentTier) return null;
     // What is not measured is not drawn yet: nothing stands still for another.
-    const keeps = load.cost !== null && current.withinBudget && (current.scale >= COARSE || fine.length === 0);
+    const keeps = load.cost !== null && current.withinBudget && (current.scale >= COARSE || fine.length === 0) && (current.time <= FLUENT || fluent.length === 0);
     const faster = best.error <= current.error && best.time < MUCH_FASTER * current.time;
     if (keeps && !faster && best.error > MIN_IMPROVEMENT * current.error) return null;
     if (load.cost !== null) this.rejected.add(currentTier);

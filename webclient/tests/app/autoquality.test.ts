@@ -71,6 +71,17 @@ describe("automatic quality", () => {
     expect(scale).toBeGreaterThan(0.46);
   });
 
+  it("selects motion that is fluent rather than a smaller error", () => {
+    const sea = { scales: [1, 0.5], presets: { sea: [{ tier: "fast", fixed: 5, pixels: 200, errors: [7, 12] }, { tier: "exact", fixed: 15, pixels: 490, errors: [5, 10] }] } };
+    const load: RenderLoad = { cost: null, scale: 0.5, displayInterval: DISPLAY, budget: [[0.5, 240], [0.52, 70], [1, 60]], megapixels: 1 };
+    const [fast, exact] = tierChoices(sea.presets.sea, sea.scales, "fast", load);
+    expect(exact?.error).toBeLessThan(fast?.error ?? 0);
+    expect(exact?.withinBudget).toBe(true);
+    for (const tier of ["fast", "exact"]) expect(new AutoQuality().next(sea, "sea", tier, load)?.tier ?? tier).toBe("fast");
+    // Measured, too.
+    expect(new AutoQuality().next(sea, "sea", "exact", { ...load, cost: { fixed: 15, pixels: 490 } })?.tier).toBe("fast");
+  });
+
   it("knows how much more one preset costs than another", () => {
     const presets = { sea: tierCosts, pond: [{ tier: "fast", fixed: 1, pixels: 15, errors: [1, 1, 1] }] };
     expect(costRatio({ scales, presets }, ["pond", "fast"], ["sea", "exact"])).toBeCloseTo(124 / 16);
