@@ -18,7 +18,7 @@ CRASH = 666.0
 RAISE = 555.0
 SLOW = 444.0
 SLOW_SECONDS = 0.5
-COMPILING_SECONDS = 2.0
+COMPILING_SECONDS = 4.0
 GREEDY = 222.0
 LOST = "SEAFOAM_TEST_LOST"
 """Variable that names a file; a :class:`LostRenderer` that finds it loses its context."""

@@ -72,7 +72,7 @@ def start_worker(factory: Callable[[], Renderer], threads: int) -> None:
 
 
 def work_canary() -> Answer[dict[str, str]]:
-    """Draw the default picture, small, so that its programs are compiled, and report the renderer."""
+    """Draw what the page opens with, small, so that its programs are compiled, and report the renderer."""
     if isinstance(_renderer, RendererUnavailableError):
         return Answer(os.getpid(), _renderer)
     try:

@@ -76,7 +76,7 @@ async def test_a_worker_does_not_compile_for_ever(pool, monkeypatch):
     await eventually(lambda: pool.restarts["deadline"] == 1)
 
 
-def test_a_server_is_ready_when_it_has_drawn_the_default_picture():
+def test_a_server_is_ready_when_it_has_drawn_what_the_page_opens_with():
     with serving(fakes.CompilingRenderer) as client:
         pool = client.app.state.context.pool
         pool.deadline = 0.1
@@ -87,7 +87,7 @@ def test_a_server_is_ready_when_it_has_drawn_the_default_picture():
             assert answer.headers["Retry-After"]
             time.sleep(0.05)
         pool.deadline = fakes.COMPILING_SECONDS / 4
-        assert client.get("/api/frames/default.png?width=8&height=8").status_code == 200
+        assert client.get("/api/frames/default.png?width=8&height=8&quality=fast").status_code == 200
 
 
 async def test_the_deadline_counts_waiting(pool):
