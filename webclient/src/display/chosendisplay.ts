@@ -6,8 +6,6 @@ import type { Viewport } from "./viewport";
 
 /** Frames a second, and the scale, below which a picture counts for less: it stutters, or is a smear. */
 const FLUENT = { fps: 8, scale: 0.4 };
-/** From these on nobody else is tried. */
-const GOOD = { fps: 14, scale: 0.55 };
 /** Below these it is no moving picture. */
 const LEAST = { fps: 2.5, scale: 0.2 };
 /** The other is taken if it gives more than this multiple. */
@@ -26,7 +24,7 @@ export function worth(rate: Rate | null): number {
   return rate.scale ** 2 * rate.fps * fluent * sharp;
 }
 
-const isGood = ({ fps, scale }: Rate) => fps >= GOOD.fps && scale >= GOOD.scale;
+const isGood = ({ fps, scale }: Rate) => fps >= FLUENT.fps && scale >= FLUENT.scale;
 
 export class ChosenDisplay {
   /** Who draws for good; the server may do so meanwhile. */

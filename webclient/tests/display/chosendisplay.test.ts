@@ -64,7 +64,7 @@ describe("who draws", () => {
   it("is the browser while it is not measured, and where it gives a good picture", () => {
     const { browser, sourceChanged, chosen } = ways();
     run(chosen, 5000);
-    browser.given = { fps: 15, scale: 0.6 };
+    browser.given = { fps: 9, scale: 0.45 };
     run(chosen, 5000);
     expect(chosen.source).toBe("browser");
     expect(sourceChanged).not.toHaveBeenCalled();
