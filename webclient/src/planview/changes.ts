@@ -43,8 +43,8 @@ function compared<T>(what: string, before: Record<string, T>, after: Record<stri
 
 function sizeText(size: FramePlan["targets"][string]["size"]): string {
   if (size.rule === "fixed") return `${size.width} × ${size.height}`;
-  const { scale, part, narrow } = size;
-  return `picture × ${scale} / ${part}${narrow === 1 ? "" : `, width / ${narrow}`}`;
+  const { scale, part, narrow, odd } = size;
+  return `picture × ${scale} / ${part}${narrow === 1 ? "" : `, width / ${narrow}`}${odd ? ", made odd" : ""}`;
 }
 
 /** The numbers of a uniform of constants; how many rules any other has. */
