@@ -136,11 +136,11 @@ export class Api {
   }
 
   /** A frame of a stream; null if it was given up for later ones. */
-  async streamFrame(id: string, { camera, time, width, height }: StreamView): Promise<Blob | null> {
+  async streamFrame(id: string, { camera, time, width, height }: StreamView, signal: AbortSignal): Promise<Blob | null> {
     const [x, y, z] = camera.position;
     const { yaw, pitch, roll, fov } = camera;
     const query = Object.entries({ time, width, height, x, y, z, yaw, pitch, roll, fov }).map(([name, value]) => `${name}=${value}`);
-    const response = await this.fetch(`api/streams/${id}/frame.webp?${query.join("&")}`, {}, 1);
+    const response = await this.fetch(`api/streams/${id}/frame.webp?${query.join("&")}`, { signal }, 1);
     return response.status === 204 ? null : response.blob();
   }
 

@@ -12,21 +12,25 @@ export class FrameStream {
   /** When it ends unless it is asked for a frame, ms of performance.now(). */
   private ends = Infinity;
   private lease = Infinity;
+  private closing = new AbortController();
 
   constructor(private readonly api: Api) {}
 
-  /** A frame of a scene, or null if it was given up for later ones; rejects with the server's refusal. */
+  /** A frame of a scene, or null if it was given up, for later ones or with the stream; rejects with the server's refusal. */
   async frame(scene: Json, quality: Json, view: StreamView): Promise<Blob | null> {
     // Browsers log it where a stream that has ended is asked for.
     if (performance.now() > this.ends) {
       this.id = null;
       this.ends = Infinity;
     }
-    const id = await this.open({ scene, quality });
-    this.ends = performance.now() + this.lease;
+    const { signal } = this.closing;
     try {
-      return await this.api.streamFrame(id, view);
+      const id = await this.open({ scene, quality });
+      signal.throwIfAborted();
+      this.ends = performance.now() + this.lease;
+      return await this.api.streamFrame(id, view, signal);
     } catch (error) {
+      if (signal.aborted) return null;
       // It was not asked for long enough to end: the next frame opens another.
       if (error instanceof ApiError && error.status === 404) this.id = null;
       throw error;
@@ -34,6 +38,9 @@ export class FrameStream {
   }
 
   close(): void {
+    // Browsers log a frame that the server is asked for after the stream's end.
+    this.closing.abort();
+    this.closing = new AbortController();
     this.id?.then((id) => this.api.closeStream(id), () => undefined);
     this.id = this.shows = null;
   }
