@@ -7,10 +7,6 @@ uniform sampler2D u_sea_spectrum; // lower half h0, upper half turns in a loop; 
 uniform float u_sea_loop;         // t modulo SEA_LOOP, s
 uniform float u_sea_fine;         // t modulo SEA_LOOP / 1024, s
 
-vec2 complex_product(vec2 a, vec2 b) {
-    return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
-}
-
 // Rows of a block of spectra of a transform of `size`: those beyond the band would hold nothing.
 int spectrum_rows(int size) {
     return min(2 * SEA_BAND, size);
@@ -100,6 +96,11 @@ const int FFT_BITS = 2;
 const int FFT_RADIX = 8;
 const int FFT_BITS = 3;
 
+// @part complex
+vec2 complex_product(vec2 a, vec2 b) {
+    return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
+}
+
 // @part fft_pass
 // One pass of an inverse Fourier transform (Stockham; Govindaraju et al. 2008), along rows or columns of square blocks; two complex
 // numbers a texel. Each texel sums FFT_RADIX texels of the pass before.
@@ -120,13 +121,12 @@ void main() {
     int block = place - index;
     int whole = span * FFT_RADIX;
     int first = ((index >> log_whole) * span) + (index & (span - 1));
-    int turn = (index & (whole - 1)) << (9 - log_whole);
+    // Its powers by Horner's rule: reading a root of unity costs as much as reading a texel.
+    vec2 root = texel_at(u_fft_twiddles, ivec2((index & (whole - 1)) << (9 - log_whole), 0)).rg;
     o_sum = vec4(0.0);
-    for (int r = 0; r < FFT_RADIX; ++r) {
+    for (int r = FFT_RADIX - 1; r >= 0; --r) {
         int from = block + first + r * (size >> FFT_BITS);
-        vec4 v = texel_at(u_fft_from, down ? ivec2(at.x, from) : ivec2(from, at.y));
-        vec2 w = texel_at(u_fft_twiddles, ivec2((r * turn) & 511, 0)).rg;
-        o_sum += vec4(w.x * v.x - w.y * v.y, w.x * v.y + w.y * v.x, w.x * v.z - w.y * v.w, w.x * v.w + w.y * v.z);
+        o_sum = vec4(complex_product(root, o_sum.xy), complex_product(root, o_sum.zw)) + texel_at(u_fft_from, down ? ivec2(at.x, from) : ivec2(from, at.y));
     }
 }
 

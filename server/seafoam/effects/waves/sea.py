@@ -48,6 +48,7 @@ times the error of 16."""
 _RADICES = {32: (8, 4), 64: (8, 8), 128: (8, 4, 4), 256: (8, 8, 4), 512: (8, 8, 8)}
 """Steps of the transform along an axis of a block, by its side in texels."""
 _RADIX_FILES = {4: "waves/sea_passes.glsl@radix_4", 8: "waves/sea_passes.glsl@radix_8"}
+_COMPLEX = "waves/sea_passes.glsl@complex"
 DISPLACED = "sea_a"
 """The target with the displacements of the water."""
 RESAMPLED = ("lib/texels.glsl@cubic_spline", "waves/sea_passes.glsl@resample_pass")
@@ -108,7 +109,7 @@ class WaterDrawing:
         return PassSpec(
             name=name,
             program=program,
-            fragment=("lib/numbers.glsl", waves, file),
+            fragment=("lib/numbers.glsl", _COMPLEX, waves, file),
             target=target,
             uniforms={**uniforms, **self.uniforms},
             stage=self.stage,
@@ -129,6 +130,7 @@ class WaterDrawing:
                     program=f"fft_spread_{radix}" if spreads else f"fft_{radix}",
                     fragment=(
                         _RADIX_FILES[radix],
+                        _COMPLEX,
                         "waves/sea_passes.glsl@fft_spread_pass" if spreads else "waves/sea_passes.glsl@fft_pass",
                     ),
                     target=steps[i + 1],
