@@ -13,6 +13,15 @@ uvec4 texel_at(usampler2D from, ivec2 at) {
     return textureLod(from, vec2(at) * side + 0.5 * side, 0.0);
 }
 
+// @part layer_texel
+// The same of an array of textures. at.z: the layer.
+precision highp sampler2DArray;
+
+vec4 texel_at(sampler2DArray from, ivec3 at) {
+    vec2 side = 1.0 / vec2(textureSize(from, 0).xy);
+    return textureLod(from, vec3(vec2(at.xy) * side + 0.5 * side, float(at.z)), 0.0);
+}
+
 // @part bilinear
 // Bilinear reads in float32: samplers weigh texels in 256 steps, and not every device filters float textures.
 

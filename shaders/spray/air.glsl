@@ -17,14 +17,15 @@ void main() {
 // @part air
 // The drops as they are now: place from the eye (m) and how much of one is seen; scattered light and
 // height over the surface (m); and light of the sun that goes on.
-out vec4 o_air;
+layout(location = 0) out vec4 o_place;
+layout(location = 1) out vec4 o_scattered;
+layout(location = 2) out vec4 o_onward;
 
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
-    int part = at.y / SPRAY_ROWS;
-    int i = (at.y - part * SPRAY_ROWS) * SPRAY_COLUMNS + at.x;
+    int i = at.y * SPRAY_COLUMNS + at.x;
     vec4 traits = spray_entry(u_spray_births, i, 2);
-    o_air = vec4(0.0);
+    o_place = o_scattered = o_onward = vec4(0.0);
     if (traits.x <= 0.0) {
         return;
     }
@@ -46,13 +47,8 @@ void main() {
     // Outward of where they fly: a column has a bright and a dark side.
     vec2 aside = thrown.xz / max(length(thrown.xz), 1e-3);
     vec3 face = vec3(0.8 * aside, 0.6).xzy;
-    vec3 place = drop + vec3(0.0, u_eye_height, 0.0);
-    float sun = part == 0 ? 1.0 : open_sun(place, Footprint(vec2(0.0), vec2(0.0)));
-    if (part == 0) {
-        o_air = vec4(drop, spray_hidden(drop, depth) ? 0.0 : min(over / (0.35 / SPRAY_WIDER * thrown.w + 0.02), 1.0));
-    } else if (part == 1) {
-        o_air = vec4(spray_scattered(face, drop / away, sun, away), over);
-    } else {
-        o_air = vec4(spray_onward(drop / away, sun, away), 0.0);
-    }
+    float sun = open_sun(drop + vec3(0.0, u_eye_height, 0.0), Footprint(vec2(0.0), vec2(0.0)));
+    o_place = vec4(drop, spray_hidden(drop, depth) ? 0.0 : min(over / (0.35 / SPRAY_WIDER * thrown.w + 0.02), 1.0));
+    o_scattered = vec4(spray_scattered(face, drop / away, sun, away), over);
+    o_onward = vec4(spray_onward(drop / away, sun, away), 0.0);
 }

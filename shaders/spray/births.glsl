@@ -18,8 +18,7 @@ float spray_share(float far, float middle, bool nearest) {
     return nearest && steps < 0.0 ? 1.0 : max(1.0 - abs(steps), 0.0);
 }
 
-// high: whether the height at birth is asked for, which costs most.
-bool open_born(int i, bool high, out Drop drop) {
+bool open_born(int i, out Drop drop) {
     int batch = i % SPRAY_BATCHES;
     int level = i / SPRAY_BATCHES % SPRAY_LEVELS;
     int rest = i / (SPRAY_BATCHES * SPRAY_LEVELS);
@@ -60,7 +59,7 @@ bool open_born(int i, bool high, out Drop drop) {
     if (drop.strength <= 0.0) {
         return false;
     }
-    drop.birth = vec3(at.x, high ? spray_height(at, batch, drop.age) : 0.0, at.y);
+    drop.birth = vec3(at.x, spray_height(at, batch, drop.age), at.y);
     float torn = spray_part(drop.word, 5u);
     drop.kind = torn < u_spray_torn ? SPRAY_DRIFT : torn < u_spray_torn + (1.0 - u_spray_torn) * u_spray_mist ? SPRAY_MIST : SPRAY_SHEET;
     // A cluster flies together, and spreads.
@@ -75,12 +74,12 @@ bool open_born(int i, bool high, out Drop drop) {
 
 // @part table
 // The table of drops: three texels each, and two numbers that follow from them.
-uniform sampler2D u_spray_births;
+uniform sampler2DArray u_spray_births;
 uniform float u_spray_drag; // s
 
 // part 0: birth, age; 1: velocity, radius; 2: strength, kind, seed, life. A strength of 0: not in the air.
-vec4 spray_entry(sampler2D table, int i, int part) {
-    return texel_at(table, ivec2(i % SPRAY_COLUMNS, part * SPRAY_ROWS + i / SPRAY_COLUMNS));
+vec4 spray_entry(sampler2DArray table, int i, int part) {
+    return texel_at(table, ivec3(i % SPRAY_COLUMNS, i / SPRAY_COLUMNS, part));
 }
 
 // Time constant of the air's drag (s) and fall without air (m/s2). Mist rides on the air that the burst has set in motion and hardly
@@ -170,7 +169,7 @@ float spray_height(vec2 p, int batch, float age) {
 uniform vec4 u_spray_burst[SPRAY_BURSTS];      // from its middle to the eye x, z (m), age (s), height of the column (m)
 uniform float u_spray_burst_wide[SPRAY_BURSTS]; // radius of the column's foot, m
 
-bool burst_born(int i, bool high, out Drop drop) {
+bool burst_born(int i, out Drop drop) {
     vec4 burst = u_spray_burst[i % SPRAY_BURSTS];
     float wide = u_spray_burst_wide[i % SPRAY_BURSTS];
     drop.word = noise_hash(noise_hash(uint(i)));
@@ -227,7 +226,7 @@ uniform sampler2D u_spray_rocks;  // place in the shore's square (m), way out to
 uniform float u_spray_surf_time[2]; // t modulo a period of the surf, and modulo 65536 periods, s
 uniform float u_spray_surf_life;  // s
 
-bool rock_born(int i, bool high, out Drop drop) {
+bool rock_born(int i, out Drop drop) {
     uint own = noise_hash(uint(i));
     vec4 rock = texel_at(u_spray_rocks, ivec2(i % SPRAY_ROCKS, 0));
     vec2 along = vec2(-rock.w, rock.z);
@@ -244,10 +243,8 @@ bool rock_born(int i, bool high, out Drop drop) {
     float strong = 0.3 + 0.7 * spray_part(burst, 1u);
     float start = u_spray_speed * sqrt(9.81 * max(f.here.g / 0.3, 0.0)) * strong;
     vec2 p = q - shore_place(vec2(0.0));
-    drop.birth = vec3(p.x, 0.0, p.y);
-    if (high) {
-        drop.birth.y = shore_then(f, q, drop.age) + f.here.a * (fronts_then(p, drop.age).x + rings_then(p, drop.age));
-    }
+    float height = shore_then(f, q, drop.age) + f.here.a * (fronts_then(p, drop.age).x + rings_then(p, drop.age));
+    drop.birth = vec3(p.x, height, p.y);
     // Jets, a metre and a half of rock each, lean out to sea and aside; their drops fan out about them.
     ivec2 jet = ivec2(floor(q / 1.5));
     uint way = noise_hash(noise_hash(noise_hash(uint(jet.x)) ^ uint(jet.y)) ^ uint(wave & 65535));
@@ -327,18 +324,18 @@ float shore_then(ShoreField f, vec2 q, float age) {
 }
 
 // @part pass
-// The table of drops at their births: rows of part 0 over those of parts 1 and 2.
-out vec4 o_birth;
+// The table of drops at their births.
+layout(location = 0) out vec4 o_birth;
+layout(location = 1) out vec4 o_velocity;
+layout(location = 2) out vec4 o_traits;
 
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
-    int part = at.y / SPRAY_ROWS;
     Drop drop;
-    o_birth = vec4(0.0);
-    if (spray_born((at.y - part * SPRAY_ROWS) * SPRAY_COLUMNS + at.x, part == 0, drop)) {
-        float seed = float(drop.word >> 8u);
-        o_birth = part == 0 ? vec4(drop.birth, drop.age)
-            : part == 1 ? vec4(drop.velocity, drop.radius)
-            : vec4(SPRAY_THINNER * drop.strength, drop.kind, seed, drop.life);
+    o_birth = o_velocity = o_traits = vec4(0.0);
+    if (spray_born(at.y * SPRAY_COLUMNS + at.x, drop)) {
+        o_birth = vec4(drop.birth, drop.age);
+        o_velocity = vec4(drop.velocity, drop.radius);
+        o_traits = vec4(SPRAY_THINNER * drop.strength, drop.kind, float(drop.word >> 8u), drop.life);
     }
 }

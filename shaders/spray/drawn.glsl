@@ -117,7 +117,7 @@ void main() {
 
 // @part vertex
 // A drop's quadrilateral: along its flight as the eye sees it, as long as it moves in a moment. What is not seen has no area.
-uniform sampler2D u_spray_air;
+uniform sampler2DArray u_spray_air;
 out vec2 v_at;             // place in it, its rim at length 1
 flat out vec3 v_scattered;
 flat out vec3 v_onward;

@@ -77,13 +77,18 @@ WrapMode = Literal["repeat", "clamp_to_edge"]
 
 
 class Target(PlanPart):
-    """A render target: passes draw into it, and later passes read it."""
+    """A render target: passes draw into it, and later passes read it.
+
+    ``layers``: more than one make an array of textures, whose layers a pass draws all at once, each by one of its
+    program's outputs: what these have in common is computed once. Without depth and mip levels.
+    """
 
     size: Annotated[ViewportSize | FixedSize, Field(discriminator="rule")]
     format: TargetFormat
     depth: bool = False
     filter: Filter = "nearest"
     wrap: WrapMode = "clamp_to_edge"
+    layers: int = Field(default=1, ge=1, le=4)
 
 
 class Texture(PlanPart):

@@ -29,7 +29,7 @@ class Program(PlanPart):
 
 
 _UNIFORM = re.compile(r"^uniform\s+(?P<type>\w+)\s+(?P<name>\w+)", re.MULTILINE)
-_SAMPLERS = ("sampler2D", "usampler2D")
+_SAMPLERS = ("sampler2D", "usampler2D", "sampler2DArray")
 
 
 @lru_cache(maxsize=1024)

@@ -26,8 +26,8 @@ PLACE = "lib/rays.glsl@place"
 FULLSCREEN = ("vertex/vertex.glsl@fullscreen",)
 """The vertex shader of a triangle that covers its target."""
 
-TEXEL = "lib/texels.glsl@texel"
-"""Included first where a shader reads single texels."""
+READS = {"texel_at(": "lib/texels.glsl@texel", "sampler2DArray": "lib/texels.glsl@layer_texel"}
+"""Files that are included first where a shader's source contains such a word."""
 
 PART = re.compile(r"^// @part (\w+)\n", re.MULTILINE)
 """Begins a part of a file, which goes on to the next or to the end."""
@@ -100,16 +100,15 @@ def assemble(pieces: Iterable[Piece], consts: Consts) -> Shader:
     Only constants that occur in the source are defined.
     """
     joined = tuple(pieces)
-    if any(map(_reads_texels, joined)):
-        joined = (TEXEL, *joined)
+    joined = (*(file for word, file in READS.items() if any(_contains(piece, word) for piece in joined)), *joined)
     names = sorted(_body(joined).words & consts.keys())
     return _shader(PROLOGUE + "".join(const_line(name, consts[name]) for name in names), joined)
 
 
-@lru_cache(maxsize=1024)
-def _reads_texels(piece: Piece) -> bool:
+@lru_cache(maxsize=2048)
+def _contains(piece: Piece, word: str) -> bool:
     source = Source(piece) if isinstance(piece, str) else piece
-    return "texel_at(" in (source.text if isinstance(source, Inline) else source_text(source))
+    return word in (source.text if isinstance(source, Inline) else source_text(source))
 
 
 @dataclass(frozen=True)

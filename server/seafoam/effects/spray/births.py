@@ -82,11 +82,11 @@ def _choice(sources: list[Births], count: int) -> Inline:
     """The function that asks a drop's source; of two each has half of the drops."""
     first, last = sources[0].function, sources[-1].function
     asked = (
-        f"{first}(i, high, drop)"
+        f"{first}(i, drop)"
         if first == last
-        else f"i < {count // 2} ? {first}(i, high, drop) : {last}(i - {count // 2}, high, drop)"
+        else f"i < {count // 2} ? {first}(i, drop) : {last}(i - {count // 2}, drop)"
     )
-    return Inline(f"bool spray_born(int i, bool high, out Drop drop) {{\n    return {asked};\n}}\n")
+    return Inline(f"bool spray_born(int i, out Drop drop) {{\n    return {asked};\n}}\n")
 
 
 def fastest_rise(scene: Scene) -> float:

@@ -51,7 +51,6 @@ def _consts(quality: Quality) -> dict[str, Const]:
         "SPRAY_WIDER": significant(math.pow(DROPS / quality.spray_count, 0.625)),
         "SPRAY_THINNER": significant(math.pow(DROPS / quality.spray_count, -0.25)),
         "SPRAY_COLUMNS": COLUMNS,
-        "SPRAY_ROWS": quality.spray_count // COLUMNS,
         "SPRAY_STRANDS": STRANDS,
         "SPRAY_WINDOW": WINDOW,
         "SPRAY_FINER": FINER,
@@ -74,7 +73,8 @@ def _uniforms(spray: Spray) -> dict[str, Uniform]:
 
 
 def _targets(quality: Quality) -> dict[str, Target]:
-    table = Target(size=FixedSize(width=COLUMNS, height=_PARTS * quality.spray_count // COLUMNS), format="RGBA32F")
+    size = FixedSize(width=COLUMNS, height=quality.spray_count // COLUMNS)
+    table = Target(size=size, format="RGBA32F", layers=_PARTS)
     side = math.isqrt(quality.samples)
     return {
         "spray_births": table,

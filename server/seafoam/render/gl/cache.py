@@ -49,5 +49,6 @@ class Cache:
 def target_bytes(target: tuple[Any, ...]) -> int:
     """Return the bytes of the pixels of a target that :meth:`Executor._framebuffer` has created."""
     framebuffer, color, *depth = target
-    texel = color.components * FORMAT_BYTES[color.dtype] + 4 * len(depth)
+    layers = getattr(color, "layers", 1)
+    texel = layers * color.components * FORMAT_BYTES[color.dtype] + 4 * len(depth)
     return int(framebuffer.width * framebuffer.height * texel)

@@ -1,5 +1,6 @@
 """Creates and checks the GL context of a process, and sets it to the initial state of OpenGL ES."""
 
+import ctypes
 from ctypes.util import find_library
 from typing import Any
 
@@ -12,6 +13,10 @@ _REMEDY = (
     "install Mesa's software renderer (Debian, Ubuntu: apt-get install libegl1 libgl1 "
     "libgl1-mesa-dri), or use a GPU driver with EGL"
 )
+
+
+_FRAMEBUFFER, _COLOR_ATTACHMENT0 = 0x8D40, 0x8CE0
+"""GL_FRAMEBUFFER and GL_COLOR_ATTACHMENT0."""
 
 
 class NoRendererError(UnableError):
@@ -42,6 +47,15 @@ def create_context(device_index: int | None = None) -> moderngl.Context:
         raise NoRendererError(f"{name} has OpenGL {context.version_code / 100:.1f} without {_ES3}; {_REMEDY}")
     context.enable_only(moderngl.PROGRAM_POINT_SIZE)
     return context
+
+
+def attach_layers(context: moderngl.Context, framebuffer: moderngl.Framebuffer, array: moderngl.TextureArray) -> None:
+    """Attach each layer of ``array`` to a framebuffer of as many attachments, in their place: moderngl cannot."""
+    address = context.mglo._context.load_opengl_function("glFramebufferTextureLayer")
+    attach = ctypes.CFUNCTYPE(None, *(ctypes.c_uint,) * 3, *(ctypes.c_int,) * 2)(address)
+    framebuffer.use()
+    for layer in range(array.layers):
+        attach(_FRAMEBUFFER, _COLOR_ATTACHMENT0 + layer, array.glo, 0, layer)
 
 
 def _library(name: str, soname: str) -> str:

@@ -22,7 +22,7 @@ from seafoam.framegraph.resources import MIPMAPPED, Target, Texture, TextureInpu
 from seafoam.framegraph.shader import Program, declared_uniforms
 from seafoam.framegraph.visibility import drawn_passes, passes_into, reads
 from seafoam.render.gl.cache import FORMAT_BYTES, Cache, target_bytes
-from seafoam.render.gl.context import NoRendererError, create_context
+from seafoam.render.gl.context import NoRendererError, attach_layers, create_context
 from seafoam.render.gl.formats import READ, TARGET_FORMATS, TEXTURE_FORMATS, Output
 from seafoam.scene.camera import Camera
 from seafoam.textures.store import spec_of, texture
@@ -172,8 +172,9 @@ class Executor:
         self._context.finish()
         finished = clock.perf_counter()
         framebuffer = framebuffers[target_name][0]
-        raw = framebuffer.read(components=4, alignment=1, dtype=dtype)
-        shape = (framebuffer.height, framebuffer.width, 4)
+        layers = range(len(framebuffer.color_attachments))
+        raw = b"".join(framebuffer.read(components=4, attachment=layer, alignment=1, dtype=dtype) for layer in layers)
+        shape = (len(layers) * framebuffer.height, framebuffer.width, 4)
         pixels = np.frombuffer(raw, kind).reshape(shape)[::-1]
         error = self._context.error
         if error != "GL_NO_ERROR":
@@ -320,24 +321,31 @@ class Executor:
 
     def _target(self, name: str, target: Target, width: int = 0, height: int = 0) -> tuple[Any, ...]:
         size = target.size.of_picture(width, height)
-        key = (name, size, target.format, target.depth, target.filter, target.wrap)
+        key = (name, size, target.layers, target.format, target.depth, target.filter, target.wrap)
         found: tuple[Any, ...] = self._targets.get(key, partial(self._create, target, width, height))
         return found
 
     def _create(self, target: Target, width: int = 0, height: int = 0) -> tuple[Any, ...]:
         """Create a target for a picture of ``width`` × ``height`` pixels, which targets of fixed size ignore."""
-        created = self._framebuffer(target.size.of_picture(width, height), target.format, depth=target.depth)
+        size = target.size.of_picture(width, height)
+        created = self._framebuffer(size, target.format, depth=target.depth, layers=target.layers)
         created[1].filter = _FILTERS[target.filter]
         created[1].repeat_x = created[1].repeat_y = target.wrap == "repeat"
         return created
 
-    def _framebuffer(self, size: tuple[int, int], kind: str, *, depth: bool) -> tuple[Any, ...]:
+    def _framebuffer(self, size: tuple[int, int], kind: str, *, depth: bool, layers: int = 1) -> tuple[Any, ...]:
         if max(size) > self.max_side:
             raise ValueError(f"{size[0]} × {size[1]} exceeds this renderer's limit of {self.max_side} pixels per side")
         components, dtype = TARGET_FORMATS[kind]
         color = self._context.texture(size, components, dtype=dtype, alignment=1)
         color.filter = _FILTERS["nearest"]
         color.repeat_x = color.repeat_y = False
+        if layers > 1:
+            array = self._context.texture_array((*size, layers), components, dtype=dtype, alignment=1)
+            framebuffer = self._context.framebuffer([color] * layers)
+            attach_layers(self._context, framebuffer, array)
+            color.release()
+            return framebuffer, array
         if not depth:
             return self._context.framebuffer([color]), color
         buffer = self._context.depth_renderbuffer(size)
