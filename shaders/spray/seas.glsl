@@ -12,14 +12,14 @@ float sea_then(vec2 p, int batch) {
 
 // @part sea_waves
 // The sea as it was when each batch of drops was born: height and displacement as coefficients of a cubic B-spline, and the divergence
-// l div D; two tiles side by side, batches over one another. docs/formulae.md, section 13.
-uniform sampler2D u_spray_seas;
+// l div D; two tiles, a block for each batch. docs/formulae.md, section 13.
+uniform sampler2DArray u_spray_seas;
 uniform vec2 u_spray_choppiness; // of the tiles, texels a metre of displacement
 uniform vec2 u_spray_limit;      // of the tiles' heights, m
 uniform vec2 u_spray_fold;       // threshold of the divergence, and one over the width from which it breaks as hard as it can
 
 vec4 spray_texel(int tile, int batch, ivec2 at) {
-    return texel_at(u_spray_seas, ivec2(tile, batch) * SPRAY_TEXELS + (at & (SPRAY_TEXELS - 1)));
+    return block_texel(u_spray_seas, SPRAY_TEXELS, tile * SPRAY_BATCHES + batch, at);
 }
 
 // Height of a tile at a corner of the drawn one: as resample_pass.glsl finds it, m. p: texels of the tile here.
@@ -91,48 +91,40 @@ float sea_then(vec2 p, int batch) {
     return spray_tile(0, batch, spray_place(0, p)) + spray_tile(1, batch, spray_place(1, p));
 }
 
+// @part times
+uniform vec2 u_spray_scale;  // l 2 pi / side of the first and second tile, rad/m
+uniform float u_spray_time[2];
+uniform float u_spray_step;
+
+// Seconds since the birth of a batch.
+float spray_before(int batch) {
+    return u_spray_time[0] + float(batch) * u_spray_step;
+}
+
 // @part gerstner_pass
 // Height, displacement and divergence of a tile's waves when each batch of drops was born, as coefficients of a cubic B-spline:
 // (h, Dx, Dz, F), F = l div D.
-uniform vec2 u_spray_scale;  // l 2 pi / side of the first and second tile, rad/m
-uniform float u_spray_time[2];
-uniform float u_spray_step;
-out vec4 o_sea;
-
-void main() {
-    ivec2 at = ivec2(gl_FragCoord.xy);
-    ivec2 waves = gerstner_waves(at.x / SPRAY_TEXELS);
-    float scale = at.x < SPRAY_TEXELS ? u_spray_scale.x : u_spray_scale.y;
-    float before = u_spray_time[0] + float(at.y / SPRAY_TEXELS) * u_spray_step;
-    o_sea = vec4(0.0);
+vec4 water(ivec2 at, int tile, int time) {
+    ivec2 waves = gerstner_waves(tile);
+    float scale = tile == 0 ? u_spray_scale.x : u_spray_scale.y;
+    vec4 sum = vec4(0.0);
     for (int i = waves.x; i < waves.y; ++i) {
         vec4 wave = u_gerstner[i];
-        vec2 turn = whole_sine_cosine(wrap_phase(gerstner_theta(i, at % SPRAY_TEXELS, SPRAY_TEXELS) + wave.w * before));
+        vec2 turn = whole_sine_cosine(wrap_phase(gerstner_theta(i, at, BLOCK_SIZE) + wave.w * spray_before(time)));
         float number = length(wave.xy);
-        o_sea += wave.z * vec4(turn.y, -turn.x * wave.xy / number, -scale * number * turn.y);
+        sum += wave.z * vec4(turn.y, -turn.x * wave.xy / number, -scale * number * turn.y);
     }
+    return sum;
 }
 
 // @part spectrum_pass
-// Spectra of the sea when each batch of drops was born: (h + i Dx, Dz + i F), F = l div D = -l |k| h; tiles side by side, batches over one
-// another. Divided by the cubic B-spline's response.
-uniform vec2 u_spray_scale;  // l 2 pi / side of the first and second tile, rad/m
-uniform float u_spray_time[2];
-uniform float u_spray_step;
-out vec4 o_spectra;
-
-void main() {
-    ivec2 at = ivec2(gl_FragCoord.xy);
-    int tile = at.x / SPRAY_TEXELS;
-    int rows = spectrum_rows(SPRAY_TEXELS);
-    ivec2 k;
-    o_spectra = vec4(0.0);
-    if (wave_of(ivec2(at.x % SPRAY_TEXELS, at.y % rows), SPRAY_TEXELS, k)) {
-        vec2 spline = (2.0 + cos(vec2(k) * (TAU / float(SPRAY_TEXELS)))) / 3.0;
-        vec2 h = amplitude(k, tile, u_spray_time[0] + float(at.y / rows) * u_spray_step) / (spline.x * spline.y);
-        float number = length(vec2(k));
-        vec2 way = vec2(k) / number;
-        float second = way.y - number * (tile == 0 ? u_spray_scale.x : u_spray_scale.y);
-        o_spectra = vec4((1.0 - way.x) * h, second * vec2(-h.y, h.x));
-    }
+// Spectra of the sea when each batch of drops was born: (h + i Dx, Dz + i F), F = l div D = -l |k| h. Divided by the cubic B-spline's
+// response.
+vec4 spectra(vec2 k, int tile, int time) {
+    vec2 spline = (2.0 + cos(k * (TAU / float(BLOCK_SIZE)))) / 3.0;
+    vec2 h = amplitude(ivec2(k), tile, spray_before(time)) / (spline.x * spline.y);
+    float number = length(k);
+    vec2 way = k / number;
+    float second = way.y - number * (tile == 0 ? u_spray_scale.x : u_spray_scale.y);
+    return vec4((1.0 - way.x) * h, second * vec2(-h.y, h.x));
 }

@@ -1,4 +1,5 @@
-// The sea's maps: its spectrum or sum of waves, the Fourier transform, and tiles.
+// The sea's maps: its spectrum or sum of waves, the Fourier transform, and tiles. Water is drawn in square blocks of BLOCK_SIZE texels, for
+// BLOCK_TIMES times of each tile. Layers of a target are quarters of a block: of its columns until these are transformed, then of its rows.
 
 // @part spectrum
 // Complex amplitudes of a tile's waves at one moment, h0(k) e^(-i w t) + conj(h0(-k)) e^(i w t) (Tessendorf 2001); m.
@@ -7,18 +8,8 @@ uniform sampler2D u_sea_spectrum; // lower half h0, upper half turns in a loop; 
 uniform float u_sea_loop;         // t modulo SEA_LOOP, s
 uniform float u_sea_fine;         // t modulo SEA_LOOP / 1024, s
 
-// Rows of a block of spectra of a transform of `size`: those beyond the band would hold nothing.
-int spectrum_rows(int size) {
-    return min(2 * SEA_BAND, size);
-}
-
-// The whole wavevector of a texel of such a block; beyond the band and at Nyquist, whose wave has no partner: false.
-bool wave_of(ivec2 texel, int size, out ivec2 k) {
-    ivec2 sides = ivec2(size, spectrum_rows(size));
-    k = texel - sides * ivec2(greaterThanEqual(texel, sides / 2));
-    int held = min(SEA_BAND, size / 2);
-    return all(lessThan(abs(k), ivec2(held))) && k != ivec2(0);
-}
+// Wavenumbers along each side of a block's spectrum: those beyond the band would be 0.
+const int SPECTRUM_SIDE = min(2 * SEA_BAND, BLOCK_SIZE);
 
 // `before`: seconds before the frame's time.
 vec2 amplitude(ivec2 k, int tile, float before) {
@@ -56,102 +47,179 @@ float gerstner_theta(int wave, ivec2 texel, int size) {
 
 // @part gerstner_pass
 // Height and displacement D = -a k/|k| sin(theta) of a tile's waves, as coefficients of a cubic B-spline; (h, Dx, Dz), m.
-out vec4 o_displaced;
-
-void main() {
-    ivec2 at = ivec2(gl_FragCoord.xy);
+vec4 water(ivec2 at, int tile, int time) {
     vec3 sum = vec3(0.0);
-    ivec2 waves = gerstner_waves(at.x / SEA_DISPLACED);
+    ivec2 waves = gerstner_waves(tile);
     for (int i = waves.x; i < waves.y; ++i) {
-        vec2 turn = whole_sine_cosine(gerstner_theta(i, at, SEA_DISPLACED));
+        vec2 turn = whole_sine_cosine(gerstner_theta(i, at, BLOCK_SIZE));
         sum += u_gerstner[i].z * vec3(turn.y, -turn.x * normalize(u_gerstner[i].xy));
     }
-    o_displaced = vec4(sum, 0.0);
+    return vec4(sum, 0.0);
 }
 
 // @part displaced_pass
-// Spectra of height and displacement D = i k/|k| h, two real fields in each complex one: (h + i Dx, Dz); tiles side by side.
-// Divided by the cubic B-spline's response, so that what the transform gives are the coefficients of a spline through the sea.
-out vec4 o_spectra;
-
-void main() {
-    ivec2 at = ivec2(gl_FragCoord.xy);
-    ivec2 k;
-    o_spectra = vec4(0.0);
-    if (wave_of(ivec2(at.x % SEA_DISPLACED, at.y), SEA_DISPLACED, k)) {
-        vec2 spline = (2.0 + cos(vec2(k) * (TAU / float(SEA_DISPLACED)))) / 3.0;
-        vec2 h = amplitude(k, at.x / SEA_DISPLACED, 0.0) / (spline.x * spline.y);
-        vec2 way = normalize(vec2(k));
-        o_spectra = vec4((1.0 - way.x) * h, way.y * vec2(-h.y, h.x));
-    }
+// Spectra of height and displacement D = i k/|k| h, two real fields in each complex one: (h + i Dx, Dz). Divided by the cubic B-spline's
+// response, so that what the transform gives are the coefficients of a spline through the sea.
+vec4 spectra(vec2 k, int tile, int time) {
+    vec2 spline = (2.0 + cos(k * (TAU / float(BLOCK_SIZE)))) / 3.0;
+    vec2 h = amplitude(ivec2(k), tile, 0.0) / (spline.x * spline.y);
+    vec2 way = normalize(k);
+    return vec4((1.0 - way.x) * h, way.y * vec2(-h.y, h.x));
 }
 
-// @part radix_4
-// Texels that a pass of the transform sums, and its binary logarithm.
-const int FFT_RADIX = 4;
-const int FFT_BITS = 2;
+// @part four
+// What a pass draws into the layers of its target.
+layout(location = 0) out vec4 o_first;
+layout(location = 1) out vec4 o_second;
+layout(location = 2) out vec4 o_third;
+layout(location = 3) out vec4 o_fourth;
 
-// @part radix_8
-// Texels that a pass of the transform sums, and its binary logarithm.
-const int FFT_RADIX = 8;
-const int FFT_BITS = 3;
+// @part water_pass
+// Sums of waves at the rows of a block.
+vec4 water_in(int layer) {
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    int block = at.y / (BLOCK_SIZE / 4);
+    return water(ivec2(at.x, at.y + (layer - block) * (BLOCK_SIZE / 4)), block / BLOCK_TIMES, block % BLOCK_TIMES);
+}
+
+void main() {
+    o_first = water_in(0);
+    o_second = water_in(1);
+    o_third = water_in(2);
+    o_fourth = water_in(3);
+}
+
+// @part spectra_pass
+// Spectra of blocks. Beyond the band, and at Nyquist, whose wave has no partner: 0.
+vec4 spectra_in(int layer) {
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    int block = at.y / SPECTRUM_SIDE;
+    ivec2 k = at + ivec2(layer * (SPECTRUM_SIDE / 4), -block * SPECTRUM_SIDE);
+    k -= SPECTRUM_SIDE * ivec2(greaterThanEqual(k, ivec2(SPECTRUM_SIDE / 2)));
+    bool held = all(lessThan(abs(k), ivec2(SPECTRUM_SIDE / 2))) && k != ivec2(0);
+    return held ? spectra(vec2(k), block / BLOCK_TIMES, block % BLOCK_TIMES) : vec4(0.0);
+}
+
+void main() {
+    o_first = spectra_in(0);
+    o_second = spectra_in(1);
+    o_third = spectra_in(2);
+    o_fourth = spectra_in(3);
+}
 
 // @part complex
 vec2 complex_product(vec2 a, vec2 b) {
     return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
 }
 
-// @part fft_pass
-// One pass of an inverse Fourier transform (Stockham; Govindaraju et al. 2008), along rows or columns of square blocks; two complex
-// numbers a texel. Each texel sums FFT_RADIX texels of the pass before.
-uniform sampler2D u_fft_from;
+// @part fft
+// Inverse Fourier transforms of blocks along rows or columns (Cooley and Tukey 1965), two complex numbers a texel. A pass sums over the
+// two highest bits of the wavenumber that are left, which become the next two of the place. A texel's place along the axis is made of the
+// place's bits, without its highest two, which are the layer, and below them those that are left of the wavenumber.
+uniform sampler2DArray u_fft_from;
 uniform sampler2D u_fft_twiddles; // e^(2 pi i j / 512)
-uniform vec3 u_fft;               // binary logarithms of the side of a block and of the product of the radices so far; 0 along rows or 1 along columns
-out vec4 o_sum;
+uniform vec3 u_fft;               // bits along a side of a block; of the place so far; 0 along rows or 1 along columns
 
-void main() {
-    int size = 1 << int(u_fft.x);
-    int span = 1 << int(u_fft.y);
-    int log_whole = int(u_fft.y) + FFT_BITS;
-    bool down = u_fft.z > 0.5;
-    ivec2 at = ivec2(gl_FragCoord.xy);
-    int place = down ? at.y : at.x;
-    // All are powers of 2: shifts and masks stand for divisions, which drivers on processors make lane by lane.
-    int index = place & (size - 1);
-    int block = place - index;
-    int whole = span * FFT_RADIX;
-    int first = ((index >> log_whole) * span) + (index & (span - 1));
-    // Its powers by Horner's rule: reading a root of unity costs as much as reading a texel.
-    vec2 root = texel_at(u_fft_twiddles, ivec2((index & (whole - 1)) << (9 - log_whole), 0)).rg;
-    o_sum = vec4(0.0);
-    for (int r = FFT_RADIX - 1; r >= 0; --r) {
-        int from = block + first + r * (size >> FFT_BITS);
-        o_sum = vec4(complex_product(root, o_sum.xy), complex_product(root, o_sum.zw)) + texel_at(u_fft_from, down ? ivec2(at.x, from) : ivec2(from, at.y));
-    }
+vec4 turned(vec2 root, vec4 v) {
+    return vec4(complex_product(root, v.xy), complex_product(root, v.zw));
 }
 
-// @part fft_spread_pass
-// The first pass along columns, from blocks of spectrum_rows to square ones: texels between these rows are 0.
-uniform sampler2D u_fft_from;
-uniform sampler2D u_fft_twiddles; // e^(2 pi i j / 512)
-uniform vec3 u_fft;               // binary logarithm of the side of a block
-out vec4 o_sum;
+vec4 quarter_turned(vec4 v) {
+    return vec4(-v.y, v.x, -v.w, v.z);
+}
+
+vec2 root(int part) {
+    return texel_at(u_fft_twiddles, ivec2(part, 0)).rg;
+}
+
+void sums_of_four(vec4 a, vec4 b, vec4 c, vec4 d) {
+    vec4 turn = quarter_turned(b - d);
+    o_first = a + c + (b + d);
+    o_second = a - c + turn;
+    o_third = a + c - (b + d);
+    o_fourth = a - c - turn;
+}
+
+// @part fft_first_pass
+// The first pass along an axis: from SPECTRUM_SIDE wavenumbers, the others are 0.
+vec4 wave_at(int quarter) {
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    int size = 1 << int(u_fft.x);
+    int side = min(2 * SEA_BAND, size);
+    bool down = u_fft.z > 0.5;
+    int place = (down ? at.y : at.x) & (size / 4 - 1);
+    int k = quarter * (size / 4) + place - (quarter < 2 ? 0 : size);
+    int held = k & (side - 1);
+    ivec3 from = down
+        ? ivec3(at.x & (size / 4 - 1), ((at.y - place) >> (int(u_fft.x) - 2)) * side + held, at.x >> (int(u_fft.x) - 2))
+        : ivec3(held & (side / 4 - 1), at.y, 4 * held >= 3 * side ? 3 : 2 * held >= side ? 2 : 4 * held >= side ? 1 : 0);
+    return -side / 2 <= k && k < side / 2 ? texel_at(u_fft_from, from) : vec4(0.0);
+}
 
 void main() {
-    int bits = int(u_fft.x);
+    sums_of_four(wave_at(0), FFT_SPREADS ? vec4(0.0) : wave_at(1), FFT_SPREADS ? vec4(0.0) : wave_at(2), wave_at(3));
+}
+
+// @part fft_pass
+// A further pass.
+void main() {
+    int done = int(u_fft.y);
+    int left = int(u_fft.x) - done;
+    bool down = u_fft.z > 0.5;
     ivec2 at = ivec2(gl_FragCoord.xy);
-    int index = at.y & ((1 << bits) - 1);
-    int first = (at.y >> bits) * 2 * SEA_BAND + (index >> FFT_BITS);
-    int turn = (index & (FFT_RADIX - 1)) << (9 - FFT_BITS);
-    int apart = 1 << (bits - FFT_BITS);
-    int read = 2 * SEA_BAND / apart;
-    o_sum = vec4(0.0);
-    for (int i = 0; i < read; ++i) {
-        int r = 2 * i < read ? i : i + FFT_RADIX - read;
-        vec4 v = texel_at(u_fft_from, ivec2(at.x, first + i * apart));
-        vec2 w = texel_at(u_fft_twiddles, ivec2((r * turn) & 511, 0)).rg;
-        o_sum += vec4(w.x * v.x - w.y * v.y, w.x * v.y + w.y * v.x, w.x * v.z - w.y * v.w, w.x * v.w + w.y * v.z);
-    }
+    // All are powers of 2: shifts and masks stand for divisions, which drivers on processors make lane by lane.
+    int place = (down ? at.y : at.x) & ((1 << (int(u_fft.x) - 2)) - 1);
+    int found = place >> (left - 2);
+    int first = ((found & ((1 << (done - 2)) - 1)) << left) + (place & ((1 << (left - 2)) - 1)) - place;
+    ivec3 from = ivec3(at, found >> (done - 2)) + (down ? ivec3(0, first, 0) : ivec3(first, 0, 0));
+    ivec3 apart = (down ? ivec3(0, 1, 0) : ivec3(1, 0, 0)) << (left - 2);
+    vec2 once = root(found << (7 - done));
+    vec2 twice = complex_product(once, once);
+    sums_of_four(
+        texel_at(u_fft_from, from),
+        turned(once, texel_at(u_fft_from, from + apart)),
+        turned(twice, texel_at(u_fft_from, from + 2 * apart)),
+        turned(complex_product(once, twice), texel_at(u_fft_from, from + 3 * apart)));
+}
+
+// @part fft_last_pass
+// The last pass of an odd number of bits: over one. Each texel sums for both values of the place's highest bit so far.
+void main() {
+    int done = int(u_fft.y);
+    bool down = u_fft.z > 0.5;
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    int place = (down ? at.y : at.x) & ((1 << (done - 1)) - 1);
+    int first = 2 * (place & ((1 << (done - 2)) - 1)) - place;
+    ivec3 from = ivec3(at, place >> (done - 2)) + (down ? ivec3(0, first, 0) : ivec3(first, 0, 0));
+    ivec3 beside = down ? ivec3(0, 1, 0) : ivec3(1, 0, 0);
+    vec2 once = root(place << (8 - done));
+    vec4 a = texel_at(u_fft_from, from);
+    vec4 b = turned(once, texel_at(u_fft_from, from + beside));
+    from.z += 2;
+    vec4 c = texel_at(u_fft_from, from);
+    vec4 d = quarter_turned(turned(once, texel_at(u_fft_from, from + beside)));
+    o_first = a + b;
+    o_second = c + d;
+    o_third = a - b;
+    o_fourth = c - d;
+}
+
+// @part blocks
+// A texel of a block of water, periodic.
+vec4 block_texel(sampler2DArray blocks, int size, int block, ivec2 at) {
+    at &= size - 1;
+    int layer = at.y / (size / 4);
+    return texel_at(blocks, ivec3(at.x, at.y + (block - layer) * (size / 4), layer));
+}
+
+// Bilinear between texels.
+vec4 block_between(sampler2DArray blocks, int size, int block, vec2 at) {
+    vec2 base = floor(at);
+    vec2 t = at - base;
+    ivec2 first = ivec2(base);
+    vec4 row = mix(block_texel(blocks, size, block, first), block_texel(blocks, size, block, first + ivec2(1, 0)), t.x);
+    vec4 next = mix(block_texel(blocks, size, block, first + ivec2(0, 1)), block_texel(blocks, size, block, first + 1), t.x);
+    return mix(row, next, t.y);
 }
 
 // @part tile_pass
@@ -237,7 +305,7 @@ vec4 sea_smooth(sampler2D tile, vec2 at) {
 // @part resample_pass
 // From displaced water to a height field: x + l D(x) = p solved at each corner p of the tile by Newton's method on a cubic B-spline.
 // Writes height about 0 (m), slopes, and the divergence l div D, the Jacobian less 1 to first order. docs/formulae.md, section 2.
-uniform sampler2D u_sea_displaced; // spline coefficients of (h, Dx, Dz), tiles side by side
+uniform sampler2DArray u_sea_displaced; // spline coefficients of (h, Dx, Dz), a block for each tile
 uniform vec3 u_sea_block;          // which of the tiles, a texel of it (m), choppiness
 out vec4 o_tile;
 
@@ -259,13 +327,11 @@ Displaced displaced(vec2 at) {
     vec4 sx = spline_slopes(t.x);
     vec4 sz = spline_slopes(t.y);
     Displaced sum = Displaced(vec3(0.0), vec3(0.0), vec3(0.0));
-    int left = int(sea_block.x) * SEA_DISPLACED;
     for (int j = 0; j < 4; ++j) {
         vec3 along = vec3(0.0);
         vec3 rise = vec3(0.0);
         for (int i = 0; i < 4; ++i) {
-            ivec2 texel = (ivec2(base) + ivec2(i - 1, j - 1)) & (SEA_DISPLACED - 1);
-            vec3 c = texel_at(u_sea_displaced, ivec2(left + texel.x, texel.y)).xyz;
+            vec3 c = block_texel(u_sea_displaced, SEA_DISPLACED, int(sea_block.x), ivec2(base) + ivec2(i - 1, j - 1)).xyz;
             along += wx[i] * c;
             rise += sx[i] * c;
         }

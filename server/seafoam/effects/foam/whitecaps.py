@@ -4,7 +4,7 @@ import math
 from dataclasses import replace
 
 from seafoam.effects.effect import Contribution, PassSpec, QualityParameter, Resources, SaturationSource, foam_effect
-from seafoam.effects.shader import Const, SlotFile, Source
+from seafoam.effects.shader import Const, SlotFile
 from seafoam.effects.waves.sea import (
     DISPLACED,
     RESAMPLED,
@@ -27,6 +27,7 @@ from seafoam.scene.models import Scene
 from seafoam.scene.waves import Sea
 from seafoam.sums import summed
 
+_TIMES_BEFORE = "waves/age.glsl@times"
 _TIMES = {
     0: "foam/saturation/whitecap.glsl@now",
     4: "foam/saturation/whitecap.glsl@four",
@@ -100,10 +101,11 @@ def _recent(scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Qualit
     jacobians = WaterDrawing(
         "age_a",
         "age_b",
-        (len(raised), rows),
+        len(raised),
+        rows,
         size,
-        by_wave=("folds of earlier waves", "age_gerstner", "waves/age.glsl@gerstner_pass"),
-        by_spectrum=("spectrum of earlier folds", "age_spectrum", "waves/age.glsl@spectrum_pass"),
+        by_wave=("folds of earlier waves", "age_gerstner", (_TIMES_BEFORE, "waves/age.glsl@gerstner_pass")),
+        by_spectrum=("spectrum of earlier folds", "age_spectrum", (_TIMES_BEFORE, "waves/age.glsl@spectrum_pass")),
         transforms="earlier times of folds",
         uniforms=_time_uniforms(scene, sea, raised, 0.0, quality.age_step),
     )
@@ -115,7 +117,7 @@ def _recent(scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Qualit
             PassSpec(
                 name="earlier folds",
                 program="age_tile",
-                fragment=(*RESAMPLED, "lib/texels.glsl@bilinear", "waves/age.glsl@tile_pass"),
+                fragment=(*RESAMPLED, "waves/age.glsl@tile_pass"),
                 target="age_tiles",
                 read={"u_sea_displaced": DISPLACED, "u_age_folds": jacobians.target},
                 uniforms=raised_blocks(sea, raised, quality),
@@ -128,14 +130,14 @@ def _recent(scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Qualit
 def _old(scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Quality, model: WhitecapModel) -> Resources:
     """What draws the old foam that is left, from Jacobians of the largest tile."""
     rows, largest = OLD_STEPS // 4, raised[0]
-    size = (("AGE_SIZE", "OLD_SIZE"),)
     jacobians = WaterDrawing(
         "old_a",
         "old_b",
-        (1, rows),
+        1,
+        rows,
         OLD_TEXELS,
-        by_wave=("folds of long ago", "old_gerstner", Source("waves/age.glsl@gerstner_pass", size)),
-        by_spectrum=("spectrum of folds of long ago", "old_spectrum", Source("waves/age.glsl@spectrum_pass", size)),
+        by_wave=("folds of long ago", "old_gerstner", (_TIMES_BEFORE, "waves/age.glsl@gerstner_pass")),
+        by_spectrum=("spectrum of folds of long ago", "old_spectrum", (_TIMES_BEFORE, "waves/age.glsl@spectrum_pass")),
         transforms="folds of long ago",
         uniforms=_time_uniforms(scene, sea, (largest,), quality.age_steps * quality.age_step, OLD_STEP),
     )
@@ -143,7 +145,7 @@ def _old(scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Quality, 
     foam = PassSpec(
         name="foam of long ago",
         program="old_foam",
-        fragment=(*RESAMPLED, "lib/texels.glsl@bilinear", "waves/age.glsl@old_foam_pass"),
+        fragment=(*RESAMPLED, "waves/age.glsl@old_foam_pass"),
         read={"u_sea_displaced": DISPLACED, "u_old_folds": jacobians.target},
         uniforms={
             "u_sea_block": tile_block(sea, largest, 0, quality),

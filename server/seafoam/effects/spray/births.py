@@ -13,7 +13,7 @@ from seafoam.effects.shore.maps import MASK_WAVES, mask_uniforms
 from seafoam.effects.waves.groups import earlier_wave_files, group_bounds
 from seafoam.effects.waves.parametric import max_profile_slope
 from seafoam.effects.waves.rings import ring_uniforms
-from seafoam.effects.waves.sea import WaterDrawing, drawn_tiles
+from seafoam.effects.waves.sea import BLOCKS, WaterDrawing, drawn_tiles
 from seafoam.framegraph.resources import TextureInput, target_inputs
 from seafoam.framegraph.rules import (
     Clamp,
@@ -218,10 +218,11 @@ def _earlier_water(
         return ["spray/seas.glsl@sea_none", *earlier], waves
     # A shore's files declare the places in the tiles.
     places = [] if scene.shore is not None else [_SEA_PLACES]
-    files: list[Piece | SlotRef] = ["lib/texels.glsl@cubic_spline", *places, "spray/seas.glsl@sea_waves", *earlier]
+    files: list[Piece | SlotRef] = ["lib/texels.glsl@cubic_spline", BLOCKS, *places, "spray/seas.glsl@sea_waves", *earlier]
     return files, waves.joined(_seas(scene.sea, quality, drawn_tiles(scene, quality)[:RAISED], limits))
 
 
+_TIMES = "spray/seas.glsl@times"
 _SEA_PLACES = Inline(
     "".join(f"uniform float u_sea_size_{tile};\nuniform vec2 u_sea_offset_{tile};\n" for tile in range(RAISED))
 )
@@ -282,10 +283,11 @@ def _seas(sea: Sea, quality: Quality, tiles: tuple[Cascade, ...], limits: tuple[
     water = WaterDrawing(
         "spray_seas_a",
         "spray_seas_b",
-        (len(tiles), model.BATCHES),
+        len(tiles),
+        model.BATCHES,
         texels,
-        by_wave=("waves at the births of drops", "spray_gerstner", "spray/seas.glsl@gerstner_pass"),
-        by_spectrum=("spectrum at the births of drops", "spray_spectrum", "spray/seas.glsl@spectrum_pass"),
+        by_wave=("waves at the births of drops", "spray_gerstner", (_TIMES, "spray/seas.glsl@gerstner_pass")),
+        by_spectrum=("spectrum at the births of drops", "spray_spectrum", (_TIMES, "spray/seas.glsl@spectrum_pass")),
         transforms="sea at the births of drops",
         uniforms={"u_spray_scale": vector((scale[0], scale[-1]))},
         read=texels,

@@ -10,7 +10,7 @@ from typing import Literal
 from seafoam.effects.bounds import max_surface_height, min_surface_height, waves_bound
 from seafoam.effects.effect import HALF_FLOAT, Contribution, Effect, PassSpec, QualityParameter, Resources, TextureUse
 from seafoam.effects.foam.living import follows_orbits
-from seafoam.effects.shader import Const, Piece, SlotFile
+from seafoam.effects.shader import Const, Inline, Piece, SlotFile
 from seafoam.effects.waves.measured import measured_bounds
 from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, TargetInput, TextureInput, target_inputs
 from seafoam.framegraph.rules import (
@@ -45,33 +45,34 @@ READ, READ_ALONE = 0.57735, 0.75
 """Side of a trilinear read of slopes over that of the footprint: of the same variance, and of the least error where one
 sample stands for a pixel. Against 256 samples of seas of 4 to 15 m/s, single ones had 1.26 to 1.55 and 0.91 to 1.32
 times the error of 16."""
-_RADICES = {32: (8, 4), 64: (8, 8), 128: (8, 4, 4), 256: (8, 8, 4), 512: (8, 8, 8)}
-"""Steps of the transform along an axis of a block, by its side in texels."""
-_RADIX_FILES = {4: "waves/sea_passes.glsl@radix_4", 8: "waves/sea_passes.glsl@radix_8"}
-_COMPLEX = "waves/sea_passes.glsl@complex"
+_PASSES = "waves/sea_passes.glsl@"
+_COMPLEX, _FOUR = f"{_PASSES}complex", f"{_PASSES}four"
 DISPLACED = "sea_a"
 """The target with the displacements of the water."""
-RESAMPLED = ("lib/texels.glsl@cubic_spline", "waves/sea_passes.glsl@resample_pass")
+BLOCKS = f"{_PASSES}blocks"
+"""File that reads blocks of water."""
+RESAMPLED = ("lib/texels.glsl@cubic_spline", BLOCKS, f"{_PASSES}resample_pass")
 """Files that find the rest position of the water at a place, and what moves with it."""
 
 
 @dataclass(frozen=True)
 class WaterDrawing:
-    """Passes that draw the water of a sea, as blocks of a target.
+    """Passes that draw the water of a sea, as blocks of a target: over one another, a quarter of each in each layer.
 
-    ``target``: it holds the result; the Fourier transforms alternate between it and ``second``. ``blocks``: how many
-    side by side and over one another. ``size``: side of a block, texels. ``by_wave``, ``by_spectrum``: name, program
-    and last file of the first pass, for a sea whose waves are summed and for one by FFT. ``transforms``: in the names
-    of these passes. ``uniforms``: of the first pass. ``read``: texels along a tile of what is then read by B-spline,
-    or 0.
+    ``target``: it holds the result; the Fourier transforms alternate between it and ``second``. ``times``: blocks for
+    each of ``tiles`` tiles, one after the other. ``size``: side of a block, texels. ``by_wave``, ``by_spectrum``:
+    name, program and files of the first pass, for a sea whose waves are summed and for one by FFT. ``transforms``: in
+    the names of these passes. ``uniforms``: of the first pass. ``read``: texels along a tile of what is then read by
+    B-spline, or 0.
     """
 
     target: str
     second: str
-    blocks: tuple[int, int]
+    tiles: int
+    times: int
     size: int
-    by_wave: tuple[str, str, Piece]
-    by_spectrum: tuple[str, str, Piece]
+    by_wave: tuple[str, str, tuple[Piece, ...]]
+    by_spectrum: tuple[str, str, tuple[Piece, ...]]
     transforms: str
     uniforms: dict[str, Uniform] = field(default_factory=dict)
     read: int = 0
@@ -80,68 +81,68 @@ class WaterDrawing:
     def resources(self, sea: Sea, tiles: Sequence[Cascade]) -> Resources:
         """Return targets and passes of the waves of ``tiles``."""
         if sea.model == "gerstner":
-            first = self._first(
-                self.by_wave, "waves/sea_passes.glsl@gerstner", _gerstner_uniforms(tiles, self.read), self.target
-            )
-            return Resources(targets={self.target: self._blocks(self.size)}, passes=(first,))
-        first = self._first(self.by_spectrum, "waves/sea_passes.glsl@spectrum", _loop_uniforms(), self._spectra[0])
+            uniforms = _gerstner_uniforms(tiles, self.read)
+            first = self._first(self.by_wave, ("gerstner", "water_pass"), uniforms, self.target)
+            return Resources(targets={self.target: self._layers(self.size, self.size // 4)}, passes=(first,))
+        side = min(2 * BAND, self.size)
+        spectra, *rows = f"{self.target}_spectra", f"{self.target}_rows", f"{self.second}_rows"
+        columns = self.second, self.target
+        first = self._first(self.by_spectrum, ("spectrum", "spectra_pass"), _loop_uniforms(), spectra)
         return Resources(
             targets={
-                **dict.fromkeys(self._spectra, self._blocks(min(2 * BAND, self.size))),
-                **dict.fromkeys((self.target, self.second), self._blocks(self.size)),
+                spectra: self._layers(side // 4, side),
+                **dict.fromkeys(rows, self._layers(self.size // 4, side)),
+                **dict.fromkeys(columns, self._layers(self.size, self.size // 4)),
             },
-            passes=(replace(first, inputs={"u_sea_spectrum": TextureInput(texture="sea_spectrum")}), *self._fft()),
+            passes=(
+                replace(first, inputs={"u_sea_spectrum": TextureInput(texture="sea_spectrum")}),
+                *self._fft(spectra, rows, columns),
+            ),
         )
 
-    def _blocks(self, rows: int) -> Target:
-        across, down = self.blocks
-        return Target(size=FixedSize(width=across * self.size, height=down * rows), format="RGBA32F")
+    def _layers(self, width: int, rows: int) -> Target:
+        """``rows``: of each block in a layer."""
+        return Target(
+            size=FixedSize(width=width, height=self.tiles * self.times * rows), format="RGBA32F", layers=4
+        )
 
-    @property
-    def _spectra(self) -> tuple[str, str]:
-        """Targets of the transform along rows: where most rows would be 0, they are left out."""
-        if self.size <= 2 * BAND:
-            return self.target, self.second
-        return f"{self.target}_rows", f"{self.second}_rows"
-
-    def _first(self, called: tuple[str, str, Piece], waves: str, uniforms: dict[str, Uniform], target: str) -> PassSpec:
-        name, program, file = called
+    def _first(
+        self, called: tuple[str, str, tuple[Piece, ...]], files: tuple[str, str], uniforms: dict[str, Uniform], target: str
+    ) -> PassSpec:
+        (name, program, own), (waves, last) = called, files
+        sizes = Inline(f"const int BLOCK_SIZE = {self.size};\nconst int BLOCK_TIMES = {self.times};\n")
         return PassSpec(
             name=name,
             program=program,
-            fragment=("lib/numbers.glsl", _COMPLEX, waves, file),
+            fragment=("lib/numbers.glsl", _COMPLEX, sizes, f"{_PASSES}{waves}", *own, _FOUR, f"{_PASSES}{last}"),
             target=target,
             uniforms={**uniforms, **self.uniforms},
             stage=self.stage,
         )
 
-    def _fft(self) -> Iterator[PassSpec]:
-        """Passes that transform the blocks, as many along each axis: the last draws into ``target``."""
-        radices = _RADICES[self.size]
-        between = list(islice(cycle(self._spectra), len(radices) + 1))
-        across = list(islice(cycle((self.target, self.second)), len(radices) + 1))[::-1]
-        for axis, kind in enumerate(("rows", "columns")):
-            span = 1
-            for i, radix in enumerate(radices):
-                spreads = axis == 1 and i == 0 and self.size > 2 * BAND
-                steps = (between, (between[-1], *across[1:]))[axis]
+    def _fft(self, spectra: str, rows: Sequence[str], columns: Sequence[str]) -> Iterator[PassSpec]:
+        """Passes that transform the blocks, as many along each axis: the last draws into the last of ``columns``."""
+        bits = int(math.log2(self.size))
+        steps = range(0, bits, 2)
+        spreads = self.size > 2 * BAND
+        source = spectra
+        for axis, (kind, targets) in enumerate((("rows", rows), ("columns", columns))):
+            for step, target in zip(steps, list(islice(cycle(targets[::-1]), len(steps)))[::-1], strict=True):
+                radix, last = min(4, 1 << (bits - step)), "fft_last_pass" if bits - step == 1 else "fft_pass"
+                first = Inline(f"const bool FFT_SPREADS = {str(spreads).lower()};\n"), f"{_PASSES}fft_first_pass"
                 yield PassSpec(
-                    name=f"{self.transforms}: {kind}, {span} to {span * radix}",
-                    program=f"fft_spread_{radix}" if spreads else f"fft_{radix}",
-                    fragment=(
-                        _RADIX_FILES[radix],
-                        _COMPLEX,
-                        "waves/sea_passes.glsl@fft_spread_pass" if spreads else "waves/sea_passes.glsl@fft_pass",
-                    ),
-                    target=steps[i + 1],
+                    name=f"{self.transforms}: {kind}, {1 << step} to {radix << step}",
+                    program=f"fft_{radix}" if step else "fft_spread" if spreads else "fft_first",
+                    fragment=(_COMPLEX, _FOUR, f"{_PASSES}fft", *((f"{_PASSES}{last}",) if step else first)),
+                    target=target,
                     inputs={
-                        "u_fft_from": TargetInput(target=steps[i]),
+                        "u_fft_from": TargetInput(target=source),
                         "u_fft_twiddles": TextureInput(texture="fft_twiddles"),
                     },
-                    uniforms={"u_fft": vector((math.log2(self.size), math.log2(span), float(axis)))},
+                    uniforms={"u_fft": vector((float(bits), float(step), float(axis)))},
                     stage=self.stage,
                 )
-                span *= radix
+                source = target
 
 
 def _loop_uniforms() -> dict[str, Uniform]:
@@ -310,10 +311,11 @@ def _displaced_water(sea: Sea, depth: float | None, tiles: Sequence[Cascade], si
     water = WaterDrawing(
         DISPLACED,
         "sea_b",
-        (len(tiles), 1),
+        len(tiles),
+        1,
         size,
-        by_wave=("waves of the sea", "gerstner", "waves/sea_passes.glsl@gerstner_pass"),
-        by_spectrum=("spectrum of the sea", "sea_spectrum", "waves/sea_passes.glsl@displaced_pass"),
+        by_wave=("waves of the sea", "gerstner", (f"{_PASSES}gerstner_pass",)),
+        by_spectrum=("spectrum of the sea", "sea_spectrum", (f"{_PASSES}displaced_pass",)),
         transforms="sea",
         read=size,
     )

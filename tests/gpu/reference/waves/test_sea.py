@@ -82,6 +82,12 @@ def test_drawn_tiles_are_the_references(executor: Executor, report: Report, name
         )
 
 
+def blocks_of(layers: NDArray[np.float32]) -> Floats:
+    """Blocks of water, (number, size, size, 4), of four layers over one another with a quarter of each block in each."""
+    size = layers.shape[1]
+    return layers.reshape(4, -1, size // 4, size, 4).swapaxes(0, 1).reshape(-1, size, size, 4).astype(np.float64)
+
+
 def spline_at_texels(coefficients: Floats) -> Floats:
     """Values at the texels of the uniform cubic B-spline with these coefficients, periodic; (size, size, n)."""
     for axis in (0, 1):
@@ -94,10 +100,10 @@ def _check_texels(
     executor: Executor, report: Report, plan: FramePlan, surface: truth.SeaSurface, name: str, time: float
 ) -> None:
     """Every texel of every tile that the GPU drew: displacement, height, slopes, fold, and folds of earlier times."""
-    atlas = draw_target(executor, plan, DISPLACED, time).astype(np.float64)
+    blocks = blocks_of(draw_target(executor, plan, DISPLACED, time))
     for i, one in enumerate(surface.tiles):
         moved = truth.grids(surface.cascades[i], time, truth.TEXELS)
-        block = spline_at_texels(atlas[:, i * truth.TEXELS : (i + 1) * truth.TEXELS, :3])
+        block = spline_at_texels(blocks[i][..., :3])
         got = draw_target(executor, plan, f"sea_tile_{i}", time).astype(np.float64)
         off = np.abs(got - np.stack((one.height, one.h_x, one.h_z, one.fold), -1)).max(axis=(0, 1))
         deviation = math.sqrt(surface.cascades[i].variance)
@@ -124,13 +130,15 @@ def _check_texels(
 def test_the_transform_is_numpys(executor: Executor, report: Report, size: int) -> None:
     """Round trip, Parseval, Hermitian symmetry (real fields) and zero mean of what the passes made."""
     sea, middle = SEAS["fft"], 2 * sea_tiles.BAND
-    atlas = tile(executor, sea, 12.5, DISPLACED, sea_size=size, sea_tiles=3).astype(np.float64)
+    # Calm water that is filtered has no more than 256 texels.
+    aliased = QUICK.surface.model_copy(update={"filter": False})
+    blocks = blocks_of(tile(executor, sea, 12.5, DISPLACED, sea_size=size, sea_tiles=3, surface=aliased))
     response = (2.0 + np.cos(2.0 * math.pi * np.fft.fftfreq(size))) / 3.0
     number = np.fft.fftfreq(size, 1.0 / size).round().astype(int)
     held = np.flatnonzero(np.abs(number) < min(sea_tiles.BAND, size // 2))
     row, column = np.meshgrid(*(number[held] + sea_tiles.BAND,) * 2, indexing="ij")
     for i, of in enumerate(sea_tiles.cascades(sea, None)[:3]):
-        block = atlas[:, i * size : (i + 1) * size]
+        block = blocks[i]
         spectrum = np.fft.fft2(block[..., 0]) / size**2 * response[:, None] * response[None, :]
         wanted = np.zeros((size, size), np.complex128)
         moved = truth.amplitudes(of, 12.5)
