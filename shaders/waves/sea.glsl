@@ -144,7 +144,7 @@ vec4 sea_seen(sampler2D tile, float side, vec2 at, Footprint fp) {
 }
 
 // @part seen_pass
-// A tile as footprints see it, twice as fine: slopes, their square, divergence. Between its texels by the B-spline; the levels below it
+// A tile as footprints see it: slopes, their square, divergence. At and between its texels by the B-spline; the levels below it
 // are means over more and more of them.
 uniform sampler2D u_sea_full;
 out vec4 o_seen;

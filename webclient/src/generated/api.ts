@@ -202,13 +202,19 @@ export interface components {
              */
             blend: "none" | "add" | "over";
         };
-        /** @description A render target: passes draw into it, and later passes read it. */
+        /**
+         * @description A render target: passes draw into it, and later passes read it.
+         *
+         *     ``layers``: more than one make an array of textures, whose layers a pass draws all at once, each by one of its
+         *     program's outputs: what these have in common is computed once. Without depth and mip levels.
+         */
         Target: {
             size: components["schemas"]["ViewportSize"] | components["schemas"]["FixedSize"];
             format: "RGBA16F" | "RGBA32F" | "RGBA8" | "RG32UI";
             depth: boolean;
             filter: "nearest" | "linear" | "linear_mipmap_linear";
             wrap: "repeat" | "clamp_to_edge";
+            layers: number;
         };
         /** @description A sampler that reads a target of the plan, drawn by an earlier pass. */
         TargetInput: {

@@ -40,15 +40,24 @@ export function makeTarget({ gl, capabilities: { largestTarget } }: TargetGpu, s
   if (Math.max(width, height) > largestTarget) {
     throw new RangeError(`A target of ${width} × ${height} pixels exceeds the driver's limit of ${largestTarget}.`);
   }
+  const { layers } = spec;
+  const kind = layers > 1 ? gl.TEXTURE_2D_ARRAY : gl.TEXTURE_2D;
   const texture = gl.createTexture();
-  gl.bindTexture(gl.TEXTURE_2D, texture);
+  gl.bindTexture(kind, texture);
   const mipmapped = spec.filter === "linear_mipmap_linear";
   const levels = mipmapped ? 1 + Math.floor(Math.log2(Math.max(width, height))) : 1;
-  gl.texStorage2D(gl.TEXTURE_2D, levels, gl[spec.format], width, height);
-  sampling(gl, spec.filter, spec.wrap, levels);
+  if (layers > 1) gl.texStorage3D(kind, levels, gl[spec.format], width, height, layers);
+  else gl.texStorage2D(kind, levels, gl[spec.format], width, height);
+  sampling(gl, spec.filter, spec.wrap, levels, kind);
   const framebuffer = gl.createFramebuffer();
   gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
-  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
+  if (layers > 1) {
+    const attachments = Array.from({ length: layers }, (_, layer) => gl.COLOR_ATTACHMENT0 + layer);
+    attachments.forEach((attachment, layer) => gl.framebufferTextureLayer(gl.FRAMEBUFFER, attachment, texture, 0, layer));
+    gl.drawBuffers(attachments);
+  } else {
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, kind, texture, 0);
+  }
   const depth = spec.depth ? gl.createRenderbuffer() : null;
   if (depth !== null) {
     gl.bindRenderbuffer(gl.RENDERBUFFER, depth);
@@ -62,7 +71,7 @@ export function makeTarget({ gl, capabilities: { largestTarget } }: TargetGpu, s
 export function checkFormats(gpu: TargetGpu, specs: readonly TargetSpec[]): void {
   const { gl, formats } = gpu;
   for (const spec of specs) {
-    const format = `${spec.format} target${spec.depth ? " with depth" : ""}`;
+    const format = `${spec.format} target${spec.depth ? " with depth" : ""}${spec.layers > 1 ? ` of ${spec.layers} layers` : ""}`;
     if (formats.has(format)) continue;
     const target = makeTarget(gpu, spec, 1, 1);
     gl.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffer);

@@ -38,12 +38,12 @@ export function makeTexture(gl: WebGL2RenderingContext, spec: TextureSpec, data:
 }
 
 /** Sets filter and wrap of the bound texture. */
-export function sampling(gl: WebGL2RenderingContext, filter: TextureSpec["filter"], wrap: TextureSpec["wrap"], levels: number): void {
+export function sampling(gl: WebGL2RenderingContext, filter: TextureSpec["filter"], wrap: TextureSpec["wrap"], levels: number, kind: GLenum = gl.TEXTURE_2D): void {
   const min = { nearest: gl.NEAREST, linear: gl.LINEAR, linear_mipmap_linear: gl.LINEAR_MIPMAP_LINEAR }[filter];
   const mode = wrap === "repeat" ? gl.REPEAT : gl.CLAMP_TO_EDGE;
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, min);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, filter === "nearest" ? gl.NEAREST : gl.LINEAR);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, mode);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, mode);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAX_LEVEL, levels - 1);
+  gl.texParameteri(kind, gl.TEXTURE_MIN_FILTER, min);
+  gl.texParameteri(kind, gl.TEXTURE_MAG_FILTER, filter === "nearest" ? gl.NEAREST : gl.LINEAR);
+  gl.texParameteri(kind, gl.TEXTURE_WRAP_S, mode);
+  gl.texParameteri(kind, gl.TEXTURE_WRAP_T, mode);
+  gl.texParameteri(kind, gl.TEXTURE_MAX_LEVEL, levels - 1);
 }

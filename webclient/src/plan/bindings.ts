@@ -14,7 +14,7 @@ const TYPES = {
   vec4: ["FLOAT_VEC4", 4, "uniform4fv"],
   mat4: ["FLOAT_MAT4", 16, null],
 } as const;
-const SAMPLERS = ["SAMPLER_2D", "UNSIGNED_INT_SAMPLER_2D", "INT_SAMPLER_2D"] as const;
+const SAMPLERS = ["SAMPLER_2D", "SAMPLER_2D_ARRAY", "UNSIGNED_INT_SAMPLER_2D", "INT_SAMPLER_2D"] as const;
 
 interface BoundUniform {
   active: ActiveUniform;
@@ -27,6 +27,7 @@ interface BoundUniform {
 interface BoundSampler {
   location: WebGLUniformLocation;
   unit: number;
+  target: "TEXTURE_2D" | "TEXTURE_2D_ARRAY";
   /** A texture, or the name of a target. */
   source: WebGLTexture | string;
 }
@@ -50,7 +51,8 @@ export function bindInputs(
       const input = pass.inputs?.[name];
       const source = input && ("texture" in input ? textures.get(input.texture) : input.target);
       if (source === undefined) throw new Error(`Pass ${pass.name}: the plan has no input for sampler ${name}.`);
-      samplers.push({ location: active.location, unit: samplers.length, source });
+      const target = active.type === gl.SAMPLER_2D_ARRAY ? "TEXTURE_2D_ARRAY" : "TEXTURE_2D";
+      samplers.push({ location: active.location, unit: samplers.length, target, source });
       continue;
     }
     const uniform = pass.uniforms?.[name] ?? plan.uniforms[name];
@@ -78,17 +80,17 @@ export function uploadUniforms(gl: WebGL2RenderingContext, { uniforms }: Binding
 }
 
 export function bindSamplers(gl: WebGL2RenderingContext, { samplers }: Bindings, find: (target: string) => Target | undefined): void {
-  for (const { location, unit, source } of samplers) {
+  for (const { location, unit, target, source } of samplers) {
     gl.activeTexture(gl.TEXTURE0 + unit);
-    gl.bindTexture(gl.TEXTURE_2D, typeof source === "string" ? (find(source)?.texture ?? null) : source);
+    gl.bindTexture(gl[target], typeof source === "string" ? (find(source)?.texture ?? null) : source);
     gl.uniform1i(location, unit);
   }
 }
 
 /** A target still bound for reading would be a feedback loop in a later pass that draws into it. */
 export function unbindSamplers(gl: WebGL2RenderingContext, { samplers }: Bindings): void {
-  for (const { unit } of samplers) {
+  for (const { unit, target } of samplers) {
     gl.activeTexture(gl.TEXTURE0 + unit);
-    gl.bindTexture(gl.TEXTURE_2D, null);
+    gl.bindTexture(gl[target], null);
   }
 }

@@ -50,5 +50,5 @@ export function targetText(plan: Pick<FramePlan, "targets">, name: string, width
   const spec = plan.targets[name];
   if (spec === undefined) return { size: `${width} × ${height}`, format: "RGBA8" };
   const [w, h] = targetSize(spec, width, height);
-  return { size: `${w} × ${h}`, format: spec.depth ? `${spec.format}, depth` : spec.format };
+  return { size: `${w} × ${h}${spec.layers > 1 ? ` × ${spec.layers}` : ""}`, format: spec.depth ? `${spec.format}, depth` : spec.format };
 }

@@ -59,7 +59,7 @@ function driver() {
 function plan(over: Partial<FramePlan> = {}): FramePlan {
   const shader = (text: string) => ({ text, sha256: text, files: [] });
   const program = (...uniforms: string[]) => ({ vertex: shader(""), fragment: shader(uniforms.map((name) => `uniform float ${name};`).join("\n")) });
-  const still = { size: { rule: "fixed", width: 8, height: 4 }, format: "RGBA16F", depth: false, filter: "nearest", wrap: "repeat" } as const;
+  const still = { size: { rule: "fixed", width: 8, height: 4 }, format: "RGBA16F", depth: false, filter: "nearest", wrap: "repeat", layers: 1 } as const;
   const pass = { eye: "any", view: "any", mesh: { rule: "fullscreen" }, uniforms: {}, state: { depth: false, equal: false, clear: false, blend: "none" } } as const;
   return {
     ...{ version: 1, effects: [], skipped: [], textures: {}, linear: "screen", samples: 1, top: 0, trough: 0, bottom: -1, live: ["/colour"] },

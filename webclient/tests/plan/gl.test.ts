@@ -15,7 +15,7 @@ describe("a grid", () => {
 
 describe("a target", () => {
   it("follows the picture or stands fixed", () => {
-    const rest = { format: "RGBA16F", depth: false, filter: "nearest", wrap: "repeat" } as const;
+    const rest = { format: "RGBA16F", depth: false, filter: "nearest", wrap: "repeat", layers: 1 } as const;
     expect(targetSize({ ...rest, size: { rule: "viewport", scale: 2, part: 1, narrow: 1, odd: false } }, 30, 20)).toEqual([60, 40]);
     expect(targetSize({ ...rest, size: { rule: "viewport", scale: 1, part: 4, narrow: 16, odd: false } }, 30, 21)).toEqual([1, 6]);
     expect(targetSize({ ...rest, size: { rule: "viewport", scale: 1, part: 4, narrow: 3, odd: true } }, 190, 20)).toEqual([17, 5]);

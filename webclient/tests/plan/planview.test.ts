@@ -54,8 +54,8 @@ describe("graph", () => {
   });
 
   test("sizes follow the picture", () => {
-    const targets = { half: { size: { rule: "viewport", scale: 1, part: 2, narrow: 1, odd: false }, format: "RGBA16F", depth: true, filter: "nearest", wrap: "repeat" } } as const;
-    expect(targetText({ targets }, "half", 321, 181)).toEqual({ size: "161 × 91", format: "RGBA16F, depth" });
+    const targets = { half: { size: { rule: "viewport", scale: 1, part: 2, narrow: 1, odd: false }, format: "RGBA16F", depth: true, filter: "nearest", wrap: "repeat", layers: 3 } } as const;
+    expect(targetText({ targets }, "half", 321, 181)).toEqual({ size: "161 × 91 × 3", format: "RGBA16F, depth" });
     expect(targetText({ targets }, "screen", 321, 181)).toEqual({ size: "321 × 181", format: "RGBA8" });
   });
 });

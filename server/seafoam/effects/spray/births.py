@@ -218,7 +218,13 @@ def _earlier_water(
         return ["spray/seas.glsl@sea_none", *earlier], waves
     # A shore's files declare the places in the tiles.
     places = [] if scene.shore is not None else [_SEA_PLACES]
-    files: list[Piece | SlotRef] = ["lib/texels.glsl@cubic_spline", BLOCKS, *places, "spray/seas.glsl@sea_waves", *earlier]
+    files: list[Piece | SlotRef] = [
+        "lib/texels.glsl@cubic_spline",
+        BLOCKS,
+        *places,
+        "spray/seas.glsl@sea_waves",
+        *earlier,
+    ]
     return files, waves.joined(_seas(scene.sea, quality, drawn_tiles(scene, quality)[:RAISED], limits))
 
 

@@ -39,12 +39,13 @@ CALM_SIZE = 256
 footprints filter short waves: with 512, the error against the reference was no smaller (lake-choppy 10.2 instead of 9.7
 levels, swell 4.78 instead of 4.56, explosion 24.3 instead of 23.0) and the time longer. Foam by folds does need them:
 crests are up to three times narrower than their waves, and half of the error of open-ocean was foam out of place."""
-NEWTON = 2
-"""Newton steps that invert the horizontal displacement at a texel."""
-READ, READ_ALONE = 0.57735, 0.75
+NEWTON, NEWTON_WIDE = 2, 1
+"""Newton steps that invert the horizontal displacement at a texel, and those for wide pixels, whose errors stay the
+same (storm 7.6 levels with both, open-ocean 10.9 and 11.0)."""
+READ, READ_ALONE, READ_WIDE = 0.57735, 0.75, 0.65
 """Side of a trilinear read of slopes over that of the footprint: of the same variance, and of the least error where one
-sample stands for a pixel. Against 256 samples of seas of 4 to 15 m/s, single ones had 1.26 to 1.55 and 0.91 to 1.32
-times the error of 16."""
+sample stands for a pixel, and for a wide one. Against 256 samples of seas of 4 to 15 m/s, single ones had 1.26 to 1.55
+and 0.91 to 1.32 times the error of 16."""
 _PASSES = "waves/sea_passes.glsl@"
 _COMPLEX, _FOUR = f"{_PASSES}complex", f"{_PASSES}four"
 DISPLACED = "sea_a"
@@ -102,12 +103,14 @@ class WaterDrawing:
 
     def _layers(self, width: int, rows: int) -> Target:
         """``rows``: of each block in a layer."""
-        return Target(
-            size=FixedSize(width=width, height=self.tiles * self.times * rows), format="RGBA32F", layers=4
-        )
+        return Target(size=FixedSize(width=width, height=self.tiles * self.times * rows), format="RGBA32F", layers=4)
 
     def _first(
-        self, called: tuple[str, str, tuple[Piece, ...]], files: tuple[str, str], uniforms: dict[str, Uniform], target: str
+        self,
+        called: tuple[str, str, tuple[Piece, ...]],
+        files: tuple[str, str],
+        uniforms: dict[str, Uniform],
+        target: str,
     ) -> PassSpec:
         (name, program, own), (waves, last) = called, files
         sizes = Inline(f"const int BLOCK_SIZE = {self.size};\nconst int BLOCK_TIMES = {self.times};\n")
@@ -202,10 +205,17 @@ def displaced_size(quality: Quality) -> int:
     return quality.sea_size if quality.sea_digits == "float" else min(quality.sea_size, 4 * BAND)
 
 
+def _smoothed(quality: Quality) -> bool:
+    """Whether the texels of all tiles are so few that a B-spline stands between them."""
+    return quality.sea_digits == "float" or quality.sea_size <= 4 * BAND
+
+
 def seen_size(quality: Quality) -> int:
-    """Return the side of a tile's map for shading, texels: where they are few, spline points stand between them."""
-    few = quality.sea_digits == "float" or quality.sea_size <= 4 * BAND
-    return 2 * quality.sea_size if few else quality.sea_size
+    """Return the side of a tile's map for shading, texels: where they are few, spline points stand between them.
+
+    Not so for wide pixels, whose errors are no less for these (open-ocean 11.7 levels with, 11.6 without).
+    """
+    return 2 * quality.sea_size if _smoothed(quality) and quality.pixel_width == 1 else quality.sea_size
 
 
 def tile_target(quality: Quality, size: int) -> Target:
@@ -240,7 +250,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     contribution = Contribution(
         why=_why(sea, tiles, quality.sea_size),
         slots=_slots(scene, quality, len(tiles)),
-        consts={**_consts(sea, tiles, quality), "SEA_READ": READ if quality.samples > 1 else READ_ALONE},
+        consts={**_consts(sea, tiles, quality), "SEA_READ": _read(quality)},
         chosen_consts={"SEA_READ": READ},
         bound=waves_bound(
             scene, summed(tile.max_slope for tile in tiles), max_surface_height(scene) - min_surface_height(scene)
@@ -259,6 +269,10 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
+def _read(quality: Quality) -> float:
+    return READ if quality.samples > 1 else READ_WIDE if quality.pixel_width > 1 else READ_ALONE
+
+
 def _why(sea: Sea, tiles: Sequence[Cascade], size: int) -> str:
     height = 4.0 * math.sqrt(summed(tile.variance for tile in tiles))
     waves = len([wave for tile in tiles for wave in tile.waves])
@@ -275,7 +289,7 @@ def _consts(sea: Sea, tiles: Sequence[Cascade], quality: Quality) -> dict[str, C
         "SEA_FINER": math.log2(seen_size(quality) / quality.sea_size),
         "SEA_BAND": BAND,
         "SEA_LOOP": LOOP,
-        "SEA_NEWTON": NEWTON if sea.choppiness > 0.0 else 0,
+        "SEA_NEWTON": 0 if sea.choppiness == 0.0 else NEWTON if quality.pixel_width == 1 else NEWTON_WIDE,
         "SEA_LEAST_JACOBIAN": LEAST_JACOBIAN,
         "SEA_LEVELS": quality.sea_size.bit_length() - 4,
         "GERSTNER_WAVES": max(len([wave for tile in tiles for wave in tile.waves]), 1) if gerstner else 2,
@@ -363,7 +377,7 @@ def _mip_maps(tiles: Sequence[Cascade], quality: Quality) -> Resources:
         return Resources(inputs=target_inputs({f"u_sea_seen_{i}": f"sea_tile_{i}" for i in range(len(tiles))}))
     size = FixedSize.square(seen_size(quality))
     # What only tilts the normal has no more texels than the map of displaced water.
-    finer = [size.width > (quality.sea_size if i < RAISED else displaced_size(quality)) for i in range(len(tiles))]
+    smooth = [_smoothed(quality) or i >= RAISED for i in range(len(tiles))]
     return Resources(
         inputs=target_inputs({f"u_sea_seen_{i}": f"sea_seen_{i}" for i in range(len(tiles))}),
         targets={
@@ -373,10 +387,10 @@ def _mip_maps(tiles: Sequence[Cascade], quality: Quality) -> Resources:
         passes=tuple(
             PassSpec(
                 name=f"sea, {tile.size:g} m tile as seen",
-                program="sea_seen" if finer[i] else "sea_seen_same",
+                program="sea_seen" if smooth[i] else "sea_seen_same",
                 fragment=(
                     *_fetch(quality),
-                    "waves/sea.glsl@seen_pass" if finer[i] else "waves/sea.glsl@seen_same_pass",
+                    "waves/sea.glsl@seen_pass" if smooth[i] else "waves/sea.glsl@seen_same_pass",
                 ),
                 target=f"sea_seen_{i}",
                 read={"u_sea_full": f"sea_tile_{i}"},

@@ -83,7 +83,7 @@ def test_drawn_tiles_are_the_references(executor: Executor, report: Report, name
 
 
 def blocks_of(layers: NDArray[np.float32]) -> Floats:
-    """Blocks of water, (number, size, size, 4), of four layers over one another with a quarter of each block in each."""
+    """Blocks of water, (number, size, size, 4), of four layers over one another, each with a quarter of each block."""
     size = layers.shape[1]
     return layers.reshape(4, -1, size // 4, size, 4).swapaxes(0, 1).reshape(-1, size, size, 4).astype(np.float64)
 
