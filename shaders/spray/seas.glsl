@@ -92,6 +92,7 @@ float sea_then(vec2 p, int batch) {
 }
 
 // @part times
+// Times of the births of batches.
 uniform vec2 u_spray_scale;  // l 2 pi / side of the first and second tile, rad/m
 uniform float u_spray_time[2];
 uniform float u_spray_step;

@@ -108,6 +108,7 @@ void main() {
 }
 
 // @part complex
+// Complex numbers are (real, imaginary).
 vec2 complex_product(vec2 a, vec2 b) {
     return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
 }
