@@ -100,8 +100,8 @@ def test_speed_scales_time(small: Visit) -> None:
     )
     wall, time = np.diff(np.array(samples), axis=0)[1:].T
     assert (time > 0).all()
-    # A gap of more than a quarter of a second is no time that anyone saw.
-    np.testing.assert_allclose(time, 4 * np.minimum(wall, 0.25), atol=1e-6)
+    # A gap of more than 0.4 s is no time that anyone saw.
+    np.testing.assert_allclose(time, 4 * np.minimum(wall, 0.4), atol=1e-6)
 
 
 @pytest.mark.parametrize(("motion", "playing"), [("reduce", False), ("no-preference", True)])
