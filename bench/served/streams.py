@@ -164,7 +164,7 @@ def _warm(port: int) -> None:
     stream, _ = _opened(port)
     with connected(port) as connection:
         for moment in range(WARM_FRAMES):
-            sure(connection, f"/api/streams/{stream}/frame.webp?{_view()}&time={moment}")
+            sure(connection, f"/api/streams/{stream}/frame.jpg?{_view()}&time={moment}")
             sure(connection, f"{single}&time={moment}")
     _close(port, str(stream))
 
@@ -190,7 +190,7 @@ def _ask(port: int, stream: str, start: int, until: float) -> list[Answer]:
     moments = itertools.count(9.0 + start * STEP, AT_ONCE * STEP)
     with connected(port) as connection:
         while time.perf_counter() < until:
-            answers.append(ask(connection, f"/api/streams/{stream}/frame.webp?{_view()}&time={next(moments):.2f}"))
+            answers.append(ask(connection, f"/api/streams/{stream}/frame.jpg?{_view()}&time={next(moments):.2f}"))
     return answers
 
 

@@ -140,7 +140,7 @@ export class Api {
     const [x, y, z] = camera.position;
     const { yaw, pitch, roll, fov } = camera;
     const query = Object.entries({ time, width, height, x, y, z, yaw, pitch, roll, fov }).map(([name, value]) => `${name}=${value}`);
-    const response = await this.fetch(`api/streams/${id}/frame.webp?${query.join("&")}`, { signal }, 1);
+    const response = await this.fetch(`api/streams/${id}/frame.jpg?${query.join("&")}`, { signal }, 1);
     return response.status === 204 ? null : response.blob();
   }
 

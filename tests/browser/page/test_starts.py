@@ -19,6 +19,8 @@ USUAL = {
     "WebGL off": "phone",
 }
 """The window that every run tries; the sweep has the other."""
+SOFTWARE = ("SwiftShader", "llvmpipe", "WebGL off")
+"""Starts that draw without a GPU on every machine."""
 CASES = [
     pytest.param((start, window), id=f"{start}-{window}", marks=() if USUAL[start] == window else REST)
     for start in STARTS
@@ -32,6 +34,8 @@ def started(request: pytest.FixtureRequest, playwright: Playwright, server: str)
     with browser_started(playwright, start) as (browser, _), opened(browser, server, window) as made:
         yield made
         assert made.said() == []
+        if start in SOFTWARE:
+            assert {frame["by"] for frame in made.frames()} == {"server"}, "nothing is compiled that draws slowly"
 
 
 def test_the_water_moves_and_answers(started: Started) -> None:

@@ -177,6 +177,7 @@ export class App implements PageParts {
 
   private makeLoader(index: 0 | 1): PlanLoader {
     return new PlanLoader(this.api, this.textures, {
+      decided: () => this.display.decide(this.clock.playing),
       gpu: () => this.display.current.gpu,
       camera: () => this.controls.camera,
       // A picture that stands, or beside another, can be looked at closely.

@@ -14,6 +14,8 @@ const BETTER = 1.2;
 const AGAIN = 60_000;
 /** Time that this browser has for its first plan before the server draws meanwhile, ms. */
 const HEAD_START = 1500;
+/** Time after which a browser that seemed slow while the page opened is looked at again, ms. */
+const SECOND_LOOK = 5000;
 /** Time for which this browser's picture may be less than good before the server is tried, ms. */
 const PATIENCE = 1500;
 
@@ -34,6 +36,9 @@ export class ChosenDisplay {
   /** Whether the server draws until this browser is ready. */
   private meanwhile = false;
   private rates: Record<FrameSource, Rate | null> = { browser: null, server: null };
+  /** Whether this browser draws slowly, once it is asked. */
+  private slow: Promise<boolean> | null = null;
+  private lookedAgain = false;
   /** When the one that does not draw may be tried, ms of performance.now(). */
   private tryAt = 0;
   /** When this browser's picture was good, or not yet measured. */
@@ -58,6 +63,17 @@ export class ChosenDisplay {
 
   get source(): FrameSource {
     return this.meanwhile ? "server" : this.chosen;
+  }
+
+  /** Settles when it is known who draws the first picture: one that moves is the server's where this browser is slow. */
+  async decide(moving: boolean): Promise<void> {
+    const { browser } = this;
+    const open = () => moving && browser?.blank === true && this.chosen === "browser" && this.choice === "auto";
+    if (browser === null || !open()) return;
+    this.slow ??= browser.slow();
+    if (!(await this.slow) || !open()) return;
+    this.tryAt = performance.now() + SECOND_LOOK;
+    this.use("server");
   }
 
   /** Draws as the user wishes. */
@@ -162,11 +178,24 @@ export class ChosenDisplay {
       if (this.leaves) this.use("server");
     } else if (server.stalled !== null) {
       this.tryAt = server.retryAt;
-      if (worth(rates.browser) > 0) this.use("browser");
-    } else if (current.rate() !== null && worth(rates.browser) > BETTER * worth(rates.server)) {
+      if (rates.browser === null || worth(rates.browser) > 0) this.use("browser");
+    } else if (current.rate() !== null && this.browserGivesMore) {
       this.tryAt = now + AGAIN;
       this.use("browser");
+    } else if (this.slow !== null && rates.browser === null && !this.lookedAgain && now >= this.tryAt) {
+      this.lookedAgain = true;
+      void this.lookAgain(browser);
     }
+  }
+
+  private async lookAgain(browser: Viewport): Promise<void> {
+    if (!(await browser.slow()) && this.choice === "auto") this.use("browser");
+  }
+
+  /** Whether this browser, if it is not slow or is measured, draws more than the server does; anything is more than nothing that moves. */
+  private get browserGivesMore(): boolean {
+    const { browser, server } = this.rates;
+    return browser === null ? worth(server) === 0 : worth(browser) > BETTER * worth(server);
   }
 
   private use(source: FrameSource): void {

@@ -29,6 +29,8 @@ interface LoadedPlan {
 export type PlanView = Pick<LoadedPlan, "scene" | "request">;
 
 interface PlanLoaderEvents {
+  /** Settles when it is known who draws. */
+  decided(): Promise<void>;
   /** Null where the server draws. */
   gpu(): Gpu | null;
   camera(): CameraState;
@@ -117,9 +119,10 @@ export class PlanLoader {
     const run = async () => {
       await new Promise((resolve) => setTimeout(resolve, delay));
       if (outdated()) return;
-      const gpu = this.events.gpu();
       // Without its camera, so that the server's cache has one plan for every view of the scene.
-      const plan = await this.api.plan(withValue(request.scene, CAMERA_POINTER, undefined), request.quality, abort.signal);
+      const scene = withValue(request.scene, CAMERA_POINTER, undefined);
+      const [plan] = await Promise.all([this.api.plan(scene, request.quality, abort.signal), this.events.decided()]);
+      const gpu = this.events.gpu();
       const roughUntil = this.events.roughUntil();
       const executor = gpu && await Executor.load(gpu, plan, this.textures.exact, this.events.camera(), true, roughUntil && this.textures.roughOf(plan));
       if (!outdated()) await executor?.warmUp(this.events.camera(), request.scene);

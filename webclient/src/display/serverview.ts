@@ -12,7 +12,7 @@ import { DynamicResolution } from "./resolution";
 /** Time from frame to frame, ms, by scale: it is the server's, and blocks nothing here. */
 const BUDGET: FrameBudget = [[0.5, 240], [0.52, 70], [0.6, 64], [1, 60]];
 /** Below this scale fewer frames a second are better than fewer pixels. */
-const LEAST_SCALE = 0.35;
+const LEAST_SCALE = 0.4;
 /** Share of the pixels of the first frame: a scale of 0.5. */
 const FIRST_SHARE = 0.25;
 /** Greatest size of a frame, pixels. */

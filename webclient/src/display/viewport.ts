@@ -1,5 +1,6 @@
 /** The canvas: owns the GPU, draws one picture or two side by side, and measures frame times. */
 import { type Gpu, openContext, openGpu } from "../gl/gpu";
+import { drawsSlowly } from "../gl/speed";
 import { makeScreen, type Screen } from "../gl/target";
 import type { Frame, Rectangle } from "../plan/executor";
 import { type Display, type DisplayEvents, type FrameTiming, type Rate, ShownFrames, type ViewState } from "./display";
@@ -215,6 +216,11 @@ export class Viewport implements Display {
     const { cost, scale, displayInterval } = this.resolution;
     if (this.fixed !== null || cost === null || !this.settled) return null;
     return { cost, scale, displayInterval, budget: MOTION_BUDGET, megapixels: 1e-6 * this.pixels };
+  }
+
+  /** Whether it would draw at a processor's speed, as far as can be told before a plan is compiled. */
+  slow(): Promise<boolean> {
+    return this.runExclusive(() => drawsSlowly(this.gl));
   }
 
   planChanged(cost: number): void {

@@ -18,6 +18,7 @@ function ways(given: Rate | null = null, own = true) {
     rate() { return this.given; },
     tick() { this.ticks += 1; },
     planChanged: () => undefined,
+    slow: () => Promise.resolve(false),
     close: () => undefined,
     hide: () => undefined,
   });
@@ -26,10 +27,11 @@ function ways(given: Rate | null = null, own = true) {
   return { browser, server, sourceChanged, chosen };
 }
 
-/** The same while this browser compiles its first plan. */
-function compiling() {
+/** The same while this browser compiles its first plan; `slow`: what it seems when it is looked at, each time. */
+function compiling(...slow: readonly boolean[]) {
   const all = ways();
-  Object.assign(all.browser, { blank: true, presentable: false });
+  const looks = [...slow];
+  Object.assign(all.browser, { blank: true, presentable: false, slow: vi.fn(() => Promise.resolve(looks.shift() ?? false)) });
   return all;
 }
 
@@ -118,6 +120,64 @@ describe("who draws", () => {
     run(chosen, 300);
     expect(chosen.source).toBe("browser");
     expect(server.ticks).toBe(drawn);
+  });
+
+  it("is the server from the first picture on where the browser is slow", async () => {
+    const { browser, server, sourceChanged, chosen } = compiling(true, true);
+    await Promise.all([chosen.decide(true), chosen.decide(true)]);
+    expect(chosen).toMatchObject({ source: "server", why: "The server draws the frames: this browser would draw fewer pixels a second." });
+    expect(sourceChanged).toHaveBeenCalledOnce();
+    server.given = { fps: 4, scale: 0.4 };
+    for (let look = 0; look < 3; look++) {
+      run(chosen, 10_000);
+      await Promise.resolve();
+    }
+    expect(chosen.source).toBe("server");
+    expect(browser.slow).toHaveBeenCalledTimes(2);
+    expect(browser.ticks).toBe(0);
+  });
+
+  it("is the browser where it only seemed slow while the page opened", async () => {
+    const { chosen, server } = compiling(true, false);
+    await chosen.decide(true);
+    server.given = { fps: 12, scale: 0.7 };
+    run(chosen, 4000);
+    await Promise.resolve();
+    expect(chosen.source).toBe("server");
+    run(chosen, 2000);
+    await Promise.resolve();
+    expect(chosen.source).toBe("browser");
+  });
+
+  it("is a slow browser where the server gives no moving picture, or all streams are taken", async () => {
+    for (const given of [{ given: { fps: 1, scale: 0.4 } }, { stalled: "all streams are taken", retryAt: 60_000 }]) {
+      const { chosen, server } = compiling(true, true);
+      await chosen.decide(true);
+      Object.assign(server, given);
+      run(chosen, 200);
+      expect(chosen.source).toBe("browser");
+    }
+  });
+
+  it("is a slow browser where nothing moves, or the user wishes so", async () => {
+    const still = compiling(true).chosen;
+    await still.decide(false);
+    expect(still.source).toBe("browser");
+    const { chosen } = compiling(true);
+    chosen.choose("browser");
+    await chosen.decide(true);
+    expect(chosen.source).toBe("browser");
+  });
+
+  it("is the browser where it is not slow, and what draws already is not looked at", async () => {
+    const { browser, chosen } = compiling(false);
+    await chosen.decide(true);
+    expect(chosen.source).toBe("browser");
+    const drawing = ways();
+    Object.assign(drawing.browser, { slow: vi.fn(() => Promise.resolve(true)) });
+    await drawing.chosen.decide(true);
+    expect(drawing.browser.slow).not.toHaveBeenCalled();
+    expect(browser.slow).toHaveBeenCalledOnce();
   });
 
   it("is the browser where the user wishes so while it compiles", () => {

@@ -20,7 +20,7 @@ NOT_MODIFIED: Responses = {304: {"description": "Not modified: the copy named by
 _SIZED = (
     "/api/frames/{preset}.{format}",
     "/api/plans/{plan}/frames/{time}.{format}",
-    "/api/streams/{stream}/frame.webp",
+    "/api/streams/{stream}/frame.jpg",
 )
 """Paths whose parameters ``width`` and ``height`` the settings limit."""
 

@@ -23,7 +23,7 @@ router = APIRouter(prefix="/api/streams", tags=["frames"])
 
 NO_STREAMS_RETRY = 60
 """Retry-After of a server that gives no streams, s."""
-_FRAME = content("The frame, lossy, without recipe", "image/webp") | {
+_FRAME = content("The frame, lossy, without recipe", "image/jpeg") | {
     204: {"description": "No frame: later ones of the stream were asked for"}
 }
 StreamId = Annotated[str, Path(max_length=64, description="ID of the stream", examples=["Zk1uY2F0c2Vh"])]
@@ -82,16 +82,16 @@ async def close_stream(stream: StreamId, _: NoParameters, context: InContext) ->
 
 
 @router.get(
-    "/{stream}/frame.webp", responses=_FRAME | problem_responses(404, 422, 500, 503, 504), response_class=Response
+    "/{stream}/frame.jpg", responses=_FRAME | problem_responses(404, 422, 500, 503, 504), response_class=Response
 )
 async def get_stream_frame(
     stream: StreamId, query: Annotated[StreamFrameParameters, Query()], request: Request, context: InContext
 ) -> Response:
-    """Get a frame of a stream as lossy WebP. A third one that is asked for gives up the oldest that waits (204)."""
+    """Get a frame of a stream as JPEG. A third one that is asked for gives up the oldest that waits (204)."""
     found = _find(stream, context)
     context.settings.frame_limits.check(query.width, query.height, found.quality.samples_drawn)
     camera, size = query.camera, (query.width, query.height)
-    job = FrameJob(found.scene, found.quality, query.time, camera, *size, "webp", None, dither=False, lossy=True)
+    job = FrameJob(found.scene, found.quality, query.time, camera, *size, "png", None, dither=False, lossy=True)
     try:
         frame = await unless_gone(request, _drawn(found, job, context))
     except asyncio.CancelledError:
@@ -102,10 +102,10 @@ async def get_stream_frame(
         return Response(status_code=204, headers={"Cache-Control": NO_STORE})
     if frame is None:
         return Response(status_code=CLIENT_CLOSED_REQUEST)
-    context.metrics.count_frame(frame, "webp")
+    context.metrics.count_frame(frame, "jpeg")
     context.streams.drawn(query.width * query.height, sum(frame.timings.values()) - frame.timings["queue"])
     headers = {"Cache-Control": NO_STORE, "Server-Timing": server_timing(frame)}
-    return Response(frame.content, headers=headers, media_type="image/webp")
+    return Response(frame.content, headers=headers, media_type="image/jpeg")
 
 
 async def _drawn(stream: Stream, job: FrameJob, context: Context) -> EncodedFrame:

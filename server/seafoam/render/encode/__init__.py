@@ -1,4 +1,4 @@
-"""Encodes frames: PNG and WebP for display, OpenEXR for compositing, NPY for measurements."""
+"""Encodes frames: PNG and WebP for display, JPEG in motion, OpenEXR for compositing, NPY for measurements."""
 
 import io
 from importlib.metadata import version
@@ -10,13 +10,14 @@ from numpy.typing import NDArray
 
 from seafoam.render.encode.dither import dithered
 from seafoam.render.encode.exr import Precision, encode_exr, recipe_in_exr
+from seafoam.render.encode.jpeg import encode_jpeg
 from seafoam.render.encode.png import encode_png, recipe_in_png
 from seafoam.render.encode.recipes import NoRecipeError
-from seafoam.render.encode.webp import encode_lossy, encode_webp, recipe_in_webp
+from seafoam.render.encode.webp import encode_webp, recipe_in_webp
 
 __all__ = [
     "BYTES_PER_PIXEL", "ENCODERS", "FRAME_FORMATS", "MEDIA_TYPES", "FrameFormat", "NoRecipeError", "Output",
-    "Precision", "encode", "encode_lossy", "output_of", "read_recipe",
+    "Precision", "encode", "encode_jpeg", "output_of", "read_recipe",
 ]  # fmt: skip
 
 FrameFormat = Literal["png", "webp", "exr", "npy"]

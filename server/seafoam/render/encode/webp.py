@@ -1,4 +1,4 @@
-"""WebP: lossless, with the recipe as a property of its XMP packet (ISO 16684-1), and lossy for frames in motion.
+"""WebP: lossless, with the recipe as a property of its XMP packet (ISO 16684-1).
 
 Functions import Pillow themselves, because most frames are PNG.
 """
@@ -14,9 +14,6 @@ from seafoam.render.encode.recipes import KEYWORD
 
 EFFORT = 10
 """Pillow's ``quality`` of lossless WebP, 0..100, which controls effort, not loss."""
-LOSSY_QUALITY = 85
-"""Of a frame in motion, 0..100: 5.7 ms for 640 × 360 pixels of foam, RMSE 3.2 levels, 56 kB. JPEG takes 0.6 ms for the
-same error and bytes, AVIF 11 ms for two thirds of the bytes; a worker draws the next frame meanwhile."""
 _OURS = "urn:seafoam:recipe:"
 _PACKET = (
     '<x:xmpmeta xmlns:rdf="http://www.w3.org/1999/02/22-rdf-syntax-ns#" '
@@ -33,15 +30,6 @@ def encode_webp(pixels: NDArray[np.uint8], recipe: str | None) -> bytes:
     picture = Image.fromarray(np.ascontiguousarray(pixels[..., :3]))
     packet = b"" if recipe is None else _PACKET.format(escape(recipe, quote=False)).encode()
     picture.save(buffer, "WEBP", lossless=True, quality=EFFORT, method=0, xmp=packet)
-    return buffer.getvalue()
-
-
-def encode_lossy(pixels: NDArray[np.uint8]) -> bytes:
-    """Encode RGB of (height, width, 3 or 4) for a moment's look: lossy, without recipe."""
-    from PIL import Image
-
-    buffer = io.BytesIO()
-    Image.fromarray(np.ascontiguousarray(pixels[..., :3])).save(buffer, "WEBP", quality=LOSSY_QUALITY, method=0)
     return buffer.getvalue()
 
 

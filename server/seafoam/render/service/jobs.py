@@ -15,7 +15,7 @@ from seafoam.effects.registry import CHANGED
 from seafoam.framegraph.plan import FramePlan
 from seafoam.planner import make_geometry_plan, make_plan
 from seafoam.quality import Quality
-from seafoam.render.encode import BYTES_PER_PIXEL, FrameFormat, Output, Precision, encode, encode_lossy, output_of
+from seafoam.render.encode import BYTES_PER_PIXEL, FrameFormat, Output, Precision, encode, encode_jpeg, output_of
 from seafoam.render.service.recipe import RECIPE_VERSION, described, renderer_of
 from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
@@ -45,7 +45,7 @@ class FrameJob:
     precision: Precision = "half"
     """Numbers of ``exr``."""
     lossy: bool = False
-    """Whether a ``webp`` is a frame in motion: lossy, without recipe."""
+    """Whether it is a frame in motion: JPEG without recipe, of undithered ``png``."""
 
     @property
     def output(self) -> Output:
@@ -202,7 +202,7 @@ def encode_frame(picture: Picture, job: FrameJob) -> EncodedFrame:
     """Encode what was drawn for a job; needs no renderer, so that it can run beside the next frame."""
     began = time.perf_counter()
     if job.lossy:
-        content = encode_lossy(picture.pixels)
+        content = encode_jpeg(picture.pixels)
     else:
         recipe = job.recipe(picture.info, plan_hash(job.scene, job.quality))
         content = encode(picture.pixels, job.format, recipe, precision=job.precision)

@@ -86,7 +86,7 @@ def test_a_key_is_logged_by_its_name(logged: Logged) -> None:
 
 def test_frames_of_streams_are_logged_if_they_are_refused(monkeypatch: pytest.MonkeyPatch, logged: Logged) -> None:
     client = answering(log_format="json")
-    path = "/api/streams/x/frame.webp"
+    path = "/api/streams/x/frame.jpg"
     client.get(path)
     monkeypatch.setattr("seafoam.api.guard.access_control.AccessControl.__call__", Response(status_code=204))
     client.get(path)

@@ -105,7 +105,7 @@ def test_programs_draw_by_the_proxys_address(behind: str) -> None:
     opened = httpx2.post(f"{behind}api/streams", json={"scene": {}, "quality": "fast"}, timeout=60)
     stream = urljoin(str(opened.url), opened.headers["location"])
     query = "time=1&width=16&height=16&x=0&y=3&z=0&yaw=0&pitch=0&roll=0&fov=1"
-    assert httpx2.get(f"{stream}/frame.webp?{query}", timeout=60).headers["content-type"] == "image/webp"
+    assert httpx2.get(f"{stream}/frame.jpg?{query}", timeout=60).headers["content-type"] == "image/jpeg"
 
 
 def test_a_prefix_is_set_or_told_by_who_is_trusted() -> None:

@@ -78,7 +78,7 @@ def test_a_span_for_each_request_of_which_an_unexpected_error_is_one(
     client.get("/api/presets/none", headers={"traceparent": PARENT})
     client.head("/api/quality")
     client.get("/healthz")
-    client.get("/api/streams/x/frame.webp")
+    client.get("/api/streams/x/frame.jpg")
     monkeypatch.setattr("seafoam.api.routers.presets.every_parameter", lambda: 1 / 0)
     client.get("/api/quality")
     first, second, failed = recorded.spans()

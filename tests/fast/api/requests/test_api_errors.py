@@ -11,7 +11,7 @@ from support.serving import SMALL, problem
 FRAME, CUSTOM = "/api/frames/default.png", "/api/masks/custom"
 WHERE = "x=0&y=4&z=0&yaw=0&pitch=0&roll=0"
 VIEW = f"width=8&height=8&{WHERE}&fov=1"
-PLANNED, STREAMED = f"/api/plans/{'0' * 64}/frames", "/api/streams/none/frame.webp"
+PLANNED, STREAMED = f"/api/plans/{'0' * 64}/frames", "/api/streams/none/frame.jpg"
 
 
 def between(least, most):
