@@ -2,8 +2,9 @@
 
 from typing import Annotated, Any, Literal, get_args
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
+from pydantic import BeforeValidator, ConfigDict, Field
 
+from seafoam.described import Described
 from seafoam.extensions import Extensible, Extensions
 
 Tier = Literal["fast", "standard", "high", "reference"]
@@ -16,7 +17,7 @@ def _no_truth_value(value: Any) -> Any:
     return value
 
 
-class QualityParameters(BaseModel):
+class QualityParameters(Described):
     """Base class of groups of quality settings."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
@@ -25,24 +26,17 @@ class QualityParameters(BaseModel):
 class SurfaceQuality(QualityParameters):
     """Settings of the intersection of view rays with the surface."""
 
-    method: Literal["mesh", "march"] = Field(
-        default="march",
-        description="How the view ray is intersected with the surface. march: conservative ray marching, "
-        "which cannot step over a crest; mesh: a polar grid, then Newton steps",
-    )
+    method: Literal["mesh", "march"] = "march"
+    """How the view ray is intersected with the surface. march: conservative ray marching, which cannot step over a
+    crest; mesh: a polar grid, then Newton steps"""
     steps: int = Field(default=192, ge=8, le=1024, description="Maximum number of ray-marching steps")
-    tolerance: float = Field(
-        default=0.05,
-        ge=1e-4,
-        le=1.0,
-        description="Distance from the surface at which ray marching stops, as a fraction of the height of "
-        "one sample's footprint; smaller is more exact and slower",
-    )
+    tolerance: float = Field(default=0.05, ge=1e-4, le=1.0)
+    """Distance from the surface at which ray marching stops, as a fraction of the height of one sample's footprint;
+    smaller is more exact and slower"""
     cells: int = Field(default=192, ge=8, le=1024, description="Cells along each side of the mesh")
     refine: int = Field(default=0, ge=0, le=8, description="Newton steps per sample after the mesh or the ray march")
-    filter: bool = Field(
-        default=True, description="Convert waves smaller than the sampling footprint into roughness; false: they alias"
-    )
+    filter: bool = True
+    """Convert waves smaller than the sampling footprint into roughness; false: they alias"""
 
 
 class QualityExtensions(Extensions):
@@ -54,166 +48,103 @@ class Quality(Extensible, QualityParameters):
 
     surface: SurfaceQuality = SurfaceQuality()
     waves: int = Field(default=16, ge=1, le=16, description="Maximum number of parametric waves, the steepest first")
-    mask: Literal["u8", "half", "u16"] = Field(
-        default="u16", description="Storage format of the mask's thresholds, for looks that read single texels"
-    )
-    foam_taps: Literal[4, 16] = Field(
-        default=16,
-        description="Mask texels that the filtered look averages under minification: 4 (2 × 2) or 16 (4 × 4); "
-        "fewer is faster and noisier",
-    )
-    foam_octaves: Annotated[Literal[1, 2, 3, 4], BeforeValidator(_no_truth_value)] = Field(
-        default=4, description="Maximum number of octaves of the foam mask; more show finer foam near the camera"
-    )
-    foam_texture: Literal["sampler", "texels"] = Field(
-        default="sampler",
-        description="How the foam texture is filtered. sampler: by the GL, from 8 bits, with weights of some 8 bits; "
-        "texels: in float32",
-    )
-    foam_relief: bool = Field(
-        default=False, description="Shade the water and the foam edges around foam that has a thickness"
-    )
-    ripples: Literal["tile", "exact"] = Field(
-        default="tile",
-        description="Wind ripples. tile: read from a tile that is drawn each frame; exact: summed for each sample",
-    )
+    mask: Literal["u8", "half", "u16"] = "u16"
+    """Storage format of the mask's thresholds, for looks that read single texels"""
+    foam_taps: Literal[4, 16] = 16
+    """Mask texels that the filtered look averages under minification: 4 (2 × 2) or 16 (4 × 4); fewer is faster and
+    noisier"""
+    foam_octaves: Annotated[Literal[1, 2, 3, 4], BeforeValidator(_no_truth_value)] = 4
+    """Maximum number of octaves of the foam mask; more show finer foam near the camera"""
+    foam_texture: Literal["sampler", "texels"] = "sampler"
+    """How the foam texture is filtered. sampler: by the GL, from 8 bits, with weights of some 8 bits; texels: in
+    float32"""
+    foam_relief: bool = False
+    """Shade the water and the foam edges around foam that has a thickness"""
+    ripples: Literal["tile", "exact"] = "tile"
+    """Wind ripples. tile: read from a tile that is drawn each frame; exact: summed for each sample"""
     ripples_size: int = Field(default=256, ge=32, le=1024, description="Side of the ripple tile, texels")
-    rings: Literal["map", "exact"] = Field(
-        default="map",
-        description="Rings. map: read from a displacement map that is drawn each frame; exact: summed for each sample",
-    )
+    rings: Literal["map", "exact"] = "map"
+    """Rings. map: read from a displacement map that is drawn each frame; exact: summed for each sample"""
     rings_size: int = Field(default=1024, ge=32, le=2048, description="Side of the rings' displacement map, texels")
     sea_size: Literal[64, 128, 256, 512] = Field(default=512, description="Side of each tile of the open sea, texels")
-    sea_tiles: Literal[2, 3, 4] = Field(
-        default=4, description="Number of tiles of an FFT sea, the largest first; fewer leave out the shortest waves"
-    )
-    sea_digits: Literal["half", "float"] = Field(
-        default="half",
-        description="Floating-point format of the tiles of the open sea: 16-bit (half) or 32-bit (float)",
-    )
-    age_steps: Annotated[Literal[0, 4, 8], BeforeValidator(_no_truth_value)] = Field(
-        default=8,
-        description="Number of earlier times at which the folds of the sea are evaluated, for foam left by "
-        "past breakers",
-    )
+    sea_tiles: Literal[2, 3, 4] = 4
+    """Number of tiles of an FFT sea, the largest first; fewer leave out the shortest waves"""
+    sea_digits: Literal["half", "float"] = "half"
+    """Floating-point format of the tiles of the open sea: 16-bit (half) or 32-bit (float)"""
+    age_steps: Annotated[Literal[0, 4, 8], BeforeValidator(_no_truth_value)] = 8
+    """Number of earlier times at which the folds of the sea are evaluated, for foam left by past breakers"""
     age_step: float = Field(default=0.35, ge=0.02, le=5.0, description="Interval between these times, s")
-    shore_map: Literal[64, 128, 256, 512] = Field(
-        default=256, description="Side of the map of distances to the shore, texels"
-    )
-    shore_floor: Literal[64, 128, 256, 512] = Field(
-        default=256, description="Side of the height field of sea floor and land, texels"
-    )
-    shore_profile: Literal[32, 64, 128, 256] = Field(
-        default=128, description="Nodes per row of the table of shore wave profiles"
-    )
-    land_octaves: int = Field(
-        default=7, ge=1, le=7, description="Octaves of the land's detail, the largest first; more show finer detail"
-    )
-    shadow_steps: Literal[32, 64, 128, 256] = Field(
-        default=128, description="Steps toward the sun in which the land's shadows are found"
-    )
+    shore_map: Literal[64, 128, 256, 512] = 256
+    """Side of the map of distances to the shore, texels"""
+    shore_floor: Literal[64, 128, 256, 512] = 256
+    """Side of the height field of sea floor and land, texels"""
+    shore_profile: Literal[32, 64, 128, 256] = 128
+    """Nodes per row of the table of shore wave profiles"""
+    land_octaves: int = Field(default=7, ge=1, le=7)
+    """Octaves of the land's detail, the largest first; more show finer detail"""
+    shadow_steps: Literal[32, 64, 128, 256] = 128
+    """Steps toward the sun in which the land's shadows are found"""
     cloud_octaves: int = Field(default=6, ge=1, le=8, description="Octaves of the cloud noise; more show finer clouds")
-    cloud_shadow_octaves: Literal[1, 2, 3, 4] = Field(
-        default=3, description="Octaves of the cloud noise in the clouds' shadows; more show finer shadows"
-    )
-    cube: Literal["map", "exact"] = Field(
-        default="map", description="Reflected surroundings. map: read from a cube map; exact: traced for each sample"
-    )
-    cube_size: Literal[32, 64, 128, 256, 512, 1024] = Field(
-        default=256, description="Side of each face of the cube map, texels"
-    )
-    refraction_steps: Literal[1, 2, 4, 8, 16] = Field(
-        default=2, description="Iterations of the intersection of the refracted ray with a shore's floor"
-    )
-    drift: Literal["backward", "forward", "exact"] = Field(
-        default="backward",
-        description="Advection of drifting foam. backward: a map whose texels trace the flow back in time; "
-        "forward: a map in which cells of foam are moved along the flow (leaves gaps and piles, "
-        "for comparison); exact: traced back for each sample",
-    )
+    cloud_shadow_octaves: Literal[1, 2, 3, 4] = 3
+    """Octaves of the cloud noise in the clouds' shadows; more show finer shadows"""
+    cube: Literal["map", "exact"] = "map"
+    """Reflected surroundings. map: read from a cube map; exact: traced for each sample"""
+    cube_size: Literal[32, 64, 128, 256, 512, 1024] = 256
+    """Side of each face of the cube map, texels"""
+    refraction_steps: Literal[1, 2, 4, 8, 16] = 2
+    """Iterations of the intersection of the refracted ray with a shore's floor"""
+    drift: Literal["backward", "forward", "exact"] = "backward"
+    """Advection of drifting foam. backward: a map whose texels trace the flow back in time; forward: a map in which
+    cells of foam are moved along the flow (leaves gaps and piles, for comparison); exact: traced back for each
+    sample"""
     drift_size: Literal[64, 128, 256, 512, 1024] = Field(default=256, description="Side of the drift maps, texels")
-    drift_window: float = Field(
-        default=120.0, ge=1.0, le=120.0, description="Maximum age of drifting foam, s; older foam is not drawn"
-    )
-    drift_step: float = Field(
-        default=1.0, ge=0.05, le=10.0, description="Maximum time step of the integration along the flow, s"
-    )
-    sparkle_cells: Annotated[Literal[1, 4], BeforeValidator(_no_truth_value)] = Field(
-        default=4, description="Sparkle cells evaluated per sample: 1 (its own) or 4 (all that can reach it)"
-    )
-    spray_count: Literal[2048, 4096, 8192, 16384] = Field(
-        default=8192,
-        description="Number of spray drops; fewer drops are drawn larger, so that they cover the same area",
-    )
-    caustics: Literal["grid", "photons"] = Field(
-        default="grid",
-        description="Caustics. grid: area ratios of a refracted grid (photons where deep water spreads the "
-        "light far); photons: photons counted where they land",
-    )
+    drift_window: float = Field(default=120.0, ge=1.0, le=120.0)
+    """Maximum age of drifting foam, s; older foam is not drawn"""
+    drift_step: float = Field(default=1.0, ge=0.05, le=10.0)
+    """Maximum time step of the integration along the flow, s"""
+    sparkle_cells: Annotated[Literal[1, 4], BeforeValidator(_no_truth_value)] = 4
+    """Sparkle cells evaluated per sample: 1 (its own) or 4 (all that can reach it)"""
+    spray_count: Literal[2048, 4096, 8192, 16384] = 8192
+    """Number of spray drops; fewer drops are drawn larger, so that they cover the same area"""
+    caustics: Literal["grid", "photons"] = "grid"
+    """Caustics. grid: area ratios of a refracted grid (photons where deep water spreads the light far); photons:
+    photons counted where they land"""
     caustics_size: Literal[128, 256, 512, 1024] = Field(default=512, description="Side of the caustic map, texels")
-    caustics_cells: Literal[64, 128, 256, 512] = Field(
-        default=256, description="Cells along each side of the refracted grid"
-    )
-    caustics_photons: Literal[128, 256, 512, 1024] = Field(
-        default=512, description="Photons along each side of the caustic tile"
-    )
-    wake: Literal["map", "exact"] = Field(
-        default="map", description="Wakes. map: read from a displacement map; exact: evaluated for each sample"
-    )
+    caustics_cells: Literal[64, 128, 256, 512] = 256
+    """Cells along each side of the refracted grid"""
+    caustics_photons: Literal[128, 256, 512, 1024] = 512
+    """Photons along each side of the caustic tile"""
+    wake: Literal["map", "exact"] = "map"
+    """Wakes. map: read from a displacement map; exact: evaluated for each sample"""
     wake_size: Literal[128, 256, 512, 1024] = Field(default=512, description="Side of each wake map, texels")
-    reflection: Literal["map", "traced"] = Field(
-        default="map",
-        description="Reflection of boats. map: from a planar mirror that is drawn each frame; traced: by rays "
-        "from the water",
-    )
+    reflection: Literal["map", "traced"] = "map"
+    """Reflection of boats. map: from a planar mirror that is drawn each frame; traced: by rays from the water"""
     reflection_size: int = Field(default=256, ge=32, le=2048, description="Side of the planar mirror, texels")
-    slope_places: Annotated[Literal[1, 5], BeforeValidator(_no_truth_value)] = Field(
-        default=1,
-        description="Points at which the slope for blurred slope foam is read: 5, or 1 with a footprint as "
-        "wide as the blur",
-    )
-    boat_readings: Annotated[Literal[1, 7], BeforeValidator(_no_truth_value)] = Field(
-        default=7, description="Wave heights read around each hull point of a boat"
-    )
-    boat_samples: Annotated[Literal[1, 4, 9], BeforeValidator(_no_truth_value)] = Field(
-        default=4, description="Rays per sample where boats are, to antialias their edges against water and sky"
-    )
+    slope_places: Annotated[Literal[1, 5], BeforeValidator(_no_truth_value)] = 1
+    """Points at which the slope for blurred slope foam is read: 5, or 1 with a footprint as wide as the blur"""
+    boat_readings: Annotated[Literal[1, 7], BeforeValidator(_no_truth_value)] = 7
+    """Wave heights read around each hull point of a boat"""
+    boat_samples: Annotated[Literal[1, 4, 9], BeforeValidator(_no_truth_value)] = 4
+    """Rays per sample where boats are, to antialias their edges against water and sky"""
     boat_shadows: bool = Field(default=True, description="Shadows of boats on water, foam and a floor")
     samples: Literal[1, 4, 9, 16, 25, 36, 49, 64] = Field(default=1, description="Samples per pixel, on a square grid")
-    samples_max: Annotated[Literal[1, 4, 16], BeforeValidator(_no_truth_value)] = Field(
-        default=1,
-        description="Maximum number of samples for a pixel that stands out from its neighbours (adaptive "
-        "sampling); a value not above `samples` turns it off",
-    )
-    samples_budget: float = Field(
-        default=2.0,
-        ge=0.1,
-        le=3.0,
-        description="Maximum number of additional adaptive samples per pixel, averaged over the pixels below "
-        "the horizon",
-    )
-    samples_threshold: float = Field(
-        default=0.004,
-        ge=0.001,
-        le=1.0,
-        description="Contrast with its neighbours above which a pixel gets more samples; white on black is 1. "
-        "Raised automatically where the budget would be exceeded",
-    )
-    pixel_width: Annotated[Literal[1, 2, 3, 4], BeforeValidator(_no_truth_value)] = Field(
-        default=1,
-        description="Width of a drawn pixel, in pixels of the picture. 2 to 4: the picture is drawn at full height and "
-        "a part of its width, along which water that is seen from near its level has the least detail, and then "
-        "enlarged; without adaptive sampling. Half of it, rounded up, in scenes with boats or caustics",
-    )
-    target: Literal["RGBA16F", "RGBA32F"] = Field(
-        default="RGBA16F", description="Floating-point format of the linear frame"
-    )
+    samples_max: Annotated[Literal[1, 4, 16], BeforeValidator(_no_truth_value)] = 1
+    """Maximum number of samples for a pixel that stands out from its neighbours (adaptive sampling); a value not above
+    `samples` turns it off"""
+    samples_budget: float = Field(default=2.0, ge=0.1, le=3.0)
+    """Maximum number of additional adaptive samples per pixel, averaged over the pixels below the horizon"""
+    samples_threshold: float = Field(default=0.004, ge=0.001, le=1.0)
+    """Contrast with its neighbours above which a pixel gets more samples; white on black is 1. Raised automatically
+    where the budget would be exceeded"""
+    pixel_width: Annotated[Literal[1, 2, 3, 4], BeforeValidator(_no_truth_value)] = 1
+    """Width of a drawn pixel, in pixels of the picture. 2 to 4: the picture is drawn at full height and a part of its
+    width, along which water that is seen from near its level has the least detail, and then enlarged; without adaptive
+    sampling. Half of it, rounded up, in scenes with boats or caustics"""
+    target: Literal["RGBA16F", "RGBA32F"] = "RGBA16F"
+    """Floating-point format of the linear frame"""
 
-    extensions: QualityExtensions = Field(
-        default=QualityExtensions(),
-        exclude_if=lambda given: not dict(given),
-        description="Settings of effects outside the package, by name; absent: their defaults",
-    )
+    extensions: QualityExtensions = Field(default=QualityExtensions(), exclude_if=lambda given: not dict(given))
+    """Settings of effects outside the package, by name; absent: their defaults"""
 
     @property
     def chosen_samples(self) -> tuple[int, ...]:

@@ -6,9 +6,9 @@ from typing import Literal
 
 from pydantic import ConfigDict, Field
 
+from seafoam.described import Described
 from seafoam.effects.effect import Cause
 from seafoam.quality import Quality, Tier
-from seafoam.scene.base import Described
 
 FORMAT = 4
 """Version of the JSON format; part of the cache keys."""

@@ -6,11 +6,11 @@ from pydantic import ConfigDict, Discriminator, Field, Tag, field_validator
 from pydantic.fields import FieldInfo
 
 from seafoam.api.http.problems import BadRequestError, FieldProblem
+from seafoam.described import Described
 from seafoam.numerals import numeral_fields
 from seafoam.quality import TIERS, Quality, Tier
 from seafoam.render.encode import FrameFormat, Precision
 from seafoam.render.service.jobs import FrameJob
-from seafoam.scene.base import Described
 from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Foam, Look
 from seafoam.scene.models import Scene

@@ -8,7 +8,7 @@ from typing import Any
 
 from pydantic import Field
 
-from seafoam.scene.base import Described
+from seafoam.described import Described
 
 
 class FieldProblem(Described):

@@ -10,8 +10,8 @@ from pydantic import Field
 from seafoam.api.context import InContext
 from seafoam.api.http.openapi import problem_responses
 from seafoam.api.http.validation import NoParameters, Strict
+from seafoam.described import Described
 from seafoam.quality import TIERS, Tier
-from seafoam.scene.base import Described
 from seafoam.scene.models import Scene
 
 router = APIRouter(prefix="/api", tags=["presets"])

@@ -14,10 +14,10 @@ from seafoam.api.http.openapi import content, problem_responses
 from seafoam.api.http.parameters import PlanRequest, StreamFrameParameters, quality_of
 from seafoam.api.http.problems import NotFoundError, StreamsFullError
 from seafoam.api.http.validation import NoParameters, Strict
+from seafoam.described import Described
 from seafoam.quality import Quality
 from seafoam.render.service.jobs import EncodedFrame, FrameJob
 from seafoam.render.service.priority import Ticket
-from seafoam.scene.base import Described
 
 router = APIRouter(prefix="/api/streams", tags=["frames"])
 
