@@ -219,8 +219,9 @@ export class Viewport implements Display {
   }
 
   /** Whether it would draw at a processor's speed, as far as can be told before a plan is compiled. */
-  slow(): Promise<boolean> {
-    return this.runExclusive(() => drawsSlowly(this.gl));
+  async slow(): Promise<boolean> {
+    // The timers of a hidden page tell nothing.
+    return !document.hidden && this.runExclusive(() => drawsSlowly(this.gl));
   }
 
   planChanged(cost: number): void {
