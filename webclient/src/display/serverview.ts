@@ -3,7 +3,7 @@ import { type Api, ApiError, type FrameRequest, messageOf, type StreamView } fro
 import { equal, type Json } from "../scene/json";
 import { element } from "../ui/dom";
 import { type Display, type DisplayEvents, type FrameTiming, type Rate, ShownFrames, type ViewState } from "./display";
-import type { FrameBudget, RenderLoad } from "./framebudget";
+import { bestScale, type FrameBudget, type RenderLoad } from "./framebudget";
 import { FrameStream } from "./framestream";
 import { onPixelsChange, pixelRatio, pixelSize, pixelsOf, resizeCanvas } from "./pixels";
 import type { PlanLoader, PlanView } from "./planloader";
@@ -13,6 +13,8 @@ import { DynamicResolution } from "./resolution";
 const BUDGET: FrameBudget = [[0.5, 240], [0.52, 70], [0.6, 64], [1, 60]];
 /** Below this scale fewer frames a second are better than fewer pixels. */
 const LEAST_SCALE = 0.4;
+/** While the camera moves an answer within a quarter of a second is worth more than pixels: a frame that is begun comes first. */
+const TURNING: { budget: FrameBudget; least: number } = { budget: [[1, 120]], least: 0.25 };
 /** Share of the pixels of the first frame: a scale of 0.5. */
 const FIRST_SHARE = 0.25;
 /** Greatest size of a frame, pixels. */
@@ -150,9 +152,9 @@ export class ServerView implements Display {
     const tier = this.movingTier();
     if (tier === undefined) return;
     if (isNewView) this.lastNewView = now;
+    const scale = this.fixed ?? (camera === this.view ? this.resolution.scale : this.turningScale);
     this.view = camera;
     this.dirty = false;
-    const scale = this.fixed ?? this.resolution.scale;
     const frame = this.frame(view, scale);
     const take = () => Promise.all(this.views.map(({ scene, request }, side) => (this.streams[side] as FrameStream).frame(scene, tier ?? request.quality, frame)));
     void this.show(take, { ...frame, scale, moving: true, tier });
@@ -181,6 +183,11 @@ export class ServerView implements Display {
     // What is not measured yet starts small, whatever the tier.
     if (load?.cost && chosen && chosen.cost !== 1) this.resolution.expect(chosen.cost);
     return chosen?.tier ?? null;
+  }
+
+  private get turningScale(): number {
+    const { cost, scale, displayInterval } = this.resolution;
+    return cost === null ? scale : Math.min(scale, Math.max(TURNING.least, bestScale(cost, displayInterval, TURNING.budget)));
   }
 
   private get views(): PlanView[] {
