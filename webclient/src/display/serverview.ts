@@ -64,6 +64,7 @@ export class ServerView implements Display {
   private failures = 0;
   private waitUntil = 0;
   private lastMotion = -Infinity;
+  private divider = NaN;
   private size = { width: 0, height: 0 };
   private frameTime: number | null = null;
   /** Of the picture that is shown, if it is not the selection's. */
@@ -115,7 +116,8 @@ export class ServerView implements Display {
   }
 
   tick(now: number, view: ViewState, moving: boolean): void {
-    this.root.style.setProperty("--at", `${100 * view.divider}%`);
+    // Set each time, it would have the browser put the page together anew at the display's rate.
+    if (view.divider !== this.divider) this.root.style.setProperty("--at", `${100 * (this.divider = view.divider)}%`);
     if (moving) this.lastMotion = now;
     else this.resolution.pause();
     if (now < this.waitUntil || this.loaders[0].view === null) return;
