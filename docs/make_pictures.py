@@ -1,6 +1,7 @@
 """Draws the pictures of the docs: ``make docs``."""
 
 import math
+import sys
 from collections.abc import Sequence
 from io import BytesIO
 from pathlib import Path
@@ -8,7 +9,6 @@ from pathlib import Path
 from PIL import Image
 
 from seafoam.masks.catalogue import load_catalogue, load_mask
-from seafoam.masks.judge.plots import contact_sheet, magnified_sheet
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
@@ -17,6 +17,9 @@ from seafoam.scene.foam import Foam, FrontSaturation
 from seafoam.scene.light import Caustics, Day, Moon
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
+
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+from docs.masks.sheets import contact_sheet, magnified_sheet
 
 PICTURES = Path(__file__).parent / "pictures"
 

@@ -13,8 +13,6 @@ from pydantic_core import CoreSchema
 
 from seafoam.described import Described
 
-Finite = Annotated[float, Field(allow_inf_nan=False)]
-
 Share = Annotated[float, Field(ge=0.0, le=1.0, allow_inf_nan=False)]
 
 Rgb = tuple[Share, Share, Share]

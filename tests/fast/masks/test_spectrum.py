@@ -6,10 +6,11 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
+from docs.masks.sheets import contact_sheet, corner_pattern, magnified_sheet
 from PIL import Image
 
 from seafoam.masks.construct.make import make_mask
-from seafoam.masks.judge.plots import contact_sheet, corner_pattern, magnified_sheet, plot_spectrum
+from seafoam.masks.judge.plots import plot_spectrum
 from seafoam.masks.judge.spectrum import MaskSpectrum, measure_spectrum
 
 
