@@ -16,6 +16,7 @@ from seafoam.api.http.problems import NotFoundError, StreamsFullError
 from seafoam.api.http.validation import NoParameters, Strict
 from seafoam.described import Described
 from seafoam.quality import Quality
+from seafoam.render.service.errors import DeadlineError
 from seafoam.render.service.jobs import EncodedFrame, FrameJob
 from seafoam.render.service.priority import Ticket
 
@@ -24,7 +25,7 @@ router = APIRouter(prefix="/api/streams", tags=["frames"])
 NO_STREAMS_RETRY = 60
 """Retry-After of a server that gives no streams, s."""
 _FRAME = content("The frame, lossy, without recipe", "image/jpeg") | {
-    204: {"description": "No frame: later ones of the stream were asked for"}
+    204: {"description": "No frame: later ones of the stream were asked for, or it was not drawn before its deadline"}
 }
 StreamId = Annotated[str, Path(max_length=64, description="ID of the stream", examples=["Zk1uY2F0c2Vh"])]
 
@@ -81,9 +82,7 @@ async def close_stream(stream: StreamId, _: NoParameters, context: InContext) ->
     context.streams.close(stream)
 
 
-@router.get(
-    "/{stream}/frame.jpg", responses=_FRAME | problem_responses(404, 422, 500, 503, 504), response_class=Response
-)
+@router.get("/{stream}/frame.jpg", responses=_FRAME | problem_responses(404, 422, 500, 503), response_class=Response)
 async def get_stream_frame(
     stream: StreamId, query: Annotated[StreamFrameParameters, Query()], request: Request, context: InContext
 ) -> Response:
@@ -92,14 +91,17 @@ async def get_stream_frame(
     context.settings.frame_limits.check(query.width, query.height, found.quality.samples_drawn)
     camera, size = query.camera, (query.width, query.height)
     job = FrameJob(found.scene, found.quality, query.time, camera, *size, "png", None, dither=False, lossy=True)
+    # No error: browsers would log one for every frame that a drag overtakes, or whose programs are yet compiled.
+    none = Response(status_code=204, headers={"Cache-Control": NO_STORE})
     try:
         frame = await unless_gone(request, _drawn(found, job, context))
+    except DeadlineError:
+        return none
     except asyncio.CancelledError:
         task = asyncio.current_task()
         if task is not None and task.cancelling():
             raise
-        # No error: browsers would log one for every frame that a drag overtakes.
-        return Response(status_code=204, headers={"Cache-Control": NO_STORE})
+        return none
     if frame is None:
         return Response(status_code=CLIENT_CLOSED_REQUEST)
     context.metrics.count_frame(frame, "jpeg")
