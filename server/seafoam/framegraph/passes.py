@@ -62,46 +62,33 @@ class State(PlanPart):
     """Fixed-function state of a pass; everything else is disabled."""
 
     depth: bool = Field(default=False, description="Draw only before what is drawn already, and write the depth")
-    equal: bool = Field(
-        default=False, description="With depth: draw only where the depth is the pass's own, not before it"
-    )
+    equal: bool = False
+    """With depth: draw only where the depth is the pass's own, not before it"""
     clear: bool = Field(default=False, description="Clear the target to (0, 0, 0, 0) and depth to 1 first")
-    blend: Blend = Field(
-        default="none",
-        description="Blending. none: replace the target's content; add: add to it; over: blend over it, with "
-        "premultiplied alpha. Never used with 32-bit float targets, whose blending WebGL2 does "
-        "not guarantee",
-    )
+    blend: Blend = "none"
+    """Blending. none: replace the target's content; add: add to it; over: blend over it, with premultiplied alpha.
+    Never used with 32-bit float targets, whose blending WebGL2 does not guarantee"""
 
 
 class Pass(PlanPart):
     """One draw call."""
 
     name: str
-    when: Literal["setup", "frame"] = Field(
-        description="When the pass is drawn. setup: neither time, camera nor picture size affects the pass or "
-        "what it reads; it is drawn when its target is first needed, and again only if a live "
-        "field among its uniforms, or those of what it reads, changes. frame: in every frame that "
-        "needs its target. All passes into one target have the same value"
-    )
-    eye: Eyes = Field(
-        default="any",
-        description="Camera heights for which the pass is drawn. over: at the plan's top or higher; under: below its "
-        "trough; between: neither. Passes for two of them draw nothing from the other side of the water",
-    )
-    view: View = Field(
-        default="any",
-        description="Where the pass can be visible, for culling. rising, falling: only if some ray of the "
-        "picture rises or falls, or the camera is below the plan's top; spheres: only if one of "
-        "these bounding spheres is in the picture",
-    )
+    when: Literal["setup", "frame"]
+    """When the pass is drawn. setup: neither time, camera nor picture size affects the pass or what it reads; it is
+    drawn when its target is first needed, and again only if a live field among its uniforms, or those of what it reads,
+    changes. frame: in every frame that needs its target. All passes into one target have the same value"""
+    eye: Eyes = "any"
+    """Camera heights for which the pass is drawn. over: at the plan's top or higher; under: below its trough; between:
+    neither. Passes for two of them draw nothing from the other side of the water"""
+    view: View = "any"
+    """Where the pass can be visible, for culling. rising, falling: only if some ray of the picture rises or falls, or
+    the camera is below the plan's top; spheres: only if one of these bounding spheres is in the picture"""
     program: str
     target: str = Field(description="Name of a target of the plan, or 'screen': the RGBA8 picture itself")
     mesh: Mesh
-    inputs: dict[str, TextureInput | TargetInput] = Field(
-        default_factory=dict, description="Sampler name -> source of its data"
-    )
-    uniforms: dict[str, Uniform] = Field(
-        default_factory=dict, description="Uniforms of this pass only; they override the plan's"
-    )
+    inputs: dict[str, TextureInput | TargetInput] = Field(default_factory=dict)
+    """Sampler name -> source of its data"""
+    uniforms: dict[str, Uniform] = Field(default_factory=dict)
+    """Uniforms of this pass only; they override the plan's"""
     state: State = State()

@@ -19,9 +19,8 @@ class EffectNote(PlanPart):
     name: str
     why: str
     files: tuple[str, ...] = ()
-    bound: float | None = Field(
-        default=None, description="For a skipped effect: upper bound of its change to any pixel, display white = 1"
-    )
+    bound: float | None = None
+    """For a skipped effect: upper bound of its change to any pixel, display white = 1"""
 
 
 class FramePlan(PlanPart):
@@ -34,12 +33,10 @@ class FramePlan(PlanPart):
     textures: dict[str, Texture]
     targets: dict[str, Target]
     passes: tuple[Pass, ...]
-    kept: dict[str, str] = Field(
-        description="Targets of setup passes that other passes read -> SHA-256 of everything that determines "
-        "their pixels: programs, numbers, textures, meshes, states and formats, including those "
-        "of their inputs. Plans with the same hash can share the target as long as no live field "
-        "changes. All other targets of setup passes are intermediate"
-    )
+    kept: dict[str, str]
+    """Targets of setup passes that other passes read -> SHA-256 of everything that determines their pixels: programs,
+    numbers, textures, meshes, states and formats, including those of their inputs. Plans with the same hash can share
+    the target as long as no live field changes. All other targets of setup passes are intermediate"""
     uniforms: dict[str, Uniform]
     linear: str = Field(description="Target that holds the finished linear frame: exposed RGB, A = foam coverage")
     samples: int = Field(description="Samples per pixel")

@@ -3,13 +3,15 @@
 from collections.abc import Iterable
 from typing import Annotated, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import ConfigDict, Field
+
+from seafoam.described import Described
 
 FAR = 1e8
 """Limit of vectors to the camera, m: what is farther away is in no picture."""
 
 
-class PlanPart(BaseModel):
+class PlanPart(Described):
     """Base class of all parts of a frame plan."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
