@@ -23,6 +23,9 @@ const COARSE = 0.4;
 /** Time of a frame, ms, up to which motion is fluent: worth more than a smaller error. */
 const FLUENT = 75;
 
+/** What counts against a choice: its error, and by how much its frames are slower than fluent. */
+const badness = ({ error, time }: TierChoice) => error * Math.max(1, time / FLUENT);
+
 /** How much more a frame of one preset and tier costs than of another, at a megapixel; 1 where either is not known. */
 export function costRatio({ presets }: TierCosts, from: readonly [preset: string, tier: string], to: readonly [preset: string, tier: string]): number {
   const [before, after] = [from, to].map(([preset, tier]) => {
@@ -76,12 +79,12 @@ export class AutoQuality {
     const fluent = fine.filter(({ time }) => time <= FLUENT);
     const fitting = [fluent, fine].find(({ length }) => length > 0) ?? inTime;
     // With no tier within budget, the fastest is best.
-    const [best] = fitting.length > 0 ? fitting.sort((a, b) => a.error - b.error) : candidates.sort((a, b) => a.time - b.time);
+    const [best] = fitting.length > 0 ? fitting.sort((a, b) => badness(a) - badness(b)) : candidates.sort((a, b) => a.time - b.time);
     if (best === undefined || best.tier === currentTier) return null;
     // What is not measured is not drawn yet: nothing stands still for another.
     const keeps = load.cost !== null && current.withinBudget && (current.scale >= COARSE || fine.length === 0) && (current.time <= FLUENT || fluent.length === 0);
     const faster = best.error <= current.error && best.time < MUCH_FASTER * current.time;
-    if (keeps && !faster && best.error > MIN_IMPROVEMENT * current.error) return null;
+    if (keeps && !faster && badness(best) > MIN_IMPROVEMENT * badness(current)) return null;
     if (load.cost !== null) this.rejected.add(currentTier);
     return best;
   }

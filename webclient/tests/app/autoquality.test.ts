@@ -82,6 +82,16 @@ describe("automatic quality", () => {
     expect(new AutoQuality().next(sea, "sea", "exact", { ...load, cost: { fixed: 15, pixels: 490 } })?.tier).toBe("fast");
   });
 
+  it("weighs error and time where no tier is fluent", () => {
+    const chosen = (errors: number) => {
+      const sea = costsOf([{ tier: "fast", fixed: 80, pixels: 200, errors: [20, 20, 20] }, { tier: "exact", fixed: 120, pixels: 400, errors: [errors, errors, errors] }]);
+      return new AutoQuality().next(sea, "sea", "fast", { cost: null, scale: 0.5, displayInterval: DISPLAY, budget: [[0.5, 240], [0.52, 70], [1, 60]], megapixels: 1 })?.tier ?? "fast";
+    };
+    // At half the size they take 130 and 220 ms.
+    expect(chosen(16)).toBe("fast");
+    expect(chosen(8)).toBe("exact");
+  });
+
   it("knows how much more one preset costs than another", () => {
     const presets = { sea: tierCosts, pond: [{ tier: "fast", fixed: 1, pixels: 15, errors: [1, 1, 1] }] };
     expect(costRatio({ scales, presets }, ["pond", "fast"], ["sea", "exact"])).toBeCloseTo(124 / 16);
