@@ -49,20 +49,19 @@ export async function drawsSlowly(gl: WebGL2RenderingContext): Promise<boolean> 
   const framebuffer = gl.createFramebuffer();
   gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
   gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, target, 0);
+  gl.activeTexture(gl.TEXTURE0);
+  gl.bindTexture(gl.TEXTURE_2D, image);
+  gl.useProgram(program);
+  gl.viewport(0, 0, WORK.size, WORK.size);
   const began = performance.now();
   let least = Infinity;
   for (let draw = 0; draw < DRAWS && least > LONGEST && performance.now() - began < ENOUGH; draw++) {
     const submitted = performance.now();
-    gl.useProgram(program);
-    gl.activeTexture(gl.TEXTURE0);
-    gl.bindTexture(gl.TEXTURE_2D, image);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
-    gl.viewport(0, 0, WORK.size, WORK.size);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     await whenDone(gl, ENOUGH);
     least = Math.min(least, performance.now() - submitted);
   }
+  gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   gl.useProgram(null);
   gl.bindTexture(gl.TEXTURE_2D, null);
   gl.deleteFramebuffer(framebuffer);
