@@ -131,8 +131,8 @@ export class Api {
   }
 
   /** Also while the page is being left. */
-  closeStream(id: string): void {
-    fetch(this.url(`api/streams/${id}`), { method: "DELETE", keepalive: true }).catch(() => undefined);
+  async closeStream(id: string): Promise<void> {
+    await fetch(this.url(`api/streams/${id}`), { method: "DELETE", keepalive: true }).catch(() => undefined);
   }
 
   /** A frame of a stream; null if it was given up for later ones. */

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from playwright.sync_api import Playwright
 
-from support.browser.starts import STARTS, Started, browser_started, opened
+from support.browser.starts import SPLIT, STARTS, Started, browser_started, opened
 from support.sweep import REST
 
 USUAL = {
@@ -61,9 +61,14 @@ def test_the_water_moves_and_answers(started: Started) -> None:
 
 
 @pytest.mark.parametrize("started", [pytest.param(("WebGL off", "phone"), id="WebGL off")], indirect=True)
-def test_play_leaves_no_message(started: Started) -> None:
+def test_play_leaves_no_message_and_takes_no_stream_that_it_does_not_need(started: Started, server: str) -> None:
     started.page.wait_for_function("() => window.seafoam !== undefined")
     started.page.evaluate("() => window.seafoam.ready")
     started.play(20.0)
     started.more_frames(2)
     assert "touches" in started.page.url or "split" in started.page.url
+    for split, streams in ((f"&split={SPLIT}", 2), ("", 1)):
+        started.page.evaluate("(hash) => { location.hash = hash; }", f"#preset=default{split}")
+        started.more_frames(6)
+        open_now = started.page.request.get(f"{server}/api/streams").json()["open"]
+        assert open_now == streams, "a picture without a divider leaves the other side's place to others"

@@ -158,6 +158,8 @@ export class ServerView implements Display {
     this.view = camera;
     this.dirty = false;
     const frame = this.frame(view, scale);
+    // A picture without a divider leaves the other side's place to others.
+    for (const stream of this.streams.slice(this.views.length)) stream.close();
     const take = () => Promise.all(this.views.map(({ scene, request }, side) => (this.streams[side] as FrameStream).frame(scene, tier ?? request.quality, frame)));
     void this.show(take, { ...frame, scale, moving: true, tier });
   }

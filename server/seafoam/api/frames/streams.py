@@ -13,8 +13,11 @@ from seafoam.quality import Quality
 from seafoam.render.service.priority import PrioritySemaphore, Ticket
 from seafoam.scene.models import Scene
 
-LEASE_SECONDS = 10.0
-"""Time without a request after which a stream ends, s."""
+LEASE_SECONDS = 3.0
+"""Time without a request after which a stream ends, s: pages that are closed by force do not say so."""
+IDLE_SECONDS = 1.0
+RETRY_SECONDS = 10.0
+"""Retry-After where all streams were asked for a frame within the last ``IDLE_SECONDS``, s."""
 FRAMES_AT_ONCE = 2
 """Frames of one stream that may be drawn or wait for a worker: one is drawn while the one before it travels."""
 _FRAME = re.compile(r"/api/streams/([^/]+)/frame\.")
@@ -95,9 +98,9 @@ class Streams:
 
     @property
     def retry_after(self) -> int:
-        """Seconds until a place may be free: when the stream that was asked least lately would end."""
-        first = min((stream.expires for stream in self._open.values()), default=math.inf)
-        return max(1, math.ceil(min(first - self._clock(), LEASE_SECONDS)))
+        """Seconds until a place may be free: when the stream that was asked least lately ends, if it is idle."""
+        left = min((one.expires for one in self._open.values() if not one.frames), default=math.inf) - self._clock()
+        return math.ceil(max(1.0, left if left <= LEASE_SECONDS - IDLE_SECONDS else RETRY_SECONDS))
 
     def open(self, scene: Scene, quality: Quality) -> Stream | None:
         """Open a stream, or return None where all are taken."""

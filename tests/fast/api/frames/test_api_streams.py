@@ -11,7 +11,7 @@ import pytest
 from httpx2 import Response
 from starlette.testclient import TestClient
 
-from seafoam.api.frames.streams import FRAMES_AT_ONCE, LEASE_SECONDS, Stream, Streams
+from seafoam.api.frames.streams import FRAMES_AT_ONCE, IDLE_SECONDS, LEASE_SECONDS, RETRY_SECONDS, Stream, Streams
 from seafoam.api.settings import Settings
 from seafoam.quality import TIERS
 from seafoam.render.service.errors import DeadlineError
@@ -112,7 +112,7 @@ def test_where_all_are_taken_the_answer_says_when_to_ask_again_and_nothing_is_pl
     refused = streaming.post("/api/streams", json=FAST)
     assert problem(refused, 503)["type"] == "urn:seafoam:problem:streams-full"
     assert "all 2 streams" in refused.json()["detail"]
-    assert 1 <= int(refused.headers["Retry-After"]) <= LEASE_SECONDS
+    assert 1 <= int(refused.headers["Retry-After"]) <= RETRY_SECONDS
     streaming.delete(f"/api/streams/{first}")
     first = opened(streaming)
     monkeypatch.setattr("seafoam.api.context.compile_scene", None)
@@ -158,10 +158,12 @@ def test_a_stream_that_is_not_asked_ends_and_its_place_is_free() -> None:
     streams = Streams(1, clock)
     stream = stream_of(streams)
     assert streams.open(Scene(), TIERS["fast"]) is None
-    clock.now += LEASE_SECONDS - 1.0
+    clock.now += 0.9 * IDLE_SECONDS
+    assert streams.retry_after == RETRY_SECONDS  # it is in use
+    clock.now += LEASE_SECONDS - 1.0 - 0.9 * IDLE_SECONDS
     assert streams.retry_after == 1
     assert streams.find(stream.id) is stream  # the lease begins anew
-    assert streams.retry_after == LEASE_SECONDS
+    assert streams.retry_after == RETRY_SECONDS
     clock.now += LEASE_SECONDS - 1.0
     assert streams.find(stream.id) is stream
     clock.now += LEASE_SECONDS + 1.0
@@ -178,7 +180,7 @@ async def test_a_frame_that_takes_longer_than_the_lease_keeps_its_stream() -> No
     stream = stream_of(streams)
     async with stream.place(Ticket(stream=True), lambda ticket: False):
         clock.now += 5 * LEASE_SECONDS
-        assert len(streams) == 1
+        assert (len(streams), streams.retry_after) == (1, RETRY_SECONDS)
     streams.renew(stream)
     clock.now += LEASE_SECONDS - 1.0
     assert len(streams) == 1
