@@ -103,6 +103,9 @@ def test_the_page_has_the_figures_of_todays_scenes(made: Any) -> None:
     today = {(name, tier): scene_sha256(load_preset(name).scene) for name in preset_names() for tier in TIERS}
     assert found == today, "measure again: python docs/make_tiers.py PRESET"
     page = (DOCS / "accuracy.md").read_text(encoding="utf-8")
+    *lower, most = TIERS
+    shown = f"![A part of {made.CROP[0]} at {', '.join(lower)} and {most}](pictures/accuracy/crops.webp)"
+    assert shown in page, "draw the crops again: python docs/make_tiers.py --page"
     found = made.measured()
     assert f"<!-- tiers: table -->\n{made.table(found)}<!-- end -->" in page
     assert f"<!-- tiers: steps -->\n{made.sentences(found)}<!-- end -->" in page
