@@ -6,6 +6,7 @@ workers import this module too.
 """
 
 import json
+import os
 import socket
 import sys
 import webbrowser
@@ -275,6 +276,9 @@ for each in (*app.registered_commands, *masks.registered_commands):
 def main(arguments: Sequence[str] | None = None) -> NoReturn:
     """Run the command and exit with 0, 1 if the machine lacks something, 2 for invalid input, 130 if interrupted."""
     prepare()
+    if not os.path.isabs(os.environ.get("XDG_CACHE_HOME", os.sep)):
+        # The XDG Base Directory Specification has everyone ignore it; Mesa and Matplotlib would write there.
+        del os.environ["XDG_CACHE_HOME"]
     try:
         code = app(arguments, standalone_mode=False)
     except TyperException as error:

@@ -27,6 +27,16 @@ def test_a_frame_imports_what_it_needs(tmp_path):
     assert len(found) <= 600, f"{len(found)} modules"
 
 
+def test_a_relative_folder_of_caches_is_ignored(tmp_path, monkeypatch):
+    """By Mesa too, which takes one."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.delenv("MESA_SHADER_CACHE_DIR", raising=False)
+    arguments = ["render", "paper-threshold", "--size", "48x27", "--quality", "fast", "-o", "a.png"]
+    done = run(*arguments, XDG_CACHE_HOME="relative", SEAFOAM_CACHE="")
+    assert done.returncode == 0, done.stderr
+    assert os.listdir() == ["a.png"]
+
+
 @pytest.mark.parametrize("host", ["127.0.0.1", pytest.param("::1", marks=WITH_IPV6)])
 def test_serve_answers_without_delay_and_stops_when_told(host):
     with served("--host", host) as address:
