@@ -9,6 +9,7 @@ from fractions import Fraction
 from importlib.metadata import version
 from typing import Any
 
+from seafoam.numerals import numeral
 from seafoam.render.service.jobs import FrameJob, plan_hash
 from seafoam.render.service.recipe import described, renderer_of
 from seafoam.sequences.errors import OutputError
@@ -82,7 +83,7 @@ def rate_of(fps: float | str) -> Fraction:
     """
     ratio = re.fullmatch(r"([0-9]{1,12})/([0-9]{1,12})", str(fps))
     try:
-        rate = Fraction(int(ratio[1]), int(ratio[2])) if ratio else _decimal_rate(float(fps))
+        rate = Fraction(int(ratio[1]), int(ratio[2])) if ratio else _decimal_rate(float(numeral(fps)))
     except (ValueError, ZeroDivisionError):
         rate = Fraction(0)
     if not LEAST_FPS <= float(rate) <= GREATEST_FPS or rate.denominator > GREATEST_DENOMINATOR:

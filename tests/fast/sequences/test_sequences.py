@@ -110,8 +110,9 @@ def test_rates_of_the_trade() -> None:
 
 @pytest.mark.parametrize(
     "given",
-    ["0", "-1", "nan", "inf", "1e400", "30000/", "1/0", "1001/1", "1/1000001", "24 fps", "", "9" * 5000, "1/1/1"],
-)
+    ["0", "-1", "nan", "inf", "1e400", "30000/", "1/0", "1001/1", "1/1000001", "24 fps", "", "9" * 5000, "1/1/1",
+     "3_0", "１２", " 24"],
+)  # fmt: skip
 def test_rates_that_are_none(given: str) -> None:
     with pytest.raises(OutputError, match=r"0\.001 to 1000 frames a second.*30000/1001") as refused:
         rate_of(given)
