@@ -51,7 +51,8 @@ class Negotiate(HttpMiddleware):
     malformed Range.
 
     A tag of what was compressed is made weak, since the same bytes without a coding have it too; 304 has the tag that
-    the client has, and Vary as its 200. A range outside of a file is a problem (416), for which Starlette has no words.
+    the client has, and Vary as its 200. Any copy is current (``If-None-Match: *``) of what has no tag, too. A range
+    outside of a file is a problem (416), for which Starlette has no words.
     """
 
     async def _handle(self, scope: Scope, receive: Receive, send: Send) -> None:
@@ -75,7 +76,28 @@ class Negotiate(HttpMiddleware):
             if not tag.startswith("W/") and ("content-encoding" in own or (unmodified and f"W/{tag}" in known)):
                 own["ETag"] = f"W/{tag}"
 
-        await self.app(scope, receive, _explaining(scope, receive, altering(send, mark)))
+        answering = _explaining(scope, receive, altering(send, mark))
+        any_copy = known.strip() == "*" and scope["method"] in ("GET", "HEAD")
+        await self.app(scope, receive, _unmodified(answering) if any_copy else answering)
+
+
+def _unmodified(send: Send) -> Send:
+    """Return a ``send`` that answers 304 in place of a whole answer 200; events have no length, and are sent."""
+    replaced = False
+
+    async def unmodified(message: Message) -> None:
+        nonlocal replaced
+        if message["type"] == "http.response.start" and message["status"] == 200:
+            headers = MutableHeaders(raw=message["headers"])
+            if replaced := "content-length" in headers:
+                for name in ("content-length", "content-type", "content-encoding"):
+                    del headers[name]
+                await send({"type": "http.response.start", "status": 304, "headers": headers.raw})
+                await send({"type": "http.response.body"})
+        if not replaced:
+            await send(message)
+
+    return unmodified
 
 
 def _explaining(scope: Scope, receive: Receive, send: Send) -> Send:

@@ -175,6 +175,15 @@ def test_a_copy_is_known_by_its_tag(built: TestClient, client: TestClient, url: 
         assert other.status_code == 200
 
 
+@pytest.mark.parametrize("url", [*PUBLIC, "/", "/docs", "/openapi.json", "/water/", "/water/default", "/api/"])
+def test_any_copy_of_what_is_there_is_current(client: TestClient, url: str) -> None:
+    for method in ("GET", "HEAD"):
+        response = client.request(method, url, headers={"If-None-Match": "*"})
+        assert (response.status_code, response.content) == (304, b"")
+    assert client.get("/api/presets/none", headers={"If-None-Match": "*"}).status_code == 404
+    assert client.post("/api/scenes", json={}, headers={"If-None-Match": "*"}).status_code == 200
+
+
 def test_a_tag_goes_before_a_date(built: TestClient) -> None:
     first = built.get("/")
     date = {"If-Modified-Since": first.headers["Last-Modified"]}
