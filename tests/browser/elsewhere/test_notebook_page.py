@@ -35,7 +35,7 @@ MODEL = """async ({ state }) => {
     Object.assign(state, traits);
     Object.keys(traits).forEach((name) => fire(`change:${name}`));
   };
-  const { default: widget } = await import("/notebook/seafoam-widget.js");
+  const { default: widget } = await import(new URL("../notebook/seafoam-widget.js", location.href));
   window.leave = widget.render({ model, el: document.getElementById("cell") });
   window.heard = () => Object.values(listeners).flat().length;
 }"""
@@ -68,6 +68,12 @@ class Cell:
             "() => document.querySelector('.seafoam-picture canvas')?.width > 300", timeout=120_000
         )
         self.settle()
+
+    def show_at(self, server: str) -> None:
+        """In the place of a server's own page: one that the test makes up may not load what lies on this machine."""
+        self.page.goto(f"{server}/water/")
+        self.page.evaluate("() => { document.body.innerHTML = '<div id=cell style=\"width: 640px\"></div>'; }")
+        self.show()
 
     def state(self, *names: str) -> dict[str, Any]:
         state = self.water.get_state(names or None)

@@ -71,11 +71,8 @@ def test_a_browser_that_copies_nothing_is_told(plain: Lane, named: str) -> None:
 def test_the_notebooks_widget_draws(plain: Lane, named: str) -> None:
     page = plain.browser.new_context(viewport={"width": 960, "height": 600}, bypass_csp=True).new_page()
     cell = Cell(page, Water("paper-halftone", time=4.0, quality="fast", playing=False))
-    # The server's own: one that the test makes up may not load what lies on this machine.
-    page.goto(f"{named}/water/")
-    page.evaluate("() => { document.body.innerHTML = '<div id=cell style=\"width: 640px\"></div>'; }")
+    cell.show_at(named)
     assert page.evaluate("() => crypto.randomUUID === undefined")
-    cell.show()
     assert cell.seen().std() > 5
     assert cell.complaints == []
     page.context.close()
