@@ -1,6 +1,7 @@
 """A server's frames and masks, over its REST API."""
 
 import json
+import re
 import time
 from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
@@ -36,11 +37,15 @@ class Connection(PictureSource):
     ) -> None:
         try:
             parts = urlsplit(url)
-            fits = parts.scheme in ("http", "https") and bool(parts.hostname) and parts.port != 0
-        except ValueError:  # half a bracket, or no port
+            host = (parts.hostname or "").encode("idna").decode()
+            printable = re.fullmatch("[!-~]+", host + parts.path)
+            fits = parts.scheme in ("http", "https") and bool(host) and parts.port != 0 and printable is not None
+        except ValueError:  # half a bracket, no port, or a host that is no text
             fits = False
         if not fits:
             raise InvalidRequestError(f"url: must begin with http:// or https:// and a host, not {url!r}")
+        if key is not None and not re.fullmatch("[!-~]+", key):
+            raise InvalidRequestError("key: must be printable ASCII without spaces")
         self.url = url.rstrip("/")
         self._headers = {} if key is None else {"Authorization": f"Bearer {key}"}
         self._timeout = timeout

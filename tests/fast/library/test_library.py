@@ -269,7 +269,14 @@ def test_no_server_and_no_address() -> None:
     for url in ("localhost:8000", "http://", "http://[::1", "http://:80", "http://a:port", "http://a:99999"):
         with pytest.raises(seafoam.InvalidRequestError, match="must begin with http://"):
             seafoam.connect(url)
-    seafoam.connect("http://[::1]:8000").close()
+    for url in ("http://\ud800", "http://a b", "http://a/é", "http://a/\udc00", "http://a\x00"):
+        with pytest.raises(seafoam.InvalidRequestError, match="url: "):
+            seafoam.connect(url)
+    for key in ("\ud800", "ключ", "a\nb", ""):
+        with pytest.raises(seafoam.InvalidRequestError, match="key: must be printable"):
+            seafoam.connect("http://a", key=key)
+    for url in ("http://[::1]:8000", "http://bücher.test/water/"):
+        seafoam.connect(url).close()
     url = f"http://127.0.0.1:{free_port()}"
     with seafoam.connect(url) as source, pytest.raises(seafoam.ServerError, match=urlsplit(url).netloc):
         source.frame("default", size=SMALL)
