@@ -63,6 +63,8 @@ KINDS = (
     ("/", "", "other"),
 )
 """Beginning and end of an address, and its kind; the first match counts."""
+MOVING = "/api/streams"
+"""The server's frames in motion, which have no end."""
 
 
 @dataclass(frozen=True)
@@ -145,6 +147,8 @@ def _load(page: Page, address: str) -> Load:
     for entry in _settled(page):
         needed += entry["transferSize"] if entry["responseEnd"] <= ready else 0
         path = "/" + entry["name"].removeprefix(address).split("?")[0].split("#")[0]
+        if path.startswith(MOVING):
+            continue
         kind = next(name for begin, end, name in KINDS if path.startswith(begin) and path.endswith(end))
         requests, size, last = kinds.get(kind, (0, 0, 0.0))
         kinds[kind] = (requests + 1, size + entry["transferSize"], max(last, entry["responseEnd"] / 1000.0))
@@ -153,13 +157,13 @@ def _load(page: Page, address: str) -> Load:
 
 
 def _settled(page: Page) -> list[dict[str, Any]]:
-    """Resources that the page has loaded, once no more have arrived for a while or the time is up."""
+    """Resources that the page has loaded, once none but moving frames have arrived for a while or the time is up."""
     until = time.monotonic() + QUIET_SECONDS
     entries: list[dict[str, Any]] = []
     while time.monotonic() < until:
         page.wait_for_timeout(1000 * REST_SECONDS)
         before, entries = entries, [e for e in page.evaluate(_ENTRIES) if e["name"].startswith("http")]
-        if len(entries) == len(before):
+        if sum(MOVING not in entry["name"] for entry in entries[len(before) :]) == 0:
             break
     return entries
 
@@ -206,7 +210,7 @@ def _visits(loads: dict[str, tuple[list[Load], list[Load]]]) -> Table:
         "The page's first picture",
         "From the start of the navigation until the preset's still is painted and until the first live frame is done, "
         f"{SIZE[0]} x {SIZE[1]}; medians. First visit: a browser that runs and has seen nothing. Bytes: as "
-        "transferred, until live water and until the page rests.",
+        "transferred, until live water, and in all but the server's frames in motion.",
         (
             Column("visit", "visit"),
             Column("still", "first picture, ms", ms),
