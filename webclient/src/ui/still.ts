@@ -6,6 +6,8 @@ const FOLDER = "./stills";
 /** A little longer than the transition in index.html, ms. */
 const FADE = 400;
 const PAINT_TIMEOUT = 800;
+/** Animation frames until a browser that paints without a GPU has put the still on the screen: before, it has no time for WebGL. */
+const FRAMES = 4;
 
 export const stillUrl = (name: string) => `${FOLDER}/${name}.avif`;
 export const thumbnailUrl = (name: string) => `${FOLDER}/${name}.small.webp`;
@@ -26,7 +28,8 @@ export class StillImage {
     if (!this.shown) return;
     const timeout = new Promise((resolve) => setTimeout(resolve, PAINT_TIMEOUT));
     const nextFrame = () => new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
-    await Promise.race([timeout, this.image.decode().then(nextFrame, () => undefined)]);
+    const frames = async (left = FRAMES): Promise<void> => (left > 0 ? nextFrame().then(() => frames(left - 1)) : undefined);
+    await Promise.race([timeout, this.image.decode().then(() => frames(), () => undefined)]);
   }
 
   /** Shows a preset's still once it is decoded, unless the first frame is earlier. */
