@@ -10,7 +10,7 @@ import type { PlanLoader, PlanView } from "./planloader";
 import { DynamicResolution } from "./resolution";
 
 /** Time from frame to frame, ms, by scale: it is the server's, and blocks nothing here. */
-const BUDGET: FrameBudget = [[0.5, 240], [0.52, 70], [0.6, 64], [1, 60]];
+const BUDGET: FrameBudget = [[0.5, 240], [0.52, 62], [0.6, 57], [1, 54]];
 /** Below this scale fewer frames a second are better than fewer pixels. */
 const LEAST_SCALE = 0.4;
 /** While the camera moves an answer within a quarter of a second is worth more than pixels: a frame that is begun comes first. */

@@ -73,7 +73,7 @@ describe("automatic quality", () => {
 
   it("selects motion that is fluent rather than a smaller error", () => {
     const sea = { scales: [1, 0.5], presets: { sea: [{ tier: "fast", fixed: 5, pixels: 200, errors: [7, 12] }, { tier: "exact", fixed: 15, pixels: 490, errors: [5, 10] }] } };
-    const load: RenderLoad = { cost: null, scale: 0.5, displayInterval: DISPLAY, budget: [[0.5, 240], [0.52, 70], [1, 60]], megapixels: 1 };
+    const load: RenderLoad = { cost: null, scale: 0.5, displayInterval: DISPLAY, budget: [[0.5, 240], [0.52, 62], [1, 54]], megapixels: 1 };
     const [fast, exact] = tierChoices(sea.presets.sea, sea.scales, "fast", load);
     expect(exact?.error).toBeLessThan(fast?.error ?? 0);
     expect(exact?.withinBudget).toBe(true);
@@ -85,7 +85,7 @@ describe("automatic quality", () => {
   it("weighs error and time where no tier is fluent", () => {
     const chosen = (errors: number) => {
       const sea = costsOf([{ tier: "fast", fixed: 80, pixels: 200, errors: [20, 20, 20] }, { tier: "exact", fixed: 120, pixels: 400, errors: [errors, errors, errors] }]);
-      return new AutoQuality().next(sea, "sea", "fast", { cost: null, scale: 0.5, displayInterval: DISPLAY, budget: [[0.5, 240], [0.52, 70], [1, 60]], megapixels: 1 })?.tier ?? "fast";
+      return new AutoQuality().next(sea, "sea", "fast", { cost: null, scale: 0.5, displayInterval: DISPLAY, budget: [[0.5, 240], [0.52, 62], [1, 54]], megapixels: 1 })?.tier ?? "fast";
     };
     // At half the size they take 130 and 220 ms.
     expect(chosen(16)).toBe("fast");
