@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Annotated, Final, Literal, Self
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from seafoam.framegraph.rules import PlanPart
 
@@ -89,6 +89,12 @@ class Target(PlanPart):
     filter: Filter = "nearest"
     wrap: WrapMode = "clamp_to_edge"
     layers: int = Field(default=1, ge=1, le=4)
+
+    @model_validator(mode="after")
+    def _layers_are_plain(self) -> Self:
+        if self.layers > 1 and (self.depth or self.filter == MIPMAPPED):
+            raise ValueError("a target with layers has neither depth nor mip levels")
+        return self
 
 
 class Texture(PlanPart):

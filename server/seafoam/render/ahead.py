@@ -10,7 +10,6 @@ import multiprocessing
 import os
 import time
 from collections.abc import Callable, Iterator
-from contextlib import suppress
 
 from seafoam.quality import TIERS, Tier
 from seafoam.render.gl.executor import NoRendererError
@@ -45,9 +44,12 @@ def draw_ahead(factory: Callable[[], Renderer], parent: int) -> None:
     for name, tier in presets_ahead():
         if os.getppid() != parent:
             return
-        # Blank frames are the workers' to report.
-        with suppress(NoRendererError):
+        try:
             draw_canary(renderer, load_preset(name).scene, TIERS[tier])
+        except NoRendererError:
+            continue  # Blank frames are the workers' to report.
+        except RuntimeError as error:
+            log.warning("%s at %s was not compiled ahead: %s", name, tier, error)
 
 
 async def compile_ahead(pool: RenderPool, factory: Callable[[], Renderer]) -> None:

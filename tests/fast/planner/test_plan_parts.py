@@ -1,9 +1,11 @@
 """What parts of a scene and of a quality bring to a plan: shores, masks that are drawn, chosen pixels."""
 
+from typing import Any
+
 import pytest
 
 from seafoam.framegraph.passes import State
-from seafoam.framegraph.resources import ViewportSize
+from seafoam.framegraph.resources import Target, ViewportSize
 from seafoam.planner import AssemblyError, link, make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.scene.foam import Foam, HeightSaturation, SurfSaturation
@@ -53,6 +55,15 @@ def test_a_scene_with_the_look_loads_the_mask_and_not_the_atlas() -> None:
     assert plan.kept.keys() == {"mask_atlas"}
     other = make_plan(masked("vac-12"), STANDARD)
     assert other.kept != plan.kept
+
+
+@pytest.mark.parametrize("more", [{"depth": True}, {"filter": "linear_mipmap_linear"}])
+def test_a_target_with_layers_has_neither_depth_nor_mip_levels(more: dict[str, Any]) -> None:
+    plain = {"size": ViewportSize(), "format": "RGBA16F"}
+    Target(**plain, layers=4)
+    Target(**plain, **more)
+    with pytest.raises(ValueError, match="layers"):
+        Target(**plain, **more, layers=2)
 
 
 def test_whole_numbers_are_not_cleared_blended_or_tested() -> None:

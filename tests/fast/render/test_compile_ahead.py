@@ -9,6 +9,7 @@ import pytest
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render import ahead
+from seafoam.render.gl.executor import ShaderError
 from seafoam.scene.presets import load_preset
 from support.api_fakes import FakeRenderer
 from support.serving import serving
@@ -44,6 +45,23 @@ def test_every_preset_is_drawn_once_at_both_tiers_the_page_s_first_preset_first(
     order = "default fast, default standard, paper-height fast, swell fast, paper-height standard, swell standard"
     pairs = [pair.split() for pair in order.split(", ")]
     assert renderer.drawn == [make_plan(load_preset(name).scene, TIERS[tier]).sha256 for name, tier in pairs]
+
+
+def test_a_preset_that_does_not_compile_is_named_and_the_others_are_drawn(renderer, monkeypatch, caplog):
+    refused = make_plan(load_preset("swell").scene, TIERS["fast"]).sha256
+    draw = renderer.render
+
+    def render(plan, **how):
+        if plan.sha256 == refused:
+            raise ShaderError("no function 'wave'")
+        return draw(plan, **how)
+
+    monkeypatch.setattr(renderer, "render", render)
+    ahead.draw_ahead(lambda: renderer, os.getppid())
+    assert len(renderer.drawn) == 2 * len(FEW) - 1
+    assert [record.getMessage() for record in caplog.records] == [
+        "swell at fast was not compiled ahead: no function 'wave'"
+    ]
 
 
 def test_nothing_is_drawn_for_a_server_that_has_ended(renderer):

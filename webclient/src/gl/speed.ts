@@ -2,10 +2,10 @@
 import { whenDone } from "./program";
 
 /** Texels drawn along each side, and fetches for each of them: of these a GPU makes thousands of millions a second, a processor hundreds at most. */
-const WORK = { size: 256, fetches: 128 };
+const WORK = { size: 256, fetches: 192 };
 const IMAGE_SIDE = 8;
-/** A draw takes a small GPU some 10 ms with the wait for its fence; llvmpipe on two cores 50 ms, SwiftShader 110. */
-const LONGEST = 25;
+/** A draw takes a small GPU some 12 ms with the wait for its fence; llvmpipe on two fast cores 32 ms or more, SwiftShader 70. */
+const LONGEST = 20;
 /** What else the page does may delay one or the other. */
 const DRAWS = 3;
 /** No further draw after this time, ms. */

@@ -21,7 +21,7 @@ it.each([
   ["a GPU", 0.5, 20, false],
   ["a small GPU", 12, 150, false],
   ["a GPU whose compiler takes half a second", 4, 500, false],
-  ["a processor", 40, 60, true],
+  ["two fast cores", 32, 40, true],
   ["a slow processor", 160, 200, true],
 ])("%s draws slowly: draws of %d ms, %d to compile, %s", async (_, draw, compiles, slow) => {
   const said = drawsSlowly(driver(draw, compiles));

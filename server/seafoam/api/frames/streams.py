@@ -47,6 +47,8 @@ class Stream:
     expires: float
     frames: list[_StreamFrame] = field(default_factory=list)
     """In order of arrival: as many as there are places, and one more where the frames of all places are being drawn."""
+    late: int = 0
+    """Frames that missed their deadline since the last that came."""
     _places: PrioritySemaphore = field(default_factory=lambda: PrioritySemaphore(FRAMES_AT_ONCE))
 
     @asynccontextmanager

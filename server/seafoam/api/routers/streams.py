@@ -24,6 +24,8 @@ router = APIRouter(prefix="/api/streams", tags=["frames"])
 
 NO_STREAMS_RETRY = 60
 """Retry-After of a server that gives no streams, s."""
+LATE_FRAMES = 3
+"""Frames in a row that may miss their deadline, as while programs are compiled: after them each is an error."""
 _FRAME = content("The frame, lossy, without recipe", "image/jpeg") | {
     204: {"description": "No frame: later ones of the stream were asked for, or it was not drawn before its deadline"}
 }
@@ -82,7 +84,9 @@ async def close_stream(stream: StreamId, _: NoParameters, context: InContext) ->
     context.streams.close(stream)
 
 
-@router.get("/{stream}/frame.jpg", responses=_FRAME | problem_responses(404, 422, 500, 503), response_class=Response)
+@router.get(
+    "/{stream}/frame.jpg", responses=_FRAME | problem_responses(404, 422, 500, 503, 504), response_class=Response
+)
 async def get_stream_frame(
     stream: StreamId, query: Annotated[StreamFrameParameters, Query()], request: Request, context: InContext
 ) -> Response:
@@ -96,6 +100,9 @@ async def get_stream_frame(
     try:
         frame = await unless_gone(request, _drawn(found, job, context))
     except DeadlineError:
+        found.late += 1
+        if found.late > LATE_FRAMES:
+            raise
         return none
     except asyncio.CancelledError:
         task = asyncio.current_task()
@@ -104,6 +111,7 @@ async def get_stream_frame(
         return none
     if frame is None:
         return Response(status_code=CLIENT_CLOSED_REQUEST)
+    found.late = 0
     context.metrics.count_frame(frame, "jpeg")
     context.streams.drawn(query.width * query.height, sum(frame.timings.values()) - frame.timings["queue"])
     headers = {"Cache-Control": NO_STORE, "Server-Timing": server_timing(frame)}

@@ -12,6 +12,7 @@ from httpx2 import Response
 from starlette.testclient import TestClient
 
 from seafoam.api.frames.streams import FRAMES_AT_ONCE, IDLE_SECONDS, LEASE_SECONDS, RETRY_SECONDS, Stream, Streams
+from seafoam.api.routers.streams import LATE_FRAMES
 from seafoam.api.settings import Settings
 from seafoam.quality import TIERS
 from seafoam.render.service.errors import DeadlineError
@@ -188,7 +189,7 @@ async def test_a_frame_that_takes_longer_than_the_lease_keeps_its_stream() -> No
     assert len(streams) == 0
 
 
-def test_a_frame_past_its_deadline_does_not_end_its_stream(streaming, context, monkeypatch) -> None:
+def test_a_late_frame_does_not_end_its_stream_and_where_none_comes_it_is_said(streaming, context, monkeypatch) -> None:
     clock = Clock()
     monkeypatch.setattr(context.streams, "_clock", clock)
     id = opened(streaming)
@@ -197,10 +198,12 @@ def test_a_frame_past_its_deadline_does_not_end_its_stream(streaming, context, m
         clock.now += 5 * LEASE_SECONDS
         raise DeadlineError("timeout")
 
-    with monkeypatch.context() as patched:
-        patched.setattr(context.pool, "render", late)
-        assert ask(streaming, id).status_code == 204
-    drawn(streaming, id)
+    for _ in range(2):
+        with monkeypatch.context() as patched:
+            patched.setattr(context.pool, "render", late)
+            assert [ask(streaming, id).status_code for _ in range(LATE_FRAMES)] == [204] * LATE_FRAMES
+            assert problem(ask(streaming, id), 504)["type"] == "urn:seafoam:problem:deadline"
+        drawn(streaming, id)
 
 
 # Frames
