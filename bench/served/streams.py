@@ -58,6 +58,8 @@ def measure(watch: Watch) -> list[Table]:
     for streams in sorted({os.cpu_count() or 1, PAGES}):
         # With the driver's cache of programs: compiling them may take longer than a frame's deadline.
         settings = {"SEAFOAM_QUEUE": "", "SEAFOAM_STREAMS": str(streams), "MESA_SHADER_CACHE_DISABLE": ""}
+        # What compiles ahead has memory of its own, and ends when it is done.
+        settings["SEAFOAM_COMPILE_AHEAD"] = "false"
         with running(**settings) as port, watch.step(f"{streams} streams"):
             runs[f"{streams} streams"] = _crowd(port, watch.seconds(SECONDS))
     width, height = SIZE
