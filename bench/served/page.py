@@ -163,7 +163,7 @@ def _settled(page: Page) -> list[dict[str, Any]]:
     while time.monotonic() < until:
         page.wait_for_timeout(1000 * REST_SECONDS)
         before, entries = entries, [e for e in page.evaluate(_ENTRIES) if e["name"].startswith("http")]
-        if sum(MOVING not in entry["name"] for entry in entries[len(before) :]) == 0:
+        if all(MOVING in entry["name"] for entry in entries[len(before) :]):
             break
     return entries
 
