@@ -89,7 +89,7 @@ class Quality(Extensible, QualityParameters):
     """Octaves of the cloud noise in the clouds' shadows; more show finer shadows"""
     cube: Literal["map", "exact"] = "map"
     """Reflected surroundings. map: read from a cube map; exact: traced for each sample"""
-    cube_size: Literal[32, 64, 128, 256, 512, 1024] = 256
+    cube_size: Literal[32, 64, 128, 256, 512, 1024] = 128
     """Side of each face of the cube map, texels"""
     refraction_steps: Literal[1, 2, 4, 8, 16] = 2
     """Iterations of the intersection of the refracted ray with a shore's floor"""
@@ -136,10 +136,11 @@ class Quality(Extensible, QualityParameters):
     samples_threshold: float = Field(default=0.004, ge=0.001, le=1.0)
     """Contrast with its neighbours above which a pixel gets more samples; white on black is 1. Raised automatically
     where the budget would be exceeded"""
-    pixel_width: Annotated[Literal[1, 2, 3, 4], BeforeValidator(_no_truth_value)] = 1
-    """Width of a drawn pixel, in pixels of the picture. 2 to 4: the picture is drawn at full height and a part of its
-    width, along which water that is seen from near its level has the least detail, and then enlarged; without adaptive
-    sampling. Half of it, rounded up, in scenes with boats or caustics"""
+    pixel_width: Annotated[Literal[1, 2, 3, 4], BeforeValidator(_no_truth_value)] = 2
+    """Width of a drawn pixel, in pixels of the picture. 2 to 4: water, land and sky are drawn at full height and a part
+    of the width, along which water that is seen from near its level has the least detail, and then enlarged. Half of
+    it, rounded up, in scenes whose camera looks down by more than 0.5 rad or with drifting foam; 1 with more than one
+    sample per pixel"""
     target: Literal["RGBA16F", "RGBA32F"] = "RGBA16F"
     """Floating-point format of the linear frame"""
 
@@ -149,8 +150,6 @@ class Quality(Extensible, QualityParameters):
     @property
     def chosen_samples(self) -> tuple[int, ...]:
         """Sample counts above ``samples`` that adaptive sampling can give to single pixels."""
-        if self.pixel_width > 1:
-            return ()
         return tuple(count for count in (4, 16) if self.samples < count <= self.samples_max)
 
     @property
@@ -172,6 +171,7 @@ _FINEST: dict[str, Any] = {
     "spray_count": 16384,
     "caustics": "photons",
     "caustics_photons": 1024,
+    "pixel_width": 1,
     "target": "RGBA32F",
 }
 """What the tier ``reference`` and :data:`EXACT` have in common."""
@@ -184,7 +184,6 @@ TIERS: dict[Tier, Quality] = {
         age_steps=4,
         age_step=0.7,
         shadow_steps=64,
-        cube_size=128,
         sparkle_cells=1,
         caustics_size=256,
         caustics_cells=128,
@@ -208,6 +207,7 @@ TIERS: dict[Tier, Quality] = {
         reflection_size=512,
         samples=4,
         samples_max=16,
+        pixel_width=1,
     ),
     "reference": Quality(
         **_FINEST,

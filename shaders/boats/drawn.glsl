@@ -45,8 +45,13 @@ out vec4 o_color;
 
 const int BOAT_RAYS = BOAT_SIDE * BOAT_SIDE;
 
+// The first BOAT_SIDE rays lie on a diagonal of the sample, in every row and column of its square.
 vec3 boat_ray(int i) {
-    return camera_ray(sample_place() + (vec2(i % BOAT_SIDE, i / BOAT_SIDE) + 0.5) / float(BOAT_SIDE) - 0.5);
+    int rest = max(i - BOAT_SIDE, 0);
+    int row = rest / max(BOAT_SIDE - 1, 1);
+    int column = rest % max(BOAT_SIDE - 1, 1);
+    ivec2 at = i < BOAT_SIDE ? ivec2(i) : ivec2(column >= row ? column + 1 : column, row);
+    return camera_ray(sample_place() + (vec2(at) + 0.5) / float(BOAT_SIDE) - 0.5);
 }
 
 // Where no ray can meet a boat, and then where none does, nothing more is asked: a discarded sample is the one branch that every driver takes.
@@ -59,11 +64,17 @@ void main() {
     float way[BOAT_RAYS];
     BoatHit hits[BOAT_RAYS];
     bool met = false;
+    bool alike = BOAT_ALIKE;
     float farthest = 0.0;
-    for (int i = 0; i < BOAT_RAYS; ++i) {
+    // BOAT_ALIKE: where those on the diagonal meet one and the same, no upright or level edge is in the sample, and the others would too:
+    // how many rays are traced ends a loop, which is the other branch that every driver takes.
+    int count = BOAT_SIDE;
+    for (int i = 0; i < count; ++i) {
         boat[i] = trace_boats(eye, normalize(boat_ray(i)), 0.0, 1e5, false, way[i], hits[i]);
         met = met || boat[i] >= 0;
         farthest = boat[i] >= 0 ? max(farthest, way[i]) : farthest;
+        alike = alike && boat[i] == boat[0] && (boat[i] < 0 || hits[i].part == hits[0].part);
+        count = i == BOAT_SIDE - 1 && !alike ? BOAT_RAYS : count;
     }
     if (!met) {
         discard;
@@ -71,19 +82,38 @@ void main() {
     vec3 middle = camera_ray(sample_place());
     // A little further: the samples' other rays may meet the water before.
     boat_water(middle, 1.02 * farthest / length(middle));
-    vec4 sum = vec4(0.0);
-    for (int i = 0; i < BOAT_RAYS; ++i) {
-        vec3 ray = boat_ray(i);
-        vec3 d = normalize(ray);
-        if (boat[i] >= 0 && !boat_hidden(ray, way[i])) {
-            vec3 light = exposure() * boat_before(boat_light(boat[i], eye, d, way[i], hits[i]), d, way[i]);
-            sum += vec4(min(light, BRIGHTEST), 1.0);
+    // And those that meet the same part of the same boat have their own paint and the light of the first of them.
+    int first[BOAT_RAYS];
+    float rays[BOAT_RAYS];
+    vec4 paint[BOAT_RAYS];
+    int parts = 0;
+    for (int i = 0; i < count; ++i) {
+        if (boat[i] >= 0 && !boat_hidden(boat_ray(i), way[i])) {
+            int k = 0;
+            while (k < parts && (!BOAT_ALIKE || boat[first[k]] != boat[i] || hits[first[k]].part != hits[i].part)) {
+                ++k;
+            }
+            if (k == parts) {
+                first[k] = i;
+                rays[k] = 0.0;
+                paint[k] = vec4(0.0);
+                ++parts;
+            }
+            rays[k] += 1.0;
+            paint[k] += boat_paint(boat[i], hits[i]);
         }
     }
-    if (sum.a == 0.0) {
+    if (parts == 0) {
         discard;
     }
-    o_color = sum / float(BOAT_RAYS);
+    vec4 sum = vec4(0.0);
+    for (int k = 0; k < parts; ++k) {
+        int i = first[k];
+        vec3 d = normalize(boat_ray(i));
+        vec3 light = exposure() * boat_before(boat_light(boat[i], paint[k] / rays[k], eye, d, way[i], hits[i]), d, way[i]);
+        sum += rays[k] * vec4(min(light, BRIGHTEST), 1.0);
+    }
+    o_color = sum / float(count);
 }
 
 // @part light
@@ -92,12 +122,10 @@ vec3 boat_in_air(vec3 light, vec3 d, float distance_to_eye) {
     return hazed(light, horizon_light(d), distance_to_eye);
 }
 
-// d: unit vector toward the boat; o + t d is where it was met.
-vec3 boat_light(int i, vec3 o, vec3 d, float t, BoatHit hit) {
+// paint: reflectance, and share of a mirror's light; d: unit vector toward the boat; o + t d is where it was met.
+vec3 boat_light(int i, vec4 paint, vec3 o, vec3 d, float t, BoatHit hit) {
     BoatFrame f = boat_frame(i);
     vec3 n = hit.normal.x * f.ahead + hit.normal.y * f.up + hit.normal.z * f.right;
-    float gloss;
-    vec3 albedo = boat_albedo(hit, u_boat_rig[i].x > 0.5, u_boat_hull[i], u_boat_sails[i], gloss);
     bool sail = hit.part == PART_SAIL;
     float facing = dot(n, u_sun_direction);
     float lit = sail ? max(facing, 0.0) + 0.4 * max(-facing, 0.0) : max(facing, 0.0);
@@ -114,10 +142,10 @@ vec3 boat_light(int i, vec3 o, vec3 d, float t, BoatHit hit) {
     }
     // From below comes what water mirrors of the light above.
     vec3 bounced = 0.1 * (u_sky_irradiance + u_sun_irradiance * max(u_sun_direction.y, 0.0)) * (0.5 - 0.5 * n.y);
-    vec3 light = albedo / PI * (u_sun_irradiance * lit + u_sky_irradiance * (0.5 + 0.5 * n.y) + bounced);
+    vec3 light = paint.rgb / PI * (u_sun_irradiance * lit + u_sky_irradiance * (0.5 + 0.5 * n.y) + bounced);
     vec3 r = reflect(d, n);
     vec3 mirrored = sky_light(vec3(r.x, abs(r.y), r.z)) * mix(0.25, 1.0, smoothstep(-0.1, 0.1, r.y));
-    return light + gloss * fresnel(clamp(-dot(n, d), 0.0, 1.0)) * (mirrored - light);
+    return light + paint.a * fresnel(clamp(-dot(n, d), 0.0, 1.0)) * (mirrored - light);
 }
 
 // @part dark
@@ -126,7 +154,7 @@ vec3 boat_in_air(vec3 light, vec3 d, float distance_to_eye) {
     return light;
 }
 
-vec3 boat_light(int i, vec3 o, vec3 d, float t, BoatHit hit) {
+vec3 boat_light(int i, vec4 paint, vec3 o, vec3 d, float t, BoatHit hit) {
     return vec3(0.0);
 }
 

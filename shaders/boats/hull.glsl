@@ -257,6 +257,13 @@ uniform vec3 u_boat_rig[BOAT_COUNT];   // 1 for a motor boat, cosine and sine of
 uniform vec3 u_boat_hull[BOAT_COUNT];  // reflectance
 uniform vec3 u_boat_sails[BOAT_COUNT];
 
+// Reflectance of what was met of a boat, and its share of a mirror's light.
+vec4 boat_paint(int i, BoatHit hit) {
+    float gloss;
+    vec3 albedo = boat_albedo(hit, u_boat_rig[i].x > 0.5, u_boat_hull[i], u_boat_sails[i], gloss);
+    return vec4(albedo, gloss);
+}
+
 // Whether a ray o + t d with t >= 0, d a unit vector, meets the box that holds a boat, which is `spread` wider for every length of way.
 bool meets_boat(BoatFrame f, float size, vec3 o, vec3 d, float spread) {
     vec3 from = o - f.at;

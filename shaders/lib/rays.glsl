@@ -15,7 +15,7 @@ vec3 camera_ray(vec2 fragment) {
 
 // Footprint of one sample on the plane through the hit with normal `normal`; held at grazing angles.
 Footprint footprint(vec3 ray, float tau, vec3 normal) {
-    vec3 step_x = u_ray_x * (2.0 / u_viewport.x);
+    vec3 step_x = u_ray_x * (2.0 * FOOTPRINT_X / u_viewport.x);
     vec3 step_y = u_ray_y * (2.0 / u_viewport.y);
     float facing = min(dot(normal, ray), -1e-3 * length(normal) * length(ray));
     return Footprint(
@@ -27,6 +27,12 @@ Footprint footprint(vec3 ray, float tau, vec3 normal) {
 // Where this sample lies in the picture, in samples of the picture's grid. docs/formulae.md, section 1.
 vec2 sample_place() {
     return gl_FragCoord.xy;
+}
+
+// @part place_shifted
+// The same where the rows of drawn pixels are shifted against one another, by half of their width.
+vec2 sample_place() {
+    return gl_FragCoord.xy + vec2((int(gl_FragCoord.y) & 1) == 0 ? -ROW_SHIFT : ROW_SHIFT, 0.0);
 }
 
 // @part newton

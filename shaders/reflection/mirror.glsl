@@ -106,7 +106,7 @@ float boats_met(vec3 o, vec3 d, bool far, out vec3 light) {
     if (i < 0) {
         return -1.0;
     }
-    light = boat_in_air(boat_light(i, o, d, t, hit), d, t);
+    light = boat_in_air(boat_light(i, boat_paint(i, hit), o, d, t, hit), d, t);
     return t;
 }
 

@@ -153,8 +153,7 @@ void main() {
     vec2 clip = vec2(dot(air.xyz, u_ray_x), dot(air.xyz, u_ray_y)) / (squares * depth);
     vec2 moves = (vec2(dot(velocity, u_ray_x), dot(velocity, u_ray_y)) / squares - clip * dot(velocity, u_ray_z)) / depth;
     // Heights of a sample: half the width, and half the length.
-    vec2 picture = u_viewport * vec2(PIXEL_WIDTH, 1.0);
-    moves *= 0.5 * picture * (SPRAY_WIDER * form.moment);
+    moves *= 0.5 * u_viewport * (SPRAY_WIDER * form.moment);
     vec4 scattered = spray_entry(u_spray_air, i, 1);
     float unit = 0.5 * u_viewport.y / length(u_ray_y);
     float scale = unit / depth;
@@ -165,7 +164,7 @@ void main() {
     vec2 along = length(moves) > 1e-4 ? normalize(moves) : vec2(0.0, 1.0);
     vec2 size = vec2(wide + min(longer, form.longest * wide), wide);
     // Narrower than a sample and a half: as wide, and hides as much.
-    vec2 drawn = max(size, 0.75 * PIXEL_WIDTH);
+    vec2 drawn = max(size, 0.75);
     float thin = size.x * size.y / (drawn.x * drawn.y);
     v_at = quad_corner();
     vec2 place = v_at.x * drawn.x * along + v_at.y * drawn.y * vec2(-along.y, along.x);
@@ -183,7 +182,7 @@ void main() {
     float opacity = traits.x * air.w * smoothstep(0.3, 1.0, depth) * (1.0 - around);
     float hides = 1.0 - exp(-form.depth * opacity);
     v_form = vec3(-log(1.0 - min(thin * hides, 0.999)), form.cover, mix(form.soft, 1.0, level / 5.0));
-    gl_Position = vec4(clip + 2.0 * place / picture, 0.0, 1.0);
+    gl_Position = vec4(clip + 2.0 * place / u_viewport, 0.0, 1.0);
 }
 
 // @part lit

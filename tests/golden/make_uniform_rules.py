@@ -30,7 +30,6 @@ RULES: list[Rule] = [
     Viewport(),
     Viewport(times=2),
     Viewport(of="picture", times=4),
-    Viewport(of="picture", times=2, narrow=3),
     PassIndex(),
 ]
 

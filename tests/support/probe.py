@@ -67,7 +67,7 @@ class Probe:
             "    vec4 x = texelFetch(u_probe, ivec2(gl_FragCoord.xy), 0);\n    vec4 y = vec4(0.0);\n"
             f"{body}\n    o_probe = y;\n}}\n"
         )
-        text = assemble([*files, main], dict(consts or {})).text
+        text = assemble([*files, main], {"FOOTPRINT_X": 1.0, **(consts or {})}).text
         context = self._context
         program = context.program(vertex_shader=WHOLE.text, fragment_shader=text)
         source = context.texture((width, height), 4, packed.tobytes(), dtype="f4")

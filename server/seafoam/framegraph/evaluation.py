@@ -63,7 +63,7 @@ def evaluate_rule(rule: Rule, state: FrameState) -> tuple[float, ...]:
             picture = rule.of == "picture"
             width = state.width if picture else state.target_width
             height = state.height if picture else state.target_height
-            return float(-(-rule.times * width // rule.narrow)), float(rule.times * height)
+            return float(rule.times * width), float(rule.times * height)
         case _:
             return (float(state.pass_index),)
 

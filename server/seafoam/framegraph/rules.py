@@ -93,13 +93,11 @@ class CameraRule(PlanPart):
 
 
 class Viewport(PlanPart):
-    """Width and height of the pass's target or of the picture, pixels, multiplied by ``times``; the width also divided
-    by ``narrow`` and rounded up."""
+    """Width and height of the pass's target or of the picture, pixels, multiplied by ``times``."""
 
     rule: Literal["viewport"] = "viewport"
     of: Literal["target", "picture"] = "target"
     times: int = Field(default=1, ge=1)
-    narrow: int = Field(default=1, ge=1, exclude_if=lambda given: given == 1)
 
 
 class PassIndex(PlanPart):

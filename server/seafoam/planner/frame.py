@@ -18,6 +18,16 @@ from seafoam.quality import Quality
 START_SHARE = 0.25
 """Step length below which the search for a start distance ends, in heights of a tile at that distance."""
 
+ROW_SHIFT = 0.25
+"""Shift of the rows of wide pixels, to the left and to the right in turn, in their width: two rows together have a
+sample for every half of it."""
+
+FOOTPRINT_X = 0.5
+"""Width of the footprint of a wide pixel's sample, in that of the pixel."""
+
+ROWS_SHARE = 0.1
+"""Share of the rows above and below in what is shown in the middle between two drawn pixels, at most."""
+
 START_TILE, WIDE_TILE = 4, 16
 """Sides of the tiles of pixels whose rays share a start distance, and of those from whose start distances these are
 searched where a search costs much."""
@@ -66,6 +76,8 @@ class Frame:
         self.scene, self.quality = collection.scene, quality
         self.side = math.isqrt(quality.samples)
         """Samples along each side of a drawn pixel."""
+        self.narrow = quality.pixel_width > 1
+        """Whether water, land and sky are drawn at a part of the picture's width."""
         self.sampled = ViewportSize(scale=self.side, narrow=quality.pixel_width)
         """Size of what is drawn sample by sample."""
         self.level = collection.max_height == 0.0
@@ -82,6 +94,9 @@ class Frame:
             "START_SHARE": START_SHARE,
             "SAMPLE_SIDE": self.side,
             "PIXEL_WIDTH": float(quality.pixel_width),
+            "ROW_SHIFT": ROW_SHIFT,
+            "ROWS_SHARE": ROWS_SHARE,
+            "FOOTPRINT_X": FOOTPRINT_X if self.narrow else 1.0,
         }
         self.met = _met_files(collection.slots, self.level)
         """Files of a pass that only finds what rays meet: it has a texture more to spare than others."""

@@ -43,7 +43,7 @@ def make_geometry_plan(scene: Scene, quality: Quality) -> FramePlan:
     nearer; 0 where there is neither. Boats, spray and foam are not in it. Raises as
     :func:`seafoam.planner.make_plan` does.
     """
-    once = quality.model_copy(update={"samples": 1, "samples_max": 1})
+    once = quality.model_copy(update={"samples": 1, "samples_max": 1, "pixel_width": 1})
     return linked_plan(scene, once, _geometry, economy=True)
 
 

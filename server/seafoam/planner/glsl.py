@@ -23,6 +23,8 @@ COMMON = ("lib/numbers.glsl", "lib/rays.glsl@camera")
 """First files of most fragment shaders."""
 PLACE = "lib/rays.glsl@place"
 """Maps a fragment to its sample of the picture."""
+PLACE_SHIFTED = "lib/rays.glsl@place_shifted"
+"""The same where rows of pixels are shifted against one another."""
 FULLSCREEN = ("vertex/vertex.glsl@fullscreen",)
 """The vertex shader of a triangle that covers its target."""
 

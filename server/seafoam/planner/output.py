@@ -1,9 +1,6 @@
 """A whole frame: surface and sky, what stands before them, the mean of the samples, and the picture on the screen."""
 
-from collections.abc import Sequence
-
 from seafoam.effects.effect import ABOVE, BENEATH, FINISHED
-from seafoam.framegraph.passes import Pass
 from seafoam.framegraph.resources import Target, TargetInput, ViewportSize, target_inputs
 from seafoam.planner.adaptive import Redrawn, additional_samples
 from seafoam.planner.frame import Frame, Stage, fullscreen
@@ -18,16 +15,22 @@ _SAMPLES = "samples"
 def picture(frame: Frame) -> tuple[Stage, str]:
     """Return everything that draws a picture, and the target that holds its finished linear frame."""
     after = frame.effect_passes("after")
-    scenery = Scenery(frame, BENEATH if after else _SAMPLES)
+    first = BENEATH if after and not frame.narrow else _SAMPLES
+    scenery = Scenery(frame, first)
+    surface = Target(size=frame.sampled, format=frame.quality.target, depth=True)
     before = Stage(frame.effect_passes("before"), frame.effect_programs(), frame.collection.targets)
-    stages = [before, scenery.stage(), _overlay(frame, after)]
-    linear = _SAMPLES
-    if frame.side > 1:
-        stages.append(_mean(frame, linear))
-        linear = "linear"
-    if frame.quality.pixel_width > 1:
-        stages.append(_enlarged(frame, linear))
+    stages, linear = [before, scenery.stage(), Stage(targets={first: surface})], first
+    if frame.narrow:
+        stages.append(_enlarged(frame))
         linear = "enlarged"
+    if after:
+        # Boats and drops have upright edges: they are drawn at full width.
+        over = "composed" if frame.narrow else _SAMPLES
+        stages += [Stage(after), _composed(frame, linear, over)]
+        linear = over
+    if frame.side > 1:
+        stages.append(_mean(frame))
+        linear = "linear"
     # Without light an additional sample costs less than its selection.
     if frame.quality.chosen_samples and frame.scene.light is not None:
         stages.append(additional_samples(frame, linear, "finished", scenery.redrawn(), _redrawn_overlays(frame)))
@@ -35,38 +38,33 @@ def picture(frame: Frame) -> tuple[Stage, str]:
     return Stage.joined(*stages, _display(frame, linear)), linear
 
 
-def _overlay(frame: Frame, after: Sequence[Pass]) -> Stage:
-    """The target of the samples, and the passes that are blended over surface and sky, if there are any."""
-    size, kind = frame.sampled, frame.quality.target
-    surface = Target(size=size, format=kind, depth=True)
-    if not after:
-        return Stage(targets={_SAMPLES: surface})
-    reads = target_inputs({"u_beneath": BENEATH, "u_above": ABOVE})
+def _composed(frame: Frame, beneath: str, target: str) -> Stage:
+    """The pass that lays what stands before the scenery over it."""
+    size, reads = ViewportSize(scale=frame.side), target_inputs({"u_beneath": beneath, "u_above": ABOVE})
     return Stage(
-        passes=[*after, fullscreen("what stands before the water", "compose", _SAMPLES, reads)],
+        passes=[fullscreen("what stands before the water", "compose", target, reads)],
         programs={"compose": frame.program(["lib/numbers.glsl", "output/frame.glsl@compose"])},
         targets={
-            BENEATH: surface,
             ABOVE: Target(size=size, format="RGBA16F"),
-            _SAMPLES: Target(size=size, format=kind),
+            target: Target(size=size, format=frame.quality.target),
         },
     )
 
 
-def _mean(frame: Frame, samples: str) -> Stage:
+def _mean(frame: Frame) -> Stage:
     """The pass that averages each pixel's samples."""
     return Stage(
-        passes=[fullscreen("mean of the samples", "resolve", "linear", target_inputs({"u_samples": samples}))],
+        passes=[fullscreen("mean of the samples", "resolve", "linear", target_inputs({"u_samples": _SAMPLES}))],
         programs={"resolve": frame.program(["output/frame.glsl@resolve"])},
-        targets={"linear": Target(size=ViewportSize(narrow=frame.quality.pixel_width), format="RGBA32F")},
+        targets={"linear": Target(size=ViewportSize(), format="RGBA32F")},
     )
 
 
-def _enlarged(frame: Frame, narrow: str) -> Stage:
-    """The pass that enlarges a picture that is drawn at a part of its width."""
+def _enlarged(frame: Frame) -> Stage:
+    """The pass that enlarges a scenery that is drawn at a part of its width."""
     files = ["lib/numbers.glsl", "output/enlarge.glsl"]
     return Stage(
-        passes=[fullscreen("enlarged", "enlarge", "enlarged", target_inputs({"u_narrow": narrow}))],
+        passes=[fullscreen("enlarged", "enlarge", "enlarged", target_inputs({"u_narrow": _SAMPLES}))],
         programs={"enlarge": frame.program(files)},
         targets={"enlarged": Target(size=ViewportSize(), format=frame.quality.target)},
     )

@@ -15,6 +15,9 @@ from seafoam.planner.schedule import with_setup
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 
+STEEP = -0.5
+"""Pitch of a camera below which it looks down on water, rad: a square is seen half as high as wide."""
+
 
 @lru_cache(maxsize=128)
 def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FramePlan:
@@ -77,11 +80,12 @@ def _steepest_waves(scene: Scene, count: int) -> Scene:
 
 
 def _with_pixels_of(scene: Scene, quality: Quality) -> Quality:
-    """Return the quality, with pixels half as wide, rounded up, where a scene is as fine along the rows as the columns.
+    """Return the quality with the width at which pixels of the scene are drawn.
 
-    Boats have upright edges, and caustics are of every direction.
+    It is half of that asked for, rounded up, where rows are as fine as columns: from a camera that looks down, and with
+    foam that drifts, in lines of every direction. More samples per pixel are asked for where every pixel counts: then
+    it is 1.
     """
-    caustics = scene.light is not None and scene.light.caustics is not None
-    if quality.pixel_width == 1 or not (scene.boats or caustics):
-        return quality
-    return quality.model_copy(update={"pixel_width": -(-quality.pixel_width // 2)})
+    several, fine = quality.samples > 1 or quality.chosen_samples, scene.drift or scene.camera.pitch < STEEP
+    width = 1 if several else -(-quality.pixel_width // 2) if fine else quality.pixel_width
+    return quality if width == quality.pixel_width else quality.model_copy(update={"pixel_width": width})

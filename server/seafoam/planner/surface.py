@@ -21,7 +21,7 @@ from seafoam.planner.frame import (
     fullscreen,
     underwater,
 )
-from seafoam.planner.glsl import COMMON, PLACE, slot_pieces
+from seafoam.planner.glsl import COMMON, PLACE, PLACE_SHIFTED, slot_pieces
 
 SURFACE, SKY = "surface", "sky"
 """Programs and passes."""
@@ -30,7 +30,6 @@ UNDERWATER = underwater(SURFACE)
 BETWEEN = "surface, between"
 """The program that draws it instead of a mesh for a camera over the water but not over all crests."""
 
-_SAMPLED: tuple[Piece, ...] = (*COMMON, PLACE)
 _LAND_DEPTH = -0.5
 """Clip-space depth of land: before the water."""
 _HORIZON_DEPTH = 0.9999995
@@ -42,6 +41,7 @@ class Scenery:
 
     def __init__(self, frame: Frame, target: str) -> None:
         self.frame, self.target = frame, target
+        self.sampled: tuple[Piece, ...] = (*COMMON, PLACE_SHIFTED if frame.narrow else PLACE)
         # Land extends above the horizon, where the sea's mesh does not.
         self.mesh = frame.quality.surface.method == "mesh" and not frame.level and not frame.shore
         met: dict[str, Input] = {"u_met": TargetInput(target="met")} if frame.shore else {}
@@ -91,7 +91,7 @@ class Scenery:
         return [*files, MARCH] if intersection == MARCHED else files
 
     def _of_slots(self, filled: Sequence[slots.Slot], files: Sequence[SlotFile]) -> tuple[Piece, ...]:
-        return (*_SAMPLED, *(piece for slot in filled for piece in slot_pieces(slot, files)))
+        return (*self.sampled, *(piece for slot in filled for piece in slot_pieces(slot, files)))
 
     @property
     def _surface_slots(self) -> tuple[slots.Slot, ...]:
@@ -136,7 +136,7 @@ class Scenery:
 
     def _land_programs(self) -> dict[str, Program]:
         frame = self.frame
-        met = frame.pieces([*_SAMPLED, *map(SlotRef, ("waves", "find", "land", "first"))], frame.met)
+        met = frame.pieces([*self.sampled, *map(SlotRef, ("waves", "find", "land", "first"))], frame.met)
         land = slots.land_slots(self.combine, frame.collection.fills(slots.LAND_FOAM.name))
         return {
             "met": frame.program(
@@ -145,7 +145,9 @@ class Scenery:
             "met, rising": frame.program(
                 [*met, "surface/met.glsl@met_rising_pass"], self._up_to_horizon("vertex/vertex.glsl@rising"), over=True
             ),
-            "land, shown": frame.program([*_SAMPLED, "shore/land.glsl@land_shown_pass"], over=True, depth=_LAND_DEPTH),
+            "land, shown": frame.program(
+                [*self.sampled, "shore/land.glsl@land_shown_pass"], over=True, depth=_LAND_DEPTH
+            ),
             "land": frame.program(
                 [*self._of_slots(land, frame.marched), "shore/land.glsl@land_pass"], over=True, depth=_LAND_DEPTH
             ),

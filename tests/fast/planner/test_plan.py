@@ -63,7 +63,7 @@ def test_what_the_scene_does_not_call_for_is_not_there() -> None:
         assert word not in text
     assert not bare.textures
     assert not bare.effects
-    assert {one.name for one in bare.passes} == {"surface", "sky", "tone"}
+    assert {one.name for one in bare.passes} == {"surface", "sky", "enlarged", "tone"}
 
 
 @pytest.mark.parametrize("look", get_args(Look))

@@ -98,3 +98,20 @@ def test_kinds_of_choice_and_fewer_samples_are_none() -> None:
         names = {one.name for one in make_plan(load_preset("default").scene, how).passes}
         assert {f"surface, {count} samples" for count in kinds} <= names
         assert ("contrast" in names) == bool(kinds)
+
+
+@pytest.mark.parametrize(
+    ("preset", "asked", "drawn"),
+    [
+        ("default", 2, 2),
+        ("boat-race", 3, 3),
+        ("pool-caustics", 2, 1),
+        ("pool-caustics", 3, 2),
+        ("drift-vortices", 4, 2),
+    ],
+)
+def test_pixels_are_half_as_wide_where_rows_are_as_fine_as_columns(preset: str, asked: int, drawn: int) -> None:
+    scene = load_preset(preset).scene
+    assert make_plan(scene, chosen(pixel_width=asked)).targets["samples"].size == ViewportSize(narrow=drawn)
+    several = make_plan(scene, chosen(pixel_width=asked, samples=4))
+    assert several == make_plan(scene, chosen(pixel_width=1, samples=4))

@@ -5,11 +5,11 @@ import pytest
 from seafoam.effects import EFFECTS
 from seafoam.quality import TIERS, SurfaceQuality
 from support.cases import cases_of
-from support.exact import EXACT
+from support.exact import EXACT, SQUARE
 
 QUALITIES = {
     "exact": EXACT,
-    "march": TIERS["standard"].model_copy(update={"target": "RGBA32F"}),
+    "march": SQUARE.model_copy(update={"target": "RGBA32F"}),
     "mesh": TIERS["fast"].model_copy(
         update={"target": "RGBA32F", "pixel_width": 1, "surface": SurfaceQuality(method="mesh", cells=112, refine=2)}
     ),

@@ -8,10 +8,10 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from seafoam.quality import TIERS
 from seafoam.reference import render as reference
 from seafoam.render.gl.executor import Executor
 from support.cases import HardCase
+from support.exact import SQUARE
 from support.hard.cases import HARD, QUALITIES
 from support.pictures import levels, samples
 
@@ -36,7 +36,7 @@ def pictures_of(
         if name in names
     }
     if HALF in names:
-        found[HALF] = samples(executor, case.scene, TIERS["standard"], case.camera, time=case.times[-1], size=size)
+        found[HALF] = samples(executor, case.scene, SQUARE, case.camera, time=case.times[-1], size=size)
     return found
 
 

@@ -248,15 +248,11 @@ export interface components {
             count: number;
             rules: (components["schemas"]["Constant"] | components["schemas"]["Phase"] | components["schemas"]["Wrap"] | components["schemas"]["Loop"] | components["schemas"]["Clamp"] | components["schemas"]["CameraRule"] | components["schemas"]["Viewport"] | components["schemas"]["PassIndex"])[];
         };
-        /**
-         * @description Width and height of the pass's target or of the picture, pixels, multiplied by ``times``; the width also divided
-         *     by ``narrow`` and rounded up.
-         */
+        /** @description Width and height of the pass's target or of the picture, pixels, multiplied by ``times``. */
         Viewport: {
             rule: "viewport";
             of: "target" | "picture";
             times: number;
-            narrow: number;
         };
         /**
          * @description The picture's size times ``scale``, divided by ``part`` along each side and by ``narrow`` also along the width,

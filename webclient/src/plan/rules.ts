@@ -85,9 +85,7 @@ export function evaluate(rule: Rule, state: FrameState): readonly number[] {
       return camera(rule, state);
     case "viewport": {
       const [width, height] = rule.of === "picture" ? [state.width, state.height] : [state.targetWidth, state.targetHeight];
-      // Plans leave it out where it is 1.
-      const given: { narrow?: number } = rule;
-      return [Math.ceil((rule.times * width) / (given.narrow ?? 1)), rule.times * height];
+      return [rule.times * width, rule.times * height];
     }
     case "pass_index":
       return [state.passIndex];

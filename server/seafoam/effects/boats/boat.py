@@ -55,7 +55,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     kinds = [f"{n} {name}" for n, name in ((len(boats) - motors, "under sail"), (motors, "under power")) if n]
     return Contribution(
         why=f"boats: {', '.join(kinds)}",
-        consts=_consts(boats, quality),
+        consts={**_consts(boats, quality), "BOAT_ALIKE": quality.samples == 1},
+        chosen_consts={"BOAT_ALIKE": False},
         uniforms={"u_boat_course": _courses(boats), **_form_uniforms(boats)},
         inputs={"u_boat_pose": TargetInput(target="boat_pose")},
         targets={"boat_pose": Target(size=FixedSize(width=len(boats), height=1), format="RGBA32F")},

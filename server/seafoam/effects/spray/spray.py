@@ -79,7 +79,7 @@ def _targets(quality: Quality) -> dict[str, Target]:
     return {
         "spray_births": table,
         "spray_air": table,
-        "spray_thick": Target(size=ViewportSize(scale=side, narrow=quality.pixel_width), format="RGBA16F"),
+        "spray_thick": Target(size=ViewportSize(scale=side), format="RGBA16F"),
     }
 
 
@@ -124,7 +124,7 @@ def _air_pass(scene: Scene, quality: Quality) -> PassSpec:
     if scene.boats:
         over = (*TRACE, Source(file, (("spray_hidden", "spray_hidden_openly"),)), "spray/drawn.glsl@past_boats")
     land: tuple[Piece | SlotRef, ...] = () if scene.shore is None else FIND_LAND
-    rays = Viewport(of="picture", times=math.isqrt(quality.samples), narrow=quality.pixel_width)
+    rays = Viewport(of="picture", times=math.isqrt(quality.samples))
     return PassSpec(
         name="drops in the air",
         program="spray_air",

@@ -42,10 +42,10 @@ crests are up to three times narrower than their waves, and half of the error of
 NEWTON, NEWTON_WIDE = 2, 1
 """Newton steps that invert the horizontal displacement at a texel, and those for wide pixels, whose errors stay the
 same (storm 7.6 and 7.5 levels, open-ocean 10.9 and 11.0)."""
-READ, READ_ALONE, READ_WIDE = 0.57735, 0.75, 0.65
+READ, READ_ALONE = 0.57735, 0.75
 """Side of a trilinear read of slopes over that of the footprint: of the same variance, and of the least error where one
-sample stands for a pixel, and for a wide one. Against 256 samples of seas of 4 to 15 m/s, single ones had 1.26 to 1.55
-and 0.91 to 1.32 times the error of 16."""
+sample stands for a pixel. Against 256 samples of seas of 4 to 15 m/s, single ones had 1.26 to 1.55 and 0.91 to 1.32
+times the error of 16."""
 _PASSES = "waves/sea_passes.glsl@"
 _COMPLEX, _FOUR = f"{_PASSES}complex", f"{_PASSES}four"
 DISPLACED = "sea_a"
@@ -271,7 +271,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 
 
 def _read(quality: Quality) -> float:
-    return READ if quality.samples > 1 else READ_WIDE if quality.pixel_width > 1 else READ_ALONE
+    return READ if quality.samples > 1 else READ_ALONE
 
 
 def _why(sea: Sea, tiles: Sequence[Cascade], size: int) -> str:

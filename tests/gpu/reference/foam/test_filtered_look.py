@@ -8,8 +8,8 @@ import pytest
 from numpy.typing import NDArray
 from scipy import ndimage
 
-from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
+from support.exact import SQUARE
 from support.pictures import linear, rms
 from support.report import Report
 from support.scenes import Camera, Foam, HeightSaturation, Look, Scene, load_preset
@@ -36,7 +36,7 @@ def amounts(
     executor: Executor, scene: Scene, camera: Camera, size: tuple[int, int] = (192, 108), **quality: Any
 ) -> NDArray[np.float32]:
     """Foam amounts of pixels."""
-    return linear(executor, scene, TIERS["standard"].model_copy(update=quality), camera, size=size)[..., 3]
+    return linear(executor, scene, SQUARE.model_copy(update=quality), camera, size=size)[..., 3]
 
 
 def coverage(executor: Executor, saturation: float, texels_a_pixel: float, side: int) -> NDArray[np.float32]:
@@ -201,6 +201,6 @@ def preset_amounts(executor: Executor, name: str, look: Look, samples: int, part
     scene = load_preset(name).scene
     plain = {"look": look, "fade": 0.0, "texture": 0.0, "octaves": 1}
     scene = scene.model_copy(update={"foam": scene.foam.model_copy(update=plain)})
-    quality = TIERS["standard"].model_copy(update={"samples": samples})
+    quality = SQUARE.model_copy(update={"samples": samples})
     drawn = linear(executor, scene, quality, time=2.7, size=(96 * parts, 54 * parts))[..., 3]
     return drawn.astype(np.float64).reshape(54, parts, 96, parts).mean(axis=(1, 3))
