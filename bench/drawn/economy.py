@@ -27,7 +27,8 @@ from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 from support.cases import cases_of
 
-QUALITY = TIERS["standard"]
+QUALITY = TIERS["standard"].model_copy(update={"pixel_width": 1})
+"""The program with every effect draws each pixel."""
 SIZE = (640, 360)
 HAND_SIZE = (1280, 720)
 COMPILE_SIZE = (16, 16)

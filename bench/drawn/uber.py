@@ -182,6 +182,7 @@ def _uber(quality: Quality, exact_ripples: bool) -> _Uber:
         **parts.consts,
         **GENERAL,
         "SURFACE_FILTER": quality.surface.filter,
+        "FOOTPRINT_X": 1.0,
         "MARCH_STEPS": quality.surface.steps,
         "MARCH_TOLERANCE": quality.surface.tolerance,
         "REFINE": quality.surface.refine,

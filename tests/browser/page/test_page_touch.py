@@ -40,7 +40,8 @@ def test_a_tap_raises_a_ring_there(lake: Visit) -> None:
     assert changed.mean() > 0.002
     assert abs(np.median(columns) - 300) < 25
     assert abs(np.median(rows) - 250) < 25
-    assert not changed[:100].any()
+    # Where rays may meet a ring they begin earlier, and a tie between two levels may fall otherwise.
+    assert np.abs(after.astype(int) - before)[:100].max() <= 1
     assert lake.plans() == asked + 1
     assert lake.state()["camera"] == camera
     lake.settings()

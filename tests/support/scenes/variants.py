@@ -66,7 +66,6 @@ def qualities() -> Iterator[Quality]:
     for mask, taps in product(("u8", "half"), (4, 16)):
         yield standard.model_copy(update={"mask": mask, "foam_taps": taps})
     yield standard.model_copy(update={"foam_octaves": 1})
-    yield standard.model_copy(update={"pixel_width": 1})
     yield standard.model_copy(update={"foam_relief": True})
     for wake, reflection, rays in (("map", "traced", 4), ("exact", "map", 1)):
         yield standard.model_copy(update={"wake": wake, "reflection": reflection, "boat_samples": rays})

@@ -8,10 +8,10 @@ from numpy.typing import NDArray
 
 from seafoam.effects.light.sparkles import density
 from seafoam.effects.shader import Inline
-from seafoam.quality import TIERS
 from seafoam.reference.light import light as reference_light
 from seafoam.reference.light.sparkles import EPOCHS, SparkleField
 from seafoam.render.gl.executor import Executor
+from support.exact import SQUARE
 from support.pictures import linear
 from support.probe import Probe, stand_in
 from support.report import Report
@@ -65,7 +65,7 @@ def test_sparkles_equal_their_float64_form(probe: Probe, w: float, time: float) 
     assert away.mean() <= 1e-4
 
 
-WIDE_RANGE = TIERS["standard"].model_copy(update={"target": "RGBA32F"})
+WIDE_RANGE = SQUARE.model_copy(update={"target": "RGBA32F"})
 
 
 @pytest.mark.parametrize("cells", [1, 4])

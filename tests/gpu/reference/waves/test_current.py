@@ -13,7 +13,7 @@ from seafoam.quality import TIERS
 from seafoam.reference import render
 from seafoam.reference.boats.wake import stone_set
 from seafoam.render.gl.executor import Executor
-from support.exact import EXACT
+from support.exact import EXACT, SQUARE
 from support.pictures import levels, samples
 from support.scenes import (
     Boat,
@@ -125,7 +125,7 @@ def test_water_at_stones_against_float64(executor: Executor, look: Look) -> None
     )
     truth = render(scene, time=7.5, width=96, height=54)
     bare = scene.model_copy(update={"current": STONES.model_copy(update={"stones": ()})})
-    for quality, most in ((EXACT, 0.1), (TIERS["standard"].model_copy(update={"samples": 1}), 1.5)):
+    for quality, most in ((EXACT, 0.1), (SQUARE, 1.5)):
         away = levels(samples(executor, scene, quality, scene.camera, time=7.5, size=(96, 54)), truth.rgb)
         without = levels(samples(executor, bare, quality, scene.camera, time=7.5, size=(96, 54)), truth.rgb)
         assert away.mean() < most
