@@ -20,14 +20,14 @@ from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.rules import COMPONENTS, Constant
 from seafoam.framegraph.shader import Shader
 from seafoam.planner import make_plan
-from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 from support.cases import cases_of
+from support.exact import SQUARE
 
-QUALITY = TIERS["standard"].model_copy(update={"pixel_width": 1})
+QUALITY = SQUARE
 """The program with every effect draws each pixel."""
 SIZE = (640, 360)
 HAND_SIZE = (1280, 720)
