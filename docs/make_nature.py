@@ -49,23 +49,12 @@ PATCHES = 5
 """Patches below which no decay time is given."""
 Figures = dict[str, dict[str, Any]]
 _EVENING = "its single waves are those of a stronger wind than the scene's, and break as often"
-_LESS = "less breaks than at this wind on average; a scene without foam has none"
-_SHORT = "waves below 0.1 m are left to `roughness`, which is less than nature has there"
 REASONS: dict[tuple[str, ...], str] = {
     ("above", "above", "default"): _EVENING,
-    ("above", "below"): _LESS,
     ("own", "above", "default"): _EVENING,
-    ("own", "below"): _LESS,
     ("up", "above"): "the single waves are steeper than a sea of this wind",
-    ("up", "below"): _SHORT,
-    ("across", "below"): _SHORT + ", and the sea's short waves spread no wider than its long ones",
-    ("path", "below"): "the slopes across the view are too small (see there)",
-    ("dense", "above"): "full foam is a layer of optical depth 12 and albedo 0.9; an albedo of 0.8 gives about 0.6",
+    ("path", "below"): "likely as high waves hide and shade one another, which the band's equation does not",
     ("effective", "below"): "whitecaps are small and torn, and most of their pixels hold little foam",
-    ("set", "above"): "foam of a storm is set to outlast what was poured in a tank",
-    ("set", "below"): "small whitecaps are set to fade sooner than what was poured in a tank",
-    ("period", "below"): "single waves, shorter than the sea's longest, have most of the energy",
-    ("steepness", "above"): "the single waves' height is chosen for their look, and the sea is added to it",
 }
 
 
@@ -106,7 +95,7 @@ def measured(executor: Executor, preset: Preset) -> dict[str, Any]:
     if (lamp := lamp_of(scene)) is not None:
         found |= {"lamp": lamp, "path": m.path_width(executor, preset, lamp)}
     if scene.foam is None:
-        return found | {"above": 0.0, "own": 0.0}
+        return found
     found |= m.seen_by_own_camera(executor, preset)
     breaking = [one for one in scene.foam.saturation if isinstance(one, FrontSaturation | WhitecapSaturation)]
     decays = [one.decay for one in breaking if one.decay is not None]
@@ -207,7 +196,7 @@ def against_wind(axes: Axes, figures: Mapping[str, Mapping[str, Any]], keys: tup
         axes.plot(winds, [scale * laws.callaghan(wind) for wind in winds], color=INK, lw=1.0, ls="--")
     for figure, colour in zip(figures.values(), COLOURS, strict=True):
         for key, face in zip(keys, (colour, "none"), strict=False):
-            if figure[key] > 0.0:
+            if figure.get(key, 0.0) > 0.0:
                 off = scale * figure.get(f"{key}_error", 0.0)
                 axes.errorbar(figure["wind"], scale * figure[key], off, fmt="o", ms=6, color=colour, mfc=face, mew=1.4)
     axes.set_xlim(0.0, 24.0)
