@@ -29,8 +29,8 @@ class SurfaceQuality(QualityParameters):
     method: Literal["mesh", "march"] = "march"
     """How the view ray is intersected with the surface. march: conservative ray marching, which cannot step over a
     crest; mesh: a polar grid, then Newton steps"""
-    steps: int = Field(default=192, ge=8, le=1024, description="Maximum number of ray-marching steps")
-    tolerance: float = Field(default=0.05, ge=1e-4, le=1.0)
+    steps: int = Field(default=96, ge=8, le=1024, description="Maximum number of ray-marching steps")
+    tolerance: float = Field(default=0.1, ge=1e-4, le=1.0)
     """Distance from the surface at which ray marching stops, as a fraction of the height of one sample's footprint;
     smaller is more exact and slower"""
     cells: int = Field(default=192, ge=8, le=1024, description="Cells along each side of the mesh")
@@ -87,6 +87,9 @@ class Quality(Extensible, QualityParameters):
     cloud_octaves: int = Field(default=6, ge=1, le=8, description="Octaves of the cloud noise; more show finer clouds")
     cloud_shadow_octaves: Literal[1, 2, 3, 4] = 3
     """Octaves of the cloud noise in the clouds' shadows; more show finer shadows"""
+    clouds_mirrored: Literal["map", "exact"] = "map"
+    """Clouds that the water mirrors. map: read from a small map that is drawn each frame, where a wind sea or ripples
+    blur what is mirrored; exact: evaluated for each sample"""
     cube: Literal["map", "exact"] = "map"
     """Reflected surroundings. map: read from a cube map; exact: traced for each sample"""
     cube_size: Literal[32, 64, 128, 256, 512, 1024] = 128
@@ -165,6 +168,7 @@ _FINEST: dict[str, Any] = {
     "shore_profile": 256,
     "shadow_steps": 256,
     "cloud_shadow_octaves": 4,
+    "clouds_mirrored": "exact",
     "cube": "exact",
     "slope_places": 5,
     "refraction_steps": 16,
@@ -190,13 +194,14 @@ TIERS: dict[Tier, Quality] = {
         wake_size=256,
         reflection_size=128,
         boat_samples=1,
-        pixel_width=3,
+        pixel_width=4,
     ),
     "standard": Quality(),
     "high": Quality(
         surface=SurfaceQuality(steps=384, tolerance=0.02),
         foam_relief=True,
         rings_size=2048,
+        clouds_mirrored="exact",
         cube_size=512,
         refraction_steps=8,
         drift_size=512,

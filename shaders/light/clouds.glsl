@@ -183,8 +183,8 @@ const vec3 RAIN_SLANT = vec3(0.2, 0.1, -0.25); // cells, from the clouds' foot t
 const float RAIN_SPREADS = 0.06;         // cells, over the same fall
 const float RAIN_FADES = 30000.0;        // m
 
-// Light from behind the rain toward d, and its own; hidden: how much of what is behind all air.
-vec3 in_rain(vec3 light, vec3 d, vec2 spread, inout float hidden) {
+// Light from behind the rain toward d, and its own; a: of what is behind all clouds; hidden: how much of what is behind all air.
+vec4 in_rain(vec4 light, vec3 d, vec2 spread, inout float hidden) {
     float level = length(d.xz);
     float high = u_cloud_shape.x - u_eye_height;
     if (d.y <= 0.0 || high <= 0.0) {
@@ -209,7 +209,7 @@ vec3 in_rain(vec3 light, vec3 d, vec2 spread, inout float hidden) {
     }
     float left = exp(-u_cloud_rain * depth);
     hidden = 1.0 - (1.0 - hidden) * left;
-    return mix(RAIN_LIGHT * u_cloud_far.rgb / max(u_cloud_far.a, 1e-3), light, left);
+    return mix(vec4(RAIN_LIGHT * u_cloud_far.rgb / max(u_cloud_far.a, 1e-3), 0.0), light, left);
 }
 
 // @part shadow

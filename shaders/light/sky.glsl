@@ -143,14 +143,19 @@ vec3 clear_sky(vec3 d) {
     return sun_glow(d) + moon_glow(d);
 }
 
-// The air's light toward d behind clouds; hidden: how much of what is behind all air.
-vec3 behind_clouds(vec3 air, vec3 d, vec2 spread, out float hidden) {
+// What clouds leave of the air's light toward d (a), and what they and rain add (rgb); hidden: how much of what is behind all air.
+vec4 cloud_veil(vec3 d, vec2 spread, out float hidden) {
     float thin;
     vec4 high = cirrus(d, spread, thin);
     vec4 layer = clouds(d, spread, hidden);
     hidden = 1.0 - (1.0 - thin) * (1.0 - hidden);
-    vec3 light = (air * (1.0 - high.a) + high.rgb) * (1.0 - layer.a) + layer.rgb;
-    return in_rain(light, d, spread, hidden);
+    float left = 1.0 - layer.a;
+    return in_rain(vec4(high.rgb * left + layer.rgb, (1.0 - high.a) * left), d, spread, hidden);
+}
+
+vec3 behind_clouds(vec3 air, vec3 d, vec2 spread, out float hidden) {
+    vec4 veil = cloud_veil(d, spread, hidden);
+    return air * veil.a + veil.rgb;
 }
 
 vec3 sky_seen(vec3 d, vec2 spread) {
@@ -170,15 +175,48 @@ vec3 horizon_light(vec3 d) {
     return (sun_glow_rim(level, d) + moon_glow_rim(level, d)) * (1.0 - layer.a) + layer.rgb;
 }
 
-// As water mirrors it, whose slopes spread the reflected looks up and down and aside, and up and down those that no sample resolves
-// (deviations, rad). r: their mean, over the horizon.
-// Two looks stand for them in the air, whose light bends most along the horizon.
-vec3 mirrored_sky(vec3 r, vec3 spread) {
+// The air as water mirrors it, whose slopes spread the reflected looks up and down (deviation, rad) about r, over the horizon: two
+// looks stand for them, for its light bends most along the horizon.
+vec3 mirrored_air(vec3 r, float spread) {
     float level = length(r.xz);
-    vec3 aside = 0.8 * min(spread.x, r.y) * vec3(-r.y * r.xz / max(level, 1e-6), level).xzy;
-    vec3 air = 0.5 * (clear_sky(normalize(r + aside)) + clear_sky(normalize(r - aside)));
+    vec3 aside = 0.8 * min(spread, r.y) * vec3(-r.y * r.xz / max(level, 1e-6), level).xzy;
+    return 0.5 * (clear_sky(normalize(r + aside)) + clear_sky(normalize(r - aside)));
+}
+
+// @part mirrored
+// The sky as water mirrors it, whose slopes spread the reflected looks up and down and aside, and up and down those that no sample
+// resolves (deviations, rad). r: their mean, over the horizon.
+vec3 mirrored_sky(vec3 r, vec3 spread) {
     float hidden;
-    return behind_clouds(air, r, vec2(1.15 * spread.x, spread.y), hidden);
+    return behind_clouds(mirrored_air(r, spread.x), r, vec2(1.15 * spread.x, spread.y), hidden);
+}
+
+// @part mirrored_map
+// The same with clouds from a map of the sky over the horizon, in the stereographic projection from straight down, whose levels are as
+// many times coarser as slopes spread the looks. docs/formulae.md, section 9.
+uniform sampler2D u_clouds_mirrored;
+
+const float CLOUDS_HALF = 0.5 * float(CLOUDS_SIDE); // of the map's side, texels; the horizon is a texel within
+
+vec3 mirrored_sky(vec3 r, vec3 spread) {
+    vec2 place = 0.5 + (0.5 - 0.5 / CLOUDS_HALF) * r.xz / (1.0 + r.y);
+    // Looks that would spread below the horizon are few, and counted at it.
+    float texels = CLOUDS_HALF * (1.0 + r.y) * min(spread.x, r.y);
+    vec4 veil = textureLod(u_clouds_mirrored, place, log2(max(texels, 1.0)));
+    return mirrored_air(r, spread.x) * veil.a + veil.rgb;
+}
+
+// @part mirrored_pass
+// That map: of each look over the horizon what clouds leave and add; beyond the horizon what they do there.
+out vec4 o_veil;
+
+void main() {
+    float half_side = 0.5 * float(CLOUDS_SIDE);
+    vec2 q = (gl_FragCoord.xy - half_side) / (half_side - 1.0);
+    float far = min(dot(q, q), 1.0);
+    vec3 d = normalize(vec3(2.0 * q, max(1.0 - far, 0.0))).xzy;
+    float hidden;
+    o_veil = cloud_veil(d, vec2(1.0 / half_side), hidden);
 }
 
 // @part main

@@ -13,6 +13,10 @@ vec4 seen(int column, int row) {
 }
 
 vec4 between(float x, int row) {
+    // Shifted rows of pixels twice as wide have a sample where the others have none.
+    if (PIXEL_WIDTH == 2.0) {
+        return seen(int(floor(x + 0.5)), row);
+    }
     int column = int(floor(x));
     return mix(seen(column, row), seen(column + 1, row), x - floor(x));
 }

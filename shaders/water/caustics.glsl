@@ -141,23 +141,33 @@ void main() {
     o_light = bspline(way.x) * bspline(way.y) * v_photon.z * v_part;
 }
 
-// @part smooth
-// The caustic map from a refracted grid drawn at half texels, as smooth as the one from photons: the cubic B-spline of a texel,
-// for each colour as far beside as its light lands beside what was drawn.
+// @part smooth_rows
+// The caustic map from a refracted grid drawn at half texels, as smooth as the one from photons: the cubic B-spline of a texel along
+// the rows, for each colour as far beside as its light lands beside what was drawn.
 uniform sampler2D u_caustic_light;
-uniform vec3 u_caustic_across[CAUSTIC_TAPS]; // weights of red, green and blue, of columns and of rows of half texels
+uniform vec3 u_caustic_across[CAUSTIC_TAPS]; // weights of red, green and blue, of columns of half texels
+out vec4 o_light;
+
+void main() {
+    ivec2 first = ivec2(2 * int(gl_FragCoord.x) + CAUSTIC_RIM - CAUSTIC_BEFORE, int(gl_FragCoord.y));
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < CAUSTIC_TAPS; ++i) {
+        sum += texel_at(u_caustic_light, first + ivec2(i, 0)).rgb * u_caustic_across[i];
+    }
+    o_light = vec4(sum, 0.0);
+}
+
+// @part smooth_columns
+// The same along the columns.
+uniform sampler2D u_caustic_rows;
 uniform vec3 u_caustic_along[CAUSTIC_TAPS];
 out vec4 o_light;
 
 void main() {
-    ivec2 first = 2 * ivec2(gl_FragCoord.xy) + CAUSTIC_RIM - CAUSTIC_BEFORE;
+    ivec2 first = ivec2(int(gl_FragCoord.x), 2 * int(gl_FragCoord.y) + CAUSTIC_RIM - CAUSTIC_BEFORE);
     vec3 sum = vec3(0.0);
     for (int j = 0; j < CAUSTIC_TAPS; ++j) {
-        vec3 row = vec3(0.0);
-        for (int i = 0; i < CAUSTIC_TAPS; ++i) {
-            row += texel_at(u_caustic_light, first + ivec2(i, j)).rgb * u_caustic_across[i];
-        }
-        sum += row * u_caustic_along[j];
+        sum += texel_at(u_caustic_rows, first + ivec2(0, j)).rgb * u_caustic_along[j];
     }
     o_light = vec4(sum, 0.0);
 }

@@ -80,7 +80,7 @@ uniform sampler2D u_caustics;
 uniform vec2 u_caustic_place; // the eye's place in the tile, less the way of the light down to the floor, in tiles
 uniform float u_caustic_tile; // m
 
-const float CAUSTIC_FIGURE = 0.5; // width of a figure of light, m
+const float CAUSTIC_FIGURE = 0.2; // width of a figure of light, m
 
 vec3 caustic_at(vec2 at) {
     return textureLod(u_caustics, at / u_caustic_tile + u_caustic_place, 0.0).rgb;

@@ -16,7 +16,7 @@ SPINE_KNOBS: tuple[QualityParameter, ...] = (
     QualityParameter("/surface/method", "surface intersection", ("mesh", "march"), "geometry"),
     QualityParameter("/surface/steps", "maximum ray-marching steps", (48, 96, 192, 384), "geometry"),
     QualityParameter(
-        "/surface/tolerance", "ray-marching tolerance, sample heights", (0.5, 0.2, 0.05, 0.02, 0.002), "geometry"
+        "/surface/tolerance", "ray-marching tolerance, sample heights", (0.5, 0.2, 0.1, 0.02, 0.002), "geometry"
     ),
     QualityParameter("/surface/cells", "mesh cells per side", (48, 96, 192, 384), "geometry"),
     QualityParameter("/surface/refine", "Newton steps", (0, 1, 2, 4), "geometry"),

@@ -141,6 +141,8 @@ class Contribution(Resources):
     ``max_curvature``, m; caused by the interpolation and the number format of a map."""
     min_ground: float | None = None
     """Lowest height of the effect's ground, m."""
+    refine: int = 0
+    """Least number of Newton steps after the march: for what moves along rays where the surface is found late."""
     march_factor: int = 1
     """Factor on the number of ray-marching steps: for steep crests, or crests that fill little of the slab between
     lowest and highest water."""

@@ -88,7 +88,7 @@ class Frame:
         self.consts: dict[str, Const] = {
             **collection.consts,
             "SURFACE_FILTER": quality.surface.filter,
-            "REFINE": quality.surface.refine,
+            "REFINE": max(quality.surface.refine, collection.refine),
             "MARCH_STEPS": quality.surface.steps * collection.march_factor,
             "MARCH_TOLERANCE": quality.surface.tolerance,
             "START_SHARE": START_SHARE,

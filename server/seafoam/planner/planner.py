@@ -4,6 +4,7 @@ from collections.abc import Callable
 from functools import lru_cache
 
 from seafoam.effects import EFFECTS, outside
+from seafoam.effects.effect import PlanError
 from seafoam.effects.registry import CHANGED
 from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.visibility import everywhere
@@ -39,12 +40,20 @@ def linked_plan(
     scene: Scene, quality: Quality, passes_of: Callable[[Frame], tuple[Stage, str]], *, economy: bool
 ) -> FramePlan:
     """Return the plan of a scene's contributions. ``passes_of``: its passes, and the target of its linear frame."""
+    asked = quality
     scene = _steepest_waves(scene.settled, quality.waves)
     quality = _with_pixels_of(scene, quality)
     given = collect((*EFFECTS, *outside()), scene, quality, economy=economy)
     stage, linear = passes_of(Frame(given, quality))
-    for program in stage.programs.values():
-        link.refuse_too_many_samplers(program, given.readers)
+    try:
+        for program in stage.programs.values():
+            link.refuse_too_many_samplers(program, given.readers)
+    except PlanError:
+        if asked.clouds_mirrored == "exact":
+            raise
+        # Of what is kept in textures this alone is as good without.
+        exact = asked.model_copy(update={"clouds_mirrored": "exact"})
+        return linked_plan(scene, exact, passes_of, economy=economy)
     for drawn in stage.passes:
         link.refuse_integers(drawn, stage.targets)
     uniforms = {**given.uniforms, **link.camera_uniforms(given), **stage.uniforms}

@@ -163,7 +163,7 @@ CLOUDS = Slot(
 )
 RAIN = Slot(
     "rain",
-    Inline("vec3 in_rain(vec3 light, vec3 d, vec2 spread, inout float hidden) {\n    return light;\n}\n"),
+    Inline("vec4 in_rain(vec4 light, vec3 d, vec2 spread, inout float hidden) {\n    return light;\n}\n"),
     under="layered",
 )
 SKY = Slot(
@@ -177,6 +177,8 @@ SKY = Slot(
     ),
 )
 """Light of the sky; a layered sky is combined from air, moonlight and clouds."""
+MIRRORED = Slot("mirrored", "light/sky.glsl@mirrored", under="layered")
+"""A layered sky as water mirrors it."""
 MOON_DISC = Slot("moon disc", constant_function("vec4", "moon_disc", "vec3 d"), under="layered")
 STARS = Slot("stars", constant_function("vec3", "star_light", "vec3 d, float pixel"), under="layered")
 SKY_MAIN = Slot("sky main", "light/sky.glsl@main")
@@ -255,7 +257,7 @@ SKY_SLOTS = (LAYERED, MOON, CIRRUS, CLOUDS, RAIN, SKY)
 """Components of ``sky_light``, in source order."""
 SKY_PASS_SLOTS = (*SKY_SLOTS, DISC, MOON_DISC, STARS, SKY_MAIN)
 """Slots of the sky's fragment shader, in source order."""
-_LIT = (*SKY_SLOTS, OPEN_SUN, SUNLIGHT, BODY, CREST, PLUME, GLITTER, REFLECTION, SHADE)
+_LIT = (*SKY_SLOTS, MIRRORED, OPEN_SUN, SUNLIGHT, BODY, CREST, PLUME, GLITTER, REFLECTION, SHADE)
 """Slots of light on water and land, in source order."""
 _LAND = (LAND, LAND_FOAM, LAND_COLOR)
 ONLY_OVER = (GENTLER, SHORT, BEYOND, APPROACH, FIND, RELIEF, FOAM_LAYER, THROUGH, *_LAND, FIRST, MAIN)

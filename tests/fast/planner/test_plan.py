@@ -18,7 +18,7 @@ from seafoam.quality import TIERS
 from seafoam.resources import data_dir
 from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Drift, DriftSaturation, Foam, FrontSaturation, Look, SurfSaturation, WhitecapSaturation
-from seafoam.scene.light import Light
+from seafoam.scene.light import Clouds, Light, Sky
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 from seafoam.scene.shore import Shore
@@ -92,6 +92,26 @@ def test_more_textures_than_a_shader_may_read_are_refused() -> None:
     scene = Scene(sea=Sea(), rings=(Ring(),), shore=Shore(), drift=Drift(), foam=foam, water=water, light=Light())
     with pytest.raises(PlanError, match=r"would read \d+ textures, and WebGL2 guarantees 16 .*sea \d"):
         make_plan(scene, STANDARD)
+
+
+def test_clouds_that_water_mirrors_are_a_map_where_a_texture_is_free() -> None:
+    """Of a rough sea that mirrors the sky alone; calm water shows what is finer than the map, and so does a boat."""
+    light = Light(sky=Sky(clouds=Clouds()))
+    foam = Foam(saturation=(WhitecapSaturation(), FrontSaturation()), texture=0.5)
+    sea = Scene(sea=Sea(), waves=(ParametricWave(),), foam=foam, water=Water(ripples=Ripples()), light=light)
+    full = sea.model_copy(update={"rings": (Ring(),), "foam": foam.model_copy(update={"texture": 0.0})})
+    calm = Scene(waves=(ParametricWave(),), water=Water(ripples=Ripples(slope=0.01)), light=light)
+    planar = sea.model_copy(update={"light": light.model_copy(update={"reflection": "planar"})})
+    mapped = {True: (sea,), False: (full, calm, planar)}
+    for whether, scenes in mapped.items():
+        for scene in scenes:
+            assert ("clouds_mirrored" in make_plan(scene, STANDARD).targets) is whether
+    for tier in ("high", "reference"):
+        assert "clouds_mirrored" not in make_plan(sea, TIERS[tier]).targets
+    # The planner leaves the map out itself: asked for or not, the plan is the same.
+    exact = STANDARD.model_copy(update={"clouds_mirrored": "exact"})
+    assert make_plan(full, STANDARD) == make_plan(full, exact)
+    assert make_plan(sea, STANDARD) != make_plan(sea, exact)
 
 
 def at(document: Any, pointer: str) -> tuple[Any, str]:

@@ -7,13 +7,13 @@ from PIL import Image
 
 from seafoam.effects.effect import ABOVE
 from seafoam.planner import make_plan
-from seafoam.quality import TIERS, Quality
+from seafoam.quality import TIERS, Quality, SurfaceQuality
 from seafoam.render.gl.executor import Executor, Output
 from support.pictures import draw
 from support.scenes import load_preset
 
 STANDARD = TIERS["standard"]
-SIZES = ((96, 54), (50, 7), (2, 3), (1, 1))
+SIZES = ((96, 54), (50, 7), (51, 7), (2, 3), (1, 1))
 
 
 def narrow(width: int) -> Quality:
@@ -47,7 +47,7 @@ def along_rows(seen: NDArray[np.float64], x: NDArray[np.float64], *, cubic: bool
     return np.clip(found, np.minimum(p[1], p[2]), np.maximum(p[1], p[2]))
 
 
-def enlarged(picture: NDArray[np.float64], width: int) -> NDArray[np.float64]:
+def enlarged(picture: NDArray[np.float64], width: int, pixel_width: int) -> NDArray[np.float64]:
     """What is shown of (height, columns, 4), the top row first: docs/formulae.md, section 1."""
     colors = np.maximum(picture[..., :3], 0.0)
     seen = np.concatenate([colors / (1.0 + colors.max(-1, keepdims=True)), picture[..., 3:]], -1)
@@ -61,7 +61,9 @@ def enlarged(picture: NDArray[np.float64], width: int) -> NDArray[np.float64]:
     sides = [np.abs(np.arange(height) + step) for step in (-1, 1)]
     sides[1] = np.where(sides[1] == height, max(height - 2, 0), sides[1])
     sides[0] = np.minimum(sides[0], height - 1)
-    around = sum(along_rows(seen[side], middle + shift, cubic=False) for side in sides) / 2.0
+    beside = middle + shift
+    beside = np.floor(beside + 0.5) if pixel_width == 2 else beside
+    around = sum(along_rows(seen[side], beside, cubic=False) for side in sides) / 2.0
     share = (0.1 * 4.0 * f * (1.0 - f))[..., None]
     found = (1.0 - share) * own + share * around
     return np.concatenate([found[..., :3] / (1.0 - found[..., :3].max(-1, keepdims=True)), found[..., 3:]], -1)
@@ -73,7 +75,7 @@ def test_what_is_drawn_narrow_is_enlarged_by_a_cubic_and_the_rows_beside(executo
     for size in SIZES:
         samples = drawn(executor, "default", quality, size, "samples")
         assert samples.shape[:2] == (size[1], -(-size[0] // width))
-        want = enlarged(samples, size[0])
+        want = enlarged(samples, size[0], width)
         np.testing.assert_allclose(drawn(executor, "default", quality, size, "linear"), want, rtol=2e-4, atol=1e-5)
 
 
@@ -98,10 +100,11 @@ def test_narrow_pixels_change_no_light_in_the_mean(executor: Executor, preset: s
 
 @pytest.mark.parametrize("preset", ["boat-race", "storm"])
 def test_what_stands_before_the_scenery_is_drawn_at_full_width(executor: Executor, preset: str) -> None:
-    """Rays to drops begin where wider tiles of rays begin, and may end elsewhere within the tolerance: one in 200."""
-    scene = load_preset(preset).scene
-    plans = [make_plan(scene, narrow(width)).model_copy(update={"linear": ABOVE}) for width in (1, 2, 3)]
+    """Rays to drops begin where wider tiles of rays begin, and may end elsewhere within the tolerance: one in 100."""
+    scene, exact = load_preset(preset).scene, SurfaceQuality(tolerance=0.02)
+    qualities = [narrow(width).model_copy(update={"surface": exact}) for width in (1, 2, 3)]
+    plans = [make_plan(scene, quality).model_copy(update={"linear": ABOVE}) for quality in qualities]
     above = [draw(executor, plan, scene.camera, time=3.0, size=(96, 54), output="linear") for plan in plans]
-    assert above[0][..., 3].max() > 0.5
+    assert above[0][..., 3].max() > 0.4
     for one in above[1:]:
-        assert (np.abs(one - above[0]).max(-1) > 1e-3).mean() < 0.005
+        assert (np.abs(one - above[0]).max(-1) > 1e-3).mean() < 0.01

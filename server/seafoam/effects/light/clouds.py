@@ -2,14 +2,34 @@
 
 import math
 
-from seafoam.effects.effect import Bound, Contribution, Effect, QualityParameter
+from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, Resources
 from seafoam.effects.light import atmosphere, overcast
 from seafoam.effects.noise import CELLS, PERLIN_2, PERLIN_3, drifting_noise
-from seafoam.effects.shader import SlotFile
+from seafoam.effects.shader import SlotFile, SlotRef
+from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, TargetInput
 from seafoam.framegraph.rules import Phase, array, number, rounded, vector
 from seafoam.quality import Quality
 from seafoam.scene.light import Cirrus, Clouds
 from seafoam.scene.models import Scene
+
+MAP_SIDE = 32
+"""Side of the map of the clouds that the water mirrors, texels."""
+LEAST_SLOPE = 0.05
+"""Root mean square slope of ripples from which the water mirrors clouds from the map: it turns a mirrored look by twice
+as much, some two texels."""
+_MIRRORED = Resources(
+    slots=(SlotFile("mirrored", "light/sky.glsl@mirrored_map"),),
+    consts={"CLOUDS_SIDE": MAP_SIDE},
+    inputs={"u_clouds_mirrored": TargetInput(target="clouds_mirrored")},
+    targets={"clouds_mirrored": Target(size=FixedSize.square(MAP_SIDE), format="RGBA16F", filter=MIPMAPPED)},
+    passes=(
+        PassSpec(
+            name="clouds that the water mirrors",
+            program="clouds_mirrored",
+            fragment=("lib/numbers.glsl", "lib/rays.glsl@camera", SlotRef("sky"), "light/sky.glsl@mirrored_pass"),
+        ),
+    ),
+)
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -20,7 +40,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     clouds = light.sky.clouds
     mean, parted = overcast.cloud_means(light, clouds)
     rain = (SlotFile("rain", "light/clouds.glsl@rain"),) if clouds.rain > 0.0 else ()
-    return Contribution(
+    contribution = Contribution(
         why=f"clouds over {100 * clouds.cover:.0f} % of the sky",
         slots=(
             SlotFile(
@@ -49,6 +69,14 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         },
         bound=_bound(clouds),
     )
+    return contribution.joined(_MIRRORED) if quality.clouds_mirrored == "map" and _blurred(scene) else contribution
+
+
+def _blurred(scene: Scene) -> bool:
+    """Whether the water mirrors the sky alone, and its slopes blur what is as small as a texel of the map."""
+    ripples = scene.water.ripples
+    rough = scene.sea is not None or (ripples is not None and ripples.slope >= LEAST_SLOPE)
+    return rough and scene.light is not None and scene.light.reflection == "sky"
 
 
 def _bound(clouds: Clouds) -> Bound | None:
@@ -101,6 +129,9 @@ EFFECT = Effect(
     "clouds",
     contribute,
     fields=("/light/sky/clouds",),
-    parameters=(QualityParameter("/cloud_octaves", "octaves of the cloud noise", (2, 3, 4, 5, 6), "geometry"),),
+    parameters=(
+        QualityParameter("/cloud_octaves", "octaves of the cloud noise", (2, 3, 4, 5, 6), "geometry"),
+        QualityParameter("/clouds_mirrored", "clouds that the water mirrors", ("map", "exact"), "filtering"),
+    ),
     without=_clear,
 )

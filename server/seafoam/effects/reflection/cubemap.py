@@ -31,7 +31,7 @@ SHORE = (
 SURROUNDINGS: tuple[str | SlotRef, ...] = (
     "lib/numbers.glsl",
     "lib/rays.glsl@camera",
-    *map(SlotRef, ("sky", "open sun", "sunlight")),
+    *map(SlotRef, ("sky", "mirrored", "open sun", "sunlight")),
 )
 """First files of passes that draw them."""
 

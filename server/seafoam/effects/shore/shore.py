@@ -71,6 +71,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         max_slope=steepest,
         max_curvature=curvature,
         march_factor=2,
+        # A run-up is thin, and rays along it nearly level: at the march's tolerance alone its edge flickers.
+        refine=1 if surf.height > 0.0 else 0,
     )
 
 

@@ -31,7 +31,7 @@ RIM = 4
 MAX_SPREAD = 4.0
 """Widening of a light bundle above which photons are used: the grid's triangles then overlap many times over, while
 the cost of photons does not depend on the depth."""
-SHIFT_TOLERANCE = 0.125
+SHIFT_TOLERANCE = 0.25
 """If a colour's light lands at a constant distance from green's, to within this many half texels for all slopes, one
 grid serves all colours."""
 MAX_SHIFT = 8.0
@@ -124,8 +124,10 @@ class _Smoothing:
 
     before: int
     taps: int
-    weights: dict[str, Uniform]
-    """Weights of each colour along both axes."""
+    across: Uniform
+    """Weights of each colour along the rows."""
+    along: Uniform
+    """And along the columns."""
 
 
 def _smoothing(shifts: list[tuple[float, float]]) -> _Smoothing:
@@ -135,15 +137,15 @@ def _smoothing(shifts: list[tuple[float, float]]) -> _Smoothing:
     """
     span = math.ceil(MAX_SHIFT) + 4
     places = [m for m in range(-span, span + 1) if any(abs(m - 0.5 + part) < 3.5 for both in shifts for part in both)]
-    uniforms = {}
-    for axis, name in enumerate(("u_caustic_across", "u_caustic_along")):
+    axes = []
+    for axis in range(2):
         columns = []
         for shift in shifts:
             distances = [0.5 * (m - 0.5 + shift[axis]) for m in places]
             weights = [_bspline(x) if abs(x) < 1.75 else 0.0 for x in distances]
             columns.append([significant(weight / summed(weights)) for weight in weights])
-        uniforms[name] = constants("vec3", zip(*columns, strict=True))
-    return _Smoothing(-places[0], len(places), uniforms)
+        axes.append(constants("vec3", zip(*columns, strict=True)))
+    return _Smoothing(-places[0], len(places), *axes)
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -229,7 +231,7 @@ def _grid(
     """
     smoothing = _smoothing(shifts or 3 * [(0.0, 0.0)])
     rim = max(RIM, smoothing.before, smoothing.taps - smoothing.before - 2)
-    margin = tile.margin(cells)
+    margin, size = tile.margin(cells), 2 * texels + 2 * rim
     passes: list[PassSpec] = []
     for name, difference in colours.items():
         light = _light_pass(tile, name, difference, "water/caustics.glsl@grid_vertex", "water/caustics.glsl@grid")
@@ -242,6 +244,14 @@ def _grid(
                 uniforms={**light.uniforms, "u_caustic_channels": channels},
             )
         )
+    rows = PassSpec(
+        name="caustics: rows",
+        program="caustic_rows",
+        fragment=("water/caustics.glsl@smooth_rows",),
+        read={"u_caustic_light": "caustic_light"},
+        uniforms={"u_caustic_across": smoothing.across},
+    )
+    columns = {"u_caustic_along": smoothing.along}
     return Resources(
         consts={
             "CAUSTIC_CELLS": cells,
@@ -251,10 +261,14 @@ def _grid(
             "CAUSTIC_RIM": rim,
         },
         # Twice the resolution: a triangle brightens only texels whose centres it covers.
-        targets=_targets(("caustic_light",), 2 * texels + 2 * rim, texels),
+        targets={
+            "caustic_rows": Target(size=FixedSize(width=texels, height=size), format="RGBA16F"),
+            **_targets(("caustic_light",), size, texels),
+        },
         passes=(
             *passes,
-            _map_pass("water/caustics.glsl@smooth", {"u_caustic_light": "caustic_light"}, smoothing.weights),
+            rows,
+            _map_pass("water/caustics.glsl@smooth_columns", {"u_caustic_rows": "caustic_rows"}, columns),
         ),
     )
 

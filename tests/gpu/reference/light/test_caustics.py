@@ -111,7 +111,7 @@ def test_colours_part_as_their_indices_do(executor: Executor) -> None:
     assert (same[..., 0] == same[..., 2]).all()
 
 
-@pytest.mark.parametrize(("dispersion", "grids", "off"), [(1.0, 1, 0.3), (3.0, 3, 0.35)])
+@pytest.mark.parametrize(("dispersion", "grids", "off"), [(1.0, 1, 0.3), (3.0, 1, 0.3), (6.0, 3, 0.35)])
 def test_colours_by_grid_part_as_the_trace_has_them(
     executor: Executor, report: Report, dispersion: float, grids: int, off: float
 ) -> None:
