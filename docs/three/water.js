@@ -47,10 +47,11 @@ async function loadTexture(spec, server) {
 
 function makeTarget(spec, width, height) {
   const { size } = spec;
-  const sides =
-    size.rule === "fixed"
-      ? [size.width, size.height]
-      : [Math.ceil((width * size.scale) / (size.part * size.narrow)), Math.ceil((height * size.scale) / size.part)];
+  let sides = [size.width, size.height];
+  if (size.rule === "viewport") {
+    sides = [Math.ceil((width * size.scale) / (size.part * size.narrow)), Math.ceil((height * size.scale) / size.part)];
+    if (size.odd) sides = sides.map((side) => Math.max(3, side | 1));
+  }
   const [, format, type] = TEXTURES[spec.format];
   const generateMipmaps = spec.filter === "linear_mipmap_linear";
   const options = { format, type, internalFormat: spec.format, depthBuffer: spec.depth, generateMipmaps, ...sampling(spec) };
