@@ -29,15 +29,17 @@ def write(
 ) -> None:
     """Write what has a place in a page, and the page of the passes if there are frames.
 
-    A place is named by a section, for all its tables, or by a section and a title, ``SECTION: TITLE``, for one.
+    A place is named by a section, for all its tables, or by a section and a title, ``SECTION: TITLE``, for one; a
+    name that ends with `` on DRIVER`` is filled where GL's version names that driver.
     """
     blocks = {name: list(tables) for name, tables in sections.items()}
     blocks |= {f"{name}: {table.title}": [table] for name, tables in sections.items() for table in tables}
     for page in sorted(docs.glob("*.md")):
         text = page.read_text(encoding="utf-8")
         for name in re.findall(r"<!-- bench: (.+) -->", text):
-            if name in blocks:
-                tables = (f"\n{table.text()}" for table in blocks[name])
+            section, _, driver = name.partition(" on ")
+            if section in blocks and driver in about.get("GL", ""):
+                tables = (f"\n{table.text()}" for table in blocks[section])
                 text = fill(text, name, "\n".join(["```", lines(about), *tables, "```"]))
         page.write_text(text, encoding="utf-8")
     if frames:

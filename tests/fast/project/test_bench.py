@@ -12,7 +12,7 @@ from bench.drawn.passes import Frame, Taken
 from bench.drawn.steps import counting_shader
 from bench.report import Column, Table
 from bench.served.water_page import Frames
-from bench.served.yardstick import GROUPS, Measured
+from bench.served.yardstick import GROUPS, MEASURED, Measured
 from PIL import Image
 
 from seafoam.planner import make_plan
@@ -38,7 +38,8 @@ def test_a_round_is_held_against_three_js_before_and_after_it() -> None:
 def test_every_preset_but_the_mask_alone_is_in_one_group_of_the_yardstick() -> None:
     grouped = [name for group in GROUPS for name in group.presets]
     assert sorted([*grouped, "paper-threshold"]) == sorted(preset_names())
-    assert all(1.0 < group.aim < group.must for group in GROUPS)
+    assert all(group.aim[tier] < group.must[tier] for group in GROUPS for tier in MEASURED)
+    assert all(group.must["fast"] < group.must["standard"] for group in GROUPS)
 
 
 SURFACE = make_plan(load_preset("default").scene, TIERS["standard"]).programs
@@ -92,16 +93,19 @@ def test_passes_of_a_kind_are_one_and_bars_of_the_same_figures_the_same_picture(
 def test_a_run_is_written_into_the_docs(tmp_path: Path) -> None:
     """Sections that were measured are new, the others as they were, and pictures of presets that are gone are gone."""
     (tmp_path / "performance.md").write_text(
-        "<!-- bench: yardstick -->\n<!-- end -->\n<!-- bench: page -->\nkept\n<!-- end -->\n", encoding="utf-8"
+        "<!-- bench: yardstick on Mesa 25 -->\n<!-- end -->\n<!-- bench: yardstick on Mesa 22 -->\nkept\n<!-- end -->\n"
+        "<!-- bench: page -->\nkept\n<!-- end -->\n",
+        encoding="utf-8",
     )
     old = tmp_path / "pictures" / "passes" / "gone.webp"
     old.parent.mkdir(parents=True)
     old.write_bytes(b"")
     table = Table("Title", "A note.", (Column("a", "first"),), [("x",)])
-    document.write({"cores": "2"}, {"yardstick": [table], "http": [table]}, [FRAME], tmp_path)
+    document.write({"GL": "4.5 Mesa 25.0.7"}, {"yardstick": [table], "http": [table]}, [FRAME], tmp_path)
     written = (tmp_path / "performance.md").read_text(encoding="utf-8")
     assert written == (
-        "<!-- bench: yardstick -->\n```\ncores  2\n\nTitle\nA note.\n\nfirst\n-----\nx\n```\n<!-- end -->\n"
+        "<!-- bench: yardstick on Mesa 25 -->\n```\nGL  4.5 Mesa 25.0.7\n\nTitle\nA note.\n\nfirst\n-----\nx\n```\n"
+        "<!-- end -->\n<!-- bench: yardstick on Mesa 22 -->\nkept\n<!-- end -->\n"
         "<!-- bench: page -->\nkept\n<!-- end -->\n"
     )
     passes = (tmp_path / "passes.md").read_text(encoding="utf-8")
