@@ -1,10 +1,12 @@
-// A picture that is drawn at a part of its width, in rows that are shifted against one another, enlarged: Catmull and Rom's cubic (1974)
+// A picture that is drawn at a part of its width, at full width.
+
+// @part enlarged
+// Drawn in rows that are shifted against one another, enlarged: Catmull and Rom's cubic (1974)
 // along the rows, within the two pixels that it lies between, so that no edge has a rim; and a share of the rows above and below. Of light
 // as it is seen, below 1 however bright: a glint is one bright pixel to its neighbours and not a thousand. A, foam's coverage, alike.
 
 uniform sampler2D u_narrow;
 uniform vec2 u_viewport;
-out vec4 o_color;
 
 vec4 seen(int column, int row) {
     vec4 drawn = texel_at(u_narrow, ivec2(clamp(column, 0, textureSize(u_narrow, 0).x - 1), row));
@@ -21,7 +23,7 @@ vec4 between(float x, int row) {
     return mix(seen(column, row), seen(column + 1, row), x - floor(x));
 }
 
-void main() {
+vec4 enlarged() {
     ivec2 size = textureSize(u_narrow, 0);
     int row = int(gl_FragCoord.y);
     float middle = gl_FragCoord.x / u_viewport.x * float(size.x) - 0.5;
@@ -39,5 +41,13 @@ void main() {
     int below = row > 0 ? row - 1 : above;
     vec4 around = 0.5 * (between(middle + shift, above) + between(middle + shift, below));
     found = mix(found, around, ROWS_SHARE * 4.0 * f * (1.0 - f));
-    o_color = vec4(min(found.rgb / max(1.0 - max(found.r, max(found.g, found.b)), 1e-4), BRIGHTEST), found.a);
+    return vec4(min(found.rgb / max(1.0 - max(found.r, max(found.g, found.b)), 1e-4), BRIGHTEST), found.a);
+}
+
+// @part picture
+// The picture alone.
+out vec4 o_color;
+
+void main() {
+    o_color = enlarged();
 }

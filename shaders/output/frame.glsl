@@ -2,15 +2,21 @@
 
 // @part compose
 // What was drawn after surface and sky (premultiplied alpha), laid over them. A stays the water's foam amount.
-uniform sampler2D u_beneath;
 uniform sampler2D u_above;
 out vec4 o_color;
 
 void main() {
-    ivec2 at = ivec2(gl_FragCoord.xy);
-    vec4 beneath = texelFetch(u_beneath, at, 0);
-    vec4 above = texelFetch(u_above, at, 0);
-    o_color = vec4(min(beneath.rgb * (1.0 - min(above.a, 1.0)) + above.rgb, BRIGHTEST), beneath.a);
+    vec4 under = beneath();
+    vec4 over = texel_at(u_above, ivec2(gl_FragCoord.xy));
+    o_color = vec4(min(under.rgb * (1.0 - min(over.a, 1.0)) + over.rgb, BRIGHTEST), under.a);
+}
+
+// @part beneath
+// Surface and sky that are drawn at full width.
+uniform sampler2D u_beneath;
+
+vec4 beneath() {
+    return texel_at(u_beneath, ivec2(gl_FragCoord.xy));
 }
 
 // @part resolve
@@ -23,7 +29,7 @@ void main() {
     vec4 sum = vec4(0.0);
     for (int j = 0; j < SAMPLE_SIDE; ++j) {
         for (int i = 0; i < SAMPLE_SIDE; ++i) {
-            sum += texelFetch(u_samples, corner + ivec2(i, j), 0);
+            sum += texel_at(u_samples, corner + ivec2(i, j));
         }
     }
     o_color = sum / float(SAMPLE_SIDE * SAMPLE_SIDE);
@@ -42,7 +48,7 @@ vec3 srgb(vec3 x) {
 }
 
 void main() {
-    vec3 linear = texelFetch(u_linear, ivec2(gl_FragCoord.xy), 0).rgb;
+    vec3 linear = texel_at(u_linear, ivec2(gl_FragCoord.xy)).rgb;
     o_color = vec4(srgb(tone(max(with_glare(linear), 0.0))), 1.0);
 }
 

@@ -28,7 +28,7 @@ void main() {
     vec3 sum = vec3(0.0);
     for (int j = 0; j < 4; ++j) {
         for (int i = 0; i < 4; ++i) {
-            sum += min(texelFetch(u_frame, min(corner + ivec2(i, j), last), 0).rgb, GLARE_MOST);
+            sum += min(texel_at(u_frame, min(corner + ivec2(i, j), last)).rgb, GLARE_MOST);
         }
     }
     o_color = vec4(sum / 16.0, 0.0);

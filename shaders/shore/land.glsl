@@ -105,7 +105,7 @@ uniform sampler2D u_met; // tau, and what is there: 2 is land
 out vec4 o_color;
 
 void main() {
-    vec2 met = texelFetch(u_met, ivec2(sample_place()), 0).rg;
+    vec2 met = texel_at(u_met, ivec2(sample_place())).rg;
     if (met.g != 2.0) {
         discard;
     }
@@ -119,7 +119,7 @@ uniform sampler2D u_met; // tau, and what is there: 2 is land
 out vec4 o_color;
 
 void main() {
-    if (texelFetch(u_met, ivec2(sample_place()), 0).g != 2.0) {
+    if (texel_at(u_met, ivec2(sample_place())).g != 2.0) {
         discard;
     }
     o_color = vec4(0.0);

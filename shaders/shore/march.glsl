@@ -184,7 +184,7 @@ void main() {
     for (int j = -2; j <= side + 1; ++j) {
         for (int i = -2; i <= side + 1; ++i) {
             ivec2 texel = clamp(side * cell + ivec2(i, j), ivec2(0), ivec2(FLOOR_TEXELS - 1));
-            highest = max(highest, texelFetch(u_shore_floor, texel, 0).r);
+            highest = max(highest, texel_at(u_shore_floor, texel).r);
         }
     }
     o_highest = vec4(highest, 0.0, 0.0, 0.0);

@@ -22,8 +22,11 @@ void main() {
     vec3 ripple = detail(p, fp);
 
     float f = saturation(p, shading.x, fp);
-    float amount = foam_amount(f, p, fp);
-    foam_relief(f, amount, p, fp);
+    float amount = 0.0;
+    if (f > 0.0) {
+        amount = foam_amount(f, p, fp);
+        foam_relief(f, amount, p, fp);
+    }
     vec3 place = vec3(p.x, u_eye_height + tau * ray.y, p.y);
     shade_sun(place, fp);
 

@@ -1,6 +1,7 @@
 """A whole frame: surface and sky, what stands before them, the mean of the samples, and the picture on the screen."""
 
 from seafoam.effects.effect import ABOVE, BENEATH, FINISHED
+from seafoam.effects.shader import Piece, Source
 from seafoam.framegraph.resources import Target, TargetInput, ViewportSize, target_inputs
 from seafoam.planner.adaptive import Redrawn, additional_samples
 from seafoam.planner.frame import Frame, Stage, fullscreen
@@ -10,6 +11,7 @@ from seafoam.planner.surface import Scenery
 
 _SAMPLES = "samples"
 """The target of all samples, in a square for each pixel."""
+_ENLARGED = "output/enlarge.glsl@enlarged"
 
 
 def picture(frame: Frame) -> tuple[Stage, str]:
@@ -20,14 +22,13 @@ def picture(frame: Frame) -> tuple[Stage, str]:
     surface = Target(size=frame.sampled, format=frame.quality.target, depth=True)
     before = Stage(frame.effect_passes("before"), frame.effect_programs(), frame.collection.targets)
     stages, linear = [before, scenery.stage(), Stage(targets={first: surface})], first
-    if frame.narrow:
-        stages.append(_enlarged(frame))
-        linear = "enlarged"
     if after:
         # Boats and drops have upright edges: they are drawn at full width.
-        over = "composed" if frame.narrow else _SAMPLES
-        stages += [Stage(after), _composed(frame, linear, over)]
-        linear = over
+        linear = "composed" if frame.narrow else _SAMPLES
+        stages += [Stage(after), _composed(frame, first, linear)]
+    elif frame.narrow:
+        stages.append(_enlarged(frame))
+        linear = "enlarged"
     if frame.side > 1:
         stages.append(_mean(frame))
         linear = "linear"
@@ -39,11 +40,15 @@ def picture(frame: Frame) -> tuple[Stage, str]:
 
 
 def _composed(frame: Frame, beneath: str, target: str) -> Stage:
-    """The pass that lays what stands before the scenery over it."""
-    size, reads = ViewportSize(scale=frame.side), target_inputs({"u_beneath": beneath, "u_above": ABOVE})
+    """The pass that lays what stands before the scenery over it, which it enlarges if that is narrow."""
+    size, read = ViewportSize(scale=frame.side), "u_beneath"
+    under: Piece = "output/frame.glsl@beneath"
+    if frame.narrow:
+        read, under = "u_narrow", Source(_ENLARGED, (("enlarged", "beneath"),))
+    reads = target_inputs({read: beneath, "u_above": ABOVE})
     return Stage(
         passes=[fullscreen("what stands before the water", "compose", target, reads)],
-        programs={"compose": frame.program(["lib/numbers.glsl", "output/frame.glsl@compose"])},
+        programs={"compose": frame.program(["lib/numbers.glsl", under, "output/frame.glsl@compose"])},
         targets={
             ABOVE: Target(size=size, format="RGBA16F"),
             target: Target(size=size, format=frame.quality.target),
@@ -62,7 +67,7 @@ def _mean(frame: Frame) -> Stage:
 
 def _enlarged(frame: Frame) -> Stage:
     """The pass that enlarges a scenery that is drawn at a part of its width."""
-    files = ["lib/numbers.glsl", "output/enlarge.glsl"]
+    files = ["lib/numbers.glsl", _ENLARGED, "output/enlarge.glsl@picture"]
     return Stage(
         passes=[fullscreen("enlarged", "enlarge", "enlarged", target_inputs({"u_narrow": _SAMPLES}))],
         programs={"enlarge": frame.program(files)},
