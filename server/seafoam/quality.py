@@ -184,6 +184,7 @@ TIERS: dict[Tier, Quality] = {
     "fast": Quality(
         surface=SurfaceQuality(tolerance=0.2),
         ripples_size=128,
+        rings_size=512,
         sea_size=256,
         age_steps=4,
         age_step=0.7,

@@ -57,17 +57,26 @@ vec2 drift_velocity(vec2 q) {
 uniform float u_drift_half; // half its side, m
 
 // @part rest
-// From where the water was whole quarters of a generation ago (foam/drift/still_pass.glsl) to where it was when its generation came up.
+// From where the water was a whole part of a generation ago, and the next one (foam/drift_passes.glsl@still), to where it was when its
+// generation came up: Hermite's cubic in time, by the velocities at both, where nothing turns by much between them. docs/formulae.md,
+// section 14.
 int drift_part() {
     return clamp(int(u_drift_clock.y * (float(DRIFT_PARTS) / DRIFT_GENERATION)), 0, DRIFT_PARTS - 1);
 }
 
-ivec2 drift_still_texel() {
-    return ivec2(gl_FragCoord.xy) + ivec2(0, drift_part() * DRIFT_SIZE);
+vec4 drift_still_at(sampler2D still, int further) {
+    return texel_at(still, ivec2(gl_FragCoord.xy) + ivec2(0, (drift_part() + further) * DRIFT_SIZE));
 }
 
-vec2 drift_rest(vec2 still) {
-    return drift_ago(still, max(u_drift_clock.y - float(drift_part()) * (DRIFT_GENERATION / float(DRIFT_PARTS)), 0.0));
+vec2 drift_between(vec2 before, vec2 after) {
+    const float PART = DRIFT_GENERATION / float(DRIFT_PARTS);
+    float s = clamp(u_drift_clock.y / PART - float(drift_part()), 0.0, 1.0);
+    if (!DRIFT_SMOOTH) {
+        return drift_ago(before, s * PART);
+    }
+    float left = 1.0 - s;
+    vec2 place = left * left * (1.0 + 2.0 * s) * before + s * s * (3.0 - 2.0 * s) * after;
+    return place - PART * s * left * (left * drift_velocity(before) - s * drift_velocity(after));
 }
 
 // @part patches

@@ -69,7 +69,7 @@ void main() {
 // Backward mapping: each texel goes back along the flow to where its water was when each generation came up, and takes what came up
 // there. Every texel gets a value, whatever the step. r, g, b, a: the generations, the youngest first.
 uniform sampler2D u_drift_way;   // the ways to the two youngest generations
-uniform sampler2D u_drift_older; // where the others' water was whole quarters of a generation ago
+uniform sampler2D u_drift_older; // where the others' water was whole parts of a generation ago
 uniform float u_drift_texel;     // m
 uniform float u_drift_coverage;  // mean of a patch
 out vec4 o_drift;
@@ -77,29 +77,35 @@ out vec4 o_drift;
 void main() {
     vec2 here = gl_FragCoord.xy * u_drift_texel - u_drift_half;
     vec4 way = texel_at(u_drift_way, ivec2(gl_FragCoord.xy));
-    vec4 older = DRIFT_GENERATIONS > 2 ? texel_at(u_drift_older, drift_still_texel()) : vec4(0.0);
+    vec4 older = vec4(0.0);
+    if (DRIFT_GENERATIONS > 2) {
+        vec4 before = drift_still_at(u_drift_older, 0);
+        vec4 after = drift_still_at(u_drift_older, 1);
+        older = vec4(drift_between(before.xy, after.xy), drift_between(before.zw, after.zw));
+    }
     vec4 found = vec4(0.0);
     for (int j = 0; j < DRIFT_GENERATIONS; ++j) {
-        vec2 q = j == 0 ? here + way.xy : j == 1 ? here + way.zw : drift_rest(j == 2 ? older.xy : older.zw);
+        vec2 q = j == 0 ? here + way.xy : j == 1 ? here + way.zw : j == 2 ? older.xy : older.zw;
         // Four places of the texel, whose ways differ as their neighbours' do: filaments finer than texels would break into beads.
         vec2 x = dFdx(q);
         vec2 y = dFdy(q);
         uint generation = drift_generation(j);
+        float reach = max(length(x), length(y)) * u_drift_scale;
+        int places = reach > 0.1 ? 4 : 1;
         float sum = 0.0;
-        for (int i = 0; i < 4; ++i) {
-            vec2 part = 0.25 * vec2(float(2 * (i & 1) - 1), float(2 * (i >> 1) - 1));
-            sum += 0.25 * drift_patch(generation, q + part.x * x + part.y * y);
+        for (int i = 0; i < places; ++i) {
+            vec2 part = places == 1 ? vec2(0.0) : 0.25 * vec2(float(2 * (i & 1) - 1), float(2 * (i >> 1) - 1));
+            sum += drift_patch(generation, q + part.x * x + part.y * y) / float(places);
         }
         // What the flow has wound finer than these is its mean.
-        float reach = max(length(x), length(y)) * u_drift_scale;
         found[j] = mix(sum, u_drift_coverage, smoothstep(0.5, 2.0, reach));
     }
     o_drift = found;
 }
 
 // @part still
-// Where the water of a texel was some quarters of a generation ago, and a generation before that; m from the square's middle. The flow is steady, so
-// this has no time in it: a frame goes back from here by what is left. The quarters, DRIFT_PARTS of them, lie one over the other.
+// Where the water of a texel was some parts of a generation ago, and a generation before that; m from the square's middle. The flow is
+// steady, so this has no time in it: a frame reads what lies between. The parts, from none to DRIFT_PARTS, lie one over the other.
 uniform float u_drift_texel; // m
 out vec4 o_still;
 
@@ -123,11 +129,12 @@ void main() {
 // @part way
 // The ways back to where the two youngest generations came up, m: r, g the youngest's, b, a the next.
 uniform float u_drift_texel;     // m
-uniform sampler2D u_drift_still; // where it was whole quarters of a generation ago, and a generation before that
+uniform sampler2D u_drift_still; // where it was whole parts of a generation ago, and a generation before that
 out vec4 o_way;
 
 void main() {
     vec2 q = gl_FragCoord.xy * u_drift_texel - u_drift_half;
-    vec4 still = texel_at(u_drift_still, drift_still_texel());
-    o_way = vec4(drift_rest(still.xy) - q, drift_rest(still.zw) - q);
+    vec4 before = drift_still_at(u_drift_still, 0);
+    vec4 after = drift_still_at(u_drift_still, 1);
+    o_way = vec4(drift_between(before.xy, after.xy) - q, drift_between(before.zw, after.zw) - q);
 }

@@ -77,7 +77,8 @@ float fractal_2(vec2 x, float width, int octaves, uint seed) {
 // docs/formulae.md, section 9.
 float noise_edge(uint column, int k, vec3 way) {
     uint word = noise_hash(column ^ uint(k & 255));
-    return dot(vec3(float(word & 1023u), float((word >> 10u) & 1023u), float((word >> 20u) & 1023u)) / 511.5 - 1.0, way);
+    // The gradient's parts are in [0, 1023]: their middle is taken off once, from the sum.
+    return dot(vec3(float(word & 1023u), float((word >> 10u) & 1023u), float((word >> 20u) & 1023u)), way) / 511.5 - (way.x + way.y + way.z);
 }
 
 float noise_side(uint row, int j, int k, vec3 way, float w_t) {

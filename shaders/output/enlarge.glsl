@@ -14,15 +14,6 @@ vec4 seen(int column, int row) {
     return vec4(light / (1.0 + max(light.r, max(light.g, light.b))), drawn.a);
 }
 
-vec4 between(float x, int row) {
-    // Shifted rows of pixels twice as wide have a sample where the others have none.
-    if (PIXEL_WIDTH == 2.0) {
-        return seen(int(floor(x + 0.5)), row);
-    }
-    int column = int(floor(x));
-    return mix(seen(column, row), seen(column + 1, row), x - floor(x));
-}
-
 vec4 enlarged() {
     ivec2 size = textureSize(u_narrow, 0);
     int row = int(gl_FragCoord.y);
@@ -39,7 +30,8 @@ vec4 enlarged() {
     // The first row has none below, the last none above: that on the other side.
     int above = row + 1 < size.y ? row + 1 : max(row - 1, 0);
     int below = row > 0 ? row - 1 : above;
-    vec4 around = 0.5 * (between(middle + shift, above) + between(middle + shift, below));
+    int beside = int(floor(middle + shift + 0.5));
+    vec4 around = 0.5 * (seen(beside, above) + seen(beside, below));
     found = mix(found, around, ROWS_SHARE * 4.0 * f * (1.0 - f));
     return vec4(min(found.rgb / max(1.0 - max(found.r, max(found.g, found.b)), 1e-4), BRIGHTEST), found.a);
 }

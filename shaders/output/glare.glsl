@@ -1,11 +1,11 @@
 // Light that the eye spreads.
 
 // @part taps
-// Mean of four bilinear readings around a place, texels, each `apart` texels from it along both axes.
-vec3 taps(sampler2D image, vec2 at, float apart) {
+// Mean of four bilinear readings around a place, texels, each `apart` texels from it along both axes. A: how many levels count.
+vec4 taps(sampler2D image, vec2 at, float apart) {
     vec2 size = vec2(textureSize(image, 0));
-    vec3 sum = texture(image, (at + vec2(-apart, -apart)) / size).rgb + texture(image, (at + vec2(apart, -apart)) / size).rgb;
-    sum += texture(image, (at + vec2(-apart, apart)) / size).rgb + texture(image, (at + vec2(apart, apart)) / size).rgb;
+    vec4 sum = texture(image, (at + vec2(-apart, -apart)) / size) + texture(image, (at + vec2(apart, -apart)) / size);
+    sum += texture(image, (at + vec2(-apart, apart)) / size) + texture(image, (at + vec2(apart, apart)) / size);
     return 0.25 * sum;
 }
 
@@ -31,7 +31,7 @@ void main() {
             sum += min(texel_at(u_frame, min(corner + ivec2(i, j), last)).rgb, GLARE_MOST);
         }
     }
-    o_color = vec4(sum / 16.0, 0.0);
+    o_color = vec4(sum / 16.0, 1.0);
 }
 
 // @part half
@@ -40,7 +40,7 @@ uniform sampler2D u_finer;
 out vec4 o_color;
 
 void main() {
-    o_color = vec4(taps(u_finer, 2.0 * gl_FragCoord.xy, 0.75), 0.0);
+    o_color = taps(u_finer, 2.0 * gl_FragCoord.xy, 0.75);
 }
 
 // @part add
@@ -50,21 +50,16 @@ out vec4 o_color;
 
 void main() {
     float share = level_share(float(textureSize(u_coarser, 0).y));
-    o_color = vec4(share * taps(u_coarser, 0.5 * gl_FragCoord.xy, 0.5), 0.0);
+    o_color = share * taps(u_coarser, 0.5 * gl_FragCoord.xy, 0.5);
 }
 
 // @part spread
 // Glare: a share of the light spreads, in equal parts over levels that each reach twice as far, so that it falls with the inverse
 // square of the angle as in eye and lens (Vos 1984). docs/formulae.md, section 7.
-uniform sampler2D u_glare; // the sum of the levels
+uniform sampler2D u_glare; // the sum of the levels; A: how many count
 uniform float u_glare_share;
 
 vec3 with_glare(vec3 light) {
-    float rows = float(textureSize(u_glare, 0).y);
-    float levels = 1.0;
-    for (int k = GLARE_LEVELS - 1; k > 0; --k) {
-        levels = 1.0 + level_share(ceil(rows / exp2(float(k)))) * levels;
-    }
-    vec3 spread = texture(u_glare, 0.25 * gl_FragCoord.xy / vec2(textureSize(u_glare, 0))).rgb;
-    return light + u_glare_share / float(GLARE_LEVELS) * (spread - levels * light);
+    vec4 spread = texture(u_glare, 0.25 * gl_FragCoord.xy / vec2(textureSize(u_glare, 0)));
+    return light + u_glare_share / float(GLARE_LEVELS) * (spread.rgb - spread.a * light);
 }

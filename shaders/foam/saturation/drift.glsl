@@ -5,16 +5,12 @@
 uniform sampler2D u_drift_map;
 uniform sampler2D u_drift_coarse;
 
-// uv in [0, 1], held at the rim.
-vec4 drift_read(sampler2D map, vec2 uv, int size) {
-    return bilinear_held(map, size, uv * float(size) - 0.5);
-}
-
-// Sum of so many places from uv on. Counted, so that drivers without branches read no map that has no weight.
-vec4 drift_places(sampler2D map, int size, vec2 uv, vec2 next, int count) {
+// Sum of so many places from uv on. Counted, so that drivers without branches read no map that has no weight. By the sampler: its 256
+// steps between texels are finer than what a mask's threshold tells apart.
+vec4 drift_places(sampler2D map, vec2 uv, vec2 next, int count) {
     vec4 sum = vec4(0.0);
     for (int i = 0; i < count; ++i) {
-        sum += drift_read(map, uv + float(i) * next, size);
+        sum += textureLod(map, uv + float(i) * next, 0.0);
     }
     return sum;
 }
@@ -35,10 +31,10 @@ float drift_saturation(vec2 p, float height, Footprint fp) {
         float coarse = smoothstep(0.0, 2.0, log2(max(reach * float(DRIFT_SIZE) / (2.0 * u_drift_half), 1e-3)));
         vec2 uv = 0.5 + 0.5 * (q - 0.375 * along) / u_drift_half;
         vec2 next = 0.125 / u_drift_half * along;
-        vec4 fine = drift_places(u_drift_map, DRIFT_SIZE, uv, next, coarse < 1.0 ? 4 : 0);
-        found = 0.25 * mix(fine, drift_places(u_drift_coarse, DRIFT_SIZE / 4, uv, next, coarse > 0.0 ? 4 : 0), coarse);
+        vec4 fine = drift_places(u_drift_map, uv, next, coarse < 1.0 ? 4 : 0);
+        found = 0.25 * mix(fine, drift_places(u_drift_coarse, uv, next, coarse > 0.0 ? 4 : 0), coarse);
     } else {
-        found = drift_read(u_drift_map, 0.5 + 0.5 * q / u_drift_half, DRIFT_SIZE);
+        found = textureLod(u_drift_map, 0.5 + 0.5 * q / u_drift_half, 0.0);
     }
     return min(u_drift_foam * rim * dot(found, drift_shares()), DRIFT_CAP);
 }
