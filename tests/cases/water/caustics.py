@@ -74,7 +74,7 @@ _HARD = (
         camera=_DOWN,
         # SwiftShader's sine, good to 2e-4, moves lines of light in a focus, a pixel wide.
         coarse_share=0.2,
-        without={"effects/water/caustics.py": {"margin = tile.margin(cells)": "margin = 0"}},
+        without={"effects/water/caustics.py": {"margin, size = tile.margin(cells)": "margin, size = 0"}},
         missed_by=reference("light/caustics", "no_seam_shows[caustics_cells-grid]"),
     ),
 )

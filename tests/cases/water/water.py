@@ -21,7 +21,11 @@ _HARD = (
         guard="the roughness is at least 0.01 (scene/water.py), which keeps the cosine of incidence above 0 "
         "(light/shade.glsl@lit)",
         camera=Camera(position=(0.0, 0.5, 0.0), pitch=0.0),
-        without={"scene/water.py": {"default=0.05,\n        ge=0.01": "default=0.05,\n        ge=0.0"}},
+        without={
+            "scene/water.py": {
+                "roughness: float = Field(default=0.05, ge=0.01": "roughness: float = Field(default=0.05, ge=0.0"
+            }
+        },
         missed_by=guards("ground", "water_at_the_ends_of_its_fields[roughness-minimum]"),
     ),
     HardCase(

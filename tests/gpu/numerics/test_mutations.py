@@ -8,7 +8,7 @@ import pytest
 from seafoam.effects.effect import Effect
 from support.cases import HardCase
 from support.hard.cases import CASES, HARD
-from support.hard.mutations import copied, run
+from support.hard.mutations import copied, run, source
 from support.hard.pictures import judged, truth_of
 from support.report import Report
 from support.sweep import rested
@@ -39,6 +39,15 @@ def test_a_guard_that_is_taken_out_is_missed(tmp_path: Path, report: Report, eff
                 assert found.faults, "the case's pictures are as they have to be without its guard"
                 seen = found.words
     report.add(TITLE, effect=effect.name, case=case.name, seen=seen)
+
+
+def test_what_is_taken_out_is_in_the_sources() -> None:
+    missing = []
+    for _, case in HARD:
+        for name, texts in (case.without or {}).items():
+            content = source(name).read_text(encoding="utf-8")
+            missing += [(case.name, text) for text in texts if text not in content]
+    assert missing == []
 
 
 def test_every_hard_case_shows_its_guard_or_says_why_it_cannot() -> None:

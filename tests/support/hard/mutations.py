@@ -57,6 +57,11 @@ BRIGHTEST = {
 """Light that half floats do not hold."""
 
 
+def source(name: str, root: Path = ROOT) -> Path:
+    """The file of :data:`Replaced` below a copy of the project."""
+    return root / ("shaders" if name.endswith(".glsl") else "server/seafoam") / name
+
+
 @contextmanager
 def copied(folder: Path, replaced: Replaced) -> Iterator[dict[str, str]]:
     """A copy of the sources, mutated, in ``folder``, as the environment of a process that imports it.
@@ -68,7 +73,7 @@ def copied(folder: Path, replaced: Replaced) -> Iterator[dict[str, str]]:
     for name in ("masks", "webclient"):
         (folder / name).symlink_to(ROOT / name)
     for name, texts in replaced.items():
-        file = folder / ("shaders" if name.endswith(".glsl") else "server/seafoam") / name
+        file = source(name, folder)
         content = file.read_text(encoding="utf-8")
         for before, after in texts.items():
             if before not in content:
