@@ -1,6 +1,7 @@
 """Checks what this machine has and what is missing, with the command that installs it."""
 
 import multiprocessing
+import re
 import shutil
 import subprocess
 import sys
@@ -20,6 +21,8 @@ TOOL_SECONDS = 20.0
 CHROMIUM_NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 LEAST_NODE = 20
 SOFTWARE = ("llvmpipe", "softpipe", "swiftshader", "swrast")
+BRANCHING = (24, 3)
+"""The first Mesa whose llvmpipe leaves out what no pixel of a group needs."""
 
 State = Literal["good", "missing", "optional"]
 
@@ -83,7 +86,18 @@ def _renderer(probe: Callable[[], dict[str, str]]) -> list[Finding]:
         Finding("OpenGL", "good", f"{info['renderer']} ({kind})"),
         Finding("", "good", f"{info['vendor']}, {info['version']}"),
         Finding("GLSL ES 3.00", "good", "compiles; a test frame was drawn"),
+        *_mesa(info["version"] if software else ""),
     ]
+
+
+def _mesa(version: str) -> list[Finding]:
+    """What an old software renderer costs, by GL's version."""
+    found = re.search(r"Mesa (\d+)\.(\d+)", version)
+    if found is None or (int(found[1]), int(found[2])) >= BRANCHING:
+        return []
+    detail = f"{found[1]}.{found[2]} renders frames 1 to 1.4 times as long as 25, docs/performance.md"
+    remedy = "Debian 13 has Mesa 25; Debian 12: apt-get install -t bookworm-backports libegl-mesa0 libgl1-mesa-dri"
+    return [Finding("Mesa", "optional", detail, remedy)]
 
 
 def _masks() -> Finding:

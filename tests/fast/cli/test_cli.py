@@ -5,6 +5,7 @@ import json
 import logging
 import os
 import signal
+from functools import partial
 
 import numpy as np
 import OpenEXR
@@ -156,6 +157,22 @@ def test_doctor_looks_at_everything_and_says_what_is_missing():
         assert detail in gl.detail
         assert remedy in gl.remedy
         assert not doctor.able_to_render(found)
+
+
+@pytest.mark.parametrize(
+    ("renderer", "version", "advised"),
+    [
+        ("llvmpipe (LLVM 15.0.6)", "4.5 (Core Profile) Mesa 22.3.6", True),
+        ("llvmpipe (LLVM 19.1.7)", "4.5 (Core Profile) Mesa 24.3.0", False),
+        ("llvmpipe (LLVM 15.0.6)", "4.5 (Core Profile) Mesa 25.0.7-2", False),
+        ("AMD Radeon", "4.6 (Core Profile) Mesa 22.3.6", False),
+    ],
+)
+def test_doctor_advises_a_newer_mesa_where_a_processor_draws(monkeypatch, renderer, version, advised):
+    drawn = {"vendor": "Mesa", "renderer": renderer, "version": version}
+    found = [each for each in doctor._renderer(partial(dict, drawn)) if each.what == "Mesa"]
+    assert [each.state for each in found] == ["optional"] * advised
+    assert all("bookworm-backports" in each.remedy for each in found)
 
 
 def test_doctor_exits_by_whether_frames_can_be_rendered(seafoam, monkeypatch):
