@@ -32,7 +32,7 @@ void main() {
     ivec2 base = 4 * ivec2(gl_FragCoord.xy);
     vec4 sum = vec4(0.0);
     for (int i = 0; i < 16; ++i) {
-        sum += texel_at(u_drift_map, base + ivec2(i & 3, i >> 2));
+        sum += texelFetch(u_drift_map, base + ivec2(i & 3, i >> 2), 0);
     }
     o_drift = sum / 16.0;
 }

@@ -16,7 +16,7 @@ from seafoam.scene.presets import load_preset, preset_names
 from seafoam.textures.store import spec_of, texture, url_of
 from support.sweep import REST
 
-ONCE = ("shore: ", "mask: ", "wakes, ", "standing waves, ", "flow of drift", "drift, quarters of", "drift, two ")
+ONCE = ("shore: ", "mask: ", "wakes, ", "standing waves, ", "flow of drift", "drift, parts of", "drift, two ")
 """How the names of passes begin that may be drawn for the first frame alone."""
 RULE_SIZES = {"constant": 0, "view_projection": 16, "eye_height": 1, "camera": 3, "viewport": 2}
 

@@ -99,7 +99,7 @@ def test_the_flow_of_drift_and_the_ways_along_it_are_drawn_once() -> None:
     plan = make_plan(load_preset("drift-vortices").scene, STANDARD)
     when = {one.name: one.when for one in plan.passes}
     assert when["flow of drift"] == "setup"
-    assert when["drift, quarters of a generation back"] == when["drift, two generations further back"] == "setup"
+    assert when["drift, parts of a generation back"] == when["drift, two generations further back"] == "setup"
     assert when["drift, ways of the youngest"] == when["drift, followed back"] == "frame"
     assert plan.kept.keys() == {"drift_flow", "drift_still", "drift_older", "mask_atlas"}
 
