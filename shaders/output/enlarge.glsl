@@ -1,10 +1,9 @@
 // A picture that is drawn at a part of its width, at full width.
 
 // @part enlarged
-// Drawn in rows that are shifted against one another, enlarged: Catmull and Rom's cubic (1974)
-// along the rows, within the two pixels that it lies between, so that no edge has a rim; and a share of the rows above and below. Of light
-// as it is seen, below 1 however bright: a glint is one bright pixel to its neighbours and not a thousand. A, foam's coverage, alike.
-
+// Rows that are shifted against one another: Catmull and Rom's cubic (1974) along them, within the two pixels that it lies between, so
+// that no edge has a rim; and a share of the rows above and below. Of light as it is seen, below 1 however bright: a glint is one bright
+// pixel to its neighbours and not a thousand. A, foam's coverage, alike.
 uniform sampler2D u_narrow;
 uniform vec2 u_viewport;
 

@@ -44,7 +44,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
     return Contribution(
         why=f"{100 * light.glare:.0f} % of the light spreads",
-        slots=(SlotFile("glare", "output/glare.glsl@spread", needs=(_TAPS,)),),
+        slots=(SlotFile("glare", "output/glare.glsl@spread"),),
         consts={"GLARE_LEVELS": LEVELS},
         uniforms={"u_glare_share": number(light.glare)},
         inputs={"u_glare": TargetInput(target=names[0])},
