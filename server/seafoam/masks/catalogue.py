@@ -15,16 +15,7 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from seafoam.masks import prefilter
 from seafoam.masks.construct.make import build, estimated_seconds
-from seafoam.masks.families import (
-    GENERATOR,
-    LICENSE,
-    SIZES,
-    VALUE_RULE,
-    Family,
-    MaskSpec,
-    Method,
-    parse_parameters,
-)
+from seafoam.masks.families import GENERATOR, LICENSE, SIZES, VALUE_RULE, Family, MaskSpec, Method, parse_parameters
 from seafoam.masks.formats import decode_ranks
 from seafoam.masks.judge.morphology import MaskMorphology, measure_morphology
 from seafoam.masks.judge.spectrum import MaskSpectrum, measure_spectrum

@@ -252,10 +252,7 @@ def _starts(sampled: ViewportSize, *, measured: bool) -> Resources:
         fragment=(*search, "surface/start.glsl@start_anew", "surface/start.glsl@pass"),
         target="start",
     )
-    starts = Resources(
-        inputs=target_inputs({"u_start": "start"}),
-        targets={"start": tiles(START_TILE)},
-    )
+    starts = Resources(inputs=target_inputs({"u_start": "start"}), targets={"start": tiles(START_TILE)})
     if not measured:
         return replace(starts, passes=(near,))
     now = PassSpec(

@@ -49,10 +49,7 @@ def _composed(frame: Frame, beneath: str, target: str) -> Stage:
     return Stage(
         passes=[fullscreen("what stands before the water", "compose", target, reads)],
         programs={"compose": frame.program(["lib/numbers.glsl", under, "output/frame.glsl@compose"])},
-        targets={
-            ABOVE: Target(size=size, format="RGBA16F"),
-            target: Target(size=size, format=frame.quality.target),
-        },
+        targets={ABOVE: Target(size=size, format="RGBA16F"), target: Target(size=size, format=frame.quality.target)},
     )
 
 

@@ -66,10 +66,7 @@ class Slot:
 def _waves(height: str, shading: str) -> Slot:
     return Slot(
         "waves",
-        joins=(
-            Join("vec3", height, "vec2 p", "waves"),
-            Join("vec4", shading, "vec2 p, Footprint fp", "shading"),
-        ),
+        joins=(Join("vec3", height, "vec2 p", "waves"), Join("vec4", shading, "vec2 p, Footprint fp", "shading")),
     )
 
 

@@ -9,18 +9,7 @@ from seafoam.framegraph.resources import Input, Target, TargetInput
 from seafoam.framegraph.shader import Program
 from seafoam.planner import slots
 from seafoam.planner.adaptive import Redrawn
-from seafoam.planner.frame import (
-    MARCH,
-    MARCHED,
-    OVER,
-    PLANE,
-    Frame,
-    Stage,
-    find,
-    from_under,
-    fullscreen,
-    underwater,
-)
+from seafoam.planner.frame import MARCH, MARCHED, OVER, PLANE, Frame, Stage, find, from_under, fullscreen, underwater
 from seafoam.planner.glsl import COMMON, PLACE, PLACE_SHIFTED, slot_pieces
 
 SURFACE, SKY = "surface", "sky"

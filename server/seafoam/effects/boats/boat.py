@@ -13,16 +13,7 @@ from seafoam.effects.shore.maps import FIND_LAND
 from seafoam.effects.water.water import WATER
 from seafoam.framegraph.passes import BoundingSphere, Quads
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
-from seafoam.framegraph.rules import (
-    Constant,
-    Phase,
-    Rule,
-    Uniform,
-    array,
-    constants,
-    significant,
-    to_camera,
-)
+from seafoam.framegraph.rules import Constant, Phase, Rule, Uniform, array, constants, significant, to_camera
 from seafoam.quality import Quality
 from seafoam.scene.boats import Boat
 from seafoam.scene.models import Scene

@@ -127,19 +127,13 @@ def _form_uniforms(patterns: Sequence[Wake]) -> dict[str, Uniform]:
         for wake in patterns
     ]
     boats = [(wake.boat.length, wake.boat.radius) for wake in patterns]
-    return {
-        "u_wake": constants("vec4", forms),
-        "u_wake_boat": constants("vec2", boats),
-    }
+    return {"u_wake": constants("vec4", forms), "u_wake_boat": constants("vec2", boats)}
 
 
 def _bound_uniforms(patterns: Sequence[Wake], height: float) -> dict[str, Uniform]:
     """Bounds of the exact wakes, which no map is measured for."""
     bounds = [(significant(wake.max_slope), *map(significant, wake.curvature)) for wake in patterns]
-    return {
-        "u_wake_highest": number(height),
-        "u_wake_bounds": constants("vec3", bounds),
-    }
+    return {"u_wake_highest": number(height), "u_wake_bounds": constants("vec3", bounds)}
 
 
 def _map(kind: WakeKind, count: int, size: int) -> Resources:
@@ -160,11 +154,7 @@ def _map(kind: WakeKind, count: int, size: int) -> Resources:
         PassSpec(
             name=f"{kind.title}, greatest of blocks",
             program=f"{name}_blocks",
-            fragment=(
-                Inline(f"const int BOUNDS_BLOCK = {BLOCK};\n"),
-                form,
-                kind.file("boats/wake_bounds.glsl@blocks"),
-            ),
+            fragment=(Inline(f"const int BOUNDS_BLOCK = {BLOCK};\n"), form, kind.file("boats/wake_bounds.glsl@blocks")),
             inputs=kind.renamed(target_inputs({"u_wake_map": name})),
         ),
         PassSpec(

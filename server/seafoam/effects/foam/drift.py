@@ -19,17 +19,7 @@ from seafoam.effects.noise import VALUE_NOISE
 from seafoam.effects.shader import Const, Piece, SlotFile, Source
 from seafoam.framegraph.passes import Points
 from seafoam.framegraph.resources import FixedSize, Target, target_inputs
-from seafoam.framegraph.rules import (
-    Loop,
-    Uniform,
-    array,
-    constants,
-    number,
-    rounded,
-    significant,
-    to_camera,
-    vector,
-)
+from seafoam.framegraph.rules import Loop, Uniform, array, constants, number, rounded, significant, to_camera, vector
 from seafoam.ocean.waves.stokes import steady_drift
 from seafoam.quality import Quality
 from seafoam.scene.foam import Drift, DriftSaturation, Foam, Vortex
@@ -306,10 +296,7 @@ def _flow_uniforms(scene: Scene, drift: Drift, vortices: tuple[Vortex, ...]) -> 
         )
         for vortex in vortices
     ]
-    return {
-        "u_drift_steady": vector(rounded(steady)),
-        "u_drift_vortex": constants("vec4", vortex_values),
-    }
+    return {"u_drift_steady": vector(rounded(steady)), "u_drift_vortex": constants("vec4", vortex_values)}
 
 
 def drift_limit(source: DriftSaturation, scene: Scene) -> float:

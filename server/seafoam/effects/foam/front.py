@@ -40,10 +40,7 @@ class _Constants:
     """Natural logarithm of the base of the profile."""
 
 
-_CONSTANTS = {
-    "text": _Constants(math.pi / 2.0, 2.0 * math.pi, 1.0),
-    "listing": _Constants(1.07, 6.28, math.log(2.718)),
-}
+_CONSTANTS = {"text": _Constants(math.pi / 2.0, 2.0 * math.pi, 1.0), "listing": _Constants(1.07, 6.28, math.log(2.718))}
 
 
 def draw(scene: Scene, foam: Foam, front: FrontSaturation, quality: Quality) -> Contribution:
@@ -209,10 +206,7 @@ def _phase_uniforms(scene: Scene, of: _Constants) -> dict[str, Uniform]:
         waves.append((kx, kz, weight, 0.0))
         offset = wave.phase + (2.0 * of.delta - math.pi)
         phases.append(Phase(offset=offset, rate=angular_frequency(wave), k=(-kx, -kz)))
-    return {
-        "u_front_wave": constants("vec4", waves),
-        "u_front_phase": array("float", phases, len(waves)),
-    }
+    return {"u_front_wave": constants("vec4", waves), "u_front_phase": array("float", phases, len(waves))}
 
 
 def _past_waves(scene: Scene, shared: bool) -> tuple[list[tuple[float, ...]], float]:
@@ -260,9 +254,4 @@ def front_limit(front: FrontSaturation, scene: Scene) -> float:
     return SATURATION_CAP if scene.waves and (front.group[0] < 1.0 or front.variation > 0.0) else 0.0
 
 
-EFFECT = foam_effect(
-    "front foam",
-    draw,
-    SaturationSource(FrontSaturation, front_limit),
-    afloat=("u_front_phase",),
-)
+EFFECT = foam_effect("front foam", draw, SaturationSource(FrontSaturation, front_limit), afloat=("u_front_phase",))

@@ -27,11 +27,7 @@ CELLS = 4096
 
 _MASK_TABLES: dict[str, MaskTable] = {"u8": "ranks-8", "half": "thresholds-half", "u16": "ranks"}
 
-_MASK_TEXELS = {
-    "u8": "foam/mask.glsl@texel_u8",
-    "half": "foam/mask.glsl@texel_half",
-    "u16": "foam/mask.glsl@texel_u16",
-}
+_MASK_TEXELS = {"u8": "foam/mask.glsl@texel_u8", "half": "foam/mask.glsl@texel_half", "u16": "foam/mask.glsl@texel_u16"}
 _LOOKS = {
     "halftone": "foam/look.glsl@halftone",
     "halftone_textured": "foam/look.glsl@halftone_textured",
@@ -251,14 +247,7 @@ EFFECT = Effect(
     "foam look",
     contribute,
     fields=("/foam",),
-    afloat=(
-        "u_mask_offset",
-        "u_mask_phase",
-        "u_cell_offset",
-        "u_cell_index",
-        "u_foam_offset",
-        "u_foam_second_offset",
-    ),
+    afloat=("u_mask_offset", "u_mask_phase", "u_cell_offset", "u_cell_index", "u_foam_offset", "u_foam_second_offset"),
     parameters=(
         QualityParameter("/mask", "format of the mask's thresholds", ("u8", "half", "u16"), "precision"),
         QualityParameter("/foam_taps", "mask texels averaged under minification", (4, 16), "filtering"),

@@ -60,10 +60,7 @@ def draw(scene: Scene, foam: Foam, wake: WakeSaturation, quality: Quality) -> Co
             ),
         ),
         consts=consts,
-        uniforms={
-            "u_wake_foam": constants("vec4", amounts),
-            **(_hulls(scene) if wake.contact else {}),
-        },
+        uniforms={"u_wake_foam": constants("vec4", amounts), **(_hulls(scene) if wake.contact else {})},
     )
 
 

@@ -42,14 +42,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     rain = (SlotFile("rain", "light/clouds.glsl@rain"),) if clouds.rain > 0.0 else ()
     contribution = Contribution(
         why=f"clouds over {100 * clouds.cover:.0f} % of the sky",
-        slots=(
-            SlotFile(
-                "clouds",
-                "light/clouds.glsl@layer",
-                needs=(*PERLIN_3, "light/clouds.glsl@way"),
-            ),
-            *rain,
-        ),
+        slots=(SlotFile("clouds", "light/clouds.glsl@layer", needs=(*PERLIN_3, "light/clouds.glsl@way")), *rain),
         consts={"CLOUD_OCTAVES": quality.cloud_octaves, "CLOUD_SEED": 64 * clouds.seed},
         uniforms={
             "u_cloud_phase": drifting_noise(clouds.size, clouds.wind_speed, clouds.downwind, clouds.change),

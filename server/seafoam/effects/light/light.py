@@ -129,9 +129,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         slots=(
             *sky,
             SlotFile(
-                "shade",
-                "light/shade.glsl@lit",
-                needs=("lib/refraction.glsl", *ILLUMINATION, "light/shade.glsl@optics"),
+                "shade", "light/shade.glsl@lit", needs=("lib/refraction.glsl", *ILLUMINATION, "light/shade.glsl@optics")
             ),
             SlotFile("tone", _TONES[light.tone]),
         ),

@@ -34,14 +34,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     smooth = Source(path, (("glitter_light", "smooth_glitter"),))
     return Contribution(
         why=f"sparkles of {1e3 * sparkles.size:g} mrad that last {sparkles.life:g} s",
-        slots=(
-            SlotFile(
-                "glitter",
-                "light/glitter.glsl@sparkles",
-                needs=(*needs, HASH, smooth),
-                instead=True,
-            ),
-        ),
+        slots=(SlotFile("glitter", "light/glitter.glsl@sparkles", needs=(*needs, HASH, smooth), instead=True),),
         consts={"SPARKLE_CELLS": quality.sparkle_cells},
         uniforms={
             **uniforms,

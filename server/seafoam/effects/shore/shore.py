@@ -133,10 +133,7 @@ def _place(shore: Shore) -> dict[str, Uniform]:
     """The camera's position relative to the shore, as phases over :data:`PERIOD`, and the square's side."""
     turn = 2.0 * math.pi / PERIOD
     x, z = shore.place
-    place = [
-        Phase(offset=-turn * x, rate=0.0, k=(turn, 0.0)),
-        Phase(offset=-turn * z, rate=0.0, k=(0.0, turn)),
-    ]
+    place = [Phase(offset=-turn * x, rate=0.0, k=(turn, 0.0)), Phase(offset=-turn * z, rate=0.0, k=(0.0, turn))]
     return {"u_shore_place": array("float", place, 2), "u_shore_size": number(shore.size)}
 
 

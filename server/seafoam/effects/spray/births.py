@@ -130,11 +130,7 @@ def _surf(scene: Scene, quality: Quality, spray: Spray, shore: Shore) -> Births:
             "spray/births.glsl@open",
         ),
         consts={"SPRAY_MOMENT": model.MOMENT},
-        uniforms={
-            "u_spray_crest_way": vector((1.0, 0.0)),
-            "u_spray_torn": number(0.0),
-            **_shore_uniforms(shore),
-        },
+        uniforms={"u_spray_crest_way": vector((1.0, 0.0)), "u_spray_torn": number(0.0), **_shore_uniforms(shore)},
     )
     return surf.joined(water, _grids(spray))
 

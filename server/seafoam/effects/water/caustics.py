@@ -198,8 +198,7 @@ def _slope_map(tile: _Tile, size: int) -> Resources:
         },
     )
     return Resources(
-        targets={"caustic_slopes": Target(size=FixedSize.square(size), format="RGBA32F")},
-        passes=(slopes,),
+        targets={"caustic_slopes": Target(size=FixedSize.square(size), format="RGBA32F")}, passes=(slopes,)
     )
 
 

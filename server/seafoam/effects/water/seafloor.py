@@ -34,9 +34,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         },
         min_ground=-water.depth,
         bound=Bound(
-            floor_limit(scene, light, min_depth),
-            f"no light returns from a depth of {min_depth:g} m",
-            FLOOR_FIELDS,
+            floor_limit(scene, light, min_depth), f"no light returns from a depth of {min_depth:g} m", FLOOR_FIELDS
         ),
     )
 

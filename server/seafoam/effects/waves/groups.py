@@ -50,10 +50,7 @@ def group_part(scene: Scene) -> Resources:
     place = (Wrap(k=(k_x, k_z), period=float(PERIOD), rate=-(k_x * v_x + k_z * v_z)) for k_x, k_z in (along, across))
     return Resources(
         consts={"GROUP_KEY": group_key(groups.seed), "GROUP_PERIOD": PERIOD, "GROUP_VARIANCE": VARIANCE},
-        uniforms={
-            PLACE: array("vec2", place, 1),
-            "u_wave_groups": vector((*along, groups.contrast)),
-        },
+        uniforms={PLACE: array("vec2", place, 1), "u_wave_groups": vector((*along, groups.contrast))},
     )
 
 

@@ -55,10 +55,7 @@ def _ring_uniforms(shown: Sequence[Train], origins: Iterable[tuple[Rule, Rule]])
     shapes = [
         (train.ring.amplitude, significant(train.k), significant(train.omega), train.ring.decay) for train in shown
     ]
-    return {
-        "u_ring_now": array("vec4", state, len(shown)),
-        "u_ring_shape": constants("vec4", shapes),
-    }
+    return {"u_ring_now": array("vec4", state, len(shown)), "u_ring_shape": constants("vec4", shapes)}
 
 
 def ring_uniforms(scene: Scene, name: str) -> dict[str, Uniform]:
@@ -134,10 +131,7 @@ def _map(shown: Sequence[Train], square: _Square, size: int) -> Resources:
             SlotFile("waves", "waves/rings.glsl@map", prefix="rings"),
             SlotFile("bounds", "waves/rings.glsl@bounds", prefix="rings"),
         ),
-        uniforms={
-            "u_ring_corner": array("vec2", to_camera(square.x, square.z), 1),
-            "u_ring_side": number(square.side),
-        },
+        uniforms={"u_ring_corner": array("vec2", to_camera(square.x, square.z), 1), "u_ring_side": number(square.side)},
         inputs=target_inputs({"u_ring_map": "rings", "u_ring_grain": "rings_grain", "u_ring_bounds": "rings_bounds"}),
         targets={
             name: Target(size=FixedSize.square(texels), format="RGBA16F", filter="linear")
@@ -151,10 +145,7 @@ def _map(shown: Sequence[Train], square: _Square, size: int) -> Resources:
 
 def _map_pass(shown: Sequence[Train], square: _Square, target: str, shader: str, size: int) -> PassSpec:
     corner = [
-        (
-            Constant(value=(square.x - train.ring.place[0],)),
-            Constant(value=(square.z - train.ring.place[1],)),
-        )
+        (Constant(value=(square.x - train.ring.place[0],)), Constant(value=(square.z - train.ring.place[1],)))
         for train in shown
     ]
     return PassSpec(

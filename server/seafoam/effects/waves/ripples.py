@@ -8,17 +8,7 @@ from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, Qualit
 from seafoam.effects.noise import PERLIN_3, drifting_noise
 from seafoam.effects.shader import SlotFile, Source
 from seafoam.framegraph.resources import FixedSize, Target, target_inputs
-from seafoam.framegraph.rules import (
-    Phase,
-    Uniform,
-    Wrap,
-    array,
-    constants,
-    in_tile,
-    number,
-    rounded,
-    significant,
-)
+from seafoam.framegraph.rules import Phase, Uniform, Wrap, array, constants, in_tile, number, rounded, significant
 from seafoam.ocean.waves.ripples import BANDS, SHIFTS, TURN, WAVES_PER_TILE, Ripple, ripple_cascades, tiles
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
@@ -108,10 +98,7 @@ def _sum(cascades: tuple[tuple[Ripple, ...], ...]) -> Resources:
     waves = [wave for cascade in cascades for wave in cascade]
     data = [entry for i, cascade in enumerate(cascades) for entry in _wave_data(cascade, BANDS * (i % _TILES))]
     return Resources(
-        uniforms={
-            "u_ripples_wave": constants("vec4", data),
-            "u_ripples_phase": ripple_phases(waves, at_camera=True),
-        }
+        uniforms={"u_ripples_wave": constants("vec4", data), "u_ripples_phase": ripple_phases(waves, at_camera=True)}
     )
 
 

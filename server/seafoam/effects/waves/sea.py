@@ -13,17 +13,7 @@ from seafoam.effects.foam.living import follows_orbits
 from seafoam.effects.shader import Const, Inline, Piece, SlotFile
 from seafoam.effects.waves.measured import measured_bounds
 from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, TargetInput, TextureInput, target_inputs
-from seafoam.framegraph.rules import (
-    Loop,
-    Phase,
-    Uniform,
-    array,
-    constants,
-    in_tile,
-    number,
-    significant,
-    vector,
-)
+from seafoam.framegraph.rules import Loop, Phase, Uniform, array, constants, in_tile, number, significant, vector
 from seafoam.ocean.waves.cascades import BAND, LEAST_JACOBIAN, LOOP, RAISED, Cascade, cascades
 from seafoam.quality import Quality
 from seafoam.scene.foam import WhitecapSaturation
@@ -170,10 +160,7 @@ def _gerstner_uniforms(tiles: Sequence[Cascade], size: int) -> dict[str, Uniform
     if not data:
         # GLSL has no empty arrays, so the array contains a wave of height 0.
         data, phases = [(1.0, 0.0, 0.0, 0.0)], [Phase(offset=0.0, rate=0.0, k=(0.0, 0.0))]
-    return {
-        "u_gerstner": constants("vec4", data),
-        "u_gerstner_phase": array("float", phases, len(data)),
-    }
+    return {"u_gerstner": constants("vec4", data), "u_gerstner_phase": array("float", phases, len(data))}
 
 
 def tile_block(sea: Sea, tile: Cascade, index: int, quality: Quality) -> Uniform:
