@@ -2,7 +2,10 @@
 
 import importlib
 from dataclasses import dataclass, field
+from functools import cache
+from pathlib import Path
 
+import cases
 from seafoam.effects.effect import Effect
 from support.hard.mutations import Replaced
 from support.scenes import Camera, Scene
@@ -70,12 +73,21 @@ class Cases:
     variants: tuple[Scene, ...] = ()
 
 
+@cache
+def _inside() -> dict[str, Cases]:
+    """Those of the package's effects, from all modules of ``tests/cases``."""
+    paths = sorted(Path(cases.__file__).parent.glob("*/*.py"))
+    modules = (importlib.import_module(f"cases.{path.parent.name}.{path.stem}") for path in paths)
+    return {name: found for module in modules for name, found in module.CASES.items()}
+
+
 def cases_of(effect: Effect) -> Cases:
-    """The effect's entry in ``CASES`` of ``tests/cases``, or of ``NAME_cases`` beside an effect outside the package.
+    """The effect's entry in ``CASES`` of a module of ``tests/cases``, or of ``NAME_cases`` beside one from outside.
 
     Raises ``ImportError`` or ``KeyError`` where it has none.
     """
     module = effect.contribute.__module__
-    inside = module.removeprefix("seafoam.effects.")
-    found = importlib.import_module(f"cases.{inside}" if inside != module else f"{module}_cases")
-    return found.CASES[effect.name]
+    if module.startswith("seafoam.effects."):
+        return _inside()[effect.name]
+    found: dict[str, Cases] = importlib.import_module(f"{module}_cases").CASES
+    return found[effect.name]

@@ -5,14 +5,13 @@ Effects describe what a plan needs. They draw nothing, and import neither the pl
 
 from seafoam.effects.boats import boat, wake
 from seafoam.effects.effect import Effect
-from seafoam.effects.foam import drift, front, height, living, look, material, slope, surf, wake_foam, whitecaps
-from seafoam.effects.light import cloud_shadow, clouds, glare, glitter, light, night, sparkles, subsurface
-from seafoam.effects.reflection import cubemap, planar
+from seafoam.effects.foam import drift, front, look, material, sources, wake_foam, whitecaps
+from seafoam.effects.light import clouds, glare, glitter, light, night, reflection, sparkles
 from seafoam.effects.registry import declare, load, outside, register, unregister
-from seafoam.effects.shore import shadow, shore
+from seafoam.effects.shore import land, shore
 from seafoam.effects.spray import spray
-from seafoam.effects.water import caustics, seafloor, water
-from seafoam.effects.waves import current, parametric, rings, ripples, sea, standing, touch
+from seafoam.effects.water import caustics, water
+from seafoam.effects.waves import current, parametric, rings, ripples, sea
 
 EFFECTS: tuple[Effect, ...] = (
     parametric.EFFECT,
@@ -21,30 +20,30 @@ EFFECTS: tuple[Effect, ...] = (
     wake.EFFECT,
     ripples.EFFECT,
     front.EFFECT,
-    height.EFFECT,
-    slope.EFFECT,
+    sources.HEIGHT,
+    sources.SLOPE,
     whitecaps.EFFECT,
     look.EFFECT,
-    living.EFFECT,
+    look.LIVING,
     light.EFFECT,
     clouds.CIRRUS,
     clouds.EFFECT,
-    cloud_shadow.EFFECT,
+    clouds.SHADOWS,
     night.MOON,
     night.STARS,
     glare.EFFECT,
     glitter.EFFECT,
     sparkles.EFFECT,
     water.EFFECT,
-    seafloor.EFFECT,
+    water.FLOOR,
     caustics.EFFECT,
     water.UNDERSIDE,
     shore.EFFECT,
-    shadow.EFFECT,
-    surf.EFFECT,
-    cubemap.EFFECT,
+    land.SHADOWS,
+    sources.SURF,
+    reflection.CUBEMAP,
     drift.EFFECT,
-    subsurface.EFFECT,
+    water.CREST_LIGHT,
     material.AERATION,
     material.RELIEF,
     material.SCATTERING,
@@ -52,10 +51,10 @@ EFFECTS: tuple[Effect, ...] = (
     boat.EFFECT,
     spray.EFFECT,
     boat.SHADOWS,
-    planar.EFFECT,
+    reflection.PLANAR,
     current.EFFECT,
-    standing.EFFECT,
-    touch.EFFECT,
+    current.STANDING_WAVES,
+    rings.TOUCHES,
 )
 """All effects of the package."""
 

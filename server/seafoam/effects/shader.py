@@ -1,6 +1,10 @@
-"""Pieces of shaders: files of ``shaders/`` and inline GLSL, and the slots of the surface's shader that they fill."""
+"""Pieces of shaders: files of ``shaders/`` and inline GLSL, the slots that they fill, and the noise library."""
 
+import math
+from collections.abc import Iterable
 from dataclasses import dataclass
+
+from seafoam.framegraph.rules import Phase, Uniform, array
 
 MARCH_AHEAD = "surface/march.glsl@ahead"
 """Steps of ray marching, for files in the slots of its parts."""
@@ -71,3 +75,35 @@ def constant_function(returns: str, name: str, parameters: str, value: str = "")
     """Return a GLSL function that returns ``value``, or 0, for all arguments: the default of a slot."""
     value = value or ("0.0" if returns == "float" else f"{returns}(0.0)")
     return Inline(f"{returns} {name}({parameters}) {{\n    return {value};\n}}\n")
+
+
+HASH = "lib/noise.glsl@hash"
+VALUE_NOISE = (HASH, "lib/noise.glsl@value")
+SLOPES = (HASH, "lib/noise.glsl@slopes")
+PERLIN_2 = (HASH, "lib/noise.glsl@perlin_2")
+PERLIN_3 = (HASH, "lib/noise.glsl@perlin_3")
+
+NOISE_CELLS = 256
+"""Period of the gradient noise, cells."""
+
+
+def drifting_phases(axes: Iterable[tuple[float, float]], velocity: tuple[float, float], turn: float) -> Uniform:
+    """Phases of the camera's place on a pattern that drifts with ``velocity``, (x, z) m/s; rad.
+
+    ``axes``: those of the pattern, per metre; ``turn``: the phase of a unit along them, rad.
+    """
+    phases = [
+        Phase(offset=0.0, rate=-turn * (x * velocity[0] + z * velocity[1]), k=(turn * x, turn * z)) for x, z in axes
+    ]
+    return array("float", phases, len(phases))
+
+
+def drifting_noise(size: float, speed: float, heading: float, change: float) -> Uniform:
+    """Phases (x, z, t), float[3], of three-dimensional gradient noise, 2π per :data:`NOISE_CELLS` cells.
+
+    ``size``: side of a cell, m; ``speed``, m/s, and ``heading``, rad, of its drift; ``change``: cell length along t, s.
+    """
+    k = 2.0 * math.pi / (NOISE_CELLS * size)
+    velocity = (speed * math.cos(heading), speed * math.sin(heading))
+    changes = Phase(offset=0.0, rate=2.0 * math.pi / (NOISE_CELLS * change), k=(0.0, 0.0))
+    return array("float", (*drifting_phases(((1.0, 0.0), (0.0, 1.0)), velocity, k).rules, changes), 3)

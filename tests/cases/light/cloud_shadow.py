@@ -28,14 +28,14 @@ _HARD = (
     HardCase(
         "shadows of clouds under a sun that touches the horizon",
         _scene(1e-3),
-        guard="the way to the clouds is that over a round earth (effects/light/cloud_shadow.py)",
+        guard="the way to the clouds is that over a round earth (effects/light/clouds.py)",
         camera=Camera(position=(0.0, 30.0, 0.0), pitch=-0.2),
         unseen="such a sun has next to no light",
     ),
     HardCase(
         "shadows of clouds that leave next to no light",
         _scene(0.5, cover=1.0, thickness=50.0, softness=0.05),
-        guard="a column's transmittance is divided by at least 1e-4 (effects/light/cloud_shadow.py)",
+        guard="a column's transmittance is divided by at least 1e-4 (effects/light/clouds.py)",
         camera=Camera(position=(0.0, 30.0, 0.0), pitch=-0.2),
         unseen="not needed: the thickest overcast leaves more",
     ),

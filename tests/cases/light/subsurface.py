@@ -14,9 +14,9 @@ _HARD = (
     HardCase(
         "no crest at all",
         Scene(waves=(ParametricWave(amplitude=0.0),), water=Water(translucency=2.0), light=Light(sun_elevation=0.1)),
-        guard="1/height counts as 0 if the water is level (effects/light/subsurface.py)",
+        guard="1/height counts as 0 if the water is level (effects/water/water.py)",
         without={
-            "effects/light/subsurface.py": {
+            "effects/water/water.py": {
                 "number(1.0 / (highest - lowest) if highest - lowest > 1e-37 else 0.0)": (
                     "number(1.0 / (highest - lowest))"
                 )

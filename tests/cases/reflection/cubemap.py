@@ -15,7 +15,7 @@ _HARD = (
         guard="the search for land is left out of scenes without a shore (reflection/mirror.glsl@open)",
         camera=Camera(position=(0.0, 2.0, 0.0), pitch=-0.2),
         without={
-            "effects/reflection/cubemap.py": {
+            "effects/light/reflection.py": {
                 '("reflection/mirror.glsl@open",)': (
                     '(*SHORE, *lit_land(shore or Shore()), "reflection/mirror.glsl@land_around")'
                 )

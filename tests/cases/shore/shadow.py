@@ -25,19 +25,18 @@ _HARD = (
     HardCase(
         "shadow of an island under a sun that touches the horizon",
         _scene(0.004),
-        guard="sights of the sun's rims rise by at least a thousandth (effects/shore/shadow.py)",
+        guard="sights of the sun's rims rise by at least a thousandth (effects/shore/land.py)",
         camera=_VIEW,
-        without={"effects/shore/shadow.py": {"max(math.tan(lower), LOWEST_RISE)": "math.tan(lower)"}},
+        without={"effects/shore/land.py": {"max(math.tan(lower), LOWEST_RISE)": "math.tan(lower)"}},
         missed_by=guards("ground", "shadows_of_land_end[0.004-20000.0]"),
     ),
     HardCase(
         "shadow of an island under a sun in the zenith",
         _scene(1.5707963),
-        guard="level part of the sun's direction at least 1e-6, its rims at most 1.5 rad high "
-        "(effects/shore/shadow.py)",
+        guard="level part of the sun's direction at least 1e-6, its rims at most 1.5 rad high (effects/shore/land.py)",
         camera=_VIEW,
         without={
-            "effects/shore/shadow.py": {
+            "effects/shore/land.py": {
                 "max(math.hypot(x, z), 1e-6)": "math.hypot(x, z)",
                 "min(elevation + SUN_RADIUS, 1.5)": "elevation + SUN_RADIUS",
                 "min(elevation - SUN_RADIUS, 1.49)": "elevation - SUN_RADIUS",

@@ -50,9 +50,9 @@ _HARD = (
                 ),
                 "sum += vec3(kept": "sum += high ? vec3(ring.x, ring.y * ring.z * way) : vec3(kept",
             },
-            "effects/waves/touch.py": {
+            "effects/waves/rings.py": {
                 'SlotFile("detail"': 'SlotFile("waves"',
-                "bound=_bound(scene)": "bound=_bound(scene), max_height=0.004, min_height=-0.004, max_slope=1.0",
+                "bound=_touch_bound(scene),": "max_height=0.004, min_height=-0.004, max_slope=1.0,",
             },
         },
         missed_by=guards("waves", "no_ray_misses_a_ring_of_touches"),
@@ -86,7 +86,7 @@ _HARD = (
             current=Current(speed=2.0, direction=0.6),
             touches=tuple(touch.model_copy(update={"time": 9e8 + touch.time}) for touch in _TRAIN),
         ),
-        guard="velocity times the time of the touch and velocity times time cancel in float64 (effects/waves/touch.py)",
+        guard="velocity times the time of the touch and velocity times time cancel in float64 (effects/waves/rings.py)",
         times=(9e8,),
         camera=_NEAR,
         without=TIME,

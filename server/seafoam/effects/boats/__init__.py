@@ -1,4 +1,1 @@
-"""Boats and their wakes.
-
-Foam of wakes is in :mod:`seafoam.effects.foam`.
-"""
+"""Boats and their wakes."""

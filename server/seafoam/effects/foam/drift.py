@@ -15,8 +15,7 @@ from seafoam.effects.effect import (
     SaturationSource,
     foam_effect,
 )
-from seafoam.effects.noise import VALUE_NOISE
-from seafoam.effects.shader import Const, Piece, SlotFile, Source
+from seafoam.effects.shader import VALUE_NOISE, Const, Piece, SlotFile, Source
 from seafoam.framegraph.passes import Points
 from seafoam.framegraph.resources import FixedSize, Target, target_inputs
 from seafoam.framegraph.rules import Loop, Uniform, array, constants, number, rounded, significant, to_camera, vector

@@ -5,16 +5,13 @@ from dataclasses import dataclass, replace
 
 from seafoam.effects.bounds import SATURATION_CAP, parametric_wave_height
 from seafoam.effects.effect import Bound, Contribution, SaturationSource, TextureUse, foam_effect
-from seafoam.effects.foam.living import follows_orbits
-from seafoam.effects.noise import PERLIN_3, drifting_noise
-from seafoam.effects.shader import Const, Piece, SlotFile
-from seafoam.effects.waves.groups import front_files, scaled_files
-from seafoam.effects.waves.parametric import profile_square, shares_phase
+from seafoam.effects.shader import PERLIN_3, Const, Piece, SlotFile, drifting_noise
+from seafoam.effects.waves.parametric import front_files, profile_square, scaled_files, shares_phase
 from seafoam.framegraph.resources import TextureInput
 from seafoam.framegraph.rules import Phase, Uniform, array, constants, number, rounded, significant, vector
 from seafoam.ocean.basics.dispersion import angular_frequency, wavevector
 from seafoam.ocean.waves.groups import group_velocity, in_groups
-from seafoam.ocean.waves.stokes import foam_drift, orbit
+from seafoam.ocean.waves.stokes import foam_drift, follows_orbits, orbit
 from seafoam.quality import Quality
 from seafoam.scene.foam import Foam, FrontSaturation
 from seafoam.scene.models import Scene

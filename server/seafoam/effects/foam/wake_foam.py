@@ -6,10 +6,9 @@ from seafoam.effects.boats.boat import HULLS
 from seafoam.effects.boats.wake import WAY
 from seafoam.effects.bounds import SATURATION_CAP
 from seafoam.effects.effect import Contribution, SaturationSource, foam_effect
-from seafoam.effects.noise import VALUE_NOISE
-from seafoam.effects.shader import Const, SlotFile
-from seafoam.effects.waves.standing import WAY as STONE_WAY
-from seafoam.effects.waves.standing import places
+from seafoam.effects.shader import VALUE_NOISE, Const, SlotFile
+from seafoam.effects.waves.current import WAY as STONE_WAY
+from seafoam.effects.waves.current import places
 from seafoam.framegraph.rules import Uniform, constants, significant
 from seafoam.ocean.waves.wakes import LEAST_SPEED, Wake, stone_wakes
 from seafoam.quality import Quality

@@ -1,4 +1,1 @@
-"""Effects of light: sun, sky, clouds, moon and stars, glitter.
-
-Reflections in the water are in :mod:`seafoam.effects.reflection`.
-"""
+"""Effects of light: sun, sky, clouds, moon and stars, glitter, and reflections in the water."""

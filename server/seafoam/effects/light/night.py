@@ -6,9 +6,8 @@ import numpy as np
 
 from seafoam.effects.effect import Bound, Contribution, Effect
 from seafoam.effects.light import atmosphere
-from seafoam.effects.light.glow import glow_source, glow_uniforms
-from seafoam.effects.noise import HASH, PERLIN_2
-from seafoam.effects.shader import SlotFile
+from seafoam.effects.light.light import glow_source, glow_uniforms
+from seafoam.effects.shader import HASH, PERLIN_2, SlotFile
 from seafoam.framegraph.rules import number, rounded, significant, vector
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene

@@ -4,8 +4,7 @@ import math
 
 from seafoam.effects.effect import Bound, Contribution, Effect, QualityParameter
 from seafoam.effects.light.glitter import brightest_glint, smooth_glint
-from seafoam.effects.noise import HASH
-from seafoam.effects.shader import SlotFile, Source
+from seafoam.effects.shader import HASH, SlotFile, Source
 from seafoam.framegraph.rules import Loop, array, number, significant
 from seafoam.quality import Quality
 from seafoam.scene.light import Sparkles

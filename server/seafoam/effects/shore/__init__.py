@@ -1,4 +1,1 @@
-"""Land, shallows and the waves that reach them.
-
-Foam of the surf is in :mod:`seafoam.effects.foam`.
-"""
+"""Land, shallows and the waves that reach them."""

@@ -4,13 +4,21 @@ import math
 
 from seafoam.effects.bounds import FLOOR_FIELDS, floor_limit, max_displacement
 from seafoam.effects.effect import Bound, Contribution, Effect, QualityParameter, TextureUse
-from seafoam.effects.noise import VALUE_NOISE
-from seafoam.effects.shader import MARCH_AHEAD, Const, SlotFile
-from seafoam.effects.shore.land import LAND_LIGHT, shallow_files, soil_consts, soil_files, soil_uniforms, wet_files
+from seafoam.effects.shader import MARCH_AHEAD, VALUE_NOISE, Const, SlotFile
+from seafoam.effects.shore.land import (
+    LAND_LIGHT,
+    NO_SHADOWS,
+    SUNLIT_FROM,
+    shallow_files,
+    soil_consts,
+    soil_files,
+    soil_uniforms,
+    throws,
+    wet_files,
+)
 from seafoam.effects.shore.limits import Limits, limits, rounded_up
 from seafoam.effects.shore.maps import FIND_LAND, GROUND, MARCH_GROUND, MAXIMA, blur_deviation, map_passes, map_targets
-from seafoam.effects.shore.shadow import NO_SHADOWS, SUNLIT_FROM, throws
-from seafoam.effects.water.seafloor import bed_sun
+from seafoam.effects.water.water import bed_sun
 from seafoam.effects.waves.parametric import max_profile_slope
 from seafoam.framegraph.resources import TextureInput, target_inputs
 from seafoam.framegraph.rules import Phase, Uniform, array, constants, number, significant, vector

@@ -10,8 +10,7 @@ from seafoam.effects.bounds import parametric_wave_height
 from seafoam.effects.effect import Resources, TextureUse
 from seafoam.effects.shader import Inline, Piece, SlotRef
 from seafoam.effects.shore.maps import MASK_WAVES, mask_uniforms
-from seafoam.effects.waves.groups import earlier_wave_files, group_bounds
-from seafoam.effects.waves.parametric import max_profile_slope
+from seafoam.effects.waves.parametric import earlier_wave_files, group_bounds, max_profile_slope
 from seafoam.effects.waves.rings import ring_uniforms
 from seafoam.effects.waves.sea import BLOCKS, WaterDrawing, drawn_tiles
 from seafoam.framegraph.resources import TextureInput, target_inputs

@@ -5,8 +5,7 @@ import math
 from seafoam.effects.boats.boat import TRACE
 from seafoam.effects.effect import ABOVE, Contribution, Effect, PassSpec, QualityParameter, Resources, TextureUse
 from seafoam.effects.light.light import ILLUMINATION
-from seafoam.effects.noise import HASH
-from seafoam.effects.shader import Const, Inline, Piece, SlotRef, Source
+from seafoam.effects.shader import HASH, Const, Inline, Piece, SlotRef, Source
 from seafoam.effects.shore.maps import FIND_LAND
 from seafoam.effects.spray.births import Births, births
 from seafoam.framegraph.passes import Quads

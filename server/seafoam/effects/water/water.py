@@ -1,14 +1,21 @@
-"""The body of the water: absorption, scattering, roughness; and the view from below its surface.
+"""The body of the water, its floor, light through its crests, and the view from below its surface.
 
 docs/formulae.md, sections 6 and 11.
 """
 
-from seafoam.effects.effect import Contribution, Effect
-from seafoam.effects.shader import SlotFile
-from seafoam.framegraph.rules import Uniform, number, vector
+import math
+
+from seafoam.effects.bounds import FLOOR_FIELDS, crest_limit, floor_limit, max_surface_height, min_surface_height
+from seafoam.effects.effect import Bound, Contribution, Effect
+from seafoam.effects.light.atmosphere import lamp_angles
+from seafoam.effects.shader import VALUE_NOISE, SlotFile
+from seafoam.framegraph.rules import Uniform, array, in_tile, number, significant, vector
+from seafoam.ocean.basics.refraction import refracted_cosine
 from seafoam.ocean.waves.cascades import cascades, slope_heading
 from seafoam.quality import Quality
+from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
+from seafoam.scene.water import Water
 
 WATER = "water/underside.glsl@water"
 """Absorption and scattering between a camera below the surface and what it sees."""
@@ -48,5 +55,89 @@ def underside(scene: Scene, quality: Quality) -> Contribution | None:
     return Contribution(why=f"from below, the surface {shows}", slots=(file,))
 
 
+def floor(scene: Scene, quality: Quality) -> Contribution | None:
+    """Active if the water has a depth and the scene a light; a shore has its own floor."""
+    water, light = scene.water, scene.light
+    if water.depth is None or light is None or scene.shore is not None:
+        return None
+    # Floor and deep water differ by less than the radiance of a white floor.
+    min_depth = max(water.depth + min_surface_height(scene), 0.0)
+    refracted = light.caustics is not None or water.floor_tile is not None
+    return Contribution(
+        why=f"a floor {water.depth:g} m under still water" + (", seen along the refracted ray" if refracted else ""),
+        slots=_floor_slots(water, refracted),
+        uniforms={
+            "u_floor_albedo": vector(water.floor_albedo, "/water/floor_albedo"),
+            "u_floor_depth": number(water.depth),
+            **bed_sun(light),
+            **_tiles(water),
+        },
+        min_ground=-water.depth,
+        bound=Bound(
+            floor_limit(scene, light, min_depth), f"no light returns from a depth of {min_depth:g} m", FLOOR_FIELDS
+        ),
+    )
+
+
+def _floor_slots(water: Water, refracted: bool) -> tuple[SlotFile, ...]:
+    """``refracted``: the floor varies from point to point, so that the refracted ray must find the visible one."""
+    level = "water/seafloor.glsl@level"
+    floor = (
+        (level, "water/seafloor.glsl@plain")
+        if water.floor_tile is None
+        else (level, *VALUE_NOISE, "water/seafloor.glsl@tiles")
+    )
+    under = (
+        SlotFile("reach", "water/seafloor.glsl@reach", needs=(level,)),
+        SlotFile(
+            "under bed", "water/seafloor.glsl@floor", needs=floor if refracted else ("water/seafloor.glsl@even", *floor)
+        ),
+    )
+    if not refracted:
+        return (SlotFile("body", "water/body.glsl@floor", needs=("lib/refraction.glsl", level)), *under)
+    return (
+        SlotFile("body", "water/seafloor.glsl@body"),
+        SlotFile("bed", "water/seafloor.glsl@floor", needs=floor),
+        SlotFile("through", "water/seafloor.glsl@through", needs=("lib/refraction.glsl",)),
+        *under,
+    )
+
+
+def bed_sun(light: Light) -> dict[str, Uniform]:
+    """Cosine between the refracted sunlight and the vertical."""
+    height = math.sin(lamp_angles(light)[1])
+    return {"u_bed_sun": number(significant(refracted_cosine(height)))}
+
+
+def _tiles(water: Water) -> dict[str, Uniform]:
+    if water.floor_tile is None:
+        return {}
+    side = water.floor_tile
+    return {"u_floor_tile": number(side), "u_floor_tile_place": array("vec2", in_tile(side, period=256.0), 1)}
+
+
+def crest_light(scene: Scene, quality: Quality) -> Contribution | None:
+    """Active if the scene has a light."""
+    if scene.light is None:
+        return None
+    highest, lowest = max_surface_height(scene), min_surface_height(scene)
+    return Contribution(
+        why=f"crests of up to {highest:g} m transmit sunlight",
+        slots=(SlotFile("crest", "light/shade.glsl@translucent", needs=("light/shade.glsl@irradiance",)),),
+        uniforms={
+            "u_translucency": number(scene.water.translucency, "/water/translucency"),
+            "u_crest_trough": number(significant(lowest)),
+            "u_crest_height": number(1.0 / (highest - lowest) if highest - lowest > 1e-37 else 0.0),
+        },
+        bound=Bound(
+            crest_limit(scene),
+            "no crests, no sunlight, or water that absorbs all of it",
+            ("/light/exposure", "/water/absorption_length", "/water/translucency"),
+        ),
+    )
+
+
 EFFECT = Effect("water body", contribute, fields=("/water",))
 UNDERSIDE = Effect("view from below", underside, fields=("/water/view_below",))
+FLOOR = Effect("floor", floor, fields=("/water/depth", "/water/floor_albedo", "/water/floor_tile"))
+CREST_LIGHT = Effect("crest light", crest_light, fields=("/water/translucency",))

@@ -1,4 +1,1 @@
-"""Effects that displace or tilt the surface: parametric waves, seas, rings, ripples.
-
-Foam and light are in other packages.
-"""
+"""Effects that displace or tilt the surface: parametric waves, seas, rings, ripples."""

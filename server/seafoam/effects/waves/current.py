@@ -1,8 +1,16 @@
-"""A river's current: what floats moves with it. docs/formulae.md, section 16."""
+"""A river's current, and the standing waves behind its stones. docs/formulae.md, section 16."""
 
-from seafoam.effects.effect import Contribution, Effect, PlanError
+import math
+
+from seafoam.effects.boats.wake import WakeKind, wakes_of
+from seafoam.effects.bounds import min_surface_height
+from seafoam.effects.effect import Contribution, Effect, PlanError, Resources
+from seafoam.framegraph.rules import Constant, Rule, array, constants, number, significant, to_camera, vector
+from seafoam.ocean.constants import GRAVITY
+from seafoam.ocean.waves.wakes import stone_wakes
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
+from seafoam.scene.water import Current
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -30,4 +38,76 @@ def _refuse(scene: Scene) -> None:
             raise PlanError(pointer, f"{pointer.rsplit('/', 1)[-1]} cannot be combined with a current")
 
 
+FASTEST = 0.7
+"""Greatest Froude number of the depth: up to it the waves are within 4 % of those in deep water."""
+
+WAY = ("waves/standing.glsl@way",)
+STONES = WakeKind(
+    "stones",
+    "stones",
+    "standing waves",
+    "the water flows too slowly, or no stone makes waves",
+    WAY,
+    "waves/standing.glsl@declared_bounds",
+    "waves/standing.glsl@bounds",
+    ("waves/standing.glsl@within",),
+    "waves/standing.glsl@gentler",
+    (
+        ("BOAT_COUNT", "STONE_COUNT"),
+        ("WakeWay", "StoneWay"),
+        ("wake_way", "stone_way"),
+        ("wake_here", "stone_here"),
+        ("wake_sum", "stone_sum"),
+        ("wakes_waves", "stones_waves"),
+        ("wakes_shading", "stones_shading"),
+        ("u_boat_form", "u_stone_form"),
+        ("u_boat_course", "u_stone_course"),
+        ("u_wake", "u_stone"),
+        ("u_wake_boat", "u_stone_size"),
+        ("u_wake_map", "u_stone_map"),
+        ("u_wake_blocks", "u_stone_blocks"),
+        ("u_wake_bounds", "u_stone_bounds"),
+        ("u_wake_highest", "u_stone_highest"),
+    ),
+)
+
+
+def standing_waves(scene: Scene, quality: Quality) -> Contribution | None:
+    """Active if stones stand in a current."""
+    current = scene.current
+    if current is None or not current.stones:
+        return None
+    depth = scene.water.depth
+    if depth is not None and current.speed > FASTEST * math.sqrt(GRAVITY * depth):
+        most = FASTEST * math.sqrt(GRAVITY * depth)
+        raise PlanError("/current/speed", f"at most {most:.3g} m/s with stones in {depth:g} m of water")
+    # Somewhat lower still: maps are rounded.
+    lowest = significant(1.01 * min_surface_height(scene) - 0.01)
+    return wakes_of(STONES, stone_wakes(current), quality).joined(
+        places(current), Resources(uniforms={"u_stone_lowest": number(lowest)})
+    )
+
+
+def places(current: Current) -> Resources:
+    """Uniforms of the stones' places."""
+    stones = current.stones
+    courses: list[Rule] = []
+    for stone in stones:
+        courses += [*to_camera(*stone.place), Constant(value=(0.0, 1e9))]
+    forms = [
+        (significant(wake.boat.length), stone.radius, significant(wake.length), 0.0)
+        for stone, wake in zip(stones, stone_wakes(current), strict=True)
+    ]
+    flow = significant(math.cos(current.direction)), significant(math.sin(current.direction))
+    return Resources(
+        consts={"STONE_COUNT": len(stones)},
+        uniforms={
+            "u_stone_course": array("vec4", courses, len(stones)),
+            "u_stone_form": constants("vec4", forms),
+            "u_stone_flow": vector(flow),
+        },
+    )
+
+
 EFFECT = Effect("current", contribute, fields=("/current",))
+STANDING_WAVES = Effect("standing waves", standing_waves, fields=("/current/stones",))

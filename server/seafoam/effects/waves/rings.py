@@ -1,4 +1,4 @@
-"""Rings of stones, drops and blasts: summed at each sample, or drawn into a map first (dynamic displacement mapping).
+"""Rings of stones, drops and blasts, summed at each sample or drawn into a map first, and rings of touches.
 
 docs/formulae.md, section 2.
 """
@@ -13,10 +13,12 @@ from seafoam.effects.shader import Const, SlotFile
 from seafoam.effects.waves.measured import measured_bounds
 from seafoam.framegraph.resources import FixedSize, Target, target_inputs
 from seafoam.framegraph.rules import (
+    FAR,
     Clamp,
     Constant,
     Loop,
     Rule,
+    Term,
     Uniform,
     array,
     constants,
@@ -24,10 +26,22 @@ from seafoam.framegraph.rules import (
     significant,
     to_camera,
 )
+from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.waves.rings import FRONT, SOFT, Train, ring_curvature, ring_height, ring_slope, trains
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
-from seafoam.scene.waves import DEAD, DEAD_SHARE, Ring
+from seafoam.scene.waves import (
+    DEAD,
+    DEAD_SHARE,
+    TOUCH_CRESTS,
+    TOUCH_DECAY,
+    TOUCH_LEAST_LENGTH,
+    TOUCH_LENGTH,
+    TOUCHES_MOST,
+    Ring,
+    Touch,
+)
+from seafoam.sums import summed
 
 RING_CONSTS: dict[str, Const] = {
     "RING_DEAD": DEAD,
@@ -162,6 +176,67 @@ def _bound(scene: Scene, height: float, max_slope: float) -> Bound | None:
     return waves_bound(scene, max_slope, 2.0 * height)
 
 
+_TOUCH_LIFE = significant(math.log(1.0 / DEAD_SHARE) / TOUCH_DECAY + 1.0)
+"""Age at which every ring has ended, and a second more, s."""
+
+
+def touches(scene: Scene, quality: Quality) -> Contribution | None:
+    """Active if the scene has touches."""
+    if not scene.touches:
+        return None
+    velocity = (0.0, 0.0) if scene.current is None else scene.current.velocity
+    given: list[Touch | None] = [*scene.touches, *[None] * (TOUCHES_MOST - len(scene.touches))]
+    rules = [rule for i, touch in enumerate(given) for rule in _touch_rules(f"/touches/{i}", touch, velocity)]
+    return Contribution(
+        # The list can change within the plan, so nothing here tells how long it is.
+        why=f"up to {TOUCHES_MOST} touches of the water, summed at each sample",
+        slots=(SlotFile("detail", "waves/rings.glsl@touch", prefix="touches", needs=("waves/rings.glsl@ring",)),),
+        consts={
+            "TOUCH_COUNT": TOUCHES_MOST,
+            "TOUCH_CRESTS": TOUCH_CRESTS,
+            "TOUCH_DECAY": TOUCH_DECAY,
+            "TOUCH_GRAVITY": GRAVITY,
+            "TOUCH_LEAST_LENGTH": TOUCH_LEAST_LENGTH,
+            "TOUCH_LENGTH": TOUCH_LENGTH,
+            **RING_CONSTS,
+        },
+        uniforms={"u_touch": array("vec4", rules, TOUCHES_MOST)},
+        bound=_touch_bound(scene),
+    )
+
+
+def _touch_rules(pointer: str, touch: Touch | None, velocity: tuple[float, float]) -> list[Rule]:
+    """One touch: the vector from its ring's centre to the camera (m), the ring's age (s), and the strength (m).
+
+    The centre moves with the current from the time of the touch on: -place + velocity * time is the part of the vector
+    that does not change, and the planner adds the part that does.
+    """
+    rules: list[Rule] = []
+    for axis, along in enumerate(((1.0, 0.0), (0.0, 1.0))):
+        terms = [Term(field=f"{pointer}/place/{axis}", factor=-1.0)]
+        values = [0.0 if touch is None else touch.place[axis]]
+        if velocity[axis] != 0.0:
+            terms.append(Term(field=f"{pointer}/time", factor=velocity[axis]))
+            values.append(0.0 if touch is None else touch.time)
+        offset = summed(term.factor * value for term, value in zip(terms, values, strict=True))
+        rules.append(Clamp(offset=offset, k=along, low=-FAR, high=FAR, terms=tuple(terms)))
+    age = (Term(field=f"{pointer}/time", factor=-1.0),)
+    birth = 0.0 if touch is None else touch.time
+    rules.append(Clamp(offset=-1.0 * birth, rate=1.0, low=0.0, high=_TOUCH_LIFE, terms=age))
+    strength = 0.0 if touch is None else touch.strength
+    rules.append(Constant(value=(strength,), field=f"{pointer}/strength", absent=(0.0,)))
+    return rules
+
+
+def _touch_bound(scene: Scene) -> Bound | None:
+    """Rings of touches have slopes but no height, so only shading shows them."""
+    if scene.light is None:
+        return Bound(0.0, "the scene has no light, and touches show by the water's shading alone")
+    if all(touch.strength <= DEAD for touch in scene.touches):
+        return Bound(0.0, f"no touch is stronger than {DEAD:g} m", ("/touches",))
+    return None
+
+
 EFFECT = Effect(
     "rings",
     contribute,
@@ -171,3 +246,4 @@ EFFECT = Effect(
         QualityParameter("/rings_size", "texels of the ring map", (256, 512, 1024, 2048), "geometry"),
     ),
 )
+TOUCHES = Effect("touch", touches, fields=("/touches",), afloat=("u_touch",))

@@ -5,8 +5,7 @@ from collections.abc import Sequence
 
 from seafoam.effects.bounds import slope_sensitivity
 from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, Resources
-from seafoam.effects.noise import PERLIN_3, drifting_noise
-from seafoam.effects.shader import SlotFile, Source
+from seafoam.effects.shader import PERLIN_3, SlotFile, Source, drifting_noise
 from seafoam.framegraph.resources import FixedSize, Target, target_inputs
 from seafoam.framegraph.rules import Phase, Uniform, Wrap, array, constants, in_tile, number, rounded, significant
 from seafoam.ocean.waves.ripples import BANDS, SHIFTS, TURN, WAVES_PER_TILE, Ripple, ripple_cascades, tiles

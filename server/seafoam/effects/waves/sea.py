@@ -9,12 +9,12 @@ from typing import Literal
 
 from seafoam.effects.bounds import max_surface_height, min_surface_height, waves_bound
 from seafoam.effects.effect import HALF_FLOAT, Contribution, Effect, PassSpec, QualityParameter, Resources, TextureUse
-from seafoam.effects.foam.living import follows_orbits
 from seafoam.effects.shader import Const, Inline, Piece, SlotFile
 from seafoam.effects.waves.measured import measured_bounds
 from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, TargetInput, TextureInput, target_inputs
 from seafoam.framegraph.rules import Loop, Phase, Uniform, array, constants, in_tile, number, significant, vector
 from seafoam.ocean.waves.cascades import BAND, LEAST_JACOBIAN, LOOP, RAISED, Cascade, cascades
+from seafoam.ocean.waves.stokes import follows_orbits
 from seafoam.quality import Quality
 from seafoam.scene.foam import WhitecapSaturation
 from seafoam.scene.models import Scene

@@ -44,6 +44,12 @@ def foam_life(scene: Scene) -> FoamLife | None:
     return scene.foam.life if scene.foam is not None and scene.foam.look == "filtered" else None
 
 
+def follows_orbits(scene: Scene) -> bool:
+    """Return whether the waves' orbits move the foam."""
+    life = foam_life(scene)
+    return life is not None and life.carried
+
+
 def foam_drift(scene: Scene) -> tuple[float, float]:
     """Return the drift of foam by waves and wind, (x, z) m/s, rounded to 1 µm/s; 0 with a shore."""
     life = foam_life(scene)

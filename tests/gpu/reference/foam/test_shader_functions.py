@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from seafoam.effects.foam.height import NODES as HEIGHT_NODES
-from seafoam.effects.foam.height import visible_heights
+from seafoam.effects.foam.sources import NODES as HEIGHT_NODES
+from seafoam.effects.foam.sources import visible_heights
 from seafoam.effects.shader import Inline
 from seafoam.ocean.basics.dispersion import wavevector
 from seafoam.reference.foam import front

@@ -8,7 +8,7 @@ import pytest
 from numpy.typing import NDArray
 
 from seafoam.effects.waves import parametric, ripples
-from seafoam.effects.waves.groups import wave_files
+from seafoam.effects.waves.parametric import wave_files
 from seafoam.reference.waves.parametric import ripple_set, wave_set
 from support.exact import UNFILTERED
 from support.probe import Probe

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from seafoam.effects.waves.touch import EFFECT
+from seafoam.effects.waves.rings import TOUCHES
 from seafoam.framegraph.rules import afloat
 from seafoam.reference import render as reference
 from seafoam.reference.waves.rings import touch_set
@@ -48,7 +48,7 @@ def test_slopes_equal_float64_at_any_time_and_place(
 ) -> None:
     place = np.clip(origin, -1e7 + 20.0, 1e7 - 20.0)
     scene = Scene(current=current, touches=train(time, (float(place[0]), float(place[1]))))
-    made = EFFECT.contribute(scene, UNFILTERED)
+    made = TOUCHES.contribute(scene, UNFILTERED)
     # The planner moves what floats in a current.
     velocity = (0.0, 0.0) if current is None else current.velocity
     made = replace(made, uniforms={name: afloat(one, velocity) for name, one in made.uniforms.items()})
@@ -69,14 +69,14 @@ def test_slopes_equal_float64_at_any_time_and_place(
 
 def test_no_touch_and_a_touch_to_come_leave_the_water_level(probe: Probe) -> None:
     for touches, time in (((Touch(time=5.0),), 4.9), ((Touch(strength=0.0),), 1.0), ((Touch(),), 9.0)):
-        contribution = EFFECT.contribute(Scene(touches=touches), UNFILTERED)
+        contribution = TOUCHES.contribute(Scene(touches=touches), UNFILTERED)
         at = np.random.default_rng(5).uniform(-12.0, 12.0, (2000, 2)).astype(np.float32)
         assert (probe.contributed(contribution, FILES, FULL, at, time=time) == 0.0).all()
 
 
 def test_what_a_footprint_takes_out_is_roughness(probe: Probe) -> None:
     """Far off, the slopes are gone, and their mean square is where the glitter looks for it."""
-    contribution = EFFECT.contribute(Scene(touches=train(0.0)), UNFILTERED)
+    contribution = TOUCHES.contribute(Scene(touches=train(0.0)), UNFILTERED)
     at = np.random.default_rng(7).uniform(-6.0, 6.0, (4000, 2)).astype(np.float32) - np.array([0.0, 6.0], np.float32)
     wide = FULL.replace("vec2(0.0), vec2(0.0)", "vec2(9.0, 0.0), vec2(0.0, 9.0)")
     sharp, blurred = (probe.contributed(contribution, FILES, body, at, filtered=True) for body in (FULL, wide))

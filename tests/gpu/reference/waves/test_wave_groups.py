@@ -8,7 +8,7 @@ import pytest
 from gpu.reference.waves.test_parametric import SCENES, places
 from seafoam.effects.effect import Contribution
 from seafoam.effects.waves import parametric
-from seafoam.effects.waves.groups import group_bounds, scaled_files, wave_files
+from seafoam.effects.waves.parametric import group_bounds, scaled_files, wave_files
 from seafoam.reference import render
 from seafoam.reference.waves.groups import group_factor
 from seafoam.reference.waves.parametric import wave_set

@@ -1,11 +1,14 @@
-"""Reflection of sky and land from a cube map around the point below the camera. docs/formulae.md, section 10."""
+"""Reflections of more than the sky: from a cube map around the camera, or by a mirrored one.
+
+docs/formulae.md, section 10.
+"""
 
 import math
 
+from seafoam.effects.boats.boat import COURSE, LIGHT, TRACE
 from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter
 from seafoam.effects.light.light import ILLUMINATION, air_light, sky_irradiance, sun_irradiance
-from seafoam.effects.noise import VALUE_NOISE
-from seafoam.effects.shader import SlotFile, SlotRef
+from seafoam.effects.shader import VALUE_NOISE, Inline, Piece, SlotFile, SlotRef, constant_function
 from seafoam.effects.shore.land import LAND_LIGHT, soil_files
 from seafoam.effects.shore.maps import MAXIMA
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
@@ -42,7 +45,7 @@ def lit_land(shore: Shore) -> tuple[str, ...]:
     return (*ILLUMINATION, "lib/refraction.glsl", *look, "reflection/mirror.glsl@land")
 
 
-def contribute(scene: Scene, quality: Quality) -> Contribution | None:
+def cubemap(scene: Scene, quality: Quality) -> Contribution | None:
     """Active if the light's ``reflection`` is "cubemap"."""
     light = scene.light
     if light is None or light.reflection != "cubemap":
@@ -104,12 +107,83 @@ def _bound(scene: Scene, light: Light) -> Bound | None:
     return Bound(factor * max(land, brightest), "there is no light to reflect", ("/light/exposure",))
 
 
-EFFECT = Effect(
+MARGIN = 1.25
+"""Width of the map relative to the picture: ripples reflect objects beside it."""
+STEPS = 3
+"""Number of reads of the map's distance with which a reflected ray is traced."""
+
+LOOKS = 8
+"""Number of points along the reflected ray at which land is searched for, each twice as far as the last."""
+
+
+_NO_BOATS = Inline(
+    "float boats_met(vec3 o, vec3 d, bool far, out vec3 light) {\n    light = vec3(0.0);\n    return -1.0;\n}\n"
+)
+_NO_LAND = Inline("float land_met(vec3 o, vec3 d, out vec3 light) {\n    light = vec3(0.0);\n    return -1.0;\n}\n")
+_NO_GUESS = constant_function("float", "mirror_guess", "vec3 place, vec3 r", "-1.0")
+
+
+def planar(scene: Scene, quality: Quality) -> Contribution | None:
+    """Active if the light's ``reflection`` is "planar"."""
+    if scene.light is None or scene.light.reflection != "planar":
+        return None
+    if not scene.boats and scene.shore is None:
+        return Contribution.invisible("no boat or land is above the water")
+    boats: tuple[Piece, ...] = (*TRACE, *LIGHT, "reflection/mirror.glsl@boats_met") if scene.boats else (_NO_BOATS,)
+    met = (*boats, *_land(scene), "reflection/mirror.glsl@met")
+    if quality.reflection == "traced":
+        return Contribution(
+            why=f"reflected rays are traced to {_objects(scene)}",
+            slots=(SlotFile("reflection", "reflection/mirror.glsl@traced", needs=met),),
+        )
+    size = quality.reflection_size
+    guess: tuple[Piece, ...] = (COURSE, "reflection/mirror.glsl@guess") if scene.boats else (_NO_GUESS,)
+    return Contribution(
+        why=f"a mirrored camera draws {_objects(scene)}, {size} texels a side",
+        slots=(SlotFile("reflection", "reflection/mirror.glsl@planar", needs=guess),),
+        consts={
+            "MIRROR_SIZE": size,
+            "MIRROR_MARGIN": MARGIN,
+            "MIRROR_STEPS": STEPS,
+            "MIRROR_LOOKS": 0 if scene.shore is None else LOOKS,
+            "MIRROR_FAR": 0.0 if scene.shore is None else scene.shore.size,
+        },
+        inputs={"u_mirror": TargetInput(target="mirror")},
+        targets={"mirror": Target(size=FixedSize.square(size), format="RGBA16F")},
+        passes=(
+            PassSpec(
+                name=f"planar mirror, {size} texels",
+                program="mirror",
+                fragment=(*SURROUNDINGS, *met, "reflection/mirror.glsl@map_pass"),
+            ),
+        ),
+    )
+
+
+def _land(scene: Scene) -> tuple[Piece, ...]:
+    """Files that intersect and light land."""
+    return (_NO_LAND,) if scene.shore is None else (*SHORE, *lit_land(scene.shore), "reflection/mirror.glsl@land_met")
+
+
+def _objects(scene: Scene) -> str:
+    return " and ".join(name for name, there in (("boats", scene.boats), ("land", scene.shore)) if there)
+
+
+CUBEMAP = Effect(
     "cube map",
-    contribute,
+    cubemap,
     fields=("/light/reflection",),
     parameters=(
         QualityParameter("/cube", "reflected surroundings", ("map", "exact"), "geometry"),
         QualityParameter("/cube_size", "texels of a face of the cube map", (32, 64, 128, 256, 512), "geometry"),
+    ),
+)
+PLANAR = Effect(
+    "planar reflection",
+    planar,
+    fields=("/light/reflection",),
+    parameters=(
+        QualityParameter("/reflection", "planar mirror", ("map", "traced"), "filtering"),
+        QualityParameter("/reflection_size", "texels of the planar mirror", (128, 256, 512, 1024), "filtering"),
     ),
 )

@@ -1,0 +1,176 @@
+"""Foam saturation from height (Kryachko 2005), from slope (GPU ocean, 2007) and of the surf.
+
+docs/formulae.md, sections 4 and 8.
+"""
+
+import math
+
+import numpy as np
+
+from seafoam.effects.bounds import SATURATION_CAP, max_surface_height
+from seafoam.effects.effect import Bound, Contribution, QualityParameter, SaturationSource, foam_effect
+from seafoam.effects.shader import Const, SlotFile
+from seafoam.effects.waves.parametric import max_profile_slope
+from seafoam.framegraph.rules import Uniform, constants, number, rounded, significant, vector
+from seafoam.ocean.basics.dispersion import wavevector
+from seafoam.ocean.basics.levels import paper_level
+from seafoam.quality import Quality
+from seafoam.scene.foam import Foam, HeightSaturation, SlopeSaturation, SurfSaturation
+from seafoam.scene.models import Scene
+from seafoam.sums import summed
+
+NODES = 17
+"""Entries of the table of visible heights."""
+_LENGTHS, _PLACES = 61, 384
+"""Number of wavelengths of the highest wave over which the table is computed, and points in each."""
+
+
+def visible_heights(scene: Scene) -> tuple[float, float, list[tuple[float, float]]]:
+    """Mean height of the parametric waves over their troughs (m), their greatest slope, and the visible heights.
+
+    Entry i: mean and standard deviation (m) of the heights that are visible along rays that fall by (i / (NODES - 1))^2
+    of the greatest slope, all waves running in one direction. A point at x is visible if h + slope x is greater there
+    than at every point before it; its weight is the difference.
+    """
+    waves = [(wave, math.hypot(*wavevector(wave, scene.water.depth))) for wave in scene.waves if wave.amplitude > 0.0]
+    first = max(waves, key=lambda item: item[0].amplitude)[1]
+    x = np.arange(_LENGTHS * _PLACES) * (2.0 * math.pi / (first * _PLACES))
+    h = np.zeros_like(x)
+    for wave, k in waves:
+        h += wave.amplitude * np.power(0.5 + 0.5 * np.cos(k * x), wave.exponent)
+    steepest = summed(k * wave.amplitude * max_profile_slope(wave.exponent) for wave, k in waves)
+    seen = [(float(h.mean()), float(h.std()))] * NODES
+    for i in range(NODES - 1):
+        over = h + steepest * (i / (NODES - 1)) ** 2 * x
+        # From the highest crest on, since the line's beginning has nothing before it that could hide it.
+        share = np.maximum(np.diff(np.maximum.accumulate(over)), 0.0)
+        total = float(share.sum())
+        if total > 1e-9 * float(h.max()):
+            mean = float((share * h[1:]).sum()) / total
+            seen[i] = (mean, math.sqrt(float((share * (h[1:] - mean) ** 2).sum()) / total))
+        else:
+            seen[i] = (float(h.max()), 0.0)
+    return float(h.mean()), steepest, seen
+
+
+def draw_height(scene: Scene, foam: Foam, height: HeightSaturation, quality: Quality) -> Contribution:
+    """Foam of a saturation with source ``height``."""
+    pointer = foam.pointer(height)
+    file = "foam/saturation/height.glsl@filtered" if foam.look == "filtered" else "foam/saturation/height.glsl@plain"
+    consts: dict[str, Const] = {}
+    uniforms: dict[str, Uniform] = {}
+    needs: tuple[str, ...] = ()
+    # Shores refract waves, and an open sea resolves its heights until its largest waves are smaller than a pixel.
+    if foam.look == "filtered" and scene.sea is None and scene.shore is None:
+        raised = [wave for wave in scene.waves if wave.amplitude > 0.0]
+        if raised:
+            file, needs = "foam/saturation/height.glsl@seen", ("foam/saturation/height.glsl@level",)
+            mean, steepest, seen = visible_heights(scene)
+            kx, kz = wavevector(max(raised, key=lambda wave: wave.amplitude), scene.water.depth)
+            consts["HEIGHT_NODES"] = NODES
+            uniforms["u_height_wave"] = vector((kx, kz, significant(mean), significant(1.0 / max(steepest, 1e-30))))
+            uniforms["u_height_seen"] = constants("vec2", map(rounded, seen))
+    return Contribution(
+        why=f"height saturation between {height.base:g} and {height.full:g} m",
+        slots=(SlotFile("saturation", file, prefix="height", needs=needs),),
+        consts=consts,
+        uniforms={
+            **uniforms,
+            "u_height_level": number(significant(paper_level(scene))),
+            "u_height_base": number(height.base, f"{pointer}/base"),
+            "u_height_full": number(height.full, f"{pointer}/full"),
+        },
+        bound=Bound(0.0, "no crest reaches the height where foam starts", (f"{pointer}/base", f"{pointer}/full"))
+        if height_limit(height, scene) == 0.0
+        else None,
+    )
+
+
+def height_limit(height: HeightSaturation, scene: Scene) -> float:
+    """Return the greatest height saturation: that of the highest crest."""
+    fraction = (max_surface_height(scene) + paper_level(scene) - height.base) / (height.full - height.base)
+    return min(max(fraction, 0.0), SATURATION_CAP)
+
+
+WIDENED = 1.5
+"""Side of the box that approximates the five points of a blur, in units of the blur: the best fit on choppy lakes."""
+
+_WIDENED = "foam/saturation/slope.glsl@widened"
+
+
+def draw_slope(scene: Scene, foam: Foam, slope: SlopeSaturation, quality: Quality) -> Contribution:
+    """Foam of a saturation with source ``slope``."""
+    # Without slope filtering a wider footprint has no effect.
+    blurred = _WIDENED if quality.slope_places == 1 and quality.surface.filter else "foam/saturation/slope.glsl@blurred"
+    file = blurred if slope.blur > 0.0 else "foam/saturation/slope.glsl@plain"
+    consts: dict[str, Const] = {"SLOPE_MOST": 1.0 if foam.look == "filtered" else 4.0}
+    if file == _WIDENED:
+        consts["SLOPE_WIDENED"] = WIDENED
+    pointer = foam.pointer(slope)
+    uniforms: dict[str, Uniform] = {
+        "u_slope_gain": number(slope.gain, f"{pointer}/gain"),
+        "u_slope_base": number(slope.base, f"{pointer}/base"),
+    }
+    if slope.blur > 0.0:
+        uniforms["u_slope_blur"] = number(slope.blur)
+    return Contribution(
+        why=f"slope saturation, {slope.gain:g} times 1 - n.y of the normal",
+        slots=(SlotFile("saturation", file, prefix="slope", needs=("foam/saturation/slope.glsl@lack",)),),
+        consts=consts,
+        uniforms=uniforms,
+        bound=Bound(0.0, "the surface has no waves, so no slope") if slope_limit(slope, scene) == 0.0 else None,
+    )
+
+
+def slope_limit(slope: SlopeSaturation, scene: Scene) -> float:
+    """Return the greatest slope saturation: that of a vertical surface; 0 if the surface is level."""
+    return min(slope.gain * (1.0 - slope.base), SATURATION_CAP) if max_surface_height(scene) > 0.0 else 0.0
+
+
+def draw_surf(scene: Scene, foam: Foam, surf: SurfSaturation, quality: Quality) -> Contribution:
+    """Foam of a saturation with source ``surf``."""
+    pointer = foam.pointer(surf)
+    if scene.shore is None:
+        return Contribution.invisible("there is no shore to break on")
+    height = scene.shore.surf.height
+    filtered = foam.look == "filtered"
+    torn = "foam/saturation/wake.glsl@torn" if filtered else "foam/saturation/wake.glsl@torn_exact"
+    front = "foam/saturation/surf.glsl@front_filtered" if filtered else "foam/saturation/surf.glsl@front"
+    needs = (torn, "foam/saturation/surf.glsl@patches", "foam/saturation/surf.glsl@swept", front)
+    return Contribution(
+        why=f"foam of the surf, {surf.life:g} periods to 1/e",
+        slots=(
+            SlotFile("saturation", "foam/saturation/surf.glsl@surf", prefix="surf", needs=needs),
+            *((SlotFile("land foam", "shore/waves.glsl@line"),) if surf.line > 0.0 else ()),
+        ),
+        consts={
+            "SURF_CAP": 1.0 if filtered else SATURATION_CAP,
+            "SURF_FILTERED": filtered,
+            "SURF_LINED": surf.line > 0.0,
+        },
+        uniforms={
+            "u_surf_foam": number(surf.amount),
+            "u_surf_life": number(surf.life, f"{pointer}/life"),
+            "u_surf_veil": number(surf.veil),
+            "u_surf_line": number(surf.line),
+            "u_surf_scale": number(significant(1.0 / max(height, 1e-6))),
+        },
+        bound=Bound(0.0, "no wave breaks") if height == 0.0 or surf.amount + surf.veil + surf.line == 0.0 else None,
+    )
+
+
+def surf_limit(surf: SurfSaturation, scene: Scene) -> float:
+    """Return the greatest surf saturation: 2.4 times ``amount`` on thin water and twice ``veil``; 0 without surf."""
+    if scene.shore is None or scene.shore.surf.height == 0.0:
+        return 0.0
+    return min(2.4 * surf.amount + 2.0 * surf.veil, SATURATION_CAP)
+
+
+HEIGHT = foam_effect("height foam", draw_height, SaturationSource(HeightSaturation, height_limit, ("base", "full")))
+SLOPE = foam_effect(
+    "slope foam",
+    draw_slope,
+    SaturationSource(SlopeSaturation, slope_limit, ("base", "gain")),
+    parameters=(QualityParameter("/slope_places", "points of the blurred slope", (1, 5), "filtering"),),
+)
+SURF = foam_effect("surf foam", draw_surf, SaturationSource(SurfSaturation, surf_limit))
