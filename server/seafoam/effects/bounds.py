@@ -17,12 +17,10 @@ from seafoam.sums import summed
 
 SATURATION_CAP = 4.0
 """Upper limit of the saturation: all looks are the same above it (docs/formulae.md, section 4)."""
-
 FOAM_ASYMMETRY = 0.75
 """Asymmetry parameter g of the Henyey-Greenstein phase function of light that foam scatters once."""
 FORWARD_PEAK = (1.0 + FOAM_ASYMMETRY) / (4.0 * math.pi * (1.0 - FOAM_ASYMMETRY) ** 2)
 """Greatest value of that phase function, straight ahead, 1/sr."""
-
 FLOOR_FIELDS = ("/light/exposure", "/water/absorption_length", "/water/scattering")
 """Fields that :func:`floor_limit` depends on and that can change without a new plan."""
 

@@ -23,19 +23,14 @@ from seafoam.textures.spec import TextureSpec
 
 BENEATH = "beneath"
 """The target of surface and sky if passes of stage ``after`` follow, which can read it."""
-
 ABOVE = "above"
 """The target of passes of stage ``after``: half floats, premultiplied colour that is blended over :data:`BENEATH`."""
-
 FINISHED = "finished frame"
 """Stands for the target of the finished linear frame among the inputs of passes of stage ``finished``."""
-
 HALF_FLOAT = 2.0**-11
 """Relative rounding error of a half float."""
-
 UNBOUNDED = 1e9
 """Curvature of a surface with kinks, 1/m: so large that ray marching uses the slope bound instead."""
-
 T = TypeVar("T")
 
 

@@ -16,7 +16,6 @@ from seafoam.scene.models import Scene, SceneExtensions
 
 GROUP = "seafoam.effects"
 """Entry points that :func:`load` registers."""
-
 _outside: dict[str, Effect] = {}
 _saturations: dict[type[BaseModel], SaturationSource] = {}
 CHANGED: list[Callable[[], None]] = []

@@ -8,7 +8,6 @@ from seafoam.framegraph.rules import Phase, Uniform, array
 
 MARCH_AHEAD = "surface/march.glsl@ahead"
 """Steps of ray marching, for files in the slots of its parts."""
-
 Const = int | float | bool | tuple[int, ...]
 """A compile-time constant; a tuple is an array."""
 
@@ -82,7 +81,6 @@ VALUE_NOISE = (HASH, "lib/noise.glsl@value")
 SLOPES = (HASH, "lib/noise.glsl@slopes")
 PERLIN_2 = (HASH, "lib/noise.glsl@perlin_2")
 PERLIN_3 = (HASH, "lib/noise.glsl@perlin_3")
-
 NOISE_CELLS = 256
 """Period of the gradient noise, cells."""
 

@@ -37,7 +37,6 @@ class Quads(PlanPart):
 
 
 Mesh = Annotated[Fullscreen | Grid | Points | Quads, Field(discriminator="rule")]
-
 Blend = Literal["none", "add", "over"]
 """Blending of a pass: replaces the target's content, adds to it, or blends over it with premultiplied alpha."""
 
@@ -52,7 +51,6 @@ class BoundingSphere(PlanPart):
 View = Literal["any", "rising", "falling"] | tuple[BoundingSphere, ...]
 """Where a pass can be visible: anywhere; where a ray of the picture rises, or falls, or for both where crests can be
 above the camera; or in one of these bounding spheres."""
-
 Eye = Literal["over", "between", "under"]
 """Height of the camera: over all crests, between the highest crest and the deepest trough, under all troughs."""
 Eyes = Literal["any"] | tuple[Eye, ...]

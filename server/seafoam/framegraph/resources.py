@@ -67,12 +67,9 @@ class FixedSize(PlanPart):
 
 TargetFormat = Literal["RGBA16F", "RGBA32F", "RGBA8", "RG32UI"]
 """RG32UI: integers, which no pass clears, blends or depth-tests; sampled texel by texel."""
-
 Filter = Literal["nearest", "linear", "linear_mipmap_linear"]
-
 MIPMAPPED: Final = "linear_mipmap_linear"
 """A target with this filter has mip levels, means of 2 × 2 texels, generated after each pass into it."""
-
 WrapMode = Literal["repeat", "clamp_to_edge"]
 
 

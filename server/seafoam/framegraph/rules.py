@@ -109,9 +109,7 @@ class PassIndex(PlanPart):
 Rule = Annotated[
     Constant | Phase | Wrap | Loop | Clamp | CameraRule | Viewport | PassIndex, Field(discriminator="rule")
 ]
-
 UniformType = Literal["float", "vec2", "vec3", "vec4", "mat4"]
-
 COMPONENTS: dict[UniformType, int] = {"float": 1, "vec2": 2, "vec3": 3, "vec4": 4, "mat4": 16}
 
 

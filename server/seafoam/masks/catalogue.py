@@ -43,7 +43,6 @@ class QuantileTable(BaseModel):
     """Quantile table for magnification (:func:`prefilter.quantile_table`)."""
 
     model_config = ConfigDict(frozen=True)
-
     abscissa: str = QUANTILE_ABSCISSA
     entries: tuple[float, ...]
 
@@ -52,7 +51,6 @@ class MaskTables(BaseModel):
     """Measurements of a mask."""
 
     model_config = ConfigDict(frozen=True)
-
     sigma_l: tuple[float, ...]
     """Deviation inside boxes of 2^l texels, by level (:func:`prefilter.footprint_deviations`)."""
     quantile: QuantileTable
@@ -74,7 +72,6 @@ class MaskParameters(BaseModel):
     """Parameters that determine a mask."""
 
     model_config = ConfigDict(frozen=True)
-
     sigma: float = Field(description="Characteristic length of the family, texels")
     width: int = Field(description="Width of the tile, texels")
     height: int = Field(description="Height of the tile, texels")
@@ -88,7 +85,6 @@ class MaskInfo(BaseModel):
     """A mask's description and construction parameters."""
 
     model_config = ConfigDict(frozen=True)
-
     name: str
     title: str
     summary: str

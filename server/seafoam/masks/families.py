@@ -21,16 +21,12 @@ from typing import Literal, get_args
 
 Family = Literal["vac", "blur", "clump", "bubble", "mix", "lace"]
 Method = Literal["exact", "batched"]
-
 FAMILIES: tuple[Family, ...] = get_args(Family)
 METHODS: tuple[Method, ...] = get_args(Method)
-
 GENERATOR = "seafoam-masks/1"
 """Version of the construction algorithm; incremented whenever the same arguments would give other ranks."""
-
 LICENSE = "CC0-1.0"
 VALUE_RULE = "u = (rank + 0.5) / N; foam shows where f > u; data, linear, toroidal"
-
 SIDE_MIN, SIDE_MAX = 32, 1024
 """Range of the width and the height of a tile, texels."""
 SIZES: tuple[int, ...] = (32, 64, 128, 256, 512)
@@ -47,7 +43,6 @@ ASPECT_MAX = 6.0
 SEED_MAX = 2**32 - 1
 TEXT_FORM = "family:sigma:size:seed (lace: also :aspect:age)"
 """Name of a custom mask; size is SIDE or WIDTHxHEIGHT."""
-
 DEFAULT_SIGMA: dict[Family, float] = {"vac": 24.0, "blur": 6.0, "clump": 1.5, "bubble": 4.0, "mix": 4.0, "lace": 10.0}
 
 

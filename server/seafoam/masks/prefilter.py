@@ -14,7 +14,6 @@ from seafoam.masks.formats import quantised
 from seafoam.masks.torus import Field, Ranks
 
 Level = NDArray[np.float32]
-
 QUANTILE_ENTRIES = 65
 SUBTEXELS = 8
 """Sample positions a texel and axis at which the interpolated mask's distribution is taken."""

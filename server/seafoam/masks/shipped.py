@@ -8,9 +8,7 @@ SHIPPED_SIZE = 512
 SHIPPED_SEED = 2011
 SHIPPED_METHOD: Method = "exact"
 """How `vac` is ordered for the catalogue: a mask is baked once, so time is no object."""
-
 _READING = "The paper's arrays were never published; this is our reading of its description."
-
 FAMILY_TITLES: dict[Family, str] = {
     "vac": "Void and cluster",
     "blur": "Filtered white noise",
@@ -19,7 +17,6 @@ FAMILY_TITLES: dict[Family, str] = {
     "mix": "Clustered bubbles",
     "lace": "Lace",
 }
-
 FAMILY_SUMMARIES: dict[Family, str] = {
     "vac": f"Dots spread by void-and-cluster; a wider Gaussian lets them come closer and leave gaps. {_READING}",
     "blur": f"White noise filtered by a Gaussian: patches as wide as the filter. {_READING} Its spectra speak "

@@ -26,7 +26,6 @@ ROUNDS = 3
 next are between two of the last round."""
 PARTS = 32
 """Number of parts along each side of the picture in which samples are counted."""
-
 _KIND = "adaptive/choice.glsl@kind"
 _BITS = "adaptive/choice.glsl@bits"
 _AT_CHOSEN = (_KIND, "adaptive/choice.glsl@place")

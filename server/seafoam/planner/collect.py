@@ -13,7 +13,6 @@ from seafoam.sums import summed
 
 NEGLIGIBLE = 0.5 / 255.0
 """Half a level of exposed linear light: effects that change all pixels by less are left out."""
-
 LOWEST = -100.0
 """Lowest camera height without a floor, m: nothing more is visible below."""
 

@@ -17,25 +17,19 @@ from seafoam.quality import Quality
 
 START_SHARE = 0.25
 """Step length below which the search for a start distance ends, in heights of a tile at that distance."""
-
 ROW_SHIFT = 0.25
 """Shift of the rows of wide pixels, to the left and to the right in turn, in their width: two rows together have a
 sample for every half of it."""
-
 FOOTPRINT_X = 0.5
 """Width of the footprint of a wide pixel's sample, in that of the pixel."""
-
 ROWS_SHARE = 0.1
 """Share of the rows above and below in what is shown in the middle between two drawn pixels, at most."""
-
 START_TILE, WIDE_TILE = 4, 16
 """Sides of the tiles of pixels whose rays share a start distance, and of those from whose start distances these are
 searched where a search costs much."""
-
 OVER: Eyes = ("over", "between")
 """Camera heights over the water. Between the highest crest and the deepest trough the camera can be on either side:
 there the passes for both are drawn, and vertex shaders of the wrong side place their triangles outside the picture."""
-
 PLANE, MARCHED = "surface/march.glsl@plane", "surface/march.glsl@march"
 """Files that intersect rays with the surface: with level water, and by ray marching."""
 MARCH = SlotFile(
@@ -247,21 +241,18 @@ def _starts(sampled: ViewportSize, *, measured: bool) -> Resources:
 
     search = (*COMMON, SlotRef("waves"), SlotRef("beyond"), SlotRef("bounds"), SlotRef("start"))
     near = PassSpec(
-        name="where rays begin",
-        program="start",
-        fragment=(*search, "surface/start.glsl@start_anew", "surface/start.glsl@pass"),
+        "where rays begin",
+        "start",
+        (*search, "surface/start.glsl@start_anew", "surface/start.glsl@pass"),
         target="start",
     )
     starts = Resources(inputs=target_inputs({"u_start": "start"}), targets={"start": tiles(START_TILE)})
     if not measured:
         return replace(starts, passes=(near,))
     now = PassSpec(
-        name="bounds of the surface",
-        program="surface_now",
-        fragment=(
-            *(*COMMON, SlotRef("waves"), SlotRef("bounds"), SlotRef("short bounds")),
-            "surface/bounds.glsl@now_pass",
-        ),
+        "bounds of the surface",
+        "surface_now",
+        (*(*COMMON, SlotRef("waves"), SlotRef("bounds"), SlotRef("short bounds")), "surface/bounds.glsl@now_pass"),
         target="surface_now",
     )
     # Measured maps are steep and searched in many steps: first for wider tiles.

@@ -18,7 +18,6 @@ PROLOGUE = (
     "precision highp sampler2D;\n"
     "precision highp usampler2D;\n"
 )
-
 COMMON = ("lib/numbers.glsl", "lib/rays.glsl@camera")
 """First files of most fragment shaders."""
 PLACE = "lib/rays.glsl@place"
@@ -27,15 +26,12 @@ PLACE_SHIFTED = "lib/rays.glsl@place_shifted"
 """The same where rows of pixels are shifted against one another."""
 FULLSCREEN = ("vertex/vertex.glsl@fullscreen",)
 """The vertex shader of a triangle that covers its target."""
-
 READS = {"texel_at(": "lib/texels.glsl@texel", "sampler2DArray": "lib/texels.glsl@layer_texel"}
 """Files that are included first where a shader's source contains such a word."""
-
 PART = re.compile(r"^// @part (\w+)\n", re.MULTILINE)
 """Begins a part of a file, which goes on to the next or to the end."""
 _OF_PART = re.compile(r"(?P<file>.+\.glsl)@(?P<part>\w+)")
 _WORD = re.compile(r"\b[A-Z][A-Z0-9_]+\b")
-
 Consts = Mapping[str, Const]
 
 

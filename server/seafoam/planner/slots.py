@@ -77,7 +77,6 @@ SHORE = Slot("shore")
 """With a shore, it combines the open sea's waves with its own."""
 DETAIL = Slot("detail", joins=(Join("vec3", "detail", "vec2 p, Footprint fp", "detail"),))
 """Slopes without height: gradient, and the mean square slope removed by the footprint."""
-
 MARCHED = Slot("marched")
 """Shared functions of ray marching; filled if any pass marches to the surface."""
 NOW = Slot("now", "surface/bounds.glsl@now_declared", under="marched")
@@ -109,7 +108,6 @@ FIND = Slot("find")
 SHORT_BOUNDS = Slot("short bounds", constant_function("vec3", "short_bounds", ""))
 """Upper bounds of height over y = 0 (m), slope and second derivative (1/m) of the short waves."""
 MARCH_SLOTS = (MARCHED, NOW, GENTLER, SHORT, BEYOND, APPROACH)
-
 BOUNDS = Slot("bounds", joins=(Join("vec3", "surface_bounds", "vec3 ray, float aside, float from", "bounds"),))
 """Upper bounds of the surface's height over y = 0 (m), slope and second derivative (1/m) along a ray from ``from``
 times its vector on, and along all rays up to ``aside`` metres a unit beside it. Height and slope hold for the whole
@@ -134,7 +132,6 @@ LOOK = Slot("look", constant_function("float", "foam_amount", "float f, vec2 p, 
 OVER = Slot("over", "foam/shading.glsl@over")
 """Composition of foam and water."""
 ALBEDO = Slot("albedo", constant_function("float", "foam_albedo", ""), under="shade")
-
 LAYERED = Slot("layered")
 MOON = Slot(
     "moon",
@@ -180,7 +177,6 @@ MOON_DISC = Slot("moon disc", constant_function("vec4", "moon_disc", "vec3 d"), 
 STARS = Slot("stars", constant_function("vec3", "star_light", "vec3 d, float pixel"), under="layered")
 SKY_MAIN = Slot("sky main", "light/sky.glsl@main")
 DISC = Slot("disc", constant_function("vec3", "sun_disc", "vec3 d"))
-
 OPEN_SUN = Slot(
     "open sun", joins=(Join("float", "open_sun", "vec3 place, Footprint fp", "sunlit", "product", none="1.0"),)
 )
@@ -248,8 +244,6 @@ BELOW = Slot("below")
 """Main function for a camera under the surface."""
 GLARE = Slot("glare", Inline("vec3 with_glare(vec3 light) {\n    return light;\n}\n"))
 TONE = Slot("tone", "output/tone.glsl@clamp")
-
-
 SKY_SLOTS = (LAYERED, MOON, CIRRUS, CLOUDS, RAIN, SKY)
 """Components of ``sky_light``, in source order."""
 SKY_PASS_SLOTS = (*SKY_SLOTS, DISC, MOON_DISC, STARS, SKY_MAIN)

@@ -18,7 +18,6 @@ UNDERWATER = underwater(SURFACE)
 """The surface's program for a camera under the water."""
 BETWEEN = "surface, between"
 """The program that draws it instead of a mesh for a camera over the water but not over all crests."""
-
 _LAND_DEPTH = -0.5
 """Clip-space depth of land: before the water."""
 _HORIZON_DEPTH = 0.9999995

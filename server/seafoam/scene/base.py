@@ -14,17 +14,12 @@ from pydantic_core import CoreSchema
 from seafoam.described import Described
 
 Share = Annotated[float, Field(ge=0.0, le=1.0, allow_inf_nan=False)]
-
 Rgb = tuple[Share, Share, Share]
-
 Place = Annotated[float, Field(ge=-1e7, le=1e7)]
 """A horizontal coordinate, m."""
-
 Radians = Annotated[float, Field(json_schema_extra={"unit": "rad"})]
-
 Angle = Annotated[Radians, Field(ge=-6.2832, le=6.2832)]
 """An angle of up to a turn either way, rad."""
-
 Elevation = Annotated[Radians, Field(ge=-1.5708, le=1.5708)]
 """An angle over the horizon, rad."""
 

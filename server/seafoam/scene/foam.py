@@ -11,7 +11,6 @@ MASKS_MOST = 2
 """Maximum number of masks of older foam in a scene."""
 MASK_NAME = r"^[a-z]+(-[0-9.]+)?$|^[a-z]+:[0-9.]+:[0-9]+:[0-9]+(:[0-9.]+:[0-9.]+)?$"
 """Name in the catalogue, or the parameters of a custom mask."""
-
 _Mask = Annotated[
     str, Field(max_length=40, pattern=MASK_NAME, json_schema_extra={"choices_from": "/api/masks"}, title="Mask")
 ]
@@ -172,7 +171,6 @@ Saturation = Annotated[
     | WakeSaturation,
     Field(discriminator="source"),
 ]
-
 S = TypeVar("S", bound=FoamSource)
 
 
@@ -258,7 +256,6 @@ class Foam(Part):
 
 VORTICES_MOST = 12
 """Maximum number of vortices in a scene."""
-
 _Speed = Annotated[float, Field(ge=-20.0, le=20.0)]
 
 

@@ -9,7 +9,6 @@ from seafoam.scene.base import Angle, Downwind, Elevation, Follows, InEffect, Pa
 
 TILT = math.radians(23.44)
 """Axial tilt of the earth, rad."""
-
 Direction = tuple[float, float, float]
 
 

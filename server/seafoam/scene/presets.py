@@ -11,7 +11,6 @@ from seafoam.scene.base import Part
 from seafoam.scene.models import Scene
 
 _DIRECTORY = Path(__file__).parent / "presets"
-
 Group = Literal["Seas", "Light and objects", "Shores", "Lakes and rivers", "Figures of the paper"]
 """Headings of the menu under which presets are listed, in menu order."""
 

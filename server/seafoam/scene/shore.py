@@ -13,8 +13,6 @@ from pydantic import Field, model_validator
 from seafoam.scene.base import Angle, Part, Place, Rgb, Share
 
 Floats = NDArray[np.float64]
-
-
 STEPS = 1024
 """Heights are multiples of 1/1024 m, which hides differences in the last bits of square roots."""
 
@@ -105,7 +103,6 @@ _GROUND = (
     "seed", "image",
 )  # fmt: skip
 """Fields that determine the height field."""
-
 _APPROACH = ("height", "period", "heading", "exposure")
 """Fields of the surf that determine a swell's travel time, and how much of it arrives."""
 

@@ -8,7 +8,6 @@ from seafoam.scene.base import Downwind, Follows, InEffect, Part, Place, Share
 
 DROPS = 16384
 """Number of drops; a quality that draws fewer draws each larger."""
-
 BURSTS_MOST = 8
 """Maximum number of bursts of a scene."""
 

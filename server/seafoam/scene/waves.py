@@ -56,13 +56,10 @@ class Sea(Part):
 
 Wave = ParametricWave
 """All wave models; becomes a union discriminated by ``model`` when there is a second one."""
-
-
 DEAD = 1e-4
 DEAD_SHARE = 1.0 / 256.0
 """A ring's amplitude is reduced by 10⁻⁴ m or by this share of I0, whichever is more, so that it ends, without a jump,
 when the formula's amplitude has decayed to that."""
-
 RINGS_MOST = 100
 """Maximum number of rings in a scene."""
 

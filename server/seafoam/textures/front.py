@@ -21,7 +21,6 @@ class FrontIntegral(TextureSpec):
     """The integral of the front saturation, RGBA32F (1, 256), see :func:`front_integral`."""
 
     kind: ClassVar[str] = "front-integral"
-
     intensity: float = Field(ge=0.01, le=1e4, description="C")
     log_base: float = Field(ge=0.1, le=10.0, description="ln E")
 

@@ -25,7 +25,6 @@ class MaskTexture(TextureSpec):
     """
 
     kind: ClassVar[str] = "mask"
-
     masks: tuple[Annotated[str, Field(max_length=40, pattern=MASK_NAME)], ...] = Field(
         min_length=1, max_length=1 + MASKS_MOST
     )

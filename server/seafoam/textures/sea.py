@@ -18,7 +18,6 @@ class SeaSpectrum(TextureSpec):
     """Spectrum of an FFT sea, RG32F (4·BAND, 8·BAND): first (Re, Im) of h₀ in m, then (turns in a loop, 0)."""
 
     kind: ClassVar[str] = "sea"
-
     sea: Sea
     depth: float | None = Field(default=None, ge=0.05, le=11000.0, description="m; absent: deep water")
 

@@ -27,7 +27,6 @@ class ShoreFloor(TextureSpec):
     """A shore's height field, RG32F (texels, texels): height (m) and tint."""
 
     kind: ClassVar[str] = "shore-floor"
-
     shore: Ground
     texels: Side
 
@@ -40,7 +39,6 @@ class ShoreTravel(TextureSpec):
     """Travel time of a swell over a shore's floor, RG32F (texels, texels): periods, and the share of its height."""
 
     kind: ClassVar[str] = "shore-travel"
-
     shore: Approach
     texels: Side
 
@@ -53,7 +51,6 @@ class ShoreProfiles(TextureSpec):
     """Profiles of shore waves, RG32F (ROWS, nodes): each height beside that of the next row."""
 
     kind: ClassVar[str] = "shore-profiles"
-
     nodes: Side
     skew: float = Field(ge=0.0, le=1.0)
     sharpness: float = Field(ge=0.0, le=0.15)

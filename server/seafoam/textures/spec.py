@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict
 
 Format = Literal["R8", "R8UI", "R16UI", "RG32UI", "R16F", "R32F", "RG32F", "RGBA32F"]
-
 _PATH = str.maketrans('{}[]"/', "()!*'~")
 """JSON's punctuation, and the slash of base64, by characters that stand in a path as they are (RFC 3986)."""
 _JSON = str.maketrans("()!*'~", '{}[]"/')
@@ -37,7 +36,6 @@ class TextureSpec(BaseModel):
     """Base class of descriptions of textures. Equal ones have the same bytes, on every machine."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
-
     kind: ClassVar[str]
     """First part of the address."""
 

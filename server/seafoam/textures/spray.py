@@ -21,7 +21,6 @@ class SprayRocks(TextureSpec):
     """Places on a shore's rocks, RGBA32F (1, ROCKS), see :func:`seafoam.ocean.coast.rocks.rocks`."""
 
     kind: ClassVar[str] = "spray-rocks"
-
     shore: Ground
     steep: float = Field(ge=0.0, le=2.0)
 

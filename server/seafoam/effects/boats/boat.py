@@ -27,10 +27,8 @@ DRAUGHT = 0.08
 HULLS: dict[str, tuple[float, float, float]] = {"sail": (0.15, 4.63, 0.1), "motor": (0.17, 2.515, 0.15)}
 """Half breadth amidships, its fall with the square of the distance from the height of the greatest breadth, and that
 height, in boat lengths, as in ``boats/hull.glsl@hull``."""
-
 UNDER_SAIL = 0.25
 """Share of the sunlight that a sail transmits."""
-
 COURSE = "boats/pose.glsl@course"
 FRAME = "boats/hull.glsl@frame"
 TRACE = (COURSE, "boats/hull.glsl@hull", FRAME, "boats/hull.glsl@trace")
@@ -110,9 +108,7 @@ def _pose_pass(scene: Scene) -> PassSpec:
     """Height and slope of each boat's water line, from the drawn surface around its hull points."""
     support = "boats/pose.glsl@afloat" if scene.shore is None else "boats/pose.glsl@aground"
     return PassSpec(
-        name="how boats float",
-        program="boat_pose",
-        fragment=("lib/numbers.glsl", SlotRef("waves"), COURSE, support, "boats/pose.glsl@pass"),
+        "how boats float", "boat_pose", ("lib/numbers.glsl", SlotRef("waves"), COURSE, support, "boats/pose.glsl@pass")
     )
 
 
@@ -132,9 +128,9 @@ def _picture_pass(scene: Scene) -> PassSpec:
     under = ("light/shade.glsl@optics", SlotRef("underside"), WATER, SlotRef("reach"), "boats/drawn.glsl@under")
     swing = max_displacement(scene)
     return PassSpec(
-        name="boats",
-        program="boat",
-        fragment=(*common, "boats/drawn.glsl@over", "boats/drawn.glsl@main"),
+        "boats",
+        "boat",
+        (*common, "boats/drawn.glsl@over", "boats/drawn.glsl@main"),
         under=() if scene.light is None else (*common, *under, "boats/drawn.glsl@main"),
         vertex=(
             "lib/numbers.glsl",

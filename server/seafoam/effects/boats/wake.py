@@ -19,7 +19,6 @@ from seafoam.scene.models import Scene
 from seafoam.sums import summed
 
 T = TypeVar("T")
-
 ASIDE = 0.36
 """Width of a wake to each side over its length: slightly more than Kelvin's tan 19.47 degrees."""
 AWAY = (0, 2, 4, 8)
@@ -147,20 +146,20 @@ def _map(kind: WakeKind, count: int, size: int) -> Resources:
     }
     passes = (
         PassSpec(
-            name=f"{kind.title}, {size} texels along",
-            program=name,
-            fragment=("lib/numbers.glsl", form, _PATTERN, kind.file("boats/wake.glsl@map_pass")),
+            f"{kind.title}, {size} texels along",
+            name,
+            ("lib/numbers.glsl", form, _PATTERN, kind.file("boats/wake.glsl@map_pass")),
         ),
         PassSpec(
-            name=f"{kind.title}, greatest of blocks",
-            program=f"{name}_blocks",
-            fragment=(Inline(f"const int BOUNDS_BLOCK = {BLOCK};\n"), form, kind.file("boats/wake_bounds.glsl@blocks")),
+            f"{kind.title}, greatest of blocks",
+            f"{name}_blocks",
+            (Inline(f"const int BOUNDS_BLOCK = {BLOCK};\n"), form, kind.file("boats/wake_bounds.glsl@blocks")),
             inputs=kind.renamed(target_inputs({"u_wake_map": name})),
         ),
         PassSpec(
-            name=f"{kind.title}, greatest of all",
-            program=f"{name}_bounds",
-            fragment=(form, kind.file("boats/wake_bounds.glsl@join")),
+            f"{kind.title}, greatest of all",
+            f"{name}_bounds",
+            (form, kind.file("boats/wake_bounds.glsl@join")),
             inputs=kind.renamed(target_inputs({"u_wake_blocks": f"{name}_blocks"})),
         ),
     )

@@ -40,8 +40,6 @@ WINDROW_LENGTH = 8.0
 WINDROW_RIDGE = 7.781
 """Factor c for which max(1 - c|n|, -1) has the mean 0 over gradient noise n in the plane (2·10⁶ samples)."""
 WINDROW_SEED = 1938
-
-
 _NO_WINDROWS = constant_function("float", "windrow", "vec2 p, Footprint fp")
 _AT_REST = constant_function("vec2", "carry", "vec2 p")
 """No displacement by waves, near a coast as elsewhere."""
@@ -92,9 +90,7 @@ def living(scene: Scene, quality: Quality) -> Contribution | None:
 
 CELLS = 4096
 """Number of cells along each side of their lattice after which their rotations repeat."""
-
 _MASK_TABLES: dict[str, MaskTable] = {"u8": "ranks-8", "half": "thresholds-half", "u16": "ranks"}
-
 _MASK_TEXELS = {"u8": "foam/mask.glsl@texel_u8", "half": "foam/mask.glsl@texel_half", "u16": "foam/mask.glsl@texel_u16"}
 _LOOKS = {
     "halftone": "foam/look.glsl@halftone",
@@ -104,7 +100,6 @@ _LOOKS = {
     "listing": "foam/look.glsl@listing",
     "filtered": "foam/look.glsl@filtered",
 }
-
 _NO_TEXTURE = constant_function("float", "foam_texture", "vec2 p, Footprint fp", "1.0")
 
 

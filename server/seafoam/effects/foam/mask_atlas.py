@@ -67,9 +67,9 @@ def _all_passes(masks: Sequence[Mask]) -> tuple[PassSpec, ...]:
     return (
         *(spec for i, mask in enumerate(masks) for spec in _passes(mask, i, alone[i])),
         PassSpec(
-            name="mask: atlases of all ages",
-            program="mask_stack",
-            fragment=("foam/mask_passes.glsl@stack",),
+            "mask: atlases of all ages",
+            "mask_stack",
+            ("foam/mask_passes.glsl@stack",),
             target=ATLAS,
             inputs={f"u_mask_atlas_{i}": TargetInput(target=alone[index]) for i, index in enumerate(which)},
         ),
@@ -81,9 +81,9 @@ def _passes(mask: Mask, index: int, atlas: str) -> tuple[PassSpec, ...]:
     ranks = {"u_mask_ranks": TextureInput(texture=f"mask_ranks{_suffix(index)}")}
     specs = [
         PassSpec(
-            name="mask: moments",
-            program="mask_moments",
-            fragment=("foam/mask_passes.glsl@moments",),
+            "mask: moments",
+            "mask_moments",
+            ("foam/mask_passes.glsl@moments",),
             target=moments,
             inputs={**ranks, "u_mask_quantiles": TextureInput(texture=f"mask_quantiles{_suffix(index)}")},
         )
@@ -93,9 +93,9 @@ def _passes(mask: Mask, index: int, atlas: str) -> tuple[PassSpec, ...]:
         level += 1
         specs.append(
             PassSpec(
-                name=f"mask: moments, level {level}",
-                program="mask_halve",
-                fragment=("foam/mask_passes.glsl@halve",),
+                f"mask: moments, level {level}",
+                "mask_halve",
+                ("foam/mask_passes.glsl@halve",),
                 target=_levels(level % 2) + _suffix(index),
                 read={"u_mask_moments": source},
                 uniforms={"u_mask_side": number(float(side)), "u_mask_finer_row": number(float(row))},
@@ -104,9 +104,9 @@ def _passes(mask: Mask, index: int, atlas: str) -> tuple[PassSpec, ...]:
         source, row, side = _levels(level % 2) + _suffix(index), size - 2 * side, side // 2
     specs.append(
         PassSpec(
-            name="mask: atlas",
-            program="mask_atlas",
-            fragment=("foam/mask_passes.glsl@atlas",),
+            "mask: atlas",
+            "mask_atlas",
+            ("foam/mask_passes.glsl@atlas",),
             target=atlas,
             inputs={
                 **ranks,

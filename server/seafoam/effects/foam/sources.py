@@ -94,7 +94,6 @@ def height_limit(height: HeightSaturation, scene: Scene) -> float:
 
 WIDENED = 1.5
 """Side of the box that approximates the five points of a blur, in units of the blur: the best fit on choppy lakes."""
-
 _WIDENED = "foam/saturation/slope.glsl@widened"
 
 

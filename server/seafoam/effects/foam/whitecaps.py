@@ -115,9 +115,9 @@ def _recent(scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Qualit
         targets={"age_tiles": tile_target(quality, size).model_copy(update={"size": over})},
         passes=(
             PassSpec(
-                name="earlier folds",
-                program="age_tile",
-                fragment=(*RESAMPLED, "waves/age.glsl@tile_pass"),
+                "earlier folds",
+                "age_tile",
+                (*RESAMPLED, "waves/age.glsl@tile_pass"),
                 target="age_tiles",
                 read={"u_sea_displaced": DISPLACED, "u_age_folds": jacobians.target},
                 uniforms=raised_blocks(sea, raised, quality),
@@ -143,9 +143,9 @@ def _old(scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Quality, 
     )
     shares = rounded(model.old_shares)
     foam = PassSpec(
-        name="foam of long ago",
-        program="old_foam",
-        fragment=(*RESAMPLED, "waves/age.glsl@old_foam_pass"),
+        "foam of long ago",
+        "old_foam",
+        (*RESAMPLED, "waves/age.glsl@old_foam_pass"),
         read={"u_sea_displaced": DISPLACED, "u_old_folds": jacobians.target},
         uniforms={
             "u_sea_block": tile_block(sea, largest, 0, quality),

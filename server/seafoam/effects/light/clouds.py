@@ -25,9 +25,9 @@ _MIRRORED = Resources(
     targets={"clouds_mirrored": Target(size=FixedSize.square(MAP_SIDE), format="RGBA16F", filter=MIPMAPPED)},
     passes=(
         PassSpec(
-            name="clouds that the water mirrors",
-            program="clouds_mirrored",
-            fragment=("lib/numbers.glsl", "lib/rays.glsl@camera", SlotRef("sky"), "light/sky.glsl@mirrored_pass"),
+            "clouds that the water mirrors",
+            "clouds_mirrored",
+            ("lib/numbers.glsl", "lib/rays.glsl@camera", SlotRef("sky"), "light/sky.glsl@mirrored_pass"),
         ),
     ),
 )

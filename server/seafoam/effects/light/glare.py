@@ -15,7 +15,6 @@ from seafoam.scene.models import Scene
 
 LEVELS = 6
 """Number of levels; the first has a texel for 4 × 4 pixels, and each has half the rows of the one before."""
-
 _TAPS = "output/glare.glsl@taps"
 
 

@@ -64,8 +64,6 @@ _DISC_SOLID_ANGLE = 6.8e-5
 """Solid angle of the sun's disc, sr."""
 _MAX_DISC = 3000.0
 """Radiance at which the disc is clamped, well within the range of half floats."""
-
-
 _NODES = 96
 """Steps of the sky's integral in elevation and azimuth."""
 

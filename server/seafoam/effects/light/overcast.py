@@ -25,8 +25,6 @@ _EDGE_NODES = 1024
 """Steps of the means over the edge of clouds."""
 _NORMAL_NODES = 65536
 """Steps of the means over the normal law, from -8 to 8 standard deviations."""
-
-
 NO_NOISE = 20.0
 """Noise value that is never reached."""
 

@@ -29,8 +29,6 @@ SHORE = (
     *MAXIMA,
 )
 """Files that give the land's height and colour."""
-
-
 SURROUNDINGS: tuple[str | SlotRef, ...] = (
     "lib/numbers.glsl",
     "lib/rays.glsl@camera",
@@ -81,9 +79,9 @@ def cubemap(scene: Scene, quality: Quality) -> Contribution | None:
         },
         passes=(
             PassSpec(
-                name="cube map",
-                program="cube",
-                fragment=(
+                "cube map",
+                "cube",
+                (
                     *SURROUNDINGS,
                     *scenery,
                     "lib/texels.glsl@cube_face",
@@ -111,11 +109,8 @@ MARGIN = 1.25
 """Width of the map relative to the picture: ripples reflect objects beside it."""
 STEPS = 3
 """Number of reads of the map's distance with which a reflected ray is traced."""
-
 LOOKS = 8
 """Number of points along the reflected ray at which land is searched for, each twice as far as the last."""
-
-
 _NO_BOATS = Inline(
     "float boats_met(vec3 o, vec3 d, bool far, out vec3 light) {\n    light = vec3(0.0);\n    return -1.0;\n}\n"
 )
@@ -152,9 +147,7 @@ def planar(scene: Scene, quality: Quality) -> Contribution | None:
         targets={"mirror": Target(size=FixedSize.square(size), format="RGBA16F")},
         passes=(
             PassSpec(
-                name=f"planar mirror, {size} texels",
-                program="mirror",
-                fragment=(*SURROUNDINGS, *met, "reflection/mirror.glsl@map_pass"),
+                f"planar mirror, {size} texels", "mirror", (*SURROUNDINGS, *met, "reflection/mirror.glsl@map_pass")
             ),
         ),
     )

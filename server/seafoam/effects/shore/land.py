@@ -17,7 +17,6 @@ from seafoam.scene.shore import Shore
 
 LAND_LIGHT = {False: "shore/land.glsl@land_lit", True: "shore/land.glsl@land_film"}
 """The file that lights land, by whether it has detail."""
-
 FILM_DRIES, SAND_DRIES = 4.0, 40.0
 """Times in which the film of water on sand and the sand dry to 1/e, s."""
 
@@ -61,7 +60,6 @@ SUN_RADIUS = 0.00465
 """Angular radius of the sun and of the moon, rad."""
 LOWEST_RISE = 1e-3
 """Least slope of a sight of the sun's rim."""
-
 SUNLIT_FROM = (*GROUND, "shore/sunlit.glsl@sunlit_from")
 """Files of the heights from which the sun is seen over the land."""
 NO_SHADOWS = ("shore/sunlit.glsl@sunlit_from_none",)

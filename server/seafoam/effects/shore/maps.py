@@ -16,10 +16,8 @@ MASK_WAVES = ((83.0, 0.4, 31.0), (57.0, 2.1, 23.0), (119.0, 3.6, 43.0), (71.0, 5
 """The mask that varies the surf's height: wavelength (m), heading (rad) and period (s) of its four sines."""
 GROUND = ("shore/ground.glsl@square", "shore/ground.glsl@spline", "shore/floor.glsl@floor")
 """The height field. Its files do not declare the camera's position, so that the map's passes are drawn once."""
-
 MAXIMA = ("shore/land.glsl@land_maxima", "shore/march.glsl@maxima")
 """The tree of the land's maxima."""
-
 MARCH_GROUND: tuple[Piece, ...] = (
     "surface/march.glsl@step",
     "surface/march.glsl@begin",
@@ -68,9 +66,9 @@ def _pass(
     """A pass that reads the height field, the targets ``read``: sampler -> target, and more of the shore's textures."""
     more = {f"u_{texture}": TextureInput(texture=texture) for texture in textures}
     return PassSpec(
-        name=f"shore: {name}",
-        program=f"shore_{name.split(',')[0].replace(' ', '_')}",
-        fragment=files,
+        f"shore: {name}",
+        f"shore_{name.split(',')[0].replace(' ', '_')}",
+        files,
         target=target,
         inputs={"u_shore_floor": TextureInput(texture="shore_floor"), **more},
         read=read or {},

@@ -33,7 +33,6 @@ from seafoam.textures.shore import ROWS, ShoreFloor, ShoreProfiles, ShoreTravel
 
 PERIOD = 2.0**18
 """Side of the square in which the shore repeats, m: farther than any camera sees."""
-
 LAND_CELLS, LAND_COARSEST, LAND_ROUNDS = 128, 4, 64
 """Cells along a side of the finest (texels, if fewer) and coarsest level of the land's maxima; cells read per ray."""
 

@@ -90,23 +90,16 @@ _BIRTHS: dict[str, Input] = {"u_spray_births": TargetInput(target="spray_births"
 def _passes(scene: Scene, quality: Quality, found: Births) -> tuple[PassSpec, ...]:
     """Births, where drops are now, their optical depths, and what these hide."""
     births_pass = PassSpec(
-        name="births of drops",
-        program="spray_births",
-        fragment=(
-            *_COMMON,
-            HASH,
-            "spray/drawn.glsl@flight",
-            "spray/births.glsl@thrown",
-            *found.files,
-            "spray/births.glsl@pass",
-        ),
+        "births of drops",
+        "spray_births",
+        (*_COMMON, HASH, "spray/drawn.glsl@flight", "spray/births.glsl@thrown", *found.files, "spray/births.glsl@pass"),
         inputs=found.inputs,
         stage="after",
     )
     over = PassSpec(
-        name="spray",
-        program="spray_over",
-        fragment=(*_COMMON, "lib/rays.glsl@place", "spray/air.glsl@thick"),
+        "spray",
+        "spray_over",
+        (*_COMMON, "lib/rays.glsl@place", "spray/air.glsl@thick"),
         target=ABOVE,
         read={"u_spray_thick": "spray_thick"},
         stage="after",
@@ -125,9 +118,9 @@ def _air_pass(scene: Scene, quality: Quality) -> PassSpec:
     land: tuple[Piece | SlotRef, ...] = () if scene.shore is None else FIND_LAND
     rays = Viewport(of="picture", times=math.isqrt(quality.samples))
     return PassSpec(
-        name="drops in the air",
-        program="spray_air",
-        fragment=(
+        "drops in the air",
+        "spray_air",
+        (
             *_COMMON,
             SlotRef("waves"),
             SlotRef("find"),
@@ -151,8 +144,8 @@ def _water_pass(scene: Scene, quality: Quality) -> PassSpec:
     sun: tuple[Piece, ...] = (Inline("uniform vec3 u_sun_direction;\n"), "spray/drawn.glsl@sunward_lit")
     sunward = ("spray/drawn.glsl@sunward_none",) if scene.light is None else sun
     return PassSpec(
-        name="water in the air",
-        program="spray",
+        "water in the air",
+        "spray",
         vertex=(
             *_COMMON,
             *_TABLE,

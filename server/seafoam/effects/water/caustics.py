@@ -188,9 +188,9 @@ def _slope_map(tile: _Tile, size: int) -> Resources:
     """Slopes of the ripples where rays enter the tile, ``size`` along each side."""
     waves = [(wave.kx, wave.kz, significant(wave.slope), 0.0) for wave in tile.waves]
     slopes = PassSpec(
-        name="caustics: slopes",
-        program="caustic_slopes",
-        fragment=("lib/numbers.glsl", "water/caustics.glsl@slopes"),
+        "caustics: slopes",
+        "caustic_slopes",
+        ("lib/numbers.glsl", "water/caustics.glsl@slopes"),
         uniforms={
             "u_caustic_wave": constants("vec4", waves),
             "u_caustic_phase": ripple_phases(tile.waves),
@@ -244,9 +244,9 @@ def _grid(
             )
         )
     rows = PassSpec(
-        name="caustics: rows",
-        program="caustic_rows",
-        fragment=("water/caustics.glsl@smooth_rows",),
+        "caustics: rows",
+        "caustic_rows",
+        ("water/caustics.glsl@smooth_rows",),
         read={"u_caustic_light": "caustic_light"},
         uniforms={"u_caustic_across": smoothing.across},
     )
@@ -282,8 +282,8 @@ def _targets(lights: Iterable[str], light_size: int, texels: int) -> dict[str, T
 def _light_pass(tile: _Tile, colour: str, difference: float, vertex: str, fragment: str) -> PassSpec:
     """The pass that adds up the light of a colour. ``difference``: its entry in :data:`COLOUR_INDEX`."""
     return PassSpec(
-        name=f"caustics: {colour} light",
-        program="caustic_light",
+        f"caustics: {colour} light",
+        "caustic_light",
         vertex=("lib/refraction.glsl", "water/caustics.glsl@landing", vertex),
         fragment=(fragment,),
         read={"u_caustic_slopes": "caustic_slopes"},
@@ -299,14 +299,7 @@ def _light_pass(tile: _Tile, colour: str, difference: float, vertex: str, fragme
 
 def _map_pass(shader: str, lights: Mapping[str, str], weights: dict[str, Uniform]) -> PassSpec:
     """The pass that makes the map from the light. ``lights``: sampler -> target."""
-    return PassSpec(
-        name="caustics: map",
-        program="caustic_map",
-        fragment=(shader,),
-        target="caustics",
-        read=lights,
-        uniforms=weights,
-    )
+    return PassSpec("caustics: map", "caustic_map", (shader,), target="caustics", read=lights, uniforms=weights)
 
 
 def _bound(scene: Scene, light: Light, depth: float) -> Bound:

@@ -40,7 +40,6 @@ def _refuse(scene: Scene) -> None:
 
 FASTEST = 0.7
 """Greatest Froude number of the depth: up to it the waves are within 4 % of those in deep water."""
-
 WAY = ("waves/standing.glsl@way",)
 STONES = WakeKind(
     "stones",

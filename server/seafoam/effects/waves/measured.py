@@ -26,9 +26,9 @@ def measured_bounds(source: str, size: int, texel: float, stride: int = 1) -> Re
     }
     passes = (
         PassSpec(
-            name=f"{source}, greatest of blocks",
-            program=f"bounds_{stride}",
-            fragment=(
+            f"{source}, greatest of blocks",
+            f"bounds_{stride}",
+            (
                 Inline(f"const int BOUNDS_BLOCK = {BLOCK};\nconst int BOUNDS_STRIDE = {stride};\n"),
                 "surface/bounds.glsl@pass",
             ),
@@ -37,9 +37,9 @@ def measured_bounds(source: str, size: int, texel: float, stride: int = 1) -> Re
             uniforms={"u_bounded_texel": number(texel)},
         ),
         PassSpec(
-            name=f"{source}, greatest of all",
-            program="bounds_join",
-            fragment=("surface/bounds.glsl@join",),
+            f"{source}, greatest of all",
+            "bounds_join",
+            ("surface/bounds.glsl@join",),
             target=bounds,
             read={"u_blocks": blocks},
         ),

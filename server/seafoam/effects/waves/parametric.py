@@ -21,13 +21,10 @@ from seafoam.sums import summed
 
 PLACE = "u_wave_groups_place"
 """Uniform of the camera's place in the noise."""
-
 FACTOR = (HASH, "waves/groups.glsl@factor")
 """Files of the factor, for what evaluates waves itself."""
-
 SLOPE, CURVATURE, VARIANCE = 1.5, 6.0, 0.091973
 """Of the noise: greatest slope and second derivative along any line, in cells; variance, (1/6)(26/35)²."""
-
 _WAVES = "waves/parametric.glsl"
 _EVEN_WAVES = Source(_WAVES, (("parametric_waves", "even_waves"), ("parametric_shading", "even_shading")))
 """The waves if all have one height, under other names."""
@@ -101,11 +98,8 @@ def group_bounds(scene: Scene) -> GroupBounds:
 
 _MIN_SINE = 1e-4
 """Minimum of |sin(θ/2 + π/4)| in the derivative for K < 1/2, as in the shader."""
-
-
 _MIN_SHARED_HEIGHT = 1e-30
 """Height of the waves, m, below which fronts compute their own phases: 1/height would overflow."""
-
 _MAX_DOUBLED_EXPONENT = 33
 """Greatest 2K for which the shader computes the power as a product."""
 

@@ -163,9 +163,9 @@ def _map_pass(shown: Sequence[Train], square: _Square, target: str, shader: str,
         for train in shown
     ]
     return PassSpec(
-        name=f"{target.replace('_', ', ')}, {square.side:g} m map",
-        program=target,
-        fragment=("lib/numbers.glsl", "waves/rings.glsl@ring", "waves/rings.glsl@reaching", shader),
+        f"{target.replace('_', ', ')}, {square.side:g} m map",
+        target,
+        ("lib/numbers.glsl", "waves/rings.glsl@ring", "waves/rings.glsl@reaching", shader),
         uniforms={**_ring_uniforms(shown, corner), "u_ring_texel": number(square.side / size)},
     )
 

@@ -116,9 +116,9 @@ def _maps(cascades: tuple[tuple[Ripple, ...], ...], sides: tuple[float, ...], si
         targets={f"ripples_{i}": target for i in range(len(sides))},
         passes=tuple(
             PassSpec(
-                name=f"ripples, {side:g} m tile",
-                program="ripples",
-                fragment=("lib/numbers.glsl", "waves/ripples.glsl@tile_pass"),
+                f"ripples, {side:g} m tile",
+                "ripples",
+                ("lib/numbers.glsl", "waves/ripples.glsl@tile_pass"),
                 target=f"ripples_{i}",
                 uniforms={
                     "u_ripples_wave": constants("vec4", _wave_data(waves)),

@@ -105,9 +105,9 @@ class WaterDrawing:
         (name, program, own), (waves, last) = called, files
         sizes = Inline(f"const int BLOCK_SIZE = {self.size};\nconst int BLOCK_TIMES = {self.times};\n")
         return PassSpec(
-            name=name,
-            program=program,
-            fragment=("lib/numbers.glsl", _COMPLEX, sizes, f"{_PASSES}{waves}", *own, _FOUR, f"{_PASSES}{last}"),
+            name,
+            program,
+            ("lib/numbers.glsl", _COMPLEX, sizes, f"{_PASSES}{waves}", *own, _FOUR, f"{_PASSES}{last}"),
             target=target,
             uniforms={**uniforms, **self.uniforms},
             stage=self.stage,
@@ -124,9 +124,9 @@ class WaterDrawing:
                 radix, last = min(4, 1 << (bits - step)), "fft_last_pass" if bits - step == 1 else "fft_pass"
                 first = Inline(f"const bool FFT_SPREADS = {str(spreads).lower()};\n"), f"{_PASSES}fft_first_pass"
                 yield PassSpec(
-                    name=f"{self.transforms}: {kind}, {1 << step} to {radix << step}",
-                    program=f"fft_{radix}" if step else "fft_spread" if spreads else "fft_first",
-                    fragment=(_COMPLEX, _FOUR, f"{_PASSES}fft", *((f"{_PASSES}{last}",) if step else first)),
+                    f"{self.transforms}: {kind}, {1 << step} to {radix << step}",
+                    f"fft_{radix}" if step else "fft_spread" if spreads else "fft_first",
+                    (_COMPLEX, _FOUR, f"{_PASSES}fft", *((f"{_PASSES}{last}",) if step else first)),
                     target=target,
                     inputs={
                         "u_fft_from": TargetInput(target=source),
@@ -340,9 +340,9 @@ def _height_map(sea: Sea, index: int, tile: Cascade, quality: Quality) -> Resour
         targets={name: tile_target(quality, size)},
         passes=(
             PassSpec(
-                name=f"sea, {tile.size:g} m tile",
-                program="sea_tile",
-                fragment=(*RESAMPLED, "waves/sea_passes.glsl@tile_pass"),
+                f"sea, {tile.size:g} m tile",
+                "sea_tile",
+                (*RESAMPLED, "waves/sea_passes.glsl@tile_pass"),
                 target=name,
                 read={"u_sea_displaced": DISPLACED},
                 uniforms={
@@ -374,12 +374,9 @@ def _mip_maps(tiles: Sequence[Cascade], quality: Quality) -> Resources:
         },
         passes=tuple(
             PassSpec(
-                name=f"sea, {tile.size:g} m tile as seen",
-                program="sea_seen" if smooth[i] else "sea_seen_same",
-                fragment=(
-                    *_fetch(quality),
-                    "waves/sea.glsl@seen_pass" if smooth[i] else "waves/sea.glsl@seen_same_pass",
-                ),
+                f"sea, {tile.size:g} m tile as seen",
+                "sea_seen" if smooth[i] else "sea_seen_same",
+                (*_fetch(quality), "waves/sea.glsl@seen_pass" if smooth[i] else "waves/sea.glsl@seen_same_pass"),
                 target=f"sea_seen_{i}",
                 read={"u_sea_full": f"sea_tile_{i}"},
             )
@@ -398,9 +395,9 @@ def _orbits(sea: Sea, raised: Sequence[Cascade], quality: Quality) -> Resources:
         targets={"sea_orbits": tile_target(quality, side).model_copy(update={"size": size})},
         passes=(
             PassSpec(
-                name="orbits of the sea",
-                program="sea_orbit",
-                fragment=(*RESAMPLED, "foam/carry.glsl@sea_orbit"),
+                "orbits of the sea",
+                "sea_orbit",
+                (*RESAMPLED, "foam/carry.glsl@sea_orbit"),
                 target="sea_orbits",
                 read={"u_sea_displaced": DISPLACED},
                 uniforms=raised_blocks(sea, raised, quality),

@@ -17,7 +17,6 @@ HOLE_SHARES: tuple[float, ...] = (0.1, 0.5, 0.9)
 JOIN_STEP = 0.025
 """Saturations at which :attr:`MaskMorphology.joined_from` is evaluated, 0.025 apart."""
 _DIGITS = 4
-
 Pattern = NDArray[np.bool_]
 
 
@@ -25,7 +24,6 @@ class FoamShapes(BaseModel):
     """Shapes of the foam at one saturation; lengths in texels."""
 
     model_config = ConfigDict(frozen=True)
-
     saturation: float
     largest_piece: float
     """Fraction of the foam in its largest connected component, 0..1."""
@@ -42,7 +40,6 @@ class MaskMorphology(BaseModel):
     """Shapes of a mask's foam at :data:`SATURATIONS`."""
 
     model_config = ConfigDict(frozen=True)
-
     unit: Literal["texels"] = "texels"
     hole_shares: tuple[float, ...] = HOLE_SHARES
     joined_from: float

@@ -11,9 +11,7 @@ from seafoam.scene.shore import Shore
 
 ROCKS = 1024
 """Number of points at which drops start."""
-
 _TEXELS = 256
-
 _SEED = 7
 
 

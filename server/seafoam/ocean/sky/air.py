@@ -33,7 +33,6 @@ SUN_RADIUS = 0.0047
 """Angular radius of the sun, rad."""
 EYE = 0.02
 """Height of the eye, km."""
-
 _HEIGHTS, _SLANTS = 40, 96
 _HORIZON_MASS = math.sqrt(0.5 * math.pi * EARTH / HAZE_HEIGHT)
 """Air mass along the horizon of a layer of the low haze's scale height."""

@@ -19,7 +19,6 @@ from seafoam.ocean.sky.air import disc_shown as shown_from
 Rgb = tuple[float, ...]
 """Red, green and blue."""
 Exponents = tuple[tuple[int, int], ...]
-
 SCALE = 0.1
 """Height of a unit direction at which x is ½."""
 
@@ -42,7 +41,6 @@ DARK: Rgb = (1e-6, 1e-6, 1e-6)
 """Least radiance of a lamp's sky, whose logarithm is fitted."""
 ADAPTATION, LOWEST = (24.0, 120.0), 0.14
 """Exponent of the eye's adaptation to dusk, a polynomial of the sine of the sun's depression, and its end."""
-
 _UPS, _TURNS = 22, 15
 
 

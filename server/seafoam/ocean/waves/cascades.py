@@ -28,37 +28,26 @@ from seafoam.sums import summed
 
 BAND = 64
 """Upper bound of a tile's wavenumbers, in waves along its side."""
-
 LOOP = 2048.0
 """Period of the sea, s: every angular frequency is an integer multiple of 2π/LOOP."""
-
 RATIOS = (1.0, 5.23, 4.87, 4.61)
 """Ratios of the sides of successive tiles; not ratios of small integers, so that their common period is long."""
-
 PEAKS = 8.0
 """Wavelengths of the spectral peak along the largest tile."""
-
 SMALLEST_TILE = 24.0
 """Minimum side of the largest tile, m."""
-
 SHORTEST = 0.1
 """Shortest wavelength, m; ripples (``Ripples``) represent shorter waves."""
-
 RAISED = 2
 """Number of tiles, from the largest, that displace the surface; smaller ones only tilt its normal."""
-
 GERSTNER_WAVES = 48
 """Number of waves of a Gerstner sea."""
-
 GERSTNER_RATIO = 1.618
 """Ratio of the sides of the two tiles of Gerstner waves."""
-
 CREST = 4.5
 """Limit of heights in standard deviations, which one point in 150 000 of a Gaussian sea exceeds."""
-
 TILT = 0.24
 """Maximum of a tile's root mean square slope times choppiness: the Jacobian is then negative at 1 point in 60 000."""
-
 LEAST_JACOBIAN = 0.3
 """Lower limit of the Jacobian in divisions: where it is negative the surface overturns, unlike a height field."""
 

@@ -13,10 +13,8 @@ from seafoam.scene.waves import ParametricWave, WaveGroups
 
 CELLS_APART = 3.2
 """Mean distance of groups, cells of the noise."""
-
 PERIOD = 64
 """Period of the noise along each axis, cells."""
-
 _KEY = 23
 """Key of the hash of corners."""
 

@@ -23,7 +23,6 @@ FRONT = 1.0
 """Width of a ring's front, and of its tail's end, in wavelengths."""
 STEEPER = math.hypot(1.0, 1.5 / (2.0 * math.pi * FRONT))
 """Upper bound of the slope of wave and front together, relative to the wave's own."""
-
 _TOLERANCE = 0.02
 """Relative gap between bound and attained value at which the search ends."""
 _MAX_SQUARES = 3000

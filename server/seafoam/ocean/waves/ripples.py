@@ -24,7 +24,6 @@ BANDS = 2
 """Number of wavenumber bands of a tile, of equal count; a band is filtered as one."""
 SURFACE_TENSION = 7.4e-5
 """Surface tension over density of water, m³/s²."""
-
 _RANGES = ((1.1, 6.5), (0.16, 1.05))
 """Shortest and longest wavelength of each tile, m."""
 

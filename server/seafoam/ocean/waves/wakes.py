@@ -14,10 +14,8 @@ from seafoam.sums import summed
 
 LEAST_SPEED = 0.5
 """Speed below which a boat leaves no wake, m/s."""
-
 NEAR = 2.0
 """Distance from a boat's centre, in its lengths, beyond which the window at its bow is negligible."""
-
 _OPENING = 2800.0
 """Second derivative of a wake's window near the bow, in units of its height over the boat's length squared."""
 
