@@ -101,6 +101,12 @@ class Resources:
         return replace(self, **changes)
 
 
+def drawn_map(spec: PassSpec, target: Target, *samplers: str) -> Resources:
+    """Return a target with the pass that draws it. ``samplers``: by which the surface's shader reads it."""
+    inputs = target_inputs(dict.fromkeys(samplers, spec.target))
+    return Resources(inputs=inputs, targets={spec.target: target}, passes=(spec,))
+
+
 @dataclass(frozen=True)
 class Bound:
     """Upper bound of an effect's change to any pixel, from any camera, at any time.

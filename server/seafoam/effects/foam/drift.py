@@ -4,17 +4,8 @@ import math
 from dataclasses import replace
 from statistics import NormalDist
 
+from seafoam.effects import effect
 from seafoam.effects.bounds import SATURATION_CAP
-from seafoam.effects.effect import (
-    Bound,
-    Contribution,
-    PassSpec,
-    PlanError,
-    QualityParameter,
-    Resources,
-    SaturationSource,
-    foam_effect,
-)
 from seafoam.effects.shader import VALUE_NOISE, Const, Piece, SlotFile, Source
 from seafoam.framegraph.passes import Points
 from seafoam.framegraph.resources import FixedSize, Target, target_inputs
@@ -53,13 +44,13 @@ _NUMBERS = ("lib/numbers.glsl", "foam/drift.glsl@square")
 _FLOW_MAP = ("lib/texels.glsl@bilinear", "foam/drift.glsl@flow_map")
 
 
-def draw(scene: Scene, foam: Foam, source: DriftSaturation, quality: Quality) -> Contribution:
+def draw(scene: Scene, foam: Foam, source: DriftSaturation, quality: Quality) -> effect.Contribution:
     """Foam of a saturation with source ``drift``."""
     if scene.drift is None:
-        return Contribution.invisible("the scene has no drift")
+        return effect.Contribution.invisible("the scene has no drift")
     amount = f"{foam.pointer(source)}/amount"
     advection = _Advection(scene, foam, scene.drift, source, quality)
-    common = Contribution(
+    common = effect.Contribution(
         why=advection.why,
         consts=advection.consts,
         uniforms={
@@ -68,12 +59,12 @@ def draw(scene: Scene, foam: Foam, source: DriftSaturation, quality: Quality) ->
             "u_drift_place": array("vec2", to_camera(*scene.drift.place), 1),
             "u_drift_foam": number(source.amount, amount),
         },
-        bound=Bound(0.0, "the foam's amount is 0", (amount,)) if source.amount == 0.0 else None,
+        bound=effect.Bound(0.0, "the foam's amount is 0", (amount,)) if source.amount == 0.0 else None,
     )
     return common.joined(_per_sample(advection) if quality.drift == "exact" else _from_map(advection))
 
 
-def _per_sample(advection: "_Advection") -> Resources:
+def _per_sample(advection: "_Advection") -> effect.Resources:
     """Patches traced back along the flow at every sample."""
     files = (
         "foam/drift.glsl@square",
@@ -85,19 +76,19 @@ def _per_sample(advection: "_Advection") -> Resources:
         "foam/drift.glsl@back",
         "foam/saturation/drift.glsl@rim",
     )
-    return Resources(
+    return effect.Resources(
         slots=(SlotFile("saturation", "foam/saturation/drift.glsl@exact", prefix="drift", needs=files),),
         uniforms={**advection.flow, **advection.patches},
     )
 
 
-def _from_map(advection: "_Advection") -> Resources:
+def _from_map(advection: "_Advection") -> effect.Resources:
     """Patches read from a map that passes draw in every frame."""
     files = ("foam/drift.glsl@square", "foam/drift.glsl@clock", "foam/saturation/drift.glsl@rim")
     maps = {"u_drift_map": "drift", "u_drift_coarse": "drift_coarse"}
     if not advection.forward:
         maps["u_drift_way"] = "drift_way"
-    return Resources(
+    return effect.Resources(
         slots=(SlotFile("saturation", "foam/saturation/drift.glsl@map", prefix="drift", needs=files),),
         inputs=target_inputs(maps),
         targets=advection.targets(),
@@ -165,16 +156,18 @@ class _Advection:
         way = Target(size=side, format="RGBA32F")
         return {**targets, "drift_way": way, "drift_still": parts, "drift_older": parts}
 
-    def passes(self) -> tuple[PassSpec, ...]:
+    def passes(self) -> tuple[effect.PassSpec, ...]:
         """The passes that draw the map, in order."""
         files = (*_NUMBERS, "foam/drift.glsl@flow", "foam/drift_passes.glsl@flow")
         return (
-            PassSpec("flow of drift", "drift_flow", files, {}, {**self.square, **self.flow, **self.texel}),
+            effect.PassSpec("flow of drift", "drift_flow", files, {}, {**self.square, **self.flow, **self.texel}),
             *(self._forward() if self.forward else self._backward()),
-            PassSpec("drift, means", "drift_coarse", ("foam/drift_passes.glsl@coarse",), {"u_drift_map": "drift"}),
+            effect.PassSpec(
+                "drift, means", "drift_coarse", ("foam/drift_passes.glsl@coarse",), {"u_drift_map": "drift"}
+            ),
         )
 
-    def _backward(self) -> tuple[PassSpec, ...]:
+    def _backward(self) -> tuple[effect.PassSpec, ...]:
         """Every texel traced back along the flow to where its water was when each generation appeared."""
         flow = {"u_drift_flow": "drift_flow"}
         way = (*_NUMBERS, "foam/drift.glsl@clock", *_FLOW_MAP, "foam/drift.glsl@ago", "foam/drift.glsl@rest")
@@ -182,14 +175,14 @@ class _Advection:
         # Without drift.glsl@clock, whose time-dependent uniform would have these passes drawn in every frame.
         still = (*_NUMBERS, *_FLOW_MAP, "foam/drift.glsl@ago")
         return (
-            PassSpec(
+            effect.PassSpec(
                 "drift, parts of a generation back",
                 "drift_still",
                 (*still, "foam/drift_passes.glsl@still"),
                 flow,
                 {**self.square, **self.texel},
             ),
-            PassSpec(
+            effect.PassSpec(
                 "drift, two generations further back",
                 "drift_still_older",
                 (*still, "foam/drift_passes.glsl@still_older"),
@@ -197,14 +190,14 @@ class _Advection:
                 self.square,
                 target="drift_older",
             ),
-            PassSpec(
+            effect.PassSpec(
                 "drift, ways of the youngest",
                 "drift_way",
                 (*way, "foam/drift_passes.glsl@way"),
                 {**flow, "u_drift_still": "drift_still"},
                 {**self.square, **self.clock, **self.texel},
             ),
-            PassSpec(
+            effect.PassSpec(
                 "drift, followed back",
                 "drift",
                 patches,
@@ -213,12 +206,12 @@ class _Advection:
             ),
         )
 
-    def _forward(self) -> tuple[PassSpec, ...]:
+    def _forward(self) -> tuple[effect.PassSpec, ...]:
         """Points moved along the flow from where the patches appeared."""
         # The last move ends in the map that the surface reads.
         order = ("drift", "drift_moved") if self.moves % 2 == 0 else ("drift_moved", "drift")
         clock = (*_NUMBERS, "foam/drift.glsl@clock")
-        start = PassSpec(
+        start = effect.PassSpec(
             "drift, where it comes up",
             "drift_start",
             (*clock, *VALUE_NOISE, "foam/drift.glsl@patches", "foam/drift_passes.glsl@start"),
@@ -228,7 +221,7 @@ class _Advection:
         )
         moves = (
             replace(
-                PassSpec(
+                effect.PassSpec(
                     f"drift, move {i + 1} of {self.moves}",
                     "drift_move",
                     ("foam/drift_passes.glsl@forward",),
@@ -274,7 +267,7 @@ def _fastest(drift: Drift, source: DriftSaturation) -> float:
     """Angular velocity of the fastest vortex, rad/s. Raises ``PlanError`` if one turns by more than MOST_TURN."""
     for i, vortex in enumerate(drift.vortices):
         if abs(turning(vortex)) * source.life > MOST_TURN:
-            raise PlanError(
+            raise effect.PlanError(
                 f"/drift/vortices/{i}/speed",
                 f"turns {abs(turning(vortex)) * source.life / (2.0 * math.pi):.3g} times in the lifetime of a patch; "
                 f"at most {MOST_TURN / (2.0 * math.pi):.3g} are allowed: reduce its speed or the lifetime, or increase "
@@ -303,15 +296,19 @@ def drift_limit(source: DriftSaturation, scene: Scene) -> float:
     return min(2.0 * source.amount, SATURATION_CAP) if scene.drift is not None else 0.0
 
 
-EFFECT = foam_effect(
+EFFECT = effect.foam_effect(
     "drifting foam",
     draw,
-    SaturationSource(DriftSaturation, drift_limit, ("amount",)),
+    effect.SaturationSource(DriftSaturation, drift_limit, ("amount",)),
     fields=("/drift", "/drift/vortices"),
     parameters=(
-        QualityParameter("/drift", "drift", ("forward", "backward", "exact"), "geometry"),
-        QualityParameter("/drift_size", "texels of the drift maps", (64, 128, 256, 512), "geometry"),
-        QualityParameter("/drift_window", "maximum age of drifting foam, s", (6.0, 12.0, 24.0, 120.0), "geometry"),
-        QualityParameter("/drift_step", "maximum time step along the flow, s", (4.0, 2.0, 1.0, 0.5, 0.25), "geometry"),
+        effect.QualityParameter("/drift", "drift", ("forward", "backward", "exact"), "geometry"),
+        effect.QualityParameter("/drift_size", "texels of the drift maps", (64, 128, 256, 512), "geometry"),
+        effect.QualityParameter(
+            "/drift_window", "maximum age of drifting foam, s", (6.0, 12.0, 24.0, 120.0), "geometry"
+        ),
+        effect.QualityParameter(
+            "/drift_step", "maximum time step along the flow, s", (4.0, 2.0, 1.0, 0.5, 0.25), "geometry"
+        ),
     ),
 )

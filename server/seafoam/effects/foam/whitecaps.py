@@ -5,17 +5,7 @@ from dataclasses import replace
 
 from seafoam.effects.effect import Contribution, PassSpec, QualityParameter, Resources, SaturationSource, foam_effect
 from seafoam.effects.shader import Const, SlotFile
-from seafoam.effects.waves.sea import (
-    DISPLACED,
-    RESAMPLED,
-    WaterDrawing,
-    drawn_tiles,
-    raised_blocks,
-    sea_quality,
-    seen_size,
-    tile_block,
-    tile_target,
-)
+from seafoam.effects.waves import sea as waves
 from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, target_inputs
 from seafoam.framegraph.rules import Uniform, constants, number, rounded, significant, vector
 from seafoam.ocean.foam.whitecaps import OLD_STEP, OLD_STEPS, OLD_TEXELS, WhitecapModel, old_times, whitecap_model
@@ -38,12 +28,12 @@ _TIMES = {
 
 def draw(scene: Scene, foam: Foam, source: WhitecapSaturation, quality: Quality) -> Contribution:
     """Foam of a saturation with source ``whitecap``."""
-    raised = drawn_tiles(scene, quality)[:RAISED]
+    raised = waves.drawn_tiles(scene, quality)[:RAISED]
     if scene.sea is None or not raised:
         return Contribution.invisible("no sea whose waves could break")
-    quality = sea_quality(scene, quality)
+    quality = waves.sea_quality(scene, quality)
     steps = quality.age_steps
-    smooth = seen_size(quality) > quality.sea_size
+    smooth = waves.seen_size(quality) > quality.sea_size
     model = whitecap_model(scene.sea, source, scene.water.depth, steps, quality.age_step, quality.sea_size, smooth)
     if model is None:
         return Contribution.invisible("a sea whose waves do not break, or a coverage of 0")
@@ -98,7 +88,7 @@ def _with_history(
 def _recent(scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Quality) -> Resources:
     """What draws the Jacobians of recent times, and carries them to where the water is now."""
     size, rows = quality.sea_size // 2, quality.age_steps // 4
-    jacobians = WaterDrawing(
+    jacobians = waves.WaterDrawing(
         "age_a",
         "age_b",
         len(raised),
@@ -112,15 +102,15 @@ def _recent(scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Qualit
     over = FixedSize(width=size, height=(size + 1) * rows * RAISED)
     carried = Resources(
         inputs=target_inputs({"u_age_tiles": "age_tiles"}),
-        targets={"age_tiles": tile_target(quality, size).model_copy(update={"size": over})},
+        targets={"age_tiles": waves.tile_target(quality, size).model_copy(update={"size": over})},
         passes=(
             PassSpec(
                 "earlier folds",
                 "age_tile",
-                (*RESAMPLED, "waves/age.glsl@tile_pass"),
+                (*waves.RESAMPLED, "waves/age.glsl@tile_pass"),
                 target="age_tiles",
-                read={"u_sea_displaced": DISPLACED, "u_age_folds": jacobians.target},
-                uniforms=raised_blocks(sea, raised, quality),
+                read={"u_sea_displaced": waves.DISPLACED, "u_age_folds": jacobians.target},
+                uniforms=waves.raised_blocks(sea, raised, quality),
             ),
         ),
     )
@@ -130,7 +120,7 @@ def _recent(scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Qualit
 def _old(scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Quality, model: WhitecapModel) -> Resources:
     """What draws the old foam that is left, from Jacobians of the largest tile."""
     rows, largest = OLD_STEPS // 4, raised[0]
-    jacobians = WaterDrawing(
+    jacobians = waves.WaterDrawing(
         "old_a",
         "old_b",
         1,
@@ -145,10 +135,10 @@ def _old(scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Quality, 
     foam = PassSpec(
         "foam of long ago",
         "old_foam",
-        (*RESAMPLED, "waves/age.glsl@old_foam_pass"),
-        read={"u_sea_displaced": DISPLACED, "u_old_folds": jacobians.target},
+        (*waves.RESAMPLED, "waves/age.glsl@old_foam_pass"),
+        read={"u_sea_displaced": waves.DISPLACED, "u_old_folds": jacobians.target},
         uniforms={
-            "u_sea_block": tile_block(sea, largest, 0, quality),
+            "u_sea_block": waves.tile_block(sea, largest, 0, quality),
             "u_old_fold": vector(rounded(model.old)),
             "u_old_share": constants("vec4", (shares[i : i + 4] for i in range(0, len(shares), 4))),
         },

@@ -5,17 +5,7 @@ import math
 from seafoam.effects.bounds import FLOOR_FIELDS, floor_limit, max_displacement
 from seafoam.effects.effect import Bound, Contribution, Effect, QualityParameter, TextureUse
 from seafoam.effects.shader import MARCH_AHEAD, VALUE_NOISE, Const, SlotFile
-from seafoam.effects.shore.land import (
-    LAND_LIGHT,
-    NO_SHADOWS,
-    SUNLIT_FROM,
-    shallow_files,
-    soil_consts,
-    soil_files,
-    soil_uniforms,
-    throws,
-    wet_files,
-)
+from seafoam.effects.shore import land
 from seafoam.effects.shore.limits import Limits, limits, rounded_up
 from seafoam.effects.shore.maps import FIND_LAND, GROUND, MARCH_GROUND, MAXIMA, blur_deviation, map_passes, map_targets
 from seafoam.effects.water.water import bed_sun
@@ -48,12 +38,12 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     return Contribution(
         why=f"{shore.kind}, {shore.size:g} m square" + (f", waves of {surf.height:g} m" if surf.height > 0.0 else ""),
         slots=_slots(shore, lit=scene.light is not None),
-        consts={**_consts(shore, quality, cells), **soil_consts(shore, quality)},
+        consts={**_consts(shore, quality, cells), **land.soil_consts(shore, quality)},
         uniforms={
             **_place(shore),
             **_bound_uniforms(bounds, steepest, curvature),
             **_look_uniforms(shore),
-            **soil_uniforms(shore),
+            **land.soil_uniforms(shore),
             "u_shore_time": array("float", [Phase(offset=0.0, rate=-2.0 * math.pi / surf.period, k=(0.0, 0.0))], 1),
             "u_shore_swash": number(significant(0.3 * surf.height)),
             **({} if scene.light is None else bed_sun(scene.light)),
@@ -71,7 +61,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             ),
         },
         targets=map_targets(quality, cells),
-        passes=map_passes(shore, quality, SUNLIT_FROM if throws(scene) else NO_SHADOWS),
+        passes=map_passes(shore, quality, land.SUNLIT_FROM if land.throws(scene) else land.NO_SHADOWS),
         min_ground=-shore.deep,
         bound=_bound(scene, shore, bounds.land_top),
         max_height=surf.height,
@@ -89,11 +79,11 @@ def _slots(shore: Shore, *, lit: bool) -> tuple[SlotFile, ...]:
     through = (
         "lib/refraction.glsl",
         "shore/ground.glsl@ground",
-        *shallow_files(shore),
+        *land.shallow_files(shore),
         *(() if lit else ("shore/floor.glsl@body",)),
     )
-    light = LAND_LIGHT[shore.detail > 0.0] if lit else "shore/land.glsl@land_flat"
-    colour = ("shore/ground.glsl@ground", *soil_files(shore), *wet_files(shore), light)
+    light = land.LAND_LIGHT[shore.detail > 0.0] if lit else "shore/land.glsl@land_flat"
+    colour = ("shore/ground.glsl@ground", *land.soil_files(shore), *land.wet_files(shore), light)
     start = ("surface/bounds.glsl@pyramid", "shore/ground.glsl@ground", *MAXIMA)
     floor = ("water/seafloor.glsl@even", "shore/ground.glsl@bed")
     underwater = (

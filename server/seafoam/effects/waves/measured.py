@@ -3,7 +3,7 @@
 docs/formulae.md, section 3.
 """
 
-from seafoam.effects.effect import PassSpec, Resources
+from seafoam.effects.effect import PassSpec, Resources, drawn_map
 from seafoam.effects.shader import Inline
 from seafoam.framegraph.resources import FixedSize, Target
 from seafoam.framegraph.rules import number
@@ -20,28 +20,18 @@ def measured_bounds(source: str, size: int, texel: float, stride: int = 1) -> Re
     be at least four times as long.
     """
     blocks, bounds = f"{source}_blocks", f"{source}_bounds"
-    targets = {
-        blocks: Target(size=FixedSize.square(-(-size // BLOCK)), format="RGBA16F"),
-        bounds: Target(size=FixedSize.square(1), format="RGBA16F"),
-    }
-    passes = (
-        PassSpec(
-            f"{source}, greatest of blocks",
-            f"bounds_{stride}",
-            (
-                Inline(f"const int BOUNDS_BLOCK = {BLOCK};\nconst int BOUNDS_STRIDE = {stride};\n"),
-                "surface/bounds.glsl@pass",
-            ),
-            target=blocks,
-            read={"u_bounded": source},
-            uniforms={"u_bounded_texel": number(texel)},
-        ),
-        PassSpec(
-            f"{source}, greatest of all",
-            "bounds_join",
-            ("surface/bounds.glsl@join",),
-            target=bounds,
-            read={"u_blocks": blocks},
-        ),
+    sizes = Inline(f"const int BOUNDS_BLOCK = {BLOCK};\nconst int BOUNDS_STRIDE = {stride};\n")
+    of_blocks = PassSpec(
+        f"{source}, greatest of blocks",
+        f"bounds_{stride}",
+        (sizes, "surface/bounds.glsl@pass"),
+        {"u_bounded": source},
+        {"u_bounded_texel": number(texel)},
+        target=blocks,
     )
-    return Resources(targets=targets, passes=passes)
+    of_all = PassSpec(
+        f"{source}, greatest of all", "bounds_join", ("surface/bounds.glsl@join",), {"u_blocks": blocks}, target=bounds
+    )
+    return drawn_map(of_blocks, Target(size=FixedSize.square(-(-size // BLOCK)), format="RGBA16F")).joined(
+        drawn_map(of_all, Target(size=FixedSize.square(1), format="RGBA16F"))
+    )

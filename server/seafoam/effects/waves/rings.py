@@ -4,11 +4,11 @@ docs/formulae.md, section 2.
 """
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+from seafoam.effects import effect
 from seafoam.effects.bounds import waves_bound
-from seafoam.effects.effect import HALF_FLOAT, Bound, Contribution, Effect, PassSpec, QualityParameter, Resources
 from seafoam.effects.shader import Const, SlotFile
 from seafoam.effects.waves.measured import measured_bounds
 from seafoam.framegraph.resources import FixedSize, Target, target_inputs
@@ -29,23 +29,13 @@ from seafoam.framegraph.rules import (
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.waves.rings import FRONT, SOFT, Train, ring_curvature, ring_height, ring_slope, trains
 from seafoam.quality import Quality
+from seafoam.scene import waves as model
 from seafoam.scene.models import Scene
-from seafoam.scene.waves import (
-    DEAD,
-    DEAD_SHARE,
-    TOUCH_CRESTS,
-    TOUCH_DECAY,
-    TOUCH_LEAST_LENGTH,
-    TOUCH_LENGTH,
-    TOUCHES_MOST,
-    Ring,
-    Touch,
-)
 from seafoam.sums import summed
 
 RING_CONSTS: dict[str, Const] = {
-    "RING_DEAD": DEAD,
-    "RING_DEAD_SHARE": DEAD_SHARE,
+    "RING_DEAD": model.DEAD,
+    "RING_DEAD_SHARE": model.DEAD_SHARE,
     "RING_SOFT": SOFT,
     "RING_FRONT": FRONT,
 }
@@ -54,17 +44,25 @@ _MIN_TEXELS = 4.0
 """Texels to the shortest wave below which a map does not resolve it, so that the rings are summed instead."""
 
 
-def _age(ring: Ring) -> Rule:
+def _age(ring: model.Ring) -> Rule:
     if ring.every is not None:
         return Loop(period=ring.every, offset=-ring.birth)
     # The amplitude is 0 from the end of the ring's life on, so the age can be clamped a second later.
     return Clamp(offset=-ring.birth, rate=1.0, low=0.0, high=significant(ring.life + 1.0))
 
 
-def _ring_uniforms(shown: Sequence[Train], origins: Iterable[tuple[Rule, Rule]]) -> dict[str, Uniform]:
-    """State and shape of each ring. ``origins``: vectors from each ring's centre to the origin of the shader's p, m."""
+def _shown(scene: Scene) -> tuple[Train, ...]:
+    every = trains(scene)
+    return tuple(train for train in every if train.ring.life > 0.0) or every
+
+
+def _ring_uniforms(
+    shown: Sequence[Train], origin_from: Callable[[float, float], tuple[Rule, Rule]] = to_camera
+) -> dict[str, Uniform]:
+    """State and shape of each ring. ``origin_from``: the vector from a centre to the origin of the shader's p, m."""
     state: list[Rule] = []
-    for train, origin in zip(shown, origins, strict=True):
+    for train in shown:
+        origin = origin_from(*train.ring.place)
         state += [*origin, _age(train.ring), Constant(value=(significant(train.tail),))]
     shapes = [
         (train.ring.amplitude, significant(train.k), significant(train.omega), train.ring.decay) for train in shown
@@ -74,10 +72,7 @@ def _ring_uniforms(shown: Sequence[Train], origins: Iterable[tuple[Rule, Rule]])
 
 def ring_uniforms(scene: Scene, name: str) -> dict[str, Uniform]:
     """State and shape of the scene's rings around the camera, as uniforms whose names begin with ``name``."""
-    every = trains(scene)
-    shown = tuple(train for train in every if train.ring.life > 0.0) or every
-    made = _ring_uniforms(shown, (to_camera(*train.ring.place) for train in shown))
-    return {key.replace("u_ring", name): uniform for key, uniform in made.items()}
+    return {key.replace("u_ring", name): uniform for key, uniform in _ring_uniforms(_shown(scene)).items()}
 
 
 @dataclass(frozen=True)
@@ -100,112 +95,102 @@ def _square_around(shown: Sequence[Train]) -> _Square:
     return _Square(math.floor(0.5 * (low[0] + high[0] - side)), math.floor(0.5 * (low[1] + high[1] - side)), side)
 
 
-def contribute(scene: Scene, quality: Quality) -> Contribution | None:
+def contribute(scene: Scene, quality: Quality) -> effect.Contribution | None:
     """Active if the scene has rings."""
     if not scene.rings:
         return None
-    every = trains(scene)
-    shown = tuple(train for train in every if train.ring.life > 0.0) or every
+    shown = _shown(scene)
     square = _square_around(shown)
     texel = square.side / quality.rings_size
     summed = quality.rings == "exact" or texel * _MIN_TEXELS > min(train.length for train in shown)
     height, max_slope = ring_height(scene), ring_slope(scene)
     how = "summed at each sample" if summed else f"drawn into a map of {square.side:g} m in each frame"
-    contribution = Contribution(
+    contribution = effect.Contribution(
         why=f"{len(shown)} ring{'s' if len(shown) > 1 else ''}, {how}",
         consts={"RING_COUNT": len(shown), "RING_BLOCK": min(len(shown), 32), **RING_CONSTS},
-        bound=_bound(scene, height, max_slope),
+        bound=effect.Bound(0.0, f"no ring is higher than {model.DEAD:g} m at any time")
+        if height == 0.0
+        else waves_bound(scene, max_slope, 2.0 * height),
         max_height=height,
         min_height=-height,
         max_slope=max_slope,
         max_curvature=ring_curvature(scene),
-        map_error=0.0 if summed else height * HALF_FLOAT,
+        map_error=0.0 if summed else height * effect.HALF_FLOAT,
         # Steps are bounded by the slopes of rings and sea together: with a sea, rays near the horizon take eight times
         # as many.
         march_factor=1 if scene.sea is None else 8,
     )
-    return contribution.joined(_sum(shown) if summed else _map(shown, square, quality.rings_size))
+    if not summed:
+        return contribution.joined(_map(shown, square, quality.rings_size))
+    slot = SlotFile("waves", "waves/rings.glsl@exact", prefix="rings", needs=("waves/rings.glsl@ring",))
+    return contribution.joined(effect.Resources(slots=(slot,), uniforms=_ring_uniforms(shown)))
 
 
-def _sum(shown: Sequence[Train]) -> Resources:
-    """Rings that are summed at each sample."""
-    return Resources(
-        slots=(SlotFile("waves", "waves/rings.glsl@exact", prefix="rings", needs=("waves/rings.glsl@ring",)),),
-        uniforms=_ring_uniforms(shown, (to_camera(*train.ring.place) for train in shown)),
-    )
-
-
-def _map(shown: Sequence[Train], square: _Square, size: int) -> Resources:
+def _map(shown: Sequence[Train], square: _Square, size: int) -> effect.Resources:
     """A map of the rings, ``size`` texels along each side of the square, and its measured bounds."""
-    # The map's error varies from wave to wave, not within one, so half the resolution is enough for it.
-    sizes = {"rings": size, "rings_grain": size // 2}
-    shaders = {"rings": "waves/rings.glsl@map_pass", "rings_grain": "waves/rings.glsl@grain_pass"}
-    part = Resources(
+    place = effect.Resources(
         slots=(
             SlotFile("waves", "waves/rings.glsl@map", prefix="rings"),
             SlotFile("bounds", "waves/rings.glsl@bounds", prefix="rings"),
         ),
         uniforms={"u_ring_corner": array("vec2", to_camera(square.x, square.z), 1), "u_ring_side": number(square.side)},
-        inputs=target_inputs({"u_ring_map": "rings", "u_ring_grain": "rings_grain", "u_ring_bounds": "rings_bounds"}),
-        targets={
-            name: Target(size=FixedSize.square(texels), format="RGBA16F", filter="linear")
-            for name, texels in sizes.items()
-        },
-        passes=tuple(_map_pass(shown, square, name, shaders[name], texels) for name, texels in sizes.items()),
-    )
-    # A stride of 2 is enough: the shortest wave is four texels long.
-    return part.joined(measured_bounds("rings", size, square.side / size, stride=2))
-
-
-def _map_pass(shown: Sequence[Train], square: _Square, target: str, shader: str, size: int) -> PassSpec:
-    corner = [
-        (Constant(value=(square.x - train.ring.place[0],)), Constant(value=(square.z - train.ring.place[1],)))
-        for train in shown
-    ]
-    return PassSpec(
-        f"{target.replace('_', ', ')}, {square.side:g} m map",
-        target,
-        ("lib/numbers.glsl", "waves/rings.glsl@ring", "waves/rings.glsl@reaching", shader),
-        uniforms={**_ring_uniforms(shown, corner), "u_ring_texel": number(square.side / size)},
+        inputs=target_inputs({"u_ring_bounds": "rings_bounds"}),
     )
 
+    def to_corner(x: float, z: float) -> tuple[Constant, Constant]:
+        return Constant(value=(square.x - x,)), Constant(value=(square.z - z,))
 
-def _bound(scene: Scene, height: float, max_slope: float) -> Bound | None:
-    if height == 0.0:
-        return Bound(0.0, f"no ring is higher than {DEAD:g} m at any time")
-    return waves_bound(scene, max_slope, 2.0 * height)
+    def drawn(target: str, file: str, texels: int, sampler: str) -> effect.Resources:
+        spec = effect.PassSpec(
+            f"{target.replace('_', ', ')}, {square.side:g} m map",
+            target,
+            ("lib/numbers.glsl", "waves/rings.glsl@ring", "waves/rings.glsl@reaching", file),
+            uniforms={**_ring_uniforms(shown, to_corner), "u_ring_texel": number(square.side / texels)},
+        )
+        return effect.drawn_map(spec, Target(size=FixedSize.square(texels), format="RGBA16F", filter="linear"), sampler)
+
+    return place.joined(
+        drawn("rings", "waves/rings.glsl@map_pass", size, "u_ring_map"),
+        # The map's error varies from wave to wave, not within one, so half the resolution is enough for it.
+        drawn("rings_grain", "waves/rings.glsl@grain_pass", size // 2, "u_ring_grain"),
+        # A stride of 2 is enough: the shortest wave is four texels long.
+        measured_bounds("rings", size, square.side / size, stride=2),
+    )
 
 
-_TOUCH_LIFE = significant(math.log(1.0 / DEAD_SHARE) / TOUCH_DECAY + 1.0)
+_TOUCH_LIFE = significant(math.log(1.0 / model.DEAD_SHARE) / model.TOUCH_DECAY + 1.0)
 """Age at which every ring has ended, and a second more, s."""
 
 
-def touches(scene: Scene, quality: Quality) -> Contribution | None:
+def touches(scene: Scene, quality: Quality) -> effect.Contribution | None:
     """Active if the scene has touches."""
     if not scene.touches:
         return None
     velocity = (0.0, 0.0) if scene.current is None else scene.current.velocity
-    given: list[Touch | None] = [*scene.touches, *[None] * (TOUCHES_MOST - len(scene.touches))]
+    given = (
+        *scene.touches,
+        *(model.TOUCHES_MOST - len(scene.touches)) * (model.Touch(place=(0.0, 0.0), strength=0.0),),
+    )
     rules = [rule for i, touch in enumerate(given) for rule in _touch_rules(f"/touches/{i}", touch, velocity)]
-    return Contribution(
+    return effect.Contribution(
         # The list can change within the plan, so nothing here tells how long it is.
-        why=f"up to {TOUCHES_MOST} touches of the water, summed at each sample",
+        why=f"up to {model.TOUCHES_MOST} touches of the water, summed at each sample",
         slots=(SlotFile("detail", "waves/rings.glsl@touch", prefix="touches", needs=("waves/rings.glsl@ring",)),),
         consts={
-            "TOUCH_COUNT": TOUCHES_MOST,
-            "TOUCH_CRESTS": TOUCH_CRESTS,
-            "TOUCH_DECAY": TOUCH_DECAY,
+            "TOUCH_COUNT": model.TOUCHES_MOST,
+            "TOUCH_CRESTS": model.TOUCH_CRESTS,
+            "TOUCH_DECAY": model.TOUCH_DECAY,
             "TOUCH_GRAVITY": GRAVITY,
-            "TOUCH_LEAST_LENGTH": TOUCH_LEAST_LENGTH,
-            "TOUCH_LENGTH": TOUCH_LENGTH,
+            "TOUCH_LEAST_LENGTH": model.TOUCH_LEAST_LENGTH,
+            "TOUCH_LENGTH": model.TOUCH_LENGTH,
             **RING_CONSTS,
         },
-        uniforms={"u_touch": array("vec4", rules, TOUCHES_MOST)},
+        uniforms={"u_touch": array("vec4", rules, model.TOUCHES_MOST)},
         bound=_touch_bound(scene),
     )
 
 
-def _touch_rules(pointer: str, touch: Touch | None, velocity: tuple[float, float]) -> list[Rule]:
+def _touch_rules(pointer: str, touch: model.Touch, velocity: tuple[float, float]) -> list[Rule]:
     """One touch: the vector from its ring's centre to the camera (m), the ring's age (s), and the strength (m).
 
     The centre moves with the current from the time of the touch on: -place + velocity * time is the part of the vector
@@ -214,36 +199,34 @@ def _touch_rules(pointer: str, touch: Touch | None, velocity: tuple[float, float
     rules: list[Rule] = []
     for axis, along in enumerate(((1.0, 0.0), (0.0, 1.0))):
         terms = [Term(field=f"{pointer}/place/{axis}", factor=-1.0)]
-        values = [0.0 if touch is None else touch.place[axis]]
+        values = [touch.place[axis]]
         if velocity[axis] != 0.0:
             terms.append(Term(field=f"{pointer}/time", factor=velocity[axis]))
-            values.append(0.0 if touch is None else touch.time)
+            values.append(touch.time)
         offset = summed(term.factor * value for term, value in zip(terms, values, strict=True))
         rules.append(Clamp(offset=offset, k=along, low=-FAR, high=FAR, terms=tuple(terms)))
     age = (Term(field=f"{pointer}/time", factor=-1.0),)
-    birth = 0.0 if touch is None else touch.time
-    rules.append(Clamp(offset=-1.0 * birth, rate=1.0, low=0.0, high=_TOUCH_LIFE, terms=age))
-    strength = 0.0 if touch is None else touch.strength
-    rules.append(Constant(value=(strength,), field=f"{pointer}/strength", absent=(0.0,)))
+    rules.append(Clamp(offset=-1.0 * touch.time, rate=1.0, low=0.0, high=_TOUCH_LIFE, terms=age))
+    rules.append(Constant(value=(touch.strength,), field=f"{pointer}/strength", absent=(0.0,)))
     return rules
 
 
-def _touch_bound(scene: Scene) -> Bound | None:
+def _touch_bound(scene: Scene) -> effect.Bound | None:
     """Rings of touches have slopes but no height, so only shading shows them."""
     if scene.light is None:
-        return Bound(0.0, "the scene has no light, and touches show by the water's shading alone")
-    if all(touch.strength <= DEAD for touch in scene.touches):
-        return Bound(0.0, f"no touch is stronger than {DEAD:g} m", ("/touches",))
+        return effect.Bound(0.0, "the scene has no light, and touches show by the water's shading alone")
+    if all(touch.strength <= model.DEAD for touch in scene.touches):
+        return effect.Bound(0.0, f"no touch is stronger than {model.DEAD:g} m", ("/touches",))
     return None
 
 
-EFFECT = Effect(
+EFFECT = effect.Effect(
     "rings",
     contribute,
     fields=("/rings",),
     parameters=(
-        QualityParameter("/rings", "rings", ("map", "exact"), "geometry"),
-        QualityParameter("/rings_size", "texels of the ring map", (256, 512, 1024, 2048), "geometry"),
+        effect.QualityParameter("/rings", "rings", ("map", "exact"), "geometry"),
+        effect.QualityParameter("/rings_size", "texels of the ring map", (256, 512, 1024, 2048), "geometry"),
     ),
 )
-TOUCHES = Effect("touch", touches, fields=("/touches",), afloat=("u_touch",))
+TOUCHES = effect.Effect("touch", touches, fields=("/touches",), afloat=("u_touch",))

@@ -12,16 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from seafoam.ocean.arrays import Floats
+from seafoam.ocean.basics import spectrum
 from seafoam.ocean.basics.dispersion import wavenumber
 from seafoam.ocean.basics.hash import chance
-from seafoam.ocean.basics.spectrum import (
-    dispersion,
-    frequency_spectrum,
-    peak_frequency,
-    shallow_water_factor,
-    spreading,
-    wave_spectrum,
-)
 from seafoam.ocean.constants import GRAVITY
 from seafoam.scene.waves import Sea
 from seafoam.sums import summed
@@ -156,7 +149,7 @@ def largest_tile(sea: Sea, depth: float | None) -> float:
     """Return the side of the largest tile, m."""
     if sea.wind_speed <= 0.0:
         return SMALLEST_TILE
-    k = wavenumber(peak_frequency(sea.wind_speed, sea.fetch) ** 2 / GRAVITY, depth)
+    k = wavenumber(spectrum.peak_frequency(sea.wind_speed, sea.fetch) ** 2 / GRAVITY, depth)
     return max(float(f"{PEAKS * 2.0 * math.pi / k:.6g}"), SMALLEST_TILE)
 
 
@@ -184,7 +177,7 @@ def _wavevectors(size: float) -> tuple[NDArray[np.int64], NDArray[np.int64], Flo
 
 
 def _turns(k: Floats, depth: float | None) -> NDArray[np.int64]:
-    omega, _, _ = dispersion(np.maximum(k, 1e-9), depth)
+    omega, _, _ = spectrum.dispersion(np.maximum(k, 1e-9), depth)
     return np.round(omega * (LOOP / (2.0 * math.pi))).astype(np.int64)
 
 
@@ -195,7 +188,7 @@ def _fft(sea: Sea, depth: float | None, number: int, size: float, low: float) ->
     step = 2.0 * math.pi / size
     if sea.wind_speed > 0.0 and covered.any():
         kx, kz = step * ix[covered].astype(np.float64), step * iz[covered].astype(np.float64)
-        energy = wave_spectrum(kx, kz, sea, depth) * step * step
+        energy = spectrum.wave_spectrum(kx, kz, sea, depth) * step * step
         phase = 2.0 * math.pi * chance(sea.seed, number, ix[covered] + BAND, iz[covered] + BAND)
         # Only phases are random: amplitudes are the spectrum's, so that the significant height is exact for every seed.
         h0[covered] = np.sqrt(0.5 * energy) * np.exp(1j * phase)
@@ -212,11 +205,11 @@ def _gerstner(sea: Sea, depth: float | None, sizes: tuple[float, float]) -> tupl
     if sea.wind_speed > 0.0:
         edges = np.geomspace(0.6 * PEAKS, 0.98 * BAND, GERSTNER_WAVES + 1) * steps[0]
         around: Floats = (np.arange(720, dtype=np.float64) + 0.5) * (2.0 * math.pi / 720) - math.pi
-        share = np.cumsum(spreading(around, sea.spread, sea.against)) * (2.0 * math.pi / 720)
+        share = np.cumsum(spectrum.spreading(around, sea.spread, sea.against)) * (2.0 * math.pi / 720)
         for wave in range(GERSTNER_WAVES):
             inner = np.linspace(edges[wave], edges[wave + 1], 33)
-            omega, group, shallow = dispersion(inner, depth)
-            density = frequency_spectrum(omega, sea.wind_speed, sea.fetch) * shallow * group
+            omega, group, shallow = spectrum.dispersion(inner, depth)
+            density = spectrum.frequency_spectrum(omega, sea.wind_speed, sea.fetch) * shallow * group
             energy = float(np.trapezoid(density, inner))
             draws = [float(chance(sea.seed, 7 + n, wave + BAND, BAND)) for n in range(3)]
             # Golden-ratio sequence of directions: evenly distributed over the spread for every seed.
@@ -229,8 +222,10 @@ def _gerstner(sea: Sea, depth: float | None, sizes: tuple[float, float]) -> tupl
             if energy > 0.0 and (ix, iz) != (0, 0):
                 h0[iz + BAND, ix + BAND] += math.sqrt(0.5 * energy) * np.exp(2j * math.pi * draws[1])
         drawn = 2.0 * summed(float((np.abs(h0) ** 2).sum()) for h0 in tiles)
-        omega = np.geomspace(0.3, 60.0, 4001) * peak_frequency(sea.wind_speed, sea.fetch)
-        density = frequency_spectrum(omega, sea.wind_speed, sea.fetch) * shallow_water_factor(omega, depth)
+        omega = np.geomspace(0.3, 60.0, 4001) * spectrum.peak_frequency(sea.wind_speed, sea.fetch)
+        density = spectrum.frequency_spectrum(omega, sea.wind_speed, sea.fetch) * spectrum.shallow_water_factor(
+            omega, depth
+        )
         total = float(np.trapezoid(density, omega))
         # The waves are scaled to the significant height of the whole spectrum.
         tiles = [h0 * (math.sqrt(total / drawn) if drawn > 0.0 else 0.0) for h0 in tiles]
