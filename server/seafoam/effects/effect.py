@@ -120,6 +120,11 @@ class Bound:
     why: str
     fields: tuple[str, ...] = ()
 
+    @classmethod
+    def zero_if(cls, hidden: bool, why: str, fields: tuple[str, ...] = ()) -> Self | None:
+        """Return the bound of an effect that changes no pixel where it is ``hidden``."""
+        return cls(0.0, why, fields) if hidden else None
+
 
 @dataclass(frozen=True, kw_only=True)
 class Contribution(Resources):

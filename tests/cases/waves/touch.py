@@ -52,7 +52,9 @@ _HARD = (
             },
             "effects/waves/rings.py": {
                 'SlotFile("detail"': 'SlotFile("waves"',
-                "bound=_touch_bound(scene),": "max_height=0.004, min_height=-0.004, max_slope=1.0,",
+                "bound=effect.Bound.zero_if(": (
+                    "max_height=0.004, min_height=-0.004, max_slope=1.0, bound=effect.Bound.zero_if("
+                ),
             },
         },
         missed_by=guards("waves", "no_ray_misses_a_ring_of_touches"),

@@ -168,7 +168,7 @@ def shadows(scene: Scene, quality: Quality) -> Contribution | None:
         why="rays to the sun from the water around boats",
         slots=(SlotFile("sunlight", "boats/drawn.glsl@shadow", needs=TRACE),),
         consts={"SUN_UNDER_SAIL": UNDER_SAIL},
-        bound=Bound(0.0, "no sunlight") if body_limit(scene) == 0.0 else None,
+        bound=Bound.zero_if(body_limit(scene) == 0.0, "no sunlight"),
     )
 
 

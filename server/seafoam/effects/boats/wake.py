@@ -86,7 +86,7 @@ def wakes_of(kind: WakeKind, patterns: Sequence[Wake], quality: Quality) -> Cont
         slots=_slots(kind, mapped=mapped),
         consts={"WAKE_SIZE": quality.wake_size, "WAKE_ASIDE": ASIDE, "WAKE_NEAR": NEAR, "WAKE_AWAY": AWAY},
         uniforms=kind.renamed(_form_uniforms(patterns)),
-        bound=Bound(0.0, kind.still) if height == 0.0 else None,
+        bound=Bound.zero_if(height == 0.0, kind.still),
         max_height=height,
         min_height=-height,
         max_slope=joint_slope(patterns),

@@ -59,13 +59,12 @@ def draw(scene: Scene, foam: Foam, source: DriftSaturation, quality: Quality) ->
             "u_drift_place": array("vec2", to_camera(*scene.drift.place), 1),
             "u_drift_foam": number(source.amount, amount),
         },
-        bound=effect.Bound(0.0, "the foam's amount is 0", (amount,)) if source.amount == 0.0 else None,
+        bound=effect.Bound.zero_if(source.amount == 0.0, "the foam's amount is 0", (amount,)),
     )
     return common.joined(_per_sample(advection) if quality.drift == "exact" else _from_map(advection))
 
 
 def _per_sample(advection: "_Advection") -> effect.Resources:
-    """Patches traced back along the flow at every sample."""
     files = (
         "foam/drift.glsl@square",
         "foam/drift.glsl@clock",
@@ -83,7 +82,6 @@ def _per_sample(advection: "_Advection") -> effect.Resources:
 
 
 def _from_map(advection: "_Advection") -> effect.Resources:
-    """Patches read from a map that passes draw in every frame."""
     files = ("foam/drift.glsl@square", "foam/drift.glsl@clock", "foam/saturation/drift.glsl@rim")
     maps = {"u_drift_map": "drift", "u_drift_coarse": "drift_coarse"}
     if not advection.forward:
@@ -278,17 +276,12 @@ def _fastest(drift: Drift, source: DriftSaturation) -> float:
 
 def _flow_uniforms(scene: Scene, drift: Drift, vortices: tuple[Vortex, ...]) -> dict[str, Uniform]:
     """Steady drift, m/s; of each vortex: place relative to the square's and radius, m, and angular velocity, rad/s."""
-    steady = steady_drift(scene)
+    x, z = drift.place
     vortex_values = [
-        (
-            significant(vortex.place[0] - drift.place[0]),
-            significant(vortex.place[1] - drift.place[1]),
-            vortex.radius,
-            significant(turning(vortex)),
-        )
-        for vortex in vortices
+        (significant(of.place[0] - x), significant(of.place[1] - z), of.radius, significant(turning(of)))
+        for of in vortices
     ]
-    return {"u_drift_steady": vector(rounded(steady)), "u_drift_vortex": constants("vec4", vortex_values)}
+    return {"u_drift_steady": vector(rounded(steady_drift(scene))), "u_drift_vortex": constants("vec4", vortex_values)}
 
 
 def drift_limit(source: DriftSaturation, scene: Scene) -> float:

@@ -44,9 +44,8 @@ def draw(scene: Scene, foam: Foam, front: FrontSaturation, quality: Quality) -> 
     """Foam of a saturation with source ``front``."""
     if not scene.waves:
         return Contribution.invisible("no wave, so no front")
-    bound = None
-    if front_limit(front, scene) == 0.0:
-        bound = Bound(0.0, "the group's threshold is above the greatest possible sum of the waves")
+    out_of_reach = "the group's threshold is above the greatest possible sum of the waves"
+    bound = Bound.zero_if(front_limit(front, scene) == 0.0, out_of_reach)
     filtered = foam.look == "filtered"
     if front.decay is not None:
         contribution = _decaying(scene, front, front.decay, filtered=filtered)
@@ -58,7 +57,6 @@ def draw(scene: Scene, foam: Foam, front: FrontSaturation, quality: Quality) -> 
 
 
 def _present(scene: Scene, front: FrontSaturation, intensity_field: str) -> Contribution:
-    """Foam of the present fronts at the samples' own places."""
     constants = _CONSTANTS[front.constants]
     own: dict[str, Const] = {} if shares_phase(scene) else {"FRONT_COUNT": len(scene.waves)}
     return Contribution(
@@ -117,7 +115,10 @@ def _decaying(scene: Scene, front: FrontSaturation, decay: float, *, filtered: b
         orbits = ("foam/saturation/front.glsl@way_shared",)
     elif follows_orbits(scene):
         orbits = scaled_files(scene, "foam/saturation/front.glsl@way_own", "waves/groups.glsl@way")
-        uniforms["u_front_orbit"] = _orbits(scene)
+        # Horizontal amplitude of each wave's orbits, as a vector along its heading, m.
+        orbit_of = [(orbit(wave, scene.water.depth), wave.direction) for wave in scene.waves]
+        ends = (rounded((r * math.cos(d), r * math.sin(d))) for r, d in orbit_of)
+        uniforms["u_front_orbit"] = constants("vec2", ends)
     life = significant(mean_rate * decay)
     born = significant(front_full(front.intensity, 1.0))
     patchy = front.variation > 0.0 and _gated(front)
@@ -130,7 +131,11 @@ def _decaying(scene: Scene, front: FrontSaturation, decay: float, *, filtered: b
     )
     patches = (*PERLIN_3, "foam/saturation/front.glsl@patches") if patchy else ("foam/saturation/front.glsl@even",)
     if patchy:
-        uniforms |= _patches(scene, front)
+        # The noise of the patches drifts as foam does.
+        drift_x, drift_z = foam_drift(scene)
+        speed, heading = math.hypot(drift_x, drift_z), math.atan2(drift_z, drift_x)
+        uniforms["u_front_patch_phase"] = drifting_noise(front.variation_size, speed, heading, PATCH_CHANGE)
+        uniforms["u_front_patch"] = vector(rounded((front.variation_size, front.variation)))
     return Contribution(
         why=f"foam of {_waves(scene)} left by the last three fronts, {decay:g} s to 1/e",
         slots=(SlotFile("saturation", "foam/saturation/front.glsl@living", prefix="front", needs=(*needs, *patches)),),
@@ -154,19 +159,8 @@ def _decaying(scene: Scene, front: FrontSaturation, decay: float, *, filtered: b
     )
 
 
-def _patches(scene: Scene, front: FrontSaturation) -> dict[str, Uniform]:
-    """The noise of the patches, which drifts as foam does, and their size (m) and strength."""
-    drift_x, drift_z = foam_drift(scene)
-    speed, heading = math.hypot(drift_x, drift_z), math.atan2(drift_z, drift_x)
-    return {
-        "u_front_patch_phase": drifting_noise(front.variation_size, speed, heading, PATCH_CHANGE),
-        "u_front_patch": vector(rounded((front.variation_size, front.variation))),
-    }
-
-
 def _waves(scene: Scene) -> str:
-    count = len(scene.waves)
-    return f"{count} wave{'s' if count > 1 else ''}"
+    return f"{len(scene.waves)} wave{'s' if len(scene.waves) > 1 else ''}"
 
 
 def _phase_files(scene: Scene) -> tuple[Piece, ...]:
@@ -225,12 +219,6 @@ def _past_waves(scene: Scene, shared: bool) -> tuple[list[tuple[float, ...]], fl
         if wave.amplitude > 0.0 or not shared
     ]
     return waves, mean
-
-
-def _orbits(scene: Scene) -> Uniform:
-    """Horizontal amplitude of each wave's orbits, as a vector along its heading, (x, z) m."""
-    orbits = [(orbit(wave, scene.water.depth), wave.direction) for wave in scene.waves]
-    return constants("vec2", (rounded((r * math.cos(d), r * math.sin(d))) for r, d in orbits))
 
 
 def _weights(scene: Scene) -> list[float]:

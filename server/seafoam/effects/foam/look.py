@@ -142,7 +142,6 @@ class _Part(Resources):
 
 
 def _mask(name: str, pointer: str) -> tuple[str, Mask]:
-    """A mask with its name."""
     try:
         return name, drawn_mask(name)
     except KeyError:
@@ -202,7 +201,6 @@ def _cell_uniforms(foam: Foam) -> dict[str, Uniform]:
 
 
 def _exact_mask(foam: Foam, quality: Quality) -> _Part:
-    """The mask's threshold at a texel."""
     return _Part(
         needs=(_MASK_TEXELS[quality.mask], "foam/mask.glsl@exact"),
         inputs={"u_mask_ranks": TextureInput(texture="mask_ranks")},

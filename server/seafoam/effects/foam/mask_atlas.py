@@ -7,7 +7,7 @@ bit-identical on all executors. Foam with a history has several masks: their atl
 from collections.abc import Sequence
 
 from seafoam.effects.effect import PassSpec, Resources, TextureUse
-from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput
+from seafoam.framegraph.resources import FixedSize, Input, Target, TargetInput, TextureInput
 from seafoam.framegraph.rules import number
 from seafoam.masks.catalogue import Mask
 from seafoam.textures.masks import MaskTable, MaskTexture
@@ -42,8 +42,6 @@ def _table(names: tuple[str, ...], kind: MaskTable) -> TextureUse:
 
 
 def _targets(masks: Sequence[Mask]) -> dict[str, Target]:
-    """The atlas and its intermediate targets."""
-
     def whole(width: int, height: int) -> Target:
         return Target(size=FixedSize(width=width, height=height), format="RG32UI")
 
@@ -78,7 +76,7 @@ def _all_passes(masks: Sequence[Mask]) -> tuple[PassSpec, ...]:
 
 def _passes(mask: Mask, index: int, atlas: str) -> tuple[PassSpec, ...]:
     size, moments = mask.ranks.shape[0], MOMENTS + _suffix(index)
-    ranks = {"u_mask_ranks": TextureInput(texture=f"mask_ranks{_suffix(index)}")}
+    ranks: dict[str, Input] = {"u_mask_ranks": TextureInput(texture=f"mask_ranks{_suffix(index)}")}
     specs = [
         PassSpec(
             "mask: moments",
@@ -91,31 +89,20 @@ def _passes(mask: Mask, index: int, atlas: str) -> tuple[PassSpec, ...]:
     source, side, row, level = moments, size // 2, 0, 0
     while side >= 1:
         level += 1
-        specs.append(
-            PassSpec(
-                f"mask: moments, level {level}",
-                "mask_halve",
-                ("foam/mask_passes.glsl@halve",),
-                target=_levels(level % 2) + _suffix(index),
-                read={"u_mask_moments": source},
-                uniforms={"u_mask_side": number(float(side)), "u_mask_finer_row": number(float(row))},
-            )
-        )
-        source, row, side = _levels(level % 2) + _suffix(index), size - 2 * side, side // 2
-    specs.append(
-        PassSpec(
-            "mask: atlas",
-            "mask_atlas",
-            ("foam/mask_passes.glsl@atlas",),
-            target=atlas,
-            inputs={
-                **ranks,
-                "u_mask_moments": TargetInput(target=moments),
-                "u_mask_levels": TargetInput(target=source),
-            },
-        )
+        target = _levels(level % 2) + _suffix(index)
+        sizes = {"u_mask_side": number(float(side)), "u_mask_finer_row": number(float(row))}
+        name, files = f"mask: moments, level {level}", ("foam/mask_passes.glsl@halve",)
+        specs.append(PassSpec(name, "mask_halve", files, {"u_mask_moments": source}, sizes, target))
+        source, row, side = target, size - 2 * side, side // 2
+    last = PassSpec(
+        "mask: atlas",
+        "mask_atlas",
+        ("foam/mask_passes.glsl@atlas",),
+        {"u_mask_moments": moments, "u_mask_levels": source},
+        target=atlas,
+        inputs=ranks,
     )
-    return tuple(specs)
+    return (*specs, last)
 
 
 def _suffix(index: int) -> str:

@@ -80,9 +80,11 @@ def draw_height(scene: Scene, foam: Foam, height: HeightSaturation, quality: Qua
             "u_height_base": number(height.base, f"{pointer}/base"),
             "u_height_full": number(height.full, f"{pointer}/full"),
         },
-        bound=Bound(0.0, "no crest reaches the height where foam starts", (f"{pointer}/base", f"{pointer}/full"))
-        if height_limit(height, scene) == 0.0
-        else None,
+        bound=Bound.zero_if(
+            height_limit(height, scene) == 0.0,
+            "no crest reaches the height where foam starts",
+            (f"{pointer}/base", f"{pointer}/full"),
+        ),
     )
 
 
@@ -117,7 +119,7 @@ def draw_slope(scene: Scene, foam: Foam, slope: SlopeSaturation, quality: Qualit
         slots=(SlotFile("saturation", file, prefix="slope", needs=("foam/saturation/slope.glsl@lack",)),),
         consts=consts,
         uniforms=uniforms,
-        bound=Bound(0.0, "the surface has no waves, so no slope") if slope_limit(slope, scene) == 0.0 else None,
+        bound=Bound.zero_if(slope_limit(slope, scene) == 0.0, "the surface has no waves, so no slope"),
     )
 
 
@@ -154,7 +156,7 @@ def draw_surf(scene: Scene, foam: Foam, surf: SurfSaturation, quality: Quality) 
             "u_surf_line": number(surf.line),
             "u_surf_scale": number(significant(1.0 / max(height, 1e-6))),
         },
-        bound=Bound(0.0, "no wave breaks") if height == 0.0 or surf.amount + surf.veil + surf.line == 0.0 else None,
+        bound=Bound.zero_if(height == 0.0 or surf.amount + surf.veil + surf.line == 0.0, "no wave breaks"),
     )
 
 

@@ -30,9 +30,8 @@ def draw(scene: Scene, foam: Foam, wake: WakeSaturation, quality: Quality) -> Co
     torn = "foam/saturation/wake.glsl@torn" if filtered else "foam/saturation/wake.glsl@torn_exact"
     consts: dict[str, Const] = {"WAKE_CAP": 1.0 if filtered else SATURATION_CAP}
     if scene.current is not None and _stones(scene):
-        slot = SlotFile(
-            "saturation", "foam/saturation/surf.glsl@stones", prefix="stones", needs=(*VALUE_NOISE, torn, *STONE_WAY)
-        )
+        files = (*VALUE_NOISE, torn, *STONE_WAY)
+        slot = SlotFile("saturation", "foam/saturation/surf.glsl@stones", prefix="stones", needs=files)
         why = f"foam behind stones, {wake.life:g} s to 1/e"
         behind = Contribution(why=why, slots=(slot,), consts=consts, uniforms=_stone_amounts(scene.current, wake))
         return behind.joined(places(scene.current))
@@ -48,25 +47,14 @@ def draw(scene: Scene, foam: Foam, wake: WakeSaturation, quality: Quality) -> Co
                 significant(wake.contact * share) if moves else 0.0,
             )
         )
+    needs = (*VALUE_NOISE, torn, *WAY, _CONTACT if wake.contact else _NO_CONTACT)
+    hulls = {"u_contact_hull": constants("vec3", (HULLS[boat.kind] for boat in scene.boats))}
     return Contribution(
         why=f"foam behind boats, {wake.life:g} s to 1/e",
-        slots=(
-            SlotFile(
-                "saturation",
-                "foam/saturation/wake.glsl@wake",
-                prefix="wake",
-                needs=(*VALUE_NOISE, torn, *WAY, _CONTACT if wake.contact else _NO_CONTACT),
-            ),
-        ),
+        slots=(SlotFile("saturation", "foam/saturation/wake.glsl@wake", prefix="wake", needs=needs),),
         consts=consts,
-        uniforms={"u_wake_foam": constants("vec4", amounts), **(_hulls(scene) if wake.contact else {})},
+        uniforms={"u_wake_foam": constants("vec4", amounts), **(hulls if wake.contact else {})},
     )
-
-
-def _hulls(scene: Scene) -> dict[str, Uniform]:
-    """Each hull's half breadth, its fall with depth, and the height of the greatest breadth, in boat lengths."""
-    forms = [HULLS[boat.kind] for boat in scene.boats]
-    return {"u_contact_hull": constants("vec3", forms)}
 
 
 def _stones(scene: Scene) -> tuple[Wake, ...]:

@@ -39,20 +39,16 @@ def draw(scene: Scene, foam: Foam, source: WhitecapSaturation, quality: Quality)
         return Contribution.invisible("a sea whose waves do not break, or a coverage of 0")
     # The Jacobian of the sample just shaded is reused, unless foam by slope evaluates the waves at other places first.
     shared = foam.source(SlopeSaturation) is None
+    needs: tuple[str, ...] = ("foam/saturation/whitecap.glsl@whitecap",)
+    if steps > 0:
+        needs += ("foam/saturation/whitecap.glsl@old" if model.old_shares else "foam/saturation/whitecap.glsl@no_old",)
     present = Contribution(
         why=f"foam where the Jacobian is below {1.0 + model.now[0]:.2f}",
-        slots=(_slot(model, steps),),
+        slots=(SlotFile("saturation", _TIMES[steps], prefix="whitecap", needs=needs),),
         consts={"FOLD_TIMES": steps + 1, "FOLD_SHARED": shared},
         uniforms=_model_uniforms(model, raised),
     )
     return present if steps == 0 else _with_history(present, scene, scene.sea, raised, quality, model)
-
-
-def _slot(model: WhitecapModel, steps: int) -> SlotFile:
-    needs: tuple[str, ...] = ("foam/saturation/whitecap.glsl@whitecap",)
-    if steps > 0:
-        needs += ("foam/saturation/whitecap.glsl@old" if model.old_shares else "foam/saturation/whitecap.glsl@no_old",)
-    return SlotFile("saturation", _TIMES[steps], prefix="whitecap", needs=needs)
 
 
 def _model_uniforms(model: WhitecapModel, raised: tuple[Cascade, ...]) -> dict[str, Uniform]:

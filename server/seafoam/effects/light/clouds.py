@@ -2,12 +2,12 @@
 
 import math
 
-from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, Resources
+from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, Resources, drawn_map
 from seafoam.effects.light import atmosphere, overcast
 from seafoam.effects.light.atmosphere import lamp
 from seafoam.effects.light.light import sun_irradiance
 from seafoam.effects.shader import NOISE_CELLS, PERLIN_2, PERLIN_3, SlotFile, SlotRef, drifting_noise
-from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, TargetInput
+from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target
 from seafoam.framegraph.rules import Phase, array, number, rounded, vector
 from seafoam.quality import Quality
 from seafoam.scene.light import Cirrus, Clouds, Light
@@ -19,17 +19,17 @@ LEAST_SLOPE = 0.05
 """Root mean square slope of ripples from which the water mirrors clouds from the map: it turns a mirrored look by twice
 as much, some two texels."""
 _MIRRORED = Resources(
-    slots=(SlotFile("mirrored", "light/sky.glsl@mirrored_map"),),
-    consts={"CLOUDS_SIDE": MAP_SIDE},
-    inputs={"u_clouds_mirrored": TargetInput(target="clouds_mirrored")},
-    targets={"clouds_mirrored": Target(size=FixedSize.square(MAP_SIDE), format="RGBA16F", filter=MIPMAPPED)},
-    passes=(
+    slots=(SlotFile("mirrored", "light/sky.glsl@mirrored_map"),), consts={"CLOUDS_SIDE": MAP_SIDE}
+).joined(
+    drawn_map(
         PassSpec(
             "clouds that the water mirrors",
             "clouds_mirrored",
             ("lib/numbers.glsl", "lib/rays.glsl@camera", SlotRef("sky"), "light/sky.glsl@mirrored_pass"),
         ),
-    ),
+        Target(size=FixedSize.square(MAP_SIDE), format="RGBA16F", filter=MIPMAPPED),
+        "u_clouds_mirrored",
+    )
 )
 
 
@@ -40,6 +40,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         return None
     clouds = light.sky.clouds
     mean, parted = overcast.cloud_means(light, clouds)
+    shape = clouds.height, clouds.size, overcast.cloud_start(clouds), clouds.thickness
     rain = (SlotFile("rain", "light/clouds.glsl@rain"),) if clouds.rain > 0.0 else ()
     contribution = Contribution(
         why=f"clouds over {100 * clouds.cover:.0f} % of the sky",
@@ -47,9 +48,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         consts={"CLOUD_OCTAVES": quality.cloud_octaves, "CLOUD_SEED": 64 * clouds.seed},
         uniforms={
             "u_cloud_phase": drifting_noise(clouds.size, clouds.wind_speed, clouds.downwind, clouds.change),
-            "u_cloud_shape": vector(
-                rounded((clouds.height, clouds.size, overcast.cloud_start(clouds), clouds.thickness))
-            ),
+            "u_cloud_shape": vector(rounded(shape)),
             "u_cloud_mean": vector(rounded(mean)),
             "u_cloud_parted": vector(rounded(parted)),
             "u_cloud_far": vector(rounded(overcast.cloud_far(light, clouds))),
@@ -61,22 +60,14 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "u_cloud_light": vector(rounded(overcast.cloud_light(light, clouds.height))),
             "u_cloud_sky": vector(rounded(overcast.cloud_sky(light))),
         },
-        bound=_bound(clouds),
+        bound=Bound.zero_if(clouds.cover == 0.0, "clouds cover no part of the sky")
+        or Bound.zero_if(clouds.thickness == 0.0, "clouds have no thickness"),
     )
-    return contribution.joined(_MIRRORED) if quality.clouds_mirrored == "map" and _blurred(scene) else contribution
-
-
-def _blurred(scene: Scene) -> bool:
-    """Whether the water mirrors the sky alone, and its slopes blur what is as small as a texel of the map."""
+    # The water mirrors the sky alone, and its slopes blur what is as small as a texel of the map.
     ripples = scene.water.ripples
-    rough = scene.sea is not None or (ripples is not None and ripples.slope >= LEAST_SLOPE)
-    return rough and scene.light is not None and scene.light.reflection == "sky"
-
-
-def _bound(clouds: Clouds) -> Bound | None:
-    if clouds.cover == 0.0:
-        return Bound(0.0, "clouds cover no part of the sky")
-    return Bound(0.0, "clouds have no thickness") if clouds.thickness == 0.0 else None
+    blurred = scene.sea is not None or (ripples is not None and ripples.slope >= LEAST_SLOPE)
+    mapped = quality.clouds_mirrored == "map" and blurred and light.reflection == "sky"
+    return contribution.joined(_MIRRORED) if mapped else contribution
 
 
 def cirrus(scene: Scene, quality: Quality) -> Contribution | None:
@@ -97,7 +88,7 @@ def cirrus(scene: Scene, quality: Quality) -> Contribution | None:
             "u_cirrus_light": vector(rounded(overcast.cloud_light(light, high.height))),
             "u_cirrus_sky": vector(rounded(overcast.cloud_sky(light))),
         },
-        bound=Bound(0.0, "high clouds cover no part of the sky") if high.cover * high.thickness == 0.0 else None,
+        bound=Bound.zero_if(high.cover * high.thickness == 0.0, "high clouds cover no part of the sky"),
     )
 
 
@@ -136,23 +127,17 @@ def shadows(scene: Scene, quality: Quality) -> Contribution | None:
     if clouds.cover * clouds.thickness == 0.0:
         return Contribution.invisible("there are no clouds")
     passed = max(1.0 - overcast.cloud_mean(clouds), overcast.LEAST_PASSED)
+    needs = (*PERLIN_3, "light/clouds.glsl@way", "light/clouds.glsl@layer")
     return Contribution(
         why=f"clouds leave {100.0 * passed:.0f} % of the sunlight in the mean",
-        slots=(
-            SlotFile(
-                "open sun",
-                "light/clouds.glsl@shadow",
-                prefix="cloud",
-                needs=(*PERLIN_3, "light/clouds.glsl@way", "light/clouds.glsl@layer"),
-            ),
-        ),
+        slots=(SlotFile("open sun", "light/clouds.glsl@shadow", prefix="cloud", needs=needs),),
         consts={"CLOUD_SHADOW_OCTAVES": quality.cloud_shadow_octaves},
         uniforms={
             "u_cloud_sunward": vector(rounded(sunward(light, clouds))),
             "u_cloud_gap": vector(rounded(overcast.cloud_gap(clouds))),
             "u_cloud_shade": vector(rounded((clouds.shadows, passed))),
         },
-        bound=Bound(0.0, "no lamp is above the horizon") if max(sun_irradiance(light)) == 0.0 else None,
+        bound=Bound.zero_if(max(sun_irradiance(light)) == 0.0, "no lamp is above the horizon"),
     )
 
 

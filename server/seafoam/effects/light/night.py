@@ -58,7 +58,7 @@ def moon(scene: Scene, quality: Quality) -> Contribution | None:
                 rounded(face * atmosphere.MOON_TINT * np.exp(-0.5 * atmosphere.path(light, toward[1])))
             ),
         },
-        bound=Bound(0.0, "the moon is below the horizon") if toward[1] < -max(0.02, 2.0 * radius) else None,
+        bound=Bound.zero_if(toward[1] < -max(0.02, 2.0 * radius), "the moon is below the horizon"),
     )
 
 
@@ -75,7 +75,7 @@ def stars(scene: Scene, quality: Quality) -> Contribution | None:
             "u_star_path": vector(rounded(atmosphere.RAYLEIGH + atmosphere.mie_depth(light))),
             "u_star_brightness": number(significant(STAR_POWER * light.sky.stars * dark)),
         },
-        bound=Bound(0.0, "the sun is above the horizon") if dark == 0.0 else None,
+        bound=Bound.zero_if(dark == 0.0, "the sun is above the horizon"),
     )
 
 

@@ -6,7 +6,7 @@ docs/formulae.md, section 10.
 import math
 
 from seafoam.effects.boats.boat import COURSE, LIGHT, TRACE
-from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter
+from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, drawn_map
 from seafoam.effects.light.light import ILLUMINATION, air_light, sky_irradiance, sun_irradiance
 from seafoam.effects.shader import VALUE_NOISE, Inline, Piece, SlotFile, SlotRef, constant_function
 from seafoam.effects.shore.land import LAND_LIGHT, soil_files
@@ -125,16 +125,20 @@ def planar(scene: Scene, quality: Quality) -> Contribution | None:
     if not scene.boats and scene.shore is None:
         return Contribution.invisible("no boat or land is above the water")
     boats: tuple[Piece, ...] = (*TRACE, *LIGHT, "reflection/mirror.glsl@boats_met") if scene.boats else (_NO_BOATS,)
-    met = (*boats, *_land(scene), "reflection/mirror.glsl@met")
+    land: tuple[Piece, ...] = (_NO_LAND,)
+    if scene.shore is not None:
+        land = (*SHORE, *lit_land(scene.shore), "reflection/mirror.glsl@land_met")
+    met = (*boats, *land, "reflection/mirror.glsl@met")
+    objects = " and ".join(name for name, there in (("boats", scene.boats), ("land", scene.shore)) if there)
     if quality.reflection == "traced":
         return Contribution(
-            why=f"reflected rays are traced to {_objects(scene)}",
+            why=f"reflected rays are traced to {objects}",
             slots=(SlotFile("reflection", "reflection/mirror.glsl@traced", needs=met),),
         )
     size = quality.reflection_size
     guess: tuple[Piece, ...] = (COURSE, "reflection/mirror.glsl@guess") if scene.boats else (_NO_GUESS,)
     return Contribution(
-        why=f"a mirrored camera draws {_objects(scene)}, {size} texels a side",
+        why=f"a mirrored camera draws {objects}, {size} texels a side",
         slots=(SlotFile("reflection", "reflection/mirror.glsl@planar", needs=guess),),
         consts={
             "MIRROR_SIZE": size,
@@ -143,23 +147,15 @@ def planar(scene: Scene, quality: Quality) -> Contribution | None:
             "MIRROR_LOOKS": 0 if scene.shore is None else LOOKS,
             "MIRROR_FAR": 0.0 if scene.shore is None else scene.shore.size,
         },
-        inputs={"u_mirror": TargetInput(target="mirror")},
-        targets={"mirror": Target(size=FixedSize.square(size), format="RGBA16F")},
-        passes=(
+    ).joined(
+        drawn_map(
             PassSpec(
                 f"planar mirror, {size} texels", "mirror", (*SURROUNDINGS, *met, "reflection/mirror.glsl@map_pass")
             ),
-        ),
+            Target(size=FixedSize.square(size), format="RGBA16F"),
+            "u_mirror",
+        )
     )
-
-
-def _land(scene: Scene) -> tuple[Piece, ...]:
-    """Files that intersect and light land."""
-    return (_NO_LAND,) if scene.shore is None else (*SHORE, *lit_land(scene.shore), "reflection/mirror.glsl@land_met")
-
-
-def _objects(scene: Scene) -> str:
-    return " and ".join(name for name, there in (("boats", scene.boats), ("land", scene.shore)) if there)
 
 
 CUBEMAP = Effect(

@@ -75,25 +75,16 @@ def shadows(scene: Scene, quality: Quality) -> Contribution | None:
     shore, light = scene.shore, scene.light
     if shore is None or light is None or not shore.shadows:
         return None
+    ground = ("shore/ground.glsl@place", "shore/ground.glsl@square", "shore/ground.glsl@spline")
+    needs = (*ground, "shore/land.glsl@land_maxima")
     return Contribution(
         why="how much of the sun is seen over the land",
-        slots=(
-            SlotFile(
-                "open sun",
-                "shore/sunlit.glsl@sunlit",
-                prefix="land",
-                needs=(
-                    "shore/ground.glsl@place",
-                    "shore/ground.glsl@square",
-                    "shore/ground.glsl@spline",
-                    "shore/land.glsl@land_maxima",
-                ),
-            ),
-        ),
+        slots=(SlotFile("open sun", "shore/sunlit.glsl@sunlit", prefix="land", needs=needs),),
         consts={"SHADOW_STEPS": quality.shadow_steps},
         uniforms={"u_land_sun": vector(rounded(sights(light)))},
         inputs={"u_land_maxima": TargetInput(target="land_maxima")},
-        bound=_bound(shore, light, quality),
+        bound=Bound.zero_if(not _lit(light), "the sun is below the horizon")
+        or Bound.zero_if(limits(shore, quality).land_top <= -0.6 * shore.deep, "no land is above the water"),
     )
 
 
@@ -109,12 +100,6 @@ def sights(light: Light) -> tuple[float, float, float, float]:
 
 def _lit(light: Light) -> bool:
     return bool(sun_irradiance(light).any())
-
-
-def _bound(shore: Shore, light: Light, quality: Quality) -> Bound | None:
-    if not _lit(light):
-        return Bound(0.0, "the sun is below the horizon")
-    return Bound(0.0, "no land is above the water") if limits(shore, quality).land_top <= -0.6 * shore.deep else None
 
 
 def _unshadowed(scene: Scene) -> Scene:

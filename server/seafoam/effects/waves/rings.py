@@ -104,13 +104,12 @@ def contribute(scene: Scene, quality: Quality) -> effect.Contribution | None:
     texel = square.side / quality.rings_size
     summed = quality.rings == "exact" or texel * _MIN_TEXELS > min(train.length for train in shown)
     height, max_slope = ring_height(scene), ring_slope(scene)
+    unseen = effect.Bound.zero_if(height == 0.0, f"no ring is higher than {model.DEAD:g} m at any time")
     how = "summed at each sample" if summed else f"drawn into a map of {square.side:g} m in each frame"
     contribution = effect.Contribution(
         why=f"{len(shown)} ring{'s' if len(shown) > 1 else ''}, {how}",
         consts={"RING_COUNT": len(shown), "RING_BLOCK": min(len(shown), 32), **RING_CONSTS},
-        bound=effect.Bound(0.0, f"no ring is higher than {model.DEAD:g} m at any time")
-        if height == 0.0
-        else waves_bound(scene, max_slope, 2.0 * height),
+        bound=unseen or waves_bound(scene, max_slope, 2.0 * height),
         max_height=height,
         min_height=-height,
         max_slope=max_slope,
@@ -166,6 +165,7 @@ def touches(scene: Scene, quality: Quality) -> effect.Contribution | None:
     """Active if the scene has touches."""
     if not scene.touches:
         return None
+    strongest = max(touch.strength for touch in scene.touches)
     velocity = (0.0, 0.0) if scene.current is None else scene.current.velocity
     given = (
         *scene.touches,
@@ -186,7 +186,11 @@ def touches(scene: Scene, quality: Quality) -> effect.Contribution | None:
             **RING_CONSTS,
         },
         uniforms={"u_touch": array("vec4", rules, model.TOUCHES_MOST)},
-        bound=_touch_bound(scene),
+        # Rings of touches have slopes but no height, so only shading shows them.
+        bound=effect.Bound.zero_if(
+            scene.light is None, "the scene has no light, and touches show by the water's shading alone"
+        )
+        or effect.Bound.zero_if(strongest <= model.DEAD, f"no touch is stronger than {model.DEAD:g} m", ("/touches",)),
     )
 
 
@@ -209,15 +213,6 @@ def _touch_rules(pointer: str, touch: model.Touch, velocity: tuple[float, float]
     rules.append(Clamp(offset=-1.0 * touch.time, rate=1.0, low=0.0, high=_TOUCH_LIFE, terms=age))
     rules.append(Constant(value=(touch.strength,), field=f"{pointer}/strength", absent=(0.0,)))
     return rules
-
-
-def _touch_bound(scene: Scene) -> effect.Bound | None:
-    """Rings of touches have slopes but no height, so only shading shows them."""
-    if scene.light is None:
-        return effect.Bound(0.0, "the scene has no light, and touches show by the water's shading alone")
-    if all(touch.strength <= model.DEAD for touch in scene.touches):
-        return effect.Bound(0.0, f"no touch is stronger than {model.DEAD:g} m", ("/touches",))
-    return None
 
 
 EFFECT = effect.Effect(
