@@ -6,6 +6,10 @@ from dataclasses import dataclass
 
 from seafoam.framegraph.rules import Phase, Uniform, array
 
+COMMON = ("lib/numbers.glsl", "lib/rays.glsl@camera")
+"""First files of most fragment shaders."""
+PLACE = "lib/rays.glsl@place"
+"""Maps a fragment to its sample of the picture."""
 MARCH_AHEAD = "surface/march.glsl@ahead"
 """Steps of ray marching, for files in the slots of its parts."""
 Const = int | float | bool | tuple[int, ...]

@@ -8,13 +8,13 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from itertools import chain
 
-from seafoam.effects.shader import Const, Piece
+from seafoam.effects.shader import PLACE, Const, Piece
 from seafoam.framegraph.passes import Fullscreen, Pass
 from seafoam.framegraph.resources import FixedSize, Target, ViewportSize, target_inputs
 from seafoam.framegraph.rules import Uniform, Viewport, vector
 from seafoam.framegraph.shader import Program
 from seafoam.planner.frame import Frame, Stage, fullscreen, one_sided
-from seafoam.planner.glsl import FULLSCREEN, PLACE, assemble
+from seafoam.planner.glsl import FULLSCREEN, assemble
 
 RATIO = 3.5
 """Ratio of the contrast thresholds for 16 and for 4 samples. 4 samples leave a quarter of the squared error and 16 a

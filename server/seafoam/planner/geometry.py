@@ -3,12 +3,11 @@
 from functools import lru_cache
 
 from seafoam.effects.registry import CHANGED
-from seafoam.effects.shader import Inline, Piece, SlotRef
+from seafoam.effects.shader import COMMON, PLACE, Inline, Piece, SlotRef
 from seafoam.framegraph.passes import State
 from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.resources import Target, ViewportSize
 from seafoam.planner.frame import Frame, Stage, from_under, underwater
-from seafoam.planner.glsl import COMMON, PLACE
 from seafoam.planner.planner import linked_plan
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene

@@ -18,10 +18,6 @@ PROLOGUE = (
     "precision highp sampler2D;\n"
     "precision highp usampler2D;\n"
 )
-COMMON = ("lib/numbers.glsl", "lib/rays.glsl@camera")
-"""First files of most fragment shaders."""
-PLACE = "lib/rays.glsl@place"
-"""Maps a fragment to its sample of the picture."""
 PLACE_SHIFTED = "lib/rays.glsl@place_shifted"
 """The same where rows of pixels are shifted against one another."""
 FULLSCREEN = ("vertex/vertex.glsl@fullscreen",)

@@ -3,14 +3,14 @@
 from collections.abc import Sequence
 from functools import cached_property
 
-from seafoam.effects.shader import Piece, SlotFile, SlotRef
+from seafoam.effects.shader import COMMON, PLACE, Piece, SlotFile, SlotRef
 from seafoam.framegraph.passes import Fullscreen, Grid, Pass, State
 from seafoam.framegraph.resources import Input, Target, TargetInput
 from seafoam.framegraph.shader import Program
 from seafoam.planner import slots
 from seafoam.planner.adaptive import Redrawn
 from seafoam.planner.frame import MARCH, MARCHED, OVER, PLANE, Frame, Stage, find, from_under, fullscreen, underwater
-from seafoam.planner.glsl import COMMON, PLACE, PLACE_SHIFTED, slot_pieces
+from seafoam.planner.glsl import PLACE_SHIFTED, slot_pieces
 
 SURFACE, SKY = "surface", "sky"
 """Programs and passes."""

@@ -6,13 +6,13 @@ docs/formulae.md, section 15.
 import math
 
 from seafoam.effects.bounds import body_limit, max_displacement
-from seafoam.effects.effect import ABOVE, Bound, Contribution, Effect, PassSpec, QualityParameter
+from seafoam.effects.effect import ABOVE, Bound, Contribution, Effect, PassSpec, QualityParameter, Resources, drawn_map
 from seafoam.effects.light.light import ILLUMINATION
-from seafoam.effects.shader import Const, Piece, SlotFile, SlotRef, constant_function
+from seafoam.effects.shader import COMMON, PLACE, Const, Piece, SlotFile, SlotRef, constant_function
 from seafoam.effects.shore.maps import FIND_LAND
 from seafoam.effects.water.water import WATER
 from seafoam.framegraph.passes import BoundingSphere, Quads
-from seafoam.framegraph.resources import FixedSize, Target, TargetInput
+from seafoam.framegraph.resources import FixedSize, Target
 from seafoam.framegraph.rules import Constant, Phase, Rule, Uniform, array, constants, significant, to_camera
 from seafoam.quality import Quality
 from seafoam.scene.boats import Boat
@@ -47,10 +47,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         consts={**_consts(boats, quality), "BOAT_ALIKE": quality.samples == 1},
         chosen_consts={"BOAT_ALIKE": False},
         uniforms={"u_boat_course": _courses(boats), **_form_uniforms(boats)},
-        inputs={"u_boat_pose": TargetInput(target="boat_pose")},
-        targets={"boat_pose": Target(size=FixedSize(width=len(boats), height=1), format="RGBA32F")},
-        passes=(_pose_pass(scene), _picture_pass(scene)),
-    )
+    ).joined(_pose(scene), Resources(passes=(_picture_pass(scene),)))
 
 
 def shade_files(scene: Scene) -> tuple[Piece | SlotRef, ...]:
@@ -89,7 +86,6 @@ def _courses(boats: tuple[Boat, ...]) -> Uniform:
 
 
 def _form_uniforms(boats: tuple[Boat, ...]) -> dict[str, Uniform]:
-    """Sizes, angles (as cosine and sine) and colours of the boats."""
     rigs = [(1.0 if boat.kind == "motor" else 0.0, *_direction(boat.boom)) for boat in boats]
     return {
         "u_boat_form": constants("vec4", [(boat.length, boat.smoothing, *_direction(boat.heel)) for boat in boats]),
@@ -104,24 +100,19 @@ def _direction(angle: float) -> tuple[float, float]:
     return significant(math.cos(angle)), significant(math.sin(angle))
 
 
-def _pose_pass(scene: Scene) -> PassSpec:
+def _pose(scene: Scene) -> Resources:
     """Height and slope of each boat's water line, from the drawn surface around its hull points."""
     support = "boats/pose.glsl@afloat" if scene.shore is None else "boats/pose.glsl@aground"
-    return PassSpec(
-        "how boats float", "boat_pose", ("lib/numbers.glsl", SlotRef("waves"), COURSE, support, "boats/pose.glsl@pass")
-    )
+    files = ("lib/numbers.glsl", SlotRef("waves"), COURSE, support, "boats/pose.glsl@pass")
+    target = Target(size=FixedSize(width=len(scene.boats), height=1), format="RGBA32F")
+    return drawn_map(PassSpec("how boats float", "boat_pose", files), target, "u_boat_pose")
 
 
 def _picture_pass(scene: Scene) -> PassSpec:
     """The boats, traced per sample and blended over water, land and sky."""
     no_land = constant_function("bool", "boat_behind_land", "vec3 ray, float farthest", "false")
     common: tuple[Piece | SlotRef, ...] = (
-        "lib/numbers.glsl",
-        "lib/rays.glsl@camera",
-        "lib/rays.glsl@place",
-        SlotRef("waves"),
-        SlotRef("find"),
-        *TRACE,
+        *(*COMMON, PLACE, SlotRef("waves"), SlotRef("find"), *TRACE),
         *shade_files(scene),
         *((no_land,) if scene.shore is None else (*FIND_LAND, "boats/drawn.glsl@land")),
     )
@@ -132,14 +123,7 @@ def _picture_pass(scene: Scene) -> PassSpec:
         "boat",
         (*common, "boats/drawn.glsl@over", "boats/drawn.glsl@main"),
         under=() if scene.light is None else (*common, *under, "boats/drawn.glsl@main"),
-        vertex=(
-            "lib/numbers.glsl",
-            "lib/rays.glsl@camera",
-            COURSE,
-            FRAME,
-            "vertex/vertex.glsl@quad",
-            "boats/drawn.glsl@vertex",
-        ),
+        vertex=(*COMMON, COURSE, FRAME, "vertex/vertex.glsl@quad", "boats/drawn.glsl@vertex"),
         mesh=Quads(count=1),
         target=ABOVE,
         stage="after",

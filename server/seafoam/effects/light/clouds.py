@@ -6,7 +6,7 @@ from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, Qualit
 from seafoam.effects.light import atmosphere, overcast
 from seafoam.effects.light.atmosphere import lamp
 from seafoam.effects.light.light import sun_irradiance
-from seafoam.effects.shader import NOISE_CELLS, PERLIN_2, PERLIN_3, SlotFile, SlotRef, drifting_noise
+from seafoam.effects.shader import COMMON, NOISE_CELLS, PERLIN_2, PERLIN_3, SlotFile, SlotRef, drifting_noise
 from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target
 from seafoam.framegraph.rules import Phase, array, number, rounded, vector
 from seafoam.quality import Quality
@@ -25,7 +25,7 @@ _MIRRORED = Resources(
         PassSpec(
             "clouds that the water mirrors",
             "clouds_mirrored",
-            ("lib/numbers.glsl", "lib/rays.glsl@camera", SlotRef("sky"), "light/sky.glsl@mirrored_pass"),
+            (*COMMON, SlotRef("sky"), "light/sky.glsl@mirrored_pass"),
         ),
         Target(size=FixedSize.square(MAP_SIDE), format="RGBA16F", filter=MIPMAPPED),
         "u_clouds_mirrored",

@@ -8,10 +8,10 @@ import math
 from seafoam.effects.boats.boat import COURSE, LIGHT, TRACE
 from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, drawn_map
 from seafoam.effects.light.light import ILLUMINATION, air_light, sky_irradiance, sun_irradiance
-from seafoam.effects.shader import VALUE_NOISE, Inline, Piece, SlotFile, SlotRef, constant_function
+from seafoam.effects.shader import COMMON, VALUE_NOISE, Inline, Piece, SlotFile, SlotRef, constant_function
 from seafoam.effects.shore.land import LAND_LIGHT, soil_files
 from seafoam.effects.shore.maps import MAXIMA
-from seafoam.framegraph.resources import FixedSize, Target, TargetInput
+from seafoam.framegraph.resources import FixedSize, Target
 from seafoam.quality import Quality
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
@@ -29,11 +29,7 @@ SHORE = (
     *MAXIMA,
 )
 """Files that give the land's height and colour."""
-SURROUNDINGS: tuple[str | SlotRef, ...] = (
-    "lib/numbers.glsl",
-    "lib/rays.glsl@camera",
-    *map(SlotRef, ("sky", "mirrored", "open sun", "sunlight")),
-)
+SURROUNDINGS: tuple[str | SlotRef, ...] = (*COMMON, *map(SlotRef, ("sky", "mirrored", "open sun", "sunlight")))
 """First files of passes that draw them."""
 
 
@@ -58,39 +54,20 @@ def cubemap(scene: Scene, quality: Quality) -> Contribution | None:
             slots=(SlotFile("reflection", "reflection/mirror.glsl@exact", needs=scenery),),
             bound=_bound(scene, light),
         )
+    faces = ("lib/texels.glsl@cube_face", "reflection/cube.glsl@cube")
+    needs = ("lib/texels.glsl@bilinear", *faces, "reflection/cube.glsl@texel")
+    size = FixedSize(width=3 * quality.cube_size, height=2 * quality.cube_size)
     return Contribution(
         why=f"reflects sky{' and land' if shore else ''} from a cube map of six faces of {quality.cube_size}²",
-        slots=(
-            SlotFile(
-                "reflection",
-                "reflection/cube.glsl@cubemap",
-                needs=(
-                    "lib/texels.glsl@bilinear",
-                    "lib/texels.glsl@cube_face",
-                    "reflection/cube.glsl@cube",
-                    "reflection/cube.glsl@texel",
-                ),
-            ),
-        ),
+        slots=(SlotFile("reflection", "reflection/cube.glsl@cubemap", needs=needs),),
         consts={"CUBE_SIZE": quality.cube_size},
-        inputs={"u_cube": TargetInput(target="cube")},
-        targets={
-            "cube": Target(size=FixedSize(width=3 * quality.cube_size, height=2 * quality.cube_size), format="RGBA16F")
-        },
-        passes=(
-            PassSpec(
-                "cube map",
-                "cube",
-                (
-                    *SURROUNDINGS,
-                    *scenery,
-                    "lib/texels.glsl@cube_face",
-                    "reflection/cube.glsl@cube",
-                    "reflection/cube.glsl@pass",
-                ),
-            ),
-        ),
         bound=_bound(scene, light),
+    ).joined(
+        drawn_map(
+            PassSpec("cube map", "cube", (*SURROUNDINGS, *scenery, *faces, "reflection/cube.glsl@pass")),
+            Target(size=size, format="RGBA16F"),
+            "u_cube",
+        )
     )
 
 

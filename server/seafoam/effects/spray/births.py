@@ -13,22 +13,8 @@ from seafoam.effects.shore.maps import MASK_WAVES, mask_uniforms
 from seafoam.effects.waves.parametric import earlier_wave_files, group_bounds, max_profile_slope
 from seafoam.effects.waves.rings import ring_uniforms
 from seafoam.effects.waves.sea import BLOCKS, WaterDrawing, drawn_tiles
+from seafoam.framegraph import rules
 from seafoam.framegraph.resources import TextureInput, target_inputs
-from seafoam.framegraph.rules import (
-    Clamp,
-    Constant,
-    Loop,
-    Rule,
-    Uniform,
-    Wrap,
-    array,
-    constants,
-    number,
-    rounded,
-    significant,
-    to_camera,
-    vector,
-)
 from seafoam.ocean.basics.dispersion import angular_frequency
 from seafoam.ocean.coast.rocks import ROCKS, rocks
 from seafoam.ocean.constants import GRAVITY
@@ -64,7 +50,7 @@ class Births(Resources):
 
 def births(scene: Scene, quality: Quality, spray: Spray) -> Births | str:
     """Return everything that throws water up in a scene, or why nothing does."""
-    steady = _ashore(scene, quality, spray) if scene.shore is not None else _open(scene, quality, spray)
+    steady = _ashore(scene, quality, spray, scene.shore) if scene.shore else _open(scene, quality, spray)
     sources = [source for source in (_bursts(spray), steady) if isinstance(source, Births)]
     if not sources:
         return str(steady)
@@ -101,35 +87,30 @@ def _raised(scene: Scene) -> list[ParametricWave]:
     return [wave for wave in scene.waves if wave.amplitude > 0.0]
 
 
-def _ashore(scene: Scene, quality: Quality, spray: Spray) -> Births | str:
+def _ashore(scene: Scene, quality: Quality, spray: Spray, shore: Shore) -> Births | str:
     """Surf on rocks or, without rocks, on a beach; or why there is none."""
-    shore = scene.shore
-    assert shore is not None
     if shore.surf.height == 0.0:
         return "no surf on the shore"
     return _rocks(scene, spray, shore) if _on_rocks(scene, spray) else _surf(scene, quality, spray, shore)
 
 
 def _on_rocks(scene: Scene, spray: Spray) -> bool:
-    """Whether there are rocks for surf to break on."""
     return scene.shore is not None and scene.shore.surf.height > 0.0 and len(rocks(scene.shore, spray.steep)) > 0
 
 
 def _surf(scene: Scene, quality: Quality, spray: Spray, shore: Shore) -> Births:
-    """Surf on a beach."""
     files, water = _earlier_water(scene, quality, None)
+    breaking = ("spray/births.glsl@breaking_surf", "spray/births.glsl@open")
     surf = Births(
         words="surf on a beach",
         function="open_born",
-        files=(
-            SlotRef("waves"),
-            *files,
-            "spray/births.glsl@shore_then",
-            "spray/births.glsl@breaking_surf",
-            "spray/births.glsl@open",
-        ),
+        files=(SlotRef("waves"), *files, "spray/births.glsl@shore_then", *breaking),
         consts={"SPRAY_MOMENT": model.MOMENT},
-        uniforms={"u_spray_crest_way": vector((1.0, 0.0)), "u_spray_torn": number(0.0), **_shore_uniforms(shore)},
+        uniforms={
+            "u_spray_crest_way": rules.vector((1.0, 0.0)),
+            "u_spray_torn": rules.number(0.0),
+            **_shore_uniforms(shore),
+        },
     )
     return surf.joined(water, _grids(spray))
 
@@ -149,10 +130,12 @@ def _rocks(scene: Scene, spray: Spray, shore: Shore) -> Births | str:
         files=(SlotRef("waves"), "spray/births.glsl@shore_then", *earlier, "spray/births.glsl@rocks"),
         consts={"SPRAY_ROCKS": ROCKS, "SPRAY_DELAY": DELAY},
         uniforms={
-            "u_spray_surf_time": array("float", [Loop(period=period), Loop(period=period * model.EPOCHS)], 2),
+            "u_spray_surf_time": rules.array(
+                "float", [rules.Loop(period=period), rules.Loop(period=period * model.EPOCHS)], 2
+            ),
             **_shore_uniforms(shore),
             # A drop's life ends before the next crest arrives.
-            "u_spray_surf_life": number(min(spray.life, period - DELAY)),
+            "u_spray_surf_life": rules.number(min(spray.life, period - DELAY)),
         },
         inputs={"u_spray_rocks": TextureInput(texture="spray_rocks")},
         textures={"spray_rocks": TextureUse(SprayRocks(shore=shore, steep=spray.steep), wrap="clamp_to_edge")},
@@ -160,15 +143,17 @@ def _rocks(scene: Scene, spray: Spray, shore: Shore) -> Births | str:
     return surf.joined(waves)
 
 
-def _shore_uniforms(shore: Shore) -> dict[str, Uniform]:
+def _shore_uniforms(shore: Shore) -> dict[str, rules.Uniform]:
     """What turns a shore's waves back in time."""
     mask = mask_uniforms()
     return {
-        "u_spray_period": number(shore.surf.period),
-        "u_spray_variation": number(shore.surf.variation),
+        "u_spray_period": rules.number(shore.surf.period),
+        "u_spray_variation": rules.number(shore.surf.variation),
         "u_spray_mask": mask["u_surf_mask"],
         "u_spray_mask_phase": mask["u_surf_mask_phase"],
-        "u_spray_mask_rate": constants("float", (significant(2.0 * math.pi / period) for _, _, period in MASK_WAVES)),
+        "u_spray_mask_rate": rules.constants(
+            "float", (rules.significant(2.0 * math.pi / period) for _, _, period in MASK_WAVES)
+        ),
     }
 
 
@@ -181,10 +166,8 @@ def _open(scene: Scene, quality: Quality, spray: Spray) -> Births | str:
     if not fronts and limits is None:
         rise = f"the water rises at {fastest:.2g} m/s at most" if raised else "no single waves"
         return f"{rise}, and no sea whose waves could break"
-    words = " and ".join(
-        (["folds of the sea"] if limits else [])
-        + ([f"fronts that rise at {fastest:.2g} m/s at most"] if fronts else [])
-    )
+    parts = {"folds of the sea": limits, f"fronts that rise at {fastest:.2g} m/s at most": fronts}
+    words = " and ".join(part for part, there in parts.items() if there)
     files, water = _earlier_water(scene, quality, limits)
     crest, torn, heading, strong = (0.0, 0.0), 0.0, 0.0, 0.0
     if scene.sea is not None and tiles:
@@ -195,10 +178,10 @@ def _open(scene: Scene, quality: Quality, spray: Spray) -> Births | str:
         function="open_born",
         files=(*files, "spray/births.glsl@breaking", "spray/births.glsl@open"),
         uniforms={
-            "u_spray_crest": vector(rounded(crest)),
-            "u_spray_crest_way": vector(rounded((math.cos(heading), math.sin(heading)))),
-            "u_spray_strong": number(significant(strong)),
-            "u_spray_torn": number(significant(torn)),
+            "u_spray_crest": rules.vector(rules.rounded(crest)),
+            "u_spray_crest_way": rules.vector(rules.rounded((math.cos(heading), math.sin(heading)))),
+            "u_spray_strong": rules.number(rules.significant(strong)),
+            "u_spray_torn": rules.number(rules.significant(torn)),
         },
     )
     return breaking.joined(water, _grids(spray))
@@ -213,13 +196,7 @@ def _earlier_water(
         return ["spray/seas.glsl@sea_none", *earlier], waves
     # A shore's files declare the places in the tiles.
     places = [] if scene.shore is not None else [_SEA_PLACES]
-    files: list[Piece | SlotRef] = [
-        "lib/texels.glsl@cubic_spline",
-        BLOCKS,
-        *places,
-        "spray/seas.glsl@sea_waves",
-        *earlier,
-    ]
+    files = ["lib/texels.glsl@cubic_spline", BLOCKS, *places, "spray/seas.glsl@sea_waves", *earlier]
     return files, waves.joined(_seas(scene.sea, quality, drawn_tiles(scene, quality)[:RAISED], limits))
 
 
@@ -237,9 +214,9 @@ def _earlier(scene: Scene) -> tuple[list[Piece | SlotRef], Resources]:
     files += ["waves/rings.glsl@ring", "spray/births.glsl@rings_then"] if scene.rings else [_NO_RINGS]
     uniforms = ring_uniforms(scene, "u_spray_ring") if scene.rings else {}
     if raised:
-        uniforms["u_parametric_rate"] = constants("float", map(angular_frequency, raised))
+        uniforms["u_parametric_rate"] = rules.constants("float", map(angular_frequency, raised))
     if in_groups(scene):
-        uniforms["u_wave_groups_velocity"] = vector(rounded(group_velocity(scene)))
+        uniforms["u_wave_groups_velocity"] = rules.vector(rules.rounded(group_velocity(scene)))
     return files, Resources(uniforms=uniforms)
 
 
@@ -247,9 +224,12 @@ def _grids(spray: Spray) -> Resources:
     """The grids in whose cells drops are born, and the times of batches."""
     step = spray.life / model.BATCHES
     sides = model.cell_sides(spray)
-    places: list[Rule] = []
+    places: list[rules.Rule] = []
     for side in sides:
-        places += [Wrap(k=(1.0 / side, 0.0), period=_EYE_CELLS), Wrap(k=(0.0, 1.0 / side), period=_EYE_CELLS)]
+        places += [
+            rules.Wrap(k=(1.0 / side, 0.0), period=_EYE_CELLS),
+            rules.Wrap(k=(0.0, 1.0 / side), period=_EYE_CELLS),
+        ]
     return Resources(
         consts={
             "SPRAY_BATCHES": model.BATCHES,
@@ -260,26 +240,25 @@ def _grids(spray: Spray) -> Resources:
             "SPRAY_BESIDE": model.BESIDE,
         },
         uniforms={
-            "u_spray_time": array("float", [Loop(period=step), Loop(period=step * model.EPOCHS)], 2),
-            "u_spray_step": number(step),
-            "u_spray_cell": constants("float", sides),
-            "u_spray_eye": array("vec2", places, model.LEVELS),
-            "u_spray_reach": number(spray.reach),
+            "u_spray_time": rules.array("float", [rules.Loop(period=step), rules.Loop(period=step * model.EPOCHS)], 2),
+            "u_spray_step": rules.number(step),
+            "u_spray_cell": rules.constants("float", sides),
+            "u_spray_eye": rules.array("vec2", places, model.LEVELS),
+            "u_spray_reach": rules.number(spray.reach),
         },
     )
 
 
 def _seas(sea: Sea, quality: Quality, tiles: tuple[Cascade, ...], limits: tuple[float, float] | None) -> Resources:
-    """The sea at the births of batches."""
     texels = min(quality.sea_size, model.SEA_TEXELS)
     chops = [tile.choppiness(sea.choppiness) for tile in tiles]
     threshold, width = limits or (-1e3, 1.0)
-    scale = [significant(chop * 2.0 * math.pi / tile.size) for chop, tile in zip(chops, tiles, strict=True)]
-    shifts = [significant(chop * texels / tile.size) for chop, tile in zip(chops, tiles, strict=True)]
-    shared: dict[str, Uniform] = {
-        "u_spray_choppiness": vector((shifts[0], shifts[-1])),
-        "u_spray_limit": vector((significant(tiles[0].limit), significant(tiles[-1].limit))),
-        "u_spray_fold": vector((significant(threshold), significant(1.0 / width))),
+    scale = [rules.significant(chop * 2.0 * math.pi / tile.size) for chop, tile in zip(chops, tiles, strict=True)]
+    shifts = [rules.significant(chop * texels / tile.size) for chop, tile in zip(chops, tiles, strict=True)]
+    shared: dict[str, rules.Uniform] = {
+        "u_spray_choppiness": rules.vector((shifts[0], shifts[-1])),
+        "u_spray_limit": rules.vector((rules.significant(tiles[0].limit), rules.significant(tiles[-1].limit))),
+        "u_spray_fold": rules.vector((rules.significant(threshold), rules.significant(1.0 / width))),
     }
     water = WaterDrawing(
         "spray_seas_a",
@@ -290,34 +269,32 @@ def _seas(sea: Sea, quality: Quality, tiles: tuple[Cascade, ...], limits: tuple[
         by_wave=("waves at the births of drops", "spray_gerstner", (_TIMES, "spray/seas.glsl@gerstner_pass")),
         by_spectrum=("spectrum at the births of drops", "spray_spectrum", (_TIMES, "spray/seas.glsl@spectrum_pass")),
         transforms="sea at the births of drops",
-        uniforms={"u_spray_scale": vector((scale[0], scale[-1]))},
+        uniforms={"u_spray_scale": rules.vector((scale[0], scale[-1]))},
         read=texels,
         stage="after",
     )
-    own = Resources(
-        consts={"SPRAY_TEXELS": texels}, uniforms=shared, inputs=target_inputs({"u_spray_seas": water.target})
-    )
+    inputs = target_inputs({"u_spray_seas": water.target})
+    own = Resources(consts={"SPRAY_TEXELS": texels}, uniforms=shared, inputs=inputs)
     return water.resources(sea, tiles).joined(own)
 
 
 def _bursts(spray: Spray) -> Births | None:
-    """Blasts."""
     bursts = spray.bursts
     if not bursts:
         return None
-    state: list[Rule] = []
+    state: list[rules.Rule] = []
     for burst in bursts:
-        age: Rule = Clamp(offset=-burst.birth, rate=1.0, low=-1.0, high=1000.0)
+        age: rules.Rule = rules.Clamp(offset=-burst.birth, rate=1.0, low=-1.0, high=1000.0)
         if burst.every is not None:
-            age = Loop(period=burst.every, offset=-burst.birth)
-        state += [*to_camera(*burst.place), age, Constant(value=(burst.height,))]
+            age = rules.Loop(period=burst.every, offset=-burst.birth)
+        state += [*rules.to_camera(*burst.place), age, rules.Constant(value=(burst.height,))]
     return Births(
         words=f"{len(bursts)} burst{'s' if len(bursts) > 1 else ''}",
         function="burst_born",
         files=("spray/births.glsl@bursts",),
         consts={"SPRAY_BURSTS": len(bursts)},
         uniforms={
-            "u_spray_burst": array("vec4", state, len(bursts)),
-            "u_spray_burst_wide": constants("float", (burst.radius for burst in bursts)),
+            "u_spray_burst": rules.array("vec4", state, len(bursts)),
+            "u_spray_burst_wide": rules.constants("float", (burst.radius for burst in bursts)),
         },
     )

@@ -5,12 +5,12 @@ import math
 from seafoam.effects.boats.boat import TRACE
 from seafoam.effects.effect import ABOVE, Contribution, Effect, PassSpec, QualityParameter, Resources, TextureUse
 from seafoam.effects.light.light import ILLUMINATION
-from seafoam.effects.shader import HASH, Const, Inline, Piece, SlotRef, Source
+from seafoam.effects.shader import COMMON, HASH, PLACE, Const, Inline, Piece, SlotRef, Source
 from seafoam.effects.shore.maps import FIND_LAND
 from seafoam.effects.spray.births import Births, births
 from seafoam.framegraph.passes import Quads
 from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Input, Target, TargetInput, TextureInput, ViewportSize
-from seafoam.framegraph.rules import Uniform, Viewport, array, number, significant, vector
+from seafoam.framegraph.rules import Uniform, Viewport, array, number, rounded, significant, vector
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.spray import DROPS, Spray
@@ -57,12 +57,9 @@ def _consts(quality: Quality) -> dict[str, Const]:
 
 
 def _uniforms(spray: Spray) -> dict[str, Uniform]:
-    wind = (
-        significant(spray.wind_speed * math.cos(spray.downwind)),
-        significant(spray.wind_speed * math.sin(spray.downwind)),
-    )
+    speed, heading = spray.wind_speed, spray.downwind
     return {
-        "u_spray_wind": vector(wind),
+        "u_spray_wind": vector(rounded((speed * math.cos(heading), speed * math.sin(heading)))),
         "u_spray_size": number(spray.size, "/spray/size"),
         "u_spray_mist": number(spray.mist, "/spray/mist"),
         "u_spray_drag": number(spray.drag, "/spray/drag"),
@@ -74,15 +71,10 @@ def _uniforms(spray: Spray) -> dict[str, Uniform]:
 def _targets(quality: Quality) -> dict[str, Target]:
     size = FixedSize(width=COLUMNS, height=quality.spray_count // COLUMNS)
     table = Target(size=size, format="RGBA32F", layers=_PARTS)
-    side = math.isqrt(quality.samples)
-    return {
-        "spray_births": table,
-        "spray_air": table,
-        "spray_thick": Target(size=ViewportSize(scale=side), format="RGBA16F"),
-    }
+    thick = Target(size=ViewportSize(scale=math.isqrt(quality.samples)), format="RGBA16F")
+    return {"spray_births": table, "spray_air": table, "spray_thick": thick}
 
 
-_COMMON: tuple[Piece | SlotRef, ...] = ("lib/numbers.glsl", "lib/rays.glsl@camera")
 _TABLE: tuple[Piece | SlotRef, ...] = (HASH, "spray/drawn.glsl@flight", "spray/births.glsl@table")
 _BIRTHS: dict[str, Input] = {"u_spray_births": TargetInput(target="spray_births")}
 
@@ -92,14 +84,14 @@ def _passes(scene: Scene, quality: Quality, found: Births) -> tuple[PassSpec, ..
     births_pass = PassSpec(
         "births of drops",
         "spray_births",
-        (*_COMMON, HASH, "spray/drawn.glsl@flight", "spray/births.glsl@thrown", *found.files, "spray/births.glsl@pass"),
+        (*COMMON, HASH, "spray/drawn.glsl@flight", "spray/births.glsl@thrown", *found.files, "spray/births.glsl@pass"),
         inputs=found.inputs,
         stage="after",
     )
     over = PassSpec(
         "spray",
         "spray_over",
-        (*_COMMON, "lib/rays.glsl@place", "spray/air.glsl@thick"),
+        (*COMMON, PLACE, "spray/air.glsl@thick"),
         target=ABOVE,
         read={"u_spray_thick": "spray_thick"},
         stage="after",
@@ -121,11 +113,8 @@ def _air_pass(scene: Scene, quality: Quality) -> PassSpec:
         "drops in the air",
         "spray_air",
         (
-            *_COMMON,
-            SlotRef("waves"),
-            SlotRef("find"),
-            SlotRef("sky"),
-            SlotRef("open sun"),
+            *COMMON,
+            *map(SlotRef, ("waves", "find", "sky", "open sun")),
             *(("spray/drawn.glsl@unlit",) if scene.light is None else lit),
             *_TABLE,
             *land,
@@ -140,14 +129,13 @@ def _air_pass(scene: Scene, quality: Quality) -> PassSpec:
 
 
 def _water_pass(scene: Scene, quality: Quality) -> PassSpec:
-    """The drops' quadrilaterals."""
     sun: tuple[Piece, ...] = (Inline("uniform vec3 u_sun_direction;\n"), "spray/drawn.glsl@sunward_lit")
     sunward = ("spray/drawn.glsl@sunward_none",) if scene.light is None else sun
     return PassSpec(
         "water in the air",
         "spray",
         vertex=(
-            *_COMMON,
+            *COMMON,
             *_TABLE,
             "spray/drawn.glsl@form",
             *sunward,

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from seafoam.effects.bounds import FLOOR_FIELDS, floor_limit, min_surface_height
-from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, Resources
+from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, Resources, drawn_map
 from seafoam.effects.light.atmosphere import lamp
 from seafoam.effects.shader import SlotFile
 from seafoam.effects.waves.ripples import ripple_phases
@@ -151,13 +151,9 @@ def _smoothing(shifts: list[tuple[float, float]]) -> _Smoothing:
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     """Active if the light has caustics and there are ripples over a level floor."""
     light, water = scene.light, scene.water
-    if (
-        light is None
-        or light.caustics is None
-        or water.depth is None
-        or water.ripples is None
-        or scene.shore is not None
-    ):
+    if light is None or light.caustics is None or scene.shore is not None:
+        return None
+    if water.depth is None or water.ripples is None:
         return None
     tile = _Tile(light, water.ripples, water.depth, light.caustics.dispersion, tiles(True)[0])
     photons = quality.caustics == "photons" or tile.spread > MAX_SPREAD
@@ -166,6 +162,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     shifts = None if photons else tile.shifts(0.5 * tile.side / texels)
     separate = tile.dispersion > 0.0 and shifts is None
     colours = dict(zip(COLOURS, COLOUR_INDEX, strict=True)) if separate else {"white": 0.0}
+    least = max(tile.depth + min_surface_height(scene), 0.0)
     how = "3 colours" if separate else "3 colours from one grid" if tile.dispersion > 0.0 else "one colour"
     contribution = Contribution(
         why=f"{rays}² {'photons' if photons else 'cells'} on a tile of {tile.side:g} m, {how}",
@@ -176,7 +173,12 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "u_caustic_place": array("vec2", in_tile(tile.side, offset=(-tile.level[0], -tile.level[1])), 1),
         },
         inputs={"u_caustics": TargetInput(target="caustics")},
-        bound=_bound(scene, light, max(tile.depth + min_surface_height(scene), 0.0)),
+        # Sunlight reflected by a white floor under the lowest water, focused as far as a texel can resolve it.
+        bound=Bound(
+            _MAX_FOCUS * floor_limit(scene, light, least, sky=False),
+            f"no sunlight returns from a depth of {least:g} m",
+            FLOOR_FIELDS,
+        ),
     )
     return contribution.joined(
         _slope_map(tile, rays),
@@ -187,19 +189,14 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 def _slope_map(tile: _Tile, size: int) -> Resources:
     """Slopes of the ripples where rays enter the tile, ``size`` along each side."""
     waves = [(wave.kx, wave.kz, significant(wave.slope), 0.0) for wave in tile.waves]
-    slopes = PassSpec(
-        "caustics: slopes",
-        "caustic_slopes",
-        ("lib/numbers.glsl", "water/caustics.glsl@slopes"),
-        uniforms={
-            "u_caustic_wave": constants("vec4", waves),
-            "u_caustic_phase": ripple_phases(tile.waves),
-            "u_caustic_tile": number(tile.side),
-        },
-    )
-    return Resources(
-        targets={"caustic_slopes": Target(size=FixedSize.square(size), format="RGBA32F")}, passes=(slopes,)
-    )
+    uniforms = {
+        "u_caustic_wave": constants("vec4", waves),
+        "u_caustic_phase": ripple_phases(tile.waves),
+        "u_caustic_tile": number(tile.side),
+    }
+    files = ("lib/numbers.glsl", "water/caustics.glsl@slopes")
+    slopes = PassSpec("caustics: slopes", "caustic_slopes", files, uniforms=uniforms)
+    return drawn_map(slopes, Target(size=FixedSize.square(size), format="RGBA32F"))
 
 
 def _photons(tile: _Tile, colours: Mapping[str, float], side: int, texels: int) -> Resources:
@@ -243,14 +240,8 @@ def _grid(
                 uniforms={**light.uniforms, "u_caustic_channels": channels},
             )
         )
-    rows = PassSpec(
-        "caustics: rows",
-        "caustic_rows",
-        ("water/caustics.glsl@smooth_rows",),
-        read={"u_caustic_light": "caustic_light"},
-        uniforms={"u_caustic_across": smoothing.across},
-    )
-    columns = {"u_caustic_along": smoothing.along}
+    across, along = {"u_caustic_across": smoothing.across}, {"u_caustic_along": smoothing.along}
+    read, files = {"u_caustic_light": "caustic_light"}, ("water/caustics.glsl@smooth_rows",)
     return Resources(
         consts={
             "CAUSTIC_CELLS": cells,
@@ -266,8 +257,8 @@ def _grid(
         },
         passes=(
             *passes,
-            rows,
-            _map_pass("water/caustics.glsl@smooth_columns", {"u_caustic_rows": "caustic_rows"}, columns),
+            PassSpec("caustics: rows", "caustic_rows", files, read, across),
+            _map_pass("water/caustics.glsl@smooth_columns", {"u_caustic_rows": "caustic_rows"}, along),
         ),
     )
 
@@ -300,15 +291,6 @@ def _light_pass(tile: _Tile, colour: str, difference: float, vertex: str, fragme
 def _map_pass(shader: str, lights: Mapping[str, str], weights: dict[str, Uniform]) -> PassSpec:
     """The pass that makes the map from the light. ``lights``: sampler -> target."""
     return PassSpec("caustics: map", "caustic_map", (shader,), target="caustics", read=lights, uniforms=weights)
-
-
-def _bound(scene: Scene, light: Light, depth: float) -> Bound:
-    """Sunlight reflected by a white floor under the lowest water, focused as far as a texel can resolve it."""
-    return Bound(
-        _MAX_FOCUS * floor_limit(scene, light, depth, sky=False),
-        f"no sunlight returns from a depth of {depth:g} m",
-        FLOOR_FIELDS,
-    )
 
 
 EFFECT = Effect(

@@ -8,7 +8,16 @@ from itertools import cycle, islice
 from typing import Literal
 
 from seafoam.effects.bounds import max_surface_height, min_surface_height, waves_bound
-from seafoam.effects.effect import HALF_FLOAT, Contribution, Effect, PassSpec, QualityParameter, Resources, TextureUse
+from seafoam.effects.effect import (
+    HALF_FLOAT,
+    Contribution,
+    Effect,
+    PassSpec,
+    QualityParameter,
+    Resources,
+    TextureUse,
+    drawn_map,
+)
 from seafoam.effects.shader import Const, Inline, Piece, SlotFile
 from seafoam.effects.waves.measured import measured_bounds
 from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, TargetInput, TextureInput, target_inputs
@@ -78,7 +87,7 @@ class WaterDrawing:
         side = min(2 * BAND, self.size)
         spectra, *rows = f"{self.target}_spectra", f"{self.target}_rows", f"{self.second}_rows"
         columns = self.second, self.target
-        first = self._first(self.by_spectrum, ("spectrum", "spectra_pass"), _loop_uniforms(), spectra)
+        first = self._first(self.by_spectrum, ("spectrum", "spectra_pass"), _LOOP_TIME, spectra)
         return Resources(
             targets={
                 spectra: self._layers(side // 4, side),
@@ -138,12 +147,11 @@ class WaterDrawing:
                 source = target
 
 
-def _loop_uniforms() -> dict[str, Uniform]:
-    """Time in the loop, s, modulo the loop and modulo its 1024th part."""
-    return {
-        "u_sea_loop": Uniform(type="float", rules=(Loop(period=LOOP),)),
-        "u_sea_fine": Uniform(type="float", rules=(Loop(period=LOOP / 1024.0),)),
-    }
+_LOOP_TIME = {
+    "u_sea_loop": Uniform(type="float", rules=(Loop(period=LOOP),)),
+    "u_sea_fine": Uniform(type="float", rules=(Loop(period=LOOP / 1024.0),)),
+}
+"""Time in the loop, s, modulo the loop and modulo its 1024th part."""
 
 
 def _gerstner_uniforms(tiles: Sequence[Cascade], size: int) -> dict[str, Uniform]:
@@ -238,7 +246,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     contribution = Contribution(
         why=_why(sea, tiles, quality.sea_size),
         slots=_slots(scene, quality, len(tiles)),
-        consts={**_consts(sea, tiles, quality), "SEA_READ": _read(quality)},
+        consts={**_consts(sea, tiles, quality), "SEA_READ": READ if quality.samples > 1 else READ_ALONE},
         chosen_consts={"SEA_READ": READ},
         bound=waves_bound(
             scene, summed(tile.max_slope for tile in tiles), max_surface_height(scene) - min_surface_height(scene)
@@ -255,10 +263,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         _mip_maps(tiles, quality),
         _orbits(sea, raised, quality) if follows_orbits(scene) else Resources(),
     )
-
-
-def _read(quality: Quality) -> float:
-    return READ if quality.samples > 1 else READ_ALONE
 
 
 def _why(sea: Sea, tiles: Sequence[Cascade], size: int) -> str:
@@ -332,78 +336,64 @@ def _height_map(sea: Sea, index: int, tile: Cascade, quality: Quality) -> Resour
     """Height and slopes of a tile over the level plane, and its measured bounds if it displaces the surface."""
     name = f"sea_tile_{index}"
     size = quality.sea_size if index < RAISED else displaced_size(quality)
-    part = Resources(
-        uniforms={
-            f"u_sea_offset_{index}": array("vec2", in_tile(tile.size), 1),
-            f"u_sea_size_{index}": number(tile.size),
+    drawn = PassSpec(
+        f"sea, {tile.size:g} m tile",
+        "sea_tile",
+        (*RESAMPLED, "waves/sea_passes.glsl@tile_pass"),
+        {"u_sea_displaced": DISPLACED},
+        {
+            "u_sea_block": tile_block(sea, tile, index, quality),
+            "u_sea_corner": number(displaced_size(quality) / size),
+            "u_sea_limit": vector((significant(tile.limit), significant(tile.max_slope))),
         },
-        targets={name: tile_target(quality, size)},
-        passes=(
-            PassSpec(
-                f"sea, {tile.size:g} m tile",
-                "sea_tile",
-                (*RESAMPLED, "waves/sea_passes.glsl@tile_pass"),
-                target=name,
-                read={"u_sea_displaced": DISPLACED},
-                uniforms={
-                    "u_sea_block": tile_block(sea, tile, index, quality),
-                    "u_sea_corner": number(displaced_size(quality) / size),
-                    "u_sea_limit": vector((significant(tile.limit), significant(tile.max_slope))),
-                },
-            ),
-        ),
+        target=name,
     )
+    place = {f"u_sea_offset_{index}": array("vec2", in_tile(tile.size), 1), f"u_sea_size_{index}": number(tile.size)}
     if index >= RAISED:
-        return part
-    inputs = target_inputs({f"u_sea_tile_{index}": name, f"u_sea_bounds_{index}": f"{name}_bounds"})
-    return part.joined(Resources(inputs=inputs), measured_bounds(name, size, tile.size / size))
+        return drawn_map(drawn, tile_target(quality, size)).joined(Resources(uniforms=place))
+    raised = Resources(uniforms=place, inputs=target_inputs({f"u_sea_bounds_{index}": f"{name}_bounds"}))
+    bounds = measured_bounds(name, size, tile.size / size)
+    return drawn_map(drawn, tile_target(quality, size), f"u_sea_tile_{index}").joined(raised, bounds)
 
 
 def _mip_maps(tiles: Sequence[Cascade], quality: Quality) -> Resources:
     """The tiles' slopes as shading reads them: prefiltered maps, or the tiles themselves if nothing is filtered."""
     if not quality.surface.filter:
         return Resources(inputs=target_inputs({f"u_sea_seen_{i}": f"sea_tile_{i}" for i in range(len(tiles))}))
-    size = FixedSize.square(seen_size(quality))
-    # What only tilts the normal has no more texels than the map of displaced water.
-    smooth = [_smoothed(quality) or i >= RAISED for i in range(len(tiles))]
-    return Resources(
-        inputs=target_inputs({f"u_sea_seen_{i}": f"sea_seen_{i}" for i in range(len(tiles))}),
-        targets={
-            f"sea_seen_{i}": Target(size=size, format="RGBA16F", filter=MIPMAPPED, wrap="repeat")
-            for i in range(len(tiles))
-        },
-        passes=tuple(
-            PassSpec(
-                f"sea, {tile.size:g} m tile as seen",
-                "sea_seen" if smooth[i] else "sea_seen_same",
-                (*_fetch(quality), "waves/sea.glsl@seen_pass" if smooth[i] else "waves/sea.glsl@seen_same_pass"),
-                target=f"sea_seen_{i}",
-                read={"u_sea_full": f"sea_tile_{i}"},
-            )
-            for i, tile in enumerate(tiles)
-        ),
+    seen, target = (
+        Resources(),
+        Target(size=FixedSize.square(seen_size(quality)), format="RGBA16F", filter=MIPMAPPED, wrap="repeat"),
     )
+    for i, tile in enumerate(tiles):
+        # What only tilts the normal has no more texels than the map of displaced water.
+        smooth = _smoothed(quality) or i >= RAISED
+        file = "waves/sea.glsl@seen_pass" if smooth else "waves/sea.glsl@seen_same_pass"
+        drawn = PassSpec(
+            f"sea, {tile.size:g} m tile as seen",
+            "sea_seen" if smooth else "sea_seen_same",
+            (*_fetch(quality), file),
+            {"u_sea_full": f"sea_tile_{i}"},
+            target=f"sea_seen_{i}",
+        )
+        seen = seen.joined(drawn_map(drawn, target, f"u_sea_seen_{i}"))
+    return seen
 
 
 def _orbits(sea: Sea, raised: Sequence[Cascade], quality: Quality) -> Resources:
     """Horizontal displacement of the water, which carries foam: the tiles on top of each other in one map."""
     side = quality.sea_size // 2
     size = FixedSize(width=side, height=RAISED * (side + 1))
-    return Resources(
-        slots=(SlotFile("carry", "foam/carry.glsl@sea", prefix="sea"),),
-        inputs={"u_sea_orbits": TargetInput(target="sea_orbits")},
-        targets={"sea_orbits": tile_target(quality, side).model_copy(update={"size": size})},
-        passes=(
-            PassSpec(
-                "orbits of the sea",
-                "sea_orbit",
-                (*RESAMPLED, "foam/carry.glsl@sea_orbit"),
-                target="sea_orbits",
-                read={"u_sea_displaced": DISPLACED},
-                uniforms=raised_blocks(sea, raised, quality),
-            ),
-        ),
+    drawn = PassSpec(
+        "orbits of the sea",
+        "sea_orbit",
+        (*RESAMPLED, "foam/carry.glsl@sea_orbit"),
+        {"u_sea_displaced": DISPLACED},
+        raised_blocks(sea, raised, quality),
+        target="sea_orbits",
     )
+    target = tile_target(quality, side).model_copy(update={"size": size})
+    carry = Resources(slots=(SlotFile("carry", "foam/carry.glsl@sea", prefix="sea"),))
+    return drawn_map(drawn, target, "u_sea_orbits").joined(carry)
 
 
 EFFECT = Effect(
