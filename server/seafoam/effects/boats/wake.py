@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import TypeVar
 
 from seafoam.effects.boats.boat import COURSE
-from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, Resources
+from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, Resources, drawn_map
 from seafoam.effects.shader import Inline, Piece, SlotFile, Source
 from seafoam.effects.waves.measured import BLOCK
 from seafoam.framegraph.resources import FixedSize, Target, target_inputs
@@ -81,6 +81,7 @@ def wakes_of(kind: WakeKind, patterns: Sequence[Wake], quality: Quality) -> Cont
     """The waves of at least one wake."""
     mapped = quality.wake == "map"
     height = joint_height(patterns)
+    map_error = significant(summed(wake.map_error(wake.length / quality.wake_size) for wake in patterns))
     contribution = Contribution(
         why=f"{kind.title} up to {height:.2g} m high",
         slots=_slots(kind, mapped=mapped),
@@ -91,14 +92,15 @@ def wakes_of(kind: WakeKind, patterns: Sequence[Wake], quality: Quality) -> Cont
         min_height=-height,
         max_slope=joint_slope(patterns),
         max_curvature=summed(significant(wake.curvature[0]) for wake in patterns),
-        map_error=significant(summed(wake.map_error(wake.length / quality.wake_size) for wake in patterns))
-        if mapped
-        else 0.0,
+        map_error=map_error if mapped else 0.0,
         march_factor=2,
     )
     if mapped:
         return contribution.joined(_map(kind, len(patterns), quality.wake_size))
-    return contribution.joined(Resources(uniforms=kind.renamed(_bound_uniforms(patterns, height))))
+    # No map is measured for the bounds of exact wakes.
+    bounds = constants("vec3", [(significant(wake.max_slope), *map(significant, wake.curvature)) for wake in patterns])
+    uniforms = kind.renamed({"u_wake_highest": number(height), "u_wake_bounds": bounds})
+    return contribution.joined(Resources(uniforms=uniforms))
 
 
 def _slots(kind: WakeKind, *, mapped: bool) -> tuple[SlotFile, ...]:
@@ -129,42 +131,33 @@ def _form_uniforms(patterns: Sequence[Wake]) -> dict[str, Uniform]:
     return {"u_wake": constants("vec4", forms), "u_wake_boat": constants("vec2", boats)}
 
 
-def _bound_uniforms(patterns: Sequence[Wake], height: float) -> dict[str, Uniform]:
-    """Bounds of the exact wakes, which no map is measured for."""
-    bounds = [(significant(wake.max_slope), *map(significant, wake.curvature)) for wake in patterns]
-    return {"u_wake_highest": number(height), "u_wake_bounds": constants("vec3", bounds)}
-
-
 def _map(kind: WakeKind, count: int, size: int) -> Resources:
     """The wakes' map, ``size`` texels long and half as wide per wake, and its bounds."""
     name, form = kind.name, kind.file("boats/wake.glsl@form")
     blocks = FixedSize(width=size // BLOCK, height=size // 2 // BLOCK * count)
-    targets = {
-        name: Target(size=FixedSize(width=size, height=size // 2 * count), format="RGBA16F", filter="linear"),
-        f"{name}_blocks": Target(size=blocks, format="RGBA16F"),
-        f"{name}_bounds": Target(size=FixedSize(width=len(AWAY), height=count), format="RGBA16F"),
-    }
-    passes = (
-        PassSpec(
-            f"{kind.title}, {size} texels along",
-            name,
-            ("lib/numbers.glsl", form, _PATTERN, kind.file("boats/wake.glsl@map_pass")),
-        ),
-        PassSpec(
-            f"{kind.title}, greatest of blocks",
-            f"{name}_blocks",
-            (Inline(f"const int BOUNDS_BLOCK = {BLOCK};\n"), form, kind.file("boats/wake_bounds.glsl@blocks")),
-            inputs=kind.renamed(target_inputs({"u_wake_map": name})),
-        ),
-        PassSpec(
-            f"{kind.title}, greatest of all",
-            f"{name}_bounds",
-            (form, kind.file("boats/wake_bounds.glsl@join")),
-            inputs=kind.renamed(target_inputs({"u_wake_blocks": f"{name}_blocks"})),
-        ),
+    along = PassSpec(
+        f"{kind.title}, {size} texels along",
+        name,
+        ("lib/numbers.glsl", form, _PATTERN, kind.file("boats/wake.glsl@map_pass")),
     )
-    inputs = kind.renamed(target_inputs({"u_wake_map": name, "u_wake_bounds": f"{name}_bounds"}))
-    return Resources(inputs=inputs, targets=targets, passes=passes)
+    of_blocks = PassSpec(
+        f"{kind.title}, greatest of blocks",
+        f"{name}_blocks",
+        (Inline(f"const int BOUNDS_BLOCK = {BLOCK};\n"), form, kind.file("boats/wake_bounds.glsl@blocks")),
+        kind.renamed({"u_wake_map": name}),
+    )
+    of_all = PassSpec(
+        f"{kind.title}, greatest of all",
+        f"{name}_bounds",
+        (form, kind.file("boats/wake_bounds.glsl@join")),
+        kind.renamed({"u_wake_blocks": f"{name}_blocks"}),
+    )
+    map_size, bounds_size = FixedSize(width=size, height=size // 2 * count), FixedSize(width=len(AWAY), height=count)
+    return drawn_map(along, Target(size=map_size, format="RGBA16F", filter="linear")).joined(
+        drawn_map(of_blocks, Target(size=blocks, format="RGBA16F")),
+        drawn_map(of_all, Target(size=bounds_size, format="RGBA16F")),
+        Resources(inputs=kind.renamed(target_inputs({"u_wake_map": name, "u_wake_bounds": f"{name}_bounds"}))),
+    )
 
 
 EFFECT = Effect(

@@ -3,10 +3,18 @@
 import math
 from dataclasses import replace
 
-from seafoam.effects.effect import Contribution, PassSpec, QualityParameter, Resources, SaturationSource, foam_effect
+from seafoam.effects.effect import (
+    Contribution,
+    PassSpec,
+    QualityParameter,
+    Resources,
+    SaturationSource,
+    drawn_map,
+    foam_effect,
+)
 from seafoam.effects.shader import Const, SlotFile
 from seafoam.effects.waves import sea as waves
-from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, target_inputs
+from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target
 from seafoam.framegraph.rules import Uniform, constants, number, rounded, significant, vector
 from seafoam.ocean.foam.whitecaps import OLD_STEP, OLD_STEPS, OLD_TEXELS, WhitecapModel, old_times, whitecap_model
 from seafoam.ocean.waves.cascades import RAISED, Cascade
@@ -96,21 +104,16 @@ def _recent(scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Qualit
         uniforms=_time_uniforms(scene, sea, raised, 0.0, quality.age_step),
     )
     over = FixedSize(width=size, height=(size + 1) * rows * RAISED)
-    carried = Resources(
-        inputs=target_inputs({"u_age_tiles": "age_tiles"}),
-        targets={"age_tiles": waves.tile_target(quality, size).model_copy(update={"size": over})},
-        passes=(
-            PassSpec(
-                "earlier folds",
-                "age_tile",
-                (*waves.RESAMPLED, "waves/age.glsl@tile_pass"),
-                target="age_tiles",
-                read={"u_sea_displaced": waves.DISPLACED, "u_age_folds": jacobians.target},
-                uniforms=waves.raised_blocks(sea, raised, quality),
-            ),
-        ),
+    carried = PassSpec(
+        "earlier folds",
+        "age_tile",
+        (*waves.RESAMPLED, "waves/age.glsl@tile_pass"),
+        {"u_sea_displaced": waves.DISPLACED, "u_age_folds": jacobians.target},
+        waves.raised_blocks(sea, raised, quality),
+        target="age_tiles",
     )
-    return jacobians.resources(sea, raised).joined(carried)
+    target = waves.tile_target(quality, size).model_copy(update={"size": over})
+    return jacobians.resources(sea, raised).joined(drawn_map(carried, target, "u_age_tiles"))
 
 
 def _old(scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Quality, model: WhitecapModel) -> Resources:
@@ -140,12 +143,8 @@ def _old(scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Quality, 
         },
     )
     side = FixedSize.square(quality.sea_size // 2)
-    left = Resources(
-        inputs=target_inputs({"u_old_foam": "old_foam"}),
-        targets={"old_foam": Target(size=side, format="RGBA16F", filter=MIPMAPPED, wrap="repeat")},
-        passes=(foam,),
-    )
-    return jacobians.resources(sea, raised).joined(left)
+    target = Target(size=side, format="RGBA16F", filter=MIPMAPPED, wrap="repeat")
+    return jacobians.resources(sea, raised).joined(drawn_map(foam, target, "u_old_foam"))
 
 
 def _time_uniforms(

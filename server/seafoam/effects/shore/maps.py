@@ -37,12 +37,10 @@ def blur_deviation(shore: Shore, texels: int) -> float:
 
 def map_targets(quality: Quality, land_cells: int) -> dict[str, Target]:
     """Targets of :func:`map_passes`; ``land_cells``: cells along a side of the finest level of the land's maxima."""
-    texels = FixedSize(width=quality.shore_map, height=quality.shore_map)
+    texels = FixedSize.square(quality.shore_map)
+    land = Target(size=FixedSize(width=2 * land_cells, height=land_cells), format="RGBA16F")
     return {
-        **{
-            name: Target(size=FixedSize(width=2 * land_cells, height=land_cells), format="RGBA16F")
-            for name in ("land_cells", "land_maxima")
-        },
+        **dict.fromkeys(("land_cells", "land_maxima"), land),
         **{f"shore_near_{i}": Target(size=texels, format="RGBA16F") for i in range(2)},
         **{f"shore_{name}": Target(size=texels, format="RGBA32F") for name in ("rough", "half", "smooth", "map")},
     }
@@ -93,15 +91,9 @@ def _flood_passes(texels: int) -> tuple[list[PassSpec], str]:
     while (step := texels >> len(steps)) >= 1:
         steps.append(step)
     for i, step in enumerate(steps):
-        passes.append(
-            _pass(
-                f"flood, {step} texels",
-                ("shore/maps.glsl@flood",),
-                f"shore_near_{(i + 1) % 2}",
-                {"u_nearest": f"shore_near_{i % 2}"},
-                {"u_flood_step": number(float(step))},
-            )
-        )
+        source, target = f"shore_near_{i % 2}", f"shore_near_{(i + 1) % 2}"
+        read, uniforms = {"u_nearest": source}, {"u_flood_step": number(float(step))}
+        passes.append(_pass(f"flood, {step} texels", ("shore/maps.glsl@flood",), target, read, uniforms))
     return passes, f"shore_near_{len(steps) % 2}"
 
 
@@ -109,16 +101,11 @@ def _blur_passes(shore: Shore, texels: int) -> list[PassSpec]:
     """Gaussian smoothing of distance and depth, along x and along z."""
     deviation = number(significant(blur_deviation(shore, texels)))
     sides = (("x", (1.0, 0.0), "shore_rough", "shore_half"), ("z", (0.0, 1.0), "shore_half", "shore_smooth"))
-    return [
-        _pass(
-            f"blur, {name}",
-            ("shore/maps.glsl@blur",),
-            target,
-            {"u_rough": source},
-            {"u_blur_side": vector(side), "u_shore_spread": deviation},
-        )
-        for name, side, source, target in sides
-    ]
+    passes = []
+    for name, side, source, target in sides:
+        uniforms = {"u_blur_side": vector(side), "u_shore_spread": deviation}
+        passes.append(_pass(f"blur, {name}", ("shore/maps.glsl@blur",), target, {"u_rough": source}, uniforms))
+    return passes
 
 
 def _wave_pass(shore: Shore) -> PassSpec:

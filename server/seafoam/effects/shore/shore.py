@@ -35,6 +35,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     surf, bounds = shore.surf, limits(shore, quality)
     steepest, curvature = _steepest(scene, bounds)
     cells = min(LAND_CELLS, quality.shore_floor)
+    # The travel time of a swell that the depth refracts.
+    travel = {"shore_travel": TextureUse(ShoreTravel(shore=shore, texels=quality.shore_map), wrap="clamp_to_edge")}
+    profiles = ShoreProfiles(nodes=quality.shore_profile, skew=surf.skew, sharpness=surf.sharpness)
     return Contribution(
         why=f"{shore.kind}, {shore.size:g} m square" + (f", waves of {surf.height:g} m" if surf.height > 0.0 else ""),
         slots=_slots(shore, lit=scene.light is not None),
@@ -55,10 +58,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         },
         textures={
             "shore_floor": TextureUse(ShoreFloor(shore=shore, texels=quality.shore_floor), wrap="clamp_to_edge"),
-            **_travel(shore, quality),
-            "shore_profiles": TextureUse(
-                ShoreProfiles(nodes=quality.shore_profile, skew=surf.skew, sharpness=surf.sharpness)
-            ),
+            **(travel if surf.refraction else {}),
+            "shore_profiles": TextureUse(profiles),
         },
         targets=map_targets(quality, cells),
         passes=map_passes(shore, quality, land.SUNLIT_FROM if land.throws(scene) else land.NO_SHADOWS),
@@ -76,12 +77,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 def _slots(shore: Shore, *, lit: bool) -> tuple[SlotFile, ...]:
     waves = ("shore/ground.glsl@place", *GROUND, *VALUE_NOISE, "shore/waves.glsl@field")
     # Water without light takes its colour by the same file, but does not fill the slot of the water's body.
-    through = (
-        "lib/refraction.glsl",
-        "shore/ground.glsl@ground",
-        *land.shallow_files(shore),
-        *(() if lit else ("shore/floor.glsl@body",)),
-    )
+    body = () if lit else ("shore/floor.glsl@body",)
+    through = ("lib/refraction.glsl", "shore/ground.glsl@ground", *land.shallow_files(shore), *body)
     light = land.LAND_LIGHT[shore.detail > 0.0] if lit else "shore/land.glsl@land_flat"
     colour = ("shore/ground.glsl@ground", *land.soil_files(shore), *land.wet_files(shore), light)
     start = ("surface/bounds.glsl@pyramid", "shore/ground.glsl@ground", *MAXIMA)
@@ -101,13 +98,6 @@ def _slots(shore: Shore, *, lit: bool) -> tuple[SlotFile, ...]:
         SlotFile("start", "shore/march.glsl@start", prefix="land", needs=start),
         *(underwater if lit else ()),
     )
-
-
-def _travel(shore: Shore, quality: Quality) -> dict[str, TextureUse]:
-    """The travel time of a swell that the depth refracts."""
-    if not shore.surf.refraction:
-        return {}
-    return {"shore_travel": TextureUse(ShoreTravel(shore=shore, texels=quality.shore_map), wrap="clamp_to_edge")}
 
 
 def _consts(shore: Shore, quality: Quality, cells: int) -> dict[str, Const]:
@@ -179,11 +169,8 @@ def _bound(scene: Scene, shore: Shore, top: float) -> Bound | None:
         return None
     if scene.light is None:
         return Bound(0.0, "no coast, and no light on the floor")
-    return Bound(
-        floor_limit(scene, scene.light, -top),
-        f"no coast, and no light returns from a depth of {-top:.3g} m",
-        FLOOR_FIELDS,
-    )
+    why = f"no coast, and no light returns from a depth of {-top:.3g} m"
+    return Bound(floor_limit(scene, scene.light, -top), why, FLOOR_FIELDS)
 
 
 EFFECT = Effect(

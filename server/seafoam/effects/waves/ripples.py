@@ -4,9 +4,9 @@ import math
 from collections.abc import Sequence
 
 from seafoam.effects.bounds import slope_sensitivity
-from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, Resources
+from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, Resources, drawn_map
 from seafoam.effects.shader import PERLIN_3, SlotFile, Source, drifting_noise
-from seafoam.framegraph.resources import FixedSize, Target, target_inputs
+from seafoam.framegraph.resources import FixedSize, Target
 from seafoam.framegraph.rules import Phase, Uniform, Wrap, array, constants, in_tile, number, rounded, significant
 from seafoam.ocean.waves.ripples import BANDS, SHIFTS, TURN, WAVES_PER_TILE, Ripple, ripple_cascades, tiles
 from seafoam.quality import Quality
@@ -34,13 +34,9 @@ def _wave_data(waves: Sequence[Ripple], first_band: int = 0) -> list[tuple[float
     ]
 
 
-def _copies(cascades: tuple[tuple[Ripple, ...], ...]) -> int:
-    return len(cascades) // _TILES
-
-
 def _bands(cascades: tuple[tuple[Ripple, ...], ...]) -> Uniform:
     """Geometric mean of the wavenumbers, rad/m, and mean square slope of each band, with that of its copy."""
-    copies = _copies(cascades)
+    copies = len(cascades) // _TILES
     bands = [waves[i : i + _PER_BAND] for waves in cascades[:_TILES] for i in range(0, WAVES_PER_TILE, _PER_BAND)]
     values = [
         (
@@ -59,7 +55,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         return None
     repeats = scene.light is not None and scene.light.caustics is not None
     cascades, sides = ripple_cascades(ripples, repeats), tiles(repeats)
-    count, copies = WAVES_PER_TILE * len(cascades), _copies(cascades)
+    count, copies = WAVES_PER_TILE * len(cascades), len(cascades) // _TILES
     summed = quality.ripples == "exact"
     twice = ", read twice" if copies == 2 else ""
     how = "summed at each sample" if summed else f"drawn into {len(sides)} tiles in each frame{twice}"
@@ -105,36 +101,24 @@ def _maps(cascades: tuple[tuple[Ripple, ...], ...], sides: tuple[float, ...], si
     """A map of the slopes of each tile, ``size`` texels along each side."""
     target = Target(size=FixedSize.square(size), format="RGBA16F", filter="linear", wrap="repeat")
     places = [rule for side in sides for rule in in_tile(side)]
-    if _copies(cascades) == 2:
-        places += [rule for side, shift in zip(sides, SHIFTS, strict=True) for rule in _in_copy(side, shift)]
-    return Resources(
-        uniforms={
-            "u_ripples_offset": array("vec2", places, len(cascades)),
-            "u_ripples_size": constants("float", sides),
-        },
-        inputs=target_inputs({f"u_ripples_{i}": f"ripples_{i}" for i in range(len(sides))}),
-        targets={f"ripples_{i}": target for i in range(len(sides))},
-        passes=tuple(
-            PassSpec(
-                f"ripples, {side:g} m tile",
-                "ripples",
-                ("lib/numbers.glsl", "waves/ripples.glsl@tile_pass"),
-                target=f"ripples_{i}",
-                uniforms={
-                    "u_ripples_wave": constants("vec4", _wave_data(waves)),
-                    "u_ripples_phase": ripple_phases(waves),
-                    "u_ripples_tile": number(side),
-                },
-            )
-            for i, (side, waves) in enumerate(zip(sides, cascades, strict=False))
-        ),
+    if len(cascades) == 2 * _TILES:
+        for side, shift in zip(sides, SHIFTS, strict=True):
+            # The camera's place in the turned copy of a tile, in sides.
+            x, z = TURN[0] / side, TURN[1] / side
+            places += [Wrap(k=(x, z), offset=shift[0]), Wrap(k=(-z, x), offset=shift[1])]
+    maps = Resources(
+        uniforms={"u_ripples_offset": array("vec2", places, len(cascades)), "u_ripples_size": constants("float", sides)}
     )
-
-
-def _in_copy(side: float, shift: tuple[float, float]) -> tuple[Wrap, Wrap]:
-    """The camera's place in the turned copy of a tile, in sides."""
-    along = TURN[0] / side, TURN[1] / side
-    return Wrap(k=along, offset=shift[0]), Wrap(k=(-along[1], along[0]), offset=shift[1])
+    for i, (side, waves) in enumerate(zip(sides, cascades, strict=False)):
+        uniforms = {
+            "u_ripples_wave": constants("vec4", _wave_data(waves)),
+            "u_ripples_phase": ripple_phases(waves),
+            "u_ripples_tile": number(side),
+        }
+        files = ("lib/numbers.glsl", "waves/ripples.glsl@tile_pass")
+        drawn = PassSpec(f"ripples, {side:g} m tile", "ripples", files, {}, uniforms, target=f"ripples_{i}")
+        maps = maps.joined(drawn_map(drawn, target, f"u_ripples_{i}"))
+    return maps
 
 
 def _bound(scene: Scene, ripples: Ripples) -> Bound | None:

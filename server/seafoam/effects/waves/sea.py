@@ -360,10 +360,8 @@ def _mip_maps(tiles: Sequence[Cascade], quality: Quality) -> Resources:
     """The tiles' slopes as shading reads them: prefiltered maps, or the tiles themselves if nothing is filtered."""
     if not quality.surface.filter:
         return Resources(inputs=target_inputs({f"u_sea_seen_{i}": f"sea_tile_{i}" for i in range(len(tiles))}))
-    seen, target = (
-        Resources(),
-        Target(size=FixedSize.square(seen_size(quality)), format="RGBA16F", filter=MIPMAPPED, wrap="repeat"),
-    )
+    target = Target(size=FixedSize.square(seen_size(quality)), format="RGBA16F", filter=MIPMAPPED, wrap="repeat")
+    seen = Resources()
     for i, tile in enumerate(tiles):
         # What only tilts the normal has no more texels than the map of displaced water.
         smooth = _smoothed(quality) or i >= RAISED
