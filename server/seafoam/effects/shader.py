@@ -74,10 +74,20 @@ def refine(name: str, field: str, kind: str) -> Source:
     return Source("lib/rays.glsl@newton", (("refine", name), ("field_at", field), ("vec4", kind)))
 
 
-def constant_function(returns: str, name: str, parameters: str, value: str = "") -> Inline:
-    """Return a GLSL function that returns ``value``, or 0, for all arguments: the default of a slot."""
+def constant_function(returns: str, name: str, parameters: str, value: str = "", before: str = "") -> Inline:
+    """Return a GLSL function that returns ``value``, or 0, for all arguments: the default of a slot.
+
+    ``before``: statements of lines of their own, which set what else it gives.
+    """
     value = value or ("0.0" if returns == "float" else f"{returns}(0.0)")
-    return Inline(f"{returns} {name}({parameters}) {{\n    return {value};\n}}\n")
+    lines = [*before.splitlines(), *([] if returns == "void" else [f"return {value};"])]
+    body = "".join(f"    {line}\n" for line in lines)
+    return Inline(f"{returns} {name}({parameters}) {{\n{body}}}\n")
+
+
+def joined(*pieces: Inline) -> Inline:
+    """Return inline GLSL with an empty line between its pieces."""
+    return Inline("\n".join(piece.text for piece in pieces))
 
 
 HASH = "lib/noise.glsl@hash"

@@ -1,7 +1,10 @@
 """A whole frame: surface and sky, what stands before them, the mean of the samples, and the picture on the screen."""
 
+from collections.abc import Sequence
+
 from seafoam.effects.effect import ABOVE, BENEATH, FINISHED
 from seafoam.effects.shader import Piece, Source
+from seafoam.framegraph.passes import Pass
 from seafoam.framegraph.resources import Target, TargetInput, ViewportSize, target_inputs
 from seafoam.planner.adaptive import Redrawn, additional_samples
 from seafoam.planner.frame import Frame, Stage, fullscreen
@@ -27,10 +30,14 @@ def picture(frame: Frame) -> tuple[Stage, str]:
         linear = "composed" if frame.narrow else _SAMPLES
         stages += [Stage(after), _composed(frame, first, linear)]
     elif frame.narrow:
-        stages.append(_enlarged(frame))
+        files = ["lib/numbers.glsl", _ENLARGED, "output/enlarge.glsl@picture"]
+        drawn = fullscreen("enlarged", "enlarge", "enlarged", target_inputs({"u_narrow": _SAMPLES}))
+        stages.append(_alone(frame, drawn, files, Target(size=ViewportSize(), format=frame.quality.target)))
         linear = "enlarged"
     if frame.side > 1:
-        stages.append(_mean(frame))
+        drawn = fullscreen("mean of the samples", "resolve", "linear", target_inputs({"u_samples": _SAMPLES}))
+        target = Target(size=ViewportSize(), format="RGBA32F")
+        stages.append(_alone(frame, drawn, ["output/frame.glsl@resolve"], target))
         linear = "linear"
     # Without light an additional sample costs less than its selection.
     if frame.quality.chosen_samples and frame.scene.light is not None:
@@ -41,35 +48,21 @@ def picture(frame: Frame) -> tuple[Stage, str]:
 
 def _composed(frame: Frame, beneath: str, target: str) -> Stage:
     """The pass that lays what stands before the scenery over it, which it enlarges if that is narrow."""
-    size, read = ViewportSize(scale=frame.side), "u_beneath"
-    under: Piece = "output/frame.glsl@beneath"
+    read, under = "u_beneath", Source("output/frame.glsl@beneath")
     if frame.narrow:
         read, under = "u_narrow", Source(_ENLARGED, (("enlarged", "beneath"),))
-    reads = target_inputs({read: beneath, "u_above": ABOVE})
-    return Stage(
-        passes=[fullscreen("what stands before the water", "compose", target, reads)],
-        programs={"compose": frame.program(["lib/numbers.glsl", under, "output/frame.glsl@compose"])},
-        targets={ABOVE: Target(size=size, format="RGBA16F"), target: Target(size=size, format=frame.quality.target)},
+    files: list[Piece] = ["lib/numbers.glsl", under, "output/frame.glsl@compose"]
+    size = ViewportSize(scale=frame.side)
+    drawn = fullscreen(
+        "what stands before the water", "compose", target, target_inputs({read: beneath, "u_above": ABOVE})
     )
+    above = Stage(targets={ABOVE: Target(size=size, format="RGBA16F")})
+    return above.joined(_alone(frame, drawn, files, Target(size=size, format=frame.quality.target)))
 
 
-def _mean(frame: Frame) -> Stage:
-    """The pass that averages each pixel's samples."""
-    return Stage(
-        passes=[fullscreen("mean of the samples", "resolve", "linear", target_inputs({"u_samples": _SAMPLES}))],
-        programs={"resolve": frame.program(["output/frame.glsl@resolve"])},
-        targets={"linear": Target(size=ViewportSize(), format="RGBA32F")},
-    )
-
-
-def _enlarged(frame: Frame) -> Stage:
-    """The pass that enlarges a scenery that is drawn at a part of its width."""
-    files = ["lib/numbers.glsl", _ENLARGED, "output/enlarge.glsl@picture"]
-    return Stage(
-        passes=[fullscreen("enlarged", "enlarge", "enlarged", target_inputs({"u_narrow": _SAMPLES}))],
-        programs={"enlarge": frame.program(files)},
-        targets={"enlarged": Target(size=ViewportSize(), format=frame.quality.target)},
-    )
+def _alone(frame: Frame, drawn: Pass, files: Sequence[Piece], target: Target) -> Stage:
+    """A pass with the target that it alone draws into."""
+    return Stage([drawn], {drawn.program: frame.program(files)}, {drawn.target: target})
 
 
 def _redrawn_overlays(frame: Frame) -> tuple[Redrawn, ...]:

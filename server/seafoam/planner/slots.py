@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from seafoam.effects.shader import Inline, Piece, constant_function
+from seafoam.effects.shader import Inline, Piece, constant_function, joined
 
 Combine = Literal["max", "product"]
 """How foam saturations are combined."""
@@ -64,10 +64,8 @@ class Slot:
 
 
 def _waves(height: str, shading: str) -> Slot:
-    return Slot(
-        "waves",
-        joins=(Join("vec3", height, "vec2 p", "waves"), Join("vec4", shading, "vec2 p, Footprint fp", "shading")),
-    )
+    heights, seen = Join("vec3", height, "vec2 p", "waves"), Join("vec4", shading, "vec2 p, Footprint fp", "shading")
+    return Slot("waves", joins=(heights, seen))
 
 
 WAVES = _waves("waves", "waves_shading")
@@ -83,25 +81,14 @@ NOW = Slot("now", "surface/bounds.glsl@now_declared", under="marched")
 """Bounds of the present surface, for the steps of ray marching."""
 GENTLER = Slot("gentler", under="marched", joins=(Join("float", "surface_gentler", "vec3 ray, float from", "gentler"),))
 """By how much a ray from ``from`` times its vector on meets smaller slopes than the bound of NOW."""
-SHORT = Slot(
-    "short",
-    Inline("const bool SHORT_WAVES = false;\n\nvec3 short_waves() {\n    return vec3(0.0);\n}\n"),
-    under="marched",
-)
+_NO_SHORT = joined(Inline("const bool SHORT_WAVES = false;\n"), constant_function("vec3", "short_waves", ""))
+SHORT = Slot("short", _NO_SHORT, under="marched")
 """Short waves that ray marching bounds separately: ``SHORT_WAVES`` says whether there are any."""
-BEYOND = Slot(
-    "beyond",
-    constant_function("vec3", "surface_beyond", "vec3 ray, float aside", "vec3(1e30, 0.0, 0.0)"),
-    under="marched",
-)
+_NEVER = constant_function("vec3", "surface_beyond", "vec3 ray, float aside", "vec3(1e30, 0.0, 0.0)")
+BEYOND = Slot("beyond", _NEVER, under="marched")
 """Distance along a ray from which the waves are less steep."""
-APPROACH = Slot(
-    "approach",
-    Inline(
-        "void march_open(vec3 ray, float leave, float fine, vec3 now, vec2 less, float bend, inout float tau) {\n}\n"
-    ),
-    under="marched",
-)
+_OPEN = "vec3 ray, float leave, float fine, vec3 now, vec2 less, float bend, inout float tau"
+APPROACH = Slot("approach", constant_function("void", "march_open", _OPEN), under="marched")
 """First part of a march, over water that needs fewer of its waves."""
 FIND = Slot("find")
 """Intersection of the ray with the surface; selected by the quality."""
@@ -133,43 +120,23 @@ OVER = Slot("over", "foam/shading.glsl@over")
 """Composition of foam and water."""
 ALBEDO = Slot("albedo", constant_function("float", "foam_albedo", ""), under="shade")
 LAYERED = Slot("layered")
-MOON = Slot(
-    "moon",
-    Inline(
-        constant_function("vec3", "moon_glow", "vec3 d").text
-        + "\n"
-        + constant_function("vec3", "moon_glow_rim", "vec2 level, vec3 d").text
-    ),
-    under="layered",
+_NO_MOON = (
+    constant_function("vec3", "moon_glow", "vec3 d"),
+    constant_function("vec3", "moon_glow_rim", "vec2 level, vec3 d"),
 )
-CIRRUS = Slot(
-    "cirrus",
-    Inline("vec4 cirrus(vec3 d, vec2 spread, out float hidden) {\n    hidden = 0.0;\n    return vec4(0.0);\n}\n"),
-    under="layered",
+MOON = Slot("moon", joined(*_NO_MOON), under="layered")
+_SEEN = "vec3 d, vec2 spread, out float hidden"
+CIRRUS = Slot("cirrus", constant_function("vec4", "cirrus", _SEEN, before="hidden = 0.0;"), under="layered")
+_NO_CLOUDS = constant_function("vec4", "clouds", _SEEN, before="hidden = 0.0;")
+CLOUDS = Slot("clouds", joined(constant_function("vec4", "clouds_along_horizon", ""), _NO_CLOUDS), under="layered")
+_DRY = constant_function("vec4", "in_rain", "vec4 light, vec3 d, vec2 spread, inout float hidden", "light")
+RAIN = Slot("rain", _DRY, under="layered")
+_DARK = (
+    *(constant_function("vec3", name, "vec3 d") for name in ("sky_light", "horizon_light")),
+    constant_function("vec3", "mirrored_sky", "vec3 r, vec3 spread"),
+    constant_function("float", "exposure", "", "1.0"),
 )
-CLOUDS = Slot(
-    "clouds",
-    Inline(
-        "vec4 clouds_along_horizon() {\n    return vec4(0.0);\n}\n\n"
-        "vec4 clouds(vec3 d, vec2 spread, out float hidden) {\n    hidden = 0.0;\n    return vec4(0.0);\n}\n"
-    ),
-    under="layered",
-)
-RAIN = Slot(
-    "rain",
-    Inline("vec4 in_rain(vec4 light, vec3 d, vec2 spread, inout float hidden) {\n    return light;\n}\n"),
-    under="layered",
-)
-SKY = Slot(
-    "sky",
-    Inline(
-        "\n".join(
-            constant_function("vec3", name, f"vec3 {argument}").text
-            for name, argument in (("sky_light", "d"), ("horizon_light", "d"), ("mirrored_sky", "r, vec3 spread"))
-        )
-        + "\nfloat exposure() {\n    return 1.0;\n}\n"
-    ),
-)
+SKY = Slot("sky", joined(*_DARK))
 """Light of the sky; a layered sky is combined from air, moonlight and clouds."""
 MIRRORED = Slot("mirrored", "light/sky.glsl@mirrored", under="layered")
 """A layered sky as water mirrors it."""
@@ -177,34 +144,26 @@ MOON_DISC = Slot("moon disc", constant_function("vec4", "moon_disc", "vec3 d"), 
 STARS = Slot("stars", constant_function("vec3", "star_light", "vec3 d, float pixel"), under="layered")
 SKY_MAIN = Slot("sky main", "light/sky.glsl@main")
 DISC = Slot("disc", constant_function("vec3", "sun_disc", "vec3 d"))
-OPEN_SUN = Slot(
-    "open sun", joins=(Join("float", "open_sun", "vec3 place, Footprint fp", "sunlit", "product", none="1.0"),)
-)
+_SUN = Join("float", "open_sun", "vec3 place, Footprint fp", "sunlit", "product", none="1.0")
+OPEN_SUN = Slot("open sun", joins=(_SUN,))
 """Share of the direct sunlight that reaches a place past land and clouds: a factor of the sun's light on boats and
 drops."""
 SUNLIGHT = Slot("sunlight", constant_function("float", "sunlit", "vec3 place, Footprint fp", "open_sun(place, fp)"))
 """The same past boats too: a factor of the sun's light on water, foam, floor and land."""
 BODY = Slot("body", "water/body.glsl@deep", under="shade")
 CREST = Slot("crest", constant_function("vec3", "crest_light", "vec3 d, vec3 absorption, float height"), under="shade")
-PLUME = Slot(
-    "plume",
-    Inline(
-        "vec3 aerated(vec3 body, vec3 deep, vec3 below, vec3 extinction, float cv, float f) {\n    return body;\n}\n"
-    ),
-    under="shade",
-)
+_LIGHTS = "vec3 body, vec3 deep, vec3 below, vec3 extinction, float cv, float f"
+PLUME = Slot("plume", constant_function("vec3", "aerated", _LIGHTS, "body"), under="shade")
 """Bubbles in the water under foam."""
-GLITTER = Slot(
-    "glitter", constant_function("vec3", "glitter_light", "vec3 d, vec3 n, float sigma2, float cv"), under="shade"
-)
+_DULL = constant_function("vec3", "glitter_light", "vec3 d, vec3 n, float sigma2, float cv")
+GLITTER = Slot("glitter", _DULL, under="shade")
 REFLECTION = Slot("reflection", "reflection/mirror.glsl@sky", under="shade")
 """Light reflected by the water."""
 SHADE = Slot("shade", "light/shade.glsl@flat")
-RELIEF = Slot("relief", Inline("void foam_relief(float f, float amount, vec2 p, Footprint fp) {\n}\n"))
+RELIEF = Slot("relief", constant_function("void", "foam_relief", "float f, float amount, vec2 p, Footprint fp"))
 """Called before water and foam are lit: fraction of the sun that foam beside the place blocks."""
-FOAM_LAYER = Slot(
-    "foam layer", Inline("vec4 foam_layer(vec3 n, vec3 d, float f) {\n    return vec4(foam_light(n), 1.0);\n}\n")
-)
+_OPAQUE = constant_function("vec4", "foam_layer", "vec3 n, vec3 d, float f", "vec4(foam_light(n), 1.0)")
+FOAM_LAYER = Slot("foam layer", _OPAQUE)
 """Light of foam over water, and its opacity."""
 CAUSTICS = Slot("caustics", "water/seafloor.glsl@even", under="bed")
 """Distribution of the sun's light on a level floor."""
@@ -213,27 +172,21 @@ BED = Slot("bed")
 UNDERSIDE = Slot("underside")
 """Intersection of a ray from below with the surface; filled like FIND."""
 REACH = Slot("reach", constant_function("float", "bed_reach", "vec2 p, float y, vec3 d", "1e6"), under="below")
-UNDER_BED = Slot(
-    "under bed", constant_function("vec3", "bed_light", "vec2 at, float down, Footprint fp"), under="below"
-)
+_NO_BED = constant_function("vec3", "bed_light", "vec2 at, float down, Footprint fp")
+UNDER_BED = Slot("under bed", _NO_BED, under="below")
 """The floor as seen from below the surface: its distance and its light."""
-THROUGH = Slot(
-    "through",
-    Inline("void look_through(vec2 p, float height, vec3 d, vec3 normal, float unresolved, Footprint fp) {\n}\n"),
-)
+_LOOK = "vec2 p, float height, vec3 d, vec3 normal, float unresolved, Footprint fp"
+THROUGH = Slot("through", constant_function("void", "look_through", _LOOK))
 """Called before the water is shaded: what is visible through it."""
-LAND = Slot(
-    "land",
-    Inline(
-        "bool find_land_ahead(vec3 ray, out float land_tau, out vec4 ground) {\n"
-        "    land_tau = 0.0;\n    ground = vec4(0.0);\n    return false;\n}\n\n"
-        "vec4 land_color(vec3 ray, vec3 d, float tau, vec4 ground) {\n    return vec4(0.0);\n}\n"
-    ),
+_AHEAD, _NONE = "vec3 ray, out float land_tau, out vec4 ground", "land_tau = 0.0;\nground = vec4(0.0);"
+_NO_LAND = (
+    constant_function("bool", "find_land_ahead", _AHEAD, "false", _NONE),
+    constant_function("vec4", "land_color", "vec3 ray, vec3 d, float tau, vec4 ground"),
 )
+LAND = Slot("land", joined(*_NO_LAND))
 """Objects in front of the water."""
-LAND_FOAM = Slot(
-    "land foam", constant_function("float", "land_foam", "vec2 p, float ground, Footprint fp"), under="land color"
-)
+_CLEAN = constant_function("float", "land_foam", "vec2 p, float ground, Footprint fp")
+LAND_FOAM = Slot("land foam", _CLEAN, under="land color")
 """Foam on the land."""
 LAND_COLOR = Slot("land color")
 """Colour of the land; none without land."""
@@ -242,7 +195,7 @@ FIRST = Slot("first", "surface/met.glsl@first")
 MAIN = Slot("main", "surface/main.glsl")
 BELOW = Slot("below")
 """Main function for a camera under the surface."""
-GLARE = Slot("glare", Inline("vec3 with_glare(vec3 light) {\n    return light;\n}\n"))
+GLARE = Slot("glare", constant_function("vec3", "with_glare", "vec3 light", "light"))
 TONE = Slot("tone", "output/tone.glsl@clamp")
 SKY_SLOTS = (LAYERED, MOON, CIRRUS, CLOUDS, RAIN, SKY)
 """Components of ``sky_light``, in source order."""
@@ -258,7 +211,6 @@ UNDER_SLOTS = (UNDERSIDE, REACH, UNDER_BED, BELOW)
 
 
 def _foam_slots(combine: Combine, shore: bool) -> tuple[Slot, ...]:
-    """Slots of foam, in source order."""
     carry = (OPEN_CARRY, SHORE_CARRY) if shore else (CARRY,)
     return (saturation(combine), *carry, LOOK, OVER, ALBEDO)
 
