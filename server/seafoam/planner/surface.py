@@ -36,12 +36,13 @@ class Scenery:
         self.inputs = {**frame.collection.inputs, **met}
         self.files = self._files()
         self.combine: slots.Combine = frame.scene.foam.combine if frame.scene.foam else "max"
+        self.slots = slots.surface_slots(self.combine, frame.shore)
 
     def stage(self) -> Stage:
         """Return what draws the scenery."""
         met = Target(size=self.frame.sampled, format="RGBA32F")
         return Stage(
-            passes=[*self._search(), *self._drawn()],
+            passes=self._passes(),
             programs={**self._surface_programs(), **(self._land_programs() if self.frame.shore else {})},
             targets={"met": met} if self.frame.shore else {},
         )
@@ -53,17 +54,11 @@ class Scenery:
             low = drawn.program == UNDERWATER
             state = drawn.state if low else drawn.state.model_copy(update={"clear": True})
             over = None if self.mesh and drawn.program == SURFACE else not low
-            found.append(
-                Redrawn(
-                    drawn.model_copy(update={"state": state}),
-                    self._under if low else self._marched,
-                    sided=self.frame.sided(over),
-                )
-            )
+            pieces = self._under if low else self._marched
+            found.append(Redrawn(drawn.model_copy(update={"state": state}), pieces, sided=self.frame.sided(over)))
         return (*found, Redrawn(self._sky_pass, self._sky, depth=_HORIZON_DEPTH))
 
     def _files(self) -> list[SlotFile]:
-        """The files of the surface's shader."""
         shore, given = self.frame.shore, self.frame.collection.slots
         intersection = MARCHED
         if shore:
@@ -81,19 +76,13 @@ class Scenery:
     def _of_slots(self, filled: Sequence[slots.Slot], files: Sequence[SlotFile]) -> tuple[Piece, ...]:
         return (*self.sampled, *(piece for slot in filled for piece in slot_pieces(slot, files)))
 
-    @property
-    def _surface_slots(self) -> tuple[slots.Slot, ...]:
-        return slots.surface_slots(self.combine, self.frame.shore)
-
     @cached_property
     def _marched(self) -> tuple[Piece, ...]:
-        """The surface's shader by ray marching."""
-        return self._of_slots(self._surface_slots, self.frame.marched)
+        return self._of_slots(self.slots, self.frame.marched)
 
     @cached_property
     def _under(self) -> tuple[Piece, ...]:
-        """The surface's shader for a camera under the water."""
-        own = (slot for slot in self._surface_slots if slot not in slots.ONLY_OVER)
+        own = (slot for slot in self.slots if slot not in slots.ONLY_OVER)
         return self._of_slots((*own, *slots.UNDER_SLOTS), self.frame.marched)
 
     @cached_property
@@ -109,7 +98,7 @@ class Scenery:
 
     def _surface_programs(self) -> dict[str, Program]:
         frame, falling = self.frame, self._up_to_horizon("vertex/vertex.glsl@falling")
-        surface = self._of_slots(self._surface_slots, self.files)
+        surface = self._of_slots(self.slots, self.files)
         programs = {SKY: frame.program(self._sky, depth=_HORIZON_DEPTH)}
         if self.mesh:
             grid = [*COMMON, *slot_pieces(slots.WAVES, self.files), "vertex/vertex.glsl@polar_grid"]
@@ -123,45 +112,34 @@ class Scenery:
         return programs
 
     def _land_programs(self) -> dict[str, Program]:
-        frame = self.frame
+        frame, shown = self.frame, [*self.sampled, "shore/land.glsl@land_shown_pass"]
+        falling, rising = map(self._up_to_horizon, ("vertex/vertex.glsl@falling", "vertex/vertex.glsl@rising"))
         met = frame.pieces([*self.sampled, *map(SlotRef, ("waves", "find", "land", "first"))], frame.met)
         land = slots.land_slots(self.combine, frame.collection.fills(slots.LAND_FOAM.name))
+        lit = [*self._of_slots(land, frame.marched), "shore/land.glsl@land_pass"]
         return {
-            "met": frame.program(
-                [*met, "surface/met.glsl@met_pass"], self._up_to_horizon("vertex/vertex.glsl@falling"), over=True
-            ),
-            "met, rising": frame.program(
-                [*met, "surface/met.glsl@met_rising_pass"], self._up_to_horizon("vertex/vertex.glsl@rising"), over=True
-            ),
-            "land, shown": frame.program(
-                [*self.sampled, "shore/land.glsl@land_shown_pass"], over=True, depth=_LAND_DEPTH
-            ),
-            "land": frame.program(
-                [*self._of_slots(land, frame.marched), "shore/land.glsl@land_pass"], over=True, depth=_LAND_DEPTH
-            ),
+            "met": frame.program([*met, "surface/met.glsl@met_pass"], falling, over=True),
+            "met, rising": frame.program([*met, "surface/met.glsl@met_rising_pass"], rising, over=True),
+            "land, shown": frame.program(shown, over=True, depth=_LAND_DEPTH),
+            "land": frame.program(lit, over=True, depth=_LAND_DEPTH),
         }
 
-    def _search(self) -> list[Pass]:
-        """Passes that find whether a ray hits water or land first."""
-        if not self.frame.shore:
-            return []
-        return [
-            self.frame.found_over("what rising rays meet", "met, rising", "met", State(), self.inputs),
-            self.frame.found_over("what rays meet", "met", "met", State(), self.inputs),
-        ]
-
-    def _drawn(self) -> list[Pass]:
-        """Surface, land and sky."""
+    def _passes(self) -> list[Pass]:
+        """Surface, land and sky; with land, first what rays meet."""
         if not self.frame.shore:
             return [*self._surfaces(), self._sky_pass]
-        shown, land = (
-            self.frame.found_over(name, program, self.target, state, self.inputs)
-            for name, program, state in (
-                ("where land shows", "land, shown", State(depth=True, clear=True)),
-                ("land", "land", State(depth=True, equal=True)),
-            )
-        )
-        return [shown, *self._surfaces(), land, self._sky_pass]
+
+        def over(name: str, program: str, target: str, state: State) -> Pass:
+            return self.frame.found_over(name, program, target, state, self.inputs)
+
+        return [
+            over("what rising rays meet", "met, rising", "met", State()),
+            over("what rays meet", "met", "met", State()),
+            over("where land shows", "land, shown", self.target, State(depth=True, clear=True)),
+            *self._surfaces(),
+            over("land", "land", self.target, State(depth=True, equal=True)),
+            self._sky_pass,
+        ]
 
     @property
     def _sky_pass(self) -> Pass:
