@@ -6,7 +6,7 @@ from seafoam.effects.effect import Bound
 from seafoam.effects.light.atmosphere import lamp_angles
 from seafoam.effects.light.light import brightest_sun, sky_irradiance
 from seafoam.effects.registry import saturation_limits
-from seafoam.ocean.basics.levels import paper_level
+from seafoam.ocean.basics.dispersion import paper_level
 from seafoam.ocean.waves.cascades import RAISED, cascades
 from seafoam.ocean.waves.rings import ring_height
 from seafoam.ocean.waves.wakes import joint_height, stone_wakes, wakes

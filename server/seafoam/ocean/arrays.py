@@ -20,3 +20,9 @@ def smoothstep(low: float, high: float, x: Floats) -> Floats:
     """3q² − 2q³ of q = (x − low)/(high − low) clamped to [0, 1]; low < high; of the shape of ``x``."""
     q = np.clip((x - low) / (high - low), 0.0, 1.0)
     return q * q * (3.0 - 2.0 * q)
+
+
+def smooth(low: float, high: float, x: float) -> float:
+    """Return :func:`smoothstep` of a number."""
+    t = min(max((x - low) / (high - low), 0.0), 1.0)
+    return t * t * (3.0 - 2.0 * t)

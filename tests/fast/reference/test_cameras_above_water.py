@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from seafoam.effects.bounds import max_surface_height
-from seafoam.ocean.basics.levels import wave_level
+from seafoam.ocean.basics.dispersion import wave_level
 from seafoam.ocean.waves.cascades import RAISED, cascades
 from seafoam.ocean.waves.rings import ring_height
 from seafoam.ocean.waves.wakes import joint_height, wakes

@@ -12,8 +12,7 @@ from seafoam.effects.effect import Bound, Contribution, QualityParameter, Satura
 from seafoam.effects.shader import Const, SlotFile
 from seafoam.effects.waves.parametric import max_profile_slope
 from seafoam.framegraph.rules import Uniform, constants, number, rounded, significant, vector
-from seafoam.ocean.basics.dispersion import wavevector
-from seafoam.ocean.basics.levels import paper_level
+from seafoam.ocean.basics.dispersion import paper_level, wavevector
 from seafoam.quality import Quality
 from seafoam.scene.foam import Foam, HeightSaturation, SlopeSaturation, SurfSaturation
 from seafoam.scene.models import Scene

@@ -5,7 +5,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from seafoam.ocean.arrays import Floats, read_only
+from seafoam.ocean.arrays import Floats, read_only, smooth
 from seafoam.ocean.sky import skylight
 from seafoam.scene.light import Direction, Light, direction
 from seafoam.sums import summed
@@ -28,12 +28,6 @@ ASYMMETRY = 0.76
 """Asymmetry parameter g of the haze's Henyey-Greenstein phase function."""
 _NODES = 96
 """Steps of the sky's integral in elevation and azimuth."""
-
-
-def smooth(low: float, high: float, x: float) -> float:
-    """The smoothstep."""
-    t = min(max((x - low) / (high - low), 0.0), 1.0)
-    return t * t * (3.0 - 2.0 * t)
 
 
 def mie_depth(light: Light) -> float:

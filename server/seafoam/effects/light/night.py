@@ -9,6 +9,7 @@ from seafoam.effects.light import atmosphere
 from seafoam.effects.light.light import glow_source, glow_uniforms
 from seafoam.effects.shader import HASH, PERLIN_2, SlotFile
 from seafoam.framegraph.rules import number, rounded, significant, vector
+from seafoam.ocean.arrays import smooth
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.sums import summed
@@ -67,7 +68,7 @@ def stars(scene: Scene, quality: Quality) -> Contribution | None:
     light = scene.light
     if light is None or light.sky is None or light.sky.stars == 0.0:
         return None
-    dark = atmosphere.smooth(0.05, 0.2, -atmosphere.sun(light)[1])
+    dark = smooth(0.05, 0.2, -atmosphere.sun(light)[1])
     return Contribution(
         why="stars",
         slots=(SlotFile("stars", "light/night.glsl@stars", needs=("lib/texels.glsl@cube_face", HASH)),),

@@ -7,7 +7,7 @@ from statistics import NormalDist
 import numpy as np
 
 from seafoam.effects.light import atmosphere
-from seafoam.ocean.arrays import Floats, read_only, smoothstep
+from seafoam.ocean.arrays import Floats, read_only, smooth, smoothstep
 from seafoam.scene.light import Cirrus, Clouds, Light
 
 _SLICES = np.array([[0.0], [0.4], [0.8]])
@@ -47,7 +47,7 @@ def cirrus_start(cirrus: Cirrus) -> float:
 def cloud_light(light: Light, altitude: float) -> Floats:
     """(3,) irradiance of the lamp at an altitude (m): through the air above, and until later after sunset."""
     height = atmosphere.lamp(light)[1]
-    above = np.array(atmosphere.SUN_POWER * atmosphere.smooth(-0.06, 0.02, height))
+    above = np.array(atmosphere.SUN_POWER * smooth(-0.06, 0.02, height))
     if atmosphere.moon_is_lamp(light):
         above = atmosphere.moon_power(light)
     haze = atmosphere.mie_depth(light) * math.exp(-altitude / MIE_HEIGHT)

@@ -10,8 +10,7 @@ from seafoam.effects.bounds import parametric_wave_height, waves_bound
 from seafoam.effects.effect import UNBOUNDED, Contribution, Effect, QualityParameter, Resources
 from seafoam.effects.shader import HASH, Piece, SlotFile, Source, constant_function
 from seafoam.framegraph.rules import Phase, Wrap, array, constants, number, rounded, significant, vector
-from seafoam.ocean.basics.dispersion import angular_frequency, wavevector
-from seafoam.ocean.basics.levels import paper_level, wave_level
+from seafoam.ocean.basics.dispersion import angular_frequency, paper_level, wave_level, wavevector
 from seafoam.ocean.waves.groups import PERIOD, group_cells, group_key, group_velocity, in_groups
 from seafoam.ocean.waves.stokes import follows_orbits, orbit
 from seafoam.quality import Quality

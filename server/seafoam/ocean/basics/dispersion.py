@@ -1,9 +1,11 @@
-"""Linear dispersion of gravity waves."""
+"""Linear dispersion of gravity waves; still water under parametric ones, whose heights are measured from troughs."""
 
 import math
 
 from seafoam.ocean.constants import GRAVITY
+from seafoam.scene.models import Scene
 from seafoam.scene.waves import ParametricWave
+from seafoam.sums import summed
 
 
 def wavenumber(deep: float, depth: float | None) -> float:
@@ -34,3 +36,14 @@ def wavevector(wave: ParametricWave, depth: float | None) -> tuple[float, float]
     """Return the wavevector k in the direction of travel, (x, z), rad/m; θ = ωt − k·x + phase."""
     k = wavenumber(2.0 * math.pi / wave.wavelength, depth)
     return k * math.cos(wave.direction), k * math.sin(wave.direction)
+
+
+def wave_level(wave: ParametricWave) -> float:
+    """Return the mean of A((sin θ + 1)/2)^K over a period, m: A Γ(K + ½)/(√π Γ(K + 1))."""
+    log = math.lgamma(wave.exponent + 0.5) - math.lgamma(wave.exponent + 1.0)
+    return wave.amplitude / math.sqrt(math.pi) * math.exp(log)
+
+
+def paper_level(scene: Scene) -> float:
+    """Return the height of still water above the troughs of all parametric waves, m: where H₀ is 0."""
+    return summed(wave_level(wave) for wave in scene.waves)

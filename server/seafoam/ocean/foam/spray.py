@@ -2,6 +2,7 @@
 
 import math
 
+from seafoam.ocean.arrays import smooth
 from seafoam.ocean.basics.spectrum import peak_frequency
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.foam.whitecaps import whitecap_model
@@ -61,14 +62,9 @@ def fold_limits(sea: Sea, spray: Spray, depth: float | None) -> tuple[float, flo
 
 def torn_share(sea: Sea, spray: Spray) -> float:
     """Fraction of drops that are spindrift."""
-    return spray.spindrift * _between(_TORN, sea.wind_speed)
+    return spray.spindrift * smooth(*_TORN, sea.wind_speed)
 
 
 def crest_strength(sea: Sea) -> float:
     """Strength of spray from breaking crests, in [0, 1]."""
-    return _between(_STRONG, sea.wind_speed)
-
-
-def _between(ends: tuple[float, float], x: float) -> float:
-    q = min(max((x - ends[0]) / (ends[1] - ends[0]), 0.0), 1.0)
-    return q * q * (3.0 - 2.0 * q)
+    return smooth(*_STRONG, sea.wind_speed)

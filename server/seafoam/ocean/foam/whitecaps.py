@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from seafoam.ocean import arrays
 from seafoam.ocean.waves.cascades import BAND, RAISED, cascades
 from seafoam.scene.foam import WhitecapSaturation
 from seafoam.scene.waves import Sea
@@ -89,10 +90,9 @@ def whitecap_model(
         times = old_times(steps, step)
         # Foam added per second does not depend on the step; foam fades out over the last quarter of the period.
         window = times[-1] + OLD_STEP
-        ends = (min(max((4.0 * t / window - 3.0), 0.0), 1.0) for t in times)
+        ends = (arrays.smooth(0.0, 1.0, 4.0 * t / window - 3.0) for t in times)
         old_shares = tuple(
-            OLD_STEP / step * math.exp(-t / foam.decay) * (1.0 - e * e * (3.0 - 2.0 * e))
-            for t, e in zip(times, ends, strict=True)
+            OLD_STEP / step * math.exp(-t / foam.decay) * (1.0 - end) for t, end in zip(times, ends, strict=True)
         )
     correction = float(np.interp(sea.wind_speed, WINDS, LASTING_CLAMPED if lasting else CLAMPED))
     coverage *= correction

@@ -14,7 +14,7 @@ from functools import cached_property, lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from seafoam.ocean.arrays import Floats
+from seafoam.ocean.arrays import Floats, smoothstep
 
 EARTH, TOP = 6360.0, 6460.0
 """Radius of the ground and of the end of the atmosphere, km."""
@@ -107,8 +107,7 @@ def _column(radius: Floats, cosine: Floats) -> Floats:
 
 def disc_shown(radius: Floats, cosine: Floats) -> Floats:
     """Share of the sun's disc above the horizon, from a radius (km) and the zenith cosine of its centre; (...,)."""
-    edge = (np.clip((cosine - _horizon(radius)) / SUN_RADIUS, -1.0, 1.0) + 1.0) * 0.5
-    return edge * edge * (3.0 - 2.0 * edge)
+    return smoothstep(-1.0, 1.0, (cosine - _horizon(radius)) / SUN_RADIUS)
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from seafoam.ocean.basics.levels import wave_level
+from seafoam.ocean.basics.dispersion import wave_level
 from seafoam.ocean.waves.cascades import RAISED, cascades
 from seafoam.planner import make_plan
 from seafoam.reference import render
