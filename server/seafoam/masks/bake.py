@@ -7,21 +7,54 @@ tcp://host:8786`` they are made on the workers of a Dask cluster.
 import argparse
 import json
 from concurrent.futures import Executor, as_completed
+from dataclasses import dataclass
 from pathlib import Path
 
 from rich.progress import Progress as ProgressBar
 
 from seafoam.extras import UnableError
 from seafoam.files import write_whole
-from seafoam.masks.catalogue import CATALOGUE_FILE, Mask, MaskTables, describe, rank_file, tables_file
+from seafoam.masks.catalogue import CATALOGUE_FILE, Mask, MaskTables, describe
 from seafoam.masks.construct.make import build, estimated_seconds
-from seafoam.masks.families import check_parameters
+from seafoam.masks.families import Family, Method, check_parameters
 from seafoam.masks.formats import decode_ranks, encode_ranks
-from seafoam.masks.shipped import SHIPPED, SHIPPED_METHOD, SHIPPED_SEED, SHIPPED_SIZE, ShippedMask
 from seafoam.masks.torus import Progress, no_progress
 from seafoam.processes import SCHEDULER, executor
 
+SHIPPED_SIZE = 512
+SHIPPED_SEED = 2011
+SHIPPED_METHOD: Method = "exact"
+"""How `vac` is ordered for the catalogue: a mask is baked once, so time is no object."""
 MEASURING_SECONDS = 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class ShippedMask:
+    """One baked mask: its name and how it is made at :data:`SHIPPED_SIZE` from :data:`SHIPPED_SEED`."""
+
+    name: str
+    family: Family
+    sigma: float
+    aspect: float = 1.0
+    age: float = 0.0
+
+
+SHIPPED: tuple[ShippedMask, ...] = (
+    ShippedMask("vac-1.5", "vac", 1.5),
+    ShippedMask("vac-3", "vac", 3.0),
+    ShippedMask("vac-6", "vac", 6.0),
+    ShippedMask("vac-12", "vac", 12.0),
+    ShippedMask("vac-24", "vac", 24.0),
+    ShippedMask("blur-1.5", "blur", 1.5),
+    ShippedMask("blur-6", "blur", 6.0),
+    ShippedMask("blur-24", "blur", 24.0),
+    ShippedMask("clump", "clump", 1.5),
+    ShippedMask("bubble", "bubble", 4.0),
+    ShippedMask("mix", "mix", 4.0),
+    ShippedMask("lace", "lace", 10.0),
+    ShippedMask("lacetorn", "lace", 15.0, aspect=1.3, age=1.0),
+    ShippedMask("streak", "lace", 11.0, aspect=3.0, age=0.7),
+)
 
 
 def bake_all(
@@ -35,7 +68,7 @@ def bake_all(
     """
     directory.mkdir(parents=True, exist_ok=True)
     kept = [
-        rank_file(directory, mask.name).read_bytes() if only and mask.name not in only else None for mask in SHIPPED
+        (directory / f"{mask.name}.ranks").read_bytes() if only and mask.name not in only else None for mask in SHIPPED
     ]
     expected = [_expected_seconds(mask, old is None) for mask, old in zip(SHIPPED, kept, strict=True)]
     total = sum(expected)
@@ -57,8 +90,8 @@ def bake_all(
     for index, mask in enumerate(SHIPPED):
         record, ranks, tables = baked[index]
         if kept[index] is None:
-            write_whole(rank_file(directory, mask.name), ranks)
-        write_whole(tables_file(directory, mask.name), tables)
+            write_whole(directory / f"{mask.name}.ranks", ranks)
+        write_whole(directory / f"{mask.name}.tables", tables)
         records.append(record)
     # A line a mask, so that the change of one shows as such.
     lines = ",\n".join(json.dumps(record, separators=(",", ":"), allow_nan=False) for record in records)

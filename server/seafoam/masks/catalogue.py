@@ -15,11 +15,21 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from seafoam.masks import prefilter
 from seafoam.masks.construct.make import build, estimated_seconds
-from seafoam.masks.families import GENERATOR, LICENSE, SIZES, VALUE_RULE, Family, MaskSpec, Method, parse_parameters
+from seafoam.masks.families import (
+    FAMILY_SUMMARIES,
+    FAMILY_TITLES,
+    GENERATOR,
+    LICENSE,
+    SIZES,
+    VALUE_RULE,
+    Family,
+    MaskSpec,
+    Method,
+    parse_parameters,
+)
 from seafoam.masks.formats import decode_ranks
 from seafoam.masks.judge.morphology import MaskMorphology, measure_morphology
 from seafoam.masks.judge.spectrum import MaskSpectrum, measure_spectrum
-from seafoam.masks.shipped import FAMILY_SUMMARIES, FAMILY_TITLES
 from seafoam.masks.torus import Progress, Ranks, no_progress
 from seafoam.ocean.arrays import read_only
 from seafoam.resources import data_dir
@@ -208,16 +218,6 @@ def read_catalogue(directory: Path) -> dict[str, tuple[MaskInfo, MaskTables]]:
     }
 
 
-def rank_file(directory: Path, name: str) -> Path:
-    """Where a directory holds the ranks of a mask."""
-    return directory / f"{name}.ranks"
-
-
-def tables_file(directory: Path, name: str) -> Path:
-    """Where a directory holds the :class:`Thresholds` of a mask."""
-    return directory / f"{name}.tables"
-
-
 @lru_cache(maxsize=1)
 def _shipped() -> Mapping[str, tuple[MaskInfo, MaskTables]]:
     return MappingProxyType(read_catalogue(data_dir("masks")))
@@ -236,8 +236,8 @@ def load_mask(name: str) -> Mask:
         raise UnknownMaskError(f"mask {name!r} was not found; available: {', '.join(shipped)}")
     entry, tables = shipped[name]
     directory = data_dir("masks")
-    ranks = read_only(decode_ranks(rank_file(directory, name).read_bytes(), entry.parameters.width))
-    return Mask(entry, ranks, tables, Thresholds.from_bytes(tables_file(directory, name).read_bytes()))
+    ranks = read_only(decode_ranks((directory / f"{name}.ranks").read_bytes(), entry.parameters.width))
+    return Mask(entry, ranks, tables, Thresholds.from_bytes((directory / f"{name}.tables").read_bytes()))
 
 
 _kept: dict[MaskSpec, Mask] = {}

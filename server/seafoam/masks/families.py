@@ -46,6 +46,27 @@ TEXT_FORM = "family:sigma:size:seed (lace: also :aspect:age)"
 DEFAULT_SIGMA: dict[Family, float] = {"vac": 24.0, "blur": 6.0, "clump": 1.5, "bubble": 4.0, "mix": 4.0, "lace": 10.0}
 
 
+_READING = "The paper's arrays were never published; this is our reading of its description."
+FAMILY_TITLES: dict[Family, str] = {
+    "vac": "Void and cluster",
+    "blur": "Filtered white noise",
+    "clump": "Clumps",
+    "bubble": "Bubbles",
+    "mix": "Clustered bubbles",
+    "lace": "Lace",
+}
+FAMILY_SUMMARIES: dict[Family, str] = {
+    "vac": f"Dots spread by void-and-cluster; a wider Gaussian lets them come closer and leave gaps. {_READING}",
+    "blur": f"White noise filtered by a Gaussian: patches as wide as the filter. {_READING} Its spectra speak "
+    "against this one, which is kept for comparison.",
+    "clump": "Band-passed noise: irregular lace that magnifies smoothly. Not from the paper.",
+    "bubble": "Unions of discs that shrink and go out as saturation falls. Not from the paper.",
+    "mix": "Clusters of round bubbles with open water between; cover is patchy by design. Not from the paper.",
+    "lace": "The walls of a foam of large and small cells: holes grow and merge as saturation falls, and threads of "
+    "foam go last. Not from the paper.",
+}
+
+
 @dataclass(frozen=True, slots=True)
 class MaskSpec:
     """Determine a mask, with :data:`GENERATOR` and a method. Create them with :func:`check_parameters`."""

@@ -51,6 +51,14 @@ def filter_noise(rng: np.random.Generator, shape: Shape, response: Field) -> Fie
     return np.fft.irfft2(noise * response, s=shape)
 
 
+def band_passed(rng: np.random.Generator, shape: Shape, narrow: float, wide: float) -> Field:
+    """White Gaussian noise filtered by a difference of Gaussians of these widths, texels; float64 of ``shape``.
+
+    Band-passed ("green") noise: irregular lace without the continents that low frequencies make.
+    """
+    return filter_noise(rng, shape, gaussian_response(shape, narrow) - gaussian_response(shape, wide))
+
+
 def rank(values: Field) -> Ranks:
     """Rank of each value, 0 for the least; equal values rank in raster order. An exact permutation."""
     order = np.argsort(values, axis=None, kind="stable")

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from seafoam.masks import prefilter
+from seafoam.masks.bake import SHIPPED
 from seafoam.masks.catalogue import load_mask
-from seafoam.masks.shipped import SHIPPED
 
 NAMES = [mask.name for mask in SHIPPED]
 SATURATIONS = (0.01, 0.03, 0.1, 0.25, 0.55, 0.9, 0.97)

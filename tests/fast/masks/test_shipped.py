@@ -5,12 +5,12 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from seafoam.masks.bake import SHIPPED, SHIPPED_SIZE
 from seafoam.masks.catalogue import Mask, load_catalogue, load_mask, rank_sha256
 from seafoam.masks.construct.make import make_mask
 from seafoam.masks.families import GENERATOR
 from seafoam.masks.judge.spectrum import measure_spectrum
 from seafoam.masks.prefilter import quantile_table
-from seafoam.masks.shipped import SHIPPED, SHIPPED_SIZE
 from seafoam.resources import data_dir
 from support.sweep import spread
 

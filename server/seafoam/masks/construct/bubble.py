@@ -8,8 +8,7 @@ shrink and disappear one after another.
 import numpy as np
 
 from seafoam.masks.construct import void_cluster
-from seafoam.masks.construct.filtered import band_passed
-from seafoam.masks.torus import Field, Progress, Ranks, Shape, rank
+from seafoam.masks.torus import Progress, Ranks, Shape, band_passed, rank
 
 SITE_SIGMA = 1.5
 """Void-and-cluster Gaussian that orders the sites, in cells (Ulichney's constant)."""
@@ -20,21 +19,12 @@ CURVATURE = 0.16
 REACH = 3
 """Cells each way that can hold the nearest disc: beyond them CURVATURE * 3^2 exceeds what the own cell gives."""
 CLUMP_WEIGHT = 0.6
+WIDE_PER_NARROW = 4.0
+"""Wide over narrow Gaussian of the noise that gathers clumps."""
 
 
 def bubble(shape: Shape, spacing: float, rng: np.random.Generator, progress: Progress) -> Ranks:
     """Ranks of the disc field of about a site for every spacing^2 texels; of ``shape``."""
-    return rank(_disc_field(shape, spacing, rng, progress))
-
-
-def mix(shape: Shape, sigma: float, rng: np.random.Generator, progress: Progress) -> Ranks:
-    """Bubbles gathered into clumps: rank of 0.6 x clump rank + 0.4 x bubble rank, both of scale ``sigma``."""
-    clumps = rank(band_passed(shape, sigma, rng))
-    bubbles = bubble(shape, sigma, rng, progress)
-    return rank(CLUMP_WEIGHT * clumps + (1.0 - CLUMP_WEIGHT) * bubbles)
-
-
-def _disc_field(shape: Shape, spacing: float, rng: np.random.Generator, progress: Progress) -> Field:
     cells = (round(shape[0] / spacing), round(shape[1] / spacing))
     order = void_cluster.batched(cells, SITE_SIGMA, rng, lambda part: progress(0.5 * part))
     birth = (order + 0.5) / order.size
@@ -56,4 +46,11 @@ def _disc_field(shape: Shape, spacing: float, rng: np.random.Generator, progress
             x = ((own[1] + dx + 0.5 - centres[1])[None, :] + jitter[1][sites]) * (wide / mean)
             np.minimum(field, birth[sites] + CURVATURE * (x * x + y * y), out=field)
     progress(1.0)
-    return field
+    return rank(field)
+
+
+def mix(shape: Shape, sigma: float, rng: np.random.Generator, progress: Progress) -> Ranks:
+    """Bubbles gathered into clumps: rank of 0.6 x clump rank + 0.4 x bubble rank, both of scale ``sigma``."""
+    clumps = rank(band_passed(rng, shape, sigma, WIDE_PER_NARROW * sigma))
+    bubbles = bubble(shape, sigma, rng, progress)
+    return rank(CLUMP_WEIGHT * clumps + (1.0 - CLUMP_WEIGHT) * bubbles)

@@ -4,9 +4,9 @@ import math
 
 import numpy as np
 
-from seafoam.masks.construct import bubble, filtered, lace, void_cluster
+from seafoam.masks.construct import bubble, lace, void_cluster
 from seafoam.masks.families import MaskSpec, Method, check_method, check_parameters
-from seafoam.masks.torus import Progress, Ranks, no_progress
+from seafoam.masks.torus import Progress, Ranks, band_passed, filter_noise, gaussian_response, no_progress, rank
 
 
 def make_mask(
@@ -38,21 +38,23 @@ def make_mask(
 
 def build(parameters: MaskSpec, method: Method = "batched", progress: Progress = no_progress) -> Ranks:
     """Construct the mask of checked parameters; otherwise as :func:`make_mask`."""
-    rng = np.random.Generator(np.random.PCG64(parameters.seed))
+    rng, shape = np.random.Generator(np.random.PCG64(parameters.seed)), parameters.shape
     match parameters.family:
         case "vac":
             build = void_cluster.exact if method == "exact" else void_cluster.batched
-            return build(parameters.shape, parameters.sigma, rng, progress)
+            return build(shape, parameters.sigma, rng, progress)
         case "bubble":
-            return bubble.bubble(parameters.shape, parameters.sigma, rng, progress)
+            return bubble.bubble(shape, parameters.sigma, rng, progress)
         case "mix":
-            return bubble.mix(parameters.shape, parameters.sigma, rng, progress)
+            return bubble.mix(shape, parameters.sigma, rng, progress)
         case "lace":
-            ranks = lace.lace(parameters.shape, parameters.sigma, parameters.aspect, parameters.age, rng, progress)
+            ranks = lace.lace(shape, parameters.sigma, parameters.aspect, parameters.age, rng, progress)
         case "blur":
-            ranks = filtered.blur(parameters.shape, parameters.sigma, rng)
+            # The literal reading of the sentence in Yingst, Alford and Parberry (2011) that a Gaussian filters white
+            # noise: its spectrum has neither the oscillation nor the high frequencies that the paper plots.
+            ranks = rank(filter_noise(rng, shape, gaussian_response(shape, parameters.sigma)))
         case "clump":
-            ranks = filtered.clump(parameters.shape, parameters.sigma, rng)
+            ranks = rank(band_passed(rng, shape, parameters.sigma, bubble.WIDE_PER_NARROW * parameters.sigma))
     progress(1.0)
     return ranks
 
