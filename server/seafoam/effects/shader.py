@@ -104,9 +104,8 @@ def drifting_phases(axes: Iterable[tuple[float, float]], velocity: tuple[float, 
 
     ``axes``: those of the pattern, per metre; ``turn``: the phase of a unit along them, rad.
     """
-    phases = [
-        Phase(offset=0.0, rate=-turn * (x * velocity[0] + z * velocity[1]), k=(turn * x, turn * z)) for x, z in axes
-    ]
+    v_x, v_z = velocity
+    phases = [Phase(offset=0.0, rate=-turn * (x * v_x + z * v_z), k=(turn * x, turn * z)) for x, z in axes]
     return array("float", phases, len(phases))
 
 

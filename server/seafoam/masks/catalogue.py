@@ -212,10 +212,8 @@ def read_catalogue(directory: Path) -> dict[str, tuple[MaskInfo, MaskTables]]:
 
     Raises ``FileNotFoundError`` if there is none.
     """
-    document = json.loads((directory / CATALOGUE_FILE).read_text("utf-8"))
-    return {
-        item["name"]: (MaskInfo.model_validate(item), MaskTables.model_validate(item)) for item in document["masks"]
-    }
+    items = json.loads((directory / CATALOGUE_FILE).read_text("utf-8"))["masks"]
+    return {item["name"]: (MaskInfo.model_validate(item), MaskTables.model_validate(item)) for item in items}
 
 
 @lru_cache(maxsize=1)

@@ -1,7 +1,4 @@
-"""The planner: compiles scenes into frame plans.
-
-It uses the contributions of effects and contains no formula of theirs.
-"""
+"""The planner: compiles scenes into frame plans. It contains no formula of an effect."""
 
 from seafoam.effects.effect import AssemblyError, PlanError
 from seafoam.framegraph.plan import FramePlan

@@ -240,12 +240,8 @@ def _starts(sampled: ViewportSize, *, measured: bool) -> Resources:
         return Target(size=size, format="RGBA16F")
 
     search = (*COMMON, SlotRef("waves"), SlotRef("beyond"), SlotRef("bounds"), SlotRef("start"))
-    near = PassSpec(
-        "where rays begin",
-        "start",
-        (*search, "surface/start.glsl@start_anew", "surface/start.glsl@pass"),
-        target="start",
-    )
+    files = (*search, "surface/start.glsl@start_anew", "surface/start.glsl@pass")
+    near = PassSpec("where rays begin", "start", files)
     starts = Resources(inputs=target_inputs({"u_start": "start"}), targets={"start": tiles(START_TILE)})
     if not measured:
         return replace(starts, passes=(near,))

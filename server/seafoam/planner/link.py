@@ -61,9 +61,8 @@ def with_inputs(drawn: Pass, programs: Mapping[str, Program], uniforms: Mapping[
     missing = samplers - drawn.inputs.keys()
     if missing:
         raise AssemblyError(f"pass {drawn.name}: no source for {sorted(missing)}")
-    return drawn.model_copy(
-        update={"inputs": {name: source for name, source in drawn.inputs.items() if name in samplers}}
-    )
+    inputs = {name: source for name, source in drawn.inputs.items() if name in samplers}
+    return drawn.model_copy(update={"inputs": inputs})
 
 
 def declared_in(uniforms: Mapping[str, Uniform], programs: Mapping[str, Program]) -> dict[str, Uniform]:
@@ -79,12 +78,8 @@ def live_fields(uniforms: Mapping[str, Uniform]) -> set[str]:
 
     Of lists that can change as a whole, the list's own pointer.
     """
-    constants = [
-        rule
-        for uniform in uniforms.values()
-        for rule in uniform.rules
-        if rule.rule == "constant" and rule.field is not None
-    ]
+    rules = [rule for uniform in uniforms.values() for rule in uniform.rules]
+    constants = [rule for rule in rules if rule.rule == "constant" and rule.field is not None]
     return {_list_of(rule.field) if rule.absent is not None else rule.field for rule in constants if rule.field}
 
 

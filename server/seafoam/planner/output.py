@@ -53,9 +53,8 @@ def _composed(frame: Frame, beneath: str, target: str) -> Stage:
         read, under = "u_narrow", Source(_ENLARGED, (("enlarged", "beneath"),))
     files: list[Piece] = ["lib/numbers.glsl", under, "output/frame.glsl@compose"]
     size = ViewportSize(scale=frame.side)
-    drawn = fullscreen(
-        "what stands before the water", "compose", target, target_inputs({read: beneath, "u_above": ABOVE})
-    )
+    reads = target_inputs({read: beneath, "u_above": ABOVE})
+    drawn = fullscreen("what stands before the water", "compose", target, reads)
     above = Stage(targets={ABOVE: Target(size=size, format="RGBA16F")})
     return above.joined(_alone(frame, drawn, files, Target(size=size, format=frame.quality.target)))
 

@@ -118,11 +118,8 @@ def _steady(rule: Rule) -> bool:
 def _numbers(uniform: Uniform, index: int) -> list[Any]:
     """Return what determines a uniform's values: its rules without scene fields, and the pass index if used."""
     rules = [rule.model_dump(mode="json", exclude={"field"}) for rule in uniform.rules]
-    return [
-        uniform.type,
-        uniform.count,
-        *({**rule, "at": index} if rule["rule"] == "pass_index" else rule for rule in rules),
-    ]
+    indexed = [{**rule, "at": index} if rule["rule"] == "pass_index" else rule for rule in rules]
+    return [uniform.type, uniform.count, *indexed]
 
 
 def _sampled(texture: Texture) -> dict[str, Any]:

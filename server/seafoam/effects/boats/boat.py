@@ -1,7 +1,4 @@
-"""Boats that float on the drawn surface, traced in the fragment shader, and their shadows.
-
-docs/formulae.md, section 15.
-"""
+"""Boats that float on the drawn surface, traced in the fragment shader; their shadows. docs/formulae.md, section 15."""
 
 import math
 

@@ -1,7 +1,4 @@
-"""The waves of boats' wakes: from a map drawn each frame, or computed at each sample.
-
-docs/formulae.md, section 15.
-"""
+"""The waves of boats' wakes: from a map drawn each frame, or computed at each sample. docs/formulae.md, section 15."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -135,11 +132,8 @@ def _map(kind: WakeKind, count: int, size: int) -> Resources:
     """The wakes' map, ``size`` texels long and half as wide per wake, and its bounds."""
     name, form = kind.name, kind.file("boats/wake.glsl@form")
     blocks = FixedSize(width=size // BLOCK, height=size // 2 // BLOCK * count)
-    along = PassSpec(
-        f"{kind.title}, {size} texels along",
-        name,
-        ("lib/numbers.glsl", form, _PATTERN, kind.file("boats/wake.glsl@map_pass")),
-    )
+    files = ("lib/numbers.glsl", form, _PATTERN, kind.file("boats/wake.glsl@map_pass"))
+    along = PassSpec(f"{kind.title}, {size} texels along", name, files)
     of_blocks = PassSpec(
         f"{kind.title}, greatest of blocks",
         f"{name}_blocks",

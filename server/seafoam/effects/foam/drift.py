@@ -249,11 +249,8 @@ def advected_look(look: str, quality: Quality) -> tuple[str, tuple[Piece, ...]]:
     """The file that replaces a look's file where the flow advects the mask, and the files that it needs."""
     exact = quality.drift == "exact"
     paths = ("foam/drift.glsl@way_exact",) if exact else ("lib/texels.glsl@bilinear", "foam/drift.glsl@way_map")
-    return "foam/drift.glsl@carried", (
-        *paths,
-        "foam/shading.glsl@cover",
-        Source(look, (("foam_amount", "still_amount"),)),
-    )
+    still = Source(look, (("foam_amount", "still_amount"),))
+    return "foam/drift.glsl@carried", (*paths, "foam/shading.glsl@cover", still)
 
 
 def turning(vortex: Vortex) -> float:
@@ -278,8 +275,7 @@ def _flow_uniforms(scene: Scene, drift: Drift, vortices: tuple[Vortex, ...]) -> 
     """Steady drift, m/s; of each vortex: place relative to the square's and radius, m, and angular velocity, rad/s."""
     x, z = drift.place
     vortex_values = [
-        (significant(of.place[0] - x), significant(of.place[1] - z), of.radius, significant(turning(of)))
-        for of in vortices
+        (*rounded((of.place[0] - x, of.place[1] - z)), of.radius, significant(turning(of))) for of in vortices
     ]
     return {"u_drift_steady": vector(rounded(steady_drift(scene))), "u_drift_vortex": constants("vec4", vortex_values)}
 

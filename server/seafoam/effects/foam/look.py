@@ -48,11 +48,8 @@ _AT_REST = constant_function("vec2", "carry", "vec2 p")
 def ageing_look(look: str, life: FoamLife) -> tuple[str, tuple[Piece, ...]]:
     """The file that replaces a look's file for foam with a history, and the files that it needs."""
     rows: tuple[Piece, ...] = (*PERLIN_2, "foam/living.glsl@windrows") if life.row_strength > 0.0 else (_NO_WINDROWS,)
-    return "foam/living.glsl@living", (
-        *rows,
-        "foam/shading.glsl@cover",
-        Source(look, (("foam_amount", "young_amount"),)),
-    )
+    young = Source(look, (("foam_amount", "young_amount"),))
+    return "foam/living.glsl@living", (*rows, "foam/shading.glsl@cover", young)
 
 
 def living(scene: Scene, quality: Quality) -> Contribution | None:
@@ -258,10 +255,8 @@ def _texture(foam: Foam, quality: Quality) -> _Part:
 
 def _texture_place(name: str, tile: float) -> dict[str, Uniform]:
     scale = 1.0 / tile
-    return {
-        f"u_foam{name}_tile": number(scale),
-        f"u_foam{name}_offset": array("vec2", [Wrap(k=(scale, 0.0)), Wrap(k=(0.0, scale))], 1),
-    }
+    place = array("vec2", [Wrap(k=(scale, 0.0)), Wrap(k=(0.0, scale))], 1)
+    return {f"u_foam{name}_tile": number(scale), f"u_foam{name}_offset": place}
 
 
 def _look_file(scene: Scene, foam: Foam, quality: Quality) -> tuple[str, tuple[Piece, ...]]:

@@ -1,7 +1,4 @@
-"""Foam as a material: its thickness, the light that passes through it, and the bubbles under it.
-
-docs/formulae.md, section 6.
-"""
+"""Foam as a material: its thickness, light that passes through it, bubbles under it. docs/formulae.md, section 6."""
 
 import math
 

@@ -1,7 +1,4 @@
-"""Foam saturation from height (Kryachko 2005), from slope (GPU ocean, 2007) and of the surf.
-
-docs/formulae.md, sections 4 and 8.
-"""
+"""Foam by height (Kryachko 2005), by slope (GPU ocean, 2007), and of the surf. docs/formulae.md, sections 4 and 8."""
 
 import math
 

@@ -9,7 +9,7 @@ from seafoam.effects.effect import Contribution, SaturationSource, foam_effect
 from seafoam.effects.shader import VALUE_NOISE, Const, SlotFile
 from seafoam.effects.waves.current import WAY as STONE_WAY
 from seafoam.effects.waves.current import places
-from seafoam.framegraph.rules import Uniform, constants, significant
+from seafoam.framegraph.rules import Uniform, constants, rounded, significant
 from seafoam.ocean.waves.wakes import LEAST_SPEED, Wake, stone_wakes
 from seafoam.quality import Quality
 from seafoam.scene.foam import Foam, WakeSaturation
@@ -68,9 +68,7 @@ def _stone_amounts(current: Current, wake: WakeSaturation) -> dict[str, Uniform]
     for stone in current.stones:
         speed = current.speed
         share = min(speed / (HULL_SPEED * math.sqrt(4.0 * stone.radius)), 1.0)
-        amounts.append(
-            (significant(wake.amount * share), significant(wake.life * speed), significant(wake.bow * share), 0.0)
-        )
+        amounts.append((*rounded((wake.amount * share, wake.life * speed, wake.bow * share)), 0.0))
     return {"u_stone_foam": constants("vec4", amounts)}
 
 

@@ -28,11 +28,8 @@ def moon(scene: Scene, quality: Quality) -> Contribution | None:
     assert toward is not None
     sun = atmosphere.sun(light)
     right = (-math.sin(model.azimuth), 0.0, math.cos(model.azimuth))
-    up = (
-        -math.sin(model.elevation) * math.cos(model.azimuth),
-        math.cos(model.elevation),
-        -math.sin(model.elevation) * math.sin(model.azimuth),
-    )
+    rise, level = math.sin(model.elevation), math.cos(model.elevation)
+    up = (-rise * math.cos(model.azimuth), level, -rise * math.sin(model.azimuth))
     radius = atmosphere.MOON_RADIUS * model.size
     face = atmosphere.MOON_FACE * atmosphere.MOON_POWER * model.brightness
     glows = atmosphere.glows(light)

@@ -1,7 +1,4 @@
-"""Reflections of more than the sky: from a cube map around the camera, or by a mirrored one.
-
-docs/formulae.md, section 10.
-"""
+"""Reflections of more than the sky, by a cube map or a mirrored camera. docs/formulae.md, sections 10 and 10b."""
 
 import math
 

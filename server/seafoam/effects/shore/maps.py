@@ -140,7 +140,5 @@ def mask_uniforms() -> dict[str, Uniform]:
         k = 2.0 * math.pi / length
         vectors += vector((significant(k * math.cos(heading)), significant(k * math.sin(heading)))).rules
         phases.append(Phase(offset=1.7 * i, rate=2.0 * math.pi / period, k=(0.0, 0.0)))
-    return {
-        "u_surf_mask": array("vec2", vectors, len(MASK_WAVES)),
-        "u_surf_mask_phase": array("float", phases, len(MASK_WAVES)),
-    }
+    count = len(MASK_WAVES)
+    return {"u_surf_mask": array("vec2", vectors, count), "u_surf_mask_phase": array("float", phases, count)}

@@ -66,21 +66,17 @@ def births(scene: Scene, quality: Quality, spray: Spray) -> Births | str:
 def _choice(sources: list[Births], count: int) -> Inline:
     """The function that asks a drop's source; of two each has half of the drops."""
     first, last = sources[0].function, sources[-1].function
-    asked = (
-        f"{first}(i, drop)"
-        if first == last
-        else f"i < {count // 2} ? {first}(i, drop) : {last}(i - {count // 2}, drop)"
-    )
+    asked = f"{first}(i, drop)"
+    if first != last:
+        asked = f"i < {count // 2} ? {asked} : {last}(i - {count // 2}, drop)"
     return Inline(f"bool spray_born(int i, out Drop drop) {{\n    return {asked};\n}}\n")
 
 
 def fastest_rise(scene: Scene) -> float:
     """Upper bound of the speed at which parametric waves raise the surface, m/s: all of them at once, in one place."""
-    fastest = summed(
-        angular_frequency(wave) * wave.amplitude * max_profile_slope(wave.exponent) for wave in scene.waves
-    )
+    rises = (angular_frequency(wave) * wave.amplitude * max_profile_slope(wave.exponent) for wave in scene.waves)
     travel = math.hypot(*group_velocity(scene)) * group_bounds(scene).slope
-    return fastest + parametric_wave_height(scene) * travel
+    return summed(rises) + parametric_wave_height(scene) * travel
 
 
 def _raised(scene: Scene) -> list[ParametricWave]:
@@ -226,10 +222,8 @@ def _grids(spray: Spray) -> Resources:
     sides = model.cell_sides(spray)
     places: list[rules.Rule] = []
     for side in sides:
-        places += [
-            rules.Wrap(k=(1.0 / side, 0.0), period=_EYE_CELLS),
-            rules.Wrap(k=(0.0, 1.0 / side), period=_EYE_CELLS),
-        ]
+        k = 1.0 / side
+        places += [rules.Wrap(k=(k, 0.0), period=_EYE_CELLS), rules.Wrap(k=(0.0, k), period=_EYE_CELLS)]
     return Resources(
         consts={
             "SPRAY_BATCHES": model.BATCHES,

@@ -82,11 +82,8 @@ def floor(scene: Scene, quality: Quality) -> Contribution | None:
 def _floor_slots(water: Water, refracted: bool) -> tuple[SlotFile, ...]:
     """``refracted``: the floor varies from point to point, so that the refracted ray must find the visible one."""
     level = "water/seafloor.glsl@level"
-    floor = (
-        (level, "water/seafloor.glsl@plain")
-        if water.floor_tile is None
-        else (level, *VALUE_NOISE, "water/seafloor.glsl@tiles")
-    )
+    look = ("water/seafloor.glsl@plain",) if water.floor_tile is None else (*VALUE_NOISE, "water/seafloor.glsl@tiles")
+    floor = (level, *look)
     under = (
         SlotFile("reach", "water/seafloor.glsl@reach", needs=(level,)),
         SlotFile(

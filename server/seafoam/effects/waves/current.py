@@ -82,9 +82,8 @@ def standing_waves(scene: Scene, quality: Quality) -> Contribution | None:
         raise PlanError("/current/speed", f"at most {most:.3g} m/s with stones in {depth:g} m of water")
     # Somewhat lower still: maps are rounded.
     lowest = significant(1.01 * min_surface_height(scene) - 0.01)
-    return wakes_of(STONES, stone_wakes(current), quality).joined(
-        places(current), Resources(uniforms={"u_stone_lowest": number(lowest)})
-    )
+    lowest_water = Resources(uniforms={"u_stone_lowest": number(lowest)})
+    return wakes_of(STONES, stone_wakes(current), quality).joined(places(current), lowest_water)
 
 
 def places(current: Current) -> Resources:

@@ -29,9 +29,8 @@ def measured_bounds(source: str, size: int, texel: float, stride: int = 1) -> Re
         {"u_bounded_texel": number(texel)},
         target=blocks,
     )
-    of_all = PassSpec(
-        f"{source}, greatest of all", "bounds_join", ("surface/bounds.glsl@join",), {"u_blocks": blocks}, target=bounds
-    )
+    name, files = f"{source}, greatest of all", ("surface/bounds.glsl@join",)
+    of_all = PassSpec(name, "bounds_join", files, {"u_blocks": blocks}, target=bounds)
     return drawn_map(of_blocks, Target(size=FixedSize.square(-(-size // BLOCK)), format="RGBA16F")).joined(
         drawn_map(of_all, Target(size=FixedSize.square(1), format="RGBA16F"))
     )

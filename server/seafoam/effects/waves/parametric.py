@@ -1,7 +1,4 @@
-"""Parametric waves (Van Drasek et al. 2010, in Yingst et al. 2011), and the groups they travel in.
-
-docs/formulae.md, section 2.
-"""
+"""Parametric waves (Van Drasek et al. 2010, in Yingst et al. 2011), and their groups. docs/formulae.md, section 2."""
 
 import math
 from dataclasses import dataclass

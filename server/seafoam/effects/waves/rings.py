@@ -64,9 +64,7 @@ def _ring_uniforms(
     for train in shown:
         origin = origin_from(*train.ring.place)
         state += [*origin, _age(train.ring), Constant(value=(significant(train.tail),))]
-    shapes = [
-        (train.ring.amplitude, significant(train.k), significant(train.omega), train.ring.decay) for train in shown
-    ]
+    shapes = [(of.ring.amplitude, significant(of.k), significant(of.omega), of.ring.decay) for of in shown]
     return {"u_ring_now": array("vec4", state, len(shown)), "u_ring_shape": constants("vec4", shapes)}
 
 
@@ -167,10 +165,8 @@ def touches(scene: Scene, quality: Quality) -> effect.Contribution | None:
         return None
     strongest = max(touch.strength for touch in scene.touches)
     velocity = (0.0, 0.0) if scene.current is None else scene.current.velocity
-    given = (
-        *scene.touches,
-        *(model.TOUCHES_MOST - len(scene.touches)) * (model.Touch(place=(0.0, 0.0), strength=0.0),),
-    )
+    absent = model.Touch(place=(0.0, 0.0), strength=0.0)
+    given = (*scene.touches, *(model.TOUCHES_MOST - len(scene.touches)) * (absent,))
     rules = [rule for i, touch in enumerate(given) for rule in _touch_rules(f"/touches/{i}", touch, velocity)]
     return effect.Contribution(
         # The list can change within the plan, so nothing here tells how long it is.

@@ -29,9 +29,7 @@ def ripple_phases(waves: Sequence[Ripple], *, at_camera: bool = False) -> Unifor
 
 def _wave_data(waves: Sequence[Ripple], first_band: int = 0) -> list[tuple[float, ...]]:
     """Wavevector, slope amplitude and band of each ripple of a tile."""
-    return [
-        (wave.kx, wave.kz, significant(wave.slope), float(first_band + i // _PER_BAND)) for i, wave in enumerate(waves)
-    ]
+    return [(of.kx, of.kz, significant(of.slope), float(first_band + i // _PER_BAND)) for i, of in enumerate(waves)]
 
 
 def _bands(cascades: tuple[tuple[Ripple, ...], ...]) -> Uniform:
@@ -106,9 +104,8 @@ def _maps(cascades: tuple[tuple[Ripple, ...], ...], sides: tuple[float, ...], si
             # The camera's place in the turned copy of a tile, in sides.
             x, z = TURN[0] / side, TURN[1] / side
             places += [Wrap(k=(x, z), offset=shift[0]), Wrap(k=(-z, x), offset=shift[1])]
-    maps = Resources(
-        uniforms={"u_ripples_offset": array("vec2", places, len(cascades)), "u_ripples_size": constants("float", sides)}
-    )
+    offsets = array("vec2", places, len(cascades))
+    maps = Resources(uniforms={"u_ripples_offset": offsets, "u_ripples_size": constants("float", sides)})
     for i, (side, waves) in enumerate(zip(sides, cascades, strict=False)):
         uniforms = {
             "u_ripples_wave": constants("vec4", _wave_data(waves)),

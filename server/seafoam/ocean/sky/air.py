@@ -149,14 +149,8 @@ def _paths() -> _Paths:
         steps.append((way * 2.0 * node * weight, _densities(there - EARTH), disc_shown(there, up), _column(there, up)))
     ground_up = (radius * s_up + way * between) / EARTH
     ground = np.full(shape, EARTH + 1e-3)
-    return _Paths(
-        shape,
-        0.5 * up_weights,
-        tuple(steps),
-        hits,
-        (disc_shown(ground, ground_up), _column(ground, ground_up)),
-        ground_up,
-    )
+    toward = (disc_shown(ground, ground_up), _column(ground, ground_up))
+    return _Paths(shape, 0.5 * up_weights, tuple(steps), hits, toward, ground_up)
 
 
 @dataclass(frozen=True)

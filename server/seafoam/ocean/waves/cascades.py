@@ -1,6 +1,4 @@
-"""Periodic tiles of a wind sea: the random wave components that both effect and reference use.
-
-docs/formulae.md, section 2."""
+"""Periodic tiles of a wind sea: the random waves that both effect and reference use. docs/formulae.md, section 2."""
 
 import math
 from collections.abc import Sequence
@@ -108,11 +106,8 @@ class Cascade:
         i = np.arange(-BAND, BAND)
         cosine = np.cos(2.0 * math.pi * i / texels)
         # A B-spline through the texels' values attenuates amplitudes, bilinear interpolation the mean square.
-        response = {
-            "spline": ((2.0 + cosine) / 3.0) ** 2,
-            "bilinear": (2.0 + cosine) / 3.0,
-            "halves": (3.0 + cosine) / 4.0,
-        }
+        bilinear = (2.0 + cosine) / 3.0
+        response = {"spline": bilinear**2, "bilinear": bilinear, "halves": (3.0 + cosine) / 4.0}
         power = response[read] * (np.abs(i) < min(BAND, texels // 2))
         square = np.abs(self.k * self.h0) ** 2 * power[:, None] * power[None, :]
         return self.choppiness(choppiness) ** 2 * float(2.0 * square.sum())

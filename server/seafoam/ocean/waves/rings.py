@@ -127,10 +127,10 @@ def _over_time(shown: list[tuple[Train, float]]) -> float:
     single = 0.0
     for now, _ in once:
         ages = [(ring, w, now.birth - ring.birth) for ring, w in once]
-        single = max(
-            single,
-            summed(w * max(r.amplitude * math.exp(-r.decay * age) - r.dead, 0.0) for r, w, age in ages if age >= 0.0),
+        at_once = summed(
+            w * max(r.amplitude * math.exp(-r.decay * age) - r.dead, 0.0) for r, w, age in ages if age >= 0.0
         )
+        single = max(single, at_once)
     return repeated + single
 
 

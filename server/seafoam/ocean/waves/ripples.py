@@ -93,8 +93,6 @@ def ripple_cascades(ripples: Ripples, repeats: bool = False) -> tuple[tuple[Ripp
         cascades.append(tuple(sorted(waves.values(), key=lambda wave: (wave.k, wave.kx, wave.kz))))
     if not copied:
         return tuple(cascades)
-    copies = (
-        tuple(_copy(wave, shift, side) for wave in waves)
-        for waves, shift, side in zip(cascades, SHIFTS, TILES, strict=True)
-    )
+    per_tile = zip(cascades, SHIFTS, TILES, strict=True)
+    copies = (tuple(_copy(wave, shift, side) for wave in waves) for waves, shift, side in per_tile)
     return (*cascades, *copies)

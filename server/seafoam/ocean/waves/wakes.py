@@ -1,7 +1,4 @@
-"""Wakes of boats and of stones in a current: wavenumbers, sizes and bounds of their waves.
-
-docs/formulae.md, sections 15 and 16.
-"""
+"""Wakes of boats, and of stones in a current: sizes and bounds of their waves. docs/formulae.md, sections 15 and 16."""
 
 import math
 from collections.abc import Sequence
