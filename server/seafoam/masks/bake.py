@@ -70,7 +70,8 @@ def bake_all(
     kept = [
         (directory / f"{mask.name}.ranks").read_bytes() if only and mask.name not in only else None for mask in SHIPPED
     ]
-    expected = [_expected_seconds(mask, old is None) for mask, old in zip(SHIPPED, kept, strict=True)]
+    making = [estimated_seconds(mask.family, mask.sigma, SHIPPED_SIZE, method=SHIPPED_METHOD) for mask in SHIPPED]
+    expected = [MEASURING_SECONDS + (of if old is None else 0.0) for of, old in zip(making, kept, strict=True)]
     total = sum(expected)
     baked: dict[int, _Baked] = {}
     if pool is not None:
@@ -97,11 +98,6 @@ def bake_all(
     lines = ",\n".join(json.dumps(record, separators=(",", ":"), allow_nan=False) for record in records)
     write_whole(directory / CATALOGUE_FILE, f'{{"masks": [\n{lines}\n]}}\n'.encode())
     progress(1.0)
-
-
-def _expected_seconds(mask: ShippedMask, new: bool) -> float:
-    making = estimated_seconds(mask.family, mask.sigma, SHIPPED_SIZE, method=SHIPPED_METHOD) if new else 0.0
-    return MEASURING_SECONDS + making
 
 
 _Baked = tuple[dict[str, object], bytes, bytes]

@@ -65,7 +65,6 @@ def _alone(frame: Frame, drawn: Pass, files: Sequence[Piece], target: Target) ->
 
 
 def _redrawn_overlays(frame: Frame) -> tuple[Redrawn, ...]:
-    """The overlays as they are drawn again for selected pixels."""
     found: list[Redrawn] = []
     for spec in frame.above:
         for drawn in frame.passes_of(spec):

@@ -42,11 +42,12 @@ def with_setup(
     static = _static_targets(passes, steady, targets)
     timed = tuple(drawn.model_copy(update={"when": "setup" if drawn.target in static else "frame"}) for drawn in passes)
     read = {name for drawn in timed if drawn.when == "frame" for name in reads(drawn)}
+    sampled = {name: texture.model_dump(mode="json", exclude={"url"}) for name, texture in textures.items()}
     digests: dict[str, str] = {}
     for index, drawn in enumerate(timed):
         if drawn.when == "setup":
             inputs = {
-                name: digests[source.target] if isinstance(source, TargetInput) else _sampled(textures[source.texture])
+                name: digests[source.target] if isinstance(source, TargetInput) else sampled[source.texture]
                 for name, source in drawn.inputs.items()
             }
             digests[drawn.target] = _digest(
@@ -120,10 +121,6 @@ def _numbers(uniform: Uniform, index: int) -> list[Any]:
     rules = [rule.model_dump(mode="json", exclude={"field"}) for rule in uniform.rules]
     indexed = [{**rule, "at": index} if rule["rule"] == "pass_index" else rule for rule in rules]
     return [uniform.type, uniform.count, *indexed]
-
-
-def _sampled(texture: Texture) -> dict[str, Any]:
-    return texture.model_dump(mode="json", exclude={"url"})
 
 
 def _digest(document: dict[str, Any]) -> str:

@@ -25,7 +25,6 @@ class FoamTexture(TextureSpec):
     format: Literal["R8", "R32F"] = "R8"
 
     def image(self) -> Image:
-        """Return :func:`foam_texture` and its mip levels."""
         levels = [foam_texture()]
         while len(levels[-1]) > 1:
             levels.append(halved(levels[-1]))

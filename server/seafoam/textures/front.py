@@ -25,7 +25,6 @@ class FrontIntegral(TextureSpec):
     log_base: float = Field(ge=0.1, le=10.0, description="ln E")
 
     def image(self) -> Image:
-        """Return the table as a row."""
         return Image("RGBA32F", (front_integral(self.intensity, self.log_base).astype("<f4")[None],))
 
 

@@ -24,12 +24,10 @@ class SeaSpectrum(TextureSpec):
     @field_validator("sea")
     @classmethod
     def _spectrum_alone(cls, sea: Sea) -> Sea:
-        """Return the sea without what its spectrum does not depend on."""
         plain = Sea()
         return sea.model_copy(update={"model": plain.model, "choppiness": plain.choppiness})
 
     def image(self) -> Image:
-        """Return the spectrum of all tiles, side by side."""
         made = cascades(self.sea, self.depth)
         amplitude = np.concatenate([of.h0 for of in made], axis=1)
         turns = np.concatenate([of.turns for of in made], axis=1)
@@ -44,7 +42,6 @@ class FftTwiddles(TextureSpec):
     kind: ClassVar[str] = "fft-twiddles"
 
     def image(self) -> Image:
-        """Return :func:`fft_twiddles` as a row."""
         return Image("RG32F", (fft_twiddles()[None].astype("<f4"),))
 
 

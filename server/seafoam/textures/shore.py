@@ -31,7 +31,6 @@ class ShoreFloor(TextureSpec):
     texels: Side
 
     def image(self) -> Image:
-        """Return :func:`seafoam.ocean.coast.seabed.floor_grid`."""
         return Image("RG32F", (floor_grid(self.shore, self.texels).astype("<f4"),))
 
 
@@ -43,7 +42,6 @@ class ShoreTravel(TextureSpec):
     texels: Side
 
     def image(self) -> Image:
-        """Return :func:`seafoam.ocean.coast.travel.travel_grid`."""
         return Image("RG32F", (travel_grid(self.shore, self.texels).astype("<f4"),))
 
 
@@ -56,7 +54,6 @@ class ShoreProfiles(TextureSpec):
     sharpness: float = Field(ge=0.0, le=0.15)
 
     def image(self) -> Image:
-        """Return :func:`shore_profiles` with the next row."""
         return Image("RG32F", (with_next_row(shore_profiles(self.nodes, self.skew, self.sharpness)).astype("<f4"),))
 
 

@@ -38,7 +38,6 @@ class SprayStrands(TextureSpec):
     kind: ClassVar[str] = "spray-strands"
 
     def image(self) -> Image:
-        """Return :func:`spray_strands` and its mip levels."""
         return Image("R16F", tuple(level.astype("<f2") for level in strand_levels()))
 
 

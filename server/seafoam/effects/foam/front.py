@@ -119,6 +119,10 @@ def _decaying(scene: Scene, front: FrontSaturation, decay: float, *, filtered: b
         orbit_of = [(orbit(wave, scene.water.depth), wave.direction) for wave in scene.waves]
         ends = (rounded((r * math.cos(d), r * math.sin(d))) for r, d in orbit_of)
         uniforms["u_front_orbit"] = constants("vec2", ends)
+    if in_groups(scene):
+        # The way of a group of waves past water that drifts, m/rad of the waves' mean phase.
+        ways = (part - drift for part, drift in zip(group_velocity(scene), foam_drift(scene), strict=True))
+        uniforms["u_front_advance"] = vector(rounded(way / mean_rate for way in ways))
     life = significant(mean_rate * decay)
     born = significant(front_full(front.intensity, 1.0))
     patchy = front.variation > 0.0 and _gated(front)
@@ -154,7 +158,6 @@ def _decaying(scene: Scene, front: FrontSaturation, decay: float, *, filtered: b
             "u_living": constants("vec4", waves),
             "u_front_relief": number(significant(_relief(scene, 1.0))),
             "u_front_group": _group(front),
-            **_advance(scene, mean_rate),
         },
     )
 
@@ -168,14 +171,6 @@ def _phase_files(scene: Scene) -> tuple[Piece, ...]:
     if shares_phase(scene):
         return ("foam/saturation/front.glsl@shared",)
     return scaled_files(scene, "foam/saturation/front.glsl@own", "waves/groups.glsl@signal")
-
-
-def _advance(scene: Scene, mean_rate: float) -> dict[str, Uniform]:
-    """The way of a group of waves past water that drifts, m/rad of the waves' mean phase; nothing without groups."""
-    if not in_groups(scene):
-        return {}
-    ways = (part - drift for part, drift in zip(group_velocity(scene), foam_drift(scene), strict=True))
-    return {"u_front_advance": vector(rounded(way / mean_rate for way in ways))}
 
 
 def _gated(front: FrontSaturation) -> bool:

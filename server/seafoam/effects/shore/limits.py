@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
 from seafoam.effects.shore.maps import MASK_WAVES, blur_deviation
 from seafoam.framegraph.rules import significant
@@ -158,7 +157,10 @@ def _steepest_waves(shore: Shore, fields: _WaveFields, texel: float, nodes: int)
     height, turns = fields.height[waves][:, None], fields.turns[waves]
     height_slope, skew_slope = _gradient(fields.height, texel)[waves], _gradient(fields.skew, texel)[waves]
     table = shore_profiles(nodes, surf.skew, surf.sharpness).astype(np.float64)
-    row, share = _table_rows(fields.skew[waves])
+    # The profile's row below each skew, and the share of the next row.
+    at = fields.skew[waves] * (ROWS - 1)
+    row = np.minimum(at.astype(np.intp), ROWS - 2)
+    share = (at - row)[:, None]
     by_phase = (np.roll(table, -1, axis=1) - table) * nodes
     by_skew = np.diff(table, axis=0) * (ROWS - 1)
     value = table[row] * (1.0 - share) + table[row + 1] * share
@@ -180,13 +182,6 @@ def _steepest_waves(shore: Shore, fields: _WaveFields, texel: float, nodes: int)
     by_mask = 2.0 * mask_slope * float((steepest_phase * steepest_turns).max())
     curvature = float((by_profile + by_height).max()) + by_mask
     return slope, curvature
-
-
-def _table_rows(skew: Floats) -> tuple[NDArray[np.intp], Floats]:
-    """The profile's row below a skew, and the share of the next row, (n, 1)."""
-    at = skew * (ROWS - 1)
-    row: NDArray[np.intp] = np.minimum(at.astype(np.intp), ROWS - 2)
-    return row, (at - row)[:, None]
 
 
 def _gradient(values: Floats, texel: float) -> Floats:
@@ -212,5 +207,4 @@ def _sharpest_bend(heights: Floats, texel: float) -> float:
 
 
 def _steepest_step(heights: Floats, texel: float) -> float:
-    """Greatest slope between neighbouring texels."""
     return math.hypot(*(float(np.abs(np.diff(heights, axis=axis)).max()) / texel for axis in (0, 1)))

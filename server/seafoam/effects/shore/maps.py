@@ -50,7 +50,13 @@ def map_passes(shore: Shore, quality: Quality, sunlit_from: tuple[str, ...]) -> 
     """The passes that draw the maps, in order; ``sunlit_from``: files of the heights from which the sun is seen."""
     flood, nearest = _flood_passes(quality.shore_map)
     distance = _pass("distance", (*GROUND, "shore/maps.glsl@distance"), "shore_rough", {"u_nearest": nearest})
-    return (*_land_passes(sunlit_from), *flood, distance, *_blur_passes(shore, quality.shore_map), _wave_pass(shore))
+    # Maxima of the land's height, level by level, and of each cell with its neighbours.
+    around = ("shore/land.glsl@tree", *sunlit_from, "shore/maps.glsl@around")
+    land = (
+        _pass("highest land", ("shore/land.glsl@tree", "shore/march.glsl@maxima_pass"), "land_cells"),
+        _pass("highest land around", around, "land_maxima", {"u_land_cells": "land_cells"}),
+    )
+    return (*land, *flood, distance, *_blur_passes(shore, quality.shore_map), _wave_pass(shore))
 
 
 def _pass(
@@ -71,15 +77,6 @@ def _pass(
         inputs={"u_shore_floor": TextureInput(texture="shore_floor"), **more},
         read=read or {},
         uniforms=uniforms or {},
-    )
-
-
-def _land_passes(sunlit_from: tuple[str, ...]) -> tuple[PassSpec, ...]:
-    """Maxima of the land's height, level by level, and of each cell with its neighbours."""
-    around = ("shore/land.glsl@tree", *sunlit_from, "shore/maps.glsl@around")
-    return (
-        _pass("highest land", ("shore/land.glsl@tree", "shore/march.glsl@maxima_pass"), "land_cells"),
-        _pass("highest land around", around, "land_maxima", {"u_land_cells": "land_cells"}),
     )
 
 

@@ -112,7 +112,6 @@ def _surf(scene: Scene, quality: Quality, spray: Spray, shore: Shore) -> Births:
 
 
 def _rocks(scene: Scene, spray: Spray, shore: Shore) -> Births | str:
-    """Surf on rocks, or why it throws nothing."""
     # At the coast waves are at most 1.2 times their breaking height, by Green's law.
     fastest = spray.speed * math.sqrt(GRAVITY * 1.2 * shore.surf.height / 0.3)
     words = f"surf on rocks starts drops at {fastest:.2g} m/s at most"

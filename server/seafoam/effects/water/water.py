@@ -63,6 +63,9 @@ def floor(scene: Scene, quality: Quality) -> Contribution | None:
     # Floor and deep water differ by less than the radiance of a white floor.
     min_depth = max(water.depth + min_surface_height(scene), 0.0)
     refracted = light.caustics is not None or water.floor_tile is not None
+    tiles: dict[str, Uniform] = {}
+    if side := water.floor_tile:
+        tiles = {"u_floor_tile": number(side), "u_floor_tile_place": array("vec2", in_tile(side, period=256.0), 1)}
     return Contribution(
         why=f"a floor {water.depth:g} m under still water" + (", seen along the refracted ray" if refracted else ""),
         slots=_floor_slots(water, refracted),
@@ -70,7 +73,7 @@ def floor(scene: Scene, quality: Quality) -> Contribution | None:
             "u_floor_albedo": vector(water.floor_albedo, "/water/floor_albedo"),
             "u_floor_depth": number(water.depth),
             **bed_sun(light),
-            **_tiles(water),
+            **tiles,
         },
         min_ground=-water.depth,
         bound=Bound(
@@ -104,13 +107,6 @@ def bed_sun(light: Light) -> dict[str, Uniform]:
     """Cosine between the refracted sunlight and the vertical."""
     height = math.sin(lamp_angles(light)[1])
     return {"u_bed_sun": number(significant(refracted_cosine(height)))}
-
-
-def _tiles(water: Water) -> dict[str, Uniform]:
-    if water.floor_tile is None:
-        return {}
-    side = water.floor_tile
-    return {"u_floor_tile": number(side), "u_floor_tile_place": array("vec2", in_tile(side, period=256.0), 1)}
 
 
 def crest_light(scene: Scene, quality: Quality) -> Contribution | None:

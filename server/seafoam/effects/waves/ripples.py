@@ -63,10 +63,15 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         uniforms={"u_ripples_band": _bands(cascades)},
         bound=_bound(scene, ripples),
     )
-    return contribution.joined(
-        _slopes("waves/ripples.glsl@exact" if summed else "waves/ripples.glsl@tile", ripples),
-        _sum(cascades) if summed else _maps(cascades, sides, quality.ripples_size),
-    )
+    if not summed:
+        return contribution.joined(
+            _slopes("waves/ripples.glsl@tile", ripples), _maps(cascades, sides, quality.ripples_size)
+        )
+    waves = [wave for cascade in cascades for wave in cascade]
+    data = [entry for i, cascade in enumerate(cascades) for entry in _wave_data(cascade, BANDS * (i % _TILES))]
+    phases = ripple_phases(waves, at_camera=True)
+    own = Resources(uniforms={"u_ripples_wave": constants("vec4", data), "u_ripples_phase": phases})
+    return contribution.joined(_slopes("waves/ripples.glsl@exact", ripples), own)
 
 
 def _slopes(file: str, ripples: Ripples) -> Resources:
@@ -83,15 +88,6 @@ def _slopes(file: str, ripples: Ripples) -> Resources:
             "u_gust_size": number(gusts.size),
             "u_gust_strength": number(gusts.strength, "/water/ripples/gusts/strength"),
         },
-    )
-
-
-def _sum(cascades: tuple[tuple[Ripple, ...], ...]) -> Resources:
-    """Ripples that are summed at each sample."""
-    waves = [wave for cascade in cascades for wave in cascade]
-    data = [entry for i, cascade in enumerate(cascades) for entry in _wave_data(cascade, BANDS * (i % _TILES))]
-    return Resources(
-        uniforms={"u_ripples_wave": constants("vec4", data), "u_ripples_phase": ripple_phases(waves, at_camera=True)}
     )
 
 

@@ -55,7 +55,6 @@ def has_copies(ripples: Ripples, repeats: bool) -> bool:
 
 
 def _copy(wave: Ripple, shift: tuple[float, float], side: float) -> Ripple:
-    """A ripple of a tile's second copy."""
     (c, s), (kx, kz) = TURN, (wave.kx, wave.kz)
     phase = wave.phase - side * (kx * shift[0] + kz * shift[1])
     return replace(wave, kx=c * kx - s * kz, kz=s * kx + c * kz, phase=math.remainder(phase, 2.0 * math.pi))
