@@ -4,17 +4,17 @@ docs/formulae.md, section 1, has the error estimate and the limits. Passes count
 their samples are adjacent in a target twice as wide and high as the picture, and no other pixels are drawn again.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from itertools import chain
 
-from seafoam.effects.shader import PLACE, Const, Piece
+from seafoam.effects.shader import PLACE, Piece
 from seafoam.framegraph.passes import Fullscreen, Pass
 from seafoam.framegraph.resources import FixedSize, Target, ViewportSize, target_inputs
 from seafoam.framegraph.rules import Uniform, Viewport, vector
 from seafoam.framegraph.shader import Program
-from seafoam.planner.frame import Frame, Stage, fullscreen, one_sided
-from seafoam.planner.glsl import FULLSCREEN, assemble
+from seafoam.planner.frame import Frame, Stage, fullscreen
+from seafoam.planner.glsl import FULLSCREEN
 
 RATIO = 3.5
 """Ratio of the contrast thresholds for 16 and for 4 samples. 4 samples leave a quarter of the squared error and 16 a
@@ -38,22 +38,20 @@ _LISTS = {"u_chosen_cells": "chosen cells", "u_chosen_groups": "chosen groups", 
 class Redrawn:
     """A pass that is drawn again for selected pixels: ``original``, with these pieces of a fragment shader.
 
-    ``depth``: its depth in clip space; ``sided``: consts of a vertex shader that draws from one side of the water.
+    ``depth``: its depth in clip space; ``over``: the side of the water from which alone it is drawn, or either.
     """
 
     original: Pass
     pieces: tuple[Piece, ...]
     depth: float = 0.0
-    sided: Mapping[str, Const] = field(default_factory=dict)
+    over: bool | None = None
 
 
 @dataclass
 class _Additions:
-    """What adaptive sampling adds to a plan, so far."""
+    """What adaptive sampling adds to a plan, so far; ``frame`` has its constants."""
 
-    consts: dict[str, Const]
-    waves: tuple[Piece, ...]
-    """The surface's pieces, for vertex shaders that draw from one side of the water."""
+    frame: Frame
     programs: dict[str, Program] = field(default_factory=dict)
     targets: dict[str, Target] = field(default_factory=dict)
     passes: list[Pass] = field(default_factory=list)
@@ -71,24 +69,17 @@ class _Additions:
         """Add a pass over the whole target, or the ``rows`` of selected pixels; its files name its program."""
         program = ", ".join(files)
         if program not in self.programs:
-            self.programs[program] = self.program(_ROWS if rows else FULLSCREEN, files)
+            self.programs[program] = self.frame.program(files, _ROWS if rows else FULLSCREEN)
         drawn = fullscreen(name, program, target, target_inputs(reads))
         self.passes.append(drawn.model_copy(update={"uniforms": dict(uniforms or {})}))
 
-    def program(
-        self, vertex: Iterable[Piece], fragment: Iterable[Piece], vertex_consts: Mapping[str, Const] | None = None
-    ) -> Program:
-        """Return a program with the constants of adaptive sampling."""
-        return Program(
-            vertex=assemble(vertex, {**self.consts, "FULLSCREEN_DEPTH": 0.0, **(vertex_consts or {})}),
-            fragment=assemble(fragment, self.consts),
-        )
-
-    def redrawn(self, again: Redrawn) -> Program:
-        """Return the program of a pass that is drawn again."""
-        fragment = chain.from_iterable(_AT_CHOSEN if piece == PLACE else (piece,) for piece in again.pieces)
-        vertex = one_sided(_ROWS, self.waves) if again.sided else _ROWS
-        return self.program(vertex, fragment, {"FULLSCREEN_DEPTH": again.depth, **again.sided})
+    def redrawn(self, again: Redrawn) -> str:
+        """Return the name of the program of a pass that is drawn again."""
+        program = f"{again.original.program}, chosen"
+        if program not in self.programs:
+            fragment = chain.from_iterable(_AT_CHOSEN if piece == PLACE else (piece,) for piece in again.pieces)
+            self.programs[program] = self.frame.program(tuple(fragment), _ROWS, over=again.over, depth=again.depth)
+        return program
 
 
 def additional_samples(
@@ -99,19 +90,16 @@ def additional_samples(
     ``scene``: surface and sky, in drawing order; ``after``: the passes blended over them.
     """
     quality, counts = frame.quality, frame.quality.chosen_samples
-    added = _Additions(
-        consts={
-            **frame.consts,
-            **frame.collection.chosen_consts,
-            "CHOOSE_FEW": 4 in counts,
-            "CHOOSE_MANY": 16 in counts,
-            "CHOOSE_RATIO": RATIO,
-            "CHOOSE_LEAST": quality.samples_threshold,
-            "CHOOSE_STEP": (MAX_CONTRAST / quality.samples_threshold) ** (1.0 / 3.0),
-            "CHOOSE_BUDGET": quality.samples_budget,
-        },
-        waves=frame.waves,
-    )
+    consts = {
+        **frame.collection.chosen_consts,
+        "CHOOSE_FEW": 4 in counts,
+        "CHOOSE_MANY": 16 in counts,
+        "CHOOSE_RATIO": RATIO,
+        "CHOOSE_LEAST": quality.samples_threshold,
+        "CHOOSE_STEP": (MAX_CONTRAST / quality.samples_threshold) ** (1.0 / 3.0),
+        "CHOOSE_BUDGET": quality.samples_budget,
+    }
+    added = _Additions(frame.with_consts(consts))
     _choose(added, means)
     drawn = _BENEATH if after else _SAMPLES
     finer = ViewportSize(scale=2)
@@ -179,13 +167,10 @@ def _draw(added: _Additions, count: int, layers: tuple[tuple[tuple[Redrawn, ...]
     lists = target_inputs({"u_chosen_rows": "chosen rows", "u_chosen_pixels": pixels})
     for group, target in layers:
         for redrawn in group:
-            program = f"{redrawn.original.program}, chosen"
-            if program not in added.programs:
-                added.programs[program] = added.redrawn(redrawn)
             clear = first and redrawn.original.state.clear
             changes = {
                 "name": f"{redrawn.original.name}, {count} samples",
-                "program": program,
+                "program": added.redrawn(redrawn),
                 "target": target,
                 "mesh": Fullscreen(),
                 "inputs": {**redrawn.original.inputs, **lists},

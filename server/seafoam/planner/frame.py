@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Mapping, Sequence
+from copy import copy
 from dataclasses import dataclass, field, replace
 
 from seafoam.effects.effect import ABOVE, PassSpec, Resources
@@ -98,6 +99,12 @@ class Frame:
         """Files of passes, and for cameras that are not over all crests, which use no mesh."""
         self.waves = tuple(self.pieces([SlotRef("waves")]))
 
+    def with_consts(self, consts: Mapping[str, Const]) -> "Frame":
+        """Return the same frame with other or more constants."""
+        other = copy(self)
+        other.consts = {**self.consts, **consts}
+        return other
+
     def pieces(self, parts: Sequence[Piece | SlotRef], files: Sequence[SlotFile] | None = None) -> list[Piece]:
         """Return the pieces of a shader, with each slot replaced by those of ``files`` that fill it.
 
@@ -124,17 +131,10 @@ class Frame:
 
         ``depth``: in clip space, of what covers the target.
         """
-        placed, sided = self.pieces(vertex), self.sided(over)
-        if sided:
-            placed = one_sided(placed, self.waves)
-        return Program(
-            vertex=assemble(placed, {**self.consts, "FULLSCREEN_DEPTH": depth, **sided}),
-            fragment=assemble(self.pieces(fragment), self.consts),
-        )
-
-    def sided(self, over: bool | None) -> dict[str, Const]:
-        """Return the constants of a vertex shader that draws from one side of the water; empty: from both."""
-        return {} if over is None or not self.below else {"FROM_OVER": over}
+        placed, consts = self.pieces(vertex), {**self.consts, "FULLSCREEN_DEPTH": depth}
+        if self.below and over is not None:
+            placed, consts["FROM_OVER"] = one_sided(placed, self.waves), over
+        return Program(vertex=assemble(placed, consts), fragment=assemble(self.pieces(fragment), self.consts))
 
     def found_over(self, name: str, program: str, target: str, state: State, inputs: Mapping[str, Input]) -> Pass:
         """Return a pass over the whole target for a camera over the water."""

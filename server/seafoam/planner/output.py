@@ -70,7 +70,7 @@ def _redrawn_overlays(frame: Frame) -> tuple[Redrawn, ...]:
         for drawn in frame.passes_of(spec):
             over = drawn.program == spec.program
             pieces = frame.pieces(spec.fragment if over else spec.under)
-            found.append(Redrawn(drawn, tuple(pieces), sided=frame.sided(over if spec.under else None)))
+            found.append(Redrawn(drawn, tuple(pieces), over=over if spec.under else None))
     return tuple(found)
 
 

@@ -55,7 +55,7 @@ class Scenery:
             state = drawn.state if low else drawn.state.model_copy(update={"clear": True})
             over = None if self.mesh and drawn.program == SURFACE else not low
             pieces = self._under if low else self._marched
-            found.append(Redrawn(drawn.model_copy(update={"state": state}), pieces, sided=self.frame.sided(over)))
+            found.append(Redrawn(drawn.model_copy(update={"state": state}), pieces, over=over))
         return (*found, Redrawn(self._sky_pass, self._sky, depth=_HORIZON_DEPTH))
 
     def _files(self) -> list[SlotFile]:

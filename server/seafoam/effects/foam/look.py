@@ -110,11 +110,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if masks:
         parts.append(_mask_place(scene, foam, masks[0][1]))
     if masks and foam.look != "filtered":
-        ranks = MaskTexture(masks=(foam.mask,), table=_MASK_TABLES[quality.mask])
-        exact = _Part(
-            needs=(_MASK_TEXELS[quality.mask], "foam/mask.glsl@exact"), textures={"mask_ranks": TextureUse(ranks)}
-        )
-        parts.append(exact.joined(Resources(inputs={"u_mask_ranks": TextureInput(texture="mask_ranks")})))
+        parts.append(_exact_mask(foam, quality))
     if _textured(foam):
         parts.append(_texture(foam, quality))
     elif foam.look == "filtered":
@@ -199,6 +195,14 @@ def _cell_uniforms(foam: Foam) -> dict[str, Uniform]:
         "u_cell_offset": array("vec2", [Wrap(k=first), Wrap(k=second)], 1),
         "u_cell_index": array("vec2", [Wrap(k=first, period=CELLS), Wrap(k=second, period=CELLS)], 1),
     }
+
+
+def _exact_mask(foam: Foam, quality: Quality) -> _Part:
+    return _Part(
+        needs=(_MASK_TEXELS[quality.mask], "foam/mask.glsl@exact"),
+        inputs={"u_mask_ranks": TextureInput(texture="mask_ranks")},
+        textures={"mask_ranks": TextureUse(MaskTexture(masks=(foam.mask,), table=_MASK_TABLES[quality.mask]))},
+    )
 
 
 def _filtered_mask(scene: Scene, foam: Foam, masks: list[tuple[str, Mask]], quality: Quality) -> _Part:
