@@ -1,7 +1,6 @@
 """Foam advected by a flow: a current, Stokes drift, vortices. docs/formulae.md, section 14."""
 
 import math
-from dataclasses import replace
 from statistics import NormalDist
 
 from seafoam.effects import effect
@@ -156,52 +155,36 @@ class _Advection:
 
     def passes(self) -> tuple[effect.PassSpec, ...]:
         """The passes that draw the map, in order."""
-        files = (*_NUMBERS, "foam/drift.glsl@flow", "foam/drift_passes.glsl@flow")
+        files, means = (
+            (*_NUMBERS, "foam/drift.glsl@flow", "foam/drift_passes.glsl@flow"),
+            ("foam/drift_passes.glsl@coarse",),
+        )
         return (
             effect.PassSpec("flow of drift", "drift_flow", files, {}, {**self.square, **self.flow, **self.texel}),
             *(self._forward() if self.forward else self._backward()),
-            effect.PassSpec(
-                "drift, means", "drift_coarse", ("foam/drift_passes.glsl@coarse",), {"u_drift_map": "drift"}
-            ),
+            effect.PassSpec("drift, means", "drift_coarse", means, {"u_drift_map": "drift"}),
         )
 
     def _backward(self) -> tuple[effect.PassSpec, ...]:
         """Every texel traced back along the flow to where its water was when each generation appeared."""
+        square, clock, texel, spec = self.square, self.clock, self.texel, effect.PassSpec
         flow = {"u_drift_flow": "drift_flow"}
+        parts, both = (
+            {**flow, "u_drift_still": "drift_still"},
+            {"u_drift_way": "drift_way", "u_drift_older": "drift_older"},
+        )
         way = (*_NUMBERS, "foam/drift.glsl@clock", *_FLOW_MAP, "foam/drift.glsl@ago", "foam/drift.glsl@rest")
+        youngest = (*way, "foam/drift_passes.glsl@way")
         patches = (*way, *VALUE_NOISE, "foam/drift.glsl@patches", "foam/drift_passes.glsl@backward")
         # Without drift.glsl@clock, whose time-dependent uniform would have these passes drawn in every frame.
         still = (*_NUMBERS, *_FLOW_MAP, "foam/drift.glsl@ago")
+        back, further = (*still, "foam/drift_passes.glsl@still"), (*still, "foam/drift_passes.glsl@still_older")
+        all_uniforms = {**square, **clock, **self.patches, **texel, **self.coverage}
         return (
-            effect.PassSpec(
-                "drift, parts of a generation back",
-                "drift_still",
-                (*still, "foam/drift_passes.glsl@still"),
-                flow,
-                {**self.square, **self.texel},
-            ),
-            effect.PassSpec(
-                "drift, two generations further back",
-                "drift_still_older",
-                (*still, "foam/drift_passes.glsl@still_older"),
-                {**flow, "u_drift_still": "drift_still"},
-                self.square,
-                target="drift_older",
-            ),
-            effect.PassSpec(
-                "drift, ways of the youngest",
-                "drift_way",
-                (*way, "foam/drift_passes.glsl@way"),
-                {**flow, "u_drift_still": "drift_still"},
-                {**self.square, **self.clock, **self.texel},
-            ),
-            effect.PassSpec(
-                "drift, followed back",
-                "drift",
-                patches,
-                {**flow, "u_drift_way": "drift_way", "u_drift_older": "drift_older"},
-                {**self.square, **self.clock, **self.patches, **self.texel, **self.coverage},
-            ),
+            spec("drift, parts of a generation back", "drift_still", back, flow, {**square, **texel}),
+            spec("drift, two generations further back", "drift_still_older", further, parts, square, "drift_older"),
+            spec("drift, ways of the youngest", "drift_way", youngest, parts, {**square, **clock, **texel}),
+            spec("drift, followed back", "drift", patches, {**flow, **both}, all_uniforms),
         )
 
     def _forward(self) -> tuple[effect.PassSpec, ...]:
@@ -209,24 +192,19 @@ class _Advection:
         # The last move ends in the map that the surface reads.
         order = ("drift", "drift_moved") if self.moves % 2 == 0 else ("drift_moved", "drift")
         clock = (*_NUMBERS, "foam/drift.glsl@clock")
+        files = (*clock, *VALUE_NOISE, "foam/drift.glsl@patches", "foam/drift_passes.glsl@start")
+        moved = {**self.square, **self.clock, **self.texel}
         start = effect.PassSpec(
-            "drift, where it comes up",
-            "drift_start",
-            (*clock, *VALUE_NOISE, "foam/drift.glsl@patches", "foam/drift_passes.glsl@start"),
-            {},
-            {**self.square, **self.clock, **self.patches, **self.texel},
-            target=order[0],
+            "drift, where it comes up", "drift_start", files, {}, {**moved, **self.patches}, target=order[0]
         )
         moves = (
-            replace(
-                effect.PassSpec(
-                    f"drift, move {i + 1} of {self.moves}",
-                    "drift_move",
-                    ("foam/drift_passes.glsl@forward",),
-                    {"u_drift_flow": "drift_flow", "u_drift_from": order[i % 2]},
-                    {**self.square, **self.clock, **self.texel},
-                    target=order[(i + 1) % 2],
-                ),
+            effect.PassSpec(
+                f"drift, move {i + 1} of {self.moves}",
+                "drift_move",
+                ("foam/drift_passes.glsl@forward",),
+                {"u_drift_flow": "drift_flow", "u_drift_from": order[i % 2]},
+                moved,
+                target=order[(i + 1) % 2],
                 vertex=(*clock, *_FLOW_MAP, "foam/drift_passes.glsl@forward_vertex"),
                 mesh=Points(count=GENERATIONS * self.size * self.size),
                 blend="add",

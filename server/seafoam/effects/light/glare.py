@@ -26,15 +26,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     sizes = [4 << k for k in range(LEVELS)]
     names = [f"glare {size}" for size in sizes]
     pairs = list(itertools.pairwise(names))
-    half, add = (_TAPS, "output/glare.glsl@half"), (_TAPS, "output/glare.glsl@add")
+    first, half, add = ("output/glare.glsl@first",), (_TAPS, "output/glare.glsl@half"), (_TAPS, "output/glare.glsl@add")
     passes = (
-        PassSpec(
-            f"{names[0]}: of the frame",
-            "glare, first",
-            ("output/glare.glsl@first",),
-            {"u_frame": FINISHED},
-            target=names[0],
-        ),
+        PassSpec(f"{names[0]}: of the frame", "glare, first", first, {"u_frame": FINISHED}, target=names[0]),
         *(PassSpec(f"{b}: mean of {a}", "glare, half", half, {"u_finer": a}, target=b) for a, b in pairs),
         *(
             PassSpec(f"{a}: with {b}", "glare, add", add, {"u_coarser": b}, target=a, blend="add")

@@ -81,28 +81,27 @@ _BIRTHS: dict[str, Input] = {"u_spray_births": TargetInput(target="spray_births"
 
 def _passes(scene: Scene, quality: Quality, found: Births) -> tuple[PassSpec, ...]:
     """Births, where drops are now, their optical depths, and what these hide."""
-    births_pass = PassSpec(
-        "births of drops",
-        "spray_births",
-        (*COMMON, HASH, "spray/drawn.glsl@flight", "spray/births.glsl@thrown", *found.files, "spray/births.glsl@pass"),
-        inputs=found.inputs,
-        stage="after",
+    births_files = (HASH, "spray/drawn.glsl@flight", "spray/births.glsl@thrown", *found.files, "spray/births.glsl@pass")
+    return (
+        PassSpec("births of drops", "spray_births", (*COMMON, *births_files), inputs=found.inputs, stage="after"),
+        _air_pass(scene, quality),
+        _water_pass(scene, quality),
+        PassSpec(
+            "spray",
+            "spray_over",
+            (*COMMON, PLACE, "spray/air.glsl@thick"),
+            {"u_spray_thick": "spray_thick"},
+            target=ABOVE,
+            stage="after",
+            blend="over",
+        ),
     )
-    over = PassSpec(
-        "spray",
-        "spray_over",
-        (*COMMON, PLACE, "spray/air.glsl@thick"),
-        target=ABOVE,
-        read={"u_spray_thick": "spray_thick"},
-        stage="after",
-        blend="over",
-    )
-    return births_pass, _air_pass(scene, quality), _water_pass(scene, quality), over
 
 
 def _air_pass(scene: Scene, quality: Quality) -> PassSpec:
     """Where drops are now, what of them is seen, and their light."""
-    lit: tuple[Piece | SlotRef, ...] = (*ILLUMINATION, "spray/drawn.glsl@lit")
+    files: tuple[Piece | SlotRef, ...] = (*COMMON, *map(SlotRef, ("waves", "find", "sky", "open sun")))
+    lit = ("spray/drawn.glsl@unlit",) if scene.light is None else (*ILLUMINATION, "spray/drawn.glsl@lit")
     file = "spray/drawn.glsl@over_water" if scene.shore is None else "spray/drawn.glsl@over_land"
     over: tuple[Piece | SlotRef, ...] = (file,)
     if scene.boats:
@@ -112,15 +111,7 @@ def _air_pass(scene: Scene, quality: Quality) -> PassSpec:
     return PassSpec(
         "drops in the air",
         "spray_air",
-        (
-            *COMMON,
-            *map(SlotRef, ("waves", "find", "sky", "open sun")),
-            *(("spray/drawn.glsl@unlit",) if scene.light is None else lit),
-            *_TABLE,
-            *land,
-            *over,
-            "spray/air.glsl@air",
-        ),
+        (*files, *lit, *_TABLE, *land, *over, "spray/air.glsl@air"),
         inputs=_BIRTHS,
         # Rays are those of the picture, not of the table.
         uniforms={"u_viewport": array("vec2", (rays,), 1)},
@@ -134,6 +125,9 @@ def _water_pass(scene: Scene, quality: Quality) -> PassSpec:
     return PassSpec(
         "water in the air",
         "spray",
+        ("spray/drawn.glsl@drop",),
+        {"u_spray_air": "spray_air"},
+        target="spray_thick",
         vertex=(
             *COMMON,
             *_TABLE,
@@ -142,14 +136,8 @@ def _water_pass(scene: Scene, quality: Quality) -> PassSpec:
             "vertex/vertex.glsl@quad",
             "spray/drawn.glsl@vertex",
         ),
-        fragment=("spray/drawn.glsl@drop",),
-        target="spray_thick",
         mesh=Quads(count=quality.spray_count),
-        inputs={
-            **_BIRTHS,
-            "u_spray_air": TargetInput(target="spray_air"),
-            "u_spray_strands": TextureInput(texture="spray_strands"),
-        },
+        inputs={**_BIRTHS, "u_spray_strands": TextureInput(texture="spray_strands")},
         stage="after",
         blend="add",
         clear=True,
