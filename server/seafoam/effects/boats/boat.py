@@ -37,13 +37,20 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     boats = scene.boats
     if not boats:
         return None
+    rigs = [(1.0 if boat.kind == "motor" else 0.0, *_direction(boat.boom)) for boat in boats]
     motors = len([boat for boat in boats if boat.kind == "motor"])
     kinds = [f"{n} {name}" for n, name in ((len(boats) - motors, "under sail"), (motors, "under power")) if n]
     return Contribution(
         why=f"boats: {', '.join(kinds)}",
         consts={**_consts(boats, quality), "BOAT_ALIKE": quality.samples == 1},
         chosen_consts={"BOAT_ALIKE": False},
-        uniforms={"u_boat_course": _courses(boats), **_form_uniforms(boats)},
+        uniforms={
+            "u_boat_course": _courses(boats),
+            "u_boat_form": constants("vec4", [(boat.length, boat.smoothing, *_direction(boat.heel)) for boat in boats]),
+            "u_boat_rig": constants("vec3", rigs),
+            "u_boat_hull": constants("vec3", [boat.hull for boat in boats]),
+            "u_boat_sails": constants("vec3", [boat.sails for boat in boats]),
+        },
     ).joined(_pose(scene), Resources(passes=(_picture_pass(scene),)))
 
 
@@ -80,16 +87,6 @@ def _courses(boats: tuple[Boat, ...]) -> Uniform:
             Constant(value=(turn * boat.radius,)),
         ]
     return array("vec4", rules, len(boats))
-
-
-def _form_uniforms(boats: tuple[Boat, ...]) -> dict[str, Uniform]:
-    rigs = [(1.0 if boat.kind == "motor" else 0.0, *_direction(boat.boom)) for boat in boats]
-    return {
-        "u_boat_form": constants("vec4", [(boat.length, boat.smoothing, *_direction(boat.heel)) for boat in boats]),
-        "u_boat_rig": constants("vec3", rigs),
-        "u_boat_hull": constants("vec3", [boat.hull for boat in boats]),
-        "u_boat_sails": constants("vec3", [boat.sails for boat in boats]),
-    }
 
 
 def _direction(angle: float) -> tuple[float, float]:

@@ -8,7 +8,7 @@ from seafoam.effects.bounds import SATURATION_CAP
 from seafoam.effects.shader import VALUE_NOISE, Const, Piece, SlotFile, Source
 from seafoam.framegraph.passes import Points
 from seafoam.framegraph.resources import FixedSize, Target, target_inputs
-from seafoam.framegraph.rules import Loop, Uniform, array, constants, number, rounded, significant, to_camera, vector
+from seafoam.framegraph.rules import Loop, array, constants, number, rounded, significant, to_camera, vector
 from seafoam.ocean.waves.stokes import steady_drift
 from seafoam.quality import Quality
 from seafoam.scene.foam import Drift, DriftSaturation, Foam, Vortex
@@ -130,7 +130,10 @@ class _Advection:
         }
         self.square = {"u_drift_half": number(0.5 * drift.size)}
         self.clock = {"u_drift_clock": array("vec2", [Loop(period=COUNTED * interval), Loop(period=interval)], 1)}
-        self.flow = _flow_uniforms(scene, drift, vortices)
+        # Of each vortex: place relative to the square's and radius, m, and angular velocity, rad/s.
+        x, z = drift.place
+        turns = [(*rounded((of.place[0] - x, of.place[1] - z)), of.radius, significant(turning(of))) for of in vortices]
+        self.flow = {"u_drift_steady": vector(rounded(steady_drift(scene))), "u_drift_vortex": constants("vec4", turns)}
         middle = 0.5 + NOISE_DEVIATION * NormalDist().inv_cdf(1.0 - source.coverage)
         self.patches = {
             "u_drift_scale": number(significant(1.0 / source.patch)),
@@ -247,15 +250,6 @@ def _fastest(drift: Drift, source: DriftSaturation) -> float:
                 "its radius",
             )
     return max((abs(turning(vortex)) for vortex in drift.vortices), default=0.0)
-
-
-def _flow_uniforms(scene: Scene, drift: Drift, vortices: tuple[Vortex, ...]) -> dict[str, Uniform]:
-    """Steady drift, m/s; of each vortex: place relative to the square's and radius, m, and angular velocity, rad/s."""
-    x, z = drift.place
-    vortex_values = [
-        (*rounded((of.place[0] - x, of.place[1] - z)), of.radius, significant(turning(of))) for of in vortices
-    ]
-    return {"u_drift_steady": vector(rounded(steady_drift(scene))), "u_drift_vortex": constants("vec4", vortex_values)}
 
 
 def drift_limit(source: DriftSaturation, scene: Scene) -> float:

@@ -9,12 +9,11 @@ from seafoam.effects.effect import Contribution, SaturationSource, foam_effect
 from seafoam.effects.shader import VALUE_NOISE, Const, SlotFile
 from seafoam.effects.waves.current import WAY as STONE_WAY
 from seafoam.effects.waves.current import places
-from seafoam.framegraph.rules import Uniform, constants, rounded, significant
+from seafoam.framegraph.rules import constants, rounded, significant
 from seafoam.ocean.waves.wakes import LEAST_SPEED, Wake, stone_wakes
 from seafoam.quality import Quality
 from seafoam.scene.foam import Foam, WakeSaturation
 from seafoam.scene.models import Scene
-from seafoam.scene.water import Current
 
 HULL_SPEED = 1.25
 """Speed over the square root of the length, √m/s, at which the bow's foam reaches its full amount."""
@@ -29,13 +28,18 @@ def draw(scene: Scene, foam: Foam, wake: WakeSaturation, quality: Quality) -> Co
     filtered = foam.look == "filtered"
     torn = "foam/saturation/wake.glsl@torn" if filtered else "foam/saturation/wake.glsl@torn_exact"
     consts: dict[str, Const] = {"WAKE_CAP": 1.0 if filtered else SATURATION_CAP}
+    amounts: list[tuple[float, ...]] = []
     if scene.current is not None and _stones(scene):
+        # As of boats, each stone a hull of its breadth.
+        speed = scene.current.speed
+        for stone in scene.current.stones:
+            share = min(speed / (HULL_SPEED * math.sqrt(4.0 * stone.radius)), 1.0)
+            amounts.append((*rounded((wake.amount * share, wake.life * speed, wake.bow * share)), 0.0))
         files = (*VALUE_NOISE, torn, *STONE_WAY)
         slot = SlotFile("saturation", "foam/saturation/surf.glsl@stones", prefix="stones", needs=files)
         why = f"foam behind stones, {wake.life:g} s to 1/e"
-        behind = Contribution(why=why, slots=(slot,), consts=consts, uniforms=_stone_amounts(scene.current, wake))
-        return behind.joined(places(scene.current))
-    amounts = []
+        uniforms = {"u_stone_foam": constants("vec4", amounts)}
+        return Contribution(why=why, slots=(slot,), consts=consts, uniforms=uniforms).joined(places(scene.current))
     for boat in scene.boats:
         moves = boat.speed >= LEAST_SPEED
         share = min(boat.speed / (HULL_SPEED * math.sqrt(boat.length)), 1.0)
@@ -60,16 +64,6 @@ def draw(scene: Scene, foam: Foam, wake: WakeSaturation, quality: Quality) -> Co
 def _stones(scene: Scene) -> tuple[Wake, ...]:
     """The wakes of the stones that white water stands at. Boats are at anchor where there are any."""
     return tuple(wake for wake in stone_wakes(scene.current) if wake.boat.speed >= LEAST_SPEED)
-
-
-def _stone_amounts(current: Current, wake: WakeSaturation) -> dict[str, Uniform]:
-    """As of boats, each stone a hull of its breadth."""
-    amounts = []
-    for stone in current.stones:
-        speed = current.speed
-        share = min(speed / (HULL_SPEED * math.sqrt(4.0 * stone.radius)), 1.0)
-        amounts.append((*rounded((wake.amount * share, wake.life * speed, wake.bow * share)), 0.0))
-    return {"u_stone_foam": constants("vec4", amounts)}
 
 
 def wake_limit(wake: WakeSaturation, scene: Scene) -> float:

@@ -50,23 +50,19 @@ def draw(scene: Scene, foam: Foam, source: WhitecapSaturation, quality: Quality)
     needs: tuple[str, ...] = ("foam/saturation/whitecap.glsl@whitecap",)
     if steps > 0:
         needs += ("foam/saturation/whitecap.glsl@old" if model.old_shares else "foam/saturation/whitecap.glsl@no_old",)
+    slopes = summed(tile.mean_square_slope for tile in raised)
     present = Contribution(
         why=f"foam where the Jacobian is below {1.0 + model.now[0]:.2f}",
         slots=(SlotFile("saturation", _TIMES[steps], prefix="whitecap", needs=needs),),
         consts={"FOLD_TIMES": steps + 1, "FOLD_SHARED": shared},
-        uniforms=_model_uniforms(model, raised),
+        uniforms={
+            "u_whitecap": constants("vec2", map(rounded, (model.now, model.earlier))),
+            "u_whitecap_variance": vector(rounded((*(part / slopes for part in model.variance), slopes))),
+            "u_whitecap_clamped": number(significant(model.clamped)),
+            "u_whitecap_share": constants("float", map(significant, model.shares)),
+        },
     )
     return present if steps == 0 else _with_history(present, scene, scene.sea, raised, quality, model)
-
-
-def _model_uniforms(model: WhitecapModel, raised: tuple[Cascade, ...]) -> dict[str, Uniform]:
-    slopes = summed(tile.mean_square_slope for tile in raised)
-    return {
-        "u_whitecap": constants("vec2", map(rounded, (model.now, model.earlier))),
-        "u_whitecap_variance": vector(rounded((*(part / slopes for part in model.variance), slopes))),
-        "u_whitecap_clamped": number(significant(model.clamped)),
-        "u_whitecap_share": constants("float", map(significant, model.shares)),
-    }
 
 
 def _with_history(

@@ -5,15 +5,15 @@ import math
 from seafoam.effects.boats.boat import TRACE
 from seafoam.effects.effect import ABOVE, Contribution, Effect, PassSpec, QualityParameter, Resources, TextureUse
 from seafoam.effects.light.light import ILLUMINATION
-from seafoam.effects.shader import COMMON, HASH, PLACE, Const, Inline, Piece, SlotRef, Source
+from seafoam.effects.shader import COMMON, HASH, PLACE, Inline, Piece, SlotRef, Source
 from seafoam.effects.shore.maps import FIND_LAND
 from seafoam.effects.spray.births import Births, births
 from seafoam.framegraph.passes import Quads
 from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Input, Target, TargetInput, TextureInput, ViewportSize
-from seafoam.framegraph.rules import Uniform, Viewport, array, number, rounded, significant, vector
+from seafoam.framegraph.rules import Viewport, array, number, rounded, significant, vector
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
-from seafoam.scene.spray import DROPS, Spray
+from seafoam.scene.spray import DROPS
 from seafoam.textures.spray import STRANDS, SprayStrands
 
 COLUMNS = 128
@@ -34,45 +34,33 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     found = births(scene, quality, spray)
     if isinstance(found, str):
         return Contribution.invisible(found)
+    speed, heading, count = spray.wind_speed, spray.downwind, quality.spray_count
+    table = Target(size=FixedSize(width=COLUMNS, height=count // COLUMNS), format="RGBA32F", layers=_PARTS)
+    thick = Target(size=ViewportSize(scale=math.isqrt(quality.samples)), format="RGBA16F")
     contribution = Contribution(
         why=f"drops from {found.words}",
-        consts={**_consts(quality), "SPRAY_BEAT": found.beat},
-        uniforms=_uniforms(spray),
+        consts={
+            # As much water: fewer drops alone leave gaps, and are thinner for being wider.
+            "SPRAY_WIDER": significant(math.pow(DROPS / count, 0.625)),
+            "SPRAY_THINNER": significant(math.pow(DROPS / count, -0.25)),
+            "SPRAY_COLUMNS": COLUMNS,
+            "SPRAY_STRANDS": STRANDS,
+            "SPRAY_WINDOW": WINDOW,
+            "SPRAY_FINER": FINER,
+            "SPRAY_BEAT": found.beat,
+        },
+        uniforms={
+            "u_spray_wind": vector(rounded((speed * math.cos(heading), speed * math.sin(heading)))),
+            "u_spray_size": number(spray.size, "/spray/size"),
+            "u_spray_mist": number(spray.mist, "/spray/mist"),
+            "u_spray_drag": number(spray.drag, "/spray/drag"),
+            "u_spray_speed": number(spray.speed),
+            "u_spray_threshold": number(spray.threshold),
+        },
         textures={"spray_strands": TextureUse(SprayStrands(), filter=MIPMAPPED)},
-        targets=_targets(quality),
+        targets={"spray_births": table, "spray_air": table, "spray_thick": thick},
     )
     return contribution.joined(found, Resources(passes=_passes(scene, quality, found)))
-
-
-def _consts(quality: Quality) -> dict[str, Const]:
-    return {
-        # As much water: fewer drops alone leave gaps, and are thinner for being wider.
-        "SPRAY_WIDER": significant(math.pow(DROPS / quality.spray_count, 0.625)),
-        "SPRAY_THINNER": significant(math.pow(DROPS / quality.spray_count, -0.25)),
-        "SPRAY_COLUMNS": COLUMNS,
-        "SPRAY_STRANDS": STRANDS,
-        "SPRAY_WINDOW": WINDOW,
-        "SPRAY_FINER": FINER,
-    }
-
-
-def _uniforms(spray: Spray) -> dict[str, Uniform]:
-    speed, heading = spray.wind_speed, spray.downwind
-    return {
-        "u_spray_wind": vector(rounded((speed * math.cos(heading), speed * math.sin(heading)))),
-        "u_spray_size": number(spray.size, "/spray/size"),
-        "u_spray_mist": number(spray.mist, "/spray/mist"),
-        "u_spray_drag": number(spray.drag, "/spray/drag"),
-        "u_spray_speed": number(spray.speed),
-        "u_spray_threshold": number(spray.threshold),
-    }
-
-
-def _targets(quality: Quality) -> dict[str, Target]:
-    size = FixedSize(width=COLUMNS, height=quality.spray_count // COLUMNS)
-    table = Target(size=size, format="RGBA32F", layers=_PARTS)
-    thick = Target(size=ViewportSize(scale=math.isqrt(quality.samples)), format="RGBA16F")
-    return {"spray_births": table, "spray_air": table, "spray_thick": thick}
 
 
 _TABLE: tuple[Piece | SlotRef, ...] = (HASH, "spray/drawn.glsl@flight", "spray/births.glsl@table")
