@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from typing import Annotated, Literal
 
-from pydantic import ConfigDict, Field
+from pydantic import Field
 
 from seafoam.described import Described
 
@@ -11,10 +11,8 @@ FAR = 1e8
 """Limit of vectors to the camera, m: what is farther away is in no picture."""
 
 
-class PlanPart(Described):
+class PlanPart(Described, extra="forbid", frozen=True, allow_inf_nan=False):
     """Base class of all parts of a frame plan."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
 
 class Constant(PlanPart):

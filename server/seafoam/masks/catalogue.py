@@ -11,7 +11,7 @@ from types import MappingProxyType
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, Field
 
 from seafoam.masks import prefilter
 from seafoam.masks.construct.make import build, estimated_seconds
@@ -49,18 +49,16 @@ class MaskTooSlowError(ValueError):
     """A valid request whose construction would take longer than :data:`ON_REQUEST_SECONDS`."""
 
 
-class QuantileTable(BaseModel):
+class QuantileTable(BaseModel, frozen=True):
     """Quantile table for magnification (:func:`prefilter.quantile_table`)."""
 
-    model_config = ConfigDict(frozen=True)
     abscissa: str = QUANTILE_ABSCISSA
     entries: tuple[float, ...]
 
 
-class MaskTables(BaseModel):
+class MaskTables(BaseModel, frozen=True):
     """Measurements of a mask."""
 
-    model_config = ConfigDict(frozen=True)
     sigma_l: tuple[float, ...]
     """Deviation inside boxes of 2^l texels, by level (:func:`prefilter.footprint_deviations`)."""
     quantile: QuantileTable
@@ -78,10 +76,9 @@ class MaskTables(BaseModel):
         )
 
 
-class MaskParameters(BaseModel):
+class MaskParameters(BaseModel, frozen=True):
     """Parameters that determine a mask."""
 
-    model_config = ConfigDict(frozen=True)
     sigma: float = Field(description="Characteristic length of the family, texels")
     width: int = Field(description="Width of the tile, texels")
     height: int = Field(description="Height of the tile, texels")
@@ -91,10 +88,9 @@ class MaskParameters(BaseModel):
     method: Method | None = Field(description="Ordering method of vac; null for other families")
 
 
-class MaskInfo(BaseModel):
+class MaskInfo(BaseModel, frozen=True):
     """A mask's description and construction parameters."""
 
-    model_config = ConfigDict(frozen=True)
     name: str
     title: str
     summary: str

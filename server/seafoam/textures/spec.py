@@ -7,7 +7,7 @@ from typing import Any, ClassVar, Literal, Self
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import BaseModel, ConfigDict
+from pydantic import BaseModel
 
 Format = Literal["R8", "R8UI", "R16UI", "RG32UI", "R16F", "R32F", "RG32F", "RGBA32F"]
 _PATH = str.maketrans('{}[]"/', "()!*'~")
@@ -32,10 +32,9 @@ def halved(level: NDArray[np.float64]) -> NDArray[np.float64]:
     return 0.25 * (level[0::2, 0::2] + level[1::2, 0::2] + level[0::2, 1::2] + level[1::2, 1::2])
 
 
-class TextureSpec(BaseModel):
+class TextureSpec(BaseModel, extra="forbid", frozen=True, allow_inf_nan=False):
     """Base class of descriptions of textures. Equal ones have the same bytes, on every machine."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
     kind: ClassVar[str]
     """First part of the address."""
 

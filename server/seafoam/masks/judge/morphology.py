@@ -7,7 +7,7 @@ from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import BaseModel, ConfigDict
+from pydantic import BaseModel
 
 from seafoam.masks.torus import Ranks
 
@@ -20,10 +20,9 @@ _DIGITS = 4
 Pattern = NDArray[np.bool_]
 
 
-class FoamShapes(BaseModel):
+class FoamShapes(BaseModel, frozen=True):
     """Shapes of the foam at one saturation; lengths in texels."""
 
-    model_config = ConfigDict(frozen=True)
     saturation: float
     largest_piece: float
     """Fraction of the foam in its largest connected component, 0..1."""
@@ -36,10 +35,9 @@ class FoamShapes(BaseModel):
     """Mean length of the runs of foam and of water along rows and columns."""
 
 
-class MaskMorphology(BaseModel):
+class MaskMorphology(BaseModel, frozen=True):
     """Shapes of a mask's foam at :data:`SATURATIONS`."""
 
-    model_config = ConfigDict(frozen=True)
     unit: Literal["texels"] = "texels"
     hole_shares: tuple[float, ...] = HOLE_SHARES
     joined_from: float
