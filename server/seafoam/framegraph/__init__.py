@@ -1,4 +1,1 @@
-"""The frame graph: rules, resources, passes and plans, the passes that a picture needs, and the values of uniforms.
-
-Of the rest of Seafoam it imports only the camera.
-"""
+"""The frame graph: rules, resources, passes and plans, what a picture needs of them, and uniforms' values."""

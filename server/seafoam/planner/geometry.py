@@ -3,7 +3,7 @@
 from functools import lru_cache
 
 from seafoam.effects.registry import CHANGED
-from seafoam.effects.shader import COMMON, PLACE, Inline, Piece, SlotRef
+from seafoam.effects.shader import COMMON, PLACE, Piece, SlotRef, constant_function
 from seafoam.framegraph.passes import State
 from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.resources import Target, ViewportSize
@@ -14,7 +14,7 @@ from seafoam.scene.models import Scene
 
 GEOMETRY = "geometry"
 """Target, program and pass."""
-_LEVEL_FLOOR = Inline("vec3 floor_normal(vec2 p) {\n    return vec3(0.0, 1.0, 0.0);\n}\n")
+_LEVEL_FLOOR = constant_function("vec3", "floor_normal", "vec2 p", "vec3(0.0, 1.0, 0.0)")
 _SURFACE: tuple[Piece | SlotRef, ...] = (*COMMON, PLACE, SlotRef("waves"), SlotRef("detail"))
 
 

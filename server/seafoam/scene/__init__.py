@@ -1,4 +1,1 @@
-"""The scene: what the sea is. Schema, units, ranges and presets.
-
-No physics, no drawing: what follows from a scene is in :mod:`seafoam.ocean`.
-"""
+"""The scene: schema, units, ranges and presets. What follows from a scene is in :mod:`seafoam.ocean`."""

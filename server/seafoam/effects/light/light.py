@@ -147,12 +147,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     else:
         glow = atmosphere.glows(light)["sun"]
         dusk = glow[0][1] > skylight.DEEP_NIGHT
+        layers = glow_source("sun") if dusk else "light/night.glsl@night"
         sky = (
-            SlotFile(
-                "layered",
-                glow_source("sun") if dusk else "light/night.glsl@night",
-                needs=("light/sky.glsl@exposure", "light/sky.glsl@layered"),
-            ),
+            SlotFile("layered", layers, needs=("light/sky.glsl@exposure", "light/sky.glsl@layered")),
             SlotFile("sky", "light/sky.glsl@whole"),
             SlotFile("sky main", "light/sky.glsl@main_layered"),
         )
@@ -162,15 +159,10 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "u_mie_depth": number(significant(mie_depth(light))),
             **(glow_uniforms("sun", *glow) if dusk else {}),
         }
+    shading = ("lib/refraction.glsl", *ILLUMINATION, "light/shade.glsl@optics")
     return Contribution(
         why=f"sun {math.degrees(light.sun[1]):.0f}° above the horizon, sky, haze",
-        slots=(
-            *sky,
-            SlotFile(
-                "shade", "light/shade.glsl@lit", needs=("lib/refraction.glsl", *ILLUMINATION, "light/shade.glsl@optics")
-            ),
-            SlotFile("tone", _TONES[light.tone]),
-        ),
+        slots=(*sky, SlotFile("shade", "light/shade.glsl@lit", needs=shading), SlotFile("tone", _TONES[light.tone])),
         uniforms={
             "u_sun_direction": vector(rounded(lamp(light))),
             "u_sun_irradiance": vector(rounded(sun_irradiance(light))),

@@ -31,7 +31,8 @@ def moon(scene: Scene, quality: Quality) -> Contribution | None:
     rise, level = math.sin(model.elevation), math.cos(model.elevation)
     up = (-rise * math.cos(model.azimuth), level, -rise * math.sin(model.azimuth))
     radius = atmosphere.MOON_RADIUS * model.size
-    face = atmosphere.MOON_FACE * atmosphere.MOON_POWER * model.brightness
+    face = atmosphere.MOON_FACE * atmosphere.MOON_POWER * model.brightness * atmosphere.MOON_TINT
+    axes = (right, up, tuple(-value for value in toward))
     glows = atmosphere.glows(light)
     lit = 100.0 * math.sqrt(atmosphere.moon_phase(light))
     return Contribution(
@@ -46,15 +47,8 @@ def moon(scene: Scene, quality: Quality) -> Contribution | None:
             "u_moon_right": vector(rounded(right)),
             "u_moon_up": vector(rounded(up)),
             "u_moon_radius": number(significant(radius)),
-            "u_moon_sun": vector(
-                rounded(
-                    summed(a * b for a, b in zip(sun, axis, strict=True))
-                    for axis in (right, up, tuple(-value for value in toward))
-                )
-            ),
-            "u_moon_radiance": vector(
-                rounded(face * atmosphere.MOON_TINT * np.exp(-0.5 * atmosphere.path(light, toward[1])))
-            ),
+            "u_moon_sun": vector(rounded(summed(a * b for a, b in zip(sun, axis, strict=True)) for axis in axes)),
+            "u_moon_radiance": vector(rounded(face * np.exp(-0.5 * atmosphere.path(light, toward[1])))),
         },
         bound=Bound.zero_if(toward[1] < -max(0.02, 2.0 * radius), "the moon is below the horizon"),
     )

@@ -5,7 +5,7 @@ import math
 from seafoam.effects.boats.boat import COURSE, LIGHT, TRACE
 from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, drawn_map
 from seafoam.effects.light.light import ILLUMINATION, air_light, sky_irradiance, sun_irradiance
-from seafoam.effects.shader import COMMON, VALUE_NOISE, Inline, Piece, SlotFile, SlotRef, constant_function
+from seafoam.effects.shader import COMMON, VALUE_NOISE, Piece, SlotFile, SlotRef, constant_function
 from seafoam.effects.shore.land import LAND_LIGHT, soil_files
 from seafoam.effects.shore.maps import MAXIMA
 from seafoam.framegraph.resources import FixedSize, Target
@@ -85,10 +85,9 @@ STEPS = 3
 """Number of reads of the map's distance with which a reflected ray is traced."""
 LOOKS = 8
 """Number of points along the reflected ray at which land is searched for, each twice as far as the last."""
-_NO_BOATS = Inline(
-    "float boats_met(vec3 o, vec3 d, bool far, out vec3 light) {\n    light = vec3(0.0);\n    return -1.0;\n}\n"
-)
-_NO_LAND = Inline("float land_met(vec3 o, vec3 d, out vec3 light) {\n    light = vec3(0.0);\n    return -1.0;\n}\n")
+_DARK = "light = vec3(0.0);"
+_NO_BOATS = constant_function("float", "boats_met", "vec3 o, vec3 d, bool far, out vec3 light", "-1.0", _DARK)
+_NO_LAND = constant_function("float", "land_met", "vec3 o, vec3 d, out vec3 light", "-1.0", _DARK)
 _NO_GUESS = constant_function("float", "mirror_guess", "vec3 place, vec3 r", "-1.0")
 
 

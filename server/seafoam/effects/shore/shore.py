@@ -43,12 +43,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         slots=_slots(shore, lit=scene.light is not None),
         consts={**_consts(shore, quality, cells), **land.soil_consts(shore, quality)},
         uniforms={
-            **_place(shore),
-            **_bound_uniforms(bounds, steepest, curvature),
-            **_look_uniforms(shore),
+            **_uniforms(shore, bounds, steepest, curvature),
             **land.soil_uniforms(shore),
-            "u_shore_time": array("float", [Phase(offset=0.0, rate=-2.0 * math.pi / surf.period, k=(0.0, 0.0))], 1),
-            "u_shore_swash": number(significant(0.3 * surf.height)),
             **({} if scene.light is None else bed_sun(scene.light)),
         },
         inputs={
@@ -116,31 +112,25 @@ def _consts(shore: Shore, quality: Quality, cells: int) -> dict[str, Const]:
     }
 
 
-def _place(shore: Shore) -> dict[str, Uniform]:
-    """The camera's position relative to the shore, as phases over :data:`PERIOD`, and the square's side."""
-    turn = 2.0 * math.pi / PERIOD
-    x, z = shore.place
+def _uniforms(shore: Shore, bounds: Limits, steepest: float, curvature: float) -> dict[str, Uniform]:
+    """The camera's place on the shore, as phases over :data:`PERIOD`; the shore's bounds, its look and its swash."""
+    turn, (x, z), surf = 2.0 * math.pi / PERIOD, shore.place, shore.surf
     place = [Phase(offset=-turn * x, rate=0.0, k=(turn, 0.0)), Phase(offset=-turn * z, rate=0.0, k=(0.0, turn))]
-    return {"u_shore_place": array("float", place, 2), "u_shore_size": number(shore.size)}
-
-
-def _bound_uniforms(bounds: Limits, steepest: float, curvature: float) -> dict[str, Uniform]:
     return {
+        "u_shore_place": array("float", place, 2),
+        "u_shore_size": number(shore.size),
         "u_shore_top": number(rounded_up(max(bounds.land_top, 0.0))),
         "u_shore_steepest": constants("float", map(rounded_up, (bounds.floor_slope, bounds.land_slope))),
         "u_shore_bend": number(rounded_up(bounds.floor_curvature)),
         # A thousandth less: the shader subtracts these from sums of bounds that have been rounded up.
         "u_shore_bounds": vector((0.999 * steepest, 0.999 * curvature)),
-    }
-
-
-def _look_uniforms(shore: Shore) -> dict[str, Uniform]:
-    return {
         "u_shore_plants_from": number(shore.plants_from, "/shore/plants_from"),
         "u_shore_reef": number(shore.reef, "/shore/reef"),
         "u_shore_sand": vector(shore.sand, "/shore/sand"),
         "u_shore_rock": vector(shore.rock, "/shore/rock"),
         "u_shore_plants": vector(shore.plants, "/shore/plants"),
+        "u_shore_time": array("float", [Phase(offset=0.0, rate=-2.0 * math.pi / surf.period, k=(0.0, 0.0))], 1),
+        "u_shore_swash": number(significant(0.3 * surf.height)),
     }
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from seafoam.effects.bounds import parametric_wave_height
 from seafoam.effects.effect import Resources, TextureUse
-from seafoam.effects.shader import Inline, Piece, SlotRef
+from seafoam.effects.shader import Inline, Piece, SlotRef, constant_function
 from seafoam.effects.shore.maps import MASK_WAVES, mask_uniforms
 from seafoam.effects.waves.parametric import earlier_wave_files, group_bounds, max_profile_slope
 from seafoam.effects.waves.rings import ring_uniforms
@@ -54,22 +54,17 @@ def births(scene: Scene, quality: Quality, spray: Spray) -> Births | str:
     sources = [source for source in (_bursts(spray), steady) if isinstance(source, Births)]
     if not sources:
         return str(steady)
+    # Of two sources each has half of the drops.
+    half, first, last = quality.spray_count // 2, sources[0].function, sources[-1].function
+    asked = f"{first}(i, drop)" if first == last else f"i < {half} ? {first}(i, drop) : {last}(i - {half}, drop)"
+    choice = constant_function("bool", "spray_born", "int i, out Drop drop", asked)
     every = Births(
         words=" and ".join(source.words for source in sources),
         function="spray_born",
-        files=(*(file for source in sources for file in source.files), _choice(sources, quality.spray_count)),
+        files=(*(file for source in sources for file in source.files), choice),
         beat=0.0 if _on_rocks(scene, spray) else spray.life / model.BATCHES,
     )
     return every.joined(*sources)
-
-
-def _choice(sources: list[Births], count: int) -> Inline:
-    """The function that asks a drop's source; of two each has half of the drops."""
-    first, last = sources[0].function, sources[-1].function
-    asked = f"{first}(i, drop)"
-    if first != last:
-        asked = f"i < {count // 2} ? {asked} : {last}(i - {count // 2}, drop)"
-    return Inline(f"bool spray_born(int i, out Drop drop) {{\n    return {asked};\n}}\n")
 
 
 def fastest_rise(scene: Scene) -> float:
