@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass, field, replace
 
-from seafoam.effects.effect import ABOVE, PassSpec, Resources
+from seafoam.effects.effect import ABOVE, PassSpec, Resources, drawn_map
 from seafoam.effects.shader import COMMON, MARCH_AHEAD, Const, Piece, SlotFile, SlotRef, Source, refine
 from seafoam.framegraph.passes import Eyes, Fullscreen, Pass, State
 from seafoam.framegraph.resources import FixedSize, Input, Target, ViewportSize, target_inputs
@@ -239,33 +239,18 @@ def _starts(sampled: ViewportSize, *, measured: bool) -> Resources:
         size = sampled.model_copy(update={"part": sampled.part * side, "odd": True})
         return Target(size=size, format="RGBA16F")
 
-    search = (*COMMON, SlotRef("waves"), SlotRef("beyond"), SlotRef("bounds"), SlotRef("start"))
-    files = (*search, "surface/start.glsl@start_anew", "surface/start.glsl@pass")
-    near = PassSpec("where rays begin", "start", files)
-    starts = Resources(inputs=target_inputs({"u_start": "start"}), targets={"start": tiles(START_TILE)})
+    search: tuple[Piece | SlotRef, ...] = (*COMMON, *map(SlotRef, ("waves", "beyond", "bounds", "start")))
+    near = PassSpec("where rays begin", "start", (*search, "surface/start.glsl@start_anew", "surface/start.glsl@pass"))
     if not measured:
-        return replace(starts, passes=(near,))
-    now = PassSpec(
-        "bounds of the surface",
-        "surface_now",
-        (*(*COMMON, SlotRef("waves"), SlotRef("bounds"), SlotRef("short bounds")), "surface/bounds.glsl@now_pass"),
-        target="surface_now",
-    )
+        return drawn_map(near, tiles(START_TILE), "u_start")
+    slots = map(SlotRef, ("waves", "bounds", "short bounds"))
+    now = PassSpec("bounds of the surface", "surface_now", (*COMMON, *slots, "surface/bounds.glsl@now_pass"))
     # Measured maps are steep and searched in many steps: first for wider tiles.
     wide = replace(near, name="where wide beams of rays begin", program="start, wide", target="start, wide")
-    within = replace(
-        near,
-        fragment=(*search, "surface/start.glsl@start_within", "surface/start.glsl@pass"),
-        inputs=target_inputs({"u_start_wide": "start, wide"}),
-    )
-    return starts.joined(
-        Resources(
-            slots=(SlotFile("now", "surface/bounds.glsl@now_measured"),),
-            inputs=target_inputs({"u_surface_now": "surface_now"}),
-            targets={
-                "surface_now": Target(size=FixedSize.square(1), format="RGBA16F"),
-                "start, wide": tiles(WIDE_TILE),
-            },
-            passes=(now, wide, within),
-        )
+    files = (*search, "surface/start.glsl@start_within", "surface/start.glsl@pass")
+    within = replace(near, fragment=files, inputs=target_inputs({"u_start_wide": "start, wide"}))
+    return Resources(slots=(SlotFile("now", "surface/bounds.glsl@now_measured"),)).joined(
+        drawn_map(now, Target(size=FixedSize.square(1), format="RGBA16F"), "u_surface_now"),
+        drawn_map(wide, tiles(WIDE_TILE)),
+        drawn_map(within, tiles(START_TILE), "u_start"),
     )
