@@ -14,6 +14,13 @@ MARCH_AHEAD = "surface/march.glsl@ahead"
 """Steps of ray marching, for files in the slots of its parts."""
 Const = int | float | bool | tuple[int, ...]
 """A compile-time constant; a tuple is an array."""
+HASH = "lib/noise.glsl@hash"
+VALUE_NOISE = (HASH, "lib/noise.glsl@value")
+SLOPES = (HASH, "lib/noise.glsl@slopes")
+PERLIN_2 = (HASH, "lib/noise.glsl@perlin_2")
+PERLIN_3 = (HASH, "lib/noise.glsl@perlin_3")
+NOISE_CELLS = 256
+"""Period of the gradient noise, cells."""
 
 
 @dataclass(frozen=True)
@@ -88,15 +95,6 @@ def constant_function(returns: str, name: str, parameters: str, value: str = "",
 def joined(*pieces: Inline) -> Inline:
     """Return inline GLSL with an empty line between its pieces."""
     return Inline("\n".join(piece.text for piece in pieces))
-
-
-HASH = "lib/noise.glsl@hash"
-VALUE_NOISE = (HASH, "lib/noise.glsl@value")
-SLOPES = (HASH, "lib/noise.glsl@slopes")
-PERLIN_2 = (HASH, "lib/noise.glsl@perlin_2")
-PERLIN_3 = (HASH, "lib/noise.glsl@perlin_3")
-NOISE_CELLS = 256
-"""Period of the gradient noise, cells."""
 
 
 def drifting_phases(axes: Iterable[tuple[float, float]], velocity: tuple[float, float], turn: float) -> Uniform:

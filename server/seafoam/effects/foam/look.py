@@ -43,6 +43,19 @@ WINDROW_SEED = 1938
 _NO_WINDROWS = constant_function("float", "windrow", "vec2 p, Footprint fp")
 _AT_REST = constant_function("vec2", "carry", "vec2 p")
 """No displacement by waves, near a coast as elsewhere."""
+CELLS = 4096
+"""Number of cells along each side of their lattice after which their rotations repeat."""
+_MASK_TABLES: dict[str, MaskTable] = {"u8": "ranks-8", "half": "thresholds-half", "u16": "ranks"}
+_MASK_TEXELS = {"u8": "foam/mask.glsl@texel_u8", "half": "foam/mask.glsl@texel_half", "u16": "foam/mask.glsl@texel_u16"}
+_LOOKS = {
+    "halftone": "foam/look.glsl@halftone",
+    "halftone_textured": "foam/look.glsl@halftone_textured",
+    "textured": "foam/look.glsl@textured",
+    "fading": "foam/look.glsl@fading",
+    "listing": "foam/look.glsl@listing",
+    "filtered": "foam/look.glsl@filtered",
+}
+_NO_TEXTURE = constant_function("float", "foam_texture", "vec2 p, Footprint fp", "1.0")
 
 
 def ageing_look(look: str, life: FoamLife) -> tuple[str, tuple[Piece, ...]]:
@@ -83,21 +96,6 @@ def living(scene: Scene, quality: Quality) -> Contribution | None:
         consts={"WINDROW_RIDGE": WINDROW_RIDGE, "WINDROW_SEED": WINDROW_SEED},
         uniforms=uniforms,
     )
-
-
-CELLS = 4096
-"""Number of cells along each side of their lattice after which their rotations repeat."""
-_MASK_TABLES: dict[str, MaskTable] = {"u8": "ranks-8", "half": "thresholds-half", "u16": "ranks"}
-_MASK_TEXELS = {"u8": "foam/mask.glsl@texel_u8", "half": "foam/mask.glsl@texel_half", "u16": "foam/mask.glsl@texel_u16"}
-_LOOKS = {
-    "halftone": "foam/look.glsl@halftone",
-    "halftone_textured": "foam/look.glsl@halftone_textured",
-    "textured": "foam/look.glsl@textured",
-    "fading": "foam/look.glsl@fading",
-    "listing": "foam/look.glsl@listing",
-    "filtered": "foam/look.glsl@filtered",
-}
-_NO_TEXTURE = constant_function("float", "foam_texture", "vec2 p, Footprint fp", "1.0")
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:

@@ -19,6 +19,9 @@ NODES = 17
 """Entries of the table of visible heights."""
 _LENGTHS, _PLACES = 61, 384
 """Number of wavelengths of the highest wave over which the table is computed, and points in each."""
+WIDENED = 1.5
+"""Side of the box that approximates the five points of a blur, in units of the blur: the best fit on choppy lakes."""
+_WIDENED = "foam/saturation/slope.glsl@widened"
 
 
 def visible_heights(scene: Scene) -> tuple[float, float, list[tuple[float, float]]]:
@@ -88,11 +91,6 @@ def height_limit(height: HeightSaturation, scene: Scene) -> float:
     """Return the greatest height saturation: that of the highest crest."""
     fraction = (max_surface_height(scene) + paper_level(scene) - height.base) / (height.full - height.base)
     return min(max(fraction, 0.0), SATURATION_CAP)
-
-
-WIDENED = 1.5
-"""Side of the box that approximates the five points of a blur, in units of the blur: the best fit on choppy lakes."""
-_WIDENED = "foam/saturation/slope.glsl@widened"
 
 
 def draw_slope(scene: Scene, foam: Foam, slope: SlopeSaturation, quality: Quality) -> Contribution:

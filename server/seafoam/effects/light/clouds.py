@@ -31,6 +31,15 @@ _MIRRORED = Resources(
         "u_clouds_mirrored",
     )
 )
+_STREAKS = ((True, 1.0 / 8.0), (False, 1.0), (True, 0.125), (False, 0.25))
+"""Axes of the noise of streaks and of their patches: along the streaks or across, and cells per size."""
+EARTH = 6.371e6
+"""Radius, m."""
+MIDDLE, SPAN = 0.4, 0.9
+"""Height of the clouds' middle slice, of their depth, and the farthest that slices are parted, cells; as in
+``light/clouds.glsl@layer``."""
+PENUMBRA = 0.00233
+"""Standard deviation of directions over the sun's disc, rad."""
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -92,10 +101,6 @@ def cirrus(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-_STREAKS = ((True, 1.0 / 8.0), (False, 1.0), (True, 0.125), (False, 0.25))
-"""Axes of the noise of streaks and of their patches: along the streaks or across, and cells per size."""
-
-
 def _streak(high: Cirrus, heading: tuple[float, float], along: bool, share: float) -> Phase:
     k = 2.0 * math.pi / (NOISE_CELLS * high.size) * share
     axis = heading if along else (-heading[1], heading[0])
@@ -107,15 +112,6 @@ def _clear(scene: Scene) -> Scene:
     assert scene.light.sky is not None
     sky = scene.light.sky.model_copy(update={"clouds": None})
     return scene.model_copy(update={"light": scene.light.model_copy(update={"sky": sky})})
-
-
-EARTH = 6.371e6
-"""Radius, m."""
-MIDDLE, SPAN = 0.4, 0.9
-"""Height of the clouds' middle slice, of their depth, and the farthest that slices are parted, cells; as in
-``light/clouds.glsl@layer``."""
-PENUMBRA = 0.00233
-"""Standard deviation of directions over the sun's disc, rad."""
 
 
 def shadows(scene: Scene, quality: Quality) -> Contribution | None:

@@ -18,6 +18,15 @@ from seafoam.scene.models import Scene
 
 _SERIES = tuple(f"{part}{tint}{rim}" for rim in ("", "_rim") for part in ("even", "haze") for tint in ("", "_tint"))
 _UNIFORMS = ("lamp", "level", *_SERIES)
+ILLUMINATION = ("light/shade.glsl@irradiance", "light/shade.glsl@haze")
+"""Irradiance of sun and sky, and the haze in front of what they light; after the sky's files."""
+_TONES = {"filmic": "output/tone.glsl@filmic", "photographic": "output/tone.glsl@photographic"}
+_DISC_SOLID_ANGLE = 6.8e-5
+"""Solid angle of the sun's disc, sr."""
+_MAX_DISC = 3000.0
+"""Radiance at which the disc is clamped, well within the range of half floats."""
+_NODES = 96
+"""Steps of the sky's integral in elevation and azimuth."""
 
 
 def glow_source(lamp: str) -> Source:
@@ -55,17 +64,6 @@ def _array(values: Floats) -> Uniform:
     """An array of floats, or of vec2 of values (n, 2)."""
     rules = (Constant(value=rounded(values.ravel().tolist())),)
     return array("float" if values.ndim == 1 else "vec2", rules, len(values))
-
-
-ILLUMINATION = ("light/shade.glsl@irradiance", "light/shade.glsl@haze")
-"""Irradiance of sun and sky, and the haze in front of what they light; after the sky's files."""
-_TONES = {"filmic": "output/tone.glsl@filmic", "photographic": "output/tone.glsl@photographic"}
-_DISC_SOLID_ANGLE = 6.8e-5
-"""Solid angle of the sun's disc, sr."""
-_MAX_DISC = 3000.0
-"""Radiance at which the disc is clamped, well within the range of half floats."""
-_NODES = 96
-"""Steps of the sky's integral in elevation and azimuth."""
 
 
 def _view_air_mass(y: Floats | float) -> Floats | float:

@@ -27,6 +27,8 @@ _NORMAL_NODES = 65536
 """Steps of the means over the normal law, from -8 to 8 standard deviations."""
 NO_NOISE = 20.0
 """Noise value that is never reached."""
+LEAST_PASSED = 1e-4
+"""Least mean transmittance by which that of a column is divided."""
 
 
 def cloud_start(clouds: Clouds) -> float:
@@ -74,10 +76,6 @@ def cloud_far(light: Light, clouds: Clouds) -> tuple[float, ...]:
     """Light of the air along the horizon that clouds keep the lamp from: its radiance, premultiplied, and its share."""
     share = SHADED * cloud_mean(clouds)
     return *(share * _overcast(light, clouds)), share
-
-
-LEAST_PASSED = 1e-4
-"""Least mean transmittance by which that of a column is divided."""
 
 
 def gap_light(clouds: Clouds | None) -> float:

@@ -28,6 +28,16 @@ SHORE = (
 """Files that give the land's height and colour."""
 SURROUNDINGS: tuple[str | SlotRef, ...] = (*COMMON, *map(SlotRef, ("sky", "mirrored", "open sun", "sunlight")))
 """First files of passes that draw them."""
+MARGIN = 1.25
+"""Width of the map relative to the picture: ripples reflect objects beside it."""
+STEPS = 3
+"""Number of reads of the map's distance with which a reflected ray is traced."""
+LOOKS = 8
+"""Number of points along the reflected ray at which land is searched for, each twice as far as the last."""
+_DARK = "light = vec3(0.0);"
+_NO_BOATS = constant_function("float", "boats_met", "vec3 o, vec3 d, bool far, out vec3 light", "-1.0", _DARK)
+_NO_LAND = constant_function("float", "land_met", "vec3 o, vec3 d, out vec3 light", "-1.0", _DARK)
+_NO_GUESS = constant_function("float", "mirror_guess", "vec3 place, vec3 r", "-1.0")
 
 
 def lit_land(shore: Shore) -> tuple[str, ...]:
@@ -77,18 +87,6 @@ def _bound(scene: Scene, light: Light) -> Bound | None:
     # The brightest point of the sky, where all light is scattered forward.
     brightest = max(air_light(light)) * 2.6
     return Bound(factor * max(land, brightest), "there is no light to reflect", ("/light/exposure",))
-
-
-MARGIN = 1.25
-"""Width of the map relative to the picture: ripples reflect objects beside it."""
-STEPS = 3
-"""Number of reads of the map's distance with which a reflected ray is traced."""
-LOOKS = 8
-"""Number of points along the reflected ray at which land is searched for, each twice as far as the last."""
-_DARK = "light = vec3(0.0);"
-_NO_BOATS = constant_function("float", "boats_met", "vec3 o, vec3 d, bool far, out vec3 light", "-1.0", _DARK)
-_NO_LAND = constant_function("float", "land_met", "vec3 o, vec3 d, out vec3 light", "-1.0", _DARK)
-_NO_GUESS = constant_function("float", "mirror_guess", "vec3 place, vec3 r", "-1.0")
 
 
 def planar(scene: Scene, quality: Quality) -> Contribution | None:

@@ -19,6 +19,13 @@ LAND_LIGHT = {False: "shore/land.glsl@land_lit", True: "shore/land.glsl@land_fil
 """The file that lights land, by whether it has detail."""
 FILM_DRIES, SAND_DRIES = 4.0, 40.0
 """Times in which the film of water on sand and the sand dry to 1/e, s."""
+SUN_RADIUS = 0.00465
+"""Angular radius of the sun and of the moon, rad."""
+LOWEST_RISE = 1e-3
+"""Least slope of a sight of the sun's rim."""
+SUNLIT_FROM = (*GROUND, "shore/sunlit.glsl@sunlit_from")
+"""Files of the heights from which the sun is seen over the land."""
+NO_SHADOWS = ("shore/sunlit.glsl@sunlit_from_none",)
 
 
 def soil_files(shore: Shore) -> tuple[str, ...]:
@@ -54,15 +61,6 @@ def soil_uniforms(shore: Shore) -> dict[str, Uniform]:
         "u_land_strand": number(significant(0.4 * shore.surf.height + 0.12)),
         "u_land_dries": vector((significant(FILM_DRIES / period), significant(SAND_DRIES / period))),
     }
-
-
-SUN_RADIUS = 0.00465
-"""Angular radius of the sun and of the moon, rad."""
-LOWEST_RISE = 1e-3
-"""Least slope of a sight of the sun's rim."""
-SUNLIT_FROM = (*GROUND, "shore/sunlit.glsl@sunlit_from")
-"""Files of the heights from which the sun is seen over the land."""
-NO_SHADOWS = ("shore/sunlit.glsl@sunlit_from_none",)
 
 
 def throws(scene: Scene) -> bool:

@@ -33,6 +33,11 @@ DELAY = 1.5
 """Longest time between the arrival of a crest and the start of a drop, s."""
 _EYE_CELLS = 256.0
 """Cells of a grid after which drops repeat."""
+_TIMES = "spray/seas.glsl@times"
+_SEA_PLACES = Inline(
+    "".join(f"uniform float u_sea_size_{tile};\nuniform vec2 u_sea_offset_{tile};\n" for tile in range(RAISED))
+)
+_NO_RINGS = Inline("float rings_then(vec2 p, float age) {\n    return 0.0;\n}\n")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -188,13 +193,6 @@ def _earlier_water(
     places = [] if scene.shore is not None else [_SEA_PLACES]
     files = ["lib/texels.glsl@cubic_spline", BLOCKS, *places, "spray/seas.glsl@sea_waves", *earlier]
     return files, waves.joined(_seas(scene.sea, quality, drawn_tiles(scene, quality)[:RAISED], limits))
-
-
-_TIMES = "spray/seas.glsl@times"
-_SEA_PLACES = Inline(
-    "".join(f"uniform float u_sea_size_{tile};\nuniform vec2 u_sea_offset_{tile};\n" for tile in range(RAISED))
-)
-_NO_RINGS = Inline("float rings_then(vec2 p, float age) {\n    return 0.0;\n}\n")
 
 
 def _earlier(scene: Scene) -> tuple[list[Piece | SlotRef], Resources]:

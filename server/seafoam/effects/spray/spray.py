@@ -24,6 +24,8 @@ FINER = 3.7
 """Scale of the finer strands."""
 WINDOW = 0.4
 """Share of the strands' texture that a drop shows across."""
+_TABLE: tuple[Piece | SlotRef, ...] = (HASH, "spray/drawn.glsl@flight", "spray/births.glsl@table")
+_BIRTHS: dict[str, Input] = {"u_spray_births": TargetInput(target="spray_births")}
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -61,10 +63,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         targets={"spray_births": table, "spray_air": table, "spray_thick": thick},
     )
     return contribution.joined(found, Resources(passes=_passes(scene, quality, found)))
-
-
-_TABLE: tuple[Piece | SlotRef, ...] = (HASH, "spray/drawn.glsl@flight", "spray/births.glsl@table")
-_BIRTHS: dict[str, Input] = {"u_spray_births": TargetInput(target="spray_births")}
 
 
 def _passes(scene: Scene, quality: Quality, found: Births) -> tuple[PassSpec, ...]:

@@ -32,6 +32,12 @@ _EVEN = {
 }
 """Functions that a file scales, and their names before."""
 _NO_GROUPS = constant_function("float", "front_group", "vec2 q, float ago", "1.0")
+_MIN_SINE = 1e-4
+"""Minimum of |sin(θ/2 + π/4)| in the derivative for K < 1/2, as in the shader."""
+_MIN_SHARED_HEIGHT = 1e-30
+"""Height of the waves, m, below which fronts compute their own phases: 1/height would overflow."""
+_MAX_DOUBLED_EXPONENT = 33
+"""Greatest 2K for which the shader computes the power as a product."""
 
 
 @dataclass(frozen=True)
@@ -90,14 +96,6 @@ def group_bounds(scene: Scene) -> GroupBounds:
         return GroupBounds()
     step = 1.000001 * math.hypot(*group_cells(scene, groups))
     return GroupBounds(groups.contrast * SLOPE * step, groups.contrast * CURVATURE * step * step)
-
-
-_MIN_SINE = 1e-4
-"""Minimum of |sin(θ/2 + π/4)| in the derivative for K < 1/2, as in the shader."""
-_MIN_SHARED_HEIGHT = 1e-30
-"""Height of the waves, m, below which fronts compute their own phases: 1/height would overflow."""
-_MAX_DOUBLED_EXPONENT = 33
-"""Greatest 2K for which the shader computes the power as a product."""
 
 
 def _profile_slope(exponent: float, s: float, c: float) -> float:

@@ -42,6 +42,8 @@ RING_CONSTS: dict[str, Const] = {
 """What every file of rings needs."""
 _MIN_TEXELS = 4.0
 """Texels to the shortest wave below which a map does not resolve it, so that the rings are summed instead."""
+_TOUCH_LIFE = significant(math.log(1.0 / model.DEAD_SHARE) / model.TOUCH_DECAY + 1.0)
+"""Age at which every ring has ended, and a second more, s."""
 
 
 def _age(ring: model.Ring) -> Rule:
@@ -153,10 +155,6 @@ def _map(shown: Sequence[Train], square: _Square, size: int) -> effect.Resources
         # A stride of 2 is enough: the shortest wave is four texels long.
         measured_bounds("rings", size, square.side / size, stride=2),
     )
-
-
-_TOUCH_LIFE = significant(math.log(1.0 / model.DEAD_SHARE) / model.TOUCH_DECAY + 1.0)
-"""Age at which every ring has ended, and a second more, s."""
 
 
 def touches(scene: Scene, quality: Quality) -> effect.Contribution | None:

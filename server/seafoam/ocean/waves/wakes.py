@@ -15,6 +15,10 @@ NEAR = 2.0
 """Distance from a boat's centre, in its lengths, beyond which the window at its bow is negligible."""
 _OPENING = 2800.0
 """Second derivative of a wake's window near the bow, in units of its height over the boat's length squared."""
+STONE_CRESTS = 6.0
+"""Number of standing waves behind a stone; beyond them a river's turbulence leaves none."""
+STONE_LENGTH = 5.0
+"""Length over radius of the hull that makes a stone's waves: its cut-off is a wavelength of 0.9 radii."""
 
 
 @dataclass(frozen=True)
@@ -26,12 +30,6 @@ class Obstacle:
     wake: float
     radius: float = 1e9
     """Its course through the water is straight."""
-
-
-STONE_CRESTS = 6.0
-"""Number of standing waves behind a stone; beyond them a river's turbulence leaves none."""
-STONE_LENGTH = 5.0
-"""Length over radius of the hull that makes a stone's waves: its cut-off is a wavelength of 0.9 radii."""
 
 
 @dataclass(frozen=True)
