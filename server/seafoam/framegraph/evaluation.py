@@ -93,12 +93,8 @@ def _camera(rule: CameraRule, state: FrameState) -> tuple[float, ...]:
             return forward
         case _:
             near = max(0.02, 0.5 * (eye - rule.top))
-            rows = (
-                tuple(value / (tangent * aspect) for value in right),
-                tuple(value / tangent for value in up),
-                forward,
-                forward,
-            )
+            across = tuple(value / (tangent * aspect) for value in right)
+            rows = (across, tuple(value / tangent for value in up), forward, forward)
             lift = [-eye * row[1] for row in rows]
             lift[2] -= 2.0 * near
             return tuple(value for column in range(3) for value in (row[column] for row in rows)) + tuple(lift)

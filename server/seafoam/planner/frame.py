@@ -36,12 +36,8 @@ PLANE, MARCHED = "surface/march.glsl@plane", "surface/march.glsl@march"
 MARCH = SlotFile(
     "marched", "surface/march.glsl@begin", needs=("surface/march.glsl@step", refine("refine_water", "waves", "vec3"))
 )
-_MARCH_START = SlotFile(
-    "start",
-    "surface/start.glsl@start",
-    prefix="water",
-    needs=("surface/march.glsl@step", "surface/bounds.glsl@pyramid"),
-)
+_STARTS = ("surface/march.glsl@step", "surface/bounds.glsl@pyramid")
+_MARCH_START = SlotFile("start", "surface/start.glsl@start", prefix="water", needs=_STARTS)
 
 
 @dataclass(frozen=True)

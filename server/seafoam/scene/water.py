@@ -22,14 +22,13 @@ class Ripples(Part):
     """Moving patches of rougher and smoother ripples; absent: uniform ripples"""
 
 
+_Length = Annotated[float, Field(ge=0.01, le=1000.0)]
+
+
 class Water(Part):
     """Optical properties of the water, its floor, and its ripples."""
 
-    absorption_length: tuple[
-        Annotated[float, Field(ge=0.01, le=1000.0)],
-        Annotated[float, Field(ge=0.01, le=1000.0)],
-        Annotated[float, Field(ge=0.01, le=1000.0)],
-    ] = (7.0, 30.0, 70.0)
+    absorption_length: tuple[_Length, _Length, _Length] = (7.0, 30.0, 70.0)
     """Distance after which absorption leaves 1/e of red, green and blue light, m (Outerra: 7, 30, 70)"""
     scattering: float = Field(default=0.005, ge=0.0, le=0.5)
     """Scattering coefficient, 1/m (Outerra: 0.005); larger values give brighter, murkier water"""

@@ -20,21 +20,9 @@ from seafoam.textures.spray import SprayRocks, SprayStrands
 PREFIX = "/api/textures/"
 """What an address begins with in a plan."""
 GZIP_LEVEL = 4
-_KINDS: dict[str, type[TextureSpec]] = {
-    one.kind: one
-    for one in (
-        FftTwiddles,
-        FoamTexture,
-        FrontIntegral,
-        MaskTexture,
-        SeaSpectrum,
-        ShoreFloor,
-        ShoreProfiles,
-        ShoreTravel,
-        SprayRocks,
-        SprayStrands,
-    )
-}
+_OF_WATER: tuple[type[TextureSpec], ...] = (FftTwiddles, FoamTexture, FrontIntegral, MaskTexture, SeaSpectrum)
+_OF_SHORES: tuple[type[TextureSpec], ...] = (ShoreFloor, ShoreProfiles, ShoreTravel, SprayRocks, SprayStrands)
+_KINDS = {one.kind: one for one in (*_OF_WATER, *_OF_SHORES)}
 
 
 @dataclass(frozen=True)

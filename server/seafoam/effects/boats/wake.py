@@ -9,7 +9,7 @@ from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, Qualit
 from seafoam.effects.shader import Inline, Piece, SlotFile, Source
 from seafoam.effects.waves.measured import BLOCK
 from seafoam.framegraph.resources import FixedSize, Target, target_inputs
-from seafoam.framegraph.rules import Uniform, constants, number, significant
+from seafoam.framegraph.rules import Uniform, constants, number, rounded, significant
 from seafoam.ocean.waves.wakes import NEAR, Wake, joint_height, joint_slope, wakes
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
@@ -116,13 +116,7 @@ def _slots(kind: WakeKind, *, mapped: bool) -> tuple[SlotFile, ...]:
 def _form_uniforms(patterns: Sequence[Wake]) -> dict[str, Uniform]:
     """Of each wake: wavenumber (rad/m), amplitude (m; 0: none), length (m), cut-off (rad/m); and its maker."""
     forms = [
-        (
-            significant(wake.k),
-            wake.boat.wake if wake.shows else 0.0,
-            significant(wake.length),
-            significant(wake.shortest),
-        )
-        for wake in patterns
+        (significant(of.k), of.boat.wake if of.shows else 0.0, *rounded((of.length, of.shortest))) for of in patterns
     ]
     boats = [(wake.boat.length, wake.boat.radius) for wake in patterns]
     return {"u_wake": constants("vec4", forms), "u_wake_boat": constants("vec2", boats)}
@@ -132,20 +126,13 @@ def _map(kind: WakeKind, count: int, size: int) -> Resources:
     """The wakes' map, ``size`` texels long and half as wide per wake, and its bounds."""
     name, form = kind.name, kind.file("boats/wake.glsl@form")
     blocks = FixedSize(width=size // BLOCK, height=size // 2 // BLOCK * count)
-    files = ("lib/numbers.glsl", form, _PATTERN, kind.file("boats/wake.glsl@map_pass"))
-    along = PassSpec(f"{kind.title}, {size} texels along", name, files)
-    of_blocks = PassSpec(
-        f"{kind.title}, greatest of blocks",
-        f"{name}_blocks",
-        (Inline(f"const int BOUNDS_BLOCK = {BLOCK};\n"), form, kind.file("boats/wake_bounds.glsl@blocks")),
-        kind.renamed({"u_wake_map": name}),
-    )
-    of_all = PassSpec(
-        f"{kind.title}, greatest of all",
-        f"{name}_bounds",
-        (form, kind.file("boats/wake_bounds.glsl@join")),
-        kind.renamed({"u_wake_blocks": f"{name}_blocks"}),
-    )
+    of_map = ("lib/numbers.glsl", form, _PATTERN, kind.file("boats/wake.glsl@map_pass"))
+    along = PassSpec(f"{kind.title}, {size} texels along", name, of_map)
+    sizes, title = Inline(f"const int BOUNDS_BLOCK = {BLOCK};\n"), f"{kind.title}, greatest of"
+    files = (sizes, form, kind.file("boats/wake_bounds.glsl@blocks"))
+    of_blocks = PassSpec(f"{title} blocks", f"{name}_blocks", files, kind.renamed({"u_wake_map": name}))
+    join, read = (form, kind.file("boats/wake_bounds.glsl@join")), kind.renamed({"u_wake_blocks": f"{name}_blocks"})
+    of_all = PassSpec(f"{title} all", f"{name}_bounds", join, read)
     map_size, bounds_size = FixedSize(width=size, height=size // 2 * count), FixedSize(width=len(AWAY), height=count)
     return drawn_map(along, Target(size=map_size, format="RGBA16F", filter="linear")).joined(
         drawn_map(of_blocks, Target(size=blocks, format="RGBA16F")),

@@ -64,16 +64,9 @@ def draw(scene: Scene, foam: Foam, source: DriftSaturation, quality: Quality) ->
 
 
 def _per_sample(advection: "_Advection") -> effect.Resources:
-    files = (
-        "foam/drift.glsl@square",
-        "foam/drift.glsl@clock",
-        "foam/drift.glsl@flow",
-        *VALUE_NOISE,
-        "foam/drift.glsl@patches",
-        "foam/drift.glsl@ago",
-        "foam/drift.glsl@back",
-        "foam/saturation/drift.glsl@rim",
-    )
+    flow = ("foam/drift.glsl@square", "foam/drift.glsl@clock", "foam/drift.glsl@flow")
+    back = ("foam/drift.glsl@ago", "foam/drift.glsl@back", "foam/saturation/drift.glsl@rim")
+    files = (*flow, *VALUE_NOISE, "foam/drift.glsl@patches", *back)
     return effect.Resources(
         slots=(SlotFile("saturation", "foam/saturation/drift.glsl@exact", prefix="drift", needs=files),),
         uniforms={**advection.flow, **advection.patches},

@@ -126,13 +126,8 @@ def _decaying(scene: Scene, front: FrontSaturation, decay: float, *, filtered: b
     life = significant(mean_rate * decay)
     born = significant(front_full(front.intensity, 1.0))
     patchy = front.variation > 0.0 and _gated(front)
-    needs: tuple[Piece, ...] = (
-        *_phase_files(scene),
-        *front_files(scene),
-        "foam/saturation/front.glsl@gate",
-        "foam/saturation/front.glsl@seen",
-        *orbits,
-    )
+    gate = ("foam/saturation/front.glsl@gate", "foam/saturation/front.glsl@seen")
+    needs: tuple[Piece, ...] = (*_phase_files(scene), *front_files(scene), *gate, *orbits)
     patches = (*PERLIN_3, "foam/saturation/front.glsl@patches") if patchy else ("foam/saturation/front.glsl@even",)
     if patchy:
         # The noise of the patches drifts as foam does.

@@ -77,15 +77,9 @@ def _all_passes(masks: Sequence[Mask]) -> tuple[PassSpec, ...]:
 def _passes(mask: Mask, index: int, atlas: str) -> tuple[PassSpec, ...]:
     size, moments = mask.ranks.shape[0], MOMENTS + _suffix(index)
     ranks: dict[str, Input] = {"u_mask_ranks": TextureInput(texture=f"mask_ranks{_suffix(index)}")}
-    specs = [
-        PassSpec(
-            "mask: moments",
-            "mask_moments",
-            ("foam/mask_passes.glsl@moments",),
-            target=moments,
-            inputs={**ranks, "u_mask_quantiles": TextureInput(texture=f"mask_quantiles{_suffix(index)}")},
-        )
-    ]
+    files = ("foam/mask_passes.glsl@moments",)
+    inputs = {**ranks, "u_mask_quantiles": TextureInput(texture=f"mask_quantiles{_suffix(index)}")}
+    specs = [PassSpec("mask: moments", "mask_moments", files, target=moments, inputs=inputs)]
     source, side, row, level = moments, size // 2, 0, 0
     while side >= 1:
         level += 1
@@ -94,14 +88,8 @@ def _passes(mask: Mask, index: int, atlas: str) -> tuple[PassSpec, ...]:
         name, files = f"mask: moments, level {level}", ("foam/mask_passes.glsl@halve",)
         specs.append(PassSpec(name, "mask_halve", files, {"u_mask_moments": source}, sizes, target))
         source, row, side = target, size - 2 * side, side // 2
-    last = PassSpec(
-        "mask: atlas",
-        "mask_atlas",
-        ("foam/mask_passes.glsl@atlas",),
-        {"u_mask_moments": moments, "u_mask_levels": source},
-        target=atlas,
-        inputs=ranks,
-    )
+    files, read = ("foam/mask_passes.glsl@atlas",), {"u_mask_moments": moments, "u_mask_levels": source}
+    last = PassSpec("mask: atlas", "mask_atlas", files, read, target=atlas, inputs=ranks)
     return (*specs, last)
 
 

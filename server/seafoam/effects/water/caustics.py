@@ -232,14 +232,9 @@ def _grid(
     for name, difference in colours.items():
         light = _light_pass(tile, name, difference, "water/caustics.glsl@grid_vertex", "water/caustics.glsl@grid")
         channels = vector(tuple(float(name in (own, "white")) for own in COLOURS))
-        passes.append(
-            replace(
-                light,
-                mesh=Grid(rows=cells + 2 * margin, columns=cells + 2 * margin),
-                clear=not passes,
-                uniforms={**light.uniforms, "u_caustic_channels": channels},
-            )
-        )
+        mesh = Grid(rows=cells + 2 * margin, columns=cells + 2 * margin)
+        uniforms = {**light.uniforms, "u_caustic_channels": channels}
+        passes.append(replace(light, mesh=mesh, clear=not passes, uniforms=uniforms))
     across, along = {"u_caustic_across": smoothing.across}, {"u_caustic_along": smoothing.along}
     read, files = {"u_caustic_light": "caustic_light"}, ("water/caustics.glsl@smooth_rows",)
     return Resources(

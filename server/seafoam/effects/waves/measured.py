@@ -21,16 +21,11 @@ def measured_bounds(source: str, size: int, texel: float, stride: int = 1) -> Re
     """
     blocks, bounds = f"{source}_blocks", f"{source}_bounds"
     sizes = Inline(f"const int BOUNDS_BLOCK = {BLOCK};\nconst int BOUNDS_STRIDE = {stride};\n")
-    of_blocks = PassSpec(
-        f"{source}, greatest of blocks",
-        f"bounds_{stride}",
-        (sizes, "surface/bounds.glsl@pass"),
-        {"u_bounded": source},
-        {"u_bounded_texel": number(texel)},
-        target=blocks,
-    )
-    name, files = f"{source}, greatest of all", ("surface/bounds.glsl@join",)
-    of_all = PassSpec(name, "bounds_join", files, {"u_blocks": blocks}, target=bounds)
+    files, texels = (sizes, "surface/bounds.glsl@pass"), {"u_bounded_texel": number(texel)}
+    name = f"{source}, greatest of blocks"
+    of_blocks = PassSpec(name, f"bounds_{stride}", files, {"u_bounded": source}, texels, target=blocks)
+    join = ("surface/bounds.glsl@join",)
+    of_all = PassSpec(f"{source}, greatest of all", "bounds_join", join, {"u_blocks": blocks}, target=bounds)
     return drawn_map(of_blocks, Target(size=FixedSize.square(-(-size // BLOCK)), format="RGBA16F")).joined(
         drawn_map(of_all, Target(size=FixedSize.square(1), format="RGBA16F"))
     )

@@ -20,7 +20,7 @@ from seafoam.effects.effect import (
 )
 from seafoam.effects.shader import Const, Inline, Piece, SlotFile
 from seafoam.effects.waves.measured import measured_bounds
-from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, TargetInput, TextureInput, target_inputs
+from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, TextureInput, target_inputs
 from seafoam.framegraph.rules import Loop, Phase, Uniform, array, constants, in_tile, number, significant, vector
 from seafoam.ocean.waves.cascades import BAND, LEAST_JACOBIAN, LOOP, RAISED, Cascade, cascades
 from seafoam.ocean.waves.stokes import follows_orbits
@@ -113,14 +113,8 @@ class WaterDrawing:
     ) -> PassSpec:
         (name, program, own), (waves, last) = called, files
         sizes = Inline(f"const int BLOCK_SIZE = {self.size};\nconst int BLOCK_TIMES = {self.times};\n")
-        return PassSpec(
-            name,
-            program,
-            ("lib/numbers.glsl", _COMPLEX, sizes, f"{_PASSES}{waves}", *own, _FOUR, f"{_PASSES}{last}"),
-            target=target,
-            uniforms={**uniforms, **self.uniforms},
-            stage=self.stage,
-        )
+        fragment = ("lib/numbers.glsl", _COMPLEX, sizes, f"{_PASSES}{waves}", *own, _FOUR, f"{_PASSES}{last}")
+        return PassSpec(name, program, fragment, {}, {**uniforms, **self.uniforms}, target, stage=self.stage)
 
     def _fft(self, spectra: str, rows: Sequence[str], columns: Sequence[str]) -> Iterator[PassSpec]:
         """Passes that transform the blocks, as many along each axis: the last draws into the last of ``columns``."""
@@ -132,16 +126,19 @@ class WaterDrawing:
             for step, target in zip(steps, list(islice(cycle(targets[::-1]), len(steps)))[::-1], strict=True):
                 radix, last = min(4, 1 << (bits - step)), "fft_last_pass" if bits - step == 1 else "fft_pass"
                 first = Inline(f"const bool FFT_SPREADS = {str(spreads).lower()};\n"), f"{_PASSES}fft_first_pass"
+                name = f"{self.transforms}: {kind}, {1 << step} to {radix << step}"
+                program = f"fft_{radix}" if step else "fft_spread" if spreads else "fft_first"
+                files = (_COMPLEX, _FOUR, f"{_PASSES}fft", *((f"{_PASSES}{last}",) if step else first))
+                place, twiddles = (float(bits), float(step), float(axis)), TextureInput(texture="fft_twiddles")
+                uniforms = {"u_fft": vector(place)}
                 yield PassSpec(
-                    f"{self.transforms}: {kind}, {1 << step} to {radix << step}",
-                    f"fft_{radix}" if step else "fft_spread" if spreads else "fft_first",
-                    (_COMPLEX, _FOUR, f"{_PASSES}fft", *((f"{_PASSES}{last}",) if step else first)),
-                    target=target,
-                    inputs={
-                        "u_fft_from": TargetInput(target=source),
-                        "u_fft_twiddles": TextureInput(texture="fft_twiddles"),
-                    },
-                    uniforms={"u_fft": vector((float(bits), float(step), float(axis)))},
+                    name,
+                    program,
+                    files,
+                    {"u_fft_from": source},
+                    uniforms,
+                    target,
+                    inputs={"u_fft_twiddles": twiddles},
                     stage=self.stage,
                 )
                 source = target
@@ -381,14 +378,8 @@ def _orbits(sea: Sea, raised: Sequence[Cascade], quality: Quality) -> Resources:
     """Horizontal displacement of the water, which carries foam: the tiles on top of each other in one map."""
     side = quality.sea_size // 2
     size = FixedSize(width=side, height=RAISED * (side + 1))
-    drawn = PassSpec(
-        "orbits of the sea",
-        "sea_orbit",
-        (*RESAMPLED, "foam/carry.glsl@sea_orbit"),
-        {"u_sea_displaced": DISPLACED},
-        raised_blocks(sea, raised, quality),
-        target="sea_orbits",
-    )
+    files, blocks = (*RESAMPLED, "foam/carry.glsl@sea_orbit"), raised_blocks(sea, raised, quality)
+    drawn = PassSpec("orbits of the sea", "sea_orbit", files, {"u_sea_displaced": DISPLACED}, blocks, "sea_orbits")
     target = tile_target(quality, side).model_copy(update={"size": size})
     carry = Resources(slots=(SlotFile("carry", "foam/carry.glsl@sea", prefix="sea"),))
     return drawn_map(drawn, target, "u_sea_orbits").joined(carry)
