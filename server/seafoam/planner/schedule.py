@@ -33,12 +33,8 @@ def with_setup(
     (:attr:`seafoam.framegraph.plan.FramePlan.kept`).
     """
     used = [_uniforms_of(drawn, programs[drawn.program], uniforms) for drawn in passes]
-    steady = [
-        drawn.eye == "any"
-        and drawn.view == "any"
-        and all(_steady(rule) for uniform in own.values() for rule in uniform.rules)
-        for drawn, own in zip(passes, used, strict=True)
-    ]
+    still = [all(_steady(rule) for uniform in own.values() for rule in uniform.rules) for own in used]
+    steady = [drawn.eye == "any" and drawn.view == "any" and of for drawn, of in zip(passes, still, strict=True)]
     static = _static_targets(passes, steady, targets)
     timed = tuple(drawn.model_copy(update={"when": "setup" if drawn.target in static else "frame"}) for drawn in passes)
     read = {name for drawn in timed if drawn.when == "frame" for name in reads(drawn)}

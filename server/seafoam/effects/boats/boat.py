@@ -81,11 +81,8 @@ def _courses(boats: tuple[Boat, ...]) -> Uniform:
     rules: list[Rule] = []
     for boat in boats:
         turn = 1.0 if boat.turn == "starboard" else -1.0
-        rules += [
-            *to_camera(*boat.centre),
-            Phase(offset=boat.bearing, rate=turn * boat.speed / boat.radius, k=(0.0, 0.0)),
-            Constant(value=(turn * boat.radius,)),
-        ]
+        bearing = Phase(offset=boat.bearing, rate=turn * boat.speed / boat.radius, k=(0.0, 0.0))
+        rules += [*to_camera(*boat.centre), bearing, Constant(value=(turn * boat.radius,))]
     return array("vec4", rules, len(boats))
 
 

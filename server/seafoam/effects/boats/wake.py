@@ -58,15 +58,8 @@ class WakeKind:
         return {names.get(name, name): value for name, value in values.items()}
 
 
-BOATS = WakeKind(
-    "wake",
-    "wakes",
-    "wakes",
-    "no boat moves, or none makes waves",
-    WAY,
-    "boats/wake_bounds.glsl@declared",
-    "boats/wake_bounds.glsl@measured",
-)
+_BOUNDS = ("boats/wake_bounds.glsl@declared", "boats/wake_bounds.glsl@measured")
+BOATS = WakeKind("wake", "wakes", "wakes", "no boat moves, or none makes waves", WAY, *_BOUNDS)
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:

@@ -198,10 +198,8 @@ def _past_waves(scene: Scene, shared: bool) -> tuple[list[tuple[float, ...]], fl
     """
     drift, weights = foam_drift(scene), _weights(scene)
     vectors = [wavevector(wave, scene.water.depth) for wave in scene.waves]
-    rates = [
-        angular_frequency(wave) - kx * drift[0] - kz * drift[1]
-        for wave, (kx, kz) in zip(scene.waves, vectors, strict=True)
-    ]
+    met = zip(scene.waves, vectors, strict=True)
+    rates = [angular_frequency(wave) - kx * drift[0] - kz * drift[1] for wave, (kx, kz) in met]
     mean = max(summed(weight * rate for weight, rate in zip(weights, rates, strict=True)), LEAST_RATE)
     waves = [
         (*rounded((rate / mean, math.cos(2.0 * math.pi * rate / mean), math.sin(2.0 * math.pi * rate / mean))), weight)

@@ -65,11 +65,9 @@ def aeration(scene: Scene, quality: Quality) -> Contribution | None:
     most = min(greatest_saturation(foam, scene), 1.0)
     # Light crosses the layer twice, on a path of at most three times its depth: refracted rays are never flatter.
     whitened = 1.0 - math.exp(-3.0 * water.aeration * water.plume_depth * most)
-    bound = Bound(
-        whitened * body_limit(scene),
-        "almost no bubbles, no foam above them, or no light on them",
-        ("/light/exposure", "/water/aeration", "/water/plume_depth", *saturation_fields(scene)),
-    )
+    why = "almost no bubbles, no foam above them, or no light on them"
+    fields = ("/light/exposure", "/water/aeration", "/water/plume_depth", *saturation_fields(scene))
+    bound = Bound(whitened * body_limit(scene), why, fields)
     return Contribution(
         why=f"bubbles down to {water.plume_depth:g} m under foam",
         slots=(SlotFile("plume", "water/body.glsl@bubbles", needs=("light/shade.glsl@optics", "lib/refraction.glsl")),),

@@ -56,11 +56,9 @@ def cubemap(scene: Scene, quality: Quality) -> Contribution | None:
     if shore is not None:
         scenery = (*SHORE, *lit_land(shore), "reflection/mirror.glsl@land_around")
     if quality.cube == "exact":
-        return Contribution(
-            why="reflects sky and land, traced for each sample",
-            slots=(SlotFile("reflection", "reflection/mirror.glsl@exact", needs=scenery),),
-            bound=_bound(scene, light),
-        )
+        slot = SlotFile("reflection", "reflection/mirror.glsl@exact", needs=scenery)
+        why = "reflects sky and land, traced for each sample"
+        return Contribution(why=why, slots=(slot,), bound=_bound(scene, light))
     faces = ("lib/texels.glsl@cube_face", "reflection/cube.glsl@cube")
     needs = ("lib/texels.glsl@bilinear", *faces, "reflection/cube.glsl@texel")
     size = FixedSize(width=3 * quality.cube_size, height=2 * quality.cube_size)
@@ -102,10 +100,8 @@ def planar(scene: Scene, quality: Quality) -> Contribution | None:
     met = (*boats, *land, "reflection/mirror.glsl@met")
     objects = " and ".join(name for name, there in (("boats", scene.boats), ("land", scene.shore)) if there)
     if quality.reflection == "traced":
-        return Contribution(
-            why=f"reflected rays are traced to {objects}",
-            slots=(SlotFile("reflection", "reflection/mirror.glsl@traced", needs=met),),
-        )
+        slot = SlotFile("reflection", "reflection/mirror.glsl@traced", needs=met)
+        return Contribution(why=f"reflected rays are traced to {objects}", slots=(slot,))
     size = quality.reflection_size
     guess: tuple[Piece, ...] = (COURSE, "reflection/mirror.glsl@guess") if scene.boats else (_NO_GUESS,)
     return Contribution(

@@ -180,10 +180,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             FLOOR_FIELDS,
         ),
     )
-    return contribution.joined(
-        _slope_map(tile, rays),
-        _photons(tile, colours, rays, texels) if photons else _grid(tile, colours, rays, texels, shifts),
-    )
+    lit = _photons(tile, colours, rays, texels) if photons else _grid(tile, colours, rays, texels, shifts)
+    return contribution.joined(_slope_map(tile, rays), lit)
 
 
 def _slope_map(tile: _Tile, size: int) -> Resources:

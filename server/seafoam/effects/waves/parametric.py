@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from seafoam.effects.bounds import parametric_wave_height, waves_bound
 from seafoam.effects.effect import UNBOUNDED, Contribution, Effect, QualityParameter, Resources
-from seafoam.effects.shader import HASH, Piece, SlotFile, Source, constant_function
+from seafoam.effects.shader import HASH, Const, Piece, SlotFile, Source, constant_function
 from seafoam.framegraph.rules import Phase, Wrap, array, constants, number, rounded, significant, vector
 from seafoam.ocean.basics.dispersion import angular_frequency, paper_level, wave_level, wavevector
 from seafoam.ocean.waves.groups import PERIOD, group_cells, group_key, group_velocity, in_groups
@@ -56,10 +56,9 @@ def group_part(scene: Scene) -> Resources:
     along, (v_x, v_z) = group_cells(scene, groups), group_velocity(scene)
     across = (-along[1], along[0])
     place = (Wrap(k=(k_x, k_z), period=float(PERIOD), rate=-(k_x * v_x + k_z * v_z)) for k_x, k_z in (along, across))
-    return Resources(
-        consts={"GROUP_KEY": group_key(groups.seed), "GROUP_PERIOD": PERIOD, "GROUP_VARIANCE": VARIANCE},
-        uniforms={PLACE: array("vec2", place, 1), "u_wave_groups": vector((*along, groups.contrast))},
-    )
+    consts: dict[str, Const] = {"GROUP_KEY": group_key(groups.seed), "GROUP_PERIOD": PERIOD, "GROUP_VARIANCE": VARIANCE}
+    shape = vector((*along, groups.contrast))
+    return Resources(consts=consts, uniforms={PLACE: array("vec2", place, 1), "u_wave_groups": shape})
 
 
 def wave_files(scene: Scene) -> tuple[Piece, ...]:

@@ -296,10 +296,8 @@ def _fetch(quality: Quality) -> tuple[str, ...]:
 def _slots(scene: Scene, quality: Quality, tiles: int) -> tuple[SlotFile, ...]:
     filtered = "waves/sea.glsl@seen" if quality.surface.filter else "waves/sea.glsl@seen_exact"
     needs = (*_fetch(quality), "waves/sea.glsl@level", filtered)
-    slots = [
-        SlotFile("waves", "waves/sea.glsl@sea", prefix="sea", needs=needs),
-        SlotFile("bounds", "waves/sea.glsl@bounds", prefix="sea"),
-    ]
+    bounds = SlotFile("bounds", "waves/sea.glsl@bounds", prefix="sea")
+    slots = [SlotFile("waves", "waves/sea.glsl@sea", prefix="sea", needs=needs), bounds]
     if scene.shore is None:
         slots.append(SlotFile("short", "waves/sea.glsl@short"))
         slots.append(SlotFile("short bounds", "waves/sea.glsl@short_bounds", needs=("waves/sea.glsl@bounds",)))

@@ -47,13 +47,9 @@ def lace(shape: Shape, sigma: float, aspect: float, age: float, rng: np.random.G
     warp = [WARP * sigma * _noise(rng, shape, WARP_WIDTH * sigma, None) for _ in range(2)]
     # Cells of one area, longer along x; shifts along y shrink with them, or walls along x would turn into waves.
     box = np.array((columns / np.sqrt(aspect), rows * np.sqrt(aspect)))
-    places = np.stack(
-        (
-            np.mod(np.arange(columns)[None, :] + 0.5 + warp[0], columns) * (box[0] / columns),
-            np.mod(np.arange(rows)[:, None] + 0.5 + warp[1] / aspect, rows) * (box[1] / rows),
-        ),
-        axis=-1,
-    ).reshape(-1, 2)
+    x = np.mod(np.arange(columns)[None, :] + 0.5 + warp[0], columns) * (box[0] / columns)
+    y = np.mod(np.arange(rows)[:, None] + 0.5 + warp[1] / aspect, rows) * (box[1] / rows)
+    places = np.stack((x, y), axis=-1).reshape(-1, 2)
     young = 1.0 - age
     power = 0.85 + 0.1 * young
     spread = 0.9 - 0.1 * young

@@ -41,15 +41,8 @@ _HORIZON_MASS = math.sqrt(0.5 * math.pi * EARTH / HAZE_HEIGHT)
 def _densities(height: Floats) -> Floats:
     """Density relative to the greatest, of molecules, haze, low haze and ozone, at heights (...,) km; (..., 4)."""
     up = np.maximum(height, 0.0)
-    return np.stack(
-        (
-            np.exp(-up / RAYLEIGH_HEIGHT),
-            np.exp(-up / MIE_HEIGHT),
-            np.exp(-up / HAZE_HEIGHT),
-            np.maximum(1.0 - np.abs(up - 25.0) / 15.0, 0.0),
-        ),
-        -1,
-    )
+    falling = (np.exp(-up / scale) for scale in (RAYLEIGH_HEIGHT, MIE_HEIGHT, HAZE_HEIGHT))
+    return np.stack((*falling, np.maximum(1.0 - np.abs(up - 25.0) / 15.0, 0.0)), -1)
 
 
 def _to_top(radius: Floats, cosine: Floats) -> Floats:
