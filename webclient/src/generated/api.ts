@@ -3,315 +3,173 @@
  * Do not make direct changes to the file.
  */
 
-export type paths = Record<string, never>;
-export type webhooks = Record<string, never>;
-export interface components {
-    schemas: {
-        /** @description A bounding sphere of everything that a pass draws, at any time: ``centre`` (x, y, z) and ``radius``, m. */
-        BoundingSphere: {
-            centre: [
-                number,
-                number,
-                number
-            ];
-            radius: number;
-        };
-        /**
-         * @description The camera, relative to its own (x, z): of the position, only the height enters.
-         *
-         *     view_projection: mat4, column-major; ``top`` (m) is the highest point of the surface and sets the near plane.
-         *     eye_height: float. ray_x, ray_y, ray_z: vec3 with ray = ray_z + X·ray_x + Y·ray_y for X, Y in clip space [−1, 1].
-         */
-        CameraRule: {
-            rule: "camera";
-            what: "view_projection" | "eye_height" | "ray_x" | "ray_y" | "ray_z";
-            top: number;
-        };
-        /**
-         * @description offset + rate·t + k·origin, clamped to [low, high], in float64: an age, or the vector from a point to the camera.
-         *
-         *     Exact to the rounding of the sum: t − birth and camera − point keep all digits that float64 has. ``terms``: the
-         *     offset is their sum, in this order, if the scene has all of their fields.
-         */
-        Clamp: {
-            rule: "clamp";
-            offset: number;
-            rate: number;
-            k: [
-                number,
-                number
-            ];
-            low: number;
-            high: number;
-            terms?: components["schemas"]["Term"][] | null;
-        };
-        /**
-         * @description Constant numbers. ``field``: JSON pointer of the scene field that they are, if they are one.
-         *
-         *     ``absent``: the numbers where a scene has no such field. The field is then in an element of a list, and the list can
-         *     change without a new plan: nothing else in the plan depends on its elements or on their number.
-         */
-        Constant: {
-            rule: "constant";
-            value: number[];
-            field?: string | null;
-            absent?: number[] | null;
-        };
-        /** @description An effect, and why it runs or does not. */
-        EffectNote: {
-            name: string;
-            why: string;
-            files: string[];
-            /** @description For a skipped effect: upper bound of its change to any pixel, display white = 1 */
-            bound?: number | null;
-        };
-        /** @description A fixed size in pixels. */
-        FixedSize: {
-            rule: "fixed";
-            width: number;
-            height: number;
-        };
-        /** @description A compiled scene. The same scene and quality give the same bytes. */
-        FramePlan: {
-            version: number;
-            effects: components["schemas"]["EffectNote"][];
-            skipped: components["schemas"]["EffectNote"][];
-            programs: {
-                [key: string]: components["schemas"]["Program"];
-            };
-            textures: {
-                [key: string]: components["schemas"]["Texture"];
-            };
-            targets: {
-                [key: string]: components["schemas"]["Target"];
-            };
-            passes: components["schemas"]["Pass"][];
-            /** @description Targets of setup passes that other passes read -> SHA-256 of everything that determines their pixels: programs, numbers, textures, meshes, states and formats, including those of their inputs. Plans with the same hash can share the target as long as no live field changes. All other targets of setup passes are intermediate */
-            kept: {
-                [key: string]: string;
-            };
-            uniforms: {
-                [key: string]: components["schemas"]["Uniform"];
-            };
-            /** @description Target that holds the finished linear frame: exposed RGB, A = foam coverage */
-            linear: string;
-            /** @description Samples per pixel */
-            samples: number;
-            /** @description Upper bound of the crests' height, m: a camera at or above it is above the water */
-            top: number;
-            /** @description Lower bound of the troughs' height, m: a camera below it is under the water */
-            trough: number;
-            /** @description Lowest camera height from which more than ground is visible, m */
-            bottom: number;
-            /** @description JSON pointers of scene fields that can change without a new plan */
-            live: string[];
-        };
-        /** @description A triangle that covers the target; without attributes, from gl_VertexID. */
-        Fullscreen: {
-            rule: "fullscreen";
-        };
-        /** @description rows × columns cells, two triangles each; attribute ``a_grid`` (vec2) covers [0, 1]², columns first. */
-        Grid: {
-            rule: "grid";
-            rows: number;
-            columns: number;
-        };
-        /** @description t + ``offset`` modulo ``period``, in float64: [0, period). */
-        Loop: {
-            rule: "loop";
-            period: number;
-            offset: number;
-        };
-        /** @description One draw call. */
-        Pass: {
-            name: string;
-            /**
-             * @description When the pass is drawn. setup: neither time, camera nor picture size affects the pass or what it reads; it is drawn when its target is first needed, and again only if a live field among its uniforms, or those of what it reads, changes. frame: in every frame that needs its target. All passes into one target have the same value
-             * @enum {string}
-             */
-            when: "setup" | "frame";
-            /** @description Camera heights for which the pass is drawn. over: at the plan's top or higher; under: below its trough; between: neither. Passes for two of them draw nothing from the other side of the water */
-            eye: "any" | ("over" | "between" | "under")[];
-            /** @description Where the pass can be visible, for culling. rising, falling: only if some ray of the picture rises or falls, or the camera is below the plan's top; spheres: only if one of these bounding spheres is in the picture */
-            view: ("any" | "rising" | "falling") | components["schemas"]["BoundingSphere"][];
-            program: string;
-            /** @description Name of a target of the plan, or 'screen': the RGBA8 picture itself */
-            target: string;
-            mesh: components["schemas"]["Fullscreen"] | components["schemas"]["Grid"] | components["schemas"]["Points"] | components["schemas"]["Quads"];
-            /** @description Sampler name -> source of its data */
-            inputs?: {
-                [key: string]: components["schemas"]["TextureInput"] | components["schemas"]["TargetInput"];
-            };
-            /** @description Uniforms of this pass only; they override the plan's */
-            uniforms?: {
-                [key: string]: components["schemas"]["Uniform"];
-            };
-            state: components["schemas"]["State"];
-        };
-        /** @description Index of the pass in the plan, from 0. */
-        PassIndex: {
-            rule: "pass_index";
-        };
-        /** @description offset + rate·t + k·origin, reduced to [−π, π] in float64; rad. origin: the camera's (x, z), m. */
-        Phase: {
-            rule: "phase";
-            offset: number;
-            rate: number;
-            k: [
-                number,
-                number
-            ];
-        };
-        /** @description ``count`` points without attributes; gl_VertexID is the index, gl_PointSize the side in pixels. */
-        Points: {
-            rule: "points";
-            count: number;
-        };
-        /** @description A vertex and a fragment shader. */
-        Program: {
-            vertex: components["schemas"]["Shader"];
-            fragment: components["schemas"]["Shader"];
-        };
-        /** @description ``count`` quadrilaterals of two triangles each, without attributes; gl_VertexID is 6 times the index and more. */
-        Quads: {
-            rule: "quads";
-            count: number;
-        };
-        /** @description Assembled GLSL ES 3.00 source. ``sha256``: of the UTF-8 text. */
-        Shader: {
-            text: string;
-            sha256: string;
-            files: components["schemas"]["SourceFile"][];
-        };
-        /** @description A file of the assembled source, and the line (from 1) at which it starts. */
-        SourceFile: {
-            path: string;
-            line: number;
-        };
-        /** @description Fixed-function state of a pass; everything else is disabled. */
-        State: {
-            /** @description Draw only before what is drawn already, and write the depth */
-            depth: boolean;
-            /** @description With depth: draw only where the depth is the pass's own, not before it */
-            equal: boolean;
-            /** @description Clear the target to (0, 0, 0, 0) and depth to 1 first */
-            clear: boolean;
-            /**
-             * @description Blending. none: replace the target's content; add: add to it; over: blend over it, with premultiplied alpha. Never used with 32-bit float targets, whose blending WebGL2 does not guarantee
-             * @enum {string}
-             */
-            blend: "none" | "add" | "over";
-        };
-        /**
-         * @description A render target: passes draw into it, and later passes read it.
-         *
-         *     ``layers``: more than one make an array of textures, whose layers a pass draws all at once, each by one of its
-         *     program's outputs: what these have in common is computed once. Without depth and mip levels.
-         */
-        Target: {
-            size: components["schemas"]["ViewportSize"] | components["schemas"]["FixedSize"];
-            format: "RGBA16F" | "RGBA32F" | "RGBA8" | "RG32UI";
-            depth: boolean;
-            filter: "nearest" | "linear" | "linear_mipmap_linear";
-            wrap: "repeat" | "clamp_to_edge";
-            layers: number;
-        };
-        /** @description A sampler that reads a target of the plan, drawn by an earlier pass. */
-        TargetInput: {
-            target: string;
-        };
-        /** @description factor × the number of the scene at the JSON pointer ``field``. */
-        Term: {
-            field: string;
-            factor: number;
-        };
-        /** @description Texture data: mip levels, largest first, concatenated; rows from v = 0, tightly packed, little-endian. */
-        Texture: {
-            /** @description Path of the bytes, relative to the server's address */
-            url: string;
-            /** @description SHA-256 of the bytes */
-            sha256: string;
-            format: "R8" | "R8UI" | "R16UI" | "RG32UI" | "R16F" | "R32F" | "RG32F" | "RGBA32F";
-            width: number;
-            height: number;
-            levels: number;
-            filter: "nearest" | "linear" | "linear_mipmap_linear";
-            wrap: "repeat" | "clamp_to_edge";
-        };
-        /** @description A sampler that reads a texture of the plan. */
-        TextureInput: {
-            texture: string;
-        };
-        /** @description A uniform or uniform array. The values of ``rules``, concatenated, fill type × count exactly. */
-        Uniform: {
-            type: "float" | "vec2" | "vec3" | "vec4" | "mat4";
-            count: number;
-            rules: (components["schemas"]["Constant"] | components["schemas"]["Phase"] | components["schemas"]["Wrap"] | components["schemas"]["Loop"] | components["schemas"]["Clamp"] | components["schemas"]["CameraRule"] | components["schemas"]["Viewport"] | components["schemas"]["PassIndex"])[];
-        };
-        /** @description Width and height of the pass's target or of the picture, pixels, multiplied by ``times``. */
-        Viewport: {
-            rule: "viewport";
-            of: "target" | "picture";
-            times: number;
-        };
-        /**
-         * @description The picture's size times ``scale``, divided by ``part`` along each side and by ``narrow`` also along the width,
-         *     rounded up; ``odd``: to an odd number, at least 3.
-         *
-         *     Software drivers compile a program anew where a side of what it reads becomes a power of two.
-         */
-        ViewportSize: {
-            rule: "viewport";
-            scale: number;
-            part: number;
-            narrow: number;
-            odd: boolean;
-        };
-        /** @description k·origin + rate·t + offset, modulo ``period``, in float64: [0, period). ``rate``: absent where it is 0. */
-        Wrap: {
-            rule: "wrap";
-            k: [
-                number,
-                number
-            ];
-            offset: number;
-            period: number;
-            rate?: number | null;
-        };
-    };
-    responses: never;
-    parameters: never;
-    requestBodies: never;
-    headers: never;
-    pathItems: never;
+/** A bounding sphere of everything that a pass draws, at any time: ``centre`` (x, y, z) and ``radius``, m. */
+export interface BoundingSphere { centre: [number, number, number]; radius: number; }
+/**
+ * The camera, relative to its own (x, z): of the position, only the height enters.
+ *
+ * view_projection: mat4, column-major; ``top`` (m) is the highest point of the surface and sets the near plane.
+ * eye_height: float. ray_x, ray_y, ray_z: vec3 with ray = ray_z + X·ray_x + Y·ray_y for X, Y in clip space [−1, 1].
+ */
+export interface CameraRule {
+    rule: "camera";
+    what: "view_projection" | "eye_height" | "ray_x" | "ray_y" | "ray_z";
+    top: number;
 }
-export type BoundingSphere = components['schemas']['BoundingSphere'];
-export type CameraRule = components['schemas']['CameraRule'];
-export type Clamp = components['schemas']['Clamp'];
-export type Constant = components['schemas']['Constant'];
-export type EffectNote = components['schemas']['EffectNote'];
-export type FixedSize = components['schemas']['FixedSize'];
-export type FramePlan = components['schemas']['FramePlan'];
-export type Fullscreen = components['schemas']['Fullscreen'];
-export type Grid = components['schemas']['Grid'];
-export type Loop = components['schemas']['Loop'];
-export type Pass = components['schemas']['Pass'];
-export type PassIndex = components['schemas']['PassIndex'];
-export type Phase = components['schemas']['Phase'];
-export type Points = components['schemas']['Points'];
-export type Program = components['schemas']['Program'];
-export type Quads = components['schemas']['Quads'];
-export type Shader = components['schemas']['Shader'];
-export type SourceFile = components['schemas']['SourceFile'];
-export type State = components['schemas']['State'];
-export type Target = components['schemas']['Target'];
-export type TargetInput = components['schemas']['TargetInput'];
-export type Term = components['schemas']['Term'];
-export type Texture = components['schemas']['Texture'];
-export type TextureInput = components['schemas']['TextureInput'];
-export type Uniform = components['schemas']['Uniform'];
-export type Viewport = components['schemas']['Viewport'];
-export type ViewportSize = components['schemas']['ViewportSize'];
-export type Wrap = components['schemas']['Wrap'];
-export type $defs = Record<string, never>;
-export type operations = Record<string, never>;
+/**
+ * offset + rate·t + k·origin, clamped to [low, high], in float64: an age, or the vector from a point to the camera.
+ *
+ * Exact to the rounding of the sum: t − birth and camera − point keep all digits that float64 has. ``terms``: the
+ * offset is their sum, in this order, if the scene has all of their fields.
+ */
+export interface Clamp {
+    rule: "clamp";
+    offset: number;
+    rate: number;
+    k: [number, number];
+    low: number;
+    high: number;
+    terms?: Term[] | null;
+}
+/**
+ * Constant numbers. ``field``: JSON pointer of the scene field that they are, if they are one.
+ *
+ * ``absent``: the numbers where a scene has no such field. The field is then in an element of a list, and the list can
+ * change without a new plan: nothing else in the plan depends on its elements or on their number.
+ */
+export interface Constant { rule: "constant"; value: number[]; field?: string | null; absent?: number[] | null; }
+/** An effect, and why it runs or does not. */
+export interface EffectNote {
+    name: string;
+    why: string;
+    files: string[];
+    /** For a skipped effect: upper bound of its change to any pixel, display white = 1 */
+    bound?: number | null;
+}
+/** A fixed size in pixels. */
+export interface FixedSize { rule: "fixed"; width: number; height: number; }
+/** A compiled scene. The same scene and quality give the same bytes. */
+export interface FramePlan {
+    version: number;
+    effects: EffectNote[];
+    skipped: EffectNote[];
+    programs: { [key: string]: Program };
+    textures: { [key: string]: Texture };
+    targets: { [key: string]: Target };
+    passes: Pass[];
+    /** Targets of setup passes that other passes read -> SHA-256 of everything that determines their pixels: programs, numbers, textures, meshes, states and formats, including those of their inputs. Plans with the same hash can share the target as long as no live field changes. All other targets of setup passes are intermediate */
+    kept: { [key: string]: string };
+    uniforms: { [key: string]: Uniform };
+    /** Target that holds the finished linear frame: exposed RGB, A = foam coverage */
+    linear: string;
+    /** Samples per pixel */
+    samples: number;
+    /** Upper bound of the crests' height, m: a camera at or above it is above the water */
+    top: number;
+    /** Lower bound of the troughs' height, m: a camera below it is under the water */
+    trough: number;
+    /** Lowest camera height from which more than ground is visible, m */
+    bottom: number;
+    /** JSON pointers of scene fields that can change without a new plan */
+    live: string[];
+}
+/** A triangle that covers the target; without attributes, from gl_VertexID. */
+export interface Fullscreen { rule: "fullscreen"; }
+/** rows × columns cells, two triangles each; attribute ``a_grid`` (vec2) covers [0, 1]², columns first. */
+export interface Grid { rule: "grid"; rows: number; columns: number; }
+/** t + ``offset`` modulo ``period``, in float64: [0, period). */
+export interface Loop { rule: "loop"; period: number; offset: number; }
+/** One draw call. */
+export interface Pass {
+    name: string;
+    /** When the pass is drawn. setup: neither time, camera nor picture size affects the pass or what it reads; it is drawn when its target is first needed, and again only if a live field among its uniforms, or those of what it reads, changes. frame: in every frame that needs its target. All passes into one target have the same value */
+    when: "setup" | "frame";
+    /** Camera heights for which the pass is drawn. over: at the plan's top or higher; under: below its trough; between: neither. Passes for two of them draw nothing from the other side of the water */
+    eye: "any" | ("over" | "between" | "under")[];
+    /** Where the pass can be visible, for culling. rising, falling: only if some ray of the picture rises or falls, or the camera is below the plan's top; spheres: only if one of these bounding spheres is in the picture */
+    view: ("any" | "rising" | "falling") | BoundingSphere[];
+    program: string;
+    /** Name of a target of the plan, or 'screen': the RGBA8 picture itself */
+    target: string;
+    mesh: Fullscreen | Grid | Points | Quads;
+    /** Sampler name -> source of its data */
+    inputs?: { [key: string]: TextureInput | TargetInput };
+    /** Uniforms of this pass only; they override the plan's */
+    uniforms?: { [key: string]: Uniform };
+    state: State;
+}
+/** Index of the pass in the plan, from 0. */
+export interface PassIndex { rule: "pass_index"; }
+/** offset + rate·t + k·origin, reduced to [−π, π] in float64; rad. origin: the camera's (x, z), m. */
+export interface Phase { rule: "phase"; offset: number; rate: number; k: [number, number]; }
+/** ``count`` points without attributes; gl_VertexID is the index, gl_PointSize the side in pixels. */
+export interface Points { rule: "points"; count: number; }
+/** A vertex and a fragment shader. */
+export interface Program { vertex: Shader; fragment: Shader; }
+/** ``count`` quadrilaterals of two triangles each, without attributes; gl_VertexID is 6 times the index and more. */
+export interface Quads { rule: "quads"; count: number; }
+/** Assembled GLSL ES 3.00 source. ``sha256``: of the UTF-8 text. */
+export interface Shader { text: string; sha256: string; files: SourceFile[]; }
+/** A file of the assembled source, and the line (from 1) at which it starts. */
+export interface SourceFile { path: string; line: number; }
+/** Fixed-function state of a pass; everything else is disabled. */
+export interface State {
+    /** Draw only before what is drawn already, and write the depth */
+    depth: boolean;
+    /** With depth: draw only where the depth is the pass's own, not before it */
+    equal: boolean;
+    /** Clear the target to (0, 0, 0, 0) and depth to 1 first */
+    clear: boolean;
+    /** Blending. none: replace the target's content; add: add to it; over: blend over it, with premultiplied alpha. Never used with 32-bit float targets, whose blending WebGL2 does not guarantee */
+    blend: "none" | "add" | "over";
+}
+/**
+ * A render target: passes draw into it, and later passes read it.
+ *
+ * ``layers``: more than one make an array of textures, whose layers a pass draws all at once, each by one of its
+ * program's outputs: what these have in common is computed once. Without depth and mip levels.
+ */
+export interface Target {
+    size: ViewportSize | FixedSize;
+    format: "RGBA16F" | "RGBA32F" | "RGBA8" | "RG32UI";
+    depth: boolean;
+    filter: "nearest" | "linear" | "linear_mipmap_linear";
+    wrap: "repeat" | "clamp_to_edge";
+    layers: number;
+}
+/** A sampler that reads a target of the plan, drawn by an earlier pass. */
+export interface TargetInput { target: string; }
+/** factor × the number of the scene at the JSON pointer ``field``. */
+export interface Term { field: string; factor: number; }
+/** Texture data: mip levels, largest first, concatenated; rows from v = 0, tightly packed, little-endian. */
+export interface Texture {
+    /** Path of the bytes, relative to the server's address */
+    url: string;
+    /** SHA-256 of the bytes */
+    sha256: string;
+    format: "R8" | "R8UI" | "R16UI" | "RG32UI" | "R16F" | "R32F" | "RG32F" | "RGBA32F";
+    width: number;
+    height: number;
+    levels: number;
+    filter: "nearest" | "linear" | "linear_mipmap_linear";
+    wrap: "repeat" | "clamp_to_edge";
+}
+/** A sampler that reads a texture of the plan. */
+export interface TextureInput { texture: string; }
+/** A uniform or uniform array. The values of ``rules``, concatenated, fill type × count exactly. */
+export interface Uniform {
+    type: "float" | "vec2" | "vec3" | "vec4" | "mat4";
+    count: number;
+    rules: (Constant | Phase | Wrap | Loop | Clamp | CameraRule | Viewport | PassIndex)[];
+}
+/** Width and height of the pass's target or of the picture, pixels, multiplied by ``times``. */
+export interface Viewport { rule: "viewport"; of: "target" | "picture"; times: number; }
+/**
+ * The picture's size times ``scale``, divided by ``part`` along each side and by ``narrow`` also along the width,
+ * rounded up; ``odd``: to an odd number, at least 3.
+ *
+ * Software drivers compile a program anew where a side of what it reads becomes a power of two.
+ */
+export interface ViewportSize { rule: "viewport"; scale: number; part: number; narrow: number; odd: boolean; }
+/** k·origin + rate·t + offset, modulo ``period``, in float64: [0, period). ``rate``: absent where it is 0. */
+export interface Wrap { rule: "wrap"; k: [number, number]; offset: number; period: number; rate?: number | null; }
