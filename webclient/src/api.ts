@@ -22,9 +22,7 @@ export interface Preset {
 }
 
 /** Schemas of scene and quality, at `components/schemas`, and the names of the quality tiers. */
-export interface SceneSchema extends JsonObject {
-  tiers: string[];
-}
+export interface SceneSchema extends JsonObject { tiers: string[]; }
 
 export interface FrameRequest {
   scene: Json;
@@ -50,10 +48,7 @@ interface OpenStream {
 }
 
 /** An option of a list. */
-export interface Choice {
-  name: string;
-  title: string;
-}
+export interface Choice { name: string; title: string; }
 
 /** Cost and error of one tier, as `make fronts` measured them. */
 export interface TierCost {

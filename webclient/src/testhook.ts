@@ -39,9 +39,7 @@ interface TestHook {
 }
 
 declare global {
-  interface Window {
-    seafoam: TestHook;
-  }
+  interface Window { seafoam: TestHook; }
 }
 
 export function makeTestHook(api: Api, viewport: Viewport | null, ready: Promise<void>, state: () => unknown): TestHook {

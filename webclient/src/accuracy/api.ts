@@ -33,12 +33,7 @@ export interface TruthInfo {
 }
 
 /** The server's answer while it computes. */
-export interface JobProgress {
-  status: string;
-  stage?: string;
-  progress?: number;
-  eta_s?: number | null;
-}
+export interface JobProgress { status: string; stage?: string; progress?: number; eta_s?: number | null; }
 
 /** The server's own measurement. */
 export interface Sweep {

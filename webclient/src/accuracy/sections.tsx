@@ -38,9 +38,7 @@ export function Selected({ shown, standard, isCurrent }: { shown: QualityResult;
         {figures.map(([name, value, unit]) => (
           <div key={name}>
             <dt class="text-dim">{name}</dt>
-            <dd>
-              <b class="text-[16px] font-medium">{value}</b> {unit}
-            </dd>
+            <dd><b class="text-[16px] font-medium">{value}</b> {unit}</dd>
           </div>
         ))}
       </dl>
@@ -100,10 +98,7 @@ export function BudgetForm({ session, run }: { session: Session; run: BenchmarkR
 export function Disclosure({ title, note, open, children }: { title: string; note: string; open?: boolean; children: ComponentChildren }) {
   return (
     <details class="disclosure" open={open}>
-      <summary>
-        <span>{title}</span>
-        <span class="ml-auto text-fine text-dim">{note}</span>
-      </summary>
+      <summary><span>{title}</span><span class="ml-auto text-fine text-dim">{note}</span></summary>
       <div>{children}</div>
     </details>
   );
@@ -174,10 +169,7 @@ export function AllQualities({ run, session }: { run: BenchmarkRun; session: Ses
             </tr>
           ))}
         {unsupported.map(({ point, reason }) => (
-          <tr class="opacity-75" key={point.id}>
-            <th scope="row">{point.label}</th>
-            <td colSpan={5}>{reason}</td>
-          </tr>
+          <tr class="opacity-75" key={point.id}><th scope="row">{point.label}</th><td colSpan={5}>{reason}</td></tr>
         ))}
       </Table>
     </Disclosure>

@@ -106,9 +106,7 @@ function ServerSwitch({ session }: { session: Session }) {
   return (
     <label class="server-switch flex min-h-11 items-center gap-2.5 text-soft">
       <input type="checkbox" class="size-4.5 accent-accent" checked={session.withServer.value} onChange={(event) => void session.showServer(event.currentTarget.checked)} />
-      <span>
-        Server measurement beside it <span class="text-fine text-dim">{session.serverNote.value}</span>
-      </span>
+      <span>Server measurement beside it <span class="text-fine text-dim">{session.serverNote.value}</span></span>
     </label>
   );
 }

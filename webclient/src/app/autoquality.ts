@@ -105,10 +105,7 @@ export class QualityPilot {
   private moving: readonly [string, string] | null = null;
   private readonly movingChoices = new AutoQuality();
 
-  constructor(
-    private readonly api: Api,
-    private readonly store: Store,
-  ) {}
+  constructor(private readonly api: Api, private readonly store: Store) {}
 
   loadCosts(): void {
     this.api.tierCosts().then(

@@ -5,11 +5,7 @@ export class PresetLoader {
   private requests = 0;
 
   /** `busy`: called when a preset begins or ends to load. */
-  constructor(
-    private readonly api: Api,
-    private readonly current: () => Preset,
-    private readonly busy: (busy: boolean) => void,
-  ) {}
+  constructor(private readonly api: Api, private readonly current: () => Preset, private readonly busy: (busy: boolean) => void) {}
 
   /** Resolves to null, and never rejects, if another preset was asked for meanwhile. */
   async load(name: string): Promise<Preset | null> {

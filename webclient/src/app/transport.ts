@@ -27,12 +27,7 @@ export class Transport {
   private readonly speed = dropDown({ class: "pick field-sizing-content", "aria-label": "Speed", title: "Speed" }, (speed) => this.clock.setSpeed(Number(speed)));
   private scrubbing = false;
 
-  constructor(
-    container: HTMLElement,
-    private readonly clock: Clock,
-    startTime: () => number,
-    readout: HTMLElement,
-  ) {
+  constructor(container: HTMLElement, private readonly clock: Clock, startTime: () => number, readout: HTMLElement) {
     const reset = button({ class: "plain", title: "Reset time", "aria-label": "Reset time" }, () => clock.seek(startTime()), icon("reset"));
     this.speed.append(...SPEEDS.map((s) => element("option", { value: s }, `${s}×`)));
     const unit = element("label", { class: "flex items-center gap-1 text-soft" }, this.timeInput, element("span", {}, "s"));

@@ -51,11 +51,7 @@ export class CameraControls {
   private orbitPivot: Pivot | null = null;
   private readonly listeners = new Set<() => void>();
 
-  constructor(
-    private readonly element: HTMLElement,
-    camera: CameraState,
-    private readonly smooth: boolean,
-  ) {
+  constructor(private readonly element: HTMLElement, camera: CameraState, private readonly smooth: boolean) {
     this.camera = camera;
     element.addEventListener("pointerdown", this.pointerDown);
     element.addEventListener("pointermove", this.pointerMove);

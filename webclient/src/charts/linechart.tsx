@@ -58,9 +58,7 @@ export function LineChart({ title, x, lines, xLabel, yLabel, linear = false }: L
             {x.map((at, i) => (
               <tr key={at}>
                 <th scope="row">{at.toPrecision(3)}</th>
-                {lines.map(({ values }, column) => (
-                  <td key={column}>{values[i]?.toPrecision(3) ?? "–"}</td>
-                ))}
+                {lines.map(({ values }, column) => <td key={column}>{values[i]?.toPrecision(3) ?? "–"}</td>)}
               </tr>
             ))}
           </Table>

@@ -17,15 +17,7 @@ interface TableProps {
 export function Table({ heads, class: more = "", look = TABLE, label, children }: TableProps) {
   return (
     <table class={`${more} ${look}`} aria-label={label}>
-      <thead>
-        <tr>
-          {heads.map((head, i) => (
-            <th scope="col" key={i}>
-              {head}
-            </th>
-          ))}
-        </tr>
-      </thead>
+      <thead><tr>{heads.map((head, i) => <th scope="col" key={i}>{head}</th>)}</tr></thead>
       <tbody>{children}</tbody>
     </table>
   );

@@ -15,12 +15,7 @@ const SPACING = { x: 34, y: 17 };
 /** The package's enumeration exists in its types only. */
 const LOGARITHMIC = 3 as unknown as uPlot.Scale.Distr;
 
-export interface Axes {
-  x: Axis;
-  y: Axis;
-  xLabel: string;
-  yLabel: string;
-}
+export interface Axes { x: Axis; y: Axis; xLabel: string; yLabel: string; }
 
 type PlotSize = { width: number; height: number };
 

@@ -49,16 +49,10 @@ export interface FrameTiming {
 }
 
 /** `cost`: of its frames, as a multiple of those of the tier before it. */
-export interface MovingTier {
-  tier: string;
-  cost: number;
-}
+export interface MovingTier { tier: string; cost: number; }
 
 /** What is drawn in motion. */
-export interface Rate {
-  scale: number;
-  fps: number;
-}
+export interface Rate { scale: number; fps: number; }
 
 export interface DisplayEvents {
   contextLost(): void;

@@ -13,10 +13,7 @@ export type FrameBudget = readonly (readonly [scale: number, milliseconds: numbe
 export const MOTION_BUDGET: FrameBudget = [[0.44, 125], [0.46, 64], [0.5, 58], [0.6, 46], [0.7, 36], [1, 34]];
 
 /** What a frame costs: ms at any scale, and further ms at scale 1, which shrink with the pixels. */
-export interface FrameCost {
-  fixed: number;
-  pixels: number;
-}
+export interface FrameCost { fixed: number; pixels: number; }
 
 /** Measured load of this machine, with the current tier. */
 export interface RenderLoad {
@@ -31,11 +28,7 @@ export interface RenderLoad {
 }
 
 /** Mean cost of a frame, ms, at a share x of the pixels. */
-export interface Sample {
-  x: number;
-  cost: number;
-  windows: number;
-}
+export interface Sample { x: number; cost: number; windows: number; }
 
 export const costAt = ({ fixed, pixels }: FrameCost, scale: number): number => fixed + pixels * scale ** 2;
 

@@ -11,10 +11,7 @@ import { equal, type Json, withValue } from "../scene/json";
 /** Delay before the server is asked, ms: a slider may still move. */
 const DEBOUNCE = 120;
 
-export interface PlanRequest {
-  scene: Json;
-  quality: Json;
-}
+export interface PlanRequest { scene: Json; quality: Json; }
 
 interface LoadedPlan {
   plan: FramePlan;
@@ -51,11 +48,7 @@ export class PlanLoader {
   /** Settles when what is drawn has exact textures. */
   private refining: Promise<void> = Promise.resolve();
 
-  constructor(
-    private readonly api: Api,
-    private readonly textures: TextureParts,
-    private readonly events: PlanLoaderEvents,
-  ) {}
+  constructor(private readonly api: Api, private readonly textures: TextureParts, private readonly events: PlanLoaderEvents) {}
 
   /** Whether the picture is not exact yet. */
   get rough(): boolean {

@@ -21,11 +21,7 @@ const COMPILING = 2;
 const NEWEST = 0.5;
 
 /** ms, of any clock, however coarse. `done`: when it was noticed that the frame is finished. */
-interface FrameTimes {
-  scale: number;
-  submitted: number;
-  done: number;
-}
+interface FrameTimes { scale: number; submitted: number; done: number; }
 
 export class DynamicResolution {
   /** Time between two pictures of the display, ms. */

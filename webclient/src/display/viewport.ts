@@ -26,10 +26,7 @@ const PRESENTABLE_SCALE = 0.4;
 const SHARPENING_TIME = 1000;
 const SHARPENING_DELAY = 500;
 
-interface DrawnFrame {
-  scale: number;
-  onCanvas: boolean;
-}
+interface DrawnFrame { scale: number; onCanvas: boolean; }
 
 interface PendingFrame extends DrawnFrame {
   fence: WebGLSync;

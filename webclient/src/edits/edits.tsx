@@ -23,12 +23,7 @@ export class SceneEdits {
   private readonly pasting = signal(false);
   private restoring = false;
 
-  constructor(
-    container: HTMLElement,
-    private readonly api: Api,
-    private readonly store: Store,
-    private readonly events: SceneEditsEvents,
-  ) {
+  constructor(container: HTMLElement, private readonly api: Api, private readonly store: Store, private readonly events: SceneEditsEvents) {
     this.selection = signal(store.now);
     store.onChange((now, before, gesture) => {
       if (now.scene === before.scene && now.preset === before.preset) return;
@@ -118,9 +113,7 @@ export class SceneEdits {
             {changes.map(([pointer, value]) => (
               <li key={pointer} class="grid grid-cols-[1fr_44px] items-center py-0.5">
                 <code class="text-small/[1.4] wrap-anywhere text-ink">{pointer}</code>
-                <span class="col-1 wrap-anywhere">
-                  {shortText(get(preset.scene, pointer))} → {shortText(value)}
-                </span>
+                <span class="col-1 wrap-anywhere">{shortText(get(preset.scene, pointer))} → {shortText(value)}</span>
                 <button type="button" class="plain col-2 row-[1/3]" aria-label={`Revert ${pointer}`} title="Revert" onClick={() => this.revert(pointer)}>
                   <Icon name="reset" />
                 </button>
@@ -179,13 +172,9 @@ function PasteForm({ put }: { put: (scene: JsonObject) => Promise<string[]> }) {
         onInput={(event) => (text.value = event.currentTarget.value)}
       />
       <div role="alert">
-        {problems.value.map((problem) => (
-          <p key={problem} class="mb-1 text-fine wrap-anywhere text-error">{problem}</p>
-        ))}
+        {problems.value.map((problem) => <p key={problem} class="mb-1 text-fine wrap-anywhere text-error">{problem}</p>)}
       </div>
-      <button type="submit" class="button" disabled={text.value.trim() === ""}>
-        Apply
-      </button>
+      <button type="submit" class="button" disabled={text.value.trim() === ""}>Apply</button>
     </form>
   );
 }

@@ -50,10 +50,7 @@ export class PlanPlayer {
   private readonly resizes: ResizeObserver;
 
   /** Throws a `CapabilityError` without WebGL 2. */
-  constructor(
-    readonly canvas: HTMLCanvasElement,
-    private readonly start: PlayerStart,
-  ) {
+  constructor(readonly canvas: HTMLCanvasElement, private readonly start: PlayerStart) {
     this.gpu = openGpu(openContext(canvas), new Set());
     this.controls = new CameraControls(canvas, start.camera, !start.reducedMotion);
     this.controls.surface = this.controls.bottom = start.plan.top + CLEARANCE;

@@ -60,9 +60,7 @@ export function PresetList({ presets, selected, open, choose, close }: ListProps
           onInput={(event) => (query.value = event.currentTarget.value)}
         />
         <output class="text-small text-soft" aria-live="polite">{found.length === 1 ? "1 water" : `${found.length} waters`}</output>
-        <button type="button" class="plain" aria-label="Close the list" onClick={close}>
-          <Icon name="close" />
-        </button>
+        <button type="button" class="plain" aria-label="Close the list" onClick={close}><Icon name="close" /></button>
       </form>
       <div class="scroller px-2 pt-1 pb-3">
         {found.length === 0 && <p class="my-3.5 px-2.5 text-soft">No water has all of these words.</p>}

@@ -3,10 +3,7 @@ import type { Pass } from "../generated/api";
 
 type MeshSpec = Pass["mesh"];
 
-export interface Mesh {
-  draw(): void;
-  dispose(): void;
-}
+export interface Mesh { draw(): void; dispose(): void; }
 
 export function meshKey(spec: MeshSpec): string {
   if (spec.rule === "grid") return `grid ${spec.rows} ${spec.columns}`;

@@ -13,10 +13,7 @@ export class Pool<V> {
   private readonly entries = new Map<string, { value: V; users: number }>();
 
   /** `spare`: number of unused resources kept. */
-  constructor(
-    private readonly destroy: (value: V) => void,
-    private readonly spare: number,
-  ) {}
+  constructor(private readonly destroy: (value: V) => void, private readonly spare: number) {}
 
   get size(): number {
     return this.entries.size;

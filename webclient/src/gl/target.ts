@@ -22,9 +22,7 @@ export interface Target {
 }
 
 /** A target drawn once by setup passes and shared by plans. */
-export interface CachedTarget extends Target {
-  drawn: boolean;
-}
+export interface CachedTarget extends Target { drawn: boolean; }
 
 /** Size of a target for a picture of the given size. */
 export function targetSize(spec: TargetSpec, width: number, height: number): [number, number] {
@@ -83,9 +81,7 @@ export function checkFormats(gpu: TargetGpu, specs: readonly TargetSpec[]): void
 }
 
 /** A picture that is not shown. */
-export interface Screen extends Target {
-  dispose(): void;
-}
+export interface Screen extends Target { dispose(): void; }
 
 /** An offscreen RGBA8 framebuffer, which every driver can draw into, in place of the canvas. */
 export function makeScreen(gl: WebGL2RenderingContext, width: number, height: number): Screen {

@@ -67,10 +67,7 @@ export function Controls({ name, choice, shipped, info, change }: ControlsProps)
 /** A control beside its name, which the control has as its own label. */
 export function Field({ label, children }: { label: string; children: ComponentChildren }) {
   return (
-    <div class={`${FIELD} paired:flex-wrap paired:gap-x-2 paired:gap-y-0`}>
-      <span aria-hidden="true">{label}</span>
-      {children}
-    </div>
+    <div class={`${FIELD} paired:flex-wrap paired:gap-x-2 paired:gap-y-0`}><span aria-hidden="true">{label}</span>{children}</div>
   );
 }
 

@@ -23,11 +23,7 @@ export interface Spectrum {
   greys: { grey: number; principal_frequency: number; raps: (number | null)[]; anisotropy_db: (number | null)[] }[];
 }
 
-export interface LoadedMask {
-  info: MaskInfo;
-  mask: Mask;
-  spectrum: Spectrum;
-}
+export interface LoadedMask { info: MaskInfo; mask: Mask; spectrum: Spectrum; }
 
 export interface MaskState {
   loaded: LoadedMask | null;

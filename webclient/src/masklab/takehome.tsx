@@ -36,9 +36,7 @@ export function TakeHome({ choice, loaded: { info, mask }, base }: TakeHomeProps
       <ul class="formats my-2.5 flex flex-wrap gap-2">
         {FORMATS.map(({ resource, title, note }) => (
           <li key={resource}>
-            <a class={BUTTON} href={url(resource)} download>
-              <b>{title}</b> <span class="text-fine text-soft">{note}</span>
-            </a>
+            <a class={BUTTON} href={url(resource)} download><b>{title}</b> <span class="text-fine text-soft">{note}</span></a>
           </li>
         ))}
       </ul>
@@ -57,9 +55,7 @@ export function TakeHome({ choice, loaded: { info, mask }, base }: TakeHomeProps
             {one.name}
           </button>
         ))}
-        <button type="button" class={BUTTON} onClick={() => void copy()}>
-          Copy code
-        </button>
+        <button type="button" class={BUTTON} onClick={() => void copy()}>Copy code</button>
         <span role="status">{copied}</span>
       </div>
       <p class={`mt-1 mb-2.5 max-w-[74ch] text-soft ${shown.tested ? "tested" : UNTESTED}`}>

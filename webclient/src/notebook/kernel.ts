@@ -11,10 +11,7 @@ export interface Model {
   send(content: JsonObject): void;
 }
 
-interface Answer {
-  value: unknown;
-  parts: readonly DataView[];
-}
+interface Answer { value: unknown; parts: readonly DataView[]; }
 
 /** Requests of one view; answers to other views of the same model are ignored. */
 export class Kernel {

@@ -65,10 +65,7 @@ class WaterView {
   /** Number of the latest load; earlier ones are outdated. */
   private run = 0;
 
-  constructor(
-    private readonly model: Model,
-    private readonly root: HTMLElement,
-  ) {
+  constructor(private readonly model: Model, private readonly root: HTMLElement) {
     this.kernel = new Kernel(model);
     this.reported = { camera: this.camera, time: this.time };
     const bar = element("div", { class: "seafoam-bar" }, this.play, this.fields);

@@ -21,26 +21,15 @@ export interface NumberControl extends LabelledField {
   logarithmic: boolean;
 }
 
-interface ChoiceControl extends LabelledField {
-  kind: "choice";
-  options: readonly string[];
-}
+interface ChoiceControl extends LabelledField { kind: "choice"; options: readonly string[]; }
 
 /** A choice whose options the server lists at `url`. */
-interface NameControl extends LabelledField {
-  kind: "name";
-  url: string;
-}
+interface NameControl extends LabelledField { kind: "name"; url: string; }
 
 /** A colour is red, green and blue in [0, 1]. */
-interface SimpleControl extends LabelledField {
-  kind: "toggle" | "text" | "colour";
-}
+interface SimpleControl extends LabelledField { kind: "toggle" | "text" | "colour"; }
 
-export interface GroupControl extends LabelledField {
-  kind: "group";
-  children: readonly Control[];
-}
+export interface GroupControl extends LabelledField { kind: "group"; children: readonly Control[]; }
 
 /** A nullable field: `inner` is its control while it is not null, `initial` its value when switched on, if it does not follow another. */
 export interface OptionalControl extends LabelledField {
@@ -92,16 +81,13 @@ export function controlOf(root: JsonObject, schema: JsonObject, value: Json | un
   if (Array.isArray(options)) return choice(labelledField, options);
   switch (inner["type"]) {
     case "number":
-    case "integer":
-      return number(labelledField, inner);
-    case "boolean":
-      return { ...labelledField, kind: "toggle" };
+    case "integer": return number(labelledField, inner);
+    case "boolean": return { ...labelledField, kind: "toggle" };
     case "string": {
       const url = text(inner["choices_from"]);
       return url === undefined ? { ...labelledField, kind: "text" } : { ...labelledField, kind: "name", url };
     }
-    case "array":
-      return array(root, inner, value, labelledField);
+    case "array": return array(root, inner, value, labelledField);
     case "object": {
       const fields = isObject(value) ? value : {};
       const children = propertiesOf(inner).flatMap(([key, property]) => {
@@ -110,8 +96,7 @@ export function controlOf(root: JsonObject, schema: JsonObject, value: Json | un
       });
       return { ...labelledField, kind: "group", children };
     }
-    default:
-      return null;
+    default: return null;
   }
 }
 
@@ -149,16 +134,11 @@ function initialValue(root: JsonObject, schema: JsonObject): Json {
 export function choiceControls(control: Control): (ChoiceControl | NameControl)[] {
   switch (control.kind) {
     case "choice":
-    case "name":
-      return [control];
-    case "group":
-      return control.children.flatMap(choiceControls);
-    case "optional":
-      return control.inner ? choiceControls(control.inner) : [];
-    case "list":
-      return control.items.flatMap((item) => choiceControls(item.control));
-    default:
-      return [];
+    case "name": return [control];
+    case "group": return control.children.flatMap(choiceControls);
+    case "optional": return control.inner ? choiceControls(control.inner) : [];
+    case "list": return control.items.flatMap((item) => choiceControls(item.control));
+    default: return [];
   }
 }
 

@@ -25,10 +25,7 @@ export class ScenePane {
   private updating = false;
   private scene: Json = null;
 
-  constructor(
-    private readonly container: HTMLElement,
-    private readonly events: PaneEvents,
-  ) {}
+  constructor(private readonly container: HTMLElement, private readonly events: PaneEvents) {}
 
   /** Shows a scene; widgets are rebuilt only if the controls differ. */
   show(model: GroupControl, scene: Json, rebuild = false): void {
@@ -57,16 +54,11 @@ export class ScenePane {
         for (const inner of control.children) this.add(folder, inner);
         return;
       }
-      case "optional":
-        return this.addOptional(parent, control);
-      case "list":
-        return this.addList(parent, control);
-      case "number":
-        return this.addNumber(parent, control);
-      case "toggle":
-        return this.addPlain(parent, control, {}, false);
-      case "text":
-        return this.addPlain(parent, control, {}, "");
+      case "optional": return this.addOptional(parent, control);
+      case "list": return this.addList(parent, control);
+      case "number": return this.addNumber(parent, control);
+      case "toggle": return this.addPlain(parent, control, {}, false);
+      case "text": return this.addPlain(parent, control, {}, "");
       case "choice":
         return this.addPlain(parent, control, { options: control.options.map((value) => ({ text: labelOf(value), value })) }, "");
       case "name": {
@@ -76,8 +68,7 @@ export class ScenePane {
         if (typeof current === "string" && !options.some(({ name }) => name === current)) options.unshift({ name: current, title: current });
         return this.addPlain(parent, control, { options: options.map(({ name, title }) => ({ text: title, value: name })) }, "");
       }
-      case "colour":
-        return this.addColour(parent, control);
+      case "colour": return this.addColour(parent, control);
     }
   }
 

@@ -32,10 +32,7 @@ interface BoundSampler {
   source: WebGLTexture | string;
 }
 
-export interface Bindings {
-  uniforms: BoundUniform[];
-  samplers: BoundSampler[];
-}
+export interface Bindings { uniforms: BoundUniform[]; samplers: BoundSampler[]; }
 
 export function bindInputs(
   gl: WebGL2RenderingContext,

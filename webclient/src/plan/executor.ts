@@ -23,21 +23,13 @@ const WARM_UP = { width: 64, height: 36, timeout: 10_000 };
 export type LoadBytes = (spec: TextureSpec) => Promise<ArrayBuffer>;
 
 /** Textures that are loaded with less than all digits. */
-export interface RoughTextures {
-  names: ReadonlySet<string>;
-  bytes: LoadBytes;
-}
+export interface RoughTextures { names: ReadonlySet<string>; bytes: LoadBytes; }
 
 /** What rough textures, and targets drawn from them, are kept by: no exact plan may find them. */
 const ROUGH = "rough ";
 
 /** A part of the picture, pixels, origin at the bottom left. */
-export interface Rectangle {
-  x: number;
-  y: number;
-  width: number;
-  height: number;
-}
+export interface Rectangle { x: number; y: number; width: number; height: number; }
 
 export interface Frame {
   /** s */

@@ -41,14 +41,10 @@ function camera(rule: CameraRule, state: FrameState): number[] {
   const aspect = state.width / state.height;
   const { right, up, forward } = basis(state.camera);
   switch (rule.what) {
-    case "eye_height":
-      return [position[1]];
-    case "ray_x":
-      return right.map((c) => c * q * aspect);
-    case "ray_y":
-      return up.map((c) => c * q);
-    case "ray_z":
-      return [...forward];
+    case "eye_height": return [position[1]];
+    case "ray_x": return right.map((c) => c * q * aspect);
+    case "ray_y": return up.map((c) => c * q);
+    case "ray_z": return [...forward];
     case "view_projection": {
       // P·V with an infinite far plane; V turns by (R, U, −F) after lowering by the eye's height.
       const near = Math.max(0.02, 0.5 * (position[1] - rule.top));
@@ -69,26 +65,21 @@ function camera(rule: CameraRule, state: FrameState): number[] {
 export function evaluate(rule: Rule, state: FrameState): readonly number[] {
   const [ox, , oz] = state.camera.position;
   switch (rule.rule) {
-    case "constant":
-      return rule.value;
-    case "phase":
-      return [phase(rule.offset + rule.rate * state.time + (rule.k[0] * ox + rule.k[1] * oz))];
+    case "constant": return rule.value;
+    case "phase": return [phase(rule.offset + rule.rate * state.time + (rule.k[0] * ox + rule.k[1] * oz))];
     case "wrap":
       return [modulo(rule.offset + (rule.rate ?? 0) * state.time + (rule.k[0] * ox + rule.k[1] * oz), rule.period)];
-    case "loop":
-      return [modulo(state.time + rule.offset, rule.period)];
+    case "loop": return [modulo(state.time + rule.offset, rule.period)];
     case "clamp": {
       const value = rule.offset + rule.rate * state.time + (rule.k[0] * ox + rule.k[1] * oz);
       return [Math.min(Math.max(value, rule.low), rule.high)];
     }
-    case "camera":
-      return camera(rule, state);
+    case "camera": return camera(rule, state);
     case "viewport": {
       const [width, height] = rule.of === "picture" ? [state.width, state.height] : [state.targetWidth, state.targetHeight];
       return [rule.times * width, rule.times * height];
     }
-    case "pass_index":
-      return [state.passIndex];
+    case "pass_index": return [state.passIndex];
   }
 }
 

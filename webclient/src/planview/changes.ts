@@ -1,12 +1,7 @@
 /** What is different between two plans. */
 import type { FramePlan } from "../generated/api";
 
-export interface Change {
-  what: string;
-  name: string;
-  how: "added" | "removed" | "changed";
-  detail: string;
-}
+export interface Change { what: string; name: string; how: "added" | "removed" | "changed"; detail: string; }
 
 export function changesBetween(before: FramePlan, after: FramePlan): Change[] {
   const reasons = (effects: readonly { name: string; why: string }[]) => Object.fromEntries(effects.map(({ name, why }) => [name, why]));

@@ -14,11 +14,7 @@ export interface GraphNode {
   reads: Set<GraphNode>;
 }
 
-export interface Graph {
-  nodes: GraphNode[];
-  columns: number;
-  rows: number;
-}
+export interface Graph { nodes: GraphNode[]; columns: number; rows: number; }
 
 /** Graph of the passes of one kind; what the other kind draws is not part of it. */
 export function graphOf(plan: Pick<FramePlan, "passes">, when: GraphNode["when"]): Graph {

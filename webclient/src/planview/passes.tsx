@@ -37,15 +37,9 @@ function Node({ node, props: { plan, width, height, times, choose } }: { node: G
     <g class="node group cursor-pointer" transform={`translate(${x} ${y})`} onClick={() => choose(node.program)}>
       <title>{`${node.program}${count}: ${target.size}, ${target.format}`}</title>
       <rect class="fill-[#10212e] stroke-line group-hover:stroke-accent in-[.kind.frame]:fill-[#16303f]" width={NODE.width} height={NODE.height} rx="8" />
-      <text x="10" y="18" class="name fill-ink stroke-none text-small">
-        {shortened(node.program + count)}
-      </text>
-      <text x="10" y="32" class={DETAIL}>
-        {target.size}
-      </text>
-      <text x="10" y="45" class={DETAIL}>
-        {[target.format, timeText(times, passes)].filter(Boolean).join(" · ")}
-      </text>
+      <text x="10" y="18" class="name fill-ink stroke-none text-small">{shortened(node.program + count)}</text>
+      <text x="10" y="32" class={DETAIL}>{target.size}</text>
+      <text x="10" y="45" class={DETAIL}>{[target.format, timeText(times, passes)].filter(Boolean).join(" · ")}</text>
     </g>
   );
 }
@@ -65,9 +59,7 @@ function GraphPicture({ graph, label, props }: { graph: Graph; label: string; pr
     <div class="max-h-80 overflow-auto rounded-lg border border-line bg-[rgb(0_0_0/25%)] p-3" tabIndex={0} role="group" aria-label={label}>
       <svg class="max-w-none [stroke-width:1.2]" style={{ width: width + 2, height: height + 2 }} viewBox={`-1 -1 ${width + 2} ${height + 2}`} role="img" aria-label={`${label}; the table below lists the same`}>
         {graph.nodes.flatMap((node) => [...node.reads].map((source) => <path class="stroke-[rgb(190_220_235/32%)]" key={`${source.program} ${node.program}`} d={edge(source, node)} />))}
-        {graph.nodes.map((node) => (
-          <Node key={node.program} node={node} props={props} />
-        ))}
+        {graph.nodes.map((node) => <Node key={node.program} node={node} props={props} />)}
       </svg>
     </div>
   );
@@ -80,11 +72,7 @@ function Row({ pass, props: { plan, width, height, times, choose } }: { pass: Pa
   return (
     <tr>
       <td>{pass.name}</td>
-      <td>
-        <button type="button" class="pill rounded-md px-2.5" onClick={() => choose(pass.program)}>
-          {pass.program}
-        </button>
-      </td>
+      <td><button type="button" class="pill rounded-md px-2.5" onClick={() => choose(pass.program)}>{pass.program}</button></td>
       <td>{pass.target}</td>
       <td>{size}</td>
       <td>{format}</td>
@@ -107,17 +95,13 @@ export function Passes(props: PassesProps) {
         if (passes.length === 0) return null;
         return (
           <section key={when} class={`kind ${when}`}>
-            <h3>
-              {title}: {passes.length} {passes.length === 1 ? "pass" : "passes"}
-            </h3>
+            <h3>{title}: {passes.length} {passes.length === 1 ? "pass" : "passes"}</h3>
             <GraphPicture graph={graphOf(plan, when)} label={title} props={props} />
             <details>
               <summary class="min-h-11 cursor-pointer content-center text-soft">Table of the passes</summary>
               <div class="overflow-auto rounded-lg border border-line" tabIndex={0} role="group" aria-label={`${title}, table`}>
                 <Table look={CELLS} class="text-small whitespace-nowrap" heads={["pass", "program", "target", "size", "format", "state", "time"]}>
-                  {passes.map((pass, index) => (
-                    <Row key={index} pass={pass} props={props} />
-                  ))}
+                  {passes.map((pass, index) => <Row key={index} pass={pass} props={props} />)}
                 </Table>
               </div>
             </details>

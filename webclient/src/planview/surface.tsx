@@ -33,10 +33,7 @@ function Effects({ plan }: { plan: FramePlan }) {
       <h3>Active: {plan.effects.length}</h3>
       <ul class={NOTES}>
         {plan.effects.map(({ name, why, files }) => (
-          <li key={name}>
-            <b>{labelOf(name)}</b> {why}
-            {files.length > 0 && <small>{files.join(", ")}</small>}
-          </li>
+          <li key={name}><b>{labelOf(name)}</b> {why}{files.length > 0 && <small>{files.join(", ")}</small>}</li>
         ))}
       </ul>
       <h3>Skipped: {plan.skipped.length}</h3>
@@ -68,18 +65,10 @@ function Changes({ context, plan }: { context: PageContext; plan: FramePlan }) {
   if (changes.value.length === 0) return <p>This plan is that of “{title}” at quality {PRESET_TIER}.</p>;
   return (
     <>
-      <p>
-        {changes.value.length} differences from the plan of “{title}” at quality {PRESET_TIER}.
-      </p>
+      <p>{changes.value.length} differences from the plan of “{title}” at quality {PRESET_TIER}.</p>
       <ul class={`plan-changes ${NOTES}`}>
         {changes.value.map(({ what, name: changed, how, detail }) => (
-          <li key={`${what} ${changed}`} class={how}>
-            <b>
-              {what} {changed}
-            </b>{" "}
-            {how}
-            {detail && <small>{detail}</small>}
-          </li>
+          <li key={`${what} ${changed}`} class={how}><b>{what} {changed}</b>{" "}{how}{detail && <small>{detail}</small>}</li>
         ))}
       </ul>
     </>

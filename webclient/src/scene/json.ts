@@ -1,9 +1,7 @@
 /** Scenes as plain JSON, addressed by JSON pointers. */
 
 export type Json = null | boolean | number | string | Json[] | JsonObject;
-export interface JsonObject {
-  [key: string]: Json;
-}
+export interface JsonObject { [key: string]: Json; }
 
 export function isObject(value: Json | undefined): value is JsonObject {
   return typeof value === "object" && value !== null && !Array.isArray(value);

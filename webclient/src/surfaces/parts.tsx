@@ -25,9 +25,7 @@ export function Head({ title, close }: { title: string; close: () => void }) {
 /** Buttons of which one is chosen. */
 export function Pills<T extends string>({ names, chosen, choose }: { names: readonly T[]; chosen: T; choose: (name: T) => void }) {
   return names.map((name) => (
-    <button type="button" class="pill" key={name} aria-pressed={name === chosen} onClick={() => choose(name)}>
-      {name}
-    </button>
+    <button type="button" class="pill" key={name} aria-pressed={name === chosen} onClick={() => choose(name)}>{name}</button>
   ));
 }
 
@@ -40,11 +38,7 @@ export function TaskButton({ run, children, failed }: { run: () => Promise<void>
       .catch(failed)
       .finally(() => setRunning(false));
   };
-  return (
-    <button type="button" class="pill" disabled={running} aria-busy={running} onClick={start}>
-      {children}
-    </button>
-  );
+  return <button type="button" class="pill" disabled={running} aria-busy={running} onClick={start}>{children}</button>;
 }
 
 /** Text to copy. */
@@ -57,12 +51,8 @@ export function CodeBlock({ label, text, failed }: { label: string; text: string
   };
   return (
     <div>
-      <TaskButton run={copy} failed={failed}>
-        {copied ? "Copied" : `Copy ${label}`}
-      </TaskButton>
-      <pre tabIndex={0} aria-label={label}>
-        <code>{text}</code>
-      </pre>
+      <TaskButton run={copy} failed={failed}>{copied ? "Copied" : `Copy ${label}`}</TaskButton>
+      <pre tabIndex={0} aria-label={label}><code>{text}</code></pre>
     </div>
   );
 }

@@ -9,10 +9,7 @@ const SURFACES: Record<SurfaceName, { title: string; load: () => Promise<{ Surfa
   plan: { title: "Frame plan", load: () => import("../planview/surface") },
 };
 
-interface SurfaceEvents {
-  toggled(open: SurfaceName | null): void;
-  failed(error: unknown): void;
-}
+interface SurfaceEvents { toggled(open: SurfaceName | null): void; failed(error: unknown): void; }
 
 export class Surfaces {
   open: SurfaceName | null = null;
@@ -20,10 +17,7 @@ export class Surfaces {
   /** Takes the focus when the surface closes. */
   private opener: Element | null = null;
 
-  constructor(
-    private readonly context: PageContext,
-    private readonly events: SurfaceEvents,
-  ) {}
+  constructor(private readonly context: PageContext, private readonly events: SurfaceEvents) {}
 
   /** Opens a surface, or closes the open one. `focus`: the surface takes the keyboard focus. */
   show(name: SurfaceName | null, focus = false): void {

@@ -4,10 +4,7 @@ import { CAMERA_POINTER } from "../plan/live";
 import type { RecipeParts } from "./recipe";
 
 /** A frame's request: by query for a preset as it is, else with a JSON body. */
-interface HttpRequest {
-  url: string;
-  body: string | null;
-}
+interface HttpRequest { url: string; body: string | null; }
 
 /** `preset`: the preset that the recipe begins from, `null` if unknown. */
 export function requestOf(recipe: RecipeParts, preset: { name: string; scene: Json } | null, server: string): HttpRequest {

@@ -19,14 +19,10 @@ function Frame({ context }: { context: PageContext }) {
   return (
     <section>
       <h3>This frame from the server</h3>
-      <p>
-        Exactly the frame at {time.toFixed(2)} s, {width} × {height} pixels: the same request gives the same bytes.
-      </p>
+      <p>Exactly the frame at {time.toFixed(2)} s, {width} × {height} pixels: the same request gives the same bytes.</p>
       <div class="pills" role="group" aria-label="Language">
         <Pills names={Object.keys(LANGUAGES) as Language[]} chosen={language.value} choose={(name) => (language.value = name)} />
-        <button type="button" class="pill" onClick={update}>
-          Take the current frame
-        </button>
+        <button type="button" class="pill" onClick={update}>Take the current frame</button>
       </div>
       <CodeBlock label={language.value} text={LANGUAGES[language.value](request)} failed={context.options.failed} />
     </section>
@@ -48,9 +44,7 @@ function Pictures({ context }: { context: PageContext }) {
         here, and the view is restored.
       </p>
       <div class="pills">
-        <TaskButton run={() => context.save(context.png(), "")} failed={failed}>
-          PNG, drawn here
-        </TaskButton>
+        <TaskButton run={() => context.save(context.png(), "")} failed={failed}>PNG, drawn here</TaskButton>
         <TaskButton run={() => context.save(context.serverFrame(), "-server")} failed={failed}>
           PNG, drawn by the server
         </TaskButton>
@@ -58,9 +52,7 @@ function Pictures({ context }: { context: PageContext }) {
           Restore from a picture
           <input type="file" class="pointer-events-none absolute inset-0 w-full opacity-0" accept="image/png,image/webp,.exr" onChange={(event) => picked(event.currentTarget)} />
         </label>
-        <TaskButton run={copyLink} failed={failed}>
-          Copy link
-        </TaskButton>
+        <TaskButton run={copyLink} failed={failed}>Copy link</TaskButton>
       </div>
     </section>
   );
@@ -75,11 +67,7 @@ function Archive({ context }: { context: PageContext }) {
     <section>
       <h3>Zip that runs by itself</h3>
       <p>Page, player, frame plan, GLSL, textures and uniforms of this scene. Unpack it and open index.html: no server, no network.</p>
-      <div class="pills">
-        <TaskButton run={pack} failed={context.options.failed}>
-          Zip
-        </TaskButton>
-      </div>
+      <div class="pills"><TaskButton run={pack} failed={context.options.failed}>Zip</TaskButton></div>
     </section>
   );
 }

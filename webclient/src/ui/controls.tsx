@@ -19,11 +19,7 @@ interface SelectProps<T extends string> {
 export function Select<T extends string>({ class: classes, label, value, options, choose }: SelectProps<T>) {
   return (
     <select class={classes} aria-label={label} value={value} onChange={(event) => choose(event.currentTarget.value as T)}>
-      {options.map(([option, title]) => (
-        <option value={option} key={option}>
-          {title}
-        </option>
-      ))}
+      {options.map(([option, title]) => <option value={option} key={option}>{title}</option>)}
     </select>
   );
 }

@@ -35,9 +35,5 @@ export function icon(name: IconName): SVGSVGElement {
 
 /** The same in Preact's markup. */
 export function Icon({ name }: { name: IconName }) {
-  return (
-    <svg viewBox="0 0 24 24" aria-hidden="true">
-      <path d={PATHS[name]} />
-    </svg>
-  );
+  return <svg viewBox="0 0 24 24" aria-hidden="true"><path d={PATHS[name]} /></svg>;
 }

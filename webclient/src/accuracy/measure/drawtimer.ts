@@ -28,10 +28,7 @@ export class DrawTimer {
   private readonly extension: TimerExtension | null;
 
   /** `screen`: an RGBA8 framebuffer to read back from. */
-  constructor(
-    private readonly gpu: Gpu,
-    private readonly screen: WebGLFramebuffer | null,
-  ) {
+  constructor(private readonly gpu: Gpu, private readonly screen: WebGLFramebuffer | null) {
     this.extension = timerExtension(gpu.gl, gpu.capabilities);
   }
 

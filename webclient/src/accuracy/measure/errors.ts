@@ -34,10 +34,7 @@ export class ErrorMeter {
   private readonly flip: Flip;
 
   /** `curve`: the scene's tone curve. */
-  constructor(
-    readonly truth: Picture,
-    private readonly curve: ToneCurve | null,
-  ) {
+  constructor(readonly truth: Picture, private readonly curve: ToneCurve | null) {
     this.flip = new Flip(displayed(truth, curve), truth.width, truth.height);
   }
 

@@ -52,11 +52,7 @@ interface Analysis {
 export class Flip {
   private readonly reference: Analysis;
 
-  constructor(
-    reference: Float64Array,
-    private readonly width: number,
-    private readonly height: number,
-  ) {
+  constructor(reference: Float64Array, private readonly width: number, private readonly height: number) {
     this.reference = analyse(reference, width, height);
   }
 

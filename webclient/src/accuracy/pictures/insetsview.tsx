@@ -46,9 +46,7 @@ export function InsetsView({ session, run, shown, standard }: { session: Session
           move({ x: at.x + arrow[0], y: at.y + arrow[1] });
         }}
       >
-        {insets.map((inset) => (
-          <InsetFigure key={inset.title} inset={inset} region={region} at={at} move={move} />
-        ))}
+        {insets.map((inset) => <InsetFigure key={inset.title} inset={inset} region={region} at={at} move={move} />)}
       </div>
       <div class="flex flex-wrap items-center gap-x-3.5 gap-y-1.5 pt-2.5 pb-1.5 text-fine">
         {(["x", "y"] as const).map((axis) => (
@@ -126,9 +124,7 @@ function Floats({ insets, truth, at }: { insets: readonly Inset[]; truth: Pictur
           picture && (
             <tr key={title}>
               <th scope="row">{title}</th>
-              {CHANNELS.map((name, c) => (
-                <td key={name}>{(picture.pixels[4 * pixel + c] ?? NaN).toFixed(5)}</td>
-              ))}
+              {CHANNELS.map((name, c) => <td key={name}>{(picture.pixels[4 * pixel + c] ?? NaN).toFixed(5)}</td>)}
               <td>{picture === truth ? "–" : formatNumber(errorAtPixel(picture, truth, pixel))}</td>
             </tr>
           ),

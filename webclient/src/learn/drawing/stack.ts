@@ -30,13 +30,7 @@ export class Stack {
   private texel = 2;
   private columns = 0;
 
-  constructor(
-    host: HTMLElement,
-    private mask: Mask,
-    other: Mask,
-    texture: Uint8Array,
-    private readonly options: StackOptions,
-  ) {
+  constructor(host: HTMLElement, private mask: Mask, other: Mask, texture: Uint8Array, private readonly options: StackOptions) {
     const looks: Look[] = ["halftone", "fading", "halftone_textured", "listing", "filtered"];
     this.strips = looks.map((look) => new Strip(look, LOOKS[look].title, mask, texture, options.rows));
     this.others = options.others.map((look) => new Strip(look, `${LOOKS[look].title}, second mask`, other, texture, options.rows));
@@ -94,13 +88,7 @@ class Strip {
   private samples = new Float32Array(0);
   private columns = 0;
 
-  constructor(
-    readonly look: Look,
-    title: string,
-    private mask: Mask,
-    private readonly texture: Uint8Array,
-    private readonly rows: number,
-  ) {
+  constructor(readonly look: Look, title: string, private mask: Mask, private readonly texture: Uint8Array, private readonly rows: number) {
     this.texels = new Texels(`${title}: a strip of water with foam, in motion`);
     this.root = element(
       "div",

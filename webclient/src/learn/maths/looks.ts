@@ -20,14 +20,10 @@ export function amount(look: Exclude<Look, "filtered">, f: number, m: number, t:
   if (look === "textured") return clamp(f, 0, 1) * t;
   if (f <= m) return 0;
   switch (look) {
-    case "halftone":
-      return 1;
-    case "fading":
-      return clamp(f / 2 - m, 0, 1);
-    case "halftone_textured":
-      return clamp(f / 2 - m, 0, 1) * t;
-    case "listing":
-      return clamp(f - m, 0.15, 3) * t;
+    case "halftone": return 1;
+    case "fading": return clamp(f / 2 - m, 0, 1);
+    case "halftone_textured": return clamp(f / 2 - m, 0, 1) * t;
+    case "listing": return clamp(f - m, 0.15, 3) * t;
   }
 }
 

@@ -49,11 +49,7 @@ export class SettingsPanel {
     "Render on server",
   );
 
-  constructor(
-    private readonly container: HTMLElement,
-    private readonly controls: CameraControls,
-    private readonly events: SettingsEvents,
-  ) {
+  constructor(private readonly container: HTMLElement, private readonly controls: CameraControls, private readonly events: SettingsEvents) {
     this.showScale(null);
     fillSelect(this.mode, [{ name: "orbit", title: "orbit" }, { name: "fly", title: "fly" }], controls.mode);
     this.fov.addEventListener("input", () => controls.set({ ...controls.camera, fov: Number(this.fov.value) / DEGREES }));
