@@ -1,6 +1,6 @@
 /** `window.seafoam`: lets a test draw what the page draws, and read it back. */
 import type { Api } from "./api";
-import { type CameraState, cameraFromScene } from "./camera/state";
+import { cameraFromScene, type CameraState } from "./camera/state";
 import type { Viewport } from "./display/viewport";
 import type { FramePlan } from "./generated/api";
 import type { Gpu } from "./gl/gpu";

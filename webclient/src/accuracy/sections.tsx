@@ -2,14 +2,12 @@
 import { batch } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import { useState } from "preact/hooks";
-import { Table } from "../charts/table";
+import { Table } from "../charts/parts";
 import { labelOf } from "../panel/model";
-import { formatNumber, formatSigned } from "./format";
+import { compare, formatNumber, formatSigned, median } from "./measure/statistics";
 import type { QualityResult } from "./measure/benchmark";
-import { type Benefit, benefits, NEGLIGIBLE } from "./measure/benefit";
-import { budgetAt, budgetRange, choose, DEFAULT_BUDGET, predict, SLIDER_STEPS, stepOf } from "./measure/budget";
+import { type Benefit, benefits, budgetAt, budgetRange, choose, DEFAULT_BUDGET, NEGLIGIBLE, predict, SLIDER_STEPS, stepOf } from "./measure/budget";
 import { measuredHere, ranked } from "./measure/measured";
-import { compare, median } from "./measure/statistics";
 import type { BenchmarkRun, Session } from "./session";
 
 /** Classes that the benchmark's parts share. */

@@ -9,8 +9,8 @@ import { fetchPoints, fetchSweep, fetchTruth, type JobProgress, type Sweep } fro
 import { type BenchmarkInput, type BenchmarkResult, QualityBenchmark, qualityRequest, type QualityResult } from "./measure/benchmark";
 import type { Choice } from "./measure/budget";
 import type { MetricKey } from "./measure/errors";
-import { readPicture } from "./measure/npy";
-import type { Pixel } from "./pictures/insets";
+import { readPicture } from "./measure/picture";
+import type { Pixel } from "./pictures/pictures";
 
 /** The benchmark of one preset; kept while the page is open. */
 export interface BenchmarkRun {

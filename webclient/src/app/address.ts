@@ -8,9 +8,9 @@ import type { Store } from "../selection/store";
 import { decode, frameSource, encode, type LinkState } from "../selection/url";
 import type { Surfaces } from "../surfaces/surfaces";
 import { withoutTouches } from "../touch/touches";
-import { copyText } from "../ui/clipboard";
+import { copyText } from "../ui/dom";
 import type { AccuracyTool } from "./accuracytool";
-import type { Clock } from "./clock";
+import type { Clock } from "./transport";
 
 /** Delay between a change and the update of the address, ms. */
 const DELAY = 400;

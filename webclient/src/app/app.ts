@@ -19,20 +19,16 @@ import { Surfaces } from "../surfaces/surfaces";
 import { makeTestHook } from "../testhook";
 import { TouchTool } from "../touch/tool";
 import { byId, prefersReducedMotion } from "../ui/dom";
-import { FrameStats } from "../ui/framestats";
-import { showHint } from "../ui/hint";
-import type { LoadingScreen } from "../ui/loading";
+import { Clock, FrameStats, Transport } from "./transport";
+import { type LoadingScreen, showHint, Toasts } from "../ui/messages";
 import { SettingsPanel } from "../ui/settings/settings";
 import type { StillImage } from "../ui/still";
-import { Toasts } from "../ui/toasts";
 import { AccuracyTool } from "./accuracytool";
 import { Address } from "./address";
 import { QualityPilot } from "./autoquality";
-import { Clock } from "./clock";
 import { PresetLoader } from "./presetloader";
 import { SceneEditor } from "./sceneeditor";
 import { addTools, copyLink, type PageParts } from "./tools";
-import { Transport } from "./transport";
 
 const STATS_INTERVAL = 250;
 

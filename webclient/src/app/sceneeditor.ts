@@ -1,7 +1,6 @@
 /** Editing of the scene's fields: the settings' pane and the split view of one field. What they need is loaded on first use. */
 import type { Api, SceneSchema } from "../api";
-import { choiceControls, labelOf, sceneControls } from "../panel/model";
-import { ListedOptions } from "../panel/options";
+import { choiceControls, labelOf, ListedOptions, sceneControls } from "../panel/model";
 import type { ScenePane } from "../panel/pane";
 import { isObject, type Json, withValue } from "../scene/json";
 import { preferredField, splitAfterEdit, startSplit } from "../selection/comparison";

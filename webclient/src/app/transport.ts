@@ -1,11 +1,51 @@
-/**
- * Playback controls: play and pause, a scrubber, the time and the speed.
- *
- * `movePosition` is for every frame: it sets transforms, which repaints nothing. `update` repaints, a few times a second.
- */
+/** The clock, and the bar with its controls: play and pause, a scrubber, the time, the speed, and what frames take. */
+import type { FrameSource, FrameTiming } from "../display/display";
 import { button, dropDown, element, hasModifier, isTyping } from "../ui/dom";
 import { icon } from "../ui/icons";
-import type { Clock } from "./clock";
+
+/** s: a frame at 4 a second, with time for one that comes late. */
+const LONGEST_GAP = 0.4;
+
+export class Clock {
+  time = 0;
+  speed = 1;
+  private isPlaying = false;
+  private readonly listeners = new Set<() => void>();
+
+  get playing(): boolean {
+    return this.isPlaying;
+  }
+
+  set playing(playing: boolean) {
+    this.isPlaying = playing;
+    this.notify();
+  }
+
+  /** Advances by `seconds` of real time; longer gaps, as in a hidden tab, are cut: the water keeps its pace at 4 frames a second. */
+  advance(seconds: number): void {
+    if (this.isPlaying) this.time += Math.min(seconds, LONGEST_GAP) * this.speed;
+  }
+
+  seek(time: number): void {
+    if (!Number.isFinite(time)) return;
+    this.time = Math.min(1e9, Math.max(-1e9, time));
+    this.notify();
+  }
+
+  setSpeed(speed: number): void {
+    this.speed = speed;
+    this.notify();
+  }
+
+  /** Called on play, pause, seek and a change of speed; not on every frame. */
+  onChange(listener: () => void): void {
+    this.listeners.add(listener);
+  }
+
+  private notify(): void {
+    for (const listener of this.listeners) listener();
+  }
+}
 
 /** One frame, s: the step of the keys , and . */
 const FRAME = 1 / 60;
@@ -107,4 +147,35 @@ export function frameAfter(time: number, frames: number): number {
   // A multiple of 1/60 is seldom a float64.
   const start = Math.abs(exact - nearest) < 1e-4 ? nearest : frames > 0 ? Math.floor(exact) : Math.ceil(exact);
   return (start + frames) / 60;
+}
+
+/** Frames a second below which the water falls behind the clock. */
+const SLOW_MOTION = 2.5;
+
+interface FrameState extends FrameTiming {
+  source: FrameSource;
+  /** Who draws, and why. */
+  why: string;
+  stalled: boolean;
+  playing: boolean;
+  quality: string;
+  /** Whether the page selected the quality. */
+  auto: boolean;
+}
+
+export class FrameStats {
+  readonly root = element("output", { class: "frame-stats h-4.5 w-[42ch] flex-none overflow-hidden text-right text-small/[18px] whitespace-nowrap text-soft tabular-nums will-change-transform contain-strict phone:order-9 phone:w-full phone:text-center phone:text-tiny/[18px] under-sheet:hidden" });
+
+  show({ frame, fps, width, height, scale, frames, source, why, stalled, playing, quality, auto }: FrameState): void {
+    const time = frame === null ? null : `${Math.max(0.1, frame).toFixed(frame < 10 ? 1 : 0)} ms`;
+    const size = `${width} × ${height}${scale < 1 ? ` (${Math.round(scale * 100)} %)` : ""}`;
+    const shortQuality = quality.length > 12 ? null : quality;
+    const rate = stalled ? "still" : playing ? `${fps} fps` : "paused";
+    const slow = playing && !stalled && frames > 1 && fps < SLOW_MOTION ? "slow motion" : null;
+    const text = frames === 0 ? "" : [source === "server" ? "server" : null, shortQuality, time, rate, slow, size].filter(Boolean).join(" · ");
+    // Unchanged text is not set again: the browser would repaint it.
+    if (this.root.textContent !== text) this.root.textContent = text;
+    const title = `${why} Quality${auto ? " (automatic)" : ""}: ${quality}.` + (scale < 1 ? " Resolution reduced while moving." : "");
+    if (this.root.title !== title) this.root.title = title;
+  }
 }

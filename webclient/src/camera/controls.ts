@@ -1,6 +1,5 @@
 /** Camera controls by mouse, touch, pen and keyboard. */
-import { look, move, orbit, pivot, type Pivot, scaleFov, zoom } from "./motion";
-import type { CameraState } from "./state";
+import { type CameraState, look, move, orbit, pivot, type Pivot, scaleFov, zoom } from "./state";
 
 export type CameraMode = "orbit" | "fly";
 

@@ -1,9 +1,74 @@
-/** Lines over logarithmic axes, or a linear one upwards, with a legend and the values as a table. */
-import { useLayoutEffect, useRef } from "preact/hooks";
+/** Charts by uPlot with this page's look; lines over logarithmic axes, or a linear one upwards, with a legend and the values as a table. */
+import "uplot/dist/uPlot.min.css";
+import type { RefObject } from "preact";
+import { useLayoutEffect, useRef, useState } from "preact/hooks";
 import uPlot from "uplot";
-import { linearAxis, logAxis } from "./axis";
-import { Table } from "./table";
-import { plotOptions, useSize } from "./uplot";
+import { type Axis, linearAxis, logAxis, tickLabels } from "./axis";
+import { Table } from "./parts";
+
+export const INK = { text: "rgb(210 226 234 / 72%)", grid: "rgb(190 220 235 / 9%)", accent: "#f3c795", teal: "#7fc4c0", pale: "rgb(210 226 234 / 50%)" };
+/** Space around the plotted area, px. */
+const MARGIN = { left: 54, right: 14, top: 12, bottom: 40 };
+const FONT = "11px ui-sans-serif, system-ui, sans-serif";
+/** Least distance of tick labels, px. */
+const SPACING = { x: 34, y: 17 };
+
+/** The package's enumeration exists in its types only. */
+const LOGARITHMIC = 3 as unknown as uPlot.Scale.Distr;
+
+export interface Axes { x: Axis; y: Axis; xLabel: string; yLabel: string; }
+
+type PlotSize = { width: number; height: number };
+
+/** Follows the size of an element, px; 0 before it is laid out. */
+export function useSize(ref: RefObject<HTMLElement>): PlotSize {
+  const [size, setSize] = useState<PlotSize>({ width: 0, height: 0 });
+  useLayoutEffect(() => {
+    const node = ref.current;
+    if (node === null) return;
+    const update = () => {
+      const { clientWidth: width, clientHeight: height } = node;
+      setSize((before) => (before.width === width && before.height === height ? before : { width, height }));
+    };
+    const observer = new ResizeObserver(update);
+    observer.observe(node);
+    update();
+    return () => observer.disconnect();
+  }, [ref]);
+  return size;
+}
+
+/** Options for a plot with two axes. */
+export function plotOptions({ width, height }: PlotSize, axes: Axes, series: uPlot.Series[], draw?: (u: uPlot) => void): uPlot.Options {
+  const labels = {
+    x: tickLabels(axes.x, width - MARGIN.left - MARGIN.right, SPACING.x),
+    y: tickLabels(axes.y, height - MARGIN.top - MARGIN.bottom, SPACING.y),
+  };
+  const axis = (name: "x" | "y", label: string): uPlot.Axis => ({
+    ...{ scale: name, label, font: FONT, labelFont: FONT, stroke: INK.text, gap: 5 },
+    ...(name === "x" ? { size: 22, labelSize: MARGIN.bottom - 22 } : { size: 36, labelSize: MARGIN.left - 36 }),
+    ...{ grid: { stroke: INK.grid, width: 1 }, ticks: { show: false } },
+    splits: () => axes[name].ticks,
+    filter: (_, splits) => splits,
+    values: () => labels[name],
+  });
+  const scale = ({ logarithmic, low, high }: Axis): uPlot.Scale => ({ time: false, range: () => [low, high], ...(logarithmic ? { distr: LOGARITHMIC } : {}) });
+  return {
+    ...{ width, height, series, legend: { show: false }, cursor: { show: false }, select: { show: false, left: 0, top: 0, width: 0, height: 0 } },
+    padding: [MARGIN.top, MARGIN.right, 0, 0],
+    scales: { x: scale(axes.x), y: scale(axes.y) },
+    axes: [axis("x", axes.xLabel), axis("y", axes.yLabel)],
+    ...(draw ? { hooks: { draw: [draw] } } : {}),
+  };
+}
+
+/** Place of a value in the element, px from its left and top. */
+export function place({ width, height }: PlotSize, axes: Axes, x: number, y: number): { x: number; y: number } {
+  return {
+    x: MARGIN.left + (width - MARGIN.left - MARGIN.right) * axes.x.position(x),
+    y: height - MARGIN.bottom - (height - MARGIN.top - MARGIN.bottom) * axes.y.position(y),
+  };
+}
 
 export interface Line {
   label: string;

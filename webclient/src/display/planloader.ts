@@ -4,7 +4,7 @@ import type { CameraState } from "../camera/state";
 import type { FramePlan } from "../generated/api";
 import type { Gpu } from "../gl/gpu";
 import { Executor } from "../plan/executor";
-import { CAMERA_POINTER, planCovers } from "../plan/live";
+import { CAMERA_POINTER, planCovers } from "../plan/rules";
 import type { TextureParts } from "../plan/textureparts";
 import { equal, type Json, withValue } from "../scene/json";
 

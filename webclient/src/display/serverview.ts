@@ -2,12 +2,11 @@
 import { type Api, ApiError, type FrameRequest, messageOf, type StreamView } from "../api";
 import { equal, type Json } from "../scene/json";
 import { element } from "../ui/dom";
-import { type Display, type DisplayEvents, type FrameTiming, type Rate, ShownFrames, type ViewState } from "./display";
+import { type Display, type DisplayEvents, type FrameTiming, onPixelsChange, pixelRatio, pixelSize, pixelsOf, type Rate, resizeCanvas, ShownFrames, type ViewState } from "./display";
 import { bestScale, type FrameBudget, type RenderLoad } from "./framebudget";
-import { FrameStream } from "./framestream";
-import { onPixelsChange, pixelRatio, pixelSize, pixelsOf, resizeCanvas } from "./pixels";
-import type { PlanLoader, PlanView } from "./planloader";
 import { DynamicResolution } from "./resolution";
+import { FrameStream } from "./framestream";
+import type { PlanLoader, PlanView } from "./planloader";
 
 /** Time from frame to frame, ms, by scale: it is the server's, and blocks nothing here. */
 const BUDGET: FrameBudget = [[0.5, 240], [0.52, 62], [0.6, 57], [1, 54]];

@@ -3,11 +3,10 @@ import { type Gpu, openContext, openGpu } from "../gl/gpu";
 import { drawsSlowly } from "../gl/speed";
 import { makeScreen, type Screen } from "../gl/target";
 import type { Frame, Rectangle } from "../plan/executor";
-import { type Display, type DisplayEvents, type FrameTiming, type Rate, ShownFrames, type ViewState } from "./display";
+import { type Display, type DisplayEvents, type FrameTiming, onPixelsChange, pixelRatio, pixelSize, pixelsOf, type Rate, resizeCanvas, ShownFrames, type ViewState } from "./display";
 import { MOTION_BUDGET, type RenderLoad } from "./framebudget";
-import { onPixelsChange, pixelRatio, pixelSize, pixelsOf, resizeCanvas } from "./pixels";
-import type { PlanLoader } from "./planloader";
 import { DynamicResolution } from "./resolution";
+import type { PlanLoader } from "./planloader";
 
 /** The display's interval until it is measured, ms, and the animation frames that one measurement takes. */
 const DISPLAY_INTERVAL = 1000 / 60;

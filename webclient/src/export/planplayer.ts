@@ -1,7 +1,7 @@
 /** Plays one frame plan on a canvas: clock, camera, dynamic resolution. For pages that are not the whole application. */
 import { CameraControls, CLEARANCE } from "../camera/controls";
 import type { CameraState } from "../camera/state";
-import { pixelRatio, pixelSize, pixelsOf, resizeCanvas } from "../display/pixels";
+import { pixelRatio, pixelSize, pixelsOf, resizeCanvas } from "../display/display";
 import { DynamicResolution } from "../display/resolution";
 import type { FramePlan } from "../generated/api";
 import { type Gpu, openContext, openGpu } from "../gl/gpu";

@@ -1,7 +1,7 @@
 /** The page of a scene taken home: draws from data in classic scripts, since pages on the file system may not fetch. */
 import { messageOf } from "../api";
 import type { FramePlan } from "../generated/api";
-import { recipeOf, type Recipe, withRecipe } from "../take/recipe";
+import { type Recipe, recipeOf, withRecipe } from "../take/recipe";
 import { byId, download, prefersReducedMotion } from "../ui/dom";
 import { PlanPlayer } from "./planplayer";
 

@@ -4,13 +4,12 @@ import { signal } from "@preact/signals";
 import { render } from "preact";
 import { useEffect, useMemo } from "preact/hooks";
 import { Api, type Choice, messageOf } from "../api";
-import { Canvas, paintPixels } from "../charts/canvas";
+import { Canvas, paintPixels } from "../charts/parts";
 import { Progress, Select } from "../ui/controls";
 import { byId } from "../ui/dom";
 import { choiceText, decodeState, encodeState, type LabState, type MaskChoice, type Show, SHOWS } from "./choice";
 import { Controls, Field, FIELD, PICK, Slider } from "./controls";
-import { type LoadedMask, type MaskInfo, type MaskState, useMask } from "./data";
-import { coverage, shades, threshold, viewOf } from "./pattern";
+import { coverage, type LoadedMask, type MaskInfo, type MaskState, shades, threshold, useMask, viewOf } from "./data";
 import { Spectra } from "./spectra";
 import { TakeHome } from "./takehome";
 

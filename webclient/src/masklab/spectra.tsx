@@ -1,7 +1,6 @@
 /** Radially averaged power and anisotropy of the shown masks, as the server measured them. */
 import { useMemo } from "preact/hooks";
-import { type Line, LineChart } from "../charts/linechart";
-import { INK } from "../charts/uplot";
+import { INK, type Line, LineChart } from "../charts/linechart";
 import type { LoadedMask } from "./data";
 
 /** Rings of fewer bins say little about anisotropy. */

@@ -1,15 +1,57 @@
-/** The widget for notebooks (server/seafoam/notebook). */
+/** The widget for notebooks (server/seafoam/notebook), and its requests to Python. */
 import { type Choice, messageOf, type SceneSchema } from "../api";
 import type { CameraState } from "../camera/state";
 import { PlanPlayer } from "../export/planplayer";
 import type { FramePlan } from "../generated/api";
-import { sceneControls } from "../panel/model";
-import { ListedOptions } from "../panel/options";
+import { ListedOptions, sceneControls } from "../panel/model";
 import { ScenePane } from "../panel/pane";
-import { planCovers } from "../plan/live";
+import { planCovers } from "../plan/rules";
 import { equal, type Json, type JsonObject, withValue } from "../scene/json";
 import { button, element, prefersReducedMotion } from "../ui/dom";
-import { Kernel, type Model } from "./kernel";
+
+/** What anywidget passes to a widget's page. */
+interface Model {
+  get(name: string): unknown;
+  set(name: string, value: unknown): void;
+  save_changes(): void;
+  on(event: string, listener: (...values: never[]) => void): void;
+  off(event: string, listener: (...values: never[]) => void): void;
+  send(content: JsonObject): void;
+}
+
+interface Answer { value: unknown; parts: readonly DataView[]; }
+
+/** Requests of one view; answers to other views of the same model are ignored. */
+class Kernel {
+  private readonly waiting = new Map<string, { resolve: (answer: Answer) => void; reject: (error: Error) => void }>();
+  private readonly name = crypto.getRandomValues(new Uint32Array(4)).join("-");
+  private count = 0;
+
+  constructor(private readonly model: Model) {
+    model.on("msg:custom", this.receive);
+  }
+
+  ask(kind: string, fields: JsonObject = {}): Promise<Answer> {
+    const id = `${this.name}/${++this.count}`;
+    return new Promise((resolve, reject) => {
+      this.waiting.set(id, { resolve, reject });
+      this.model.send({ id, kind, ...fields });
+    });
+  }
+
+  dispose(): void {
+    this.model.off("msg:custom", this.receive);
+    this.waiting.clear();
+  }
+
+  private readonly receive = ({ id, value, error }: { id: string; value?: unknown; error?: string }, parts: readonly DataView[] = []): void => {
+    const request = this.waiting.get(id);
+    if (request === undefined) return;
+    this.waiting.delete(id);
+    if (error === undefined) request.resolve({ value, parts });
+    else request.reject(new Error(error));
+  };
+}
 
 /** Notebooks have no style sheet of ours. */
 const STYLE = `

@@ -1,6 +1,6 @@
 /** Controls of a panel, derived from a JSON Schema. */
-import type { SceneSchema } from "../api";
-import { CAMERA_POINTER } from "../plan/live";
+import type { Choice, SceneSchema } from "../api";
+import { CAMERA_POINTER } from "../plan/rules";
 import { child, equal, get, isObject, type Json, type JsonObject } from "../scene/json";
 
 interface LabelledField {
@@ -259,4 +259,33 @@ export function sceneControls(document: SceneSchema, scene: JsonObject): GroupCo
   const control = schema && controlOf(document, schema, scene, "", "scene");
   if (control?.kind !== "group") return null;
   return { ...control, children: control.children.filter(({ pointer }) => pointer !== CAMERA_POINTER) };
+}
+
+export class ListedOptions {
+  private readonly lists = new Map<string, readonly Choice[]>();
+
+  /** `arrived`: called when a list is there. A list that could not be loaded is requested again when it is asked for. */
+  constructor(
+    private readonly load: (url: string) => Promise<readonly Choice[]>,
+    private readonly arrived: () => void,
+    private readonly failed: (error: unknown) => void,
+  ) {}
+
+  /** The options at an address; empty until they arrive. */
+  from(url: string): readonly Choice[] {
+    const known = this.lists.get(url);
+    if (known) return known;
+    this.lists.set(url, []);
+    this.load(url).then(
+      (options) => {
+        this.lists.set(url, options);
+        this.arrived();
+      },
+      (error: unknown) => {
+        this.lists.delete(url);
+        this.failed(error);
+      },
+    );
+    return [];
+  }
 }

@@ -3,8 +3,7 @@ import type { FramePlan, Pass, Uniform } from "../generated/api";
 import type { ActiveUniform, Program } from "../gl/program";
 import type { Target } from "../gl/target";
 import type { Json } from "../scene/json";
-import { isLive, liveRule } from "./live";
-import { fill, type FrameState, type Rule } from "./rules";
+import { fill, type FrameState, isLive, liveRule, type Rule } from "./rules";
 
 /** By a uniform's type: that of the driver, its components, and the call that uploads it, but for a matrix. */
 const TYPES = {

@@ -2,15 +2,13 @@
 import type { CameraState } from "../camera/state";
 import type { FramePlan, Pass, Texture as TextureSpec } from "../generated/api";
 import { requireSupport } from "../gl/capabilities";
-import type { Gpu } from "../gl/gpu";
+import type { Gpu, Lease } from "../gl/gpu";
 import { makeMesh, type Mesh, meshKey } from "../gl/mesh";
-import type { Lease } from "../gl/pool";
 import { type Program, whenDone } from "../gl/program";
-import { type CachedTarget, checkFormats, deleteTarget, makeScreen, makeTarget, type Target, targetSize } from "../gl/target";
-import { makeTexture, textureKey } from "../gl/texture";
+import { type CachedTarget, checkFormats, deleteTarget, makeScreen, makeTarget, makeTexture, type Target, targetSize, textureKey } from "../gl/target";
 import type { Json } from "../scene/json";
 import { bindInputs, type Bindings, bindSamplers, unbindSamplers, uploadUniforms } from "./bindings";
-import { liveRule } from "./live";
+import { liveRule } from "./rules";
 import { discardOnError, loadPrograms, programNames, releaseAll } from "./programs";
 import { drawnPasses, type Eye, eyeOf, passesInto, targetsRead } from "./view";
 

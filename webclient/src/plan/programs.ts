@@ -1,7 +1,6 @@
 /** Compiles and links a plan's programs; plans share them on the GPU. */
 import type { FramePlan } from "../generated/api";
-import type { Gpu } from "../gl/gpu";
-import type { Lease } from "../gl/pool";
+import type { Gpu, Lease } from "../gl/gpu";
 import { finishProgram, type Program, startProgram, whenReady } from "../gl/program";
 import { appliesTo, type Eye } from "./view";
 

@@ -1,7 +1,54 @@
-/** Passes of a plan: two graphs, of what is drawn once and of what is drawn in every frame, and a table. */
-import { Table } from "../charts/table";
+/** Passes of a plan: two small graphs, of what is drawn once and of what is drawn in every frame, and a table. */
+import { Table } from "../charts/parts";
 import type { FramePlan, Pass } from "../generated/api";
-import { type Graph, type GraphNode, graphOf, targetText } from "./graph";
+import { targetSize } from "../gl/target";
+import { targetsRead } from "../plan/view";
+
+interface GraphNode {
+  program: string;
+  when: "setup" | "frame";
+  /** Indices of its passes. */
+  passes: number[];
+  column: number;
+  row: number;
+  /** Nodes that it reads. */
+  reads: Set<GraphNode>;
+}
+
+interface Graph { nodes: GraphNode[]; columns: number; rows: number; }
+
+/** Graph of the passes of one kind; what the other kind draws is not part of it. */
+export function graphOf(plan: Pick<FramePlan, "passes">, when: GraphNode["when"]): Graph {
+  const nodes = new Map<string, GraphNode>();
+  const writers = new Map<string, Set<GraphNode>>();
+  const filled: number[] = [];
+  plan.passes.forEach((pass, index) => {
+    if (pass.when !== when) return;
+    const sources = targetsRead(pass).flatMap((name) => [...(writers.get(name) ?? [])]);
+    let node = nodes.get(pass.program);
+    if (node === undefined) {
+      // The column follows from the first pass: passes that feed each other would have none otherwise.
+      const column = Math.max(-1, ...sources.map((source) => source.column)) + 1;
+      const row = filled[column] ?? 0;
+      filled[column] = row + 1;
+      node = { program: pass.program, when, passes: [], column, row, reads: new Set() };
+      nodes.set(pass.program, node);
+    }
+    node.passes.push(index);
+    for (const source of sources) if (source !== node) node.reads.add(source);
+    const written = writers.get(pass.target) ?? new Set();
+    writers.set(pass.target, written.add(node));
+  });
+  return { nodes: [...nodes.values()], columns: filled.length, rows: Math.max(0, ...filled) };
+}
+
+/** Size and format of a target in a picture of that size. */
+export function targetText(plan: Pick<FramePlan, "targets">, name: string, width: number, height: number): { size: string; format: string } {
+  const spec = plan.targets[name];
+  if (spec === undefined) return { size: `${width} × ${height}`, format: "RGBA8" };
+  const [w, h] = targetSize(spec, width, height);
+  return { size: `${w} × ${h}${spec.layers > 1 ? ` × ${spec.layers}` : ""}`, format: spec.depth ? `${spec.format}, depth` : spec.format };
+}
 
 const NODE = { width: 138, height: 52 };
 const GAP = { x: 30, y: 10 };

@@ -1,6 +1,6 @@
 /** The page as its tools and surfaces know it: its parts, the current view, and how pictures leave it and come back. */
 import type { Api } from "../api";
-import type { Clock } from "../app/clock";
+import type { Clock } from "../app/transport";
 import type { CameraControls } from "../camera/controls";
 import type { ChosenDisplay } from "../display/chosendisplay";
 import type { PlanLoader } from "../display/planloader";

@@ -2,7 +2,7 @@
 import type { ComponentChildren } from "preact";
 import { useLayoutEffect, useState } from "preact/hooks";
 import type { PageContext } from "./context";
-import { copyText } from "../ui/clipboard";
+import { copyText } from "../ui/dom";
 import { Icon } from "../ui/icons";
 import "./surface.css";
 

@@ -1,6 +1,6 @@
 /** Commands and programs that ask the server for a frame. */
 import { diff, type Json } from "../scene/json";
-import { CAMERA_POINTER } from "../plan/live";
+import { CAMERA_POINTER } from "../plan/rules";
 import type { RecipeParts } from "./recipe";
 
 /** A frame's request: by query for a preset as it is, else with a JSON body. */

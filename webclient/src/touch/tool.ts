@@ -1,13 +1,12 @@
 /** Touching the water: turns what the main pointer draws into rings of the scene, and says what the pointer does. */
-import type { Clock } from "../app/clock";
+import type { Clock } from "../app/transport";
 import type { CameraControls, PointerTool, PointerPosition } from "../camera/controls";
 import type { FramePlan } from "../generated/api";
 import { isObject, withValue } from "../scene/json";
 import type { Store } from "../selection/store";
 import { button, hasModifier } from "../ui/dom";
 import { icon } from "../ui/icons";
-import { pickWater, type WaterPlace } from "./pick";
-import { appended, toJson, type Touch, touchAt, TOUCHES_POINTER, touchesOf, train } from "./touches";
+import { appended, pickWater, toJson, type Touch, touchAt, TOUCHES_POINTER, touchesOf, train, type WaterPlace } from "./touches";
 
 /** While time stands, a ring is shown at this age, s: at its birth there is nothing to see. */
 const AGE_AT_REST = 0.8;

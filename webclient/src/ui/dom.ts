@@ -1,4 +1,4 @@
-/** DOM helpers. */
+/** Elements and fields of the page, downloads and the clipboard. */
 
 type Attributes = Record<string, string | number | boolean | null>;
 
@@ -63,4 +63,27 @@ export function download(blob: Blob, name: string): void {
   const url = URL.createObjectURL(blob);
   element("a", { href: url, download: name }).click();
   setTimeout(() => URL.revokeObjectURL(url), 10000);
+}
+
+export async function copyText(text: string): Promise<void> {
+  // Absent on such pages, whatever the types say.
+  const { clipboard } = navigator as { clipboard?: Clipboard };
+  const written = await clipboard?.writeText(text).then(
+    () => true,
+    () => false,
+  );
+  if (written) return;
+  const focused = document.activeElement;
+  const area = document.createElement("textarea");
+  area.value = text;
+  area.readOnly = true;
+  Object.assign(area.style, { position: "fixed", inset: "0 auto auto 0", opacity: "0" });
+  // What lies outside of an open dialog cannot be selected.
+  (focused?.closest("dialog") ?? document.body).append(area);
+  area.select();
+  // eslint-disable-next-line @typescript-eslint/no-deprecated -- nothing else copies there
+  const copied = document.execCommand("copy");
+  area.remove();
+  if (focused instanceof HTMLElement) focused.focus();
+  if (!copied) throw new Error("The browser does not copy here. Select the text to copy it.");
 }

@@ -1,13 +1,12 @@
 import { describe, expect, it } from "vitest";
 import type { Point } from "../../src/accuracy/api";
-import { formatFactor, formatNumber } from "../../src/accuracy/format";
+import { compare, fitModel, formatFactor, formatNumber, median, paretoFront, quantile } from "../../src/accuracy/measure/statistics";
 import { qualityRequest } from "../../src/accuracy/measure/benchmark";
-import { benefits } from "../../src/accuracy/measure/benefit";
-import { ErrorMeter, errorMap, percentile, pixelErrors } from "../../src/accuracy/measure/errors";
+import { benefits } from "../../src/accuracy/measure/budget";
+import { errorMap, ErrorMeter, percentile, pixelErrors } from "../../src/accuracy/measure/errors";
 import { measuredHere } from "../../src/accuracy/measure/measured";
-import { type Picture, readPicture } from "../../src/accuracy/measure/npy";
-import { compare, fitModel, median, paretoFront, quantile } from "../../src/accuracy/measure/statistics";
-import { heatColour } from "../../src/accuracy/pictures/colormap";
+import { type Picture, readPicture } from "../../src/accuracy/measure/picture";
+import { heatColour } from "../../src/accuracy/pictures/pictures";
 import { logAxis, tickLabel, tickLabels } from "../../src/charts/axis";
 import { parseQuality, qualityTitle } from "../../src/selection/selection";
 

@@ -1,13 +1,11 @@
 import { describe, expect, it } from "vitest";
 import type { Point } from "../../src/accuracy/api";
-import { curvesOf } from "../../src/accuracy/diagram/curves";
-import { placeLabels } from "../../src/accuracy/diagram/labels";
-import { type ExportedRun, rowsOf, toCsv, toJson } from "../../src/accuracy/exportdata";
+import { curvesOf, placeLabels } from "../../src/accuracy/diagram/curves";
+import { type ExportedRun, type Measured, measuredThere, ranked, rowsOf, toCsv, toJson } from "../../src/accuracy/measure/measured";
 import type { BenchmarkResult } from "../../src/accuracy/measure/benchmark";
 import { budgetAt, budgetRange, choose, SLIDER_STEPS, stepOf } from "../../src/accuracy/measure/budget";
-import { type Measured, measuredThere, ranked } from "../../src/accuracy/measure/measured";
-import { luminance, radialSpectrum } from "../../src/accuracy/measure/spectrum";
-import { equalError, equalTime, regionAround, worstPixel } from "../../src/accuracy/pictures/insets";
+import { luminance, radialSpectrum } from "../../src/accuracy/measure/errors";
+import { equalError, equalTime, regionAround, worstPixel } from "../../src/accuracy/pictures/pictures";
 
 const [WIDTH, HEIGHT] = [48, 30];
 

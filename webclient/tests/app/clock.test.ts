@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { Clock } from "../../src/app/clock";
+import { Clock } from "../../src/app/transport";
 
 test("time goes on where it was after an hour in a hidden tab, where no animation frame comes", () => {
   const clock = new Clock();

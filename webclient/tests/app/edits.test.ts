@@ -1,7 +1,6 @@
 /** Undo, redo, and scenes as text. */
 import { expect, test } from "vitest";
-import { sceneIn, shortText } from "../../src/edits/edits";
-import { EditHistory } from "../../src/edits/history";
+import { EditHistory, sceneIn, shortText } from "../../src/edits/edits";
 import type { JsonObject } from "../../src/scene/json";
 
 const scene = (exposure: number, albedo = 0) => ({ light: { exposure }, foam: { albedo } });

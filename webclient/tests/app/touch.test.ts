@@ -1,8 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { CameraControls, type PointerTool } from "../../src/camera/controls";
 import type { CameraState } from "../../src/camera/state";
-import { pickWater, type WaterPlace } from "../../src/touch/pick";
-import { appended, decodeTouches, encodeTouches, toJson, touchAt, TOUCHES_MOST, touchesOf, train } from "../../src/touch/touches";
+import { appended, decodeTouches, encodeTouches, pickWater, toJson, touchAt, TOUCHES_MOST, touchesOf, train, type WaterPlace } from "../../src/touch/touches";
 import { golden as read } from "../golden";
 
 const golden = read("picks") as { camera: CameraState; width: number; height: number; picks: { x: number; y: number; place: WaterPlace | null }[] }[];

@@ -1,5 +1,5 @@
 /** Simulated machines, and the page's loop on them: what the controller of the resolution is held to. */
-import { type DynamicResolution } from "../../src/display/resolution";
+import type { DynamicResolution } from "../../src/display/resolution";
 
 export interface Machine {
   /** Cost of a frame, ms: at any scale, and further at scale 1. */

@@ -1,9 +1,8 @@
 import { describe, expect, it } from "vitest";
 import { coverage, overSample, thresholdOf } from "../../src/learn/maths/filtered";
-import { amount, type Look, PopCounter, VISIBLE } from "../../src/learn/maths/looks";
+import { amount, CONSTANTS, frontSaturation, heightSaturation, type Look, period, phase, PopCounter, VISIBLE } from "../../src/learn/maths/wave";
 import { type Mask, shuffledRanks, thresholds } from "../../src/learn/maths/mask";
 import { spectrum, unevenness } from "../../src/learn/maths/spectrum";
-import { CONSTANTS, frontSaturation, heightSaturation, period, phase } from "../../src/learn/maths/wave";
 import { golden as read } from "../golden";
 
 interface Golden {

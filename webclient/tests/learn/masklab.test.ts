@@ -4,9 +4,8 @@ import { describe, expect, it, vi } from "vitest";
 import { Api } from "../../src/api";
 import { linearAxis } from "../../src/charts/axis";
 import { choiceText, decodeState, encodeState, type LabState, maskPath, parseChoice, START } from "../../src/masklab/choice";
-import { follow, load } from "../../src/masklab/data";
-import { coverage, shades, threshold, viewOf } from "../../src/masklab/pattern";
-import { FORMATS, snippets, spreads } from "../../src/masklab/snippets";
+import { coverage, follow, load, shades, threshold, viewOf } from "../../src/masklab/data";
+import { FORMATS, snippets, spreads } from "../../src/masklab/takehome";
 import { nearestGrey, resample } from "../../src/masklab/spectra";
 
 const LACE = { family: "lace", sigma: 8, width: 128, height: 128, seed: 7, aspect: 2, age: 0.5 } as const;

@@ -1,6 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { look, move, orbit, pivot, zoom } from "../../src/camera/motion";
-import { basis, type CameraState, type Vec3 } from "../../src/camera/state";
+import { basis, type CameraState, look, move, orbit, pivot, type Vec3, zoom } from "../../src/camera/state";
 
 const start: CameraState = { position: [3, 6, -2], yaw: 0.7, pitch: -0.4, roll: 0, fov: 0.9 };
 const dot = (a: Vec3, b: Vec3) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

@@ -1,7 +1,7 @@
 import { describe, expect, it, vi } from "vitest";
 import type { Capabilities } from "../../src/gl/capabilities";
 import { gridData } from "../../src/gl/mesh";
-import { Pool } from "../../src/gl/pool";
+import { Pool } from "../../src/gl/gpu";
 import { annotate, type Program, whenReady } from "../../src/gl/program";
 import { targetSize } from "../../src/gl/target";
 

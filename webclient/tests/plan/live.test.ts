@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { isLive, liveRule, planCovers } from "../../src/plan/live";
+import { isLive, liveRule, planCovers } from "../../src/plan/rules";
 import { apply, diff, type JsonObject, withValue } from "../../src/scene/json";
 
 const plan = { live: ["/light/exposure", "/water/absorption_length"] };

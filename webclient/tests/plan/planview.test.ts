@@ -3,8 +3,8 @@ import { join } from "node:path";
 import { describe, expect, test } from "vitest";
 import type { FramePlan, Pass } from "../../src/generated/api";
 import { changesBetween } from "../../src/planview/changes";
-import { graphOf, targetText } from "../../src/planview/graph";
-import { lines, tokens } from "../../src/planview/highlight";
+import { graphOf, targetText } from "../../src/planview/passes";
+import { lines, tokens } from "../../src/planview/source";
 
 const SHADERS = join(import.meta.dirname, "../../../shaders");
 const sources = (readdirSync(SHADERS, { recursive: true }) as string[])

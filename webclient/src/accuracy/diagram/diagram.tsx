@@ -1,12 +1,11 @@
 /** A work-precision diagram: log error against log time, a curve for each quality setting, a mark for each quality. */
 import { useLayoutEffect, useRef, useState } from "preact/hooks";
 import uPlot from "uplot";
-import { type Axes, INK, place, plotOptions, useSize } from "../../charts/uplot";
-import { formatNumber } from "../format";
+import { type Axes, INK, place, plotOptions, useSize } from "../../charts/linechart";
+import { formatNumber } from "../measure/statistics";
 import type { Ranked } from "../measure/measured";
 import type { Session } from "../session";
-import type { Curve } from "./curves";
-import { placeLabels } from "./labels";
+import { type Curve, placeLabels } from "./curves";
 
 /** Greatest distance of the pointer from a mark, px. */
 const HIT_RADIUS = 26;

@@ -6,14 +6,13 @@ import { CapabilityError } from "../../gl/capabilities";
 import type { Gpu } from "../../gl/gpu";
 import { clearErrors, makeScreen, readPixels, targetSize } from "../../gl/target";
 import { Executor, type Frame } from "../../plan/executor";
-import { CAMERA_POINTER } from "../../plan/live";
+import { CAMERA_POINTER } from "../../plan/rules";
 import { apply, diff, type Json, withValue } from "../../scene/json";
 import type { Point, TruthInfo } from "../api";
 import { DrawTimer } from "./drawtimer";
 import { ErrorMeter, type Errors } from "./errors";
-import type { Picture } from "./npy";
+import { type Picture, toneCurve } from "./picture";
 import { median } from "./statistics";
-import { toneCurve } from "./tone";
 
 const MAX_ROUNDS = 5;
 const MIN_ROUNDS = 3;

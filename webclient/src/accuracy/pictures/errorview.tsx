@@ -1,14 +1,12 @@
 /** The error of a quality: its picture beside the error map or the reference, with a movable split, and its spectrum. */
 import { useMemo, useState } from "preact/hooks";
-import { Canvas } from "../../charts/canvas";
-import { type Line, LineChart } from "../../charts/linechart";
-import { INK } from "../../charts/uplot";
+import { Canvas } from "../../charts/parts";
+import { INK, type Line, LineChart } from "../../charts/linechart";
 import type { QualityResult } from "../measure/benchmark";
-import { errorMap, percentile } from "../measure/errors";
-import type { Picture } from "../measure/npy";
-import { luminance, radialSpectrum } from "../measure/spectrum";
+import { errorMap, luminance, percentile, radialSpectrum } from "../measure/errors";
+import type { Picture } from "../measure/picture";
 import { Disclosure } from "../sections";
-import { drawErrors, drawPicture, HEAT_GRADIENT } from "./colormap";
+import { drawErrors, drawPicture, HEAT_GRADIENT } from "./pictures";
 
 /** The colour scale ends at this percentile of the standard quality's errors. */
 const LEGEND_PERCENTILE = 0.97;

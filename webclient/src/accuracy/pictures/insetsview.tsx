@@ -1,16 +1,14 @@
 /** Insets of equal time and of equal error beside the reference, and a loupe that shows the numbers of one pixel in all of them. */
 import { useMemo } from "preact/hooks";
-import { Canvas } from "../../charts/canvas";
-import { Table } from "../../charts/table";
-import { formatNumber } from "../format";
+import { Canvas, Table } from "../../charts/parts";
+import { formatNumber } from "../measure/statistics";
 import type { QualityResult } from "../measure/benchmark";
 import { errorAtPixel, errorMap } from "../measure/errors";
 import { measuredHere } from "../measure/measured";
-import type { Picture } from "../measure/npy";
+import type { Picture } from "../measure/picture";
 import { NUMBER, QUIET } from "../sections";
 import type { BenchmarkRun, Session } from "../session";
-import { drawPicture } from "./colormap";
-import { equalError, equalTime, type Pixel, type Region, regionAround, worstPixel } from "./insets";
+import { drawPicture, equalError, equalTime, type Pixel, type Region, regionAround, worstPixel } from "./pictures";
 
 interface Inset {
   title: string;

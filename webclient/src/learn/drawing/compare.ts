@@ -2,8 +2,7 @@
 import { element } from "../../ui/dom";
 import type { Mask } from "../maths/mask";
 import { spectrum, unevenness } from "../maths/spectrum";
-import { COLORS, Plot } from "./canvas";
-import { Patch, PATCHES, patchSide } from "./patch";
+import { COLORS, Patch, PATCHES, patchSide, Plot } from "./canvas";
 
 /** Boxes whose coverage is compared, texels. */
 const BOX = 32;

@@ -1,10 +1,8 @@
 /** Wave, thresholds and strips one below another, all along the same water. */
 import { element } from "../../ui/dom";
 import { coverage, overSample, thresholdOf } from "../maths/filtered";
-import { amount, type Look, LOOKS, PopCounter } from "../maths/looks";
-import type { Mask } from "../maths/mask";
-import { frontSaturation } from "../maths/wave";
-import { foamTextures } from "../parts/texture";
+import { amount, frontSaturation, type Look, LOOKS, PopCounter } from "../maths/wave";
+import { foamTextures, type Mask } from "../maths/mask";
 import { BLEND, GREYS, Plot, shade, Texels } from "./canvas";
 import { drawProfile, drawThresholds, phaseAt, type WaveState } from "./profile";
 

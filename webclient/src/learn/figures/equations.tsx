@@ -1,11 +1,9 @@
 /** Figure 5: one wave under the paper's equations, its listing and the filtered look. */
 import { signal } from "@preact/signals";
 import { Stack } from "../drawing/stack";
-import { loadMask, WHITE } from "../maths/mask";
+import { loadFoamTexture, loadMask, WHITE } from "../maths/mask";
 import { CONSTANTS } from "../maths/wave";
-import { Slider } from "../parts/controls";
-import type { FigureContext, LiveFigure } from "../parts/live";
-import { loadFoamTexture } from "../parts/texture";
+import { type FigureContext, type LiveFigure, Slider } from "../parts/live";
 
 export async function make({ api, plate }: FigureContext): Promise<LiveFigure> {
   const [mask, white, texture] = await Promise.all([loadMask(api, "vac-24"), loadMask(api, WHITE), loadFoamTexture(api)]);

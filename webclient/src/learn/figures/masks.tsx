@@ -2,8 +2,7 @@
 import { effect, signal } from "@preact/signals";
 import { Comparison } from "../drawing/compare";
 import { followedMask, maskOptions, WHITE } from "../maths/mask";
-import { Select, Slider } from "../parts/controls";
-import type { FigureContext, LiveFigure } from "../parts/live";
+import { type FigureContext, type LiveFigure, Select, Slider } from "../parts/live";
 
 export async function make({ api, plate }: FigureContext): Promise<LiveFigure> {
   const names = [signal("vac-1.5"), signal<string>(WHITE)] as const;

@@ -5,9 +5,8 @@ import { openContext, openGpu } from "../../gl/gpu";
 import { Executor } from "../../plan/executor";
 import { withValue } from "../../scene/json";
 import { element } from "../../ui/dom";
-import { LOOKS, type Look } from "../maths/looks";
-import { Choice, Slider } from "../parts/controls";
-import type { FigureContext, LiveFigure } from "../parts/live";
+import { type Look, LOOKS } from "../maths/wave";
+import { Choice, type FigureContext, type LiveFigure, Slider } from "../parts/live";
 
 /** Of the picture; a renderer on the processor draws it smaller. */
 const [ASPECT, WIDEST, WIDEST_SOFTWARE] = [16 / 9, 960, 640];

@@ -1,10 +1,9 @@
 /** Figure 3: the same saturation as a fading texture and as bubbles that pop. */
 import { element } from "../../ui/dom";
-import { Patch, PATCHES, patchSide } from "../drawing/patch";
-import { amount, PopCounter } from "../maths/looks";
-import { loadMask } from "../maths/mask";
+import { Patch, PATCHES, patchSide } from "../drawing/canvas";
+import { amount, PopCounter } from "../maths/wave";
+import { foamTextures, loadFoamTexture, loadMask } from "../maths/mask";
 import type { FigureContext, LiveFigure } from "../parts/live";
-import { foamTextures, loadFoamTexture } from "../parts/texture";
 
 /** Between two fronts, and of the decay to 1/e, s. */
 const PERIOD = 8;

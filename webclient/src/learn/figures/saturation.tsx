@@ -3,8 +3,7 @@ import { computed, signal } from "@preact/signals";
 import { Plot } from "../drawing/canvas";
 import { drawProfile } from "../drawing/profile";
 import { CONSTANTS } from "../maths/wave";
-import { Choice, Slider } from "../parts/controls";
-import type { FigureContext, LiveFigure } from "../parts/live";
+import { Choice, type FigureContext, type LiveFigure, Slider } from "../parts/live";
 
 export function make({ plate }: FigureContext): LiveFigure {
   const constants = signal<keyof typeof CONSTANTS>("text");

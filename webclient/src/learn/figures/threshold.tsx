@@ -4,8 +4,7 @@ import { Plot } from "../drawing/canvas";
 import { drawThresholds } from "../drawing/profile";
 import { loadMask } from "../maths/mask";
 import { CONSTANTS } from "../maths/wave";
-import { Slider } from "../parts/controls";
-import type { FigureContext, LiveFigure } from "../parts/live";
+import { type FigureContext, type LiveFigure, Slider } from "../parts/live";
 
 export async function make({ api, plate }: FigureContext): Promise<LiveFigure> {
   const mask = await loadMask(api, "vac-1.5");

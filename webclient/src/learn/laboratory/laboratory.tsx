@@ -6,11 +6,9 @@ import { Api, messageOf } from "../../api";
 import { byId, element, prefersReducedMotion } from "../../ui/dom";
 import { Comparison } from "../drawing/compare";
 import { Stack } from "../drawing/stack";
-import { followedMask, maskOptions } from "../maths/mask";
+import { followedMask, loadFoamTexture, maskOptions } from "../maths/mask";
 import { CONSTANTS } from "../maths/wave";
-import { PlayButton, Select, Slider } from "../parts/controls";
-import { onWidthChange } from "../parts/live";
-import { loadFoamTexture } from "../parts/texture";
+import { onWidthChange, PlayButton, Select, Slider } from "../parts/live";
 import { formatState, type LabState, parseState, RANGES } from "./state";
 
 const LONGEST = 0.1;
