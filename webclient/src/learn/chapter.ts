@@ -3,13 +3,14 @@ import "./style.css";
 import { Api } from "../api";
 import { type MakeFigure, Runner } from "./parts/live";
 
-const FIGURES: Record<string, () => Promise<{ make: MakeFigure }>> = {
-  saturation: () => import("./figures/saturation"),
-  threshold: () => import("./figures/threshold"),
-  popping: () => import("./figures/popping"),
-  masks: () => import("./figures/masks"),
-  equations: () => import("./figures/equations"),
-  picture: () => import("./figures/picture"),
+const plots = () => import("./figures/plots");
+const FIGURES: Record<string, MakeFigure> = {
+  saturation: async (context) => (await plots()).saturation(context),
+  threshold: async (context) => (await plots()).threshold(context),
+  popping: async (context) => (await plots()).popping(context),
+  masks: async (context) => (await plots()).masks(context),
+  equations: async (context) => (await plots()).equations(context),
+  picture: async (context) => (await import("./figures/picture")).picture(context),
 };
 
 /** A time at which each figure has something to show, s. */
@@ -18,7 +19,7 @@ const START = 0.9;
 const api = new Api(new URL("../", document.baseURI).href);
 
 for (const root of document.querySelectorAll<HTMLElement>("figure[data-figure]")) {
-  const load = FIGURES[root.dataset["figure"] ?? ""];
-  if (load === undefined) throw new Error(`There is no figure ${root.dataset["figure"] ?? ""}.`);
-  new Runner(root, api, () => load().then(({ make }) => make), START).watch();
+  const make = FIGURES[root.dataset["figure"] ?? ""];
+  if (make === undefined) throw new Error(`There is no figure ${root.dataset["figure"] ?? ""}.`);
+  new Runner(root, api, make, START).watch();
 }

@@ -16,7 +16,7 @@ const PRESET = "paper-halftone";
 /** Fade of the filtered look, as a share of the plane. */
 const FADE = 0.2;
 
-export async function make({ api, plate, redraw }: FigureContext): Promise<LiveFigure> {
+export async function picture({ api, plate, redraw }: FigureContext): Promise<LiveFigure> {
   const canvas = element("canvas", { class: "picture aspect-video w-full", role: "img", "aria-label": "A wave with foam, in perspective" });
   const gpu = openGpu(openContext(canvas), new Set());
   const { scene } = await api.preset(PRESET);

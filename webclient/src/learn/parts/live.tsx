@@ -133,7 +133,7 @@ export class Runner {
   constructor(
     private readonly root: HTMLElement,
     private readonly api: Api,
-    private readonly make: () => Promise<MakeFigure>,
+    private readonly make: MakeFigure,
     private time: number,
   ) {}
 
@@ -162,12 +162,11 @@ export class Runner {
     const still = plate.querySelector("img");
     const stage = element("div", { class: "stage" });
     try {
-      const make = await this.make();
       const redraw = () => {
         this.dirty = true;
         this.schedule();
       };
-      const figure = await make({ api: this.api, plate: stage, redraw });
+      const figure = await this.make({ api: this.api, plate: stage, redraw });
       render(
         <>
           {figure.draw && <PlayButton playing={this.playing} />}
