@@ -9,7 +9,7 @@ import { Viewport } from "./display/viewport";
 import { CapabilityError } from "./gl/capabilities";
 import { openContext, openGpu } from "./gl/gpu";
 import { byId, element } from "./ui/dom";
-import { LoadingScreen } from "./ui/messages";
+import { LoadingScreen } from "./ui/overlays";
 import { StillImage } from "./ui/still";
 
 pinRoot();

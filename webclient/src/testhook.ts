@@ -4,7 +4,7 @@ import { cameraFromScene, type CameraState } from "./camera/state";
 import type { Viewport } from "./display/viewport";
 import type { FramePlan } from "./generated/api";
 import type { Gpu } from "./gl/gpu";
-import { clearErrors, makeScreen, readPixels } from "./gl/target";
+import { clearErrors, makeScreen, readPixels } from "./gl/resources";
 import { Executor } from "./plan/executor";
 import { compileErrors } from "./plan/programs";
 

@@ -20,8 +20,8 @@ DESKTOP = (1280, 800)
 PHONE = (390, 844)
 SMALL = (760, 500)
 """The desktop's layout on as few pixels as hold it: llvmpipe is slow."""
-_MESSAGES = Path(__file__).parents[3] / "webclient/src/ui/messages.ts"
-(_GOES,) = re.findall(r"\berror: (\d+)", _MESSAGES.read_text(encoding="utf-8"))
+_OVERLAYS = Path(__file__).parents[3] / "webclient/src/ui/overlays.ts"
+(_GOES,) = re.findall(r"\berror: (\d+)", _OVERLAYS.read_text(encoding="utf-8"))
 ERRORS_STAY = f"""(() => {{
   const later = window.setTimeout.bind(window);
   window.setTimeout = (run, delay, ...rest) => later(run, delay === {_GOES} ? 3600000 : delay, ...rest);

@@ -4,10 +4,8 @@ import type { ComponentChildren } from "preact";
 import { useState } from "preact/hooks";
 import { Table } from "../charts/parts";
 import { labelOf } from "../panel/model";
-import { compare, formatNumber, formatSigned, median } from "./measure/statistics";
-import type { QualityResult } from "./measure/benchmark";
+import { compare, formatNumber, formatSigned, measuredHere, median, type QualityResult, ranked } from "./measure/measured";
 import { type Benefit, benefits, budgetAt, budgetRange, choose, DEFAULT_BUDGET, NEGLIGIBLE, predict, SLIDER_STEPS, stepOf } from "./measure/budget";
-import { measuredHere, ranked } from "./measure/measured";
 import type { BenchmarkRun, Session } from "./session";
 
 /** Classes that the benchmark's parts share. */

@@ -3,13 +3,12 @@ import { batch, computed, effect, type Signal, signal } from "@preact/signals";
 import { type Api, ApiError, messageOf, type Preset } from "../api";
 import type { Viewport } from "../display/viewport";
 import { equal } from "../scene/json";
-import { DEFAULT_TIER, parseQuality, type Selection } from "../selection/selection";
-import type { Store } from "../selection/store";
+import { DEFAULT_TIER, parseQuality, type Selection, type Store } from "../selection/selection";
 import { fetchPoints, fetchSweep, fetchTruth, type JobProgress, type Sweep } from "./api";
-import { type BenchmarkInput, type BenchmarkResult, QualityBenchmark, qualityRequest, type QualityResult } from "./measure/benchmark";
+import { type BenchmarkInput, QualityBenchmark, qualityRequest } from "./measure/benchmark";
+import type { BenchmarkResult, QualityResult } from "./measure/measured";
 import type { Choice } from "./measure/budget";
-import type { MetricKey } from "./measure/errors";
-import { readPicture } from "./measure/picture";
+import { type MetricKey, readPicture } from "./measure/errors";
 import type { Pixel } from "./pictures/pictures";
 
 /** The benchmark of one preset; kept while the page is open. */

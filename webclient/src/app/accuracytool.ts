@@ -2,7 +2,7 @@
 import type { AccuracyPanel } from "../accuracy/panel";
 import type { Api } from "../api";
 import type { Viewport } from "../display/viewport";
-import type { Store } from "../selection/store";
+import type { Store } from "../selection/selection";
 
 interface AccuracyToolEvents {
   /** `quality`: a tier, or settings as JSON. */

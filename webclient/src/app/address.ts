@@ -4,7 +4,7 @@ import { cameraFromScene } from "../camera/state";
 import type { ChosenDisplay } from "../display/chosendisplay";
 import { presetOfPath, waterUrl } from "../gallery/search";
 import { diff } from "../scene/json";
-import type { Store } from "../selection/store";
+import type { Store } from "../selection/selection";
 import { decode, frameSource, encode, type LinkState } from "../selection/url";
 import type { Surfaces } from "../surfaces/surfaces";
 import { withoutTouches } from "../touch/touches";

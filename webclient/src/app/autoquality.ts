@@ -2,7 +2,7 @@
 import type { Api, TierCost, TierCosts } from "../api";
 import type { MovingTier } from "../display/display";
 import { allowedAt, bestScale, costAt, type RenderLoad } from "../display/framebudget";
-import type { Store } from "../selection/store";
+import type { Store } from "../selection/selection";
 
 interface TierChoice {
   tier: string;

@@ -3,10 +3,8 @@ import type { Api, SceneSchema } from "../api";
 import { choiceControls, labelOf, ListedOptions, sceneControls } from "../panel/model";
 import type { ScenePane } from "../panel/pane";
 import { isObject, type Json, withValue } from "../scene/json";
-import { preferredField, splitAfterEdit, startSplit } from "../selection/comparison";
-import { QUALITY_FIELD, qualityTitle, validSplit } from "../selection/selection";
-import type { Store } from "../selection/store";
-import { type ComparableField, SplitView } from "../ui/splitview";
+import { type ComparableField, preferredField, QUALITY_FIELD, qualityTitle, splitAfterEdit, startSplit, type Store, validSplit } from "../selection/selection";
+import { SplitView } from "../ui/splitview";
 
 interface SceneEditorEvents {
   /** Names of the quality tiers, once they are known. */

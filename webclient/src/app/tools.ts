@@ -5,7 +5,7 @@ import type { TouchTool } from "../touch/tool";
 import { button, byId, element, hasModifier, isTyping } from "../ui/dom";
 import { icon, type IconName } from "../ui/icons";
 import type { SettingsPanel } from "../ui/settings/settings";
-import type { Toasts } from "../ui/messages";
+import type { Toasts } from "../ui/overlays";
 import type { AccuracyTool } from "./accuracytool";
 import type { Address } from "./address";
 import type { SceneEditor } from "./sceneeditor";

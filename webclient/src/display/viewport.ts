@@ -1,7 +1,7 @@
 /** The canvas: owns the GPU, draws one picture or two side by side, and measures frame times. */
 import { type Gpu, openContext, openGpu } from "../gl/gpu";
 import { drawsSlowly } from "../gl/speed";
-import { makeScreen, type Screen } from "../gl/target";
+import { makeScreen, type Screen } from "../gl/resources";
 import type { Frame, Rectangle } from "../plan/executor";
 import { type Display, type DisplayEvents, type FrameTiming, onPixelsChange, pixelRatio, pixelSize, pixelsOf, type Rate, resizeCanvas, ShownFrames, type ViewState } from "./display";
 import { MOTION_BUDGET, type RenderLoad } from "./framebudget";

@@ -3,8 +3,7 @@ import { type Signal, signal, useSignal } from "@preact/signals";
 import { type ButtonHTMLAttributes, render } from "preact";
 import { type Api, ApiError } from "../api";
 import { apply, diff, equal, get, isObject, type Json, type JsonObject } from "../scene/json";
-import { type Selection, validSplit } from "../selection/selection";
-import type { Store } from "../selection/store";
+import { type Selection, type Store, validSplit } from "../selection/selection";
 import { copyText } from "../ui/dom";
 import { Icon } from "../ui/icons";
 

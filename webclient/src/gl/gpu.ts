@@ -1,8 +1,7 @@
 /** The WebGL2 context, its capabilities, and the resources that plans share. */
 import { type Capabilities, CapabilityError, detect } from "./capabilities";
-import type { Mesh } from "./mesh";
+import { type CachedTarget, deleteTarget, type Mesh } from "./resources";
 import { deleteProgram, type Program } from "./program";
-import { type CachedTarget, deleteTarget } from "./target";
 
 /** A reference to a pooled resource. */
 export interface Lease<V> {

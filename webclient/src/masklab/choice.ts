@@ -1,4 +1,7 @@
-/** A mask to look at: shipped, or made from its parameters; its text in addresses and its path in the API. */
+/** A mask to look at: shipped, or made from its parameters; its text in addresses, its data from the server, and its halftone patterns as pictures. */
+import { signal } from "@preact/signals";
+import { useEffect, useMemo } from "preact/hooks";
+import { type Api, ApiError, messageOf } from "../api";
 
 export const FAMILIES = ["vac", "blur", "clump", "bubble", "mix", "lace"] as const;
 type Family = (typeof FAMILIES)[number];
@@ -98,4 +101,143 @@ export function decodeState(fragment: string): LabState {
     grey: text === "mask" ? null : grey >= 0 && grey <= 1 ? grey : START.grey,
     show: SHOWS.find((show) => show === parts.get("show")) ?? START.show,
   };
+}
+
+export interface Mask {
+  /** Texels. */
+  width: number;
+  height: number;
+  /** floor(rank 65536 / N), row by row. */
+  values: Uint16Array;
+}
+
+/** Side of the enlarged part, texels. */
+const DETAIL = 64;
+
+/** Whether foam shows in each texel: saturation above the threshold (v + 1/2) / 65536. */
+export function threshold({ values }: Mask, saturation: number): Uint8Array {
+  return Uint8Array.from(values, (value) => (saturation > (value + 0.5) / 65536 ? 1 : 0));
+}
+
+/** Share of foam, 0 to 1. */
+export const coverage = (pattern: Uint8Array) => pattern.reduce((sum, foam) => sum + foam, 0) / pattern.length;
+
+/** How much of one side of a mask a view shows, texels, and its first texel; masks repeat beyond their border. */
+export function viewOf(side: number, show: Show): { shown: number; first: number } {
+  if (show === "tiled") return { shown: 2 * side, first: 0 };
+  const shown = Math.min(DETAIL, side);
+  return show === "detail" ? { shown, first: side - Math.floor(shown / 2) } : { shown: side, first: 0 };
+}
+
+/** Grey of every pixel of a view, 0 to 255. `grey`: saturation of the pattern; null: the mask itself. */
+export function shades(mask: Mask, grey: number | null, show: Show): Uint8ClampedArray {
+  const [across, down] = [viewOf(mask.width, show), viewOf(mask.height, show)];
+  const foam = grey === null ? null : threshold(mask, grey);
+  return Uint8ClampedArray.from({ length: across.shown * down.shown }, (_, i) => {
+    const [x, y] = [(across.first + (i % across.shown)) % mask.width, (down.first + Math.floor(i / across.shown)) % mask.height];
+    const at = y * mask.width + x;
+    return foam === null ? (mask.values[at] ?? 0) >> 8 : 255 * (foam[at] ?? 0);
+  });
+}
+
+export interface MaskInfo {
+  name: string;
+  title: string;
+  summary: string;
+  family: string;
+  parameters: { sigma: number; width: number; height: number; seed: number; aspect: number | null; age: number | null };
+  sha256: string;
+  license: string;
+}
+
+export interface Spectrum {
+  isotropic_reference_db: number;
+  /** Cycles per texel. */
+  frequency: number[];
+  bins: number[];
+  greys: { grey: number; principal_frequency: number; raps: (number | null)[]; anisotropy_db: (number | null)[] }[];
+}
+
+export interface LoadedMask { info: MaskInfo; mask: Mask; spectrum: Spectrum; }
+
+export interface MaskState {
+  loaded: LoadedMask | null;
+  busy: boolean;
+  /** Of a mask that the server makes in the background, what is done, 0 to 1. */
+  share: number | null;
+  /** In words. */
+  error: string | null;
+}
+
+/** Delay before a request, ms: a slider passes many values. */
+const DELAY = 250;
+
+/** Asks for a mask. `onProgress`: called with the share that is done of one that takes longer than a request may. */
+export async function load(api: Api, choice: MaskChoice, abort: AbortSignal, onProgress: (share: number) => void): Promise<LoadedMask> {
+  const get = (resource?: string) => api.fetch(maskPath(choice, resource), { signal: abort });
+  // The first request makes the mask; the others find it in the server's cache.
+  const first = await get().catch(async (refused: unknown) => {
+    if (typeof choice === "string" || !(refused instanceof ApiError) || refused.status !== 422) throw refused;
+    // What takes too long for a request is made in the background; what is refused there too is no mask.
+    await follow(await get("events"), onProgress);
+    return get();
+  });
+  const info = (await first.json()) as MaskInfo;
+  const [values, spectrum] = await Promise.all([
+    get("data.u16").then((response) => response.arrayBuffer()),
+    get("spectrum").then((response) => response.json() as Promise<Spectrum>),
+  ]);
+  return { info, spectrum, mask: { width: info.parameters.width, height: info.parameters.height, values: new Uint16Array(values) } };
+}
+
+/** Reads the server-sent events of a mask that is made in the background, until it is there; throws if they end before. */
+export async function follow(response: Response, onProgress: (share: number) => void): Promise<void> {
+  if (response.body === null) throw new Error("The server sent no events.");
+  const reader = response.body.pipeThrough(new TextDecoderStream()).getReader();
+  let text = "";
+  for (;;) {
+    const { done, value } = await reader.read();
+    if (done) throw new Error("The server stopped making the mask.");
+    const events = (text + value).split("\n\n");
+    text = events.pop() ?? "";
+    for (const event of events) {
+      const [, name, data] = /^event: (\w+)\ndata: (.*)$/.exec(event) ?? [];
+      if (name === "progress") onProgress(Number(data));
+      if (name === "done") {
+        await reader.cancel();
+        return;
+      }
+    }
+  }
+}
+
+/** The mask of a choice, null of none; the mask before it stays until it is here. */
+export function useMask(api: Api, choice: MaskChoice | null): MaskState {
+  const state = useMemo(() => signal<MaskState>({ loaded: null, busy: true, share: null, error: null }), []);
+  const text = choice === null ? null : choiceText(choice);
+  useEffect(() => {
+    if (choice === null) return;
+    const abort = new AbortController();
+    const { loaded } = state.value;
+    state.value = { ...state.value, busy: true, share: null };
+    const onProgress = (share: number) => {
+      state.value = { ...state.value, share };
+    };
+    const run = async () => {
+      try {
+        state.value = { loaded: await load(api, choice, abort.signal, onProgress), busy: false, share: null, error: null };
+      } catch (error) {
+        if (abort.signal.aborted) return;
+        const details = error instanceof ApiError ? error.details : [];
+        state.value = { ...state.value, busy: false, share: null, error: details.length > 0 ? details.join("; ") : messageOf(error) };
+      }
+    };
+    const timer = setTimeout(() => void run(), loaded === null ? 0 : DELAY);
+    return () => {
+      clearTimeout(timer);
+      abort.abort();
+    };
+    // The text stands for the choice.
+  }, [api, text]);
+  return state.value;
 }

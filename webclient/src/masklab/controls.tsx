@@ -1,8 +1,7 @@
 /** Choice of one mask: shipped, or a family with its parameters. */
 import type { ComponentChildren } from "preact";
 import { Select } from "../ui/controls";
-import { ASPECT_RANGE, type CustomMask, FAMILIES, type MaskChoice, SEED_RANGE, SIDE_RANGE, SIGMA_RANGE } from "./choice";
-import type { MaskInfo } from "./data";
+import { ASPECT_RANGE, type CustomMask, FAMILIES, type MaskChoice, type MaskInfo, SEED_RANGE, SIDE_RANGE, SIGMA_RANGE } from "./choice";
 
 const TITLES: Record<(typeof FAMILIES)[number], string> = {
   vac: "void and cluster",

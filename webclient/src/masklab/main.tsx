@@ -7,9 +7,8 @@ import { Api, type Choice, messageOf } from "../api";
 import { Canvas, paintPixels } from "../charts/parts";
 import { Progress, Select } from "../ui/controls";
 import { byId } from "../ui/dom";
-import { choiceText, decodeState, encodeState, type LabState, type MaskChoice, type Show, SHOWS } from "./choice";
+import { choiceText, coverage, decodeState, encodeState, type LabState, type LoadedMask, type MaskChoice, type MaskInfo, type MaskState, shades, type Show, SHOWS, threshold, useMask, viewOf } from "./choice";
 import { Controls, Field, FIELD, PICK, Slider } from "./controls";
-import { coverage, type LoadedMask, type MaskInfo, type MaskState, shades, threshold, useMask, viewOf } from "./data";
 import { Spectra } from "./spectra";
 import { TakeHome } from "./takehome";
 

@@ -1,7 +1,7 @@
 /** Radially averaged power and anisotropy of the shown masks, as the server measured them. */
 import { useMemo } from "preact/hooks";
 import { INK, type Line, LineChart } from "../charts/linechart";
-import type { LoadedMask } from "./data";
+import type { LoadedMask } from "./choice";
 
 /** Rings of fewer bins say little about anisotropy. */
 const LEAST_BINS = 32;

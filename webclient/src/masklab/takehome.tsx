@@ -7,8 +7,7 @@ import three from "../../../docs/snippets/three.js?raw";
 import unity from "../../../docs/snippets/unity.hlsl?raw";
 import unreal from "../../../docs/snippets/unreal.usf?raw";
 import { copyText } from "../ui/dom";
-import { type MaskChoice, maskPath } from "./choice";
-import type { LoadedMask, Mask } from "./data";
+import { type LoadedMask, type Mask, type MaskChoice, maskPath } from "./choice";
 
 interface Snippet {
   name: string;

@@ -3,13 +3,11 @@ import type { CameraState } from "../camera/state";
 import type { FramePlan, Pass, Texture as TextureSpec } from "../generated/api";
 import { requireSupport } from "../gl/capabilities";
 import type { Gpu, Lease } from "../gl/gpu";
-import { makeMesh, type Mesh, meshKey } from "../gl/mesh";
+import { type CachedTarget, checkFormats, deleteTarget, makeMesh, makeScreen, makeTarget, makeTexture, type Mesh, meshKey, type Target, targetSize, textureKey } from "../gl/resources";
 import { type Program, whenDone } from "../gl/program";
-import { type CachedTarget, checkFormats, deleteTarget, makeScreen, makeTarget, makeTexture, type Target, targetSize, textureKey } from "../gl/target";
 import type { Json } from "../scene/json";
-import { bindInputs, type Bindings, bindSamplers, unbindSamplers, uploadUniforms } from "./bindings";
+import { type Bindings, bindInputs, bindSamplers, discardOnError, loadPrograms, programNames, releaseAll, unbindSamplers, uploadUniforms } from "./programs";
 import { liveRule } from "./rules";
-import { discardOnError, loadPrograms, programNames, releaseAll } from "./programs";
 import { drawnPasses, type Eye, eyeOf, passesInto, targetsRead } from "./view";
 
 /** Camera heights whose passes can stand in: between crest and trough, those of the other side draw nothing. */

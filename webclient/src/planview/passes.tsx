@@ -1,7 +1,7 @@
 /** Passes of a plan: two small graphs, of what is drawn once and of what is drawn in every frame, and a table. */
 import { Table } from "../charts/parts";
 import type { FramePlan, Pass } from "../generated/api";
-import { targetSize } from "../gl/target";
+import { targetSize } from "../gl/resources";
 import { targetsRead } from "../plan/view";
 
 interface GraphNode {

@@ -6,8 +6,7 @@ import type { ChosenDisplay } from "../display/chosendisplay";
 import type { PlanLoader } from "../display/planloader";
 import type { FramePlan } from "../generated/api";
 import type { Executor } from "../plan/executor";
-import { parseQuality } from "../selection/selection";
-import type { Store } from "../selection/store";
+import { parseQuality, type Store } from "../selection/selection";
 import { encode } from "../selection/url";
 import type { RecipeParts } from "../take/recipe";
 import { download } from "../ui/dom";
@@ -95,7 +94,7 @@ export class PageContext {
   /** The view drawn by the server, at the window's size. */
   async serverFrame(): Promise<Blob> {
     const view = this.view();
-    const { exactFrame } = await import("../take/snippets");
+    const { exactFrame } = await import("../take/recipe");
     return this.api.frame(exactFrame(view));
   }
 

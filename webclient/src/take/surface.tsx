@@ -3,7 +3,7 @@ import { useSignal } from "@preact/signals";
 import type { PageContext } from "../surfaces/context";
 import { CodeBlock, Head, Pills, TaskButton, useChanges } from "../surfaces/parts";
 import { download } from "../ui/dom";
-import { curl, frameBody, javascript, python, requestOf } from "./snippets";
+import { curl, frameBody, javascript, python, requestOf } from "./recipe";
 
 const LANGUAGES = { curl, Python: python, JavaScript: javascript };
 type Language = keyof typeof LANGUAGES;

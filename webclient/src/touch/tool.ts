@@ -3,7 +3,7 @@ import type { Clock } from "../app/transport";
 import type { CameraControls, PointerTool, PointerPosition } from "../camera/controls";
 import type { FramePlan } from "../generated/api";
 import { isObject, withValue } from "../scene/json";
-import type { Store } from "../selection/store";
+import type { Store } from "../selection/selection";
 import { button, hasModifier } from "../ui/dom";
 import { icon } from "../ui/icons";
 import { appended, pickWater, toJson, type Touch, touchAt, TOUCHES_POINTER, touchesOf, train, type WaterPlace } from "./touches";

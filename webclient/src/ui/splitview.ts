@@ -1,12 +1,6 @@
 /** Split view of two values of one field, with a divider that is dragged or moved by the arrow keys. */
-import type { Split } from "../selection/selection";
+import type { ComparableField, Split } from "../selection/selection";
 import { dropDown, element, fillSelect } from "./dom";
-
-export interface ComparableField {
-  field: string;
-  title: string;
-  options: readonly { name: string; title: string }[];
-}
 
 const VALUE = "pick field-sizing-content max-w-60 phone:max-w-none phone:min-w-0 phone:flex-1";
 /** A disc with an arrowhead at each side. */

@@ -1,11 +1,9 @@
 import { describe, expect, it } from "vitest";
 import type { Point } from "../../src/accuracy/api";
-import { compare, fitModel, formatFactor, formatNumber, median, paretoFront, quantile } from "../../src/accuracy/measure/statistics";
+import { compare, fitModel, formatFactor, formatNumber, measuredHere, median, paretoFront, quantile } from "../../src/accuracy/measure/measured";
 import { qualityRequest } from "../../src/accuracy/measure/benchmark";
 import { benefits } from "../../src/accuracy/measure/budget";
-import { errorMap, ErrorMeter, percentile, pixelErrors } from "../../src/accuracy/measure/errors";
-import { measuredHere } from "../../src/accuracy/measure/measured";
-import { type Picture, readPicture } from "../../src/accuracy/measure/picture";
+import { errorMap, ErrorMeter, percentile, type Picture, pixelErrors, readPicture } from "../../src/accuracy/measure/errors";
 import { heatColour } from "../../src/accuracy/pictures/pictures";
 import { logAxis, tickLabel, tickLabels } from "../../src/charts/axis";
 import { parseQuality, qualityTitle } from "../../src/selection/selection";

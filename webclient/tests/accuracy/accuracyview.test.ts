@@ -1,8 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Point } from "../../src/accuracy/api";
 import { curvesOf, placeLabels } from "../../src/accuracy/diagram/curves";
-import { type ExportedRun, type Measured, measuredThere, ranked, rowsOf, toCsv, toJson } from "../../src/accuracy/measure/measured";
-import type { BenchmarkResult } from "../../src/accuracy/measure/benchmark";
+import { type BenchmarkResult, type ExportedRun, type Measured, measuredThere, ranked, rowsOf, toCsv, toJson } from "../../src/accuracy/measure/measured";
 import { budgetAt, budgetRange, choose, SLIDER_STEPS, stepOf } from "../../src/accuracy/measure/budget";
 import { luminance, radialSpectrum } from "../../src/accuracy/measure/errors";
 import { equalError, equalTime, regionAround, worstPixel } from "../../src/accuracy/pictures/pictures";

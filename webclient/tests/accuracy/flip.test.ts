@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { Flip } from "../../src/accuracy/measure/flip";
-import { displayed, type ToneCurve, toneCurve } from "../../src/accuracy/measure/picture";
+import { displayed, type ToneCurve, toneCurve } from "../../src/accuracy/measure/errors";
 import { golden as read } from "../golden";
 
 const golden = read("flip") as Record<"width" | "height", number> & Record<"truth" | "picture", number[]> & { flip: Record<string, number> };

@@ -3,7 +3,7 @@ import { describe, expect, it } from "vitest";
 import type { Api, TierCost, TierCosts } from "../../src/api";
 import { AutoQuality, costRatio, errorAt, QualityPilot, tierChoices } from "../../src/app/autoquality";
 import { allowedAt, costAt, MOTION_BUDGET, type RenderLoad } from "../../src/display/framebudget";
-import type { Store } from "../../src/selection/store";
+import type { Store } from "../../src/selection/selection";
 
 const scales = [1, 0.5, 0.25];
 const tierCosts: TierCost[] = [

@@ -2,8 +2,7 @@ import { deflateSync } from "node:zlib";
 import { execFileSync } from "node:child_process";
 import { describe, expect, test } from "vitest";
 import { decode, encode } from "../../src/selection/url";
-import { crc32, linkOf, readRecipe, type Recipe, RecipeError, recipeOf, withRecipe } from "../../src/take/recipe";
-import { curl, exactFrame, javascript, python, requestOf } from "../../src/take/snippets";
+import { crc32, curl, exactFrame, javascript, linkOf, python, readRecipe, type Recipe, RecipeError, recipeOf, requestOf, withRecipe } from "../../src/take/recipe";
 
 const SCENE = { waves: [{ model: "parametric", steepness: 0.1 + 0.2 }], foam: { mask: "vac-6" }, camera: { position: [0, 6, 0], yaw: 0, pitch: -0.15, roll: 0, fov: 0.8727 } };
 const CAMERA = { position: [1.5, 2.25, -1e6], yaw: 0.1, pitch: -0.3, roll: 0, fov: 0.9 } as const;

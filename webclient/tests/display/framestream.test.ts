@@ -1,6 +1,6 @@
 import { expect, test, vi } from "vitest";
 import type { Api, StreamView } from "../../src/api";
-import { FrameStream } from "../../src/display/framestream";
+import { FrameStream } from "../../src/display/serverview";
 
 const VIEW = { time: 0, width: 16, height: 16 } as StreamView;
 

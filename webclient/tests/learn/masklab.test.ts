@@ -3,8 +3,7 @@ import { join } from "node:path";
 import { describe, expect, it, vi } from "vitest";
 import { Api } from "../../src/api";
 import { linearAxis } from "../../src/charts/axis";
-import { choiceText, decodeState, encodeState, type LabState, maskPath, parseChoice, START } from "../../src/masklab/choice";
-import { coverage, follow, load, shades, threshold, viewOf } from "../../src/masklab/data";
+import { choiceText, coverage, decodeState, encodeState, follow, type LabState, load, maskPath, parseChoice, shades, START, threshold, viewOf } from "../../src/masklab/choice";
 import { FORMATS, snippets, spreads } from "../../src/masklab/takehome";
 import { nearestGrey, resample } from "../../src/masklab/spectra";
 

@@ -1,9 +1,8 @@
 import { describe, expect, it, vi } from "vitest";
 import type { Capabilities } from "../../src/gl/capabilities";
-import { gridData } from "../../src/gl/mesh";
+import { gridData, targetSize } from "../../src/gl/resources";
 import { Pool } from "../../src/gl/gpu";
 import { annotate, type Program, whenReady } from "../../src/gl/program";
-import { targetSize } from "../../src/gl/target";
 
 describe("a grid", () => {
   it("runs over [0, 1]², columns first, two triangles a cell", () => {

@@ -2,7 +2,7 @@ import { readdirSync, readFileSync, statSync } from "node:fs";
 import { join } from "node:path";
 import { describe, expect, test } from "vitest";
 import type { FramePlan, Pass } from "../../src/generated/api";
-import { changesBetween } from "../../src/planview/changes";
+import { changesBetween } from "../../src/planview/surface";
 import { graphOf, targetText } from "../../src/planview/passes";
 import { lines, tokens } from "../../src/planview/source";
 

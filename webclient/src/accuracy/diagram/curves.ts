@@ -1,7 +1,7 @@
 /** Work-precision curves, and the places of labels in their diagram. */
 import { get, type Json } from "../../scene/json";
 import type { Point } from "../api";
-import { valueText } from "../measure/statistics";
+import { valueText } from "../measure/measured";
 
 export interface Curve {
   /** Of the setting, in the quality. */

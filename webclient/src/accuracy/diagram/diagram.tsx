@@ -2,8 +2,7 @@
 import { useLayoutEffect, useRef, useState } from "preact/hooks";
 import uPlot from "uplot";
 import { type Axes, INK, place, plotOptions, useSize } from "../../charts/linechart";
-import { formatNumber } from "../measure/statistics";
-import type { Ranked } from "../measure/measured";
+import { formatNumber, type Ranked } from "../measure/measured";
 import type { Session } from "../session";
 import { type Curve, placeLabels } from "./curves";
 

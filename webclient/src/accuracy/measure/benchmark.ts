@@ -4,15 +4,14 @@ import { cameraFromScene } from "../../camera/state";
 import type { Viewport } from "../../display/viewport";
 import { CapabilityError } from "../../gl/capabilities";
 import type { Gpu } from "../../gl/gpu";
-import { clearErrors, makeScreen, readPixels, targetSize } from "../../gl/target";
+import { clearErrors, makeScreen, readPixels, targetSize } from "../../gl/resources";
 import { Executor, type Frame } from "../../plan/executor";
 import { CAMERA_POINTER } from "../../plan/rules";
 import { apply, diff, type Json, withValue } from "../../scene/json";
 import type { Point, TruthInfo } from "../api";
 import { DrawTimer } from "./drawtimer";
-import { ErrorMeter, type Errors } from "./errors";
-import { type Picture, toneCurve } from "./picture";
-import { median } from "./statistics";
+import { ErrorMeter, type Picture, toneCurve } from "./errors";
+import { type BenchmarkResult, median, type QualityResult, type Size } from "./measured";
 
 const MAX_ROUNDS = 5;
 const MIN_ROUNDS = 3;
@@ -25,30 +24,6 @@ const MAX_DRAWS = 16;
 const MAX_PIXELS = 1280 * 720;
 /** Side of the large size divided by that of the small one, for the time model. */
 const SIZE_RATIO = 4;
-
-type Size = [width: number, height: number];
-
-export interface QualityResult {
-  point: Point;
-  errors: Errors;
-  /** Linear light at the reference's size. */
-  picture: Picture;
-  /** ms of each round. */
-  rounds: number[];
-  /** The same at the small size. */
-  small: number[];
-  /** Time of each pass, ms. */
-  passes: { name: string; time: number }[];
-}
-
-export interface BenchmarkResult {
-  measured: QualityResult[];
-  /** Qualities that this GPU does not support. */
-  unsupported: { point: Point; reason: string }[];
-  sizes: { large: Size; small: Size };
-  byGpu: boolean;
-  rounds: number;
-}
 
 export interface BenchmarkInput {
   preset: Preset;

@@ -1,8 +1,6 @@
 /** The best quality for a time budget at the window's size, and the benefit of each quality setting. */
 import { get } from "../../scene/json";
-import type { BenchmarkResult } from "./benchmark";
-import type { Measured } from "./measured";
-import { compare, type Cost, fitModel, formatNumber, median, paretoFront, valueText } from "./statistics";
+import { type BenchmarkResult, compare, type Cost, fitModel, formatNumber, type Measured, median, paretoFront, valueText } from "./measured";
 
 /** A frame at 60 fps, ms. */
 export const DEFAULT_BUDGET = 16;

@@ -1,8 +1,7 @@
 /** What the benchmark's pictures show: qualities of equal time and error, a part of the picture, errors as a heat map. */
 import { paintPixels } from "../../charts/parts";
-import { clip } from "../measure/errors";
-import { type Picture, srgb } from "../measure/picture";
-import type { Cost } from "../measure/statistics";
+import { clip, type Picture, srgb } from "../measure/errors";
+import type { Cost } from "../measure/measured";
 
 /** `high`: third quartile of the time, ms. */
 type Timed = Cost & { high: number };

@@ -6,7 +6,7 @@ import type { FramePlan } from "../../generated/api";
 import { labelOf } from "../../panel/model";
 import { qualityTitle } from "../../selection/selection";
 import { button, dropDown, element, fillSelect } from "../dom";
-import { drawerHead, slide } from "../drawer";
+import { drawerHead, slide } from "../overlays";
 
 interface SettingsEvents {
   /** null: automatic. */
