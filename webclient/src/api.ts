@@ -61,10 +61,7 @@ export interface TierCost {
   errors: readonly number[];
 }
 
-export interface TierCosts {
-  scales: readonly number[];
-  presets: Readonly<Record<string, readonly TierCost[]>>;
-}
+export interface TierCosts { scales: readonly number[]; presets: Readonly<Record<string, readonly TierCost[]>>; }
 
 /** An error response of the server (RFC 9457), or no response. */
 export class ApiError extends Error {
@@ -189,9 +186,7 @@ export class Api {
   }
 }
 
-function jsonPost(body: object): RequestInit {
-  return { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(body) };
-}
+const jsonPost = (body: object): RequestInit => ({ method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(body) });
 
 /** The error of a problem+json response; of any other, the status. */
 async function apiError(response: Response): Promise<ApiError> {

@@ -4,13 +4,7 @@ import type { Json, JsonObject } from "../scene/json";
 import type { Errors } from "./measure/errors";
 
 /** One quality setting with its value; all others are those of the standard tier. */
-interface QualityParameter {
-  owner: string;
-  pointer: string;
-  title: string;
-  cause: string;
-  value: Json;
-}
+interface QualityParameter { owner: string; pointer: string; title: string; cause: string; value: Json; }
 
 /** A quality to measure. */
 export interface Point {

@@ -12,9 +12,7 @@ export class Clock {
   private isPlaying = false;
   private readonly listeners = new Set<() => void>();
 
-  get playing(): boolean {
-    return this.isPlaying;
-  }
+  get playing(): boolean { return this.isPlaying; }
 
   set playing(playing: boolean) {
     this.isPlaying = playing;

@@ -45,9 +45,7 @@ const clamp = (x: number, low: number, high: number) => Math.min(high, Math.max(
 const wrapAngle = (yaw: number) => yaw - 2 * Math.PI * Math.round(yaw / (2 * Math.PI));
 
 /** Clamps to the scene's range and to the least height. */
-function clampPosition([x, y, z]: Vec3, lowest: number): Vec3 {
-  return [clamp(x, -1e7, 1e7), clamp(y, lowest, MAX_HEIGHT), clamp(z, -1e7, 1e7)];
-}
+const clampPosition = ([x, y, z]: Vec3, lowest: number): Vec3 => [clamp(x, -1e7, 1e7), clamp(y, lowest, MAX_HEIGHT), clamp(z, -1e7, 1e7)];
 
 /** Rotates about the eye. */
 export function look(camera: CameraState, yaw: number, pitch: number): CameraState {
@@ -93,6 +91,4 @@ export function zoom(camera: CameraState, factor: number, lowest: number): Camer
   return move(camera, 0, 0, distance * (1 - factor), lowest);
 }
 
-export function scaleFov(camera: CameraState, factor: number): CameraState {
-  return { ...camera, fov: clamp(camera.fov * factor, FOV[0], FOV[1]) };
-}
+export const scaleFov = (camera: CameraState, factor: number): CameraState => ({ ...camera, fov: clamp(camera.fov * factor, FOV[0], FOV[1]) });

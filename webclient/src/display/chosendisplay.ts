@@ -61,9 +61,7 @@ export class ChosenDisplay {
     return this.chosen === "browser" && this.browser !== null ? this.browser : this.server;
   }
 
-  get source(): FrameSource {
-    return this.meanwhile ? "server" : this.chosen;
-  }
+  get source(): FrameSource { return this.meanwhile ? "server" : this.chosen; }
 
   /** Settles when it is known who draws the first picture: one that moves is the server's where this browser is slow. */
   async decide(moving: boolean): Promise<void> {
@@ -97,9 +95,7 @@ export class ChosenDisplay {
   }
 
   /** This browser's canvas, if it draws. */
-  get viewport(): Viewport | null {
-    return this.chosen === "browser" ? this.browser : null;
-  }
+  get viewport(): Viewport | null { return this.chosen === "browser" ? this.browser : null; }
 
   /** The picture is out of date. */
   invalidate(): void {
@@ -107,18 +103,12 @@ export class ChosenDisplay {
     if (this.meanwhile) this.server.dirty = true;
   }
 
-  get blank(): boolean {
-    return this.current.blank && this.server.blank;
-  }
+  get blank(): boolean { return this.current.blank && this.server.blank; }
 
-  get presentable(): boolean {
-    return (this.current.presentable && !this.leaves) || this.bridged;
-  }
+  get presentable(): boolean { return (this.current.presentable && !this.leaves) || this.bridged; }
 
   /** Whether the server's picture stands while this browser compiles. */
-  get bridged(): boolean {
-    return this.meanwhile && this.server.presentable;
-  }
+  get bridged(): boolean { return this.meanwhile && this.server.presentable; }
 
   setFixedScale(scale: number | null): void {
     this.browser?.setFixedScale(scale);

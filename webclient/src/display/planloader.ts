@@ -51,9 +51,7 @@ export class PlanLoader {
   constructor(private readonly api: Api, private readonly textures: TextureParts, private readonly events: PlanLoaderEvents) {}
 
   /** Whether the picture is not exact yet. */
-  get rough(): boolean {
-    return this.loaded?.executor?.rough === true;
-  }
+  get rough(): boolean { return this.loaded?.executor?.rough === true; }
 
   /** Settles when the picture is exact; rejects if what that takes could not be loaded. */
   exact(): Promise<void> {
@@ -66,9 +64,7 @@ export class PlanLoader {
     return loaded ?? (requested && { scene: requested.scene, request: requested });
   }
 
-  get plan(): FramePlan | null {
-    return this.loaded?.plan ?? null;
-  }
+  get plan(): FramePlan | null { return this.loaded?.plan ?? null; }
 
   /** Shows a scene: at once if the loaded plan covers it, else when a new plan is compiled. */
   show(request: PlanRequest, delay = DEBOUNCE): void {

@@ -48,17 +48,13 @@ export class DynamicResolution {
   }
 
   /** To draw the next frame at. */
-  get scale(): number {
-    return this.value;
-  }
+  get scale(): number { return this.value; }
 
   /** Smallest step of the clock that was seen, ms. */
   private get step(): number { return this.quantum === Infinity ? 0 : this.quantum; }
 
   /** Frames that may be pending: two keep a GPU busy; where one takes longer than the display, a second only waits. */
-  get depth(): number {
-    return this.measured !== null && this.measured < this.displayInterval ? 2 : 1;
-  }
+  get depth(): number { return this.measured !== null && this.measured < this.displayInterval ? 2 : 1; }
 
   /** The fitted cost; null before the first window. */
   get cost(): FrameCost | null {

@@ -108,13 +108,7 @@ const SETTLED_WINDOWS = 3;
 /** Over the canvas, which takes the pointer. */
 const COVER = "pointer-events-none fixed inset-0 size-full";
 
-interface RequestedFrame {
-  number: number;
-  submitted: number;
-  scale: number;
-  moving: boolean;
-  tier: string | null;
-}
+interface RequestedFrame { number: number; submitted: number; scale: number; moving: boolean; tier: string | null; }
 
 export class ServerView implements Display {
   readonly gpu = null;
@@ -159,13 +153,9 @@ export class ServerView implements Display {
     window.addEventListener("pagehide", () => this.close());
   }
 
-  get blank(): boolean {
-    return this.root.childElementCount === 0;
-  }
+  get blank(): boolean { return this.root.childElementCount === 0; }
 
-  get presentable(): boolean {
-    return !this.blank;
-  }
+  get presentable(): boolean { return !this.blank; }
 
   get atRest(): boolean {
     return !this.dirty && this.pending.length === 0 && !this.blank && this.scale >= (this.fixed ?? 1);
@@ -269,9 +259,7 @@ export class ServerView implements Display {
     return cost === null ? scale : Math.min(scale, Math.max(TURNING.least, bestScale(cost, displayInterval, TURNING.budget)));
   }
 
-  private get views(): PlanView[] {
-    return this.loaders.flatMap(({ view }) => view ?? []);
-  }
+  private get views(): PlanView[] { return this.loaders.flatMap(({ view }) => view ?? []); }
 
   private requests(view: ViewState, scale: number): FrameRequest[] {
     const request = ({ scene, request: { quality } }: PlanView) => ({ preset: null, scene, quality, ...this.frame(view, scale) });

@@ -89,13 +89,9 @@ export class Viewport implements Display {
     document.addEventListener("visibilitychange", () => this.resolution.pause());
   }
 
-  get blank(): boolean {
-    return this.loaders[0].loaded === null;
-  }
+  get blank(): boolean { return this.loaders[0].loaded === null; }
 
-  get presentable(): boolean {
-    return this.revealed && this.finished?.onCanvas === true && this.good;
-  }
+  get presentable(): boolean { return this.revealed && this.finished?.onCanvas === true && this.good; }
 
   /** Whether frames are good enough to be seen, or get no better. */
   private get good(): boolean {
@@ -108,9 +104,7 @@ export class Viewport implements Display {
   }
 
   /** Whether the canvas is up to date at its final scale and the GPU is idle. */
-  get atRest(): boolean {
-    return this.sharpest && this.finished?.onCanvas === true;
-  }
+  get atRest(): boolean { return this.sharpest && this.finished?.onCanvas === true; }
 
   setFixedScale(scale: number | null): void {
     if (scale === this.fixed) return;

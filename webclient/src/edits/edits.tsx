@@ -16,13 +16,9 @@ export class EditHistory {
   private future: JsonObject[] = [];
   private last = { step: "", at: -Infinity };
 
-  get canUndo(): boolean {
-    return this.past.length > 0;
-  }
+  get canUndo(): boolean { return this.past.length > 0; }
 
-  get canRedo(): boolean {
-    return this.future.length > 0;
-  }
+  get canRedo(): boolean { return this.future.length > 0; }
 
   /**
    * Notes an edit; `now`: ms. `gesture`: the pointer gesture that made it. A gesture is one step, however long it takes;

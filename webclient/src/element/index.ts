@@ -39,14 +39,10 @@ class SeafoamWater extends HTMLElement {
   }
 
   /** Time of the picture, s. */
-  get currentTime(): number {
-    return this.player?.time ?? this.startTime ?? 0;
-  }
+  get currentTime(): number { return this.player?.time ?? this.startTime ?? 0; }
 
   /** Frames that were drawn; 0 while a still of the server is shown. */
-  get frames(): number {
-    return this.player?.frames ?? 0;
-  }
+  get frames(): number { return this.player?.frames ?? 0; }
 
   private get startTime(): number | null {
     const text = this.getAttribute("time");

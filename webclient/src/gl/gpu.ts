@@ -18,9 +18,7 @@ export class Pool<V> {
   /** `spare`: number of unused resources kept. */
   constructor(private readonly destroy: (value: V) => void, private readonly spare: number) {}
 
-  get size(): number {
-    return this.entries.size;
-  }
+  get size(): number { return this.entries.size; }
 
   acquire(key: string, make: () => V): Lease<V> {
     const entry = this.entries.get(key) ?? { value: make(), users: 0 };
@@ -91,6 +89,4 @@ export function openContext(canvas: HTMLCanvasElement): WebGL2RenderingContext {
   return gl;
 }
 
-export function openGpu(gl: WebGL2RenderingContext, hidden: ReadonlySet<string>): Gpu {
-  return new Gpu(gl, detect(gl, hidden));
-}
+export const openGpu = (gl: WebGL2RenderingContext, hidden: ReadonlySet<string>): Gpu => new Gpu(gl, detect(gl, hidden));

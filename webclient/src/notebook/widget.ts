@@ -146,21 +146,13 @@ class WaterView {
     this.root.replaceChildren();
   }
 
-  private get scene(): JsonObject {
-    return this.model.get("scene") as JsonObject;
-  }
+  private get scene(): JsonObject { return this.model.get("scene") as JsonObject; }
 
-  private get camera(): CameraState {
-    return this.model.get("camera") as CameraState;
-  }
+  private get camera(): CameraState { return this.model.get("camera") as CameraState; }
 
-  private get time(): number {
-    return this.model.get("time") as number;
-  }
+  private get time(): number { return this.model.get("time") as number; }
 
-  private get playing(): boolean {
-    return this.model.get("playing") === true && !this.reducedMotion;
-  }
+  private get playing(): boolean { return this.model.get("playing") === true && !this.reducedMotion; }
 
   private tell(name: string, value: unknown): void {
     this.model.set(name, value);

@@ -205,9 +205,7 @@ function describe(binding: BindingApi, label: string, hint: string): void {
 }
 
 /** A number of the scene as its control shows it. */
-export function toDisplayed(control: NumberControl, value: number): number {
-  return control.angle ? Number((value * DEGREES).toFixed(3)) : value;
-}
+export const toDisplayed = (control: NumberControl, value: number): number => (control.angle ? Number((value * DEGREES).toFixed(3)) : value);
 
 /** Of the scene: rounded to the control's step and clamped to the schema's range. */
 export function fromDisplayed(control: NumberControl, value: number): number {

@@ -41,13 +41,7 @@ export interface Frame {
   scene: Json | null;
 }
 
-interface BoundPass {
-  pass: Pass;
-  index: number;
-  program: Program;
-  mesh: Mesh;
-  bindings: Bindings;
-}
+interface BoundPass { pass: Pass; index: number; program: Program; mesh: Mesh; bindings: Bindings; }
 
 export class Executor {
   /** Settles when the programs that the first camera did not need are compiled. */

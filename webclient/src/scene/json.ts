@@ -3,9 +3,7 @@
 export type Json = null | boolean | number | string | Json[] | JsonObject;
 export interface JsonObject { [key: string]: Json; }
 
-export function isObject(value: Json | undefined): value is JsonObject {
-  return typeof value === "object" && value !== null && !Array.isArray(value);
-}
+export const isObject = (value: Json | undefined): value is JsonObject => typeof value === "object" && value !== null && !Array.isArray(value);
 
 /** The steps of a JSON pointer (RFC 6901). */
 export function steps(pointer: string): string[] {
@@ -13,9 +11,7 @@ export function steps(pointer: string): string[] {
   return pointer.slice(1).split("/").map((step) => step.replaceAll("~1", "/").replaceAll("~0", "~"));
 }
 
-export function child(pointer: string, step: string | number): string {
-  return `${pointer}/${String(step).replaceAll("~", "~0").replaceAll("/", "~1")}`;
-}
+export const child = (pointer: string, step: string | number): string => `${pointer}/${String(step).replaceAll("~", "~0").replaceAll("/", "~1")}`;
 
 /** The value that a pointer names, or undefined. */
 export function get(root: Json, pointer: string): Json | undefined {
@@ -73,6 +69,4 @@ export function diff(from: Json | undefined, to: Json | undefined, pointer = "")
   return [[pointer, to]];
 }
 
-export function apply(root: Json, changes: readonly Change[]): Json {
-  return changes.reduce((value, [pointer, to]) => withValue(value, pointer, to), root);
-}
+export const apply = (root: Json, changes: readonly Change[]): Json => changes.reduce((value, [pointer, to]) => withValue(value, pointer, to), root);

@@ -57,9 +57,7 @@ export class Store {
 
   constructor(private selection: Selection) {}
 
-  get now(): Selection {
-    return this.selection;
-  }
+  get now(): Selection { return this.selection; }
 
   /** `gesture`: names the pointer gesture that makes the change; all its changes are one step of undo. */
   set(change: Partial<Selection>, gesture?: string): void {

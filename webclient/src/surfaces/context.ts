@@ -52,14 +52,10 @@ export class PageContext {
   }
 
   /** Plan of the picture, or of its left part; null until loaded. */
-  get plan(): FramePlan | null {
-    return this.loaders[0].plan;
-  }
+  get plan(): FramePlan | null { return this.loaders[0].plan; }
 
   /** What draws the plan; null until loaded, and where the server draws. */
-  get executor(): Executor | null {
-    return this.loaders[0].loaded?.executor ?? null;
-  }
+  get executor(): Executor | null { return this.loaders[0].loaded?.executor ?? null; }
 
   /** The current view in a size; by default the window's. */
   view({ width, height }: { width: number; height: number } = this.display.current.canvas.getBoundingClientRect()): RecipeParts {

@@ -60,9 +60,7 @@ export class TouchTool implements PointerTool {
   }
 
   /** Whether the main pointer touches the water; else it moves the camera. */
-  get on(): boolean {
-    return this.controls.tool === this;
-  }
+  get on(): boolean { return this.controls.tool === this; }
 
   toggle(on = !this.on): void {
     this.controls.tool = on ? this : null;

@@ -72,9 +72,7 @@ export function train(last: Touch, to: WaterPlace): WaterPlace[] {
 }
 
 /** The list with more touches at its end; the oldest make room. */
-export function appended(touches: readonly Touch[], more: readonly Touch[]): Touch[] {
-  return [...touches, ...more].slice(-TOUCHES_MOST);
-}
+export const appended = (touches: readonly Touch[], more: readonly Touch[]): Touch[] => [...touches, ...more].slice(-TOUCHES_MOST);
 
 /** A scene's changes, its touches apart from the others; null touches: as in the preset. */
 export function withoutTouches(changes: readonly Change[], scene: JsonObject): { changes: Change[]; touches: Touch[] | null } {
@@ -94,9 +92,7 @@ function fromJson(entry: Json): Touch | null {
   return numbers.length === 4 && numbers.every((n) => typeof n === "number") ? fromNumbers(numbers) : null;
 }
 
-export function toJson(touches: readonly Touch[]): Json {
-  return touches.map(({ x, z, time, strength }) => ({ place: [x, z], time, strength }));
-}
+export const toJson = (touches: readonly Touch[]): Json => touches.map(({ x, z, time, strength }) => ({ place: [x, z], time, strength }));
 
 const fromNumbers = ([x = 0, z = 0, time = 0, strength = 0]: readonly number[]): Touch => ({ x, z, time, strength });
 

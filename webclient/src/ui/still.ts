@@ -19,9 +19,7 @@ export class StillImage {
   /** `image`: shown already if the link is to a preset's start, see index.html. */
   constructor(private readonly image: HTMLImageElement) {}
 
-  get shown(): boolean {
-    return !this.image.hidden;
-  }
+  get shown(): boolean { return !this.image.hidden; }
 
   /** Resolves when the still is on the screen, at the latest after a timeout: starting WebGL blocks the page for a while. */
   async whenPainted(): Promise<void> {

@@ -35,9 +35,7 @@ export interface BenchmarkInput {
 }
 
 /** The quality of a plan request for a point: its tier, or its difference from the standard quality. */
-export function qualityRequest(point: Point, standard: Point): Json {
-  return point.tier ?? apply({}, diff(standard.quality, point.quality));
-}
+export const qualityRequest = (point: Point, standard: Point): Json => point.tier ?? apply({}, diff(standard.quality, point.quality));
 
 interface Entry {
   executor: Executor;
@@ -229,9 +227,7 @@ export class QualityBenchmark {
 
 const minTime = ({ byGpu }: DrawTimer) => (byGpu ? MIN_TIME.gpu : MIN_TIME.wall);
 
-function smallSize([width, height]: Size): Size {
-  return [Math.max(1, Math.round(width / SIZE_RATIO)), Math.max(1, Math.round(height / SIZE_RATIO))];
-}
+const smallSize = ([width, height]: Size): Size => [Math.max(1, Math.round(width / SIZE_RATIO)), Math.max(1, Math.round(height / SIZE_RATIO))];
 
 /** Lets the page draw and handle input. */
 const nextFrame = (): Promise<void> => new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve, 0)));

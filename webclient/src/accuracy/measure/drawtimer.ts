@@ -32,9 +32,7 @@ export class DrawTimer {
     this.extension = timerExtension(gpu.gl, gpu.capabilities);
   }
 
-  get byGpu(): boolean {
-    return this.extension !== null;
-  }
+  get byGpu(): boolean { return this.extension !== null; }
 
   /** Milliseconds of one run of each draw. */
   async time(draws: readonly TimedDraw[]): Promise<number[]> {

@@ -118,9 +118,7 @@ const gaussian = (x: number) => Math.exp((-x * x) / (2 * FEATURE_DEVIATION ** 2)
 const edgeKernel = () => balanced(kernel(FEATURE_RADIUS, (x) => -x * gaussian(x)));
 const pointKernel = () => balanced(kernel(FEATURE_RADIUS, (x) => ((x / FEATURE_DEVIATION) ** 2 - 1) * gaussian(x)));
 
-function kernel(radius: number, value: (x: number) => number): Plane {
-  return Float64Array.from({ length: 2 * radius + 1 }, (_, i) => value(i - radius));
-}
+const kernel = (radius: number, value: (x: number) => number): Plane => Float64Array.from({ length: 2 * radius + 1 }, (_, i) => value(i - radius));
 
 /** Positive taps sum to 1, negative ones to −1. */
 function balanced(taps: Plane): Plane {

@@ -80,9 +80,7 @@ export function formatSigned(value: number): string {
 }
 
 /** "4.3×"; close to 1 with one digit more. */
-export function formatFactor(factor: number): string {
-  return `${factor.toFixed(factor >= 9.95 ? 0 : factor >= 1.1 ? 1 : 2)}×`;
-}
+export const formatFactor = (factor: number): string => `${factor.toFixed(factor >= 9.95 ? 0 : factor >= 1.1 ? 1 : 2)}×`;
 
 /** The value of a setting. */
 export const valueText = (value: Json) => (typeof value === "string" ? value : JSON.stringify(value));
@@ -161,9 +159,7 @@ export interface ExportedRun {
   rows: readonly Row[];
 }
 
-export function rowsOf(measured: readonly Measured[], machine: string): Row[] {
-  return ranked(measured, "rmse").map((one) => ({ ...one, machine }));
-}
+export const rowsOf = (measured: readonly Measured[], machine: string): Row[] => ranked(measured, "rmse").map((one) => ({ ...one, machine }));
 
 const HEADER = [
   ...["machine", "id", "label", "tier", "parameter", "value", "on_front"],

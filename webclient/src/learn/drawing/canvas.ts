@@ -32,9 +32,7 @@ export const BLEND = Uint32Array.from({ length: 256 }, (_, i) => {
 export const GREYS = Uint32Array.from({ length: 256 }, (_, i) => (255 << 24) | (i << 16) | (i << 8) | i);
 
 /** The word of a colour scale at a share of it. */
-export function shade(scale: Uint32Array, share: number): number {
-  return scale[Math.min(255, Math.max(0, Math.round(255 * share)))] ?? 0;
-}
+export const shade = (scale: Uint32Array, share: number): number => scale[Math.min(255, Math.max(0, Math.round(255 * share)))] ?? 0;
 
 function context2d(canvas: HTMLCanvasElement): CanvasRenderingContext2D {
   const context = canvas.getContext("2d");

@@ -65,9 +65,7 @@ async function fetchMask(api: Api, name: string): Promise<Mask> {
 }
 
 /** Thresholds of 16-bit values: the middle of the interval that each stands for. */
-export function thresholds(words: Uint16Array): Float32Array {
-  return Float32Array.from(words, (word) => (word + 0.5) / 65536);
-}
+export const thresholds = (words: Uint16Array): Float32Array => Float32Array.from(words, (word) => (word + 0.5) / 65536);
 
 /** PCG-RXS-M-XS 32 (O'Neill 2014), as in the shaders. */
 function pcg(word: number): number {

@@ -35,9 +35,7 @@ export const period = (wavelength: number) => Math.sqrt((TURN * wavelength) / GR
 export const height = (theta: number, exponent: number) => ((Math.sin(theta) + 1) / 2) ** exponent;
 
 /** Saturation by height (Kryachko 2005), in [0, 4]. */
-export function heightSaturation(height: number, base: number, full: number): number {
-  return Math.min(Math.max((height - base) / (full - base), 0), CAP);
-}
+export const heightSaturation = (height: number, base: number, full: number): number => Math.min(Math.max((height - base) / (full - base), 0), CAP);
 
 /** Saturation of a front (Yingst et al. 2011), in [0, 4]; 4 at the pole, which is approached from behind the front. */
 export function frontSaturation(theta: number, { delta, base, intensity }: Front): number {

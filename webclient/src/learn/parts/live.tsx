@@ -43,11 +43,7 @@ export function Slider({ label, value, min, max, step, log = false, unit = "" }:
   );
 }
 
-interface ChoiceProps<T extends string> {
-  label: string;
-  value: Signal<T>;
-  options: readonly (readonly [T, string])[];
-}
+interface ChoiceProps<T extends string> { label: string; value: Signal<T>; options: readonly (readonly [T, string])[]; }
 
 /** Buttons of which one is chosen. */
 export function Choice<T extends string>({ label, value, options }: ChoiceProps<T>) {
@@ -130,12 +126,7 @@ export class Runner {
   private scheduled = false;
   private last = 0;
 
-  constructor(
-    private readonly root: HTMLElement,
-    private readonly api: Api,
-    private readonly make: MakeFigure,
-    private time: number,
-  ) {}
+  constructor(private readonly root: HTMLElement, private readonly api: Api, private readonly make: MakeFigure, private time: number) {}
 
   /** Loads the figure when it is near, and runs it while it is seen. */
   watch(): void {

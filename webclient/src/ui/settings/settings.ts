@@ -80,9 +80,7 @@ export class SettingsPanel {
     this.showFov();
   }
 
-  get open(): boolean {
-    return this.container.classList.contains("open");
-  }
+  get open(): boolean { return this.container.classList.contains("open"); }
 
   toggle(open = !this.open): void {
     slide(this.container, "settings", open);
