@@ -1,7 +1,7 @@
 /** Client of the server's REST API. */
 import type { CameraState } from "./camera/state";
 import type { FramePlan, Texture } from "./generated/api";
-import { isObject, type Json, type JsonObject } from "./scene/json";
+import { isObject, type Json, type JsonObject, parsed } from "./scene/json";
 
 export interface PresetSummary {
   name: string;
@@ -87,22 +87,17 @@ export class Api {
   /** `base`: the server's address; the page's own by default. */
   constructor(private readonly base: string = document.baseURI) {}
 
-  presets(): Promise<PresetSummary[]> {
-    return this.json("api/presets");
-  }
+  readonly presets = (): Promise<PresetSummary[]> => this.json("api/presets");
 
-  preset(name: string): Promise<Preset> {
-    return this.json(`api/presets/${encodeURIComponent(name)}`);
-  }
+  readonly preset = (name: string): Promise<Preset> => this.json(`api/presets/${encodeURIComponent(name)}`);
 
-  schema(): Promise<SceneSchema> {
-    return this.json("api/schema");
-  }
+  readonly schema = (): Promise<SceneSchema> => this.json("api/schema");
+
+  /** A static file, written by `make fronts`. */
+  readonly tierCosts = (): Promise<TierCosts> => this.json("fronts.json");
 
   /** A scene with the default of every absent field; rejects if it cannot be drawn. */
-  completeScene(scene: JsonObject): Promise<JsonObject> {
-    return this.json("api/scenes", jsonPost(scene));
-  }
+  readonly completeScene = (scene: JsonObject): Promise<JsonObject> => this.json("api/scenes", jsonPost(scene));
 
   plan(scene: Json, quality: Json, signal?: AbortSignal): Promise<FramePlan> {
     return this.json("api/plans", { ...jsonPost({ scene, quality }), ...(signal ? { signal } : {}) });
@@ -113,9 +108,7 @@ export class Api {
   }
 
   /** Opens a stream of frames; rejects at once, with status 503, where all are taken. */
-  openStream(scene: Json, quality: Json): Promise<OpenStream> {
-    return this.json("api/streams", jsonPost({ scene, quality }), 1);
-  }
+  readonly openStream = (scene: Json, quality: Json): Promise<OpenStream> => this.json("api/streams", jsonPost({ scene, quality }), 1);
 
   /** Shows another scene or quality; rejects with status 404 if the stream has ended. */
   async changeStream(id: string, scene: Json, quality: Json): Promise<void> {
@@ -137,19 +130,10 @@ export class Api {
   }
 
   /** A picture rendered by the server. */
-  async frame(request: FrameRequest): Promise<Blob> {
-    return (await this.fetch("api/frames", jsonPost(request))).blob();
-  }
+  readonly frame = async (request: FrameRequest): Promise<Blob> => (await this.fetch("api/frames", jsonPost(request))).blob();
 
   /** A zip archive that draws a scene without a server. */
-  async archive(request: FrameRequest): Promise<Blob> {
-    return (await this.fetch("api/export", jsonPost(request))).blob();
-  }
-
-  /** A static file, written by `make fronts`. */
-  tierCosts(): Promise<TierCosts> {
-    return this.json("fronts.json");
-  }
+  readonly archive = async (request: FrameRequest): Promise<Blob> => (await this.fetch("api/export", jsonPost(request))).blob();
 
   /** A texture's bytes; the hash in the address makes them cacheable. */
   readonly texture = async ({ url, sha256 }: Texture, part?: "upper" | "lower"): Promise<ArrayBuffer> =>
@@ -190,13 +174,8 @@ const jsonPost = (body: object): RequestInit => ({ method: "POST", headers: { "C
 
 /** The error of a problem+json response; of any other, the status. */
 async function apiError(response: Response): Promise<ApiError> {
-  const text = await response.text();
-  let body: Json = null;
-  try {
-    body = JSON.parse(text) as Json;
-  } catch {
-    // Not JSON, such as a proxy's error page.
-  }
+  // A proxy's error page is no JSON.
+  const body = parsed(await response.text());
   const problem = isObject(body) ? body : {};
   const stringOf = (value: Json | undefined) => (typeof value === "string" ? value : undefined);
   const message = stringOf(problem["detail"]) ?? stringOf(problem["title"]) ?? `The server returned status ${response.status}.`;

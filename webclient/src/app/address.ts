@@ -62,10 +62,10 @@ export class Address {
     this.timer = window.setTimeout(() => this.write(false), DELAY);
   }
 
-  /** Copies the exact link to the clipboard; rejects if access is denied. */
-  async copy(): Promise<void> {
+  /** Copies the exact link to the clipboard; false if access is denied. */
+  copy(): Promise<boolean> {
     this.write(true);
-    await copyText(location.href);
+    return copyText(location.href);
   }
 
   /** Called with the link when the visitor goes to another address of the page: by hand, back or forward. */

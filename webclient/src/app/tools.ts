@@ -54,12 +54,8 @@ function addToolLink(name: IconName, label: string, href: string): void {
 }
 
 export async function copyLink({ address, toasts }: PageParts): Promise<void> {
-  try {
-    await address.copy();
-    toasts.show("Link copied.");
-  } catch {
-    toasts.show("Clipboard access denied. Copy the link from the address bar.");
-  }
+  const copied = await address.copy();
+  toasts.show(copied ? "Link copied." : "Clipboard access denied. Copy the link from the address bar.");
 }
 
 /** Adds the button and the key F that fill the screen, where the browser can. */

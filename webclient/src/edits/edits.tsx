@@ -130,12 +130,8 @@ export class SceneEdits {
   }
 
   private async copy(): Promise<void> {
-    try {
-      await copyText(JSON.stringify(this.store.now.scene, null, 2));
-      this.events.note("Scene copied as JSON.");
-    } catch {
-      this.events.note("Clipboard access denied.");
-    }
+    const copied = await copyText(JSON.stringify(this.store.now.scene, null, 2));
+    this.events.note(copied ? "Scene copied as JSON." : "Clipboard access denied.");
   }
 
   /** Puts a scene in place once the server has checked and completed it; returns what is wrong with it. */

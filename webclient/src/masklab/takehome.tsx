@@ -90,12 +90,7 @@ export function TakeHome({ choice, loaded: { info, mask }, base }: TakeHomeProps
   const shown = list.find((one) => one.name === name) ?? list[0];
   if (shown === undefined) return null;
   const copy = async () => {
-    try {
-      await copyText(shown.code);
-      setCopied("Copied.");
-    } catch {
-      setCopied("Clipboard access denied. Select the code to copy it.");
-    }
+    setCopied((await copyText(shown.code)) ? "Copied." : "Clipboard access denied. Select the code to copy it.");
   };
   return (
     <section class="take-home pt-5.5" aria-label="Downloads and code">

@@ -5,6 +5,15 @@ export interface JsonObject { [key: string]: Json; }
 
 export const isObject = (value: Json | undefined): value is JsonObject => typeof value === "object" && value !== null && !Array.isArray(value);
 
+/** What a JSON text says; undefined where it is none. */
+export function parsed(text: string): Json | undefined {
+  try {
+    return JSON.parse(text) as Json;
+  } catch {
+    return undefined;
+  }
+}
+
 /** The steps of a JSON pointer (RFC 6901). */
 export function steps(pointer: string): string[] {
   if (pointer === "") return [];

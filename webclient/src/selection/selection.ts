@@ -1,7 +1,7 @@
 /** What the user has selected, with change events: a preset, its edited scene, a quality, and perhaps two values of one field side by side. */
 import type { Choice, Preset } from "../api";
 import type { PlanRequest } from "../display/planloader";
-import { get, type Json, type JsonObject, steps, withValue } from "../scene/json";
+import { get, type Json, type JsonObject, parsed, steps, withValue } from "../scene/json";
 
 export const DEFAULT_TIER = "standard";
 /** The field of a split that compares qualities; all others are pointers into the scene. */
@@ -35,16 +35,8 @@ export function validSplit(scene: JsonObject, split: Split | null): Split | null
   return split && (split.field === QUALITY_FIELD || typeof get(scene, split.field) === "string") ? split : null;
 }
 
-/** Quality for a request. */
-export function parseQuality(text: string): Json {
-  if (!text.startsWith("{")) return text;
-  try {
-    return JSON.parse(text) as Json;
-  } catch {
-    // The server reports the error.
-    return text;
-  }
-}
+/** Quality for a request; the server reports what is no JSON. */
+export const parseQuality = (text: string): Json => (text.startsWith("{") ? (parsed(text) ?? text) : text);
 
 export function qualityTitle(text: string): string {
   return text.startsWith("{") ? text.replace(/[{}"]/g, "").replace(/[:,]/g, "$& ").replaceAll("_", " ") : text;

@@ -2,7 +2,7 @@
 import type { Preset } from "../api";
 import type { CameraState } from "../camera/state";
 import type { FrameSource } from "../display/display";
-import { apply, type Change, isObject, type Json } from "../scene/json";
+import { apply, type Change, isObject, parsed } from "../scene/json";
 import { decodeTouches, encodeTouches, toJson, type Touch, TOUCHES_POINTER } from "../touch/touches";
 import { DEFAULT_TIER, type Selection, type Split, validSplit } from "./selection";
 
@@ -136,14 +136,9 @@ function writeChanges(changes: readonly Change[]): string | null {
 }
 
 function readChanges(text: string): Change[] | null {
-  let parsed: Json;
-  try {
-    parsed = JSON.parse(text) as Json;
-  } catch {
-    return null;
-  }
-  if (!isObject(parsed)) return null;
-  return Object.entries(parsed).map(([key, value]) => (key.startsWith(REMOVED) ? [key.slice(REMOVED.length), undefined] : [key, value]));
+  const changes = parsed(text);
+  if (!isObject(changes)) return null;
+  return Object.entries(changes).map(([key, value]) => (key.startsWith(REMOVED) ? [key.slice(REMOVED.length), undefined] : [key, value]));
 }
 
 function readSplit(text: string): Split | null {

@@ -45,7 +45,7 @@ export function TaskButton({ run, children, failed }: { run: () => Promise<void>
 export function CodeBlock({ label, text, failed }: { label: string; text: string; failed: (error: unknown) => void }) {
   const [copied, setCopied] = useState(false);
   const copy = async () => {
-    await copyText(text);
+    if (!(await copyText(text))) throw new Error("The browser does not copy here. Select the text to copy it.");
     setCopied(true);
     setTimeout(() => setCopied(false), 2000);
   };

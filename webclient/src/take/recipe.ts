@@ -7,7 +7,7 @@
 import { version } from "../../package.json";
 import { cameraFromScene, type CameraState } from "../camera/state";
 import { CAMERA_POINTER } from "../plan/rules";
-import { diff, isObject, type Json, type JsonObject, withValue } from "../scene/json";
+import { diff, isObject, type Json, type JsonObject, parsed, withValue } from "../scene/json";
 import type { Split } from "../selection/selection";
 import type { LinkState } from "../selection/url";
 import { withoutTouches } from "../touch/touches";
@@ -152,16 +152,11 @@ export async function readRecipe(file: Blob): Promise<Recipe> {
   const text = recipeText(new Uint8Array(await file.arrayBuffer()));
   if (text === undefined) throw new RecipeError("This file is not a PNG, WebP or OpenEXR picture.");
   if (text === null) throw new RecipeError("This picture has no recipe. Pictures saved here, or rendered by the server, have one.");
-  let parsed: Json;
-  try {
-    parsed = JSON.parse(text) as Json;
-  } catch {
-    throw new RecipeError("The picture's recipe is damaged.");
-  }
-  return checked(parsed);
+  return checked(parsed(text));
 }
 
-function checked(value: Json): Recipe {
+function checked(value: Json | undefined): Recipe {
+  if (value === undefined) throw new RecipeError("The picture's recipe is damaged.");
   if (!isObject(value) || value["recipe"] !== RECIPE) throw new RecipeError("The picture's recipe is of another version of the program.");
   const { scene, quality, camera, time, preset, split } = value;
   const position = isObject(camera) ? camera["position"] : null;

@@ -65,14 +65,14 @@ export function download(blob: Blob, name: string): void {
   setTimeout(() => URL.revokeObjectURL(url), 10000);
 }
 
-export async function copyText(text: string): Promise<void> {
+/**
+ * Copies text; returns whether it did. A page over plain HTTP, but for localhost, has no `navigator.clipboard`, and an embedded one may
+ * not use it: there the browser's older command copies a selection.
+ */
+export async function copyText(text: string): Promise<boolean> {
   // Absent on such pages, whatever the types say.
   const { clipboard } = navigator as { clipboard?: Clipboard };
-  const written = await clipboard?.writeText(text).then(
-    () => true,
-    () => false,
-  );
-  if (written) return;
+  if (await clipboard?.writeText(text).then(() => true, () => false)) return true;
   const focused = document.activeElement;
   const area = document.createElement("textarea");
   area.value = text;
@@ -85,5 +85,5 @@ export async function copyText(text: string): Promise<void> {
   const copied = document.execCommand("copy");
   area.remove();
   if (focused instanceof HTMLElement) focused.focus();
-  if (!copied) throw new Error("The browser does not copy here. Select the text to copy it.");
+  return copied;
 }
