@@ -180,10 +180,7 @@ function Downloads({ session, run }: { session: Session; run: BenchmarkRun }) {
     const rows = [...rowsOf(run.result.measured.map(measuredHere), `this machine: ${renderer}`), ...server];
     return { preset: run.input.preset.name, width, height, method: methodNote(run, renderer), rows };
   };
-  const formats = [
-    { name: "csv", type: "text/csv", text: toCsv },
-    { name: "json", type: "application/json", text: toJson },
-  ];
+  const formats = [{ name: "csv", type: "text/csv", text: toCsv }, { name: "json", type: "application/json", text: toJson }];
   return (
     <div class="grid grid-cols-2 gap-2 border-t border-line pt-2.5 pb-1">
       {formats.map(({ name, type, text }) => (

@@ -20,11 +20,7 @@ export function basis({ yaw, pitch, roll }: CameraState): Record<"right" | "up" 
   const up: Vec3 = [-sy * sp, cp, cy * sp];
   const [cr, sr] = [Math.cos(roll), Math.sin(roll)];
   const mix = (a: Vec3, p: number, b: Vec3, q: number): Vec3 => [a[0] * p + b[0] * q, a[1] * p + b[1] * q, a[2] * p + b[2] * q];
-  return {
-    right: mix(right, cr, up, sr),
-    up: mix(up, cr, right, -sr),
-    forward: [sy * cp, sp, -cy * cp],
-  };
+  return { right: mix(right, cr, up, sr), up: mix(up, cr, right, -sr), forward: [sy * cp, sp, -cy * cp] };
 }
 
 /** The camera of a scene; the server fills in every field. */

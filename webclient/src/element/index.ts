@@ -151,10 +151,7 @@ async function reason(error: unknown, base: string): Promise<string> {
   const server = new URL(base).origin;
   if (error.status === 0 && server !== location.origin) {
     // What it answers cannot be read, but whether it answers can be told.
-    const answers = await fetch(base, { mode: "no-cors" }).then(
-      () => true,
-      () => false,
-    );
+    const answers = await fetch(base, { mode: "no-cors" }).then(() => true, () => false);
     if (answers) return `${server} does not allow pages of ${location.origin} to read its data. Its operator allows them with SEAFOAM_CORS_ORIGINS=${location.origin}.`;
   }
   return error.message + error.details.map((detail) => `: ${detail}`).join("");

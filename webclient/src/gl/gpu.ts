@@ -77,15 +77,8 @@ export class Gpu {
 
 /** Throws a `CapabilityError` without WebGL 2. */
 export function openContext(canvas: HTMLCanvasElement): WebGL2RenderingContext {
-  const gl = canvas.getContext("webgl2", {
-    alpha: false,
-    antialias: false,
-    depth: false,
-    powerPreference: "high-performance",
-  });
-  if (gl === null) {
-    throw new CapabilityError("WebGL 2 is not available or is disabled in this browser.");
-  }
+  const gl = canvas.getContext("webgl2", { alpha: false, antialias: false, depth: false, powerPreference: "high-performance" });
+  if (gl === null) throw new CapabilityError("WebGL 2 is not available or is disabled in this browser.");
   return gl;
 }
 

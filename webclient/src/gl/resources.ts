@@ -31,9 +31,7 @@ export function makeTexture(gl: WebGL2RenderingContext, spec: TextureSpec, data:
     gl.texSubImage2D(gl.TEXTURE_2D, level, 0, 0, width, height, gl[format], gl[type], values);
     offset += values.byteLength;
   }
-  if (offset !== data.byteLength) {
-    throw new RangeError(`Texture ${spec.url} has ${data.byteLength} bytes; expected ${offset}.`);
-  }
+  if (offset !== data.byteLength) throw new RangeError(`Texture ${spec.url} has ${data.byteLength} bytes; expected ${offset}.`);
   sampling(gl, spec.filter, spec.wrap, spec.levels);
   return texture;
 }

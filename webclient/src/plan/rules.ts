@@ -122,9 +122,7 @@ export function liveRule(rule: Rule, scene: Json | null): Rule {
   const value = get(scene, rule.field);
   if (value === undefined && rule.absent) return { ...rule, value: rule.absent };
   const numbers = Array.isArray(value) ? value : [value];
-  return numbers.length === rule.value.length && numbers.every((n) => typeof n === "number")
-    ? { ...rule, value: numbers }
-    : rule;
+  return numbers.length === rule.value.length && numbers.every((n) => typeof n === "number") ? { ...rule, value: numbers } : rule;
 }
 
 /** The sum of the terms in their order, as the server adds them; null where the scene lacks one of their fields. */

@@ -62,10 +62,7 @@ function inView(view: Pass["view"], top: number, camera: CameraState, width: num
   if (view === "any") return true;
   const { right, up, forward } = basis(camera);
   const tangent = Math.tan(camera.fov / 2);
-  const sides = [
-    [right, (tangent * width) / height],
-    [up, tangent],
-  ] as const;
+  const sides = [[right, (tangent * width) / height], [up, tangent]] as const;
   if (typeof view !== "string") return view.some((sphere) => intersectsFrustum(sphere, camera, forward, sides));
   if (camera.position[1] < top) return true;
   const spread = sides.reduce((sum, [axis, slope]) => sum + slope * Math.abs(axis[1]), 0);

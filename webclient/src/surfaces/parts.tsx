@@ -34,9 +34,7 @@ export function TaskButton({ run, children, failed }: { run: () => Promise<void>
   const [running, setRunning] = useState(false);
   const start = () => {
     setRunning(true);
-    run()
-      .catch(failed)
-      .finally(() => setRunning(false));
+    run().catch(failed).finally(() => setRunning(false));
   };
   return <button type="button" class="pill" disabled={running} aria-busy={running} onClick={start}>{children}</button>;
 }
