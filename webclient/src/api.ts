@@ -28,14 +28,11 @@ export interface FrameRequest {
   scene: Json;
   quality: Json;
   camera: CameraState;
-  /** s */
-  time: number;
+  time: number; // s
   width: number;
   height: number;
-  /** Preset that the scene began from. */
-  preset: string | null;
-  /** Dithers 8 bits from 16; the server's default. The page's own pictures are rounded. */
-  dither?: boolean;
+  preset: string | null; // Preset that the scene began from
+  dither?: boolean; // Dithers 8 bits from 16; the server's default. The page's own pictures are rounded.
 }
 
 /** A frame of a stream. */
@@ -43,8 +40,7 @@ export type StreamView = Pick<FrameRequest, "camera" | "time" | "width" | "heigh
 
 interface OpenStream {
   id: string;
-  /** Time without a request after which it ends, s. */
-  lease: number;
+  lease: number; // Time without a request after which it ends, s
 }
 
 /** An option of a list. */
@@ -53,12 +49,9 @@ export interface Choice { name: string; title: string; }
 /** Cost and error of one tier, as `make fronts` measured them. */
 export interface TierCost {
   tier: string;
-  /** ms a frame at any size, on the measuring machine. */
-  fixed: number;
-  /** ms a megapixel. */
-  pixels: number;
-  /** RMSE at each of the scales, largest scale first, levels of 255. */
-  errors: readonly number[];
+  fixed: number; // ms a frame at any size, on the measuring machine
+  pixels: number; // ms a megapixel
+  errors: readonly number[]; // RMSE at each of the scales, largest scale first, levels of 255
 }
 
 export interface TierCosts { scales: readonly number[]; presets: Readonly<Record<string, readonly TierCost[]>>; }

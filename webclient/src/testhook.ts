@@ -12,23 +12,19 @@ interface RenderOptions {
   time: number;
   width: number;
   height: number;
-  /** The preset's by default; required with a plan. */
-  camera?: CameraState;
-  /** Tier, for a preset. */
-  quality?: string;
+  camera?: CameraState; // The preset's by default; required with a plan
+  quality?: string; // Tier, for a preset
 }
 
 interface Rendered {
-  /** RGBA8, rows from the top, base64. */
-  pixels: string;
+  pixels: string; // RGBA8, rows from the top, base64
   glError: number;
   /** SHA-256 of the sources that the driver holds. */
   sources: Record<string, { vertex: string; fragment: string }>;
 }
 
 interface TestHook {
-  /** Resolves with the first frame; rejects if none can be drawn. */
-  ready: Promise<void>;
+  ready: Promise<void>; // Resolves with the first frame; rejects if none can be drawn
   renderer: string;
   render(planOrPreset: FramePlan | string, options: RenderOptions): Promise<Rendered>;
   /** Compiles a plan's programs; returns the errors. */

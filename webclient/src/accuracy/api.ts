@@ -20,10 +20,8 @@ export interface TruthInfo {
   url: string | null;
   width: number;
   height: number;
-  /** s */
-  time: number;
-  /** Per pixel. */
-  samples: number;
+  time: number; // s
+  samples: number; // Per pixel
 }
 
 /** The server's answer while it computes. */

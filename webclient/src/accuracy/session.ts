@@ -15,8 +15,7 @@ import type { Pixel } from "./pictures/pictures";
 export interface BenchmarkRun {
   input: BenchmarkInput;
   result: BenchmarkResult;
-  /** Why it ended early; null if it did not. */
-  stopReason: string | null;
+  stopReason: string | null; // Why it ended early; null if it did not
   seconds: number;
 }
 
@@ -24,20 +23,16 @@ export class Session {
   readonly selection: Signal<Selection>;
   readonly open = signal(false);
   readonly metric = signal<MetricKey>("rmse");
-  /** Pointer of the setting whose curve is emphasised; empty: none. */
-  readonly curve = signal("");
-  /** Id of the quality under the pointer or with focus. */
-  readonly highlighted = signal<string | null>(null);
-  /** What the budget chose; null before one is set. */
-  readonly choice = signal<Choice | null>(null);
+  readonly curve = signal(""); // Pointer of the setting whose curve is emphasised; empty: none
+  readonly highlighted = signal<string | null>(null); // Id of the quality under the pointer or with focus
+  readonly choice = signal<Choice | null>(null); // What the budget chose; null before one is set
   /** The pixel under the loupe; null: where the standard quality is worst. It stays while qualities change. */
   readonly loupe = signal<Pixel | null>(null);
   readonly progress = signal<{ share: number | null; step: string } | null>(null);
   readonly withServer = signal(false);
   readonly serverNote = signal("");
 
-  /** Counts changes of the maps by preset, which are changed in place. */
-  private readonly changes = signal(0);
+  private readonly changes = signal(0); // Counts changes of the maps by preset, which are changed in place
   private readonly runs = new Map<string, BenchmarkRun>();
   private readonly sweeps = new Map<string, Sweep>();
   private readonly failures = new Map<string, string>();

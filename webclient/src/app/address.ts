@@ -12,8 +12,7 @@ import { copyText } from "../ui/dom";
 import type { AccuracyTool } from "./accuracytool";
 import type { Clock } from "./transport";
 
-/** Delay between a change and the update of the address, ms. */
-const DELAY = 400;
+const DELAY = 400; // Delay between a change and the update of the address, ms
 
 /** The link in an address. A preset in the fragment, as links had it once, comes before the path's; so does who draws. */
 export function linkOf({ hash, pathname, search }: Pick<Location, "hash" | "pathname" | "search">): LinkState {
@@ -23,8 +22,7 @@ export function linkOf({ hash, pathname, search }: Pick<Location, "hash" | "path
 
 export class Address {
   private timer = 0;
-  /** The address that the page has read or written last. */
-  private known = location.href;
+  private known = location.href; // The address that the page has read or written last
 
   constructor(
     private readonly store: Store,

@@ -55,15 +55,13 @@ export class App implements PageParts {
   private readonly controls: CameraControls;
   private readonly gallery: Gallery;
   private readonly transport: Transport;
-  /** Sides whose plan is loading, and the preset that does. */
-  private readonly busy = new Set<0 | 1 | "preset">();
+  private readonly busy = new Set<0 | 1 | "preset">(); // Sides whose plan is loading, and the preset that does
   private readonly presetLoader: PresetLoader;
   private lastTick = 0;
   private readonly pilot: QualityPilot;
   /** Whether the selected preset has been drawn: until then its still covers the canvas and time stands. */
   private started = false;
-  /** Whether any preset has been drawn. */
-  private moved = false;
+  private moved = false; // Whether any preset has been drawn
   private readonly ready: Promise<void>;
   private resolveReady: () => void = () => undefined;
   private rejectReady: (error: unknown) => void = () => undefined;

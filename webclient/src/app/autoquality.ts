@@ -9,19 +9,15 @@ interface TierChoice {
   scale: number;
   error: number;
   withinBudget: boolean;
-  /** Predicted on this machine, ms a frame. */
-  time: number;
+  time: number; // Predicted on this machine, ms a frame
 }
 
 /** Another tier is chosen only if its error is smaller by this factor: while its programs compile, slow machines stand still. */
 const MIN_IMPROVEMENT = 0.8;
-/** Or if it errs no more, and its frames take less than this share of the time. */
-const MUCH_FASTER = 0.7;
+const MUCH_FASTER = 0.7; // Or if it errs no more, and its frames take less than this share of the time
 
-/** Below this scale a picture is coarse. */
-const COARSE = 0.4;
-/** Time of a frame, ms, up to which motion is fluent: worth more than a smaller error. */
-const FLUENT = 75;
+const COARSE = 0.4; // Below this scale a picture is coarse
+const FLUENT = 75; // Time of a frame, ms, up to which motion is fluent: worth more than a smaller error
 
 /** What counts against a choice: its error, and by how much its frames are slower than fluent. */
 const badness = ({ error, time }: TierChoice) => error * Math.max(1, time / FLUENT);
@@ -97,12 +93,10 @@ export class AutoQuality {
 /** Switches the selected tier by the measured load. */
 export class QualityPilot {
   private readonly choices = new AutoQuality();
-  /** Undefined until loaded; null if they cannot be. */
-  private costs: TierCosts | null | undefined;
+  private costs: TierCosts | null | undefined; // Undefined until loaded; null if they cannot be
   /** Preset and tier that are drawn; null before the first. */
   private drawn: readonly [string, string] | null = null;
-  /** Those of the server's frames in motion. */
-  private moving: readonly [string, string] | null = null;
+  private moving: readonly [string, string] | null = null; // Those of the server's frames in motion
   private readonly movingChoices = new AutoQuality();
 
   constructor(private readonly api: Api, private readonly store: Store) {}

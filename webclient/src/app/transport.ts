@@ -3,8 +3,7 @@ import type { FrameSource, FrameTiming } from "../display/display";
 import { button, dropDown, element, hasModifier, isTyping } from "../ui/dom";
 import { icon } from "../ui/icons";
 
-/** s: a frame at 4 a second, with time for one that comes late. */
-const LONGEST_GAP = 0.4;
+const LONGEST_GAP = 0.4; // s: a frame at 4 a second, with time for one that comes late
 
 export class Clock {
   time = 0;
@@ -45,11 +44,9 @@ export class Clock {
   }
 }
 
-/** One frame, s: the step of the keys , and . */
-const FRAME = 1 / 60;
+const FRAME = 1 / 60; // One frame, s: the step of the keys , and 
 
-/** Length of the scrubber, s: it covers the current minute, since time is unbounded. */
-const WINDOW = 60;
+const WINDOW = 60; // Length of the scrubber, s: it covers the current minute, since time is unbounded
 /** Drawn by backgrounds, which forced colours take away. */
 const LINE = "pointer-events-none absolute inset-x-[7px] top-[21px] h-0.5 rounded-[1px] forced-colors:bg-[CanvasText] forced-colors:forced-color-adjust-none";
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
@@ -147,18 +144,15 @@ export function frameAfter(time: number, frames: number): number {
   return (start + frames) / 60;
 }
 
-/** Frames a second below which the water falls behind the clock. */
-const SLOW_MOTION = 2.5;
+const SLOW_MOTION = 2.5; // Frames a second below which the water falls behind the clock
 
 interface FrameState extends FrameTiming {
   source: FrameSource;
-  /** Who draws, and why. */
-  why: string;
+  why: string; // Who draws, and why
   stalled: boolean;
   playing: boolean;
   quality: string;
-  /** Whether the page selected the quality. */
-  auto: boolean;
+  auto: boolean; // Whether the page selected the quality
 }
 
 export class FrameStats {

@@ -3,11 +3,9 @@ import { type CameraState, look, move, orbit, pivot, type Pivot, scaleFov, zoom 
 
 export type CameraMode = "orbit" | "fly";
 
-/** rad/s */
-const KEY_TURN_SPEED = 0.9;
+const KEY_TURN_SPEED = 0.9; // rad/s
 const SPRINT_FACTOR = 4;
-/** Time constant of inertia, s. */
-const INERTIA = 0.11;
+const INERTIA = 0.11; // Time constant of inertia, s
 const MIN_SPEED = 1e-4;
 
 /** A touch that begins this near to the left or right edge is the browser's: a swipe back or forward, CSS px. */
@@ -36,18 +34,13 @@ export class CameraControls {
   /** Least heights, m: of an orbit, and of flying or diving. */
   surface = 0.5;
   bottom = 0.5;
-  /** Takes the main pointer; null: it moves the camera. */
-  tool: PointerTool | null = null;
-  /** The pointer that the tool has taken. */
-  private toolPointer: number | null = null;
+  tool: PointerTool | null = null; // Takes the main pointer; null: it moves the camera
+  private toolPointer: number | null = null; // The pointer that the tool has taken
   private readonly keys = new Set<string>();
   private readonly pointers = new Map<number, Point>();
-  /** Pending rotation, rad. */
-  private turning = { yaw: 0, pitch: 0 };
-  /** Relative to the camera's height, per second. */
-  private speed = { right: 0, up: 0, forward: 0 };
-  /** Centre of the current orbit; reset by every other move. */
-  private orbitPivot: Pivot | null = null;
+  private turning = { yaw: 0, pitch: 0 }; // Pending rotation, rad
+  private speed = { right: 0, up: 0, forward: 0 }; // Relative to the camera's height, per second
+  private orbitPivot: Pivot | null = null; // Centre of the current orbit; reset by every other move
   private readonly listeners = new Set<() => void>();
 
   constructor(private readonly element: HTMLElement, camera: CameraState, private readonly smooth: boolean) {

@@ -3,15 +3,11 @@
 export type Vec3 = readonly [number, number, number];
 
 export interface CameraState {
-  /** Eye; y relative to still water. */
-  position: Vec3;
-  /** Heading, from −z toward +x. */
-  yaw: number;
-  /** Elevation of the view. */
-  pitch: number;
+  position: Vec3; // Eye; y relative to still water
+  yaw: number; // Heading, from −z toward +x
+  pitch: number; // Elevation of the view
   roll: number;
-  /** Vertical field of view. */
-  fov: number;
+  fov: number; // Vertical field of view
 }
 
 export function basis({ yaw, pitch, roll }: CameraState): Record<"right" | "up" | "forward", Vec3> {
@@ -30,8 +26,7 @@ export function cameraFromScene(scene: Record<string, unknown>): CameraState {
   return { position: [position[0], position[1], position[2]], yaw, pitch, roll, fov };
 }
 
-/** Less than vertical, where yaw would only roll the picture. */
-const MAX_PITCH = 1.5;
+const MAX_PITCH = 1.5; // Less than vertical, where yaw would only roll the picture
 const MAX_HEIGHT = 1e5;
 const FOV = [0.1, 2.0] as const;
 
@@ -58,8 +53,7 @@ export function move(camera: CameraState, right: number, up: number, forward: nu
 
 export interface Pivot {
   point: Vec3;
-  /** From the eye, m. */
-  distance: number;
+  distance: number; // From the eye, m
 }
 
 /** Centre of an orbit: where the view meets still water, at a limited distance. */

@@ -7,14 +7,11 @@ import { type Axis, linearAxis, logAxis, tickLabels } from "./axis";
 import { Table } from "./parts";
 
 export const INK = { text: "rgb(210 226 234 / 72%)", grid: "rgb(190 220 235 / 9%)", accent: "#f3c795", teal: "#7fc4c0", pale: "rgb(210 226 234 / 50%)" };
-/** Space around the plotted area, px. */
-const MARGIN = { left: 54, right: 14, top: 12, bottom: 40 };
+const MARGIN = { left: 54, right: 14, top: 12, bottom: 40 }; // Space around the plotted area, px
 const FONT = "11px ui-sans-serif, system-ui, sans-serif";
-/** Least distance of tick labels, px. */
-const SPACING = { x: 34, y: 17 };
+const SPACING = { x: 34, y: 17 }; // Least distance of tick labels, px
 
-/** The package's enumeration exists in its types only. */
-const LOGARITHMIC = 3 as unknown as uPlot.Scale.Distr;
+const LOGARITHMIC = 3 as unknown as uPlot.Scale.Distr; // The package's enumeration exists in its types only
 
 export interface Axes { x: Axis; y: Axis; xLabel: string; yLabel: string; }
 
@@ -74,8 +71,7 @@ export interface Line {
   label: string;
   colour: string;
   dashed?: boolean;
-  /** At the chart's places; null and what is not positive is a gap. */
-  values: readonly (number | null)[];
+  values: readonly (number | null)[]; // At the chart's places; null and what is not positive is a gap
 }
 
 interface LineChartProps {
@@ -84,8 +80,7 @@ interface LineChartProps {
   lines: readonly Line[];
   xLabel: string;
   yLabel: string;
-  /** Whether the axis upwards is linear. */
-  linear?: boolean;
+  linear?: boolean; // Whether the axis upwards is linear
 }
 
 const positive = (value: number | null) => (value !== null && value > 0 ? value : null);

@@ -40,8 +40,7 @@ const TABLE =
 interface TableProps {
   heads: readonly string[];
   class?: string;
-  /** Classes of rows and cells. */
-  look?: string;
+  look?: string; // Classes of rows and cells
   label?: string;
   children: ComponentChildren;
 }

@@ -6,14 +6,10 @@ import type { Viewport } from "./viewport";
 
 /** Frames a second, and the scale, below which a picture counts for less: it stutters, or is a smear. */
 const FLUENT = { fps: 8, scale: 0.4 };
-/** Below these it is no moving picture. */
-const LEAST = { fps: 2.5, scale: 0.2 };
-/** The other is taken if it gives more than this multiple. */
-const BETTER = 1.2;
-/** Time after which the one that was left is tried again, ms. */
-const AGAIN = 60_000;
-/** Time that this browser has for its first plan before the server draws meanwhile, ms. */
-const HEAD_START = 1500;
+const LEAST = { fps: 2.5, scale: 0.2 }; // Below these it is no moving picture
+const BETTER = 1.2; // The other is taken if it gives more than this multiple
+const AGAIN = 60_000; // Time after which the one that was left is tried again, ms
+const HEAD_START = 1500; // Time that this browser has for its first plan before the server draws meanwhile, ms
 /** Time after which a browser that seemed slow while the page opened is looked at again, ms. */
 const SECOND_LOOK = 5000;
 /** Time for which this browser's picture may be less than good before the server is tried, ms. */
@@ -29,22 +25,16 @@ export function worth(rate: Rate | null): number {
 const isGood = ({ fps, scale }: Rate) => fps >= FLUENT.fps && scale >= FLUENT.scale;
 
 export class ChosenDisplay {
-  /** Who draws for good; the server may do so meanwhile. */
-  private chosen: FrameSource;
+  private chosen: FrameSource; // Who draws for good; the server may do so meanwhile
   /** Since when this browser compiles its first plan, ms of performance.now(); null while it does not. */
   private waitsSince: number | null = null;
-  /** Whether the server draws until this browser is ready. */
-  private meanwhile = false;
+  private meanwhile = false; // Whether the server draws until this browser is ready
   private rates: Record<FrameSource, Rate | null> = { browser: null, server: null };
-  /** Whether this browser draws slowly, once it is asked. */
-  private slow: Promise<boolean> | null = null;
+  private slow: Promise<boolean> | null = null; // Whether this browser draws slowly, once it is asked
   private lookedAgain = false;
-  /** When the one that does not draw may be tried, ms of performance.now(). */
-  private tryAt = 0;
-  /** When this browser's picture was good, or not yet measured. */
-  private goodAt = 0;
-  /** Who draws, as the user wishes; set by `choose`. */
-  choice: FrameSourceChoice = "auto";
+  private tryAt = 0; // When the one that does not draw may be tried, ms of performance.now()
+  private goodAt = 0; // When this browser's picture was good, or not yet measured
+  choice: FrameSourceChoice = "auto"; // Who draws, as the user wishes; set by `choose`
 
   /** `browser`: null, with the reason, where it cannot draw. */
   constructor(

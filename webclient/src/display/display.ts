@@ -3,8 +3,7 @@ import type { CameraState } from "../camera/state";
 import type { Gpu } from "../gl/gpu";
 import type { RenderLoad } from "./framebudget";
 
-/** Greatest pixels per CSS pixel: more cost time and are not visible. */
-const MAX_PIXEL_RATIO = 2;
+const MAX_PIXEL_RATIO = 2; // Greatest pixels per CSS pixel: more cost time and are not visible
 
 export const pixelRatio = (): number => Math.min(window.devicePixelRatio, MAX_PIXEL_RATIO);
 
@@ -38,8 +37,7 @@ export function onPixelsChange(observed: HTMLElement, changed: () => void): void
 
 /** Times of the frames shown in the last second. */
 export class ShownFrames {
-  /** Since the page opened. */
-  total = 0;
+  total = 0; // Since the page opened
   private readonly recent: number[] = [];
 
   add(): void {
@@ -57,8 +55,7 @@ export class ShownFrames {
 export interface ViewState {
   time: number;
   camera: CameraState;
-  /** Where the right picture begins, as a share of the width; 1 if there is only one. */
-  divider: number;
+  divider: number; // Where the right picture begins, as a share of the width; 1 if there is only one
 }
 
 /** Who draws: this browser, or the server, frame by frame. */
@@ -68,17 +65,13 @@ export type FrameSource = "browser" | "server";
 export type FrameSourceChoice = FrameSource | "auto";
 
 export interface FrameTiming {
-  /** Of a frame, ms; null until measured. */
-  frame: number | null;
-  /** Frames shown in the last second. */
-  fps: number;
+  frame: number | null; // Of a frame, ms; null until measured
+  fps: number; // Frames shown in the last second
   width: number;
   height: number;
   scale: number;
-  /** Frames since the page opened. */
-  frames: number;
-  /** The tier of the picture, if it is not the selection's. */
-  tier: string | null;
+  frames: number; // Frames since the page opened
+  tier: string | null; // The tier of the picture, if it is not the selection's
 }
 
 /** `cost`: of its frames, as a multiple of those of the tier before it. */
@@ -100,20 +93,13 @@ export interface DisplayEvents {
 }
 
 export interface Display {
-  /** Takes the pointer and the keys. */
-  readonly canvas: HTMLCanvasElement;
-  /** What draws, if this browser does; null if the server does. */
-  readonly gpu: Gpu | null;
-  /** Whether the picture is out of date. */
-  dirty: boolean;
-  /** Whether there is no picture yet. */
-  readonly blank: boolean;
-  /** Whether the picture is good enough to take the place of the still. */
-  readonly presentable: boolean;
-  /** Whether the picture is up to date at its final scale. */
-  readonly atRest: boolean;
-  /** The scale set by the user; null: dynamic. */
-  readonly fixed: number | null;
+  readonly canvas: HTMLCanvasElement; // Takes the pointer and the keys
+  readonly gpu: Gpu | null; // What draws, if this browser does; null if the server does
+  dirty: boolean; // Whether the picture is out of date
+  readonly blank: boolean; // Whether there is no picture yet
+  readonly presentable: boolean; // Whether the picture is good enough to take the place of the still
+  readonly atRest: boolean; // Whether the picture is up to date at its final scale
+  readonly fixed: number | null; // The scale set by the user; null: dynamic
   setFixedScale(scale: number | null): void;
   /** Called on every animation frame. `moving`: more frames will follow. */
   tick(now: number, view: ViewState, moving: boolean): void;
@@ -122,8 +108,7 @@ export interface Display {
   rate(): Rate | null;
   /** The load in motion; null if the page is not to adapt the quality to it. */
   load(): RenderLoad | null;
-  /** Why the picture does not move; null if it can. */
-  readonly stalled: string | null;
+  readonly stalled: string | null; // Why the picture does not move; null if it can
   /** Another plan is drawn. `cost`: of its frames, as a multiple of the former plan's. */
   planChanged(cost: number): void;
 }

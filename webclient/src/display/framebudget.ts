@@ -17,14 +17,11 @@ export interface FrameCost { fixed: number; pixels: number; }
 
 /** Measured load of this machine, with the current tier. */
 export interface RenderLoad {
-  /** Null before it is measured. */
-  cost: FrameCost | null;
+  cost: FrameCost | null; // Null before it is measured
   budget: FrameBudget;
   scale: number;
-  /** Time between two pictures of the display, ms. */
-  displayInterval: number;
-  /** At scale 1. */
-  megapixels: number;
+  displayInterval: number; // Time between two pictures of the display, ms
+  megapixels: number; // At scale 1
 }
 
 /** Mean cost of a frame, ms, at a share x of the pixels. */

@@ -8,18 +8,15 @@ import { CAMERA_POINTER, planCovers } from "../plan/rules";
 import type { TextureParts } from "../plan/textureparts";
 import { equal, type Json, withValue } from "../scene/json";
 
-/** Delay before the server is asked, ms: a slider may still move. */
-const DEBOUNCE = 120;
+const DEBOUNCE = 120; // Delay before the server is asked, ms: a slider may still move
 
 export interface PlanRequest { scene: Json; quality: Json; }
 
 interface LoadedPlan {
   plan: FramePlan;
-  /** Null where the server draws. */
-  executor: Executor | null;
+  executor: Executor | null; // Null where the server draws
   request: PlanRequest;
-  /** The latest scene that the plan covers; its live fields are drawn. */
-  scene: Json;
+  scene: Json; // The latest scene that the plan covers; its live fields are drawn
 }
 
 /** What a picture shows. */
@@ -45,8 +42,7 @@ export class PlanLoader {
   loaded: LoadedPlan | null = null;
   private requested: PlanRequest | null = null;
   private abort: AbortController | null = null;
-  /** Settles when what is drawn has exact textures. */
-  private refining: Promise<void> = Promise.resolve();
+  private refining: Promise<void> = Promise.resolve(); // Settles when what is drawn has exact textures
 
   constructor(private readonly api: Api, private readonly textures: TextureParts, private readonly events: PlanLoaderEvents) {}
 

@@ -1,10 +1,8 @@
 /** Dynamic resolution: the scale at which frames keep their budget, from nothing but the times of the frames before. */
 import { allowedAt, bestScale, budgetAt, FITTED, fitted, type FrameBudget, type FrameCost, MIN_SCALE, MOTION_BUDGET, type Sample, SMOOTH } from "./framebudget";
 
-/** Pixels of the first frame of a machine that nobody knows yet. */
-const FIRST_PIXELS = 96 * 54;
-/** Intervals up to this multiple of the display's are the display's rate. */
-const AT_RATE = 1.12;
+const FIRST_PIXELS = 96 * 54; // Pixels of the first frame of a machine that nobody knows yet
+const AT_RATE = 1.12; // Intervals up to this multiple of the display's are the display's rate
 const NO_CEILING = { scale: Infinity, until: 0, pause: 0 };
 /** Frames and time of one decision, which also takes so many steps of the clock: fewer at first. */
 const WINDOW = { leastFrames: 3, leastTime: 80, frames: 12, steps: [3, 6] } as const;
@@ -15,21 +13,16 @@ const STEP_UP = 2.5;
 const PAUSE = { first: 500, usual: 2000, probe: 60_000 };
 /** A single frame of this multiple of its budget is answered at once; right after a change of the scale, of the second. */
 const EMERGENCY = { usual: 1.8, changed: 3 };
-/** First frames of a plan: drivers compile in them. */
-const COMPILING = 2;
-/** Share of the newest window in the mean of those at one scale; less by a coarse clock. */
-const NEWEST = 0.5;
+const COMPILING = 2; // First frames of a plan: drivers compile in them
+const NEWEST = 0.5; // Share of the newest window in the mean of those at one scale; less by a coarse clock
 
 /** ms, of any clock, however coarse. `done`: when it was noticed that the frame is finished. */
 interface FrameTimes { scale: number; submitted: number; done: number; }
 
 export class DynamicResolution {
-  /** Time between two pictures of the display, ms. */
-  displayInterval = 1000 / 60;
-  /** Windows measured with this plan. */
-  windows = 0;
-  /** ms a frame, lately. */
-  measured: number | null = null;
+  displayInterval = 1000 / 60; // Time between two pictures of the display, ms
+  windows = 0; // Windows measured with this plan
+  measured: number | null = null; // ms a frame, lately
   private value: number;
   private samples: Sample[] = [];
   private window = { frames: 0, busy: 0, began: 0 };

@@ -7,18 +7,15 @@ import { bestScale, type FrameBudget, type RenderLoad } from "./framebudget";
 import type { PlanLoader, PlanRequest, PlanView } from "./planloader";
 import { DynamicResolution } from "./resolution";
 
-/** Share of the time without a request after which a stream counts as ended. */
-const MARGIN = 0.9;
+const MARGIN = 0.9; // Share of the time without a request after which a stream counts as ended
 
 export class FrameStream {
   private id: Promise<string> | null = null;
   private shows: PlanRequest | null = null;
-  /** When it ends unless it is asked for a frame, ms of performance.now(). */
-  private ends = Infinity;
+  private ends = Infinity; // When it ends unless it is asked for a frame, ms of performance.now()
   private lease = Infinity;
   private asked = 0;
-  /** The last stream's end: its place is free then. */
-  private closed = Promise.resolve();
+  private closed = Promise.resolve(); // The last stream's end: its place is free then
   private closing = new AbortController();
 
   constructor(private readonly api: Api) {}
@@ -86,27 +83,20 @@ export class FrameStream {
 
 /** Time from frame to frame, ms, by scale: it is the server's, and blocks nothing here. */
 const BUDGET: FrameBudget = [[0.5, 240], [0.52, 62], [0.6, 57], [1, 54]];
-/** Below this scale fewer frames a second are better than fewer pixels. */
-const LEAST_SCALE = 0.4;
+const LEAST_SCALE = 0.4; // Below this scale fewer frames a second are better than fewer pixels
 /** While the camera moves an answer within a quarter of a second is worth more than pixels: a frame that is begun comes first. */
 const TURNING: { budget: FrameBudget; least: number } = { budget: [[1, 120]], least: 0.25 };
-/** Share of the pixels of the first frame: a scale of 0.5. */
-const FIRST_SHARE = 0.25;
-/** Greatest size of a frame, pixels. */
-const MAX_PIXELS = 2_000_000;
-/** Frames that are asked for before the first of them has come. */
-const DEPTH = 2;
+const FIRST_SHARE = 0.25; // Share of the pixels of the first frame: a scale of 0.5
+const MAX_PIXELS = 2_000_000; // Greatest size of a frame, pixels
+const DEPTH = 2; // Frames that are asked for before the first of them has come
 /** While the camera moves, a frame that waits at the server gives way to one of the newest view this often, ms. */
 const NEW_VIEW_INTERVAL = 60;
-/** A picture at rest is sharpened after this long, ms. */
-const SHARPENING_DELAY = 300;
+const SHARPENING_DELAY = 300; // A picture at rest is sharpened after this long, ms
 /** Delay before a failed request is repeated, ms; it doubles with each failure. */
 const RETRY = { first: 1000, longest: 16000 };
-/** Windows that are measured before the rate counts. */
-const SETTLED_WINDOWS = 3;
+const SETTLED_WINDOWS = 3; // Windows that are measured before the rate counts
 
-/** Over the canvas, which takes the pointer. */
-const COVER = "pointer-events-none fixed inset-0 size-full";
+const COVER = "pointer-events-none fixed inset-0 size-full"; // Over the canvas, which takes the pointer
 
 interface RequestedFrame { number: number; submitted: number; scale: number; moving: boolean; tier: string | null; }
 
@@ -115,18 +105,15 @@ export class ServerView implements Display {
   dirty = true;
   fixed: number | null = null;
   stalled: string | null = null;
-  /** When to ask for it again, ms of performance.now(). */
-  retryAt = 0;
+  retryAt = 0; // When to ask for it again, ms of performance.now()
   private readonly root = element("div", { class: `served ${COVER}` });
   private readonly resolution: DynamicResolution;
   private readonly streams: readonly [FrameStream, FrameStream];
   private readonly shown = new ShownFrames();
-  /** Frames that were asked for and have not come. */
-  private readonly pending: RequestedFrame[] = [];
+  private readonly pending: RequestedFrame[] = []; // Frames that were asked for and have not come
   private number = 0;
   private latest = 0;
-  /** The exact picture that was asked for last, one for each side. */
-  private exact: readonly FrameRequest[] = [];
+  private exact: readonly FrameRequest[] = []; // The exact picture that was asked for last, one for each side
   private view: string = "";
   private lastNewView = 0;
   private scale = 0;
@@ -136,8 +123,7 @@ export class ServerView implements Display {
   private divider = NaN;
   private size = { width: 0, height: 0 };
   private frameTime: number | null = null;
-  /** Of the picture that is shown, if it is not the selection's. */
-  private tier: string | null = null;
+  private tier: string | null = null; // Of the picture that is shown, if it is not the selection's
 
   constructor(
     private readonly api: Api,

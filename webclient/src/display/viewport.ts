@@ -11,10 +11,8 @@ import type { PlanLoader } from "./planloader";
 /** The display's interval until it is measured, ms, and the animation frames that one measurement takes. */
 const DISPLAY_INTERVAL = 1000 / 60;
 const DISPLAY_FRAMES = 40;
-/** Time between two checks of a fence, ms; browsers raise it to 4 after a few. */
-const POLL_INTERVAL = 1;
-/** Share of a frame's usual time before its fence is first checked. */
-const UNPOLLED_SHARE = 0.6;
+const POLL_INTERVAL = 1; // Time between two checks of a fence, ms; browsers raise it to 4 after a few
+const UNPOLLED_SHARE = 0.6; // Share of a frame's usual time before its fence is first checked
 /** Measured windows after which the scale has settled: with none changed by the last, or in all. */
 const SETTLED_WINDOWS = { least: 3, most: 8 };
 /** Time after the first frame of a plan by which its rate counts, ms, however few frames were measured. */
@@ -30,8 +28,7 @@ interface DrawnFrame { scale: number; onCanvas: boolean; }
 interface PendingFrame extends DrawnFrame {
   fence: WebGLSync;
   submitted: number;
-  /** Whether its time is part of the load in motion. */
-  moving: boolean;
+  moving: boolean; // Whether its time is part of the load in motion
 }
 
 export class Viewport implements Display {
@@ -41,12 +38,9 @@ export class Viewport implements Display {
   readonly stalled = null;
   fixed: number | null = null;
   private readonly resolution: DynamicResolution;
-  /** Pixels at scale 1 for which it has measured. */
-  private pixels: number;
-  /** When the plan's first frame in motion was done. */
-  private firstFinished = Infinity;
-  /** Windows measured when the scale changed last. */
-  private changedAt = 0;
+  private pixels: number; // Pixels at scale 1 for which it has measured
+  private firstFinished = Infinity; // When the plan's first frame in motion was done
+  private changedAt = 0; // Windows measured when the scale changed last
   private readonly pending: PendingFrame[] = [];
   private readonly shown = new ShownFrames();
   private lastMotion = -Infinity;
@@ -60,8 +54,7 @@ export class Viewport implements Display {
   /** Whether the canvas is drawn to. Before, frames are measured where nobody sees them: browsers that put pages together without a GPU wait for every frame of a canvas. */
   private revealed = false;
   private hidden: Screen | null = null;
-  /** How many tasks have exclusive use of the GPU. */
-  private exclusiveTasks = 0;
+  private exclusiveTasks = 0; // How many tasks have exclusive use of the GPU
 
   constructor(
     readonly canvas: HTMLCanvasElement,

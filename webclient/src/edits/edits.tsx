@@ -75,8 +75,7 @@ interface SceneEditsEvents {
 
 export class SceneEdits {
   private readonly history = new EditHistory();
-  /** The store's selection, for the view to follow. */
-  private readonly selection: Signal<Selection>;
+  private readonly selection: Signal<Selection>; // The store's selection, for the view to follow
   private readonly pasting = signal(false);
   private restoring = false;
 

@@ -13,8 +13,7 @@ class SeafoamWater extends HTMLElement {
   private player: PlanPlayer | null = null;
   private visible = false;
   private queued = false;
-  /** Number of the latest load; earlier ones are outdated. */
-  private run = 0;
+  private run = 0; // Number of the latest load; earlier ones are outdated
   private readonly root = this.attachShadow({ mode: "open" });
   private readonly observer = new IntersectionObserver((entries) => {
     this.visible = entries.at(-1)?.isIntersecting ?? false;

@@ -14,25 +14,20 @@ const SHARPENING_DELAY = 300;
 interface PlayerStart {
   plan: FramePlan;
   bytes: LoadBytes;
-  /** s */
-  time: number;
+  time: number; // s
   camera: CameraState;
   playing: boolean;
-  /** Whether the camera moves without inertia. */
-  reducedMotion: boolean;
+  reducedMotion: boolean; // Whether the camera moves without inertia
 }
 
 export class PlanPlayer {
   readonly controls: CameraControls;
   camera: CameraState;
-  /** s */
-  time: number;
+  time: number; // s
   playing: boolean;
   speed = 1;
-  /** Scene whose live fields are drawn; null: as the plan says. */
-  scene: Json | null = null;
-  /** False: neither draws nor advances. */
-  active = true;
+  scene: Json | null = null; // Scene whose live fields are drawn; null: as the plan says
+  active = true; // False: neither draws nor advances
   /** Called before each frame. */
   beforeFrame: () => void = () => undefined;
   failed: (error: unknown) => void = () => undefined;
@@ -43,8 +38,7 @@ export class PlanPlayer {
   private pending: { fence: WebGLSync; scale: number; submitted: number } | null = null;
   private lastTick = 0;
   private lastDraw = 0;
-  /** Whether the canvas shows the current state at full size. */
-  private sharp = false;
+  private sharp = false; // Whether the canvas shows the current state at full size
   private dirty = true;
   private disposed = false;
   private readonly resizes: ResizeObserver;

@@ -8,8 +8,7 @@ import { PlanPlayer } from "./planplayer";
 interface SeafoamData {
   plan: FramePlan;
   recipe: Recipe;
-  /** SHA-256 -> base64 */
-  textures: Record<string, string>;
+  textures: Record<string, string>; // SHA-256 -> base64
 }
 
 function bytesOf(base64: string): ArrayBuffer {

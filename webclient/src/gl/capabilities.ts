@@ -17,14 +17,11 @@ type ExtensionName = (typeof EXTENSIONS)[number];
 
 export interface Capabilities {
   extensions: ReadonlySet<ExtensionName>;
-  /** The driver's name, if the browser reveals it. */
-  renderer: string;
-  /** Renders on the CPU. */
-  software: boolean;
+  renderer: string; // The driver's name, if the browser reveals it
+  software: boolean; // Renders on the CPU
   /** Blends with (one, zero) instead of disabling blending: llvmpipe compiles a program for each of the two states. */
   alwaysBlends: boolean;
-  /** Greatest width and height of a target. */
-  largestTarget: number;
+  largestTarget: number; // Greatest width and height of a target
 }
 
 /** A required capability is missing; the message is for the user. */

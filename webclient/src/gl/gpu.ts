@@ -59,10 +59,8 @@ export class Gpu {
   readonly programs: Pool<Program>;
   readonly textures: Pool<Promise<WebGLTexture>>;
   readonly meshes: Pool<Mesh>;
-  /** Targets of setup passes, by a key of their contents. */
-  readonly cachedTargets: Pool<CachedTarget>;
-  /** Formats of targets that the driver is known to draw into. */
-  readonly formats = new Set<string>();
+  readonly cachedTargets: Pool<CachedTarget>; // Targets of setup passes, by a key of their contents
+  readonly formats = new Set<string>(); // Formats of targets that the driver is known to draw into
 
   /** After a lost context a new instance is made on the same `gl`. */
   constructor(readonly gl: WebGL2RenderingContext, readonly capabilities: Capabilities) {

@@ -8,8 +8,7 @@ const LINK_TIMEOUT = 3000;
 
 export interface ActiveUniform {
   location: WebGLUniformLocation;
-  /** GL enum of its type. */
-  type: number;
+  type: number; // GL enum of its type
   size: number;
 }
 
@@ -18,8 +17,7 @@ export interface Program {
   vertex: WebGLShader;
   fragment: WebGLShader;
   source: ProgramSource;
-  /** Set once the program is linked; arrays without "[0]". */
-  uniforms: ReadonlyMap<string, ActiveUniform>;
+  uniforms: ReadonlyMap<string, ActiveUniform>; // Set once the program is linked; arrays without "[0]"
 }
 
 /** A compiler's messages, by file and line of the GLSL tree. */

@@ -51,15 +51,13 @@ function sampling(gl: WebGL2RenderingContext, filter: TextureSpec["filter"], wra
 interface TargetGpu {
   gl: WebGL2RenderingContext;
   capabilities: Pick<Capabilities, "largestTarget">;
-  /** Formats of targets that the driver is known to draw into. */
-  formats: Set<string>;
+  formats: Set<string>; // Formats of targets that the driver is known to draw into
 }
 
 export interface Target {
   framebuffer: WebGLFramebuffer | null;
   texture: WebGLTexture | null;
-  /** Its mipmaps are generated after each pass that draws into it. */
-  mipmapped: boolean;
+  mipmapped: boolean; // Its mipmaps are generated after each pass that draws into it
   depth: WebGLRenderbuffer | null;
   width: number;
   height: number;

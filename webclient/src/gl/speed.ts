@@ -6,10 +6,8 @@ const WORK = { size: 256, fetches: 192 };
 const IMAGE_SIDE = 8;
 /** A draw takes a small GPU some 12 ms with the wait for its fence; llvmpipe on two fast cores 32 ms or more, SwiftShader 70. */
 const LONGEST = 20;
-/** What else the page does may delay one or the other. */
-const DRAWS = 3;
-/** No further draw after this time, ms. */
-const ENOUGH = 200;
+const DRAWS = 3; // What else the page does may delay one or the other
+const ENOUGH = 200; // No further draw after this time, ms
 /** The link and the first draw compile, which says nothing of the draws after it: some compilers of GPUs take longer than a processor's. */
 const COMPILED = 2000;
 

@@ -13,8 +13,7 @@ const FIGURES: Record<string, MakeFigure> = {
   picture: async (context) => (await import("./figures/picture")).picture(context),
 };
 
-/** A time at which each figure has something to show, s. */
-const START = 0.9;
+const START = 0.9; // A time at which each figure has something to show, s
 
 const api = new Api(new URL("../", document.baseURI).href);
 

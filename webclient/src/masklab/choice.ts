@@ -68,10 +68,8 @@ export function maskPath(choice: MaskChoice, resource = ""): string {
 
 export interface LabState {
   left: MaskChoice;
-  /** Null: one mask alone. */
-  right: MaskChoice | null;
-  /** Saturation of the pattern; null: the mask itself. */
-  grey: number | null;
+  right: MaskChoice | null; // Null: one mask alone
+  grey: number | null; // Saturation of the pattern; null: the mask itself
   show: Show;
 }
 
@@ -107,12 +105,10 @@ export interface Mask {
   /** Texels. */
   width: number;
   height: number;
-  /** floor(rank 65536 / N), row by row. */
-  values: Uint16Array;
+  values: Uint16Array; // floor(rank 65536 / N), row by row
 }
 
-/** Side of the enlarged part, texels. */
-const DETAIL = 64;
+const DETAIL = 64; // Side of the enlarged part, texels
 
 /** Whether foam shows in each texel: saturation above the threshold (v + 1/2) / 65536. */
 export function threshold({ values }: Mask, saturation: number): Uint8Array {
@@ -152,8 +148,7 @@ export interface MaskInfo {
 
 export interface Spectrum {
   isotropic_reference_db: number;
-  /** Cycles per texel. */
-  frequency: number[];
+  frequency: number[]; // Cycles per texel
   bins: number[];
   greys: { grey: number; principal_frequency: number; raps: (number | null)[]; anisotropy_db: (number | null)[] }[];
 }
@@ -163,14 +158,11 @@ export interface LoadedMask { info: MaskInfo; mask: Mask; spectrum: Spectrum; }
 export interface MaskState {
   loaded: LoadedMask | null;
   busy: boolean;
-  /** Of a mask that the server makes in the background, what is done, 0 to 1. */
-  share: number | null;
-  /** In words. */
-  error: string | null;
+  share: number | null; // Of a mask that the server makes in the background, what is done, 0 to 1
+  error: string | null; // In words
 }
 
-/** Delay before a request, ms: a slider passes many values. */
-const DELAY = 250;
+const DELAY = 250; // Delay before a request, ms: a slider passes many values
 
 /** Asks for a mask. `onProgress`: called with the share that is done of one that takes longer than a request may. */
 export async function load(api: Api, choice: MaskChoice, abort: AbortSignal, onProgress: (share: number) => void): Promise<LoadedMask> {

@@ -21,8 +21,7 @@ interface ControlsProps {
   name: string;
   choice: MaskChoice;
   shipped: readonly { name: string; title: string }[];
-  /** What is shown now: the start of own parameters. */
-  info: MaskInfo | null;
+  info: MaskInfo | null; // What is shown now: the start of own parameters
   change: (choice: MaskChoice) => void;
 }
 

@@ -15,13 +15,11 @@ import { TakeHome } from "./takehome";
 const SHOW_TITLES: Record<Show, string> = { tile: "one tile", tiled: "2 × 2 tiles", detail: "detail where tiles meet" };
 const PROSE = "mt-1 mb-2.5 max-w-[74ch] text-soft";
 const TICK = "size-4.5 accent-accent";
-/** Pattern after the mask itself was shown. */
-const GREY = 0.25;
+const GREY = 0.25; // Pattern after the mask itself was shown
 
 interface LabProps {
   api: Api;
-  /** The server's address. */
-  base: string;
+  base: string; // The server's address
   shipped: readonly Choice[];
 }
 

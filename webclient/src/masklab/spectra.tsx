@@ -3,8 +3,7 @@ import { useMemo } from "preact/hooks";
 import { INK, type Line, LineChart } from "../charts/linechart";
 import type { LoadedMask } from "./choice";
 
-/** Rings of fewer bins say little about anisotropy. */
-const LEAST_BINS = 32;
+const LEAST_BINS = 32; // Rings of fewer bins say little about anisotropy
 const COLOURS = [INK.accent, INK.teal];
 
 /** Index of the measured grey level nearest to a saturation. */

@@ -11,16 +11,13 @@ import { type LoadedMask, type Mask, type MaskChoice, maskPath } from "./choice"
 
 interface Snippet {
   name: string;
-  /** File to download for it; null where it needs none. */
-  file: string | null;
-  /** Whether a test of this project runs it. */
-  tested: boolean;
+  file: string | null; // File to download for it; null where it needs none
+  tested: boolean; // Whether a test of this project runs it
   note: string;
   code: string;
 }
 
-/** Levels of the largest mask. */
-const LEVELS = 11;
+const LEVELS = 11; // Levels of the largest mask
 /** The same of the mask of docs/snippets, as its files have them. */
 const SPREADS = "0.0, 0.404, 0.471, 0.493, 0.499, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5";
 
@@ -78,8 +75,7 @@ const BUTTON = "block min-h-11 rounded-lg bg-hover px-3.5 py-[11px]";
 interface TakeHomeProps {
   choice: MaskChoice;
   loaded: LoadedMask;
-  /** The server's address. */
-  base: string;
+  base: string; // The server's address
 }
 
 export function TakeHome({ choice, loaded: { info, mask }, base }: TakeHomeProps) {

@@ -70,8 +70,7 @@ const STYLE = `
 .seafoam-side .with-log .log { flex: 1 1 60%; min-width: 0; }
 `;
 
-/** Between reports of camera and time to Python, ms. */
-const REPORT_INTERVAL = 500;
+const REPORT_INTERVAL = 500; // Between reports of camera and time to Python, ms
 
 interface Drawn {
   player: PlanPlayer;
@@ -104,8 +103,7 @@ class WaterView {
   private active = false;
   /** What Python knows. */
   private reported: { camera: CameraState; time: number };
-  /** Number of the latest load; earlier ones are outdated. */
-  private run = 0;
+  private run = 0; // Number of the latest load; earlier ones are outdated
 
   constructor(private readonly model: Model, private readonly root: HTMLElement) {
     this.kernel = new Kernel(model);

@@ -6,8 +6,7 @@ import { child, equal, get, isObject, type Json, type JsonObject } from "../scen
 interface LabelledField {
   pointer: string;
   label: string;
-  /** The schema's description. */
-  hint: string;
+  hint: string; // The schema's description
 }
 
 export interface NumberControl extends LabelledField {
@@ -15,10 +14,8 @@ export interface NumberControl extends LabelledField {
   min: number | null;
   max: number | null;
   step: number | null;
-  /** Radians in the scene, degrees in the panel. */
-  angle: boolean;
-  /** For ranges of several decades. */
-  logarithmic: boolean;
+  angle: boolean; // Radians in the scene, degrees in the panel
+  logarithmic: boolean; // For ranges of several decades
 }
 
 interface ChoiceControl extends LabelledField { kind: "choice"; options: readonly string[]; }

@@ -28,17 +28,13 @@ const ROUGH = "rough ";
 export interface Rectangle { x: number; y: number; width: number; height: number; }
 
 export interface Frame {
-  /** s */
-  time: number;
+  time: number; // s
   camera: CameraState;
   width: number;
   height: number;
-  /** Framebuffer of the picture; null is the canvas. */
-  screen: WebGLFramebuffer | null;
-  /** Limits what is written to the screen. */
-  scissor: Rectangle | null;
-  /** Scene whose live fields replace the plan's constants. */
-  scene: Json | null;
+  screen: WebGLFramebuffer | null; // Framebuffer of the picture; null is the canvas
+  scissor: Rectangle | null; // Limits what is written to the screen
+  scene: Json | null; // Scene whose live fields replace the plan's constants
 }
 
 interface BoundPass { pass: Pass; index: number; program: Program; mesh: Mesh; bindings: Bindings; }
@@ -48,8 +44,7 @@ export class Executor {
   complete: Promise<void> = Promise.resolve();
   readonly programs = new Map<string, Program>();
   private readonly passes = new Map<number, BoundPass>();
-  /** Targets that are drawn in every frame. */
-  private readonly targets = new Map<string, Target>();
+  private readonly targets = new Map<string, Target>(); // Targets that are drawn in every frame
   /** Targets that setup passes draw once. */
   private readonly cached = new Map<string, { key: string; lease: Lease<CachedTarget> }>();
   private readonly setupPasses: readonly number[];

@@ -92,8 +92,7 @@ interface BoundSampler {
   location: WebGLUniformLocation;
   unit: number;
   target: "TEXTURE_2D" | "TEXTURE_2D_ARRAY";
-  /** A texture, or the name of a target. */
-  source: WebGLTexture | string;
+  source: WebGLTexture | string; // A texture, or the name of a target
 }
 
 export interface Bindings { uniforms: BoundUniform[]; samplers: BoundSampler[]; }

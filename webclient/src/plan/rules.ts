@@ -9,8 +9,7 @@ import { diff, get, type Json } from "../scene/json";
 export type Rule = Uniform["rules"][number];
 
 export interface FrameState {
-  /** s */
-  time: number;
+  time: number; // s
   camera: CameraState;
   /** Size of the picture, pixels: the camera's aspect. */
   width: number;

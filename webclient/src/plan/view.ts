@@ -11,8 +11,7 @@ export type Eye = "over" | "between" | "under";
 
 type Vector = readonly [number, number, number];
 
-/** Slope within which a ray may meet water or sky. */
-const HORIZON_MARGIN = 0.01;
+const HORIZON_MARGIN = 0.01; // Slope within which a ray may meet water or sky
 
 export function eyeOf(plan: Pick<FramePlan, "top" | "trough">, camera: CameraState): Eye {
   const height = camera.position[1];

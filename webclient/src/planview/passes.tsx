@@ -7,12 +7,10 @@ import { targetsRead } from "../plan/view";
 interface GraphNode {
   program: string;
   when: "setup" | "frame";
-  /** Indices of its passes. */
-  passes: number[];
+  passes: number[]; // Indices of its passes
   column: number;
   row: number;
-  /** Nodes that it reads. */
-  reads: Set<GraphNode>;
+  reads: Set<GraphNode>; // Nodes that it reads
 }
 
 interface Graph { nodes: GraphNode[]; columns: number; rows: number; }
@@ -60,8 +58,7 @@ interface PassesProps {
   plan: FramePlan;
   width: number;
   height: number;
-  /** ms by pass; null: not measured. */
-  times: ReadonlyMap<Pass, number> | null;
+  times: ReadonlyMap<Pass, number> | null; // ms by pass; null: not measured
   choose: (program: string) => void;
 }
 

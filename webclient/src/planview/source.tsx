@@ -76,8 +76,7 @@ const COLOURS: Record<TokenKind, string> = {
 interface SourceProps {
   plan: FramePlan;
   executor: Executor | null;
-  /** Null where the server draws. */
-  gl: WebGL2RenderingContext | null;
+  gl: WebGL2RenderingContext | null; // Null where the server draws
   program: string;
   stage: Stage;
   choose: (program: string, stage: Stage) => void;

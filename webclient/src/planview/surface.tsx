@@ -64,8 +64,7 @@ function constants({ rules }: FramePlan["uniforms"][string]): string {
 
 const VIEWS = ["Passes", "Effects", "GLSL", "Changes"] as const;
 type View = (typeof VIEWS)[number];
-/** Quality of the preset's own plan. */
-const PRESET_TIER = "standard";
+const PRESET_TIER = "standard"; // Quality of the preset's own plan
 /** Frames that are measured; the median of each pass counts. The first ones compile and allocate. */
 const FRAMES = 7;
 const WARM_UP = 2;

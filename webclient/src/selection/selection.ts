@@ -9,12 +9,10 @@ export const QUALITY_FIELD = "quality";
 
 /** Two values of one field side by side. */
 export interface Split {
-  /** Scene pointer, or `QUALITY_FIELD`. */
-  field: string;
+  field: string; // Scene pointer, or `QUALITY_FIELD`
   left: string;
   right: string;
-  /** Position of the divider, as a share of the width. */
-  at: number;
+  at: number; // Position of the divider, as a share of the width
 }
 
 /** A field that two values of can be compared. */
@@ -23,10 +21,8 @@ export interface ComparableField { field: string; title: string; options: readon
 export interface Selection {
   preset: Preset;
   scene: JsonObject;
-  /** A tier, or quality settings as JSON. */
-  quality: string;
-  /** Whether the page selects the quality. */
-  auto: boolean;
+  quality: string; // A tier, or quality settings as JSON
+  auto: boolean; // Whether the page selects the quality
   split: Split | null;
 }
 

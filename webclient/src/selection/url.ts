@@ -12,25 +12,20 @@ export type SurfaceName = "take" | "plan";
 export interface LinkState {
   preset: string | null;
   changes: readonly Change[];
-  /** The scene's touches; null: the preset's. */
-  touches: readonly Touch[] | null;
-  /** A tier, or settings as JSON. */
-  quality: string | null;
+  touches: readonly Touch[] | null; // The scene's touches; null: the preset's
+  quality: string | null; // A tier, or settings as JSON
   time: number | null;
   paused: boolean | null;
   speed: number | null;
   camera: CameraState | null;
   split: Split | null;
-  /** Fixed render scale; null: dynamic. */
-  scale: number | null;
-  /** Who draws; null: whoever gives more. */
-  draw: FrameSource | null;
+  scale: number | null; // Fixed render scale; null: dynamic
+  draw: FrameSource | null; // Who draws; null: whoever gives more
   accuracy: boolean | null;
   surface: SurfaceName | null;
 }
 
-/** Prefix of the pointer of a removed key. */
-const REMOVED = "-";
+const REMOVED = "-"; // Prefix of the pointer of a removed key
 
 const MIN_SCALE = 0.05;
 /** Greatest length of a link's fragment while it carries touches, bytes: mail and chats cut longer ones. */

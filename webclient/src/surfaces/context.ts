@@ -11,12 +11,10 @@ import { encode } from "../selection/url";
 import type { RecipeParts } from "../take/recipe";
 import { download } from "../ui/dom";
 
-/** Greatest side of a frame that the server draws, pixels. */
-const MAX_SIDE = 4096;
+const MAX_SIDE = 4096; // Greatest side of a frame that the server draws, pixels
 
 interface PageOptions {
-  /** Names of all presets. */
-  presets: readonly string[];
+  presets: readonly string[]; // Names of all presets
   copyLink: () => Promise<void>;
   failed: (error: unknown) => void;
   /** Closes the open surface. */

@@ -14,8 +14,7 @@ interface SurfaceEvents { toggled(open: SurfaceName | null): void; failed(error:
 export class Surfaces {
   open: SurfaceName | null = null;
   private sheet: HTMLElement | null = null;
-  /** Takes the focus when the surface closes. */
-  private opener: Element | null = null;
+  private opener: Element | null = null; // Takes the focus when the surface closes
 
   constructor(private readonly context: PageContext, private readonly events: SurfaceEvents) {}
 

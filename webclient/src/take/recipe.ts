@@ -12,15 +12,12 @@ import type { Split } from "../selection/selection";
 import type { LinkState } from "../selection/url";
 import { withoutTouches } from "../touch/touches";
 
-/** Keyword of PNG's chunk, name of OpenEXR's attribute. */
-const KEYWORD = "seafoam";
+const KEYWORD = "seafoam"; // Keyword of PNG's chunk, name of OpenEXR's attribute
 const XMP_NAMESPACE = "urn:seafoam:recipe:";
 const PNG = "\x89PNG\r\n\x1a\n";
 const EXR = "v/1\x01";
-/** OpenEXR: bytes of its signature and version, before the first attribute. */
-const EXR_HEADER = 8;
-/** Greatest length of a name, bytes. */
-const EXR_NAME = 255;
+const EXR_HEADER = 8; // OpenEXR: bytes of its signature and version, before the first attribute
+const EXR_NAME = 255; // Greatest length of a name, bytes
 /** PNG: length and type before a chunk's data, and the checksum after it, bytes. */
 const BEFORE = 8;
 const AFTER = 4;
@@ -87,36 +84,28 @@ function inExr(bytes: Uint8Array): string | null {
 
 const viewOf = (bytes: Uint8Array) => new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
 
-/** Bytes of a PNG's signature and of IHDR, which comes first. */
-const HEADER = 33;
+const HEADER = 33; // Bytes of a PNG's signature and of IHDR, which comes first
 /** What says before a PNG's pixels which colours they are; of some browsers' pictures nothing does. */
 const COLOURS = /sRGB|iCCP|cICP/;
-/** Version of the format. */
-const RECIPE = 1;
-/** Greatest |time|, s. */
-const TIME_LIMIT = 1e9;
+const RECIPE = 1; // Version of the format
+const TIME_LIMIT = 1e9; // Greatest |time|, s
 
 /** What a picture depends on. */
 export interface RecipeParts {
   renderer: string;
-  /** Preset that the scene began from. */
-  preset: string | null;
+  preset: string | null; // Preset that the scene began from
   scene: JsonObject;
-  /** A tier, or the settings that differ from tier standard. */
-  quality: Json;
+  quality: Json; // A tier, or the settings that differ from tier standard
   camera: CameraState;
-  /** s */
-  time: number;
+  time: number; // s
   width: number;
   height: number;
-  /** Two looks side by side, in pictures of the page. */
-  split: Split | null;
+  split: Split | null; // Two looks side by side, in pictures of the page
 }
 
 export interface Recipe extends RecipeParts {
   recipe: number;
-  /** Version of the program. */
-  seafoam: string;
+  seafoam: string; // Version of the program
 }
 
 /** The file has no recipe, or not one that can be read; the message is for the user. */

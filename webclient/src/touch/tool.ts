@@ -41,8 +41,7 @@ export class TouchTool implements PointerTool {
   private pointer: PointerState = UP;
   /** Touches that wait for a plan with room for touches; only the first is in the scene already. */
   private waiting: MadeTouch[] = [];
-  /** Number of the current gesture, a tap or a drag: one step of undo. */
-  private gesture = 0;
+  private gesture = 0; // Number of the current gesture, a tap or a drag: one step of undo
 
   constructor(
     private readonly canvas: HTMLElement,

@@ -6,12 +6,10 @@ export interface WaterPlace {
   /** m */
   x: number;
   z: number;
-  /** From the eye, m. */
-  distance: number;
+  distance: number; // From the eye, m
 }
 
-/** Places farther away are not touched, m: a ring there is smaller than a pixel. */
-const FARTHEST = 2000;
+const FARTHEST = 2000; // Places farther away are not touched, m: a ring there is smaller than a pixel
 
 /** The place at (x, y) of a picture of width × height, from its upper left corner; null where no water is in reach. */
 export function pickWater(camera: CameraState, x: number, y: number, width: number, height: number): WaterPlace | null {
@@ -39,17 +37,14 @@ const WEAKEST = 0.02;
 const STRONGEST = 0.5;
 /** Distance from ring to ring of a drag, by their strength: one and a half wavelengths, so that they stay rings. */
 const SPACING = 28;
-/** Most rings of one move of a pointer. */
-const TRAIN_MOST = 8;
+const TRAIN_MOST = 8; // Most rings of one move of a pointer
 
 export interface Touch {
   /** m */
   x: number;
   z: number;
-  /** s */
-  time: number;
-  /** m */
-  strength: number;
+  time: number; // s
+  strength: number; // m
 }
 
 const rounded = (value: number, digits: number) => Number(value.toFixed(digits));

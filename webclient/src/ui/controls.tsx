@@ -10,8 +10,7 @@ interface SelectProps<T extends string> {
   class: string;
   label: string;
   value: T;
-  /** Values and titles. */
-  options: readonly (readonly [T, string])[];
+  options: readonly (readonly [T, string])[]; // Values and titles
   choose: (value: T) => void;
 }
 

@@ -1,10 +1,8 @@
 /** A preset's still: the server's picture of its first moment, shown over the canvas until the first frame. */
 
-/** Written by `make stills`. */
-const FOLDER = "./stills";
+const FOLDER = "./stills"; // Written by `make stills`
 
-/** A little longer than the transition in index.html, ms. */
-const FADE = 400;
+const FADE = 400; // A little longer than the transition in index.html, ms
 const PAINT_TIMEOUT = 800;
 /** Animation frames until a browser that paints without a GPU has put the still on the screen: before, it has no time for WebGL. */
 const FRAMES = 4;

@@ -4,8 +4,7 @@ import type { Point } from "../api";
 import { valueText } from "../measure/measured";
 
 export interface Curve {
-  /** Of the setting, in the quality. */
-  pointer: string;
+  pointer: string; // Of the setting, in the quality
   title: string;
   points: { id: string; value: string }[];
 }
@@ -43,8 +42,7 @@ function placeOf(values: readonly { id: string; value: Json }[], own: Json, ownT
 type Spot = { id: string; x: number; y: number };
 type Label = Spot & { text: string; anchor: "start" | "middle" | "end" };
 
-/** Width of a letter, px. */
-const LETTER = 6.4;
+const LETTER = 6.4; // Width of a letter, px
 
 const OFFSETS: readonly [number, number, Label["anchor"]][] = [
   [11, 4, "start"],

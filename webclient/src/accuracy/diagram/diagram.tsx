@@ -6,21 +6,17 @@ import { formatNumber, type Ranked } from "../measure/measured";
 import type { Session } from "../session";
 import { type Curve, placeLabels } from "./curves";
 
-/** Greatest distance of the pointer from a mark, px. */
-const HIT_RADIUS = 26;
+const HIT_RADIUS = 26; // Greatest distance of the pointer from a mark, px
 
 interface DiagramProps {
-  /** Class of the figure. */
-  kind: string;
+  kind: string; // Class of the figure
   title: string;
   caption: string;
-  /** Fastest first. */
-  marks: readonly Ranked[];
+  marks: readonly Ranked[]; // Fastest first
   curves: readonly Curve[];
   axes: Axes;
   session: Session;
-  /** Ids within the budget; null: all. */
-  fitting: ReadonlySet<string> | null;
+  fitting: ReadonlySet<string> | null; // Ids within the budget; null: all
 }
 
 type PlacedMark = Ranked & { x: number; y: number };

@@ -15,21 +15,18 @@ import { type BenchmarkResult, median, type QualityResult, type Size } from "./m
 
 const MAX_ROUNDS = 5;
 const MIN_ROUNDS = 3;
-/** Time after which no more than `MIN_ROUNDS` are started, ms. */
-const LONG_RUN = 45_000;
+const LONG_RUN = 45_000; // Time after which no more than `MIN_ROUNDS` are started, ms
 /** Least time of one measurement, ms: below it the overhead of a call dominates. */
 const MIN_TIME = { gpu: 1.5, wall: 8 };
 const MAX_DRAWS = 16;
 /** Largest size that is timed, pixels: multisampled targets need several times the memory. */
 const MAX_PIXELS = 1280 * 720;
-/** Side of the large size divided by that of the small one, for the time model. */
-const SIZE_RATIO = 4;
+const SIZE_RATIO = 4; // Side of the large size divided by that of the small one, for the time model
 
 export interface BenchmarkInput {
   preset: Preset;
   points: readonly Point[];
-  /** The quality that all others are compared with. */
-  standard: Point;
+  standard: Point; // The quality that all others are compared with
   truth: Picture;
   info: TruthInfo;
 }
@@ -40,8 +37,7 @@ export const qualityRequest = (point: Point, standard: Point): Json => point.tie
 interface Entry {
   executor: Executor;
   result: QualityResult;
-  /** ms of each round, by pass. */
-  passTimes: Map<string, number[]>;
+  passTimes: Map<string, number[]>; // ms of each round, by pass
 }
 
 export class QualityBenchmark {

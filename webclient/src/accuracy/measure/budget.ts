@@ -19,8 +19,7 @@ export interface Choice {
   id: string;
   label: string;
   reason: string;
-  /** Ids of the qualities within the budget. */
-  fitting: ReadonlySet<string>;
+  fitting: ReadonlySet<string>; // Ids of the qualities within the budget
 }
 
 export function choose(predicted: readonly Predicted[], budget: number, width: number, height: number): Choice | null {
@@ -65,15 +64,11 @@ export interface Benefit {
   /** From the cheaper value to the dearer; without a measurable time difference, from the worse to the better. */
   from: string;
   to: string;
-  /** Id of the point that is not the standard. */
-  id: string;
-  /** ms */
-  added: number;
+  id: string; // Id of the point that is not the standard
+  added: number; // ms
   measurable: boolean;
-  /** Levels. */
-  removed: number;
-  /** Levels per ms; null if no measurable time is added. */
-  perMs: number | null;
+  removed: number; // Levels
+  perMs: number | null; // Levels per ms; null if no measurable time is added
 }
 
 /** Sorted by benefit: error removed at no cost first. */

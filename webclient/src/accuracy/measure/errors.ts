@@ -6,8 +6,7 @@ import { Flip } from "./flip";
 export interface Picture {
   width: number;
   height: number;
-  /** RGBA, rows from the top. */
-  pixels: Float32Array;
+  pixels: Float32Array; // RGBA, rows from the top
 }
 
 const MAGIC = [0x93, 0x4e, 0x55, 0x4d, 0x50, 0x59];
@@ -78,14 +77,10 @@ const shoulder = (x: number) => Math.min((1.01 * x * (x + 0.02)) / (x * (x + 0.4
 export const LEVELS = 255;
 
 export interface Errors {
-  /** Root mean square of linear RGB, levels. */
-  rmse: number;
-  /** Greatest channel difference, levels. */
-  max: number;
-  /** Of foam coverage, 0 to 1. */
-  coverage: number;
-  /** Mean FLIP of the displayed pictures, 0 to 1. */
-  flip: number;
+  rmse: number; // Root mean square of linear RGB, levels
+  max: number; // Greatest channel difference, levels
+  coverage: number; // Of foam coverage, 0 to 1
+  flip: number; // Mean FLIP of the displayed pictures, 0 to 1
 }
 
 /** The measures of error that the diagrams can show; units are for the axis. */
@@ -159,14 +154,11 @@ function sameSize(picture: Picture, truth: Picture): void {
   }
 }
 
-/** Weights of linear RGB in luminance (Rec. 709). */
-const LUMINANCE = [0.2126, 0.7152, 0.0722] as const;
+const LUMINANCE = [0.2126, 0.7152, 0.0722] as const; // Weights of linear RGB in luminance (Rec. 709).
 
 interface Spectrum {
-  /** Centres of the rings, cycles per pixel, up to 0.5. */
-  frequency: number[];
-  /** Mean power of a ring's bins, levels²: over all bins it sums to the mean square. */
-  power: number[];
+  frequency: number[]; // Centres of the rings, cycles per pixel, up to 0.5
+  power: number[]; // Mean power of a ring's bins, levels²: over all bins it sums to the mean square
 }
 
 /** Luminance of clipped linear light, levels; without `truth` the picture's own, with it their difference. */

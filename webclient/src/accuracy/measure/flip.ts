@@ -13,8 +13,7 @@ const SENSITIVITY: readonly (readonly (readonly [a: number, b: number])[])[] = [
 ];
 /** From the widest of these Gaussians, three deviations. */
 const SENSITIVITY_RADIUS = Math.ceil(3 * Math.sqrt(0.04 / (2 * Math.PI ** 2)) * PIXELS_PER_DEGREE);
-/** Width of detected edges and points, degrees. */
-const FEATURE_WIDTH = 0.082;
+const FEATURE_WIDTH = 0.082; // Width of detected edges and points, degrees
 const FEATURE_DEVIATION = 0.5 * FEATURE_WIDTH * PIXELS_PER_DEGREE;
 const FEATURE_RADIUS = Math.ceil(3 * FEATURE_DEVIATION);
 /** Exponents of colour and feature differences; the share of the greatest difference that maps to 0.95. */
@@ -41,8 +40,7 @@ type Planes = [Plane, Plane, Plane];
 
 /** Of one picture. */
 interface Analysis {
-  /** Hunt-adjusted L*a*b* of the filtered picture. */
-  lab: Planes;
+  lab: Planes; // Hunt-adjusted L*a*b* of the filtered picture
   /** Magnitudes of its edges and points. */
   edges: Plane;
   points: Plane;

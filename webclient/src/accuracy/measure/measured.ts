@@ -16,10 +16,8 @@ export const median = (values: readonly number[]) => quantile(values, 0.5);
 
 export interface Cost {
   id: string;
-  /** ms */
-  time: number;
-  /** levels */
-  error: number;
+  time: number; // ms
+  error: number; // levels
 }
 
 /** Points that no other beats in both time and error, fastest first. */
@@ -35,17 +33,13 @@ export function paretoFront<T extends Cost>(points: readonly T[]): T[] {
 }
 
 interface Comparison {
-  /** ms */
-  added: number;
-  /** Whether the quartiles of the rounds' time ratios lie on one side of 1. */
-  measurable: boolean;
+  added: number; // ms
+  measurable: boolean; // Whether the quartiles of the rounds' time ratios lie on one side of 1
   summary: string;
 }
 
-/** Errors are shown to a thousandth of a level. */
-const ERROR_RESOLUTION = 1e-3;
-/** Error ratios closer to 1 count as equal. */
-const EQUAL_RATIO = 1.02;
+const ERROR_RESOLUTION = 1e-3; // Errors are shown to a thousandth of a level
+const EQUAL_RATIO = 1.02; // Error ratios closer to 1 count as equal
 
 /** Compares two points by the times of interleaved rounds, ms, and by error, levels. */
 export function compare(before: readonly number[], after: readonly number[], errorBefore: number, errorAfter: number): Comparison {
@@ -90,12 +84,9 @@ export type Size = [width: number, height: number];
 export interface QualityResult {
   point: Point;
   errors: Errors;
-  /** Linear light at the reference's size. */
-  picture: Picture;
-  /** ms of each round. */
-  rounds: number[];
-  /** The same at the small size. */
-  small: number[];
+  picture: Picture; // Linear light at the reference's size
+  rounds: number[]; // ms of each round
+  small: number[]; // The same at the small size
   /** Time of each pass, ms. */
   passes: { name: string; time: number }[];
 }
@@ -115,14 +106,12 @@ export interface Measured extends Cost {
   /** Quartiles, ms. */
   low: number;
   high: number;
-  /** ms; empty where only the model is known. */
-  rounds: readonly number[];
+  rounds: readonly number[]; // ms; empty where only the model is known
   errors: Errors;
 }
 
 export interface Ranked extends Measured {
-  /** Whether no other quality is both faster and more exact. */
-  onFront: boolean;
+  onFront: boolean; // Whether no other quality is both faster and more exact
 }
 
 export function measuredHere({ point, rounds, errors }: Pick<QualityResult, "point" | "rounds" | "errors">): Measured {

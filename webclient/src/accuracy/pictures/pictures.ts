@@ -6,8 +6,7 @@ import type { Cost } from "../measure/measured";
 /** `high`: third quartile of the time, ms. */
 type Timed = Cost & { high: number };
 
-/** Errors closer than this factor are equal. */
-const EQUAL_ERROR = 1.02;
+const EQUAL_ERROR = 1.02; // Errors closer than this factor are equal
 
 /** The most exact other quality that takes no longer than the chosen one's third quartile. */
 export function equalTime<T extends Timed>(chosen: T, all: readonly T[]): T | null {
@@ -28,8 +27,7 @@ function least<T>(list: readonly T[], value: (item: T) => number): T | null {
 export type Pixel = { x: number; y: number };
 export type Region = Pixel & { width: number; height: number };
 
-/** Side of a region as a share of the picture's. */
-const SHARE = 4;
+const SHARE = 4; // Side of a region as a share of the picture's
 
 /** The part of the picture around a pixel, a quarter of it along each side. */
 export function regionAround({ x, y }: Pixel, width: number, height: number): Region {

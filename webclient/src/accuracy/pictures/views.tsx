@@ -8,8 +8,7 @@ import { Disclosure, NUMBER, QUIET } from "../sections";
 import type { BenchmarkRun, Session } from "../session";
 import { drawErrors, drawPicture, equalError, equalTime, HEAT_GRADIENT, type Pixel, type Region, regionAround, worstPixel } from "./pictures";
 
-/** The colour scale ends at this percentile of the standard quality's errors. */
-const LEGEND_PERCENTILE = 0.97;
+const LEGEND_PERCENTILE = 0.97; // The colour scale ends at this percentile of the standard quality's errors
 
 const LAYER = "absolute inset-0 size-full [image-rendering:pixelated]";
 
@@ -81,8 +80,7 @@ function roundUp(value: number): number {
 
 interface Inset {
   title: string;
-  /** Quality and its cost, or why there is none. */
-  note: string;
+  note: string; // Quality and its cost, or why there is none
   picture: Picture | null;
 }
 

@@ -103,8 +103,7 @@ export class Texels {
   readonly canvas: HTMLCanvasElement;
   private readonly context: CanvasRenderingContext2D;
   private image = new ImageData(1, 1);
-  /** Pixels, row by row. */
-  words = new Uint32Array(this.image.data.buffer);
+  words = new Uint32Array(this.image.data.buffer); // Pixels, row by row
 
   constructor(label: string) {
     this.canvas = element("canvas", { role: "img", "aria-label": label, class: "max-w-full [image-rendering:pixelated]" });

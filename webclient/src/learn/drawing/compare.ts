@@ -4,15 +4,12 @@ import type { Mask } from "../maths/mask";
 import { spectrum, unevenness } from "../maths/spectrum";
 import { COLORS, Patch, PATCHES, patchSide, Plot } from "./canvas";
 
-/** Boxes whose coverage is compared, texels. */
-const BOX = 32;
-/** Wait before spectra are computed anew: a slider may still move, ms. */
-const SETTLE = 120;
+const BOX = 32; // Boxes whose coverage is compared, texels
+const SETTLE = 120; // Wait before spectra are computed anew: a slider may still move, ms
 /** Of the plot of spectra: its powers, and its highest frequency. */
 const [LEAST, MOST] = [0.01, 100];
 const HIGHEST = 0.7071;
-/** Frequencies that one drawn value averages: rings scatter. */
-const BAND = 0.008;
+const BAND = 0.008; // Frequencies that one drawn value averages: rings scatter
 
 export class Comparison {
   private readonly patches = [new Patch("Pattern of the first mask"), new Patch("Pattern of the second mask")];

@@ -9,15 +9,12 @@ import { BLEND, COLORS, GREYS, Plot, shade, Texels } from "./canvas";
 const WAVELENGTH = 12;
 const WAVE_TEXELS = 256;
 const METRES = WAVELENGTH / WAVE_TEXELS;
-/** Greatest saturation on the plots. */
-const TOP = 1.25;
+const TOP = 1.25; // Greatest saturation on the plots
 
 interface WaveState {
   front: Front;
-  /** K of the profile. */
-  exponent: number;
-  /** s */
-  time: number;
+  exponent: number; // K of the profile
+  time: number; // s
 }
 
 /** θ at a place along the strip, texels. */
@@ -92,17 +89,14 @@ export function drawThresholds(plot: Plot, mask: Mask, wave: WaveState, texel: n
   plot.curve(COLORS.saturation, (x) => axis(f(x)));
 }
 
-/** Widths of the page from which a texel is two pixels wide, px. */
-const WIDE = 640;
+const WIDE = 640; // Widths of the page from which a texel is two pixels wide, px
 
-/** Pixels along a texel, so that the filtered look has samples smaller than texels. */
-const SCALE = 2;
+const SCALE = 2; // Pixels along a texel, so that the filtered look has samples smaller than texels
 
 interface StackOptions {
   rows: number;
   thresholds: boolean;
-  /** Strips under a second mask. */
-  others: readonly Look[];
+  others: readonly Look[]; // Strips under a second mask
 }
 
 export class Stack {
@@ -168,8 +162,7 @@ class Strip {
   private readonly output = element("output", { class: "rate ml-auto" });
   private counter = new PopCounter(0);
   private textures = new Float32Array(0);
-  /** Means and half ranges of the mask's B-spline over the pixels. */
-  private samples = new Float32Array(0);
+  private samples = new Float32Array(0); // Means and half ranges of the mask's B-spline over the pixels
   private columns = 0;
 
   constructor(readonly look: Look, title: string, private mask: Mask, private readonly texture: Uint8Array, private readonly rows: number) {

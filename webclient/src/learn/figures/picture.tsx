@@ -11,10 +11,8 @@ import { Choice, type FigureContext, type LiveFigure, Slider } from "../parts/li
 /** Of the picture; a renderer on the processor draws it smaller. */
 const [ASPECT, WIDEST, WIDEST_SOFTWARE] = [16 / 9, 960, 640];
 const [QUALITY, QUALITY_SOFTWARE] = ["standard", "fast"];
-/** The scene: the paper's figure 7. */
-const PRESET = "paper-halftone";
-/** Fade of the filtered look, as a share of the plane. */
-const FADE = 0.2;
+const PRESET = "paper-halftone"; // The scene: the paper's figure 7
+const FADE = 0.2; // Fade of the filtered look, as a share of the plane
 
 export async function picture({ api, plate, redraw }: FigureContext): Promise<LiveFigure> {
   const canvas = element("canvas", { class: "picture aspect-video w-full", role: "img", "aria-label": "A wave with foam, in perspective" });

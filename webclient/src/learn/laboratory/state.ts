@@ -26,8 +26,7 @@ export interface LabState {
   numbers: Record<NumberName, Signal<number>>;
   mask: Signal<string>;
   other: Signal<string>;
-  /** s; where a paused laboratory stands. */
-  time: number;
+  time: number; // s; where a paused laboratory stands
   paused: boolean;
 }
 

@@ -1,8 +1,7 @@
 /** The filtered threshold where texels are larger than samples (docs/formulae.md, section 5, Magnified). */
 import { type Mask, weights } from "./mask";
 
-/** Share of the plane over which coverage reaches exactly 0 and 1. */
-const END = 1 / 256;
+const END = 1 / 256; // Share of the plane over which coverage reaches exactly 0 and 1
 const LEAST_HALF = 5e-4;
 
 function smoothstep(low: number, high: number, x: number): number {

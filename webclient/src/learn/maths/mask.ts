@@ -5,17 +5,13 @@ import type { Api } from "../../api";
 export interface Mask {
   name: string;
   title: string;
-  /** Side, texels; a power of two. */
-  size: number;
-  /** Thresholds (rank + ½)/N, row by row. */
-  values: Float32Array;
-  /** Quantiles of the mask's B-spline. */
-  readonly quantiles: readonly number[];
+  size: number; // Side, texels; a power of two
+  values: Float32Array; // Thresholds (rank + ½)/N, row by row
+  readonly quantiles: readonly number[]; // Quantiles of the mask's B-spline
 }
 
 export const WHITE = "white";
-/** Side of shipped masks, texels. */
-const SIZE = 512;
+const SIZE = 512; // Side of shipped masks, texels
 const WHITE_SEED = 2011;
 const ENTRIES = 65;
 
@@ -137,8 +133,7 @@ function quantileTable(values: Float32Array, size: number): number[] {
   });
 }
 
-/** Side of its finest level, texels. */
-const SIDE = 256;
+const SIDE = 256; // Side of its finest level, texels
 /** Its side in texels of the mask, as in the scene of figure 7 (tiles of 2.4 m and 9 m). */
 const TILE = (512 * 2.4) / 9;
 

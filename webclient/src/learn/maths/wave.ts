@@ -1,19 +1,15 @@
 /** The paper's wave, its saturations in profile, held to the float64 reference, and foam amounts by look (docs/formulae.md, sections 2, 4 and 5). */
 
 const TURN = 2 * Math.PI;
-/** Greatest saturation: no look tells greater ones apart. */
-const CAP = 4;
+const CAP = 4; // Greatest saturation: no look tells greater ones apart
 const EXPONENT = 80;
 const GRAVITY = 9.81;
 
 /** Constants of a front's saturation f = E^(−tan(θ/2 + δ))/C. */
 export interface Front {
-  /** δ: where on the wave the foam begins, rad. */
-  delta: number;
-  /** E: how steeply the foam rises and falls. */
-  base: number;
-  /** C: larger values give less foam. */
-  intensity: number;
+  delta: number; // δ: where on the wave the foam begins, rad
+  base: number; // E: how steeply the foam rises and falls
+  intensity: number; // C: larger values give less foam
 }
 
 /** δ and E of the paper's text, and of its listing. */
@@ -75,8 +71,7 @@ export function amount(look: Exclude<Look, "filtered">, f: number, m: number, t:
 
 /** Counts bubbles that pop: whose amount falls from visible to none. */
 export class PopCounter {
-  /** Since the last call of `advance`. */
-  pops = 0;
+  pops = 0; // Since the last call of `advance`
   private perSecond = 0;
   private readonly visible: Uint8Array;
 

@@ -12,8 +12,7 @@ interface SliderProps {
   min: number;
   max: number;
   step: number;
-  /** Equal steps are equal ratios. */
-  log?: boolean;
+  log?: boolean; // Equal steps are equal ratios
   unit?: string;
 }
 
@@ -84,10 +83,8 @@ export function PlayButton({ playing }: { playing: Signal<boolean> }) {
 }
 
 export interface LiveFigure {
-  /** After the play button, which figures that move have. */
-  controls?: ComponentChild;
-  /** Values whose changes ask for a new picture. */
-  inputs?: readonly ReadonlySignal<unknown>[];
+  controls?: ComponentChild; // After the play button, which figures that move have
+  inputs?: readonly ReadonlySignal<unknown>[]; // Values whose changes ask for a new picture
   /** width: of the figure's plate, px. */
   resize(width: number): void;
   /** time: s; seconds: by which it moved since the last frame, 0 if it stands. Absent where nothing moves by itself. */
@@ -96,16 +93,14 @@ export interface LiveFigure {
 
 export interface FigureContext {
   api: Api;
-  /** Where the picture goes. */
-  plate: HTMLElement;
+  plate: HTMLElement; // Where the picture goes
   /** Asks for a new picture of a figure that stands. */
   redraw: () => void;
 }
 
 export type MakeFigure = (context: FigureContext) => LiveFigure | Promise<LiveFigure>;
 
-/** Longest step of time between two frames, s: a hidden figure stands still. */
-const LONGEST = 0.1;
+const LONGEST = 0.1; // Longest step of time between two frames, s: a hidden figure stands still
 
 /** Calls back when an element has another width than it is known to have, px; not while it has none. */
 export function onWidthChange(observed: HTMLElement, known: number, changed: (width: number) => void): void {

@@ -30,10 +30,8 @@ const SKIPPED = `skipped ${ENTRY} before:border before:border-faint`;
 const SCALES = [1, 0.75, 0.5, 0.35, 0.25];
 
 export class SettingsPanel {
-  /** Container of the scene's pane. */
-  readonly scene = element("div", { class: "scene pb-2" });
-  /** Container of undo, redo and the changes. */
-  readonly edits = element("div");
+  readonly scene = element("div", { class: "scene pb-2" }); // Container of the scene's pane
+  readonly edits = element("div"); // Container of undo, redo and the changes
   readonly effects = new EffectList();
   private readonly quality = dropDown({ id: "quality", class: SELECT }, (name) => this.events.quality(name === AUTOMATIC ? null : name));
   private tiers: readonly string[] = [];
