@@ -23,28 +23,23 @@ interface Rendered {
   sources: Record<string, { vertex: string; fragment: string }>;
 }
 
-interface TestHook {
-  ready: Promise<void>; // Resolves with the first frame; rejects if none can be drawn
-  renderer: string;
-  render(planOrPreset: FramePlan | string, options: RenderOptions): Promise<Rendered>;
-  /** Compiles a plan's programs; returns the errors. */
-  compile(plan: FramePlan): Promise<string[]>;
-  loseContext(): void;
-  restoreContext(): void;
-  state(): unknown;
-}
-
 declare global {
-  interface Window { seafoam: TestHook; }
+  interface Window { seafoam: ReturnType<typeof makeTestHook>; }
 }
 
-export function makeTestHook(api: Api, viewport: Viewport | null, ready: Promise<void>, state: () => unknown): TestHook {
+/** `ready`: resolves with the first frame; rejects if none can be drawn. */
+export function makeTestHook(api: Api, viewport: Viewport | null, ready: Promise<void>, state: () => unknown) {
   let extension: WEBGL_lose_context | null = null;
+  const gpu = (): Gpu => {
+    if (viewport === null) throw new Error("This page draws nothing itself.");
+    return viewport.gpu;
+  };
   return {
     ready,
     renderer: viewport?.gpu.capabilities.renderer ?? "server",
-    render: (planOrPreset, options) => renderOffscreen(gpuOf(viewport), api, planOrPreset, options),
-    compile: (plan) => compileErrors(gpuOf(viewport), plan),
+    render: (planOrPreset: FramePlan | string, options: RenderOptions): Promise<Rendered> => renderOffscreen(gpu(), api, planOrPreset, options),
+    /** Compiles a plan's programs; returns the errors. */
+    compile: (plan: FramePlan): Promise<string[]> => compileErrors(gpu(), plan),
     loseContext: () => {
       // Once the context is lost, the extension is not available.
       extension = viewport?.gl.getExtension("WEBGL_lose_context") ?? null;
@@ -55,19 +50,9 @@ export function makeTestHook(api: Api, viewport: Viewport | null, ready: Promise
   };
 }
 
-function gpuOf(viewport: Viewport | null): Gpu {
-  if (viewport === null) throw new Error("This page draws nothing itself.");
-  return viewport.gpu;
-}
-
-/** Draws one frame offscreen. */
-async function renderOffscreen(
-  gpu: Gpu,
-  api: Api,
-  planOrPreset: FramePlan | string,
-  { time, width, height, camera, quality = "standard" }: RenderOptions,
-): Promise<Rendered> {
+async function renderOffscreen(gpu: Gpu, api: Api, planOrPreset: FramePlan | string, options: RenderOptions): Promise<Rendered> {
   const { gl } = gpu;
+  const { time, width, height, camera, quality = "standard" } = options;
   const isPreset = typeof planOrPreset === "string";
   const plan = isPreset ? await api.presetPlan(planOrPreset, quality) : planOrPreset;
   const eye = camera ?? (isPreset ? cameraFromScene((await api.preset(planOrPreset)).scene) : null);

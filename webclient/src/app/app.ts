@@ -86,7 +86,6 @@ export class App implements PageParts {
     this.loaders = [this.makeLoader(0), this.makeLoader(1)];
     this.presetLoader = new PresetLoader(api, () => this.store.now.preset, (busy) => this.setBusy("preset", busy));
     this.pilot = new QualityPilot(api, this.store);
-    this.pilot.loadCosts();
     this.display = this.connect(makeDisplay);
     this.display.setFixedScale(link.scale);
     this.display.choose(link.draw ?? "auto");
@@ -258,7 +257,8 @@ export class App implements PageParts {
     const cameraMoved = this.controls.step(seconds);
     if (this.started && this.display.current.stalled === null) this.clock.advance(seconds);
     // Under the still frames are measured, while time stands.
-    this.display.tick(now, this.viewState(), cameraMoved || this.clock.playing);
+    const view = { time: this.clock.time, camera: this.controls.camera, divider: this.store.now.split?.at ?? 1 };
+    this.display.tick(now, view, cameraMoved || this.clock.playing);
   }
 
   private frameDone(): void {
@@ -280,10 +280,6 @@ export class App implements PageParts {
 
   private pilotQuality(): void {
     if (this.clock.playing && this.busy.size === 0) this.pilot.update(this.display.viewport?.load() ?? null);
-  }
-
-  private viewState() {
-    return { time: this.clock.time, camera: this.controls.camera, divider: this.store.now.split?.at ?? 1 };
   }
 
   private viewChanged(): void {

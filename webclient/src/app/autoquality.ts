@@ -99,10 +99,8 @@ export class QualityPilot {
   private moving: readonly [string, string] | null = null; // Those of the server's frames in motion
   private readonly movingChoices = new AutoQuality();
 
-  constructor(private readonly api: Api, private readonly store: Store) {}
-
-  loadCosts(): void {
-    this.api.tierCosts().then(
+  constructor(api: Api, private readonly store: Store) {
+    api.tierCosts().then(
       (costs) => (this.costs = costs),
       // Without costs the quality is not switched.
       () => (this.costs = null),

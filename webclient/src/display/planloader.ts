@@ -42,17 +42,13 @@ export class PlanLoader {
   loaded: LoadedPlan | null = null;
   private requested: PlanRequest | null = null;
   private abort: AbortController | null = null;
-  private refining: Promise<void> = Promise.resolve(); // Settles when what is drawn has exact textures
+  /** Settles when the picture has exact textures; rejects if what that takes could not be loaded. */
+  exact: Promise<void> = Promise.resolve();
 
   constructor(private readonly api: Api, private readonly textures: TextureParts, private readonly events: PlanLoaderEvents) {}
 
   /** Whether the picture is not exact yet. */
   get rough(): boolean { return this.loaded?.executor?.rough === true; }
-
-  /** Settles when the picture is exact; rejects if what that takes could not be loaded. */
-  exact(): Promise<void> {
-    return this.refining;
-  }
 
   /** What is drawn, or before the first plan is there what will be. */
   get view(): PlanView | null {
@@ -119,8 +115,8 @@ export class PlanLoader {
       const loaded = { plan, executor, request, scene: request.scene };
       this.loaded = loaded;
       this.abort = null;
-      this.refining = gpu && executor?.rough && roughUntil ? roughUntil.then(() => this.refine(gpu, loaded)) : Promise.resolve();
-      this.refining.catch((error: unknown) => {
+      this.exact = gpu && executor?.rough && roughUntil ? roughUntil.then(() => this.refine(gpu, loaded)) : Promise.resolve();
+      this.exact.catch((error: unknown) => {
         if (this.loaded === loaded) this.events.failed(error);
       });
       this.events.busy(false);

@@ -248,8 +248,7 @@ export class ServerView implements Display {
   private get views(): PlanView[] { return this.loaders.flatMap(({ view }) => view ?? []); }
 
   private requests(view: ViewState, scale: number): FrameRequest[] {
-    const request = ({ scene, request: { quality } }: PlanView) => ({ preset: null, scene, quality, ...this.frame(view, scale) });
-    return this.views.map(request);
+    return this.views.map(({ scene, request: { quality } }) => ({ preset: null, scene, quality, ...this.frame(view, scale) }));
   }
 
   private frame({ time, camera }: ViewState, scale: number): StreamView {

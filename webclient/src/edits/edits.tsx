@@ -40,17 +40,14 @@ export class EditHistory {
   }
 
   /** The scene before the last edit of `current`, or null. */
-  undo(current: JsonObject): JsonObject | null {
-    const scene = this.past.pop() ?? null;
-    if (scene) this.future.push(current);
-    this.endStep();
-    return scene;
-  }
+  readonly undo = (current: JsonObject): JsonObject | null => this.step(this.past, this.future, current);
 
   /** The scene that was undone last, or null. */
-  redo(current: JsonObject): JsonObject | null {
-    const scene = this.future.pop() ?? null;
-    if (scene) this.past.push(current);
+  readonly redo = (current: JsonObject): JsonObject | null => this.step(this.future, this.past, current);
+
+  private step(from: JsonObject[], to: JsonObject[], current: JsonObject): JsonObject | null {
+    const scene = from.pop() ?? null;
+    if (scene) to.push(current);
     this.endStep();
     return scene;
   }
@@ -91,15 +88,8 @@ export class SceneEdits {
     render(<this.View />, container);
   }
 
-  undo(): void {
-    this.restore(this.history.undo(this.store.now.scene));
-  }
-
-  redo(): void {
-    this.restore(this.history.redo(this.store.now.scene));
-  }
-
-  private restore(scene: JsonObject | null): void {
+  private step(way: "undo" | "redo"): void {
+    const scene = this.history[way](this.store.now.scene);
     if (scene === null) return;
     this.restoring = true;
     this.put(scene);
@@ -118,8 +108,7 @@ export class SceneEdits {
     const redo = (key === "z" && event.shiftKey) || (key === "y" && !event.shiftKey);
     if (!redo && key !== "z") return;
     event.preventDefault();
-    if (redo) this.redo();
-    else this.undo();
+    this.step(redo ? "redo" : "undo");
   };
 
   private revert(pointer: string): void {
@@ -153,8 +142,8 @@ export class SceneEdits {
     return (
       <>
         <div class="grid grid-cols-2 gap-2 border-t border-line py-2.5">
-          <Button name="Undo" title="Undo (Ctrl+Z)" disabled={!this.history.canUndo} onClick={() => this.undo()} />
-          <Button name="Redo" title="Redo (Ctrl+Shift+Z)" disabled={!this.history.canRedo} onClick={() => this.redo()} />
+          <Button name="Undo" title="Undo (Ctrl+Z)" disabled={!this.history.canUndo} onClick={() => this.step("undo")} />
+          <Button name="Redo" title="Redo (Ctrl+Shift+Z)" disabled={!this.history.canRedo} onClick={() => this.step("redo")} />
           <Button name="Copy scene" title="Copy the scene as JSON" onClick={() => void this.copy()} />
           <Button name="Paste scene" aria-expanded={this.pasting.value} onClick={() => (this.pasting.value = !this.pasting.value)} />
         </div>

@@ -35,10 +35,8 @@ export function detect(gl: WebGL2RenderingContext, hidden: ReadonlySet<string>):
   const info = extensions.has("WEBGL_debug_renderer_info") ? gl.getExtension("WEBGL_debug_renderer_info") : null;
   const renderer = String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
   if (!extensions.has("EXT_color_buffer_float") && !extensions.has("EXT_color_buffer_half_float")) {
-    throw new CapabilityError(
-      "The graphics driver cannot render to floating-point textures " +
-        "(EXT_color_buffer_float or EXT_color_buffer_half_float is required).",
-    );
+    const either = "EXT_color_buffer_float or EXT_color_buffer_half_float";
+    throw new CapabilityError(`The graphics driver cannot render to floating-point textures (${either} is required).`);
   }
   const software = /llvmpipe|softpipe|swiftshader|software|basic render/i.test(renderer);
   const alwaysBlends = /llvmpipe/i.test(renderer) && extensions.has("EXT_float_blend");

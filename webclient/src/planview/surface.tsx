@@ -213,10 +213,5 @@ function Plan({ context }: { context: PageContext }) {
 }
 
 export function Surface({ context }: { context: PageContext }) {
-  return (
-    <>
-      <Head title="Frame plan" close={context.options.close} />
-      <Plan context={context} />
-    </>
-  );
+  return <><Head title="Frame plan" close={context.options.close} /><Plan context={context} /></>;
 }

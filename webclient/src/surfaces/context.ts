@@ -78,7 +78,7 @@ export class PageContext {
     if (viewport === null) return this.serverFrame();
     const { time } = this.clock;
     const { camera } = this.controls;
-    await Promise.all(this.loaders.map((loader) => loader.exact()));
+    await Promise.all(this.loaders.map((loader) => loader.exact));
     const image = viewport.png({ time, camera, divider: this.store.now.split?.at ?? 1 });
     const view = { ...this.view(viewport.canvas), time, camera };
     const { recipeOf, withRecipe } = await import("../take/recipe");

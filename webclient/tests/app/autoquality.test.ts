@@ -113,7 +113,6 @@ describe("the tier of the server's frames in motion", () => {
   async function piloted(selected: object) {
     const now = { preset: { name: "sea" }, quality: "exact", auto: true, split: null, ...selected };
     const pilot = new QualityPilot({ tierCosts: () => Promise.resolve(costsOf(slowTiers)) } as unknown as Api, { now } as unknown as Store);
-    pilot.loadCosts();
     await Promise.resolve();
     return pilot;
   }
