@@ -5,8 +5,7 @@ import type { Viewport } from "../display/viewport";
 import type { Store } from "../selection/selection";
 
 interface AccuracyToolEvents {
-  /** `quality`: a tier, or settings as JSON. */
-  selectQuality(quality: string): void;
+  selectQuality(quality: string): void; // `quality`: a tier, or settings as JSON
   toggled(open: boolean): void;
   failed(error: unknown): void;
 }

@@ -94,8 +94,7 @@ export class AutoQuality {
 export class QualityPilot {
   private readonly choices = new AutoQuality();
   private costs: TierCosts | null | undefined; // Undefined until loaded; null if they cannot be
-  /** Preset and tier that are drawn; null before the first. */
-  private drawn: readonly [string, string] | null = null;
+  private drawn: readonly [string, string] | null = null; // Preset and tier that are drawn; null before the first
   private moving: readonly [string, string] | null = null; // Those of the server's frames in motion
   private readonly movingChoices = new AutoQuality();
 

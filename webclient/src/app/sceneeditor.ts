@@ -7,8 +7,7 @@ import { type ComparableField, preferredField, QUALITY_FIELD, qualityTitle, spli
 import { SplitView } from "../ui/splitview";
 
 interface SceneEditorEvents {
-  /** Names of the quality tiers, once they are known. */
-  tiers(names: readonly string[]): void;
+  tiers(names: readonly string[]): void; // Names of the quality tiers, once they are known
   failed(error: unknown): void;
 }
 

@@ -17,16 +17,13 @@ export type PointerPosition = Pick<PointerEvent, "clientX" | "clientY" | "pointe
 
 /** What the main pointer, a single finger or the left button, does if it does not move the camera. */
 export interface PointerTool {
-  /** Returns whether it takes the pointer; else that moves the camera. */
-  start(point: PointerPosition): boolean;
+  start(point: PointerPosition): boolean; // Returns whether it takes the pointer; else that moves the camera
   move(point: PointerPosition): void;
   end(): void;
-  /** A second finger has come down: both move the camera. */
-  cancel(): void;
+  cancel(): void; // A second finger has come down: both move the camera
 }
 
-/** Least distance of the camera from the water's bounds, m. */
-export const CLEARANCE = 0.3;
+export const CLEARANCE = 0.3; // Least distance of the camera from the water's bounds, m
 
 export class CameraControls {
   camera: CameraState;

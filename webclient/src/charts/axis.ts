@@ -4,8 +4,7 @@ export interface Axis {
   logarithmic: boolean;
   low: number;
   high: number;
-  /** Position of a value, 0 to 1. */
-  position(value: number): number;
+  position(value: number): number; // Position of a value, 0 to 1
   ticks: number[];
 }
 

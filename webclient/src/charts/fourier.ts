@@ -1,7 +1,6 @@
 /** Power of planes by frequency. */
 
-/** Complex numbers. */
-type Numbers = readonly [re: Float64Array, im: Float64Array];
+type Numbers = readonly [re: Float64Array, im: Float64Array]; // Complex numbers
 
 const zeros = (length: number): Numbers => [new Float64Array(length), new Float64Array(length)];
 

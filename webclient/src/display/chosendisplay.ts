@@ -10,10 +10,8 @@ const LEAST = { fps: 2.5, scale: 0.2 }; // Below these it is no moving picture
 const BETTER = 1.2; // The other is taken if it gives more than this multiple
 const AGAIN = 60_000; // Time after which the one that was left is tried again, ms
 const HEAD_START = 1500; // Time that this browser has for its first plan before the server draws meanwhile, ms
-/** Time after which a browser that seemed slow while the page opened is looked at again, ms. */
-const SECOND_LOOK = 5000;
-/** Time for which this browser's picture may be less than good before the server is tried, ms. */
-const PATIENCE = 1500;
+const SECOND_LOOK = 5000; // Time after which a browser that seemed slow while the page opened is looked at again, ms
+const PATIENCE = 1500; // Time for which this browser's picture may be less than good before the server is tried, ms
 
 /** Share of the window's pixels a second; less where it stutters or is a smear, 0 where it is no moving picture. */
 export function worth(rate: Rate | null): number {

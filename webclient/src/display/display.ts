@@ -84,10 +84,8 @@ export interface DisplayEvents {
   contextLost(): void;
   contextRestored(): void;
   failed(error: unknown): void;
-  /** A frame is shown. */
-  frameDone(): void;
-  /** The other source draws from now on. */
-  sourceChanged(): void;
+  frameDone(): void; // A frame is shown
+  sourceChanged(): void; // The other source draws from now on
   /** The tier in which the server is to draw frames in motion; null: as selected; undefined: it will be known soon. */
   movingTier(load: RenderLoad): MovingTier | null | undefined;
 }
@@ -106,9 +104,7 @@ export interface Display {
   timing(): FrameTiming;
   /** Measured in motion with the current plan; null until it is, or while the user has set the scale. */
   rate(): Rate | null;
-  /** The load in motion; null if the page is not to adapt the quality to it. */
-  load(): RenderLoad | null;
+  load(): RenderLoad | null; // The load in motion; null if the page is not to adapt the quality to it
   readonly stalled: string | null; // Why the picture does not move; null if it can
-  /** Another plan is drawn. `cost`: of its frames, as a multiple of the former plan's. */
-  planChanged(cost: number): void;
+  planChanged(cost: number): void; // Another plan is drawn. `cost`: of its frames, as a multiple of the former plan's.
 }

@@ -23,17 +23,13 @@ interface LoadedPlan {
 export type PlanView = Pick<LoadedPlan, "scene" | "request">;
 
 interface PlanLoaderEvents {
-  /** Settles when it is known who draws. */
-  decided(): Promise<void>;
-  /** Null where the server draws. */
-  gpu(): Gpu | null;
+  decided(): Promise<void>; // Settles when it is known who draws
+  gpu(): Gpu | null; // Null where the server draws
   camera(): CameraState;
   /** Settles when the first picture is shown: until then textures may be rough. Null: they must be exact. */
   roughUntil(): Promise<void> | null;
-  /** There is something new to draw; `newPlan`: not only live fields. */
-  changed(newPlan: boolean): void;
-  /** The programs for every camera are compiled. */
-  complete(): void;
+  changed(newPlan: boolean): void; // There is something new to draw; `newPlan`: not only live fields
+  complete(): void; // The programs for every camera are compiled
   failed(error: unknown): void;
   busy(busy: boolean): void;
 }

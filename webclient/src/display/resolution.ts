@@ -32,8 +32,7 @@ export class DynamicResolution {
   private compiling = COMPILING;
   private fresh = false;
   private probedFrom: number | null = null;
-  /** A scale that did not keep the display's rate, and when it may be tried again. */
-  private ceiling = { ...NO_CEILING };
+  private ceiling = { ...NO_CEILING }; // A scale that did not keep the display's rate, and when it may be tried again
 
   /** `pixels`: of the window, at scale 1; `first`: of the first frame; `least`: scale, whatever it takes. */
   constructor(pixels: number, private readonly budget: FrameBudget = MOTION_BUDGET, first = FIRST_PIXELS, private readonly least = MIN_SCALE) {

@@ -19,8 +19,7 @@ const SETTLED_WINDOWS = { least: 3, most: 8 };
 const LONGEST_TRIAL = 2000;
 /** A moving picture of this scale may take the place of the still, whether or not it grows further. */
 const PRESENTABLE_SCALE = 0.4;
-/** At rest the scale is raised until the next frame would take longer than this, ms. */
-const SHARPENING_TIME = 1000;
+const SHARPENING_TIME = 1000; // At rest the scale is raised until the next frame would take longer than this, ms
 const SHARPENING_DELAY = 500;
 
 interface DrawnFrame { scale: number; onCanvas: boolean; }

@@ -7,8 +7,7 @@ import { type Selection, type Store, validSplit } from "../selection/selection";
 import { copyText } from "../ui/dom";
 import { Icon } from "../ui/icons";
 
-/** Edits of one field that follow each other faster than this are one step, ms: a slider's drag. */
-const JOINED = 800;
+const JOINED = 800; // Edits of one field that follow each other faster than this are one step, ms: a slider's drag
 const LIMIT = 200;
 
 export class EditHistory {

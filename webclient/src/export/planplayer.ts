@@ -8,8 +8,7 @@ import { type Gpu, openContext, openGpu } from "../gl/gpu";
 import { Executor, type LoadBytes } from "../plan/executor";
 import type { Json } from "../scene/json";
 
-/** Delay after the last frame in motion before a still picture is drawn at full size, ms. */
-const SHARPENING_DELAY = 300;
+const SHARPENING_DELAY = 300; // Delay after the last frame in motion before a still picture is drawn at full size, ms
 
 interface PlayerStart {
   plan: FramePlan;

@@ -6,10 +6,8 @@ import { deleteProgram, type Program } from "./program";
 /** A reference to a pooled resource. */
 export interface Lease<V> {
   readonly value: V;
-  /** Releases the reference; further calls have no effect. */
-  release(): void;
-  /** Removes a resource that failed to load. */
-  discard(): void;
+  release(): void; // Releases the reference; further calls have no effect
+  discard(): void; // Removes a resource that failed to load
 }
 
 export class Pool<V> {
@@ -52,8 +50,7 @@ export class Pool<V> {
   }
 }
 
-/** Numbers of unused resources that are kept. */
-const SPARE = { programs: 32, textures: 12, meshes: 4, cachedTargets: 4 };
+const SPARE = { programs: 32, textures: 12, meshes: 4, cachedTargets: 4 }; // Numbers of unused resources that are kept
 
 export class Gpu {
   readonly programs: Pool<Program>;

@@ -5,8 +5,7 @@ import { type Api, ApiError, messageOf } from "../api";
 
 export const FAMILIES = ["vac", "blur", "clump", "bubble", "mix", "lace"] as const;
 type Family = (typeof FAMILIES)[number];
-/** Of the width and of the height, texels. */
-export const SIDE_RANGE = [32, 1024] as const;
+export const SIDE_RANGE = [32, 1024] as const; // Of the width and of the height, texels
 
 /** Least and greatest σ of any family, texels; the server says what a family and a size allow. */
 export const SIGMA_RANGE = [0.5, 24] as const;

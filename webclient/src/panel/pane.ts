@@ -8,8 +8,7 @@ import { type Control, type GroupControl, labelOf, type ListControl, type Number
 
 interface PaneEvents {
   change(pointer: string, value: Json): void;
-  /** Options listed by the server at a URL; empty until loaded. */
-  optionsFrom(url: string): readonly Choice[];
+  optionsFrom(url: string): readonly Choice[]; // Options listed by the server at a URL; empty until loaded
 }
 
 const DEGREE = "°";

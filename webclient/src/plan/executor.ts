@@ -21,8 +21,7 @@ export type LoadBytes = (spec: TextureSpec) => Promise<ArrayBuffer>;
 /** Textures that are loaded with less than all digits. */
 export interface RoughTextures { names: ReadonlySet<string>; bytes: LoadBytes; }
 
-/** What rough textures, and targets drawn from them, are kept by: no exact plan may find them. */
-const ROUGH = "rough ";
+const ROUGH = "rough "; // What rough textures, and targets drawn from them, are kept by: no exact plan may find them
 
 /** A part of the picture, pixels, origin at the bottom left. */
 export interface Rectangle { x: number; y: number; width: number; height: number; }

@@ -96,8 +96,7 @@ export function fill(rules: readonly Rule[], state: FrameState, out: Float32Arra
   if (at !== out.length) throw new RangeError(`The rules have ${at} numbers, the uniform ${out.length}.`);
 }
 
-/** The camera's pointer in a scene: every plan covers every camera. */
-export const CAMERA_POINTER = "/camera";
+export const CAMERA_POINTER = "/camera"; // The camera's pointer in a scene: every plan covers every camera
 
 const isWithin = (pointer: string, field: string) => pointer === field || pointer.startsWith(`${field}/`);
 

@@ -6,8 +6,7 @@ import type { LoadBytes, RoughTextures } from "./executor";
 const UPPER_BITS = 6;
 const LOWER_BITS = 16 - UPPER_BITS;
 
-/** Loads a texture, or a part of it. */
-type Load = (spec: Texture, part?: "upper" | "lower") => Promise<ArrayBuffer>;
+type Load = (spec: Texture, part?: "upper" | "lower") => Promise<ArrayBuffer>; // Loads a texture, or a part of it
 
 /**
  * Names of the textures that a plan's first pictures can do with the upper bits of. Setup passes make tables of means of them,

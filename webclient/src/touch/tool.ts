@@ -8,8 +8,7 @@ import { button, hasModifier } from "../ui/dom";
 import { icon } from "../ui/icons";
 import { appended, pickWater, toJson, type Touch, touchAt, TOUCHES_POINTER, touchesOf, train, type WaterPlace } from "./touches";
 
-/** While time stands, a ring is shown at this age, s: at its birth there is nothing to see. */
-const AGE_AT_REST = 0.8;
+const AGE_AT_REST = 0.8; // While time stands, a ring is shown at this age, s: at its birth there is nothing to see
 /** A finger may be the first of two: it touches once it has rested this long, ms, or moved this far, px. */
 const FINGER_DELAY = 90;
 const FINGER_SLOP = 6;
@@ -29,11 +28,9 @@ const UP: PointerState = { is: "up" };
 type MadeTouch = { touch: Touch; gesture: number };
 
 interface TouchEvents {
-  /** The plan that is drawn; null before the first. */
-  plan(): FramePlan | null;
+  plan(): FramePlan | null; // The plan that is drawn; null before the first
   busy(): boolean;
-  /** The scene has touches, and no plan can show them. */
-  refused(why: string): void;
+  refused(why: string): void; // The scene has touches, and no plan can show them
 }
 
 export class TouchTool implements PointerTool {

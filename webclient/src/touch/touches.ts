@@ -26,10 +26,8 @@ export function pickWater(camera: CameraState, x: number, y: number, width: numb
   return { x: eyeX + far * dx, z: eyeZ + far * dz, distance };
 }
 
-/** The scene's list of touches. */
-export const TOUCHES_POINTER = "/touches";
-/** Greatest length of the list: what plans have room for. */
-export const TOUCHES_MOST = 24;
+export const TOUCHES_POINTER = "/touches"; // The scene's list of touches
+export const TOUCHES_MOST = 24; // Greatest length of the list: what plans have room for
 
 /** Strength by distance, so that rings are as large in the picture near and far; limits, m. */
 const STRENGTH = 0.0025;

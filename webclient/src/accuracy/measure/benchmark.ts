@@ -16,11 +16,9 @@ import { type BenchmarkResult, median, type QualityResult, type Size } from "./m
 const MAX_ROUNDS = 5;
 const MIN_ROUNDS = 3;
 const LONG_RUN = 45_000; // Time after which no more than `MIN_ROUNDS` are started, ms
-/** Least time of one measurement, ms: below it the overhead of a call dominates. */
-const MIN_TIME = { gpu: 1.5, wall: 8 };
+const MIN_TIME = { gpu: 1.5, wall: 8 }; // Least time of one measurement, ms: below it the overhead of a call dominates
 const MAX_DRAWS = 16;
-/** Largest size that is timed, pixels: multisampled targets need several times the memory. */
-const MAX_PIXELS = 1280 * 720;
+const MAX_PIXELS = 1280 * 720; // Largest size that is timed, pixels: multisampled targets need several times the memory
 const SIZE_RATIO = 4; // Side of the large size divided by that of the small one, for the time model
 
 export interface BenchmarkInput {

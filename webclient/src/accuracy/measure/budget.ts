@@ -2,8 +2,7 @@
 import { get } from "../../scene/json";
 import { type BenchmarkResult, compare, type Cost, fitModel, formatNumber, type Measured, median, paretoFront, valueText } from "./measured";
 
-/** A frame at 60 fps, ms. */
-export const DEFAULT_BUDGET = 16;
+export const DEFAULT_BUDGET = 16; // A frame at 60 fps, ms
 
 type Predicted = Cost & { label: string };
 
@@ -35,8 +34,7 @@ export function choose(predicted: readonly Predicted[], budget: number, width: n
   return { id: point.id, label: point.label, fitting: new Set(fitting.map(({ id }) => id)), reason: `${reason}. ${cost}` };
 }
 
-/** Positions of the slider. */
-export const SLIDER_STEPS = 200;
+export const SLIDER_STEPS = 200; // Positions of the slider
 
 /** The slider's range, ms: a little beyond the fastest and the slowest. */
 export function budgetRange(predicted: readonly Cost[]): [number, number] {
@@ -54,8 +52,7 @@ export function stepOf(budget: number, [low, high]: readonly [number, number]): 
   return Math.round(SLIDER_STEPS * Math.min(1, Math.max(0, share)));
 }
 
-/** Less error than this counts as none, levels. */
-export const NEGLIGIBLE = 0.01;
+export const NEGLIGIBLE = 0.01; // Less error than this counts as none, levels
 
 export interface Benefit {
   owner: string;

@@ -152,8 +152,7 @@ export class Stack {
   }
 }
 
-/** Saturation at a place along the strip, texels. */
-type Saturation = (texel: number) => number;
+type Saturation = (texel: number) => number; // Saturation at a place along the strip, texels
 
 /** A strip of water under a passing wave, thresholded by one of the looks. */
 class Strip {

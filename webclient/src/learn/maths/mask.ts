@@ -134,8 +134,7 @@ function quantileTable(values: Float32Array, size: number): number[] {
 }
 
 const SIDE = 256; // Side of its finest level, texels
-/** Its side in texels of the mask, as in the scene of figure 7 (tiles of 2.4 m and 9 m). */
-const TILE = (512 * 2.4) / 9;
+const TILE = (512 * 2.4) / 9; // Its side in texels of the mask, as in the scene of figure 7 (tiles of 2.4 m and 9 m)
 
 let loading: Promise<Uint8Array> | null = null;
 

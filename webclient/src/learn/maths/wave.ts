@@ -52,8 +52,7 @@ export const LOOKS = {
 } as const;
 export type Look = keyof typeof LOOKS;
 
-/** Smallest amount that a screen of 8 bits shows. */
-export const VISIBLE = 0.5 / 255;
+export const VISIBLE = 0.5 / 255; // Smallest amount that a screen of 8 bits shows
 
 const clamp = (x: number, low: number, high: number) => Math.min(Math.max(x, low), high);
 

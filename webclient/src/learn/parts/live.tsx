@@ -85,8 +85,7 @@ export function PlayButton({ playing }: { playing: Signal<boolean> }) {
 export interface LiveFigure {
   controls?: ComponentChild; // After the play button, which figures that move have
   inputs?: readonly ReadonlySignal<unknown>[]; // Values whose changes ask for a new picture
-  /** width: of the figure's plate, px. */
-  resize(width: number): void;
+  resize(width: number): void; // width: of the figure's plate, px
   /** time: s; seconds: by which it moved since the last frame, 0 if it stands. Absent where nothing moves by itself. */
   draw?(time: number, seconds: number): void;
 }

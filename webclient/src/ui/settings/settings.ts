@@ -9,13 +9,10 @@ import { button, dropDown, element, fillSelect } from "../dom";
 import { drawerHead, slide } from "../overlays";
 
 interface SettingsEvents {
-  /** null: automatic. */
-  quality(name: string | null): void;
+  quality(name: string | null): void; // null: automatic
   source(choice: FrameSourceChoice): void;
-  /** null: automatic. */
-  scale(scale: number | null): void;
-  /** Restores the preset's scene, camera and time. */
-  reset(): void;
+  scale(scale: number | null): void; // null: automatic
+  reset(): void; // Restores the preset's scene, camera and time
   serverFrame(): void;
 }
 
