@@ -38,10 +38,8 @@ export interface FrameRequest {
 /** A frame of a stream. */
 export type StreamView = Pick<FrameRequest, "camera" | "time" | "width" | "height">;
 
-interface OpenStream {
-  id: string;
-  lease: number; // Time without a request after which it ends, s
-}
+/** `lease`: time without a request after which it ends, s. */
+interface OpenStream { id: string; lease: number; }
 
 /** An option of a list. */
 export interface Choice { name: string; title: string; }

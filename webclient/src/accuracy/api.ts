@@ -38,28 +38,24 @@ export interface Sweep {
   })[];
 }
 
+type Report = (progress: JobProgress) => void;
+
 const path = (preset: string, rest = "") => `api/accuracy/${encodeURIComponent(preset)}${rest}`;
 
 export async function fetchPoints(api: Api, preset: string, signal: AbortSignal): Promise<{ truth: TruthInfo; points: Point[] }> {
   return (await api.fetch(path(preset, "/points"), { signal })).json() as ReturnType<typeof fetchPoints>;
 }
 
-export async function fetchTruth(
-  api: Api,
-  { url }: TruthInfo,
-  preset: string,
-  onProgress: (progress: JobProgress) => void,
-  signal: AbortSignal,
-): Promise<ArrayBuffer> {
+export async function fetchTruth(api: Api, { url }: TruthInfo, preset: string, onProgress: Report, signal: AbortSignal): Promise<ArrayBuffer> {
   return (await fetchWhenReady(api, url ?? path(preset, "/truth.npy"), onProgress, signal)).arrayBuffer();
 }
 
-export async function fetchSweep(api: Api, preset: string, onProgress: (progress: JobProgress) => void, signal: AbortSignal): Promise<Sweep> {
+export async function fetchSweep(api: Api, preset: string, onProgress: Report, signal: AbortSignal): Promise<Sweep> {
   return (await fetchWhenReady(api, path(preset), onProgress, signal)).json() as Promise<Sweep>;
 }
 
 /** Repeats the request while the server computes (status 202). */
-async function fetchWhenReady(api: Api, url: string, onProgress: (progress: JobProgress) => void, signal: AbortSignal): Promise<Response> {
+async function fetchWhenReady(api: Api, url: string, onProgress: Report, signal: AbortSignal): Promise<Response> {
   for (;;) {
     const response = await api.fetch(url, { signal });
     if (response.status !== 202) return response;

@@ -4,6 +4,7 @@ import type { ComponentChildren } from "preact";
 import { useState } from "preact/hooks";
 import { Table } from "../charts/parts";
 import { labelOf } from "../panel/model";
+import { RangeInput } from "../ui/controls";
 import { compare, formatNumber, formatSigned, measuredHere, median, type QualityResult, ranked } from "./measure/measured";
 import { type Benefit, benefits, budgetAt, budgetRange, choose, DEFAULT_BUDGET, NEGLIGIBLE, predict, SLIDER_STEPS, stepOf } from "./measure/budget";
 import type { BenchmarkRun, Session } from "./session";
@@ -65,17 +66,7 @@ export function BudgetForm({ session, run }: { session: Session; run: BenchmarkR
   return (
     <section class="flex flex-wrap items-center gap-x-3.5 border-t border-line py-3" aria-label="Time budget">
       <label for="budget">Frame budget</label>
-      <input
-        type="range"
-        class="min-w-15 flex-1"
-        aria-label="Budget slider"
-        aria-valuetext={`${budget} ms`}
-        style={{ "--share": `${(100 * step) / SLIDER_STEPS}%` }}
-        min={0}
-        max={SLIDER_STEPS}
-        value={step}
-        onInput={(event) => pick(budgetAt(event.currentTarget.valueAsNumber, range))}
-      />
+      <RangeInput class="min-w-15 flex-1" label="Budget slider" text={`${budget} ms`} value={step} min={0} max={SLIDER_STEPS} step={1} choose={(at) => pick(budgetAt(at, range))} />
       <span class="flex items-center gap-2">
         <input id="budget" class={NUMBER} type="number" inputMode="decimal" min={0.01} step="any" value={budget} onChange={(event) => pick(event.currentTarget.valueAsNumber)} />
         <span>ms</span>

@@ -73,8 +73,11 @@ export class Session {
       const name = this.open.value ? this.selection.value.preset.name : null;
       if (name === shown) return;
       shown = name;
-      if (name === null) this.stop();
-      else this.showPreset();
+      if (name !== null) this.showPreset();
+      else {
+        this.running?.abort.abort();
+        this.request?.abort();
+      }
     });
   }
 
@@ -121,11 +124,6 @@ export class Session {
       this.withServer.value = false;
       this.serverNote.value = messageOf(error);
     }
-  }
-
-  private stop(): void {
-    this.running?.abort.abort();
-    this.request?.abort();
   }
 
   /** Shows the results of the current preset, measuring it first if there are none. */

@@ -4,11 +4,8 @@ import type { Api } from "../api";
 import type { Viewport } from "../display/viewport";
 import type { Store } from "../selection/selection";
 
-interface AccuracyToolEvents {
-  selectQuality(quality: string): void; // `quality`: a tier, or settings as JSON
-  toggled(open: boolean): void;
-  failed(error: unknown): void;
-}
+/** `quality`: a tier, or settings as JSON. */
+interface AccuracyToolEvents { selectQuality(quality: string): void; toggled(open: boolean): void; failed(error: unknown): void; }
 
 export class AccuracyTool {
   open = false;

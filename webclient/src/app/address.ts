@@ -1,16 +1,42 @@
-/** The address bar: keeps the link to the current view, the preset in the path and all else in the fragment. */
+/** The address bar: keeps the link to the current view, the preset in the path and all else in the fragment. Requests for the preset of a link or a choice. */
+import type { Api, Preset } from "../api";
 import type { CameraControls } from "../camera/controls";
 import { cameraFromScene } from "../camera/state";
 import type { ChosenDisplay } from "../display/chosendisplay";
-import { presetOfPath, waterUrl } from "../gallery/search";
+import { presetOfPath, waterUrl } from "../gallery/gallery";
 import { diff } from "../scene/json";
 import type { Store } from "../selection/selection";
-import { decode, frameSource, encode, type LinkState } from "../selection/url";
+import { decode, encode, frameSource, type LinkState } from "../selection/url";
 import type { Surfaces } from "../surfaces/surfaces";
 import { withoutTouches } from "../touch/touches";
 import { copyText } from "../ui/dom";
 import type { AccuracyTool } from "./accuracytool";
 import type { Clock } from "./transport";
+
+export class PresetLoader {
+  private requests = 0;
+
+  /** `busy`: called when a preset begins or ends to load. */
+  constructor(private readonly api: Api, private readonly current: () => Preset, private readonly busy: (busy: boolean) => void) {}
+
+  /** Resolves to null, and never rejects, if another preset was asked for meanwhile. */
+  async load(name: string): Promise<Preset | null> {
+    const request = ++this.requests;
+    const isLatest = () => request === this.requests;
+    const current = this.current();
+    this.busy(name !== current.name);
+    if (name === current.name) return current;
+    try {
+      const preset = await this.api.preset(name);
+      return isLatest() ? preset : null;
+    } catch (error) {
+      if (isLatest()) throw error;
+      return null;
+    } finally {
+      if (isLatest()) this.busy(false);
+    }
+  }
+}
 
 const DELAY = 400; // Delay between a change and the update of the address, ms
 

@@ -22,9 +22,8 @@ import { type LoadingScreen, showHint, Toasts } from "../ui/overlays";
 import { SettingsPanel } from "../ui/settings/settings";
 import type { StillImage } from "../ui/still";
 import { AccuracyTool } from "./accuracytool";
-import { Address } from "./address";
+import { Address, PresetLoader } from "./address";
 import { QualityPilot } from "./autoquality";
-import { PresetLoader } from "./presetloader";
 import { SceneEditor } from "./sceneeditor";
 import { addTools, copyLink, type PageParts } from "./tools";
 
@@ -150,7 +149,7 @@ export class App implements PageParts {
     this.toasts.show(message, error instanceof ApiError ? error.details : [], "error");
     if (!this.display.blank) {
       this.still.hide();
-      this.gallery.showPictures();
+      this.gallery.pictures.value = true;
       this.started = true;
       return;
     }
@@ -274,7 +273,7 @@ export class App implements PageParts {
     if (this.moved) return;
     this.moved = true;
     showHint(byId("bar"), matchMedia("(pointer: coarse)").matches);
-    this.gallery.showPictures();
+    this.gallery.pictures.value = true;
     this.resolveReady();
   }
 

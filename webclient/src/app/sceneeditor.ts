@@ -6,10 +6,8 @@ import { isObject, type Json, withValue } from "../scene/json";
 import { type ComparableField, preferredField, QUALITY_FIELD, qualityTitle, splitAfterEdit, startSplit, type Store, validSplit } from "../selection/selection";
 import { SplitView } from "../ui/splitview";
 
-interface SceneEditorEvents {
-  tiers(names: readonly string[]): void; // Names of the quality tiers, once they are known
-  failed(error: unknown): void;
-}
+/** `tiers`: names of the quality tiers, once they are known. */
+interface SceneEditorEvents { tiers(names: readonly string[]): void; failed(error: unknown): void; }
 
 export class SceneEditor {
   private pane: ScenePane | null = null;

@@ -51,10 +51,8 @@ export function move(camera: CameraState, right: number, up: number, forward: nu
   return { ...camera, position: clampPosition(position, lowest) };
 }
 
-export interface Pivot {
-  point: Vec3;
-  distance: number; // From the eye, m
-}
+/** `distance`: from the eye, m. */
+export interface Pivot { point: Vec3; distance: number; }
 
 /** Centre of an orbit: where the view meets still water, at a limited distance. */
 export function pivot(camera: CameraState): Pivot {

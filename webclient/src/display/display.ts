@@ -52,11 +52,8 @@ export class ShownFrames {
   }
 }
 
-export interface ViewState {
-  time: number;
-  camera: CameraState;
-  divider: number; // Where the right picture begins, as a share of the width; 1 if there is only one
-}
+/** `divider`: where the right picture begins, as a share of the width; 1 if there is only one. */
+export interface ViewState { time: number; camera: CameraState; divider: number; }
 
 /** Who draws: this browser, or the server, frame by frame. */
 export type FrameSource = "browser" | "server";

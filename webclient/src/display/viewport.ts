@@ -2,7 +2,7 @@
 import { type Gpu, openContext, openGpu } from "../gl/gpu";
 import { drawsSlowly } from "../gl/speed";
 import { makeScreen, type Screen } from "../gl/resources";
-import type { Frame, Rectangle } from "../plan/executor";
+import type { Frame } from "../plan/executor";
 import { type Display, type DisplayEvents, type FrameTiming, onPixelsChange, pixelRatio, pixelSize, pixelsOf, type Rate, resizeCanvas, ShownFrames, type ViewState } from "./display";
 import { MOTION_BUDGET, type RenderLoad } from "./framebudget";
 import { DynamicResolution } from "./resolution";
@@ -24,11 +24,8 @@ const SHARPENING_DELAY = 500;
 
 interface DrawnFrame { scale: number; onCanvas: boolean; }
 
-interface PendingFrame extends DrawnFrame {
-  fence: WebGLSync;
-  submitted: number;
-  moving: boolean; // Whether its time is part of the load in motion
-}
+/** `moving`: whether its time is part of the load in motion. */
+interface PendingFrame extends DrawnFrame { fence: WebGLSync; submitted: number; moving: boolean; }
 
 export class Viewport implements Display {
   readonly gl: WebGL2RenderingContext;
@@ -239,10 +236,7 @@ export class Viewport implements Display {
         return;
       }
       const x = Math.round(width * divider);
-      const parts: [PlanLoader, Rectangle][] = [
-        [left, { x: 0, y: 0, width: x, height }],
-        [right, { x, y: 0, width: width - x, height }],
-      ];
+      const parts = [[left, { x: 0, y: 0, width: x, height }], [right, { x, y: 0, width: width - x, height }]] as const;
       for (const [{ loaded }, scissor] of parts) {
         if (loaded && scissor.width > 0) loaded.executor?.draw({ ...frame, scissor, scene: loaded.scene });
       }

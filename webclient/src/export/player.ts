@@ -5,18 +5,10 @@ import { type Recipe, recipeOf, withRecipe } from "../take/recipe";
 import { byId, download, prefersReducedMotion } from "../ui/dom";
 import { PlanPlayer } from "./planplayer";
 
-interface SeafoamData {
-  plan: FramePlan;
-  recipe: Recipe;
-  textures: Record<string, string>; // SHA-256 -> base64
-}
+/** `textures`: SHA-256 -> base64. */
+interface SeafoamData { plan: FramePlan; recipe: Recipe; textures: Record<string, string>; }
 
-function bytesOf(base64: string): ArrayBuffer {
-  const text = atob(base64);
-  const bytes = new Uint8Array(text.length);
-  for (let i = 0; i < text.length; i++) bytes[i] = text.charCodeAt(i);
-  return bytes.buffer;
-}
+const bytesOf = (base64: string): ArrayBuffer => Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0)).buffer;
 
 async function play({ plan, recipe, textures }: SeafoamData): Promise<void> {
   const canvas = byId("canvas") as HTMLCanvasElement;

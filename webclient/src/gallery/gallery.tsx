@@ -1,4 +1,4 @@
-/** Gallery of presets: a strip of thumbnails by group, and a list of all waters above it, title and summary, found by words. */
+/** Gallery of presets: their addresses `water/NAME` below the page's root, a strip of thumbnails by group, and a list of all waters above it, found by words. */
 import { signal, useSignal } from "@preact/signals";
 import { render } from "preact";
 import { useLayoutEffect, useRef } from "preact/hooks";
@@ -6,7 +6,53 @@ import type { PresetSummary } from "../api";
 import { hasModifier } from "../ui/dom";
 import { Icon } from "../ui/icons";
 import { thumbnailUrl } from "../ui/still";
-import { followsLink, grouped, indexAfter, matching, waterUrl } from "./search";
+
+const FOLDER = "water/";
+const PATH = /\/water\/([\w-]+)$/;
+
+/** Address of a preset. The server gives it title, description and picture. */
+export const waterUrl = (name: string) => new URL(FOLDER + encodeURIComponent(name), document.baseURI).href;
+
+/** The preset that a path names, or null. */
+export const presetOfPath = (pathname: string) => PATH.exec(pathname)?.[1] ?? null;
+
+/** Whether a click on a link is for the browser, such as for a new tab; otherwise its default is prevented. */
+function followsLink(event: MouseEvent): boolean {
+  if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey) return true;
+  event.preventDefault();
+  return false;
+}
+
+/** Presets that contain every word of the query in title, summary, group, name or effects, in the order of the list. */
+export function matching(presets: readonly PresetSummary[], query: string): PresetSummary[] {
+  const words = plain(query).split(/\s+/).filter(Boolean);
+  return presets.filter(({ name, group, title, summary, effects }) => {
+    const text = plain([name, group, title, summary, ...effects].join(" ").replaceAll("_", " "));
+    return words.every((word) => text.includes(word));
+  });
+}
+
+/** Consecutive presets of one group. */
+export function grouped(presets: readonly PresetSummary[]): { heading: string; presets: PresetSummary[] }[] {
+  const groups: ReturnType<typeof grouped> = [];
+  for (const preset of presets) {
+    const last = groups.at(-1);
+    if (last?.heading === preset.group) last.presets.push(preset);
+    else groups.push({ heading: preset.group, presets: [preset] });
+  }
+  return groups;
+}
+
+const STEPS: Readonly<Record<string, number>> = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1, Home: -Infinity, End: Infinity };
+
+/** Index that a key goes to in a list, or null if the key does not move; `from` is -1 before the list. */
+export function indexAfter(key: string, from: number, count: number): number | null {
+  const step = STEPS[key];
+  return step === undefined || count === 0 ? null : Math.min(count - 1, Math.max(0, from + step));
+}
+
+/** Lower case without accents. */
+const plain = (text: string) => text.normalize("NFD").replace(/\p{M}/gu, "").toLowerCase();
 
 interface ListProps {
   presets: readonly PresetSummary[];
@@ -94,6 +140,7 @@ function PresetList({ presets, selected, open, choose, close }: ListProps) {
 export class Gallery {
   readonly selected = signal("");
   readonly listOpen = signal(false);
+  /** Whether thumbnails are loaded where they are seen: until then nothing is transferred that the first picture does not need. */
   readonly pictures = signal(false);
 
   /** `container`: of the strip; `listContainer`: of the list, which is hidden until it is opened. */
@@ -123,11 +170,6 @@ export class Gallery {
     const thumbnail = this.container.querySelector<HTMLElement>(`[data-preset="${CSS.escape(name)}"]`);
     const strip = thumbnail?.closest<HTMLElement>(".strip");
     if (thumbnail && strip) strip.scrollLeft = thumbnail.offsetLeft - (strip.clientWidth - thumbnail.offsetWidth) / 2;
-  }
-
-  /** Loads the thumbnails that are seen; until then nothing is transferred that the first picture does not need. */
-  showPictures(): void {
-    this.pictures.value = true;
   }
 
   toggleList(open: boolean): void {

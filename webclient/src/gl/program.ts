@@ -6,11 +6,8 @@ const POLL_INTERVAL = 4;
 /** Time after which the link status is read without waiting further, ms: some drivers never report completion while another page draws. */
 const LINK_TIMEOUT = 3000;
 
-export interface ActiveUniform {
-  location: WebGLUniformLocation;
-  type: number; // GL enum of its type
-  size: number;
-}
+/** `type`: GL enum of its type. */
+export interface ActiveUniform { location: WebGLUniformLocation; type: number; size: number; }
 
 export interface Program {
   handle: WebGLProgram;

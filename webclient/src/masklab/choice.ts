@@ -79,11 +79,8 @@ export type Show = (typeof SHOWS)[number];
 export const START: LabState = { left: "vac-24", right: null, grey: 0.25, show: "tile" };
 
 export function encodeState({ left, right, grey, show }: LabState): string {
-  const parts: [string, string][] = [["mask", choiceText(left)]];
-  if (right !== null) parts.push(["beside", choiceText(right)]);
-  parts.push(["grey", grey === null ? "mask" : String(grey)]);
-  if (show !== START.show) parts.push(["show", show]);
-  return parts.map(([key, value]) => `${key}=${value}`).join("&");
+  const parts = { mask: choiceText(left), beside: right && choiceText(right), grey: grey ?? "mask", show: show === START.show ? null : show };
+  return Object.entries(parts).flatMap(([key, value]) => (value === null ? [] : `${key}=${value}`)).join("&");
 }
 
 /** What is missing or wrong is as at the start. */

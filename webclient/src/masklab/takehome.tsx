@@ -72,22 +72,16 @@ export const FORMATS = [
 const UNTESTED = "untested before:content-['⚠_']";
 const BUTTON = "block min-h-11 rounded-lg bg-hover px-3.5 py-[11px]";
 
-interface TakeHomeProps {
-  choice: MaskChoice;
-  loaded: LoadedMask;
-  base: string; // The server's address
-}
+/** `base`: the server's address. */
+interface TakeHomeProps { choice: MaskChoice; loaded: LoadedMask; base: string; }
 
 export function TakeHome({ choice, loaded: { info, mask }, base }: TakeHomeProps) {
   const url = (resource: string) => new URL(maskPath(choice, resource), base).href;
   const list = snippets(url("data.u16"), mask);
-  const [name, setName] = useState("three.js");
-  const [copied, setCopied] = useState("");
+  const [{ name, copied }, set] = useState({ name: "three.js", copied: "" });
   const shown = list.find((one) => one.name === name) ?? list[0];
   if (shown === undefined) return null;
-  const copy = async () => {
-    setCopied((await copyText(shown.code)) ? "Copied." : "Clipboard access denied. Select the code to copy it.");
-  };
+  const copy = async () => set({ name, copied: (await copyText(shown.code)) ? "Copied." : "Clipboard access denied. Select the code to copy it." });
   return (
     <section class="take-home pt-5.5" aria-label="Downloads and code">
       <h2 class="font-serif text-[22px]">{info.title}: files and code</h2>
@@ -105,10 +99,7 @@ export function TakeHome({ choice, loaded: { info, mask }, base }: TakeHomeProps
             key={one.name}
             class={`${BUTTON} aria-pressed:inset-ring-[1.5px] aria-pressed:inset-ring-accent`}
             aria-pressed={one.name === shown.name}
-            onClick={() => {
-              setName(one.name);
-              setCopied("");
-            }}
+            onClick={() => set({ name: one.name, copied: "" })}
           >
             {one.name}
           </button>

@@ -267,7 +267,7 @@ class WaterView {
       return;
     }
     this.pane ??= new ScenePane(this.side, {
-      change: (pointer, value) => this.edit(pointer, value),
+      change: (pointer, value) => this.tell("scene", withValue(this.scene, pointer, value)),
       optionsFrom: (url) => this.options.from(url),
     });
     this.showFields();
@@ -276,10 +276,6 @@ class WaterView {
   private showFields(rebuild = false): void {
     const controls = this.schema && sceneControls(this.schema, this.scene);
     if (controls) this.pane?.show(controls, this.scene, rebuild);
-  }
-
-  private edit(pointer: string, value: Json): void {
-    this.tell("scene", withValue(this.scene, pointer, value));
   }
 
   private failed(error: unknown): void {

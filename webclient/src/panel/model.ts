@@ -3,11 +3,8 @@ import type { Choice, SceneSchema } from "../api";
 import { CAMERA_POINTER } from "../plan/rules";
 import { child, equal, get, isObject, type Json, type JsonObject } from "../scene/json";
 
-interface LabelledField {
-  pointer: string;
-  label: string;
-  hint: string; // The schema's description
-}
+/** `hint`: the schema's description. */
+interface LabelledField { pointer: string; label: string; hint: string; }
 
 export interface NumberControl extends LabelledField {
   kind: "number";

@@ -24,7 +24,7 @@ export interface RoughTextures { names: ReadonlySet<string>; bytes: LoadBytes; }
 const ROUGH = "rough "; // What rough textures, and targets drawn from them, are kept by: no exact plan may find them
 
 /** A part of the picture, pixels, origin at the bottom left. */
-export interface Rectangle { x: number; y: number; width: number; height: number; }
+interface Rectangle { x: number; y: number; width: number; height: number; }
 
 export interface Frame {
   time: number; // s

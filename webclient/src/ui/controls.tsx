@@ -6,6 +6,19 @@ export function Progress({ label, share, class: more }: { label: string; share: 
   return <progress class={`${more ?? ""} ${bar}`} max={1} aria-label={label} {...(share === null ? {} : { value: share })} />;
 }
 
+interface RangeProps extends Record<"value" | "min" | "max" | "step", number> {
+  class: string;
+  label: string;
+  text?: string; // The value in words
+  choose: (value: number) => void;
+}
+
+/** A slider, with the share of its range below the value as `--share`. */
+export function RangeInput({ class: classes, label, text, value, min, max, step, choose }: RangeProps) {
+  const input = { class: classes, "aria-label": label, "aria-valuetext": text, style: { "--share": `${(100 * (value - min)) / (max - min)}%` } };
+  return <input type="range" {...input} min={min} max={max} step={step} value={value} onInput={(event) => choose(event.currentTarget.valueAsNumber)} />;
+}
+
 interface SelectProps<T extends string> {
   class: string;
   label: string;

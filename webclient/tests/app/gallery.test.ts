@@ -2,7 +2,7 @@
 import { expect, test } from "vitest";
 import type { PresetSummary } from "../../src/api";
 import { linkOf } from "../../src/app/address";
-import { grouped, indexAfter, matching, presetOfPath } from "../../src/gallery/search";
+import { grouped, indexAfter, matching, presetOfPath } from "../../src/gallery/gallery";
 import { frameAfter } from "../../src/app/transport";
 
 const preset = (name: string, group: string, title: string, summary: string, effects: string[] = []): PresetSummary => ({ name, group, title, summary, effects, size: [16, 9] });

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import type { Api, Preset } from "../../src/api";
-import { PresetLoader } from "../../src/app/presetloader";
+import { PresetLoader } from "../../src/app/address";
 
 const preset = (name: string): Preset => ({ name, title: name, summary: "", size: [1, 1], time: 0, scene: {} });
 

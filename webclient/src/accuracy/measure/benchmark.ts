@@ -32,11 +32,8 @@ export interface BenchmarkInput {
 /** The quality of a plan request for a point: its tier, or its difference from the standard quality. */
 export const qualityRequest = (point: Point, standard: Point): Json => point.tier ?? apply({}, diff(standard.quality, point.quality));
 
-interface Entry {
-  executor: Executor;
-  result: QualityResult;
-  passTimes: Map<string, number[]>; // ms of each round, by pass
-}
+/** `passTimes`: ms of each round, by pass. */
+interface Entry { executor: Executor; result: QualityResult; passTimes: Map<string, number[]>; }
 
 export class QualityBenchmark {
   private readonly entries: Entry[] = [];

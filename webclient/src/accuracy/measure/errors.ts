@@ -3,11 +3,8 @@ import { ringPower } from "../../charts/fourier";
 import { get, type Json } from "../../scene/json";
 import { Flip } from "./flip";
 
-export interface Picture {
-  width: number;
-  height: number;
-  pixels: Float32Array; // RGBA, rows from the top
-}
+/** `pixels`: RGBA, rows from the top. */
+export interface Picture { width: number; height: number; pixels: Float32Array; }
 
 const MAGIC = [0x93, 0x4e, 0x55, 0x4d, 0x50, 0x59];
 

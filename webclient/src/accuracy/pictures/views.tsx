@@ -78,11 +78,8 @@ function roundUp(value: number): number {
   return ([1, 2, 5].find((step) => step * power >= value) ?? 10) * power;
 }
 
-interface Inset {
-  title: string;
-  note: string; // Quality and its cost, or why there is none
-  picture: Picture | null;
-}
+/** `note`: quality and its cost, or why there is none. */
+interface Inset { title: string; note: string; picture: Picture | null; }
 
 const CHANNELS = ["R", "G", "B", "foam"] as const;
 const ARROWS: Record<string, readonly [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };

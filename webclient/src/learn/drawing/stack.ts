@@ -93,11 +93,8 @@ const WIDE = 640; // Widths of the page from which a texel is two pixels wide, p
 
 const SCALE = 2; // Pixels along a texel, so that the filtered look has samples smaller than texels
 
-interface StackOptions {
-  rows: number;
-  thresholds: boolean;
-  others: readonly Look[]; // Strips under a second mask
-}
+/** `others`: strips under a second mask. */
+interface StackOptions { rows: number; thresholds: boolean; others: readonly Look[]; }
 
 export class Stack {
   private readonly profile = new Plot("The wave in profile, with its saturation over it");

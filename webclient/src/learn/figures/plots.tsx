@@ -1,8 +1,7 @@
 /** Figures 1 to 5: the wave, its thresholds, bubbles, masks and equations, drawn on canvases. */
 import { computed, effect, type Signal, signal } from "@preact/signals";
 import { element } from "../../ui/dom";
-import { Patch, PATCHES, patchSide, Plot } from "../drawing/canvas";
-import { Comparison } from "../drawing/compare";
+import { Comparison, Patch, PATCHES, patchSide, Plot } from "../drawing/canvas";
 import { drawProfile, drawThresholds, Stack } from "../drawing/stack";
 import { followedMask, foamTextures, loadFoamTexture, loadMask, maskOptions, WHITE } from "../maths/mask";
 import { amount, CONSTANTS, PopCounter } from "../maths/wave";

@@ -4,7 +4,7 @@ import { effect, type Signal, signal } from "@preact/signals";
 import { render } from "preact";
 import { Api, messageOf } from "../../api";
 import { byId, element, prefersReducedMotion } from "../../ui/dom";
-import { Comparison } from "../drawing/compare";
+import { Comparison } from "../drawing/canvas";
 import { Stack } from "../drawing/stack";
 import { followedMask, loadFoamTexture, maskOptions } from "../maths/mask";
 import { CONSTANTS } from "../maths/wave";
