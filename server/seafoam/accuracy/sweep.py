@@ -31,8 +31,7 @@ from seafoam.accuracy.model import (
     TruthInfo,
     processor,
 )
-from seafoam.accuracy.parameters import idealised
-from seafoam.accuracy.points import chains, points_of, shown
+from seafoam.accuracy.points import chains, idealised, points_of, shown
 from seafoam.accuracy.timing import beating, compare, front, median_model, sentences, spread_of, time_model
 from seafoam.accuracy.truth import SweepStoppedError, TruthSpec, Watcher, make_truth
 from seafoam.effects.effect import Cause

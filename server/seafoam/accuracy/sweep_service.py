@@ -11,8 +11,8 @@ from seafoam.accuracy.model import Running, Sweep
 from seafoam.accuracy.sweep import Rig, Subject, SweepSettings, find_sweep, make_sweep
 from seafoam.accuracy.truth import SweepStoppedError, Truth, Watcher, find_truth, make_truth
 from seafoam.reference import scene_sha256
-from seafoam.render.service.background import BackgroundFullError, BackgroundQueue
 from seafoam.render.service.frame_cache import LruCache
+from seafoam.render.service.queues import BackgroundFullError, BackgroundQueue
 
 log = logging.getLogger(__name__)
 

@@ -12,59 +12,37 @@ from starlette.middleware.errors import ServerErrorMiddleware
 from starlette.middleware.gzip import DEFAULT_EXCLUDED_CONTENT_TYPES, GZipMiddleware
 
 from seafoam.accuracy.cache import cache_dir
+from seafoam.api import site
 from seafoam.api.context import Context
 from seafoam.api.frames.respond import AnswerFromMemory
-from seafoam.api.guard.access_control import AccessControl
-from seafoam.api.guard.cors import OtherOrigins
+from seafoam.api.guard.access_control import AccessControl, OtherOrigins, TokenBuckets
 from seafoam.api.guard.proxy_headers import Proxied
-from seafoam.api.guard.rates import TokenBuckets
-from seafoam.api.http import errors, openapi
-from seafoam.api.http.middleware import AnswerWhenStopped, HeadAsGet, LimitBody, SecurityHeaders
-from seafoam.api.http.negotiation import Negotiate
+from seafoam.api.http import answers, errors
+from seafoam.api.http.middleware import AnswerWhenStopped, HeadAsGet, LimitBody, Negotiate, SecurityHeaders
 from seafoam.api.http.problems import BusyError
 from seafoam.api.http.validation import one_value_each
-from seafoam.api.routers import (
-    accuracy,
-    export,
-    frames,
-    health,
-    masks,
-    plans,
-    presets,
-    scenes,
-    sequences,
-    streams,
-    textures,
-)
+from seafoam.api.routers import accuracy, export, frames, health, masks, plans, presets, sequences, streams, textures
 from seafoam.api.settings import Settings
-from seafoam.api.site import pages
 from seafoam.api.watch.logs import LogRequests
-from seafoam.api.watch.metrics import MeasureRequests, Metrics
-from seafoam.api.watch.telemetry import NO_TELEMETRY
-from seafoam.api.watch.telemetry import traces as configured_traces
+from seafoam.api.watch.metrics import NO_TELEMETRY, MeasureRequests, Metrics
+from seafoam.api.watch.metrics import traces as configured_traces
 from seafoam.render.ahead import compile_ahead
 from seafoam.render.gl.executor import Executor
-from seafoam.render.service.disk import DiskCache
-from seafoam.render.service.frame_cache import FrameCache
+from seafoam.render.service.frame_cache import DiskCache, FrameCache
 from seafoam.render.service.jobs import Renderer
 from seafoam.render.service.pool import RenderPool
 
 GZIP_LEVEL = 4
 """Level 4 compresses plans to a tenth; level 9 gains little more."""
 NOT_WORTH_GZIP = (
-    *DEFAULT_EXCLUDED_CONTENT_TYPES,
-    "application/octet-stream",
-    "application/x-npy",
-    "application/zip",
-    "image/*",
-    "font/*",
-    "video/*",
-)
+    *DEFAULT_EXCLUDED_CONTENT_TYPES, "application/octet-stream", "application/x-npy", "application/zip", "image/*",
+    "font/*", "video/*",
+)  # fmt: skip
 
 _ROUTERS = tuple(
-    each.router for each in (presets, scenes, plans, frames, streams, sequences, accuracy, masks, textures, export)
+    each.router for each in (presets, plans, frames, streams, sequences, accuracy, masks, textures, export)
 )
-_PUBLIC = tuple(route for each in (presets, scenes, plans, masks, textures) for route in each.router.routes)
+_PUBLIC = tuple(route for each in (presets, plans, masks, textures) for route in each.router.routes)
 """What is data, and no picture or work of the renderer."""
 
 _DESCRIPTION = """
@@ -136,11 +114,11 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
         telemetry=NO_TELEMETRY if traces is None else traces.requests,
     )
     for router in _ROUTERS:
-        app.include_router(router, responses=openapi.problem_responses(400, 401, 429, 500))
+        app.include_router(router, responses=answers.problem_responses(400, 401, 429, 500))
     app.include_router(health.router)
     errors.install(app)
-    pages.install(app)
-    openapi.install(app, settings.max_side)
+    site.install(app)
+    answers.install(app, settings.max_side)
     return app
 
 

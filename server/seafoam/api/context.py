@@ -7,14 +7,11 @@ from fastapi import Depends, Request
 
 from seafoam.accuracy.model import Running, Sweep
 from seafoam.accuracy.sweep import Subject
-from seafoam.api.frames.plans import CompiledPlan, PlanIndex, compile_scene
-from seafoam.api.frames.request_cache import REQUESTS_KEPT, RequestCache
+from seafoam.api.frames.plans import REQUESTS_KEPT, CompiledPlan, PlanIndex, RequestCache, compile_scene
 from seafoam.api.frames.streams import Streams
-from seafoam.api.http.thread_pool import ThreadPool
-from seafoam.api.jobs import sequence_service, sweep_service
+from seafoam.api.jobs import ThreadPool, sequence_service, sweep_service
 from seafoam.api.settings import Settings
-from seafoam.api.watch.metrics import Metrics
-from seafoam.api.watch.telemetry import Traces
+from seafoam.api.watch.metrics import Metrics, Traces
 from seafoam.extras import require
 from seafoam.quality import Quality
 from seafoam.render.service.frame_cache import FrameCache

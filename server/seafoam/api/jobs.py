@@ -1,24 +1,28 @@
-"""Long work beside requests, on the render pool: sweeps of accuracy, and sequences behind visitors' frames."""
+"""Work beside the event loop: threads for plans and masks; sweeps and sequences on the render pool behind frames."""
 
 import asyncio
 import math
 from collections import deque
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import Future
+from typing import ParamSpec, TypeVar
+
+import anyio
+import anyio.to_thread
 
 from seafoam.accuracy.cache import Store, cache_dir
 from seafoam.accuracy.model import Running
 from seafoam.accuracy.sweep import Rig, SweepSettings
 from seafoam.accuracy.sweep_service import SweepService
 from seafoam.accuracy.truth import finished
+from seafoam.api.http.problems import BusyError
 from seafoam.api.settings import Settings
 from seafoam.render.service.errors import DeadlineError, RenderError, RendererUnavailableError, RenderQueueFullError
 from seafoam.render.service.jobs import Drawn, FrameJob, MeasureJob
 from seafoam.render.service.pool import RenderPool
-from seafoam.render.service.priority import Ticket
-from seafoam.sequences.errors import SequenceError
+from seafoam.render.service.queues import Ticket
 from seafoam.sequences.service import SequenceService
-from seafoam.sequences.workers import DrawnFrames, Unit
+from seafoam.sequences.spec import DrawnFrames, SequenceError, Unit
 
 LONGEST_WAIT = 15
 """Maximum delay between requests for a running measurement, s."""
@@ -94,3 +98,27 @@ def sequence_service(settings: Settings, pool: RenderPool, loop: asyncio.Abstrac
     directory = (cache_dir() if settings.cache is None else settings.cache) / "sequences"
     workers = PoolWorkers(pool, loop)
     return SequenceService(directory, lambda: workers, waiting=settings.sequences_waiting, kept=settings.sequences_kept)
+
+
+P = ParamSpec("P")
+T = TypeVar("T")
+
+RETRY_SECONDS = 5
+
+
+class ThreadPool:
+    """Runs functions in threads, in order.
+
+    threads: number that run at a time. queue: number of further calls that can wait.
+    """
+
+    def __init__(self, threads: int, queue: int) -> None:
+        self._limiter = anyio.CapacityLimiter(threads)
+        self._queue = queue
+
+    async def run(self, function: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
+        """Run ``function`` in a thread. Raises :class:`BusyError` if the queue is full, or what the function raises."""
+        waiting = self._limiter.statistics().tasks_waiting
+        if waiting >= self._queue:
+            raise BusyError(f"{waiting} requests of this kind are already waiting", RETRY_SECONDS)
+        return await anyio.to_thread.run_sync(lambda: function(*args, **kwargs), limiter=self._limiter)

@@ -13,7 +13,7 @@ from seafoam.api.guard.keys import Access, Signing, api_keys_of
 from seafoam.api.guard.proxy_headers import ROOT_PATH
 from seafoam.described import Described
 from seafoam.numerals import numeral_fields
-from seafoam.render.service.limits import FrameLimits
+from seafoam.render.service.errors import FrameLimits
 
 
 def default_workers() -> int:

@@ -19,10 +19,9 @@ from typer.core import TyperCommand
 from typer.exceptions import TyperException
 
 from seafoam.cli import options
-from seafoam.cli.consoles import prepare, say
 from seafoam.cli.masks import masks
 from seafoam.cli.sequences import sequence
-from seafoam.cli.support import UNABLE, Command, CommandError, Serve, member_of, refuse, size_of
+from seafoam.cli.support import UNABLE, Command, CommandError, Serve, member_of, prepare, refuse, say, size_of
 from seafoam.extras import UnableError, require
 from seafoam.processes import SCHEDULER
 
@@ -53,8 +52,7 @@ def serve(
     from seafoam.api.app import create_app
     from seafoam.api.settings import Settings
     from seafoam.api.watch import logs
-    from seafoam.api.watch.process import keep_programs, share_one_arena
-    from seafoam.cli.listening import listen
+    from seafoam.cli.listening import keep_programs, listen, share_one_arena
 
     share_one_arena()
     given: dict[str, Any] = {name: value for name, value in (("host", host), ("port", port)) if value is not None}
@@ -298,7 +296,7 @@ def _draw_again(picture: Path, output: Path | None, others: Mapping[str, Any]) -
     if extra := [name for name, value in others.items() if value is not None]:
         names = ", ".join(name if name.isupper() else f"--{name.replace('_', '-')}" for name in extra)
         raise CommandError(f"{names}: not allowed with --again, which draws what the picture's recipe says")
-    from seafoam.cli.again import draw_again
+    from seafoam.cli.frames import draw_again
 
     same, lines = draw_again(picture, output)
     for line in lines:

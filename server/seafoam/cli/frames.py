@@ -1,22 +1,35 @@
-"""The work of ``seafoam render``: a frame of a preset, drawn in this process and written to a file."""
+"""The work of ``seafoam render``: a frame of a preset or of a picture's recipe, drawn in this process, to a file."""
 
-from collections.abc import Mapping
+import io
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from importlib.metadata import version
 from pathlib import Path
+from typing import Any, Literal
 
-from pydantic import ValidationError
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import ConfigDict, Field, ValidationError
 
-from seafoam.api.http.parameters import FrameParameters
+from seafoam.api.http.parameters import FrameParameters, FrameRequest, TierOrQuality, Time
 from seafoam.api.http.problems import ApiError
-from seafoam.cli.support import CommandError, extension_of, refuse, size_of, write
+from seafoam.cli.support import UNABLE, CommandError, extension_of, refuse, size_of, write
 from seafoam.extras import require
 from seafoam.planner import PlanError
 from seafoam.quality import TIERS
-from seafoam.render.encode import FRAME_FORMATS
+from seafoam.render.encode import FRAME_FORMATS, NoRecipeError, read_recipe
 from seafoam.render.gl import executor as gl
-from seafoam.render.service.errors import FrameTooLargeError
-from seafoam.render.service.jobs import FrameJob, render_frame
-from seafoam.render.service.limits import IN_PROCESS
+from seafoam.render.service.errors import IN_PROCESS, FrameTooLargeError
+from seafoam.render.service.jobs import (
+    RECIPE_VERSION,
+    FrameJob,
+    draw_frame,
+    encode_frame,
+    plan_hash,
+    render_frame,
+    renderer_of,
+)
+from seafoam.scene.camera import Camera
 from seafoam.scene.presets import Preset, load_preset
 
 
@@ -83,3 +96,119 @@ def _with_quality(executor: gl.Executor, given: FrameParameters, preset: Preset,
 
 def _option(field: str) -> str:
     return "--size" if field in ("width", "height") else f"--{field.replace('_', '-')}"
+
+
+class _Recipe(FrameRequest):
+    """A recipe as it is read: a request with what it was drawn by; what earlier versions and the page do not write has
+    what they drew with.
+    """
+
+    model_config = ConfigDict(extra="ignore")
+
+    recipe: Literal[1]
+    seafoam: str
+    renderer: str
+    plan: str | None = None
+    quality: TierOrQuality
+    camera: Camera
+    time: Time
+    width: int = Field(ge=1)
+    height: int = Field(ge=1)
+    dither: bool = False
+    split: Any = None
+
+
+def draw_again(source: Path, output: Path | None) -> tuple[bool, list[str]]:
+    """Draw a picture from its recipe, write it where ``output`` is given, and compare it with the picture.
+
+    Returns whether the bytes are the same, and the lines to print. Raises :class:`CommandError` for a file without a
+    recipe that can be drawn.
+    """
+    try:
+        content = source.read_bytes()
+    except OSError as error:
+        raise CommandError(f"--again: cannot read {source}: {error.strerror}", UNABLE) from error
+    recipe = _read(source, content)
+    job = recipe.job
+    try:
+        IN_PROCESS.check(job.width, job.height, job.quality.samples_drawn)
+        executor = gl.Executor()
+        picture = draw_frame(executor, job)
+    except FrameTooLargeError as error:
+        raise CommandError(f"--again: {error}") from error
+    except PlanError as error:
+        raise CommandError(f"--again: {source}: {error.pointer or 'scene'}: {error.message}") from error
+    again = encode_frame(picture, job).content
+    if output is not None:
+        write(output, again)
+    if again == content:
+        return True, [f"{source}: drawn again, the same {len(content):,} bytes"]
+    renderer = renderer_of(picture.info)
+    lines = [*_circumstances(recipe, plan_hash(job.scene, job.quality), renderer), *_pixels(content, again)]
+    return False, [f"{source}: drawn again, with a difference", *(f"  {line}" for line in lines)]
+
+
+def _read(source: Path, content: bytes) -> _Recipe:
+    try:
+        recipe = _Recipe.model_validate_json(read_recipe(content), strict=True)
+    except NoRecipeError as error:
+        raise CommandError(f"--again: {source}: {error}") from error
+    except ValidationError as error:
+        # One is enough: a recipe of another version differs in much.
+        first = error.errors()[0]
+        where = "/" + "/".join(str(step) for step in first["loc"])
+        what = f"its recipe cannot be drawn by version {version('seafoam')} (recipes of format {RECIPE_VERSION})"
+        raise CommandError(f"--again: {source}: {what}: {where}: {first['msg']}") from error
+    if recipe.split is not None:
+        raise CommandError(f"--again: {source}: it shows two looks side by side, which only the page draws")
+    return recipe
+
+
+def _circumstances(recipe: _Recipe, plan: str, renderer: str) -> Iterator[str]:
+    """Yield what was otherwise when the picture was made."""
+    now = version("seafoam")
+    if recipe.seafoam != now:
+        yield f"version: {recipe.seafoam} then, {now} now"
+    if recipe.renderer != renderer:
+        yield f"renderer: {recipe.renderer} then, {renderer} now"
+    if recipe.plan is None:
+        yield "plan: its recipe does not name it"
+    elif recipe.plan != plan:
+        yield f"plan: {recipe.plan} then, {plan} now: shaders, numbers or textures have changed"
+
+
+def _pixels(then: bytes, now: bytes) -> Iterator[str]:
+    try:
+        old, new = _decoded(then), _decoded(now)
+    except (OSError, RuntimeError, ValueError) as error:
+        yield f"pixels: cannot be compared: {error}"
+        return
+    if old.shape != new.shape or old.dtype != new.dtype:
+        yield f"pixels: {_shape(old)} then, {_shape(new)} now"
+        return
+    # NaN is no more different from NaN than a number from itself.
+    differs = (old != new) & ~((old != old) & (new != new))
+    if not differs.any():
+        yield "pixels: the same; the rest of the file differs: recipe, compression or other chunks"
+        return
+    count = int(differs.any(axis=-1).sum())
+    unit = "levels of 255" if old.dtype == np.uint8 else "in linear light"
+    greatest = np.nanmax(np.abs(old.astype(np.float64) - new.astype(np.float64)))
+    yield f"pixels: {count:,} of {old.shape[0] * old.shape[1]:,} differ, by at most {greatest:g} {unit}"
+
+
+def _decoded(content: bytes) -> NDArray[Any]:
+    """Return (height, width, channels)."""
+    if content[:4] != b"v/1\x01":
+        from PIL import Image
+
+        with Image.open(io.BytesIO(content)) as picture:
+            return np.asarray(picture.convert("RGB"))
+    import OpenEXR
+
+    channels = OpenEXR.File(io.BytesIO(content), separate_channels=True, num_threads=0).channels()
+    return np.stack([channels[name].pixels for name in sorted(channels)], axis=-1)
+
+
+def _shape(pixels: NDArray[Any]) -> str:
+    return f"{pixels.shape[1]} × {pixels.shape[0]} of {pixels.dtype}"

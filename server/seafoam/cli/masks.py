@@ -6,8 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from seafoam.cli.consoles import say
-from seafoam.cli.support import CommandError, Output, extension_of, write
+from seafoam.cli.support import CommandError, Output, extension_of, say, write
 from seafoam.extras import require
 
 if TYPE_CHECKING:

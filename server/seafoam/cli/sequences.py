@@ -7,16 +7,14 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from seafoam.cli import options
-from seafoam.cli.consoles import say
-from seafoam.cli.support import UNABLE, CommandError, size_of
+from seafoam.cli.support import UNABLE, CommandError, say, size_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
     from contextlib import AbstractContextManager
 
     from seafoam.sequences.making import Output as SequenceOutput
-    from seafoam.sequences.spec import SequenceSpec
-    from seafoam.sequences.workers import Workers
+    from seafoam.sequences.spec import SequenceSpec, Workers
 
 
 def sequence(
@@ -63,8 +61,8 @@ def sequence(
 
 
 def _output(path: Path, codec: str) -> "SequenceOutput":
+    from seafoam.sequences.formats import CODECS
     from seafoam.sequences.making import Kind, Output
-    from seafoam.sequences.video import CODECS
 
     kinds: dict[str, Kind] = {"": "frames", ".mp4": "mp4", ".webp": "webp", ".zip": "zip"}
     kind = kinds.get(path.suffix.lower())
@@ -78,8 +76,7 @@ def _output(path: Path, codec: str) -> "SequenceOutput":
 def _spec(preset: str, start: float | None, stop: float, fps: str, others: dict[str, object]) -> "SequenceSpec":
     from seafoam.library.errors import InvalidRequestError
     from seafoam.library.request import PictureRequest
-    from seafoam.sequences.errors import OutputError
-    from seafoam.sequences.spec import sequence_of
+    from seafoam.sequences.spec import OutputError, sequence_of
 
     given = {name: value for name, value in others.items() if value is not None}
     try:
@@ -101,7 +98,7 @@ def _working(workers: int, scheduler: str | None, mixed: bool) -> "Iterator[Work
     """Who draws: this process, or processes here, if there is no scheduler, or on other machines."""
     from seafoam.render.gl import executor as gl
     from seafoam.sequences.fleet import DaskWorkers
-    from seafoam.sequences.workers import InProcess
+    from seafoam.sequences.spec import InProcess
 
     if scheduler is None and workers == 1:
         yield InProcess(gl.Executor())
@@ -118,7 +115,7 @@ def _make(
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
     from seafoam.sequences import making
-    from seafoam.sequences.errors import MixedFleetError, OtherSequenceError, OutputError, SequenceError
+    from seafoam.sequences.spec import MixedFleetError, OtherSequenceError, OutputError, SequenceError
 
     console = Console(stderr=True)
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())

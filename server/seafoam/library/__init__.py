@@ -6,7 +6,7 @@ server (:func:`connect`).
 
 from seafoam.library.connection import Connection
 from seafoam.library.embedded import HERE
-from seafoam.library.named import named
+from seafoam.library.request import named
 from seafoam.library.request import preset as preset
 from seafoam.scene.presets import preset_names
 

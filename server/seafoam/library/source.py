@@ -11,8 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from seafoam.library.named import asking
-from seafoam.library.request import FileRequest, PictureRequest
+from seafoam.library.request import FileRequest, PictureRequest, asking
 from seafoam.render.service.jobs import FrameJob
 
 

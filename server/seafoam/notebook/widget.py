@@ -11,7 +11,6 @@ from PIL.Image import Image
 
 from seafoam.library import frame
 from seafoam.library.errors import InvalidRequestError
-from seafoam.library.named import named
 from seafoam.library.request import (
     TIME_LIMIT,
     CameraLike,
@@ -20,11 +19,12 @@ from seafoam.library.request import (
     SceneLike,
     Size,
     camera_of,
+    named,
     quality_of,
     scene_of,
 )
 from seafoam.notebook.answers import answer
-from seafoam.render.service.recipe import described
+from seafoam.render.service.jobs import described
 from seafoam.resources import data_dir
 
 CLIENT = "notebook/seafoam-widget.js"

@@ -21,8 +21,7 @@ from seafoam import processes
 from seafoam.extras import require
 from seafoam.render.gl.executor import Executor
 from seafoam.render.service.jobs import FrameJob, Renderer, render_frame
-from seafoam.sequences.errors import MixedFleetError, SequenceError
-from seafoam.sequences.workers import DrawnFrames, Unit, Units
+from seafoam.sequences.spec import DrawnFrames, MixedFleetError, SequenceError, Unit, Units
 
 if TYPE_CHECKING:
     from distributed import Client

@@ -14,12 +14,10 @@ from typing import Any, Literal
 from pydantic import BaseModel, Field
 
 from seafoam.files import write_whole
-from seafoam.render.service.background import BackgroundFullError, BackgroundQueue
-from seafoam.sequences.errors import SequenceError, SequenceStoppedError
+from seafoam.render.service.queues import BackgroundFullError, BackgroundQueue
+from seafoam.sequences.formats import Codec
 from seafoam.sequences.making import Kind, Output, Progress, Stage, check_output, make_sequence
-from seafoam.sequences.spec import SequenceSpec
-from seafoam.sequences.video import Codec
-from seafoam.sequences.workers import Workers
+from seafoam.sequences.spec import SequenceError, SequenceSpec, SequenceStoppedError, Workers
 
 log = logging.getLogger(__name__)
 
@@ -90,7 +88,7 @@ class SequenceService:
     def submit(self, spec: SequenceSpec, kind: Kind, codec: Codec = "h264") -> SequenceStatus:
         """Ask for a sequence, and return at once how far it is.
 
-        Raises :class:`BackgroundFullError`, :class:`seafoam.sequences.errors.OutputError`, what ``workers`` raises,
+        Raises :class:`BackgroundFullError`, :class:`seafoam.sequences.spec.OutputError`, what ``workers`` raises,
         and :class:`seafoam.planner.PlanError`.
         """
         parts = (spec.identity(self._workers().info), spec.count, kind, codec if kind == "mp4" else "")

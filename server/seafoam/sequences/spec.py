@@ -1,18 +1,43 @@
-"""What a sequence is: frames of one scene at regular times."""
+"""Frames of a sequence: times, identity, errors, and who draws them, behind one small interface."""
 
 import hashlib
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Generator, Iterable, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from importlib.metadata import version
-from typing import Any
+from typing import Any, Literal, Protocol
 
 from seafoam.numerals import numeral
-from seafoam.render.service.jobs import FrameJob, plan_hash
-from seafoam.render.service.recipe import described, renderer_of
-from seafoam.sequences.errors import OutputError
+from seafoam.render.service.jobs import FrameJob, Renderer, described, plan_hash, render_frame, renderer_of
+
+OutputField = Literal["width", "height", "fps", "stop"]
+
+
+class SequenceError(Exception):
+    """Base class of errors that end a sequence. Finished frames stay on disk."""
+
+
+class OtherSequenceError(SequenceError):
+    """The directory holds frames of another sequence, or files that are not ours."""
+
+
+class OutputError(SequenceError):
+    """The output cannot hold the sequence. ``field``: what to change; the text names it."""
+
+    def __init__(self, field: OutputField, detail: str) -> None:
+        super().__init__(detail)
+        self.field = field
+
+
+class MixedFleetError(SequenceError):
+    """Workers have different renderers, whose frames differ."""
+
+
+class SequenceStoppedError(SequenceError):
+    """The sequence was cancelled."""
+
 
 LEAST_FPS, GREATEST_FPS = 0.001, 1000.0
 """Frames a second."""
@@ -119,3 +144,43 @@ def sequence_of(job: FrameJob, stop: float, fps: float | str) -> SequenceSpec:
 def frame_count(start: float, stop: float, fps: Fraction) -> int:
     """Return the number of frames from ``start`` to before ``stop`` (s), at least one."""
     return max(1, math.ceil((stop - start) * float(fps) - _ROUNDING))
+
+
+Unit = tuple[int, FrameJob]
+"""A unit of work: the number of a frame, and all that its bytes depend on."""
+
+
+Units = Iterable[Unit]
+DrawnFrames = Generator[tuple[int, bytes], None, None]
+"""Encoded frames with their numbers."""
+
+
+class Workers(Protocol):
+    """Draws frames."""
+
+    @property
+    def info(self) -> Mapping[str, str]:
+        """The renderer's ``vendor``, ``renderer`` and ``version``."""
+
+    def draw(self, units: Units) -> DrawnFrames:
+        """Draw frames, in any order, and return each encoded with its number; none is lost.
+
+        Closing the generator ends the work. Raises what drawing raises.
+        """
+
+
+class InProcess:
+    """Draws with a renderer of this process, in the thread that created it."""
+
+    def __init__(self, renderer: Renderer) -> None:
+        self._renderer = renderer
+
+    @property
+    def info(self) -> Mapping[str, str]:
+        """The renderer's ``vendor``, ``renderer`` and ``version``."""
+        return self._renderer.info
+
+    def draw(self, units: Units) -> DrawnFrames:
+        """Draw frames one after the other."""
+        for index, job in units:
+            yield index, render_frame(self._renderer, job).content

@@ -15,9 +15,8 @@ import pytest
 from PIL import Image
 from playwright.sync_api import Page
 
-from seafoam.render.encode.exr import encode_exr
+from seafoam.render.encode.formats import encode_exr, encode_webp
 from seafoam.render.encode.png import recipe_in_png
-from seafoam.render.encode.webp import encode_webp
 from support.browser.lanes import Lane
 from support.browser.visits import (
     BLANK,

@@ -3,8 +3,16 @@
 import pytest
 from pydantic import BaseModel, ValidationError
 
-from seafoam.accuracy.parameters import SPINE_KNOBS, all_parameters, every_parameter, idealised, value_at, with_value
-from seafoam.accuracy.points import chains, points_of
+from seafoam.accuracy.points import (
+    SPINE_KNOBS,
+    all_parameters,
+    chains,
+    every_parameter,
+    idealised,
+    points_of,
+    value_at,
+    with_value,
+)
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.scene.models import Scene

@@ -8,7 +8,7 @@ import pytest
 from PIL import Image
 from PIL.PngImagePlugin import PngInfo
 
-from seafoam.cli import again as module
+from seafoam.cli import frames as module
 from seafoam.render.encode import FRAME_FORMATS, read_recipe
 from support.api_fakes import FakeRenderer
 

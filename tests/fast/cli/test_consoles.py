@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from seafoam.api.app import create_app
-from seafoam.cli.consoles import spelt
+from seafoam.cli.support import spelt
 from support.command import COMMAND, run
 from support.sweep import crossed
 

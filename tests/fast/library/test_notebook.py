@@ -9,7 +9,7 @@ import traitlets
 
 import seafoam
 from seafoam.api.app import create_app
-from seafoam.api.routers.scenes import reduced
+from seafoam.api.routers.presets import reduced
 from seafoam.library.errors import InvalidRequestError
 from seafoam.masks.catalogue import load_catalogue
 from seafoam.notebook import Water

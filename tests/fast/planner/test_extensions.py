@@ -8,7 +8,7 @@ from typing import Any, get_args
 import pytest
 from pydantic import BaseModel, Field, ValidationError
 
-from seafoam.accuracy.parameters import every_parameter, value_at, with_value
+from seafoam.accuracy.points import every_parameter, value_at, with_value
 from seafoam.api.frames.plans import compile_scene
 from seafoam.effects import EFFECTS, outside, register, registry, unregister
 from seafoam.effects.effect import Contribution, Effect, Extension, QualityParameter, SaturationSource

@@ -10,8 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from seafoam.render.service import disk as module
-from seafoam.render.service.disk import ABANDONED_SECONDS, DiskCache
+from seafoam.render.service import frame_cache as module
+from seafoam.render.service.frame_cache import ABANDONED_SECONDS, DiskCache
 
 BLOCK = 4096
 
@@ -120,7 +120,7 @@ def test_a_writer_killed_midway_leaves_no_file_under_a_name(tmp_path: Path) -> N
     program = (
         "import os, signal, sys\n"
         "from pathlib import Path\n"
-        "from seafoam.render.service.disk import DiskCache\n"
+        "from seafoam.render.service.frame_cache import DiskCache\n"
         "os.fsync = lambda _: os.kill(os.getpid(), signal.SIGKILL)\n"
         "DiskCache(Path(sys.argv[1]), 1 << 20).put('aa', bytes(100_000))\n"
     )

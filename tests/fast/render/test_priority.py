@@ -6,7 +6,7 @@ from collections.abc import Callable
 import pytest
 
 from seafoam.render.service.frame_cache import InFlight
-from seafoam.render.service.priority import STREAMED, PrioritySemaphore, Ticket
+from seafoam.render.service.queues import STREAMED, PrioritySemaphore, Ticket
 
 pytestmark = pytest.mark.anyio
 

@@ -18,12 +18,9 @@ from seafoam.cli import app
 from seafoam.extras import MissingExtraError
 from seafoam.library.request import PictureRequest
 from seafoam.masks import bake
-from seafoam.sequences.errors import MixedFleetError, SequenceError
 from seafoam.sequences.fleet import DaskWorkers
-from seafoam.sequences.folder import SequenceFolder
-from seafoam.sequences.making import Output, Progress, make_sequence
-from seafoam.sequences.spec import SequenceSpec
-from seafoam.sequences.workers import InProcess
+from seafoam.sequences.making import Output, Progress, SequenceFolder, make_sequence
+from seafoam.sequences.spec import InProcess, MixedFleetError, SequenceError, SequenceSpec
 from support.api_fakes import RAISE, FakeRenderer
 from support.command import free_port
 

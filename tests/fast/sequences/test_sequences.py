@@ -16,12 +16,20 @@ import pytest
 from PIL import Image, ImageSequence
 
 from seafoam.library.request import PictureRequest
-from seafoam.sequences.errors import OtherSequenceError, OutputError, SequenceError, SequenceStoppedError
-from seafoam.sequences.folder import HASHES, MANIFEST, SequenceFolder, frame_name
-from seafoam.sequences.making import Kind, Output, Progress, make_sequence
-from seafoam.sequences.spec import SequenceSpec, frame_count, rate_of
-from seafoam.sequences.webp import durations_of, write_animation
-from seafoam.sequences.workers import DrawnFrames, InProcess, Unit
+from seafoam.sequences.formats import durations_of, write_animation
+from seafoam.sequences.making import HASHES, MANIFEST, Kind, Output, Progress, SequenceFolder, frame_name, make_sequence
+from seafoam.sequences.spec import (
+    DrawnFrames,
+    InProcess,
+    OtherSequenceError,
+    OutputError,
+    SequenceError,
+    SequenceSpec,
+    SequenceStoppedError,
+    Unit,
+    frame_count,
+    rate_of,
+)
 from support.api_fakes import FakeRenderer
 
 

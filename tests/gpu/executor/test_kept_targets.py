@@ -6,8 +6,8 @@ import pytest
 
 from seafoam.planner import FramePlan, make_plan
 from seafoam.quality import TIERS
-from seafoam.render.gl.cache import target_bytes
 from seafoam.render.gl.executor import Executor, ShaderError
+from seafoam.render.gl.formats import target_bytes
 from support.pictures import draw
 from support.scenes import load_preset, preset_names
 

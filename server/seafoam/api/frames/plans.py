@@ -1,17 +1,20 @@
-"""Frame plans of requests: compiled, kept, and found again by their hash (``/api/plans/{plan}/frames``)."""
+"""Frame plans and frames of requests: found once, kept, and found again by their hash or address."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import Any
 
 from pydantic import BaseModel
+from starlette.routing import BaseRoute
+from starlette.types import Scope
 
 from seafoam.effects.registry import CHANGED
 from seafoam.framegraph.plan import FramePlan
 from seafoam.planner import PlanError, make_plan
 from seafoam.quality import Quality
-from seafoam.render.service.disk import DiskCache
-from seafoam.render.service.frame_cache import LruCache
-from seafoam.render.service.jobs import plan_hash
+from seafoam.render.service.frame_cache import DiskCache, LruCache
+from seafoam.render.service.jobs import FrameJob, plan_hash
 from seafoam.scene.models import Scene
 
 KEPT = 1024
@@ -91,3 +94,29 @@ class PlanIndex:
 
 def _key(plan: str) -> str:
     return f"{plan}-plan"
+
+
+ADDRESS_KEPT = 1024
+"""Bytes of a query; all parameters at full length have a third of it."""
+REQUESTS_KEPT = 4096
+"""Requests whose answer is known without planning; one is a job of which the scene is shared with its preset."""
+
+
+@dataclass(frozen=True, slots=True)
+class ResolvedFrame:
+    """A frame that is known before it is drawn: its key, and the headers of its answer."""
+
+    job: FrameJob
+    key: str
+    headers: Mapping[str, str]
+    """All of the answer's but the content's own."""
+    route: BaseRoute
+
+
+RequestCache = LruCache[tuple[Any, ...], ResolvedFrame]
+"""By :func:`address_of`, so that a repeat is neither checked nor planned again."""
+
+
+def address_of(scope: Scope, info: Mapping[str, str]) -> tuple[Any, ...]:
+    """Return a request's address as it was sent, with the renderer that it would be answered by."""
+    return scope["path"], scope["query_string"], *info.values()

@@ -10,7 +10,7 @@ from contextlib import asynccontextmanager
 from dataclasses import dataclass, field
 
 from seafoam.quality import Quality
-from seafoam.render.service.priority import PrioritySemaphore, Ticket
+from seafoam.render.service.queues import PrioritySemaphore, Ticket
 from seafoam.scene.models import Scene
 
 LEASE_SECONDS = 3.0

@@ -1,15 +1,128 @@
-"""ASGI middleware before the API: rates, keys and signed links. Pages, files and health checks pass it untouched."""
+"""ASGI middleware before the API: rates, keys and signed links, and what pages of other sites may read.
 
+Pages, files and health checks pass rates and keys untouched.
+"""
+
+import math
+import re
+import time
+from collections import OrderedDict
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+from ipaddress import IPv6Address, ip_address
 from urllib.parse import unquote
 
 from starlette.datastructures import Headers, MutableHeaders
+from starlette.middleware.cors import CORSMiddleware
 from starlette.responses import Response
+from starlette.routing import BaseRoute, Route
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from seafoam.api.guard.keys import API, CHALLENGE, SIGNED, Access
-from seafoam.api.guard.rates import Standing, TokenBuckets, bucket_of, limit_of
 from seafoam.api.http.asgi import HttpMiddleware, altering
 from seafoam.api.http.errors import ProblemType, problem
+from seafoam.api.watch.logs import REQUEST_ID
+
+CLIENTS_KEPT = 65_536
+"""Clients whose buckets are remembered, 16 MB; one that is forgotten has a full bucket again."""
+IPV6_PREFIX = 64
+"""Leading bits of an IPv6 address that count: what one subscriber has at least."""
+POLICY = "api"
+
+
+@dataclass(frozen=True, slots=True)
+class Standing:
+    """A client's bucket after a request: whether it is allowed, requests left, and seconds until the next or all."""
+
+    allowed: bool
+    left: int
+    seconds: int
+
+
+class TokenBuckets:
+    """Buckets of ``burst`` tokens that refill with ``rate`` tokens a second; a request takes one.
+
+    clients: number of buckets kept. clock: seconds that never go back.
+    """
+
+    def __init__(
+        self, rate: float, burst: int, *, clients: int = CLIENTS_KEPT, clock: Callable[[], float] = time.monotonic
+    ) -> None:
+        self.rate = rate
+        self.burst = burst
+        self._clients = clients
+        self._clock = clock
+        self._full_at: OrderedDict[str, float] = OrderedDict()
+
+    @property
+    def policy(self) -> str:
+        """Value of ``RateLimit-Policy``: the tokens of a bucket, and the seconds in which it refills."""
+        return f'"{POLICY}";q={self.burst};w={math.ceil(self.burst / self.rate)}'
+
+    def take(self, client: str) -> Standing:
+        """Take a token of a client."""
+        now = self._clock()
+        full_at = max(self._full_at.get(client, now), now)
+        tokens = self.burst - (full_at - now) * self.rate
+        # The sums of many requests round.
+        if tokens < 1.0 - 1e-6:
+            return Standing(False, 0, math.ceil((1.0 - tokens) / self.rate))
+        self._full_at[client] = full_at + 1.0 / self.rate
+        self._full_at.move_to_end(client)
+        if len(self._full_at) > self._clients:
+            self._full_at.popitem(last=False)
+        return Standing(True, int(tokens - 1.0 + 1e-6), math.ceil(full_at + 1.0 / self.rate - now))
+
+
+def limit_of(standing: Standing) -> str:
+    """Return the value of ``RateLimit`` (draft-ietf-httpapi-ratelimit-headers-10)."""
+    return f'"{POLICY}";r={standing.left};t={standing.seconds}'
+
+
+def bucket_of(address: str) -> str:
+    """Return the name of an address's bucket: the address, or the network of an IPv6 address."""
+    try:
+        parsed = ip_address(address)
+    except ValueError:
+        return address
+    if isinstance(parsed, IPv6Address):
+        if parsed.ipv4_mapped is not None:
+            return str(parsed.ipv4_mapped)
+        return str(IPv6Address(int(parsed) >> (128 - IPV6_PREFIX) << (128 - IPV6_PREFIX)))
+    return str(parsed)
+
+
+READABLE_ELSEWHERE = (
+    "ETag", "Link", "Server-Timing", "Seafoam-Plan", "Seafoam-Renderer", "Retry-After", "RateLimit", "RateLimit-Policy",
+    REQUEST_ID,
+)  # fmt: skip
+"""Headers that a page of another origin may read, besides those that every page may."""
+_SENT = ("Authorization", "Content-Type", "If-None-Match", REQUEST_ID)
+_GROUP_NAME = re.compile(r"\?P<\w+>")
+
+
+class OtherOrigins:
+    """ASGI middleware: adds the headers of CORS to every answer, errors included, and answers preflights.
+
+    public: routes that every origin may GET; their other methods, and all other paths, only ``origins`` may use.
+    """
+
+    def __init__(self, app: ASGIApp, public: Sequence[BaseRoute], origins: Sequence[str]) -> None:
+        patterns = [
+            each.path_regex.pattern for each in public if isinstance(each, Route) and "GET" in (each.methods or ())
+        ]
+        # One pattern for all, in which the names of groups would clash.
+        self.public = re.compile("|".join(_GROUP_NAME.sub("?:", pattern) for pattern in patterns) or r"(?!)")
+        cors = partial(CORSMiddleware, app, allow_headers=_SENT, expose_headers=READABLE_ELSEWHERE)
+        self.for_all = cors(allow_origins=("*",))
+        methods = ("GET", "POST", "PUT", "DELETE")
+        self.for_some = cors(allow_origins=origins, allow_methods=methods) if origins else app
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        path = scope["path"].removeprefix(scope.get("root_path", "")) if scope["type"] == "http" else ""
+        await (self.for_all if self.public.match(path) else self.for_some)(scope, receive, send)
+
 
 _RATE_EXCEEDED = ProblemType(429, "rate-exceeded", "Too many requests")
 _UNAUTHORIZED = ProblemType(401, "unauthorized", "A key is required")

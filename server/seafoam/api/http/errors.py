@@ -17,16 +17,15 @@ from starlette.responses import JSONResponse
 
 from seafoam.accuracy.sweep_service import FailedError
 from seafoam.api.http import problems
-from seafoam.api.http.problems import BadRequestError, FieldProblem
-from seafoam.api.http.schema_limits import Schema, allowed_at
+from seafoam.api.http.problems import BadRequestError, FieldProblem, Schema, allowed_at
 from seafoam.api.watch.logs import request_id
 from seafoam.extras import MissingExtraError
 from seafoam.masks.catalogue import MaskTooSlowError
 from seafoam.planner import PlanError
 from seafoam.render.service import errors as render
-from seafoam.render.service.background import BackgroundFullError
-from seafoam.sequences.errors import OutputError
+from seafoam.render.service.queues import BackgroundFullError
 from seafoam.sequences.service import NotFinishedError, UnknownSequenceError
+from seafoam.sequences.spec import OutputError
 
 log = logging.getLogger(__name__)
 

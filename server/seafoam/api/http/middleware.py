@@ -1,13 +1,16 @@
-"""ASGI middleware for every request."""
+"""ASGI middleware for every request: content codings and entity tags as RFC 9110 has them, limits, security headers."""
 
 import asyncio
+import re
+from collections.abc import Sequence
 
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.exceptions import HTTPException
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from seafoam.api.http.asgi import HttpMiddleware, altering
-from seafoam.api.http.errors import ProblemType, problem
+from seafoam.api.http.errors import RANGE_PROBLEM, ProblemType, problem
+from seafoam.api.http.problems import FieldProblem
 
 CONTENT_SECURITY_POLICY = "; ".join(
     (
@@ -130,3 +133,118 @@ class AnswerWhenStopped(HttpMiddleware):
                 return
             detail, headers = "the server stopped before the answer was made", {"Retry-After": str(RESTART_SECONDS)}
             await problem(scope["path"], _STOPPING, detail, headers=headers)(scope, receive, send)
+
+
+OFFERED = ("br", "gzip")
+"""Codings that answers may have, the better one first: Brotli of files that the build packed, gzip of all text."""
+_ALIASES = {"x-gzip": "gzip"}
+_ELEMENT = re.compile(r"([!#$%&'*+.^_`|~0-9A-Za-z-]+)\s*(?:;\s*[qQ]=(0(?:\.\d{0,3})?|1(?:\.0{0,3})?)\s*)?")
+_SPAN = re.compile(r"(?=.*[0-9])([0-9]{0,18})-([0-9]{0,18})")
+
+
+def accepted(fields: Sequence[str]) -> list[str]:
+    """Return those of :data:`OFFERED` that a client prefers to none, best first (RFC 9110, section 12.5.3).
+
+    fields: lines of Accept-Encoding. What is no coding with a weight from 0 to 1 is passed over. A client that refuses
+    ``identity`` and all that is offered gets ``identity`` still, as section 12.1 allows.
+    """
+    weights: dict[str, float] = {}
+    for element in ",".join(fields).split(","):
+        if found := _ELEMENT.fullmatch(element.strip()):
+            coding = found[1].lower()
+            weights[_ALIASES.get(coding, coding)] = float(found[2] or 1.0)
+    other = weights.get("*", 0.0)
+    least = weights.get("identity", other)
+    liked = [coding for coding in OFFERED if weights.get(coding, other) > 0.0]
+    return sorted(
+        (coding for coding in liked if weights.get(coding, other) >= least),
+        key=lambda coding: -weights.get(coding, other),
+    )
+
+
+def _is_range(text: str) -> bool:
+    """Whether a Range is of bytes and in order; another must be ignored (RFC 9110, section 14.2)."""
+    unit, _, parts = text.partition("=")
+    found = [_SPAN.fullmatch(part.strip()) for part in parts.split(",")]
+    return unit.strip().lower() == "bytes" and all(
+        one and (not (one[1] and one[2]) or int(one[1]) <= int(one[2])) for one in found
+    )
+
+
+class Negotiate(HttpMiddleware):
+    """ASGI middleware: what lies within finds Accept-Encoding reduced to :func:`accepted`, lists on one line, and no
+    malformed Range.
+
+    A tag of what was compressed is made weak, since the same bytes without a coding have it too; 304 has the tag that
+    the client has, and Vary as its 200. Any copy is current (``If-None-Match: *``) of what has no tag, too. A range
+    outside of a file is a problem (416), for which Starlette has no words.
+    """
+
+    async def _handle(self, scope: Scope, receive: Receive, send: Send) -> None:
+        headers = Headers(scope=scope)
+        known = ", ".join(headers.getlist("if-none-match"))
+        joined = {"accept-encoding": ", ".join(accepted(headers.getlist("accept-encoding"))), "if-none-match": known}
+        others = [(name, value) for name, value in scope["headers"] if name.decode("latin-1").lower() not in joined]
+        if not _is_range(headers.get("range", "")):
+            others = [(name, value) for name, value in others if name.lower() != b"range"]
+        scope["headers"] = others + [
+            (name.encode(), value.encode("latin-1")) for name, value in joined.items() if value
+        ]
+
+        def mark(status: int, own: MutableHeaders) -> None:
+            unmodified = status == 304
+            varying = [each.strip() for line in own.getlist("vary") for each in line.split(",")]
+            if varying or unmodified:
+                varying += ["Accept-Encoding"] * unmodified
+                own["Vary"] = ", ".join(dict.fromkeys(varying))
+            tag = own.get("etag", "W/")
+            if not tag.startswith("W/") and ("content-encoding" in own or (unmodified and f"W/{tag}" in known)):
+                own["ETag"] = f"W/{tag}"
+
+        answering = _explaining(scope, receive, altering(send, mark))
+        any_copy = known.strip() == "*" and scope["method"] in ("GET", "HEAD")
+        await self.app(scope, receive, _unmodified(answering) if any_copy else answering)
+
+
+def _unmodified(send: Send) -> Send:
+    """Return a ``send`` that answers 304 in place of a whole answer 200; events have no length, and are sent."""
+    replaced = False
+
+    async def unmodified(message: Message) -> None:
+        nonlocal replaced
+        if message["type"] == "http.response.start" and message["status"] == 200:
+            headers = MutableHeaders(raw=message["headers"])
+            if replaced := "content-length" in headers:
+                for name in ("content-length", "content-type", "content-encoding"):
+                    del headers[name]
+                await send({"type": "http.response.start", "status": 304, "headers": headers.raw})
+                await send({"type": "http.response.body"})
+        if not replaced:
+            await send(message)
+
+    return unmodified
+
+
+def _explaining(scope: Scope, receive: Receive, send: Send) -> Send:
+    """Return a ``send`` that replaces an empty answer 416 by a problem that names the bytes there are."""
+    replaced = False
+
+    async def explained(message: Message) -> None:
+        nonlocal replaced
+        if message["type"] == "http.response.start" and message["status"] == 416:
+            replaced = True
+            total = Headers(raw=message["headers"])["content-range"]
+            last = int(total.removeprefix("bytes */")) - 1
+            error = FieldProblem(
+                parameter="Range",
+                detail=f"Range: the file has bytes 0 to {last}",
+                allowed={"minimum": 0, "maximum": last},
+            )
+            answer = problem(
+                scope["path"], RANGE_PROBLEM, error.detail, errors=[error], headers={"Content-Range": total}
+            )
+            await answer(scope, receive, send)
+        elif not replaced:
+            await send(message)
+
+    return explained

@@ -1,9 +1,9 @@
-"""Errors that the API raises, and what they say of a field; :mod:`seafoam.api.http.errors` makes answers of them.
+"""Errors that the API raises, what they say of a field, and what a JSON schema allows there.
 
-Nothing here imports the web framework, for commands use the models of parameters too.
+:mod:`seafoam.api.http.errors` makes answers of them. Nothing here imports the web framework, for commands use it too.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from pydantic import Field
@@ -73,3 +73,100 @@ class NotMeasuredError(BusyError):
 
 class StreamsFullError(BusyError):
     """All streams are taken, or the server gives none."""
+
+
+Schema = Mapping[str, Any]
+
+_BOUNDS = ("minimum", "exclusiveMinimum", "maximum", "exclusiveMaximum")
+_LENGTHS = ("minLength", "maxLength", "minItems", "maxItems", "pattern")
+
+
+def allowed_at(schema: Schema, root: Schema, path: Sequence[str | int], value: Any = None) -> dict[str, Any] | None:
+    """Return what is allowed at ``path`` of ``schema``: bounds, choices, lengths or member names; None if unrestricted.
+
+    root: document that ``$ref`` points into. value: the whole value that was sent, which selects among alternatives.
+    """
+    schemas = _descend(schema, root, tuple(path), value)
+    return None if schemas is None else _summary(schemas, root)
+
+
+def describe_allowed(allowed: Mapping[str, Any]) -> str:
+    """Describe the result of :func:`allowed_at` in words."""
+    if "enum" in allowed:
+        return "one of " + ", ".join(map(str, allowed["enum"]))
+    if "members" in allowed:
+        return "members: " + ", ".join(allowed["members"])
+    words = []
+    if "minimum" in allowed and "maximum" in allowed:
+        words.append(f"{allowed['minimum']:g} to {allowed['maximum']:g}")
+    else:
+        words += [f"at least {allowed['minimum']:g}"] if "minimum" in allowed else []
+        words += [f"at most {allowed['maximum']:g}"] if "maximum" in allowed else []
+    words += [f"above {allowed['exclusiveMinimum']:g}"] if "exclusiveMinimum" in allowed else []
+    words += [f"below {allowed['exclusiveMaximum']:g}"] if "exclusiveMaximum" in allowed else []
+    words += [f"{key} {allowed[key]}" for key in _LENGTHS if key in allowed]
+    return ", ".join(words) or str(allowed.get("type", ""))
+
+
+def _resolve(schema: Schema, root: Schema) -> Schema:
+    while "$ref" in schema:
+        target: Any = root
+        for part in schema["$ref"].removeprefix("#/").split("/"):
+            target = target[part]
+        schema = target
+    return schema
+
+
+def _alternatives(schema: Schema, root: Schema) -> list[Schema]:
+    schema = _resolve(schema, root)
+    nested = [*schema.get("anyOf", ()), *schema.get("oneOf", ())]
+    if not nested:
+        return [schema]
+    return [leaf for alternative in nested for leaf in _alternatives(alternative, root)]
+
+
+def _fits(schema: Schema, value: Any) -> bool:
+    """Whether the discriminating members of a schema (its constants) match those of the value."""
+    if not isinstance(value, Mapping):
+        return True
+    fixed = {name: part["const"] for name, part in schema.get("properties", {}).items() if "const" in part}
+    return all(value.get(name, const) == const for name, const in fixed.items())
+
+
+def _descend(schema: Schema, root: Schema, path: tuple[str | int, ...], value: Any) -> Schema | None:
+    if not path:
+        return schema
+    step, rest = path[0], path[1:]
+    for alternative in _alternatives(schema, root):
+        if not _fits(alternative, value):
+            continue
+        inner: Schema | None = None
+        if isinstance(step, int):
+            prefix = alternative.get("prefixItems", ())
+            inner = prefix[step] if step < len(prefix) else alternative.get("items")
+            part = value[step] if isinstance(value, Sequence) and step < len(value) else None
+        else:
+            inner = alternative.get("properties", {}).get(step)
+            part = value.get(step) if isinstance(value, Mapping) else None
+        if isinstance(inner, Mapping) and (found := _descend(inner, root, rest, part)) is not None:
+            return found
+    return None
+
+
+def _summary(schema: Schema, root: Schema) -> dict[str, Any] | None:
+    choices: list[Any] = []
+    said: dict[str, Any] = {}
+    for alternative in _alternatives(schema, root):
+        if alternative.get("type") == "null":
+            continue
+        if "enum" in alternative or "const" in alternative:
+            choices += alternative.get("enum", [alternative.get("const")])
+        elif "properties" in alternative:
+            said.setdefault("members", sorted(alternative["properties"]))
+        else:
+            said |= {key: alternative[key] for key in (*_BOUNDS, *_LENGTHS, "type") if key in alternative}
+    if choices:
+        said = {"enum": choices}
+    elif len(said) > 1:
+        said.pop("type", None)
+    return said or None

@@ -1,15 +1,16 @@
-"""Requests are read strictly: a parameter is given once, and nothing in a body is converted."""
+"""Requests are read strictly: a parameter is given once, nothing in a body is converted, and a preset is there."""
 
 import json
 import re
 from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
-from fastapi import Query, Request
+from fastapi import Path, Query, Request
 from fastapi.exceptions import RequestValidationError
 from pydantic import BaseModel, BeforeValidator, ValidationError
 
 from seafoam.api.http.parameters import Parameters
-from seafoam.api.http.problems import BadRequestError, FieldProblem, UnsupportedMediaError
+from seafoam.api.http.problems import BadRequestError, FieldProblem, NotFoundError, UnsupportedMediaError
+from seafoam.scene.presets import Preset, load_preset, preset_names
 
 M = TypeVar("M", bound=BaseModel)
 NoParameters = Annotated[Parameters, Query()]
@@ -68,3 +69,25 @@ def _no_text(body: Any) -> tuple[str | int, ...] | None:
             case list():
                 waiting += [((*path, index), inner) for index, inner in enumerate(value)]
     return None
+
+
+PresetName = Annotated[
+    str, Path(description="Name of a preset; /api/presets lists them", examples=["default"], max_length=80)
+]
+
+
+def find_preset(name: str) -> Preset:
+    """Return a preset by name. Raises :class:`NotFoundError` with the available names."""
+    try:
+        return load_preset(name)
+    except KeyError:
+        raise NotFoundError(f"preset {name!r} was not found", "preset", preset_names()) from None
+
+
+def known_preset(name: str | None) -> None:
+    """Check the name in a body's member ``preset``. Raises :class:`BadRequestError` with the available names."""
+    if name is not None and name not in preset_names():
+        allowed = {"enum": list(preset_names())}
+        raise BadRequestError(
+            FieldProblem(pointer="/preset", detail=f"/preset: preset {name!r} was not found", allowed=allowed)
+        )

@@ -11,10 +11,19 @@ from seafoam.accuracy.points import points_of
 from seafoam.accuracy.report import csv_of
 from seafoam.accuracy.sweep import Subject, truth_info
 from seafoam.api.context import Context, InContext
-from seafoam.api.frames.presets import PresetName, find_preset
-from seafoam.api.http.etags import NO_STORE, REVALIDATE, not_modified, tag_of
-from seafoam.api.http.openapi import NOT_MODIFIED, TEXT, Responses, content, headers_of, problem_responses
-from seafoam.api.http.validation import NoParameters
+from seafoam.api.http.answers import (
+    NO_STORE,
+    NOT_MODIFIED,
+    REVALIDATE,
+    TEXT,
+    Responses,
+    content,
+    headers_of,
+    not_modified,
+    problem_responses,
+    tag_of,
+)
+from seafoam.api.http.validation import NoParameters, PresetName, find_preset
 from seafoam.api.jobs import retry_seconds
 from seafoam.render.encode import encode
 

@@ -3,13 +3,11 @@
 from fastapi import APIRouter
 from starlette.responses import Response, StreamingResponse
 
+from seafoam.api.bundle import Export, entries, player_files, texture_bytes, zipped
 from seafoam.api.context import InContext
-from seafoam.api.export.bundle import Export, entries, player_files, texture_bytes, zipped
-from seafoam.api.frames.presets import known_preset
-from seafoam.api.http.etags import NO_STORE
-from seafoam.api.http.openapi import content, problem_responses
+from seafoam.api.http.answers import NO_STORE, content, problem_responses
 from seafoam.api.http.parameters import ExportRequest, quality_of
-from seafoam.api.http.validation import Strict
+from seafoam.api.http.validation import Strict, known_preset
 from seafoam.render.service.jobs import FrameJob
 from seafoam.scene.presets import load_preset
 

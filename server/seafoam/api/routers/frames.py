@@ -11,12 +11,17 @@ from starlette.responses import Response
 
 from seafoam.accuracy.sweep import Subject
 from seafoam.api.context import InContext
-from seafoam.api.frames.auto_quality import with_quality
-from seafoam.api.frames.presets import PresetName, find_preset, known_preset
-from seafoam.api.frames.request_cache import ResolvedFrame
-from seafoam.api.frames.respond import FRAME_RESPONSES, answer, resolve_frame, resolved_before
-from seafoam.api.http.etags import IMMUTABLE, NO_STORE, REVALIDATE
-from seafoam.api.http.openapi import NOT_MODIFIED, Responses, headers_of, problem_responses
+from seafoam.api.frames.plans import ResolvedFrame
+from seafoam.api.frames.respond import FRAME_RESPONSES, answer, resolve_frame, resolved_before, with_quality
+from seafoam.api.http.answers import (
+    IMMUTABLE,
+    NO_STORE,
+    NOT_MODIFIED,
+    REVALIDATE,
+    Responses,
+    headers_of,
+    problem_responses,
+)
 from seafoam.api.http.parameters import (
     FORMATS,
     TIME_LIMIT,
@@ -26,7 +31,7 @@ from seafoam.api.http.parameters import (
     ThumbnailParameters,
 )
 from seafoam.api.http.problems import NotFoundError
-from seafoam.api.http.validation import Strict
+from seafoam.api.http.validation import PresetName, Strict, find_preset, known_preset
 from seafoam.numerals import numeral
 from seafoam.quality import TIERS
 from seafoam.render.encode import FrameFormat

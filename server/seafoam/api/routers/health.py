@@ -9,8 +9,7 @@ from pydantic import BaseModel, Field
 from starlette.responses import JSONResponse, Response
 
 from seafoam.api.context import InContext
-from seafoam.api.http.etags import NO_STORE
-from seafoam.api.http.openapi import TEXT, content, problem_responses
+from seafoam.api.http.answers import NO_STORE, TEXT, content, problem_responses
 from seafoam.api.http.problems import BusyError
 from seafoam.api.http.validation import NoParameters
 from seafoam.api.watch.metrics import CONTENT_TYPE_LATEST

@@ -13,8 +13,17 @@ from pydantic import Field
 from starlette.responses import Response, StreamingResponse
 
 from seafoam.api.context import Context, InContext
-from seafoam.api.http.etags import NO_STORE, REVALIDATE, not_modified, tag_of
-from seafoam.api.http.openapi import BINARY, NOT_MODIFIED, Responses, content, problem_responses
+from seafoam.api.http.answers import (
+    BINARY,
+    NO_STORE,
+    NOT_MODIFIED,
+    REVALIDATE,
+    Responses,
+    content,
+    not_modified,
+    problem_responses,
+    tag_of,
+)
 from seafoam.api.http.parameters import Parameters
 from seafoam.api.http.problems import BadRequestError, FieldProblem, NotFoundError
 from seafoam.api.http.validation import NoParameters

@@ -7,11 +7,17 @@ from starlette.responses import Response
 
 from seafoam.api.context import InContext
 from seafoam.api.frames.plans import CompiledPlan
-from seafoam.api.frames.presets import PresetName, find_preset
-from seafoam.api.http.etags import NO_STORE, REVALIDATE, not_modified
-from seafoam.api.http.openapi import NOT_MODIFIED, Responses, headers_of, problem_responses
+from seafoam.api.http.answers import (
+    NO_STORE,
+    NOT_MODIFIED,
+    REVALIDATE,
+    Responses,
+    headers_of,
+    not_modified,
+    problem_responses,
+)
 from seafoam.api.http.parameters import PlanParameters, PlanRequest, quality_of
-from seafoam.api.http.validation import Strict
+from seafoam.api.http.validation import PresetName, Strict, find_preset
 from seafoam.framegraph.plan import FramePlan
 from seafoam.quality import TIERS
 

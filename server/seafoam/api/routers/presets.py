@@ -1,20 +1,26 @@
-"""``/api/presets``: the named scenes. ``/api/quality``: quality tiers and settings."""
+"""Scenes and qualities.
 
+``/api/presets``: the named scenes. ``/api/quality``: tiers and settings. ``/api/schema``: the JSON schemas of both.
+``/api/scenes``: scenes checked and completed.
+"""
+
+import json
+import re
 from functools import cache
 from threading import Lock
 from typing import Any
 
-from fastapi import APIRouter
+from fastapi import APIRouter, Request
 from pydantic import BaseModel, Field
 
 from seafoam.accuracy.model import ParameterInfo
-from seafoam.accuracy.parameters import every_parameter
+from seafoam.accuracy.points import every_parameter
 from seafoam.api.context import InContext
 from seafoam.api.frames.plans import compile_scene
-from seafoam.api.frames.presets import PresetName, find_preset
-from seafoam.api.http.openapi import problem_responses
-from seafoam.api.http.thread_pool import ThreadPool
-from seafoam.api.http.validation import NoParameters
+from seafoam.api.http.answers import problem_responses
+from seafoam.api.http.validation import NoParameters, PresetName, Strict, find_preset
+from seafoam.api.jobs import ThreadPool
+from seafoam.described import Described
 from seafoam.quality import TIERS, Quality, Tier
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import Group, load_preset, preset_names
@@ -92,3 +98,44 @@ async def get_quality(_: NoParameters) -> QualityTiers:
     """Get the quality tiers with the value of every setting, and the allowed values of each setting."""
     measured = [ParameterInfo(owner=owner, **vars(parameter)) for owner, parameter in every_parameter()]
     return QualityTiers(tiers=TIERS, parameters=Quality.model_json_schema(), measured=measured)
+
+
+ROOTS = ("Scene", "Quality")
+_REFERENCE = re.compile(r'"#/components/schemas/(\w+)"')
+
+
+class Schemas(Described):
+    """Schemas of what a client edits."""
+
+    tiers: list[Tier] = Field(description="Names of the quality tiers, fastest first")
+    components: dict[str, dict[str, Any]]
+    """`schemas`: the JSON schemas of Scene, Quality and their parts, as in the OpenAPI document"""
+
+
+def reduced(document: dict[str, Any]) -> dict[str, Any]:
+    """Return the schemas of scene and quality, and of all that they refer to, by name.
+
+    document: OpenAPI document of the application.
+    """
+    schemas = document["components"]["schemas"]
+    found: dict[str, Any] = {}
+    names = [name for name in ROOTS if name in schemas]
+    while names:
+        name = names.pop()
+        if name not in found:
+            found[name] = schemas[name]
+            names += _REFERENCE.findall(json.dumps(schemas[name]))
+    return dict(sorted(found.items()))
+
+
+@router.get("/schema", responses=problem_responses(422))
+async def get_schema(_: NoParameters, request: Request) -> Schemas:
+    """Get the JSON schemas of scene and quality alone, a third of the OpenAPI document."""
+    return Schemas(tiers=list(TIERS), components={"schemas": reduced(request.app.openapi())})
+
+
+@router.post("/scenes", responses=problem_responses(413, 415, 422, 501, 503))
+async def complete_scene(scene: Strict[Scene], context: InContext) -> Scene:
+    """Check a scene sent as JSON, and return it with the default of every absent field."""
+    await context.compiled(scene, TIERS["standard"])
+    return scene

@@ -9,9 +9,15 @@ from pydantic import Discriminator, Field, Tag
 from starlette.responses import FileResponse, JSONResponse, Response, StreamingResponse
 
 from seafoam.api.context import Context, InContext
-from seafoam.api.frames.presets import known_preset
-from seafoam.api.http.etags import NO_STORE, file_unless_current
-from seafoam.api.http.openapi import TEXT, Responses, content, headers_of, problem_responses
+from seafoam.api.http.answers import (
+    NO_STORE,
+    TEXT,
+    Responses,
+    content,
+    file_unless_current,
+    headers_of,
+    problem_responses,
+)
 from seafoam.api.http.parameters import (
     DEFAULT_HEIGHT,
     DEFAULT_WIDTH,
@@ -22,11 +28,11 @@ from seafoam.api.http.parameters import (
     quality_of,
 )
 from seafoam.api.http.problems import BadRequestError, FieldProblem
-from seafoam.api.http.validation import NoParameters, Strict
+from seafoam.api.http.validation import NoParameters, Strict, known_preset
 from seafoam.render.service.jobs import FrameJob
+from seafoam.sequences.formats import Codec
 from seafoam.sequences.service import FINISHED, SequenceStatus, UnknownSequenceError
 from seafoam.sequences.spec import GREATEST_FPS, LEAST_FPS, SequenceSpec, sequence_of
-from seafoam.sequences.video import Codec
 
 router = APIRouter(prefix="/api", tags=["sequences"])
 

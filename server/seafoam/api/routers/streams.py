@@ -9,8 +9,7 @@ from pydantic import Field
 from seafoam.api.context import Context, InContext
 from seafoam.api.frames.respond import CLIENT_CLOSED_REQUEST, server_timing, unless_gone
 from seafoam.api.frames.streams import LEASE_SECONDS, Stream
-from seafoam.api.http.etags import NO_STORE
-from seafoam.api.http.openapi import content, problem_responses
+from seafoam.api.http.answers import NO_STORE, content, problem_responses
 from seafoam.api.http.parameters import PlanRequest, StreamFrameParameters, quality_of
 from seafoam.api.http.problems import NotFoundError, StreamsFullError
 from seafoam.api.http.validation import NoParameters, Strict
@@ -18,7 +17,7 @@ from seafoam.described import Described
 from seafoam.quality import Quality
 from seafoam.render.service.errors import DeadlineError
 from seafoam.render.service.jobs import EncodedFrame, FrameJob
-from seafoam.render.service.priority import Ticket
+from seafoam.render.service.queues import Ticket
 
 router = APIRouter(prefix="/api/streams", tags=["frames"])
 

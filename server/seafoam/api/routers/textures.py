@@ -8,8 +8,7 @@ from pydantic import Field
 from starlette.responses import Response
 
 from seafoam.api.context import InContext
-from seafoam.api.http.etags import IMMUTABLE, REVALIDATE, not_modified
-from seafoam.api.http.openapi import NOT_MODIFIED, content, problem_responses
+from seafoam.api.http.answers import IMMUTABLE, NOT_MODIFIED, REVALIDATE, content, not_modified, problem_responses
 from seafoam.api.http.parameters import Parameters
 from seafoam.api.http.problems import BadRequestError, FieldProblem, NotFoundError
 from seafoam.textures.parts import TexturePart

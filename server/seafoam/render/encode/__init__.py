@@ -9,11 +9,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from seafoam.render.encode.dither import dithered
-from seafoam.render.encode.exr import Precision, encode_exr, recipe_in_exr
-from seafoam.render.encode.jpeg import encode_jpeg
+from seafoam.render.encode.formats import (
+    NoRecipeError,
+    Precision,
+    encode_exr,
+    encode_jpeg,
+    encode_webp,
+    recipe_in_exr,
+    recipe_in_webp,
+)
 from seafoam.render.encode.png import encode_png, recipe_in_png
-from seafoam.render.encode.recipes import NoRecipeError
-from seafoam.render.encode.webp import encode_webp, recipe_in_webp
 
 __all__ = [
     "BYTES_PER_PIXEL", "ENCODERS", "FRAME_FORMATS", "MEDIA_TYPES", "FrameFormat", "NoRecipeError", "Output",

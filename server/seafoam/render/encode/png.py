@@ -12,7 +12,7 @@ from isal import isal_zlib
 from numpy.typing import NDArray
 
 from seafoam.render.encode.dither import BAND, dithered
-from seafoam.render.encode.recipes import KEYWORD
+from seafoam.render.encode.formats import KEYWORD
 
 COMPRESS_LEVEL = 2
 """Level of ISA-L, 0..3: as fast as its level 1; files as small as by zlib's level 1, which takes six times as long."""

@@ -21,9 +21,8 @@ from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.resources import MIPMAPPED, Target, Texture, TextureInput
 from seafoam.framegraph.shader import Program, declared_uniforms
 from seafoam.framegraph.visibility import drawn_passes, passes_into, reads
-from seafoam.render.gl.cache import FORMAT_BYTES, Cache, target_bytes
 from seafoam.render.gl.context import NoRendererError, attach_layers, create_context
-from seafoam.render.gl.formats import READ, TARGET_FORMATS, TEXTURE_FORMATS, Output
+from seafoam.render.gl.formats import FORMAT_BYTES, READ, TARGET_FORMATS, TEXTURE_FORMATS, Cache, Output, target_bytes
 from seafoam.scene.camera import Camera
 from seafoam.textures.store import spec_of, texture
 

@@ -1,6 +1,8 @@
-"""Formats of textures, targets and pictures, as moderngl names them."""
+"""GL objects that an executor keeps between frames, and their formats as moderngl names them."""
 
-from typing import Literal
+from collections import OrderedDict
+from collections.abc import Callable
+from typing import Any, Literal
 
 import numpy as np
 
@@ -34,3 +36,53 @@ READ: dict[Output, tuple[str, Literal["f1", "nu2", "f4"], type[np.uint8 | np.uin
     "samples": ("RGBA8", "f4", np.float32),
 }
 """Format of the displayed picture's target; moderngl dtype and type of what is read."""
+
+
+FORMAT_BYTES = {"f1": 1, "u1": 1, "u2": 2, "u4": 4, "f2": 2, "f4": 4}
+
+
+class Cache:
+    """GL objects by key; the least recently used are evicted first. ``size``: limit of the sum of their ``weigh``."""
+
+    def __init__(self, size: int, weigh: Callable[[Any], int] = lambda item: 1) -> None:
+        self._size = size
+        self._weigh = weigh
+        self._items: OrderedDict[Any, Any] = OrderedDict()
+
+    def __contains__(self, key: Any) -> bool:
+        return key in self._items
+
+    def get(self, key: Any, make: Callable[[], Any] | None = None) -> Any:
+        """Return the object of a key, created if missing; raises ``KeyError`` if it cannot be created."""
+        if make is not None and key not in self._items:
+            self._items[key] = make()
+        self._items.move_to_end(key)
+        return self._items[key]
+
+    def put(self, key: Any, item: Any) -> None:
+        self._items[key] = item
+
+    def trim(self) -> None:
+        """Release objects over the limit; called between frames, when nothing is in use."""
+        total = sum(map(self._weigh, self._items.values()))
+        while total > self._size:
+            item = self._items.popitem(last=False)[1]
+            total -= self._weigh(item)
+            self.release(item)
+
+    def clear(self) -> None:
+        while self._items:
+            self.release(self._items.popitem()[1])
+
+    @staticmethod
+    def release(item: Any) -> None:
+        for part in item if isinstance(item, tuple) else (item,):
+            part.release()
+
+
+def target_bytes(target: tuple[Any, ...]) -> int:
+    """Return the bytes of the pixels of a target that :meth:`Executor._framebuffer` has created."""
+    framebuffer, color, *depth = target
+    layers = getattr(color, "layers", 1)
+    texel = layers * color.components * FORMAT_BYTES[color.dtype] + 4 * len(depth)
+    return int(framebuffer.width * framebuffer.height * texel)

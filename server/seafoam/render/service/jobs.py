@@ -1,4 +1,8 @@
-"""Jobs of render workers, their results, and the functions that run them."""
+"""Jobs of render workers, the recipes of their frames, their results, and the functions that run them.
+
+``seafoam render --again`` draws a frame from its recipe once more. The web client reads that of PNG files back
+(``webclient/src/take/recipe.ts``), and writes the same members into its own PNG files.
+"""
 
 import json
 import time
@@ -14,14 +18,26 @@ from numpy.typing import NDArray
 from seafoam.effects.registry import CHANGED
 from seafoam.framegraph.plan import FramePlan
 from seafoam.planner import make_geometry_plan, make_plan
-from seafoam.quality import Quality
+from seafoam.quality import TIERS, Quality
 from seafoam.render.encode import BYTES_PER_PIXEL, FrameFormat, Output, Precision, encode, encode_jpeg, output_of
-from seafoam.render.service.recipe import RECIPE_VERSION, described, renderer_of
 from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
 
 if TYPE_CHECKING:
     from seafoam.render.gl.executor import RenderedPixels
+
+RECIPE_VERSION = 1
+
+
+def described(quality: Quality) -> str | dict[str, Any]:
+    """Return the name of the tier with these settings, or the settings that differ from tier standard."""
+    tier = next((name for name, settings in TIERS.items() if settings == quality), None)
+    return tier or quality.model_dump(mode="json", exclude_defaults=True)
+
+
+def renderer_of(info: Mapping[str, str]) -> str:
+    """Return a renderer as recipes name it. info: its ``renderer`` and ``version``."""
+    return f"{info['renderer']}, {info['version']}"
 
 
 @dataclass(frozen=True, slots=True)

@@ -35,7 +35,7 @@ from seafoam.render.service.errors import (
     StartingError,
 )
 from seafoam.render.service.jobs import Drawn, EncodedFrame, FrameJob, MeasureJob, Picture, Renderer, encode_frame
-from seafoam.render.service.priority import PrioritySemaphore, Ticket
+from seafoam.render.service.queues import PrioritySemaphore, Ticket
 from seafoam.render.service.shared_buffer import BufferPool, SharedBuffer
 from seafoam.render.service.worker import Answer, T, start_worker, work_canary, work_frame, work_measure
 

@@ -10,8 +10,8 @@ import zipfile
 import numpy as np
 import pytest
 
-from seafoam.api.export import bundle
-from seafoam.api.export.bundle import slug
+from seafoam.api import bundle
+from seafoam.api.bundle import slug
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.scene.presets import load_preset

@@ -94,7 +94,7 @@ def test_a_current_frame_is_answered_without_the_queue(client):
 def test_looks_and_masks_need_foam(client, monkeypatch):
     bare = load_preset("default")
     bare = bare.model_copy(update={"scene": bare.scene.model_copy(update={"foam": None})})
-    monkeypatch.setattr("seafoam.api.frames.presets.load_preset", lambda name: bare)
+    monkeypatch.setattr("seafoam.api.http.validation.load_preset", lambda name: bare)
     # At a time of its own: what has been asked before is known without looking at the preset.
     response = client.get("/api/frames/default.png", params=SMALL | {"look": "halftone", "time": 0.125})
     assert problem(response, 422)["errors"][0]["parameter"] == "look"

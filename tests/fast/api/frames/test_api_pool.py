@@ -13,7 +13,7 @@ from seafoam.quality import TIERS
 from seafoam.render.service import errors
 from seafoam.render.service.jobs import Draw, FrameJob, MeasureJob
 from seafoam.render.service.pool import BACKGROUND_SECONDS, BUSY_RECYCLE, RenderPool
-from seafoam.render.service.priority import Ticket
+from seafoam.render.service.queues import Ticket
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 from support import api_fakes as fakes

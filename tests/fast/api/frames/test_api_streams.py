@@ -16,7 +16,7 @@ from seafoam.api.routers.streams import LATE_FRAMES
 from seafoam.api.settings import Settings
 from seafoam.quality import TIERS
 from seafoam.render.service.errors import DeadlineError
-from seafoam.render.service.priority import Ticket
+from seafoam.render.service.queues import Ticket
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 from support.serving import SMALL, Clock, answering, busy, eventually, left_status, picture, problem, serving

@@ -3,7 +3,7 @@
 import pytest
 from starlette.testclient import TestClient
 
-from seafoam.api.guard.rates import TokenBuckets, bucket_of
+from seafoam.api.guard.access_control import TokenBuckets, bucket_of
 from support.serving import Clock, answering, problem
 
 KEY = "correct-horse-battery"

@@ -13,10 +13,10 @@ from opentelemetry.proto.collector.trace.v1.trace_service_pb2 import ExportTrace
 from opentelemetry.sdk.trace import ReadableSpan
 from opentelemetry.sdk.trace.export.in_memory_span_exporter import InMemorySpanExporter
 
-from seafoam.api.frames.request_cache import ResolvedFrame
+from seafoam.api.frames.plans import ResolvedFrame
 from seafoam.api.frames.respond import answer
-from seafoam.api.watch import telemetry
-from seafoam.api.watch.telemetry import Traces, UnsupportedTelemetryError, configured
+from seafoam.api.watch import metrics
+from seafoam.api.watch.metrics import Traces, UnsupportedTelemetryError, configured
 from seafoam.extras import MissingExtraError
 from seafoam.render.service.jobs import EncodedFrame, Origin
 from support.command import imported
@@ -62,7 +62,7 @@ def test_without_the_packages_the_error_names_them(monkeypatch: pytest.MonkeyPat
     monkeypatch.setenv(*next(iter(ENDPOINT.items())))
     monkeypatch.setattr("seafoam.extras._installed", lambda module: False)
     with pytest.raises(MissingExtraError, match=r"seafoam\[telemetry\]"):
-        telemetry.traces()
+        metrics.traces()
 
 
 def test_nothing_is_imported_where_nothing_asks_for_it() -> None:
@@ -138,7 +138,7 @@ def test_spans_reach_a_collector(monkeypatch: pytest.MonkeyPatch) -> None:
         thread.start()
         monkeypatch.setenv("OTEL_EXPORTER_OTLP_ENDPOINT", f"http://127.0.0.1:{server.server_port}")
         monkeypatch.setenv("OTEL_SERVICE_NAME", "sea")
-        made = telemetry.traces()
+        made = metrics.traces()
         assert made is not None
         made.stages({"render": 0.25})
         made.close()

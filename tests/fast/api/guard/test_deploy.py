@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 import yaml
 
-from seafoam.api.guard.cors import READABLE_ELSEWHERE
+from seafoam.api.guard.access_control import READABLE_ELSEWHERE
 from seafoam.api.settings import Settings
 from seafoam.render.service.pool import BACKGROUND_SECONDS
 

@@ -16,7 +16,7 @@ from starlette.testclient import TestClient
 
 from seafoam.api.app import create_app
 from seafoam.api.settings import Settings
-from seafoam.render.service.background import BackgroundFullError
+from seafoam.render.service.queues import BackgroundFullError
 from support.api_fakes import FakeRenderer
 from support.serving import serving
 from support.sweep import REST

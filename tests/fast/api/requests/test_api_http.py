@@ -125,7 +125,7 @@ def test_what_packs_well_is_packed(client: TestClient, url: str, share: float | 
 @pytest.fixture
 def built(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> TestClient:
     """A client of a built page, of which one file was packed."""
-    monkeypatch.setattr("seafoam.api.site.pages.data_dir", lambda kind: tmp_path)
+    monkeypatch.setattr("seafoam.api.site.data_dir", lambda kind: tmp_path)
     (tmp_path / "assets").mkdir()
     (tmp_path / "index.html").write_text("<title>sea</title>" * 100)
     (tmp_path / "assets" / "a.js").write_text("export {}" * 100)

@@ -9,7 +9,7 @@ import pytest
 from PIL import Image
 from starlette.testclient import TestClient
 
-from seafoam.api.site.link_previews import PREVIEW
+from seafoam.api.site import PREVIEW
 from seafoam.quality import TIERS
 from seafoam.scene.presets import load_preset, preset_names
 from support.serving import problem

@@ -9,7 +9,7 @@ from typing import Any, get_args
 
 from prometheus_client.parser import text_string_to_metric_families
 
-from seafoam.api.http.thread_pool import ThreadPool
+from seafoam.api.jobs import ThreadPool
 from seafoam.api.routers.presets import _made_summary, warm
 from seafoam.framegraph.plan import FramePlan
 from seafoam.quality import TIERS
@@ -133,7 +133,7 @@ def test_what_needs_a_package_that_is_not_installed_says_so(client, monkeypatch)
 
 
 def test_the_page_is_revalidated_and_its_hashed_files_are_kept(tmp_path, monkeypatch):
-    monkeypatch.setattr("seafoam.api.site.pages.data_dir", lambda kind: tmp_path / kind)
+    monkeypatch.setattr("seafoam.api.site.data_dir", lambda kind: tmp_path / kind)
     with serving() as client:
         for page in ("/", "/docs", "/learn", "/learn/laboratory"):
             assert "make webclient" in client.get(page).text, page

@@ -1,14 +1,47 @@
-"""What the OpenAPI document says of answers, and what it lacks without help: the problem schema, limits of settings."""
+"""What answers have in common: cache headers and entity tags, and their description in the OpenAPI document.
+
+The document lacks without help: the problem schema, limits of settings.
+"""
 
 from collections.abc import Mapping
 from http import HTTPStatus
+from importlib.metadata import version
 from typing import Any
 
-from fastapi import FastAPI
+from fastapi import FastAPI, Request
+from starlette.responses import FileResponse, Response
+from starlette.staticfiles import NotModifiedResponse, StaticFiles
 
+from seafoam.accuracy.cache import key_of
 from seafoam.api.http.errors import MEDIA_TYPE, PROBLEM_TYPES, Problem
 from seafoam.quality import QualityExtensions
 from seafoam.scene.models import SceneExtensions
+
+VERSION = version("seafoam")
+
+IMMUTABLE = "public, max-age=31536000, immutable"
+REVALIDATE = "public, no-cache"
+"""Stored, but revalidated before each use: the response is a cheap 304, and upgrades show at once."""
+NO_STORE = "no-store"
+
+
+def tag_of(*parts: Any) -> str:
+    """Return a strong entity tag of JSON values and this package's version."""
+    return f'"{key_of(VERSION, *parts)}"'
+
+
+def not_modified(request: Request, tag: str, headers: Mapping[str, str]) -> Response | None:
+    """Return a 304 with the headers of a full response if the client's copy is current, else None."""
+    sent = request.headers.get("if-none-match", "")
+    current = sent.strip() == "*" or tag in (part.strip().removeprefix("W/") for part in sent.split(","))
+    return Response(status_code=304, headers={"ETag": tag, **headers}) if current else None
+
+
+def file_unless_current(request: Request, response: FileResponse) -> Response:
+    """Return the answer with a file, made with ``stat_result``, or 304 if the client's copy is current."""
+    known = StaticFiles(check_dir=False).is_not_modified(response.headers, request.headers)
+    return NotModifiedResponse(response.headers) if known else response
+
 
 Responses = dict[int | str, dict[str, Any]]
 """Descriptions of answers by their status."""

@@ -2,8 +2,7 @@
 
 Pages opened from the file system may not fetch files, so the player's data are classic scripts: the plan and the recipe
 as JSON, each texture in base64. No path is made of what a request says: names are numbers and names of the plan,
-reduced to lower-case letters, digits and hyphens.
-"""
+reduced to lower-case letters, digits and hyphens."""
 
 import base64
 import io

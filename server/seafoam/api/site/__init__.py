@@ -1,1 +1,0 @@
-"""Pages, and previews of links to them."""
