@@ -42,23 +42,17 @@ from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 
 FRAME_SECONDS = 1.0 / 60.0
-
 ENOUGH_SECONDS = 0.02
 """Minimum time of a frame of tier standard at the timing size, so that the cost of a call is negligible."""
-
 LEAST_SHARE = 4
 """The timing size is at least the subject's own over this, along each side: in a much smaller one the cost per pixel
 would be hidden by maps and tiles, which cost the same at every size."""
-
 LONG_MS = 200.0
 """Time above which a frame is not drawn once more before it is timed."""
-
 SLOW_MS = 100.0
 """If the pixels of the compared picture take longer, that picture is timed instead of one of the timing size."""
-
 SMALL = 10
 """Ratio of the two sizes of the time model along each side."""
-
 COMPILE_WEIGHT = 6.0
 """Time to compile a plan, in frames of one sample per pixel; used only for the progress."""
 

@@ -10,7 +10,6 @@ from seafoam.quality import Quality
 
 TOLD = 1.02
 """Ratio below which two errors are reported as equal."""
-
 FASTER = 1.1
 """Ratio below which two times of a round are reported as equal: of forty plans with the same cost, some differ by as
 much on a shared machine."""

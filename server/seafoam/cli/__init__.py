@@ -12,7 +12,7 @@ import sys
 import webbrowser
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Annotated, Any, Literal, NoReturn
+from typing import Annotated, Any, NoReturn
 
 import typer
 from typer.core import TyperCommand
@@ -20,7 +20,6 @@ from typer.exceptions import TyperException
 
 from seafoam.cli import options
 from seafoam.cli.masks import masks
-from seafoam.cli.sequences import sequence
 from seafoam.cli.support import UNABLE, Command, CommandError, Serve, member_of, prepare, refuse, say, size_of
 from seafoam.extras import UnableError, require
 from seafoam.processes import SCHEDULER
@@ -32,10 +31,51 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
 )
 app.add_typer(masks, name="masks")
-app.command()(sequence)
 
 OPEN_CONNECTIONS = 256
 """Connections beyond which the server answers 503 at once: a page uses a dozen; the render queue has its own limit."""
+
+
+@app.command()
+def sequence(
+    preset: options.Preset,
+    output: Annotated[
+        Path, typer.Option("--output", "-o", help="Directory for frames, or a .mp4, .webp (lossless) or .zip file.")
+    ],
+    stop: Annotated[float, typer.Option(help="Time before which the last frame is, s.")],
+    start: Annotated[float | None, typer.Option(help="Time of the first frame, s (default: the preset's).")] = None,
+    fps: Annotated[
+        str, typer.Option(help="Frames per second, such as 29.97 or 30000/1001, which are the same.")
+    ] = "24",
+    size: options.Size = None,
+    quality: options.TierName = "standard",
+    look: options.LookName = None,
+    mask: options.MaskName = None,
+    codec: Annotated[str, typer.Option(help="Of a .mp4 file: h264 or av1.")] = "h264",
+    workers: Annotated[
+        int, typer.Option(min=1, max=256, help="Processes on this machine; several need the extra cluster.")
+    ] = 1,
+    scheduler: Annotated[
+        str | None, typer.Option(help="Address of a Dask scheduler, such as tcp://host:8786, whose workers draw.")
+    ] = None,
+    mixed: Annotated[
+        bool, typer.Option("--mixed", help="Allow workers with different renderers: their frames differ in levels.")
+    ] = False,
+    again: Annotated[
+        bool, typer.Option("--again", help="Draw every frame again, ignoring those that are there.")
+    ] = False,
+) -> None:
+    """Render a sequence of frames. The same command goes on where an earlier run stopped."""
+    from seafoam.cli import sequences
+
+    wanted = sequences.output_of(output, codec)
+    pixels = None if size is None else size_of(size)
+    spec = sequences.spec_of(preset, start, stop, fps, {"size": pixels, "quality": quality, "look": look, "mask": mask})
+    try:
+        say(sequences.make(spec, wanted, sequences.working(workers, scheduler, mixed), again=again))
+    except KeyboardInterrupt:
+        say("seafoam: interrupted; the same command goes on from here", err=True)
+        raise typer.Abort from None
 
 
 @app.command(cls=Serve)
@@ -196,21 +236,31 @@ def plan(
     """List the passes of a preset's frame plan, or print the GLSL of one of its programs."""
     _require_preset(preset)
     from rich.console import Console
+    from rich.table import Column, Table
 
-    from seafoam.cli import plans
     from seafoam.planner import make_plan
     from seafoam.quality import TIERS
     from seafoam.scene.presets import load_preset
 
     tier = member_of(quality, tuple(TIERS), "--quality")
-    stages: tuple[Literal["fragment", "vertex"], ...] = ("fragment", "vertex")
-    part = member_of(stage, stages, "--stage")
+    part = member_of(stage, ("fragment", "vertex"), "--stage")
     made = make_plan(load_preset(preset).scene, TIERS[tier])
-    if program is None:
-        Console(soft_wrap=True).print(plans.passes(made))
+    if program is not None:
+        shown = made.programs[member_of(program, tuple(made.programs), "--program")]
+        shader = shown.fragment if part == "fragment" else shown.vertex
+        names = {file.line: file.path for file in shader.files}
+        for number, line in enumerate(shader.text.splitlines(), start=1):
+            if number in names:
+                say(f"// ---- {names[number]}")
+            say(line)
         return
-    for line in plans.source(made, program, part):
-        say(line)
+    program_column = Column("program", no_wrap=True)
+    table = Table("pass", program_column, "target", "drawn", "files", "lines", box=None, pad_edge=False)
+    for one in made.passes:
+        shader = made.programs[one.program].fragment
+        files, lines = sum(1 for file in shader.files if file.path), shader.text.count("\n")
+        table.add_row(one.name, one.program, one.target, one.when, str(files), str(lines))
+    Console(soft_wrap=True).print(table)
 
 
 @app.command()

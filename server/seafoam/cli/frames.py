@@ -13,7 +13,7 @@ from pydantic import ConfigDict, Field, ValidationError
 
 from seafoam.api.http.parameters import FrameParameters, FrameRequest, TierOrQuality, Time
 from seafoam.api.http.problems import ApiError
-from seafoam.cli.support import UNABLE, CommandError, extension_of, refuse, size_of, write
+from seafoam.cli.support import UNABLE, CommandError, extension_of, option_of, refuse, size_of, write
 from seafoam.extras import require
 from seafoam.planner import PlanError
 from seafoam.quality import TIERS
@@ -66,7 +66,7 @@ def _validated(options: Mapping[str, object], pixels: tuple[int, int]) -> FrameP
     try:
         given = FrameParameters.model_validate({name: value for name, value in fields.items() if value is not None})
     except ValidationError as error:
-        refuse(error, FrameParameters, _option)
+        refuse(error, FrameParameters, option_of)
     if (given.quality == "auto") != (given.budget_ms is not None):
         raise CommandError("--budget-ms: required with --quality auto, and allowed only with it")
     try:
@@ -92,10 +92,6 @@ def _with_quality(executor: gl.Executor, given: FrameParameters, preset: Preset,
     size = job.width, job.height
     choice = choose(sweep, *size, given.budget_ms, lambda quality: IN_PROCESS.allows(*size, quality.samples_drawn))
     return replace(job, quality=choice.point.quality), f"{choice.point.id}: {choice.why}"
-
-
-def _option(field: str) -> str:
-    return "--size" if field in ("width", "height") else f"--{field.replace('_', '-')}"
 
 
 class _Recipe(FrameRequest):

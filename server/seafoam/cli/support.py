@@ -90,8 +90,7 @@ class Command(TyperCommand):
                 try:
                     numeral(given.get(name))
                 except ValueError as error:
-                    option = f"--{name.replace('_', '-')}"
-                    raise CommandError(f"{option}: {error}, not {given[name]!r}") from error
+                    raise CommandError(f"{option_of(name)}: {error}, not {given[name]!r}") from error
         return rest
 
 
@@ -154,6 +153,10 @@ def member_of(text: str, known: Sequence[E], option: str) -> E:
         if text == name:
             return name
     raise CommandError(f"{option}: must be one of {'; '.join(known)}, not {text!r}")
+
+
+def option_of(field: str) -> str:
+    return "--size" if field in ("width", "height") else f"--{field.replace('_', '-')}"
 
 
 def size_of(text: str) -> tuple[int, int]:

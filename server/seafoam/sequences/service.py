@@ -7,7 +7,8 @@ import re
 import shutil
 import threading
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from typing import Any, Literal
 
@@ -61,8 +62,11 @@ class _SequenceTask:
     spec: SequenceSpec
     output: Output
     status: SequenceStatus
-    stopped: threading.Event
+    stopped: threading.Event = field(default_factory=threading.Event)
     removed: bool = False
+
+    def update(self, **changes: Any) -> None:
+        self.status = self.status.model_copy(update=changes)
 
 
 class SequenceService:
@@ -104,17 +108,16 @@ class SequenceService:
             if unfinished >= self._most_waiting:
                 raise BackgroundFullError(f"{unfinished} sequences are already waiting")
             status = SequenceStatus(id=name, status="queued", frames=spec.count)
-            self._tasks[name] = _SequenceTask(spec, output, status, threading.Event())
+            self._tasks[name] = _SequenceTask(spec, output, status)
             self._queue.add(name, self._tasks[name])
             return status
 
     def status(self, name: str) -> SequenceStatus:
         """Return how far a sequence is. Raises :class:`UnknownSequenceError`."""
         with self._queue.lock:
-            known = self._known(name)
-        if known is None:
-            raise UnknownSequenceError(name)
-        return known
+            if (known := self._known(name)) is None:
+                raise UnknownSequenceError(name)
+            return known
 
     def file(self, name: str) -> Path:
         """Return the file of a finished sequence. Raises :class:`UnknownSequenceError`, :class:`NotFinishedError`."""
@@ -133,12 +136,11 @@ class SequenceService:
             task = self._tasks.get(name)
             if task is None or task.status.status in FINISHED or self._queue.running_job(name) is None:
                 self._queue.waiting.pop(name, None)
-                self._tasks.pop(name, None)
                 self._remove(name)
                 return
             task.removed = True
             task.stopped.set()
-            task.status = task.status.model_copy(update={"status": "cancelled", "eta_s": None})
+            task.update(status="cancelled", eta_s=None)
 
     def stop(self) -> None:
         """Stop the sequence that is being made, and wait until it has; its frames stay for the next start."""
@@ -155,49 +157,39 @@ class SequenceService:
         except (OSError, ValueError):
             return None
 
-    def _run(self, _: str, task: _SequenceTask) -> None:
+    def _run(self, name: str, task: _SequenceTask) -> None:
         with self._queue.lock:
             if not task.removed:
-                task.status = task.status.model_copy(update={"status": "running", "stage": "frames"})
+                task.update(status="running", stage="frames")
         try:
-            self._make(task)
-            update: dict[str, Any] = {"status": "done", "progress": 1.0, "bytes": task.output.path.stat().st_size}
+            task.output.path.parent.mkdir(parents=True, exist_ok=True)
+            tell = partial(self._tell, task)
+            make_sequence(task.spec, task.output, self._workers(), tell=tell, stopped=task.stopped.is_set)
+            end: dict[str, Any] = {"status": "done", "progress": 1.0, "bytes": task.output.path.stat().st_size}
         except SequenceStoppedError:
-            update = {"status": "cancelled"}
+            end = {"status": "cancelled"}
         except Exception as error:
             log.exception("A sequence failed")
-            update = {"status": "failed", "detail": self._reason(error)}
-        self._finish(task, update)
-
-    def _make(self, task: _SequenceTask) -> None:
-        def tell(progress: Progress) -> None:
-            share = progress.done / progress.total
-            frames = progress.stage == "frames"
-            update = {
-                "stage": progress.stage,
-                "progress": round((1.0 - _FILE_SHARE) * share if frames else 1.0 - _FILE_SHARE * (1.0 - share), 4),
-                "eta_s": None if progress.eta_s is None else round(progress.eta_s, 1),
-            }
-            with self._queue.lock:
-                if not task.stopped.is_set():
-                    drawn = progress.done if frames else task.status.drawn
-                    task.status = task.status.model_copy(update={**update, "drawn": drawn})
-
-        task.output.path.parent.mkdir(parents=True, exist_ok=True)
-        make_sequence(task.spec, task.output, self._workers(), tell=tell, stopped=task.stopped.is_set)
-
-    def _finish(self, task: _SequenceTask, update: dict[str, Any]) -> None:
+            end = {"status": "failed", "detail": _reason(error)}
         with self._queue.lock:
             if task.removed:
-                self._tasks.pop(task.status.id, None)
-                self._remove(task.status.id)
+                self._remove(name)
                 return
-            task.status = task.status.model_copy(update={"eta_s": None, **update})
-            if update["status"] == "done":
-                content = task.status.model_dump_json(indent=1).encode()
-                write_whole(task.output.path.with_name(STATUS), content)
-                self._tasks.pop(task.status.id)
+            task.update(eta_s=None, **end)
+            if task.status.status == "done":
+                write_whole(task.output.path.with_name(STATUS), task.status.model_dump_json(indent=1).encode())
+                self._tasks.pop(name)
             self._forget_oldest()
+
+    def _tell(self, task: _SequenceTask, progress: Progress) -> None:
+        share = progress.done / progress.total
+        frames = progress.stage == "frames"
+        whole = (1.0 - _FILE_SHARE) * share if frames else 1.0 - _FILE_SHARE * (1.0 - share)
+        left = None if progress.eta_s is None else round(progress.eta_s, 1)
+        with self._queue.lock:
+            if not task.stopped.is_set():
+                drawn = progress.done if frames else task.status.drawn
+                task.update(stage=progress.stage, progress=round(whole, 4), eta_s=left, drawn=drawn)
 
     def _forget_oldest(self) -> None:
         """Keep the latest of what no unfinished sequence needs: files, and frames of what failed or was interrupted."""
@@ -205,17 +197,17 @@ class SequenceService:
         folders = [path for path in self._directory.iterdir() if _NAME.fullmatch(path.name) and path.name not in needed]
         folders.sort(key=lambda path: path.stat().st_mtime_ns)
         for path in folders[: max(0, len(folders) - self._kept)]:
-            self._tasks.pop(path.name, None)
             self._remove(path.name)
 
     def _remove(self, name: str) -> None:
+        self._tasks.pop(name, None)
         shutil.rmtree(self._directory / name, ignore_errors=True)
 
-    @staticmethod
-    def _reason(error: Exception) -> str:
-        """Return what a client may know: our own words, not the inside of a library."""
-        if isinstance(error, SequenceError):
-            return str(error)
-        if isinstance(error, OSError):
-            return f"a file could not be written: {error.strerror}"
-        return "internal error; the server log has the details"
+
+def _reason(error: Exception) -> str:
+    """Return what a client may know: our own words, not the inside of a library."""
+    if isinstance(error, SequenceError):
+        return str(error)
+    if isinstance(error, OSError):
+        return f"a file could not be written: {error.strerror}"
+    return "internal error; the server log has the details"

@@ -41,11 +41,8 @@ _FILTERS = {
 }
 
 _PROGRAMS_KEPT = 96
-
 _TEXTURES_KEPT = 48
-
 _TARGETS_KEPT = 48
-
 _STATIC_BYTES = 64 << 20
 """Limit of the targets that setup passes drew, for this plan and earlier ones."""
 

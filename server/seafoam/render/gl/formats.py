@@ -19,7 +19,6 @@ TEXTURE_FORMATS = {
     "RGBA32F": (4, "f4"),
 }
 """Components and moderngl dtype of each texture format."""
-
 TARGET_FORMATS = {
     "RGBA16": (4, "nu2"),
     "RGBA16F": (4, "f2"),
@@ -28,7 +27,6 @@ TARGET_FORMATS = {
     "RG32UI": (2, "u4"),
 }
 """Components and moderngl dtype of each target format."""
-
 READ: dict[Output, tuple[str, Literal["f1", "nu2", "f4"], type[np.uint8 | np.uint16 | np.float32]]] = {
     "rgba8": ("RGBA8", "f1", np.uint8),
     "rgba16": ("RGBA16", "nu2", np.uint16),

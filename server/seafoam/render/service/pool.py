@@ -43,26 +43,19 @@ log = logging.getLogger(__name__)
 
 START_SECONDS = 180.0
 """Timeout of the default picture, s, by which the server is ready; then the renderer is unavailable."""
-
 COMPILE_SECONDS = 120.0
 """Time after its frame's deadline for which a worker may compile, s: the next request finds it done."""
-
 STUCK_SECONDS = 10.0
 """Grace period after its deadline, s; if Pebble has not killed a worker by then, the whole pool is replaced."""
-
 MEASURE_SECONDS = 120.0
 """Timeout of a measurement, waiting included, s: one draws a point of a sweep once or twice."""
-
 BACKGROUND_SECONDS = 60.0
 """Time for which a frame in the background may wait, s: for every visitor's."""
-
 BACKGROUND_QUEUE = 64
 """Capacity of the background's own queue, frames: the thumbnails of a gallery."""
-
 BUSY_RECYCLE = 20
 """Multiple of ``recycle`` at which a worker is replaced that was never idle: streams would stand still meanwhile, for
 seconds, and no leak is known (llvmpipe, 4,000 frames of ``default``: 261 to 264 MB)."""
-
 EARLIEST_RETRY = 1
 """Minimum delay before a retry when the queue is full, s."""
 
