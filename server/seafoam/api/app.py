@@ -114,7 +114,7 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
         telemetry=NO_TELEMETRY if traces is None else traces.requests,
     )
     for router in _ROUTERS:
-        app.include_router(router, responses=answers.problem_responses(400, 401, 429, 500))
+        app.include_router(router, responses=answers.problems(400, 401, 429, 500))
     app.include_router(health.router)
     errors.install(app)
     site.install(app)

@@ -293,9 +293,7 @@ def openapi() -> None:
 
 
 @app.command()
-def sign(
-    address: Annotated[str, typer.Argument(help="Path of the API with its query, as it will be sent.")],
-) -> None:
+def sign(address: Annotated[str, typer.Argument(help="Path of the API with its query, as it will be sent.")]) -> None:
     """Print the signed link of an address, with SEAFOAM_SIGNING_KEY and SEAFOAM_SIGNING_SALT from the environment.
 
     It is below SEAFOAM_ROOT_PATH, if that is set; the signature is that of the address, which the proxy passes on.

@@ -19,16 +19,8 @@ from seafoam.planner import PlanError
 from seafoam.quality import TIERS
 from seafoam.render.encode import FRAME_FORMATS, NoRecipeError, read_recipe
 from seafoam.render.gl import executor as gl
+from seafoam.render.service import jobs
 from seafoam.render.service.errors import IN_PROCESS, FrameTooLargeError
-from seafoam.render.service.jobs import (
-    RECIPE_VERSION,
-    FrameJob,
-    draw_frame,
-    encode_frame,
-    plan_hash,
-    render_frame,
-    renderer_of,
-)
 from seafoam.scene.camera import Camera
 from seafoam.scene.presets import Preset, load_preset
 
@@ -49,7 +41,7 @@ def render_to_file(preset: str, output: Path, size: str | None, options: Mapping
     try:
         executor = gl.Executor()
         job, reason = _with_quality(executor, parameters, loaded, job)
-        frame = render_frame(executor, job)
+        frame = jobs.render_frame(executor, job)
         renderer = executor.info["renderer"]
     except PlanError as error:
         member = error.pointer.rpartition("/")[2]
@@ -76,7 +68,9 @@ def _validated(options: Mapping[str, object], pixels: tuple[int, int]) -> FrameP
     return given
 
 
-def _with_quality(executor: gl.Executor, given: FrameParameters, preset: Preset, job: FrameJob) -> tuple[FrameJob, str]:
+def _with_quality(
+    executor: gl.Executor, given: FrameParameters, preset: Preset, job: jobs.FrameJob
+) -> tuple[jobs.FrameJob, str]:
     """The frame in the quality to draw it with, and the reason if this was chosen by measurement."""
     if given.quality != "auto":
         return job, ""
@@ -129,18 +123,18 @@ def draw_again(source: Path, output: Path | None) -> tuple[bool, list[str]]:
     try:
         IN_PROCESS.check(job.width, job.height, job.quality.samples_drawn)
         executor = gl.Executor()
-        picture = draw_frame(executor, job)
+        picture = jobs.draw_frame(executor, job)
     except FrameTooLargeError as error:
         raise CommandError(f"--again: {error}") from error
     except PlanError as error:
         raise CommandError(f"--again: {source}: {error.pointer or 'scene'}: {error.message}") from error
-    again = encode_frame(picture, job).content
+    again = jobs.encode_frame(picture, job).content
     if output is not None:
         write(output, again)
     if again == content:
         return True, [f"{source}: drawn again, the same {len(content):,} bytes"]
-    renderer = renderer_of(picture.info)
-    lines = [*_circumstances(recipe, plan_hash(job.scene, job.quality), renderer), *_pixels(content, again)]
+    renderer = jobs.renderer_of(picture.info)
+    lines = [*_circumstances(recipe, jobs.plan_hash(job.scene, job.quality), renderer), *_pixels(content, again)]
     return False, [f"{source}: drawn again, with a difference", *(f"  {line}" for line in lines)]
 
 
@@ -153,7 +147,7 @@ def _read(source: Path, content: bytes) -> _Recipe:
         # One is enough: a recipe of another version differs in much.
         first = error.errors()[0]
         where = "/" + "/".join(str(step) for step in first["loc"])
-        what = f"its recipe cannot be drawn by version {version('seafoam')} (recipes of format {RECIPE_VERSION})"
+        what = f"its recipe cannot be drawn by version {version('seafoam')} (recipes of format {jobs.RECIPE_VERSION})"
         raise CommandError(f"--again: {source}: {what}: {where}: {first['msg']}") from error
     if recipe.split is not None:
         raise CommandError(f"--again: {source}: it shows two looks side by side, which only the page draws")

@@ -9,20 +9,8 @@ import anywidget
 import traitlets
 from PIL.Image import Image
 
-from seafoam.library import frame
+from seafoam.library import frame, request
 from seafoam.library.errors import InvalidRequestError
-from seafoam.library.request import (
-    TIME_LIMIT,
-    CameraLike,
-    PictureRequest,
-    QualityLike,
-    SceneLike,
-    Size,
-    camera_of,
-    named,
-    quality_of,
-    scene_of,
-)
 from seafoam.notebook.answers import answer
 from seafoam.render.service.jobs import described
 from seafoam.resources import data_dir
@@ -67,15 +55,15 @@ class WaterWidget(anywidget.AnyWidget):
 
     _esm = _client()
 
-    scene = _CheckedTrait(lambda _, value: scene_of(value)).tag(sync=True, to_json=_to_json)
+    scene = _CheckedTrait(lambda _, value: request.scene_of(value)).tag(sync=True, to_json=_to_json)
     """The scene, a :class:`seafoam.Scene`; also takes a preset's name or the fields as JSON has them."""
-    camera = _CheckedTrait(lambda water, value: camera_of(value, water.scene.camera)).tag(
+    camera = _CheckedTrait(lambda water, value: request.camera_of(value, water.scene.camera)).tag(
         sync=True, echo_update=False, to_json=_to_json
     )
     """The camera, a :class:`seafoam.Camera`; also takes the fields that differ from the scene's."""
-    quality = _CheckedTrait(lambda _, value: described(quality_of(value)), "standard").tag(sync=True)
+    quality = _CheckedTrait(lambda _, value: described(request.quality_of(value)), "standard").tag(sync=True)
     """A tier's name, or the fields that differ from tier standard."""
-    time = traitlets.Float(0.0, min=-TIME_LIMIT, max=TIME_LIMIT).tag(sync=True, echo_update=False)
+    time = traitlets.Float(0.0, min=-request.TIME_LIMIT, max=request.TIME_LIMIT).tag(sync=True, echo_update=False)
     """Time of the picture, s. While it plays, the page reports it twice a second."""
     playing = traitlets.Bool(True).tag(sync=True)
     """Whether time runs. Pages of visitors who prefer reduced motion stand still."""
@@ -84,18 +72,18 @@ class WaterWidget(anywidget.AnyWidget):
     error = traitlets.Unicode("").tag(sync=True)
     """Why the last change was not drawn; empty: it was."""
 
-    @partial(named, called="Water")
+    @partial(request.named, called="Water")
     def __init__(
         self,
-        what: SceneLike = "default",
+        what: request.SceneLike = "default",
         *,
         time: float | None = None,
-        camera: CameraLike | None = None,
-        quality: QualityLike = "standard",
+        camera: request.CameraLike | None = None,
+        quality: request.QualityLike = "standard",
         playing: bool = True,
         panel: bool = False,
     ) -> None:
-        job = PictureRequest(what, time=time, camera=camera, quality=quality).job()
+        job = request.PictureRequest(what, time=time, camera=camera, quality=quality).job()
         super().__init__(
             scene=job.scene,
             camera=job.camera,
@@ -107,7 +95,7 @@ class WaterWidget(anywidget.AnyWidget):
         self.on_msg(self._answer)
         self.observe(self._follow_camera, "scene")
 
-    def still(self, size: Size = (1280, 720)) -> Image:
+    def still(self, size: request.Size = (1280, 720)) -> Image:
         """Return the present picture, drawn in Python: an RGB image of ``size`` pixels."""
         return frame(self.scene, time=self.time, camera=self.camera, quality=self.quality, size=size)
 

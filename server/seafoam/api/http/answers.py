@@ -3,13 +3,13 @@
 The document lacks without help: the problem schema, limits of settings.
 """
 
-from collections.abc import Mapping
+from collections.abc import AsyncIterator, Mapping
 from http import HTTPStatus
 from importlib.metadata import version
 from typing import Any
 
 from fastapi import FastAPI, Request
-from starlette.responses import FileResponse, Response
+from starlette.responses import FileResponse, Response, StreamingResponse
 from starlette.staticfiles import NotModifiedResponse, StaticFiles
 
 from seafoam.accuracy.cache import key_of
@@ -43,6 +43,17 @@ def file_unless_current(request: Request, response: FileResponse) -> Response:
     return NotModifiedResponse(response.headers) if known else response
 
 
+def event(name: str, data: str) -> str:
+    """Return a server-sent event. data: one line."""
+    return f"event: {name}\ndata: {data}\n\n"
+
+
+def events_of(events: AsyncIterator[str]) -> Response:
+    """Return an answer of server-sent events, each sent at once."""
+    headers = {"Cache-Control": NO_STORE, "X-Accel-Buffering": "no"}
+    return StreamingResponse(events, headers=headers, media_type="text/event-stream")
+
+
 Responses = dict[int | str, dict[str, Any]]
 """Descriptions of answers by their status."""
 
@@ -58,7 +69,7 @@ _SIZED = (
 """Paths whose parameters ``width`` and ``height`` the settings limit."""
 
 
-def problem_responses(*statuses: int) -> Responses:
+def problems(*statuses: int) -> Responses:
     """Describe the problems that an operation can answer with."""
     content = {MEDIA_TYPE: {"schema": {"$ref": "#/components/schemas/Problem"}}}
     described: Responses = {}

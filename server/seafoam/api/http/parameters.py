@@ -197,14 +197,12 @@ def _tier_or_quality(value: Any) -> Literal["tier", "parameters"]:
 
 
 TierOrQuality = Annotated[
-    Annotated[Tier, Tag("tier")] | Annotated[Quality, Tag("parameters")],
-    Discriminator(_tier_or_quality),
+    Annotated[Tier, Tag("tier")] | Annotated[Quality, Tag("parameters")], Discriminator(_tier_or_quality)
 ]
 
 
 TierAutoOrQuality = Annotated[
-    Annotated[TierOrAuto, Tag("tier")] | Annotated[Quality, Tag("parameters")],
-    Discriminator(_tier_or_quality),
+    Annotated[TierOrAuto, Tag("tier")] | Annotated[Quality, Tag("parameters")], Discriminator(_tier_or_quality)
 ]
 
 

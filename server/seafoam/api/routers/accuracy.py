@@ -11,37 +11,26 @@ from seafoam.accuracy.points import points_of
 from seafoam.accuracy.report import csv_of
 from seafoam.accuracy.sweep import Subject, truth_info
 from seafoam.api.context import Context, InContext
-from seafoam.api.http.answers import (
-    NO_STORE,
-    NOT_MODIFIED,
-    REVALIDATE,
-    TEXT,
-    Responses,
-    content,
-    headers_of,
-    not_modified,
-    problem_responses,
-    tag_of,
-)
+from seafoam.api.http import answers
 from seafoam.api.http.validation import NoParameters, PresetName, find_preset
 from seafoam.api.jobs import retry_seconds
 from seafoam.render.encode import encode
 
 router = APIRouter(prefix="/api", tags=["accuracy"], default_response_class=Response)
 
-_RUNNING: Responses = {
+_RUNNING: answers.Responses = {
     202: {
         "model": Running,
         "description": "The measurement is running; the first request starts it",
-        "headers": headers_of({"Retry-After": "Delay before the next request, s"}),
+        "headers": answers.headers_of({"Retry-After": "Delay before the next request, s"}),
     },
-    **NOT_MODIFIED,
+    **answers.NOT_MODIFIED,
 }
-_SWEEP = _RUNNING | problem_responses(404, 422, 500, 501, 503, 504)
+_SWEEP = _RUNNING | answers.problems(404, 422, 500, 501, 503, 504)
 
 
 def _wait(running: Running) -> Response:
-    headers = {"Cache-Control": NO_STORE, "Retry-After": str(retry_seconds(running))}
+    headers = {"Cache-Control": answers.NO_STORE, "Retry-After": str(retry_seconds(running))}
     return JSONResponse(running.model_dump(mode="json"), 202, headers)
 
 
@@ -49,10 +38,12 @@ def _subject(preset: str) -> Subject:
     return Subject.of_preset(find_preset(preset).name)
 
 
-def _kept(request: Request, content: bytes, media: str, *identity: Any) -> Response:
-    tag = tag_of(*identity, request.url.path.rpartition("/")[2])
-    headers = {"Cache-Control": REVALIDATE}
-    return not_modified(request, tag, headers) or Response(content, headers={"ETag": tag, **headers}, media_type=media)
+def _kept(request: Request, data: bytes, media: str, *identity: Any) -> Response:
+    tag = answers.tag_of(*identity, request.url.path.rpartition("/")[2])
+    headers = {"Cache-Control": answers.REVALIDATE}
+    return answers.not_modified(request, tag, headers) or Response(
+        data, headers={"ETag": tag, **headers}, media_type=media
+    )
 
 
 async def _shown(
@@ -74,7 +65,8 @@ def _plot(sweep: Sweep) -> bytes:
 
 @router.get(
     "/accuracy/{preset}.csv",
-    responses=content("CSV with one row per point; times in milliseconds", "text/csv", schema=TEXT) | _SWEEP,
+    responses=answers.content("CSV with one row per point; times in milliseconds", "text/csv", schema=answers.TEXT)
+    | _SWEEP,
 )
 async def get_accuracy_csv(preset: PresetName, _: NoParameters, request: Request, context: InContext) -> Response:
     """Get the measured cost of accuracy of a preset as CSV."""
@@ -83,7 +75,7 @@ async def get_accuracy_csv(preset: PresetName, _: NoParameters, request: Request
 
 @router.get(
     "/accuracy/{preset}.png",
-    responses=content("Plot of time against error, with the Pareto front", "image/png") | _SWEEP,
+    responses=answers.content("Plot of time against error, with the Pareto front", "image/png") | _SWEEP,
 )
 async def get_accuracy_plot(preset: PresetName, _: NoParameters, request: Request, context: InContext) -> Response:
     """Get the measured cost of accuracy of a preset as a plot."""
@@ -92,9 +84,11 @@ async def get_accuracy_plot(preset: PresetName, _: NoParameters, request: Reques
 
 @router.get(
     "/accuracy/{preset}/truth.npy",
-    responses=content("float32 (height, width, 4): linear RGB and foam coverage; top row first", "application/x-npy")
+    responses=answers.content(
+        "float32 (height, width, 4): linear RGB and foam coverage; top row first", "application/x-npy"
+    )
     | _RUNNING
-    | problem_responses(404, 422, 500, 501, 503),
+    | answers.problems(404, 422, 500, 501, 503),
 )
 async def get_truth(preset: PresetName, _: NoParameters, request: Request, context: InContext) -> Response:
     """Get the converged float64 picture against which errors are measured. Requires no renderer."""
@@ -102,12 +96,12 @@ async def get_truth(preset: PresetName, _: NoParameters, request: Request, conte
     found = await context.plans.run(context.sweeps.truth, subject)
     if isinstance(found, Running):
         return _wait(found)
-    content = await context.plans.run(encode, found, "npy")
+    data = await context.plans.run(encode, found, "npy")
     info = truth_info(subject, context.sweeps.settings)
-    return _kept(request, content, "application/x-npy", info.model_dump(), subject.scene.model_dump(mode="json"))
+    return _kept(request, data, "application/x-npy", info.model_dump(), subject.scene.model_dump(mode="json"))
 
 
-@router.get("/accuracy/{preset}/points", response_class=JSONResponse, responses=problem_responses(404, 422, 501, 503))
+@router.get("/accuracy/{preset}/points", response_class=JSONResponse, responses=answers.problems(404, 422, 501, 503))
 async def get_points(preset: PresetName, _: NoParameters, context: InContext) -> SweepPoints:
     """List the qualities that are measured for a preset: every tier, and tier standard with one setting changed.
 

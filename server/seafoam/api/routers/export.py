@@ -5,7 +5,7 @@ from starlette.responses import Response, StreamingResponse
 
 from seafoam.api.bundle import Export, entries, player_files, texture_bytes, zipped
 from seafoam.api.context import InContext
-from seafoam.api.http.answers import NO_STORE, content, problem_responses
+from seafoam.api.http.answers import NO_STORE, content, problems
 from seafoam.api.http.parameters import ExportRequest, quality_of
 from seafoam.api.http.validation import Strict, known_preset
 from seafoam.render.service.jobs import FrameJob
@@ -22,9 +22,7 @@ _RESPONSES = content(
 )
 
 
-@router.post(
-    "/export", responses=_RESPONSES | problem_responses(413, 415, 422, 501, 503), response_class=StreamingResponse
-)
+@router.post("/export", responses=_RESPONSES | problems(413, 415, 422, 501, 503), response_class=StreamingResponse)
 async def export_scene(body: Strict[ExportRequest], context: InContext) -> Response:
     """Pack a scene sent as JSON with its programs, textures, uniforms and a player."""
     known_preset(body.preset)

@@ -13,15 +13,7 @@ from seafoam.accuracy.sweep import Subject
 from seafoam.api.context import InContext
 from seafoam.api.frames.plans import ResolvedFrame
 from seafoam.api.frames.respond import FRAME_RESPONSES, answer, resolve_frame, resolved_before, with_quality
-from seafoam.api.http.answers import (
-    IMMUTABLE,
-    NO_STORE,
-    NOT_MODIFIED,
-    REVALIDATE,
-    Responses,
-    headers_of,
-    problem_responses,
-)
+from seafoam.api.http import answers
 from seafoam.api.http.parameters import (
     FORMATS,
     TIME_LIMIT,
@@ -43,15 +35,15 @@ _CHOICE = {
     "Seafoam-Quality": "With quality auto: ID of the measured quality that was chosen",
     "Seafoam-Quality-Why": "With quality auto: predicted time, error and number of candidates",
 }
-_RESPONSES: Responses = {
-    200: {**FRAME_RESPONSES[200], "headers": FRAME_RESPONSES[200]["headers"] | headers_of(_CHOICE)}
+_RESPONSES: answers.Responses = {
+    200: {**FRAME_RESPONSES[200], "headers": FRAME_RESPONSES[200]["headers"] | answers.headers_of(_CHOICE)}
 }
 Format = Annotated[FrameFormat, Path(description=FORMATS)]
 
 
 @router.get(
     "/plans/{plan}/frames/{time}.{format}",
-    responses=FRAME_RESPONSES | NOT_MODIFIED | problem_responses(404, 422, 500, 503, 504),
+    responses=FRAME_RESPONSES | answers.NOT_MODIFIED | answers.problems(404, 422, 500, 503, 504),
 )
 async def get_plan_frame(
     plan: Annotated[
@@ -80,20 +72,17 @@ async def get_plan_frame(
             )
         view = query.camera, query.width, query.height
         job = FrameJob(source.scene, source.quality, time, *view, format, None, query.dither, query.precision)
-        return await resolve_frame(job, request, {"Cache-Control": IMMUTABLE}, "../..")
+        return await resolve_frame(job, request, {"Cache-Control": answers.IMMUTABLE}, "../..")
 
     return await answer(await resolved_before(context, request, resolve), request, context)
 
 
 @router.get(
-    "/frames/{preset}.{format}", responses=_RESPONSES | NOT_MODIFIED | problem_responses(404, 422, 500, 501, 503, 504)
+    "/frames/{preset}.{format}",
+    responses=_RESPONSES | answers.NOT_MODIFIED | answers.problems(404, 422, 500, 501, 503, 504),
 )
 async def get_frame(
-    preset: PresetName,
-    format: Format,
-    query: Annotated[FrameParameters, Query()],
-    request: Request,
-    context: InContext,
+    preset: PresetName, format: Format, query: Annotated[FrameParameters, Query()], request: Request, context: InContext
 ) -> Response:
     """Render a frame of a preset. Parameters that are absent take the preset's values."""
 
@@ -102,7 +91,7 @@ async def get_frame(
         job = query.job(loaded, format)
         subject = Subject(None if query.changed else loaded.name, job.scene, loaded.time, loaded.size)
         job, chosen = await with_quality(job, query, subject, context)
-        headers = {"Cache-Control": REVALIDATE, **chosen}
+        headers = {"Cache-Control": answers.REVALIDATE, **chosen}
         return await resolve_frame(job, request, headers, "../plans")
 
     # Once more is measured, the same request is answered by another quality.
@@ -111,18 +100,18 @@ async def get_frame(
     return await answer(resolved, request, context)
 
 
-@router.post("/frames", responses=_RESPONSES | problem_responses(413, 415, 422, 500, 501, 503, 504))
+@router.post("/frames", responses=_RESPONSES | answers.problems(413, 415, 422, 500, 501, 503, 504))
 async def render_frame(body: Strict[FrameRequest], request: Request, context: InContext) -> Response:
     """Render a frame of a scene sent as JSON."""
     known_preset(body.preset)
     job, chosen = await with_quality(body.job, body, Subject.of_scene(body.scene), context)
-    headers = {"Cache-Control": NO_STORE, **chosen}
+    headers = {"Cache-Control": answers.NO_STORE, **chosen}
     return await answer(await resolve_frame(job, request, headers, "plans"), request, context)
 
 
 @router.get(
     "/presets/{preset}/thumbnail.{format}",
-    responses=FRAME_RESPONSES | NOT_MODIFIED | problem_responses(404, 422, 500, 503, 504),
+    responses=FRAME_RESPONSES | answers.NOT_MODIFIED | answers.problems(404, 422, 500, 503, 504),
 )
 async def get_thumbnail(
     preset: PresetName,
@@ -138,6 +127,6 @@ async def get_thumbnail(
         scene, width = loaded.scene, query.width
         height = max(1, round(width * loaded.size[1] / loaded.size[0]))
         job = FrameJob(scene, TIERS["standard"], loaded.time, scene.camera, width, height, format, preset)
-        return await resolve_frame(job, request, {"Cache-Control": REVALIDATE}, "../../plans")
+        return await resolve_frame(job, request, {"Cache-Control": answers.REVALIDATE}, "../../plans")
 
     return await answer(await resolved_before(context, request, resolve), request, context, background=True)

@@ -9,7 +9,7 @@ from pydantic import BaseModel, Field
 from starlette.responses import JSONResponse, Response
 
 from seafoam.api.context import InContext
-from seafoam.api.http.answers import NO_STORE, TEXT, content, problem_responses
+from seafoam.api.http.answers import NO_STORE, TEXT, content, problems
 from seafoam.api.http.problems import BusyError
 from seafoam.api.http.validation import NoParameters
 from seafoam.api.watch.metrics import CONTENT_TYPE_LATEST
@@ -48,14 +48,14 @@ class Ready(BaseModel):
     )
 
 
-@router.get("/healthz", responses=problem_responses(422))
+@router.get("/healthz", responses=problems(422))
 async def get_health(_: NoParameters, response: Response) -> Alive:
     """Check whether the web process responds."""
     response.headers["Cache-Control"] = NO_STORE
     return Alive()
 
 
-@router.get("/readyz", response_model=Ready, responses=problem_responses(422, 503))
+@router.get("/readyz", response_model=Ready, responses=problems(422, 503))
 async def get_readiness(_: NoParameters, context: InContext) -> Response:
     """Check whether frames are rendered, by the age of the last one, and by which renderer.
 
@@ -88,7 +88,7 @@ async def get_readiness(_: NoParameters, context: InContext) -> Response:
 @router.get(
     "/metrics",
     response_class=Response,
-    responses=problem_responses(422) | content("Prometheus' text format", "text/plain", schema=TEXT),
+    responses=problems(422) | content("Prometheus' text format", "text/plain", schema=TEXT),
 )
 async def get_metrics(_: NoParameters, context: InContext) -> Response:
     """Get counters and durations for Prometheus."""

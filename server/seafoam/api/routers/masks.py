@@ -13,32 +13,13 @@ from pydantic import Field
 from starlette.responses import Response, StreamingResponse
 
 from seafoam.api.context import Context, InContext
-from seafoam.api.http.answers import (
-    BINARY,
-    NO_STORE,
-    NOT_MODIFIED,
-    REVALIDATE,
-    Responses,
-    content,
-    not_modified,
-    problem_responses,
-    tag_of,
-)
+from seafoam.api.http import answers
 from seafoam.api.http.parameters import Parameters
 from seafoam.api.http.problems import BadRequestError, FieldProblem, NotFoundError
 from seafoam.api.http.validation import NoParameters
 from seafoam.extras import require
-from seafoam.masks import families, formats
-from seafoam.masks.catalogue import (
-    ON_REQUEST_SECONDS,
-    Mask,
-    MaskInfo,
-    UnknownMaskError,
-    is_kept,
-    load_catalogue,
-    load_mask,
-    made_on_request,
-)
+from seafoam.masks import catalogue, families, formats
+from seafoam.masks.catalogue import ON_REQUEST_SECONDS, Mask, MaskInfo, load_catalogue
 from seafoam.masks.construct.make import estimated_seconds
 from seafoam.masks.families import Family, MaskSpec
 from seafoam.masks.torus import Ranks
@@ -96,7 +77,7 @@ class CustomMask(Parameters):
 
 _EVENT_SECONDS = 1.0
 """Between events of a mask that is being generated."""
-_EVENTS = content(
+_EVENTS = answers.content(
     "Server-sent events: `progress`, whose data is the share that is done, 0 to 1, every second; at the end `done`, "
     "whose data is the description of the mask as JSON",
     "text/event-stream",
@@ -104,15 +85,15 @@ _EVENTS = content(
 )
 
 
-_CUSTOM = NOT_MODIFIED | problem_responses(422, 503)
-_SHIPPED = NOT_MODIFIED | problem_responses(404, 422, 503)
-_DATA = content("Mask data", *(media for media, _ in ENCODERS.values()))
+_CUSTOM = answers.NOT_MODIFIED | answers.problems(422, 503)
+_SHIPPED = answers.NOT_MODIFIED | answers.problems(404, 422, 503)
+_DATA = answers.content("Mask data", *(media for media, _ in ENCODERS.values()))
 
 
 def _shipped(name: str) -> Mask:
     try:
-        return load_mask(name)
-    except UnknownMaskError:
+        return catalogue.load_mask(name)
+    except catalogue.UnknownMaskError:
         raise NotFoundError(f"mask {name!r} was not found", "mask", tuple(load_catalogue())) from None
 
 
@@ -126,16 +107,12 @@ def check_custom(query: CustomMask, *, slow: bool = False) -> MaskSpec:
     least, greatest = families.sigma_range(query.family, min(width, height))
     if query.sigma is not None and not least <= query.sigma <= greatest:
         detail = f"sigma: must be {least:g} to {greatest:g} texels for family {query.family} on {tile}"
-        raise BadRequestError(
-            FieldProblem(parameter="sigma", detail=detail, allowed={"minimum": least, "maximum": greatest})
-        )
+        allowed = {"minimum": least, "maximum": greatest}
+        raise BadRequestError(FieldProblem(parameter="sigma", detail=detail, allowed=allowed))
     if query.family != "lace":
+        only = f"allowed only for family lace, not {query.family}"
         refused = [
-            FieldProblem(
-                parameter=name,
-                detail=f"{name}: allowed only for family lace, not {query.family}",
-                allowed={"enum": [unset]},
-            )
+            FieldProblem(parameter=name, detail=f"{name}: {only}", allowed={"enum": [unset]})
             for name, unset in (("aspect", 1.0), ("age", 0.0))
             if getattr(query, name) != unset
         ]
@@ -144,16 +121,16 @@ def check_custom(query: CustomMask, *, slow: bool = False) -> MaskSpec:
     made = families.check_parameters(query.family, query.sigma, (width, height), query.seed, query.aspect, query.age)
     seconds = estimated_seconds(made.family, made.sigma, (width, height))
     limit = BACKGROUND_SECONDS if slow else ON_REQUEST_SECONDS
-    if seconds > limit and not is_kept(made):
+    if seconds > limit and not catalogue.is_kept(made):
         steps = (least + (greatest - least) * step / SIGMA_STEPS for step in range(SIGMA_STEPS + 1))
         quick = [sigma for sigma in steps if estimated_seconds(made.family, sigma, (width, height)) <= limit]
-        allowed = {"minimum": round(quick[0], 2), "maximum": round(quick[-1], 2)} if quick else None
+        bounds = {"minimum": round(quick[0], 2), "maximum": round(quick[-1], 2)} if quick else None
         within = f"allowed here: sigma {quick[0]:g} to {quick[-1]:g}" if quick else "use a smaller size"
         detail = (
             f"sigma: this mask of {tile} takes about {seconds:.0f} s to generate; the limit of a request is "
             f"{limit:g} s; {within}. GET /api/masks/custom/events generates it in the background"
         )
-        raise BadRequestError(FieldProblem(parameter="sigma", detail=detail, allowed=allowed))
+        raise BadRequestError(FieldProblem(parameter="sigma", detail=detail, allowed=bounds))
     return made
 
 
@@ -166,7 +143,7 @@ class _Making:
         self._followed = True
 
     def run(self) -> Mask:
-        return made_on_request(self._made, math.inf, self._tell)
+        return catalogue.made_on_request(self._made, math.inf, self._tell)
 
     def _tell(self, share: float) -> None:
         if not self._followed:
@@ -176,9 +153,9 @@ class _Making:
     async def events(self, task: asyncio.Task[Mask]) -> AsyncIterator[str]:
         try:
             while not task.done():
-                yield f"event: progress\ndata: {self._share:.3f}\n\n"
+                yield answers.event("progress", f"{self._share:.3f}")
                 await asyncio.wait({task}, timeout=_EVENT_SECONDS)
-            yield f"event: done\ndata: {json.dumps(task.result().entry.model_dump())}\n\n"
+            yield answers.event("done", json.dumps(task.result().entry.model_dump()))
         finally:
             self._followed = False
             task.cancel()
@@ -208,11 +185,11 @@ class _MaskAnswer:
     async def answer(self, encode: Callable[[Mask], bytes], media_type: str, file: str = "") -> Response:
         """Return the mask as bytes, or 304 before they are encoded. file: end of the name to save it under."""
         mask = await self.context.masks.run(self.find)
-        headers = {"Cache-Control": REVALIDATE}
+        headers = {"Cache-Control": answers.REVALIDATE}
         if file:
             headers["Content-Disposition"] = f'inline; filename="{mask.entry.name}{file}"'
-        tag = tag_of(mask.entry.model_dump(), self.request.url.path.rpartition("/")[2])
-        if current := not_modified(self.request, tag, headers):
+        tag = answers.tag_of(mask.entry.model_dump(), self.request.url.path.rpartition("/")[2])
+        if current := answers.not_modified(self.request, tag, headers):
             return current
         data = await self.context.masks.run(encode, mask)
         return Response(data, headers={"ETag": tag, **headers}, media_type=media_type)
@@ -224,7 +201,7 @@ class _MaskAnswer:
 
 
 def _custom_mask(query: Annotated[CustomMask, Query()], request: Request, context: InContext) -> _MaskAnswer:
-    return _MaskAnswer(lambda: made_on_request(check_custom(query)), request, context)
+    return _MaskAnswer(lambda: catalogue.made_on_request(check_custom(query)), request, context)
 
 
 def _shipped_mask(mask: MaskName, _: NoParameters, request: Request, context: InContext) -> _MaskAnswer:
@@ -285,7 +262,7 @@ _PARTS = {
 }
 
 
-def _serve_parts(path: str, kind: str, find: Callable[..., _MaskAnswer], responses: Responses) -> None:
+def _serve_parts(path: str, kind: str, find: Callable[..., _MaskAnswer], responses: answers.Responses) -> None:
     """Add the routes of :data:`_PARTS` below the address of a kind of mask. find: a dependency."""
 
     def answering(part: _MaskPart, media_type: str) -> Callable[..., Awaitable[Response]]:
@@ -296,33 +273,31 @@ def _serve_parts(path: str, kind: str, find: Callable[..., _MaskAnswer], respons
 
     for below, part in _PARTS.items():
         plain = not below.endswith(".png")
-        media_type, body = ("application/json", {}) if plain else ("image/png", {"schema": BINARY})
-        described: Responses = {200: {"description": part.description, "content": {media_type: body}}}
+        media_type, body = ("application/json", {}) if plain else ("image/png", {"schema": answers.BINARY})
+        described: answers.Responses = {200: {"description": part.description, "content": {media_type: body}}}
         router.add_api_route(
             f"{path}/{below}",
             answering(part, media_type),
             name=part.name if kind == "shipped" else part.name.replace("get_", "get_custom_"),
             description=part.title.format(kind),
-            responses=described | responses | problem_responses(*part.problems),
+            responses=described | responses | answers.problems(*part.problems),
             response_class=Response,
         )
 
 
-@router.get("/masks", responses=problem_responses(422))
+@router.get("/masks", responses=answers.problems(422))
 async def list_masks(_: NoParameters) -> list[MaskInfo]:
     """List the shipped masks."""
     return list(load_catalogue().values())
 
 
-@router.get(
-    "/masks/custom", responses=problem_responses(422, 503) | {200: {"model": MaskInfo}}, response_class=Response
-)
+@router.get("/masks/custom", responses=answers.problems(422, 503) | {200: {"model": MaskInfo}}, response_class=Response)
 async def get_custom_mask(mask: Custom) -> Response:
     """Generate a custom mask and get its description. Its data is below this path, with the same parameters."""
     return await mask.answer(_info, "application/json")
 
 
-@router.get("/masks/custom/events", responses=_EVENTS | problem_responses(422, 503), response_class=StreamingResponse)
+@router.get("/masks/custom/events", responses=_EVENTS | answers.problems(422, 503), response_class=StreamingResponse)
 async def get_custom_events(query: Annotated[CustomMask, Query()], context: InContext) -> Response:
     """Generate a custom mask in the background and follow it: one at a time, until the connection is closed.
 
@@ -334,8 +309,7 @@ async def get_custom_events(query: Annotated[CustomMask, Query()], context: InCo
     await asyncio.sleep(0)
     if task.done():
         task.result()
-    headers = {"Cache-Control": NO_STORE, "X-Accel-Buffering": "no"}
-    return StreamingResponse(making.events(task), headers=headers, media_type="text/event-stream")
+    return answers.events_of(making.events(task))
 
 
 @router.get("/masks/custom/data.{format}", responses=_DATA | _CUSTOM, response_class=Response)
@@ -348,7 +322,7 @@ _serve_parts("/masks/custom", "custom", _custom_mask, _CUSTOM)
 
 
 @router.get(
-    "/masks/{mask}", responses=problem_responses(404, 422, 503) | {200: {"model": MaskInfo}}, response_class=Response
+    "/masks/{mask}", responses=answers.problems(404, 422, 503) | {200: {"model": MaskInfo}}, response_class=Response
 )
 async def get_mask(mask: Shipped) -> Response:
     """Get the description of a shipped mask: size, family, sigma, seed, hash and construction."""

@@ -17,7 +17,7 @@ from seafoam.accuracy.model import ParameterInfo
 from seafoam.accuracy.points import every_parameter
 from seafoam.api.context import InContext
 from seafoam.api.frames.plans import compile_scene
-from seafoam.api.http.answers import problem_responses
+from seafoam.api.http.answers import problems
 from seafoam.api.http.validation import NoParameters, PresetName, Strict, find_preset
 from seafoam.api.jobs import ThreadPool
 from seafoam.described import Described
@@ -79,13 +79,13 @@ async def warm(plans: ThreadPool) -> None:
         await plans.run(_summary, name)
 
 
-@router.get("/presets", responses=problem_responses(422, 503))
+@router.get("/presets", responses=problems(422, 503))
 async def list_presets(_: NoParameters, context: InContext) -> list[PresetSummary]:
     """List all presets, in menu order."""
     return await context.plans.run(lambda: [_summary(name) for name in preset_names()])
 
 
-@router.get("/presets/{preset}", responses=problem_responses(404, 422, 503))
+@router.get("/presets/{preset}", responses=problems(404, 422, 503))
 async def get_preset(preset: PresetName, _: NoParameters, context: InContext) -> PresetDetail:
     """Get a preset with its scene, which can be changed and posted to /api/frames and /api/plans."""
     loaded = find_preset(preset)
@@ -93,7 +93,7 @@ async def get_preset(preset: PresetName, _: NoParameters, context: InContext) ->
     return PresetDetail(**summary.model_dump(), scene=loaded.scene)
 
 
-@router.get("/quality", responses=problem_responses(422))
+@router.get("/quality", responses=problems(422))
 async def get_quality(_: NoParameters) -> QualityTiers:
     """Get the quality tiers with the value of every setting, and the allowed values of each setting."""
     measured = [ParameterInfo(owner=owner, **vars(parameter)) for owner, parameter in every_parameter()]
@@ -128,13 +128,13 @@ def reduced(document: dict[str, Any]) -> dict[str, Any]:
     return dict(sorted(found.items()))
 
 
-@router.get("/schema", responses=problem_responses(422))
+@router.get("/schema", responses=problems(422))
 async def get_schema(_: NoParameters, request: Request) -> Schemas:
     """Get the JSON schemas of scene and quality alone, a third of the OpenAPI document."""
     return Schemas(tiers=list(TIERS), components={"schemas": reduced(request.app.openapi())})
 
 
-@router.post("/scenes", responses=problem_responses(413, 415, 422, 501, 503))
+@router.post("/scenes", responses=problems(413, 415, 422, 501, 503))
 async def complete_scene(scene: Strict[Scene], context: InContext) -> Scene:
     """Check a scene sent as JSON, and return it with the default of every absent field."""
     await context.compiled(scene, TIERS["standard"])

@@ -9,15 +9,7 @@ from pydantic import Discriminator, Field, Tag
 from starlette.responses import FileResponse, JSONResponse, Response, StreamingResponse
 
 from seafoam.api.context import Context, InContext
-from seafoam.api.http.answers import (
-    NO_STORE,
-    TEXT,
-    Responses,
-    content,
-    file_unless_current,
-    headers_of,
-    problem_responses,
-)
+from seafoam.api.http import answers
 from seafoam.api.http.parameters import (
     DEFAULT_HEIGHT,
     DEFAULT_WIDTH,
@@ -70,23 +62,23 @@ class SequenceRequest(PlanRequest):
     preset: OriginalPreset = None
 
 
-_STARTED: Responses = {
+_STARTED: answers.Responses = {
     202: {
         "description": "The sequence is being made, or was made before",
-        "headers": headers_of({"Location": "Address of its status"}),
+        "headers": answers.headers_of({"Location": "Address of its status"}),
     }
 }
-_EVENTS = content(
+_EVENTS = answers.content(
     "Server-sent events named `status`, whose data is the status as JSON; the last one is final",
     "text/event-stream",
-    schema=TEXT,
+    schema=answers.TEXT,
 )
-_FILE = content("The file", *MEDIA_TYPES.values()) | {
+_FILE = answers.content("The file", *MEDIA_TYPES.values()) | {
     304: {"description": "Not modified: the copy named by If-None-Match or If-Modified-Since is current"}
 }
 
 
-@router.post("/sequences", status_code=202, responses=_STARTED | problem_responses(413, 415, 422, 501, 503, 504))
+@router.post("/sequences", status_code=202, responses=_STARTED | answers.problems(413, 415, 422, 501, 503, 504))
 async def start_sequence(body: Strict[SequenceRequest], context: InContext) -> SequenceStatus:
     """Render a sequence in the background, behind the frames of visitors.
 
@@ -97,46 +89,45 @@ async def start_sequence(body: Strict[SequenceRequest], context: InContext) -> S
     await context.compiled(body.scene, spec.job.quality)
     await context.pool.wait_until_settled()
     status = await context.plans.run(context.sequences.submit, spec, body.format, body.codec)
-    headers = {"Location": f"/api/sequences/{status.id}", "Cache-Control": NO_STORE}
+    headers = {"Location": f"/api/sequences/{status.id}", "Cache-Control": answers.NO_STORE}
     return JSONResponse(status.model_dump(mode="json"), 202, headers)  # type: ignore[return-value]
 
 
-@router.get("/sequences/{sequence}", responses=problem_responses(404, 422, 503))
+@router.get("/sequences/{sequence}", responses=answers.problems(404, 422, 503))
 async def get_sequence(
     sequence: SequenceName, _: NoParameters, context: InContext, response: Response
 ) -> SequenceStatus:
     """Get how far a sequence is, with the estimated time left."""
-    response.headers["Cache-Control"] = NO_STORE
+    response.headers["Cache-Control"] = answers.NO_STORE
     return await context.plans.run(context.sequences.status, sequence)
 
 
 @router.get(
     "/sequences/{sequence}/events",
-    responses=_EVENTS | problem_responses(404, 422, 503),
+    responses=_EVENTS | answers.problems(404, 422, 503),
     response_class=StreamingResponse,
 )
 async def get_events(sequence: SequenceName, _: NoParameters, context: InContext) -> Response:
     """Follow a sequence: an event whenever it has moved on, until it ends."""
     first = await context.plans.run(context.sequences.status, sequence)
-    headers = {"Cache-Control": NO_STORE, "X-Accel-Buffering": "no"}
-    return StreamingResponse(_events(first, context), headers=headers, media_type="text/event-stream")
+    return answers.events_of(_events(first, context))
 
 
 @router.get(
     "/sequences/{sequence}/file",
-    responses=_FILE | problem_responses(404, 409, 416, 422, 503),
+    responses=_FILE | answers.problems(404, 409, 416, 422, 503),
     response_class=FileResponse,
 )
 async def get_file(sequence: SequenceName, _: NoParameters, request: Request, context: InContext) -> Response:
     """Download a finished sequence. Parts can be requested with the header Range."""
     path = await context.plans.run(context.sequences.file, sequence)
     media = MEDIA_TYPES[path.suffix[1:]]
-    return file_unless_current(
+    return answers.file_unless_current(
         request, FileResponse(path, media_type=media, filename=path.name, stat_result=path.stat())
     )
 
 
-@router.delete("/sequences/{sequence}", status_code=204, responses=problem_responses(404, 422, 503))
+@router.delete("/sequences/{sequence}", status_code=204, responses=answers.problems(404, 422, 503))
 async def delete_sequence(sequence: SequenceName, _: NoParameters, context: InContext) -> None:
     """Cancel a sequence, or forget a finished one, and remove its files: for all who asked for the same."""
     await context.plans.run(context.sequences.cancel, sequence)
@@ -160,7 +151,7 @@ def _spec(body: SequenceRequest, context: Context) -> SequenceSpec:
 
 async def _events(first: SequenceStatus, context: Context) -> AsyncIterator[str]:
     told, quiet = first, 0
-    yield _event(first)
+    yield answers.event("status", first.model_dump_json())
     while told.status not in FINISHED:
         await asyncio.sleep(_EVENT_SECONDS)
         try:
@@ -170,10 +161,6 @@ async def _events(first: SequenceStatus, context: Context) -> AsyncIterator[str]
         quiet = quiet + 1 if now == told else 0
         if now != told:
             told = now
-            yield _event(now)
+            yield answers.event("status", now.model_dump_json())
         elif quiet % _QUIET_LOOKS == 0:
             yield ": still there\n\n"
-
-
-def _event(status: SequenceStatus) -> str:
-    return f"event: status\ndata: {status.model_dump_json()}\n\n"

@@ -9,7 +9,7 @@ from pydantic import Field
 from seafoam.api.context import Context, InContext
 from seafoam.api.frames.respond import CLIENT_CLOSED_REQUEST, server_timing, unless_gone
 from seafoam.api.frames.streams import LEASE_SECONDS, Stream
-from seafoam.api.http.answers import NO_STORE, content, problem_responses
+from seafoam.api.http.answers import NO_STORE, content, problems
 from seafoam.api.http.parameters import PlanRequest, StreamFrameParameters, quality_of
 from seafoam.api.http.problems import NotFoundError, StreamsFullError
 from seafoam.api.http.validation import NoParameters, Strict
@@ -47,13 +47,13 @@ class OpenStream(StreamState):
     lease: float = Field(description="Time without a request after which the stream ends, s")
 
 
-@router.get("", responses=problem_responses(422))
+@router.get("", responses=problems(422))
 async def get_streams(_: NoParameters, context: InContext) -> StreamState:
     """Get how many streams there are and may be, and how fast this server draws them."""
     return StreamState(**_state(context))
 
 
-@router.post("", status_code=201, responses=problem_responses(413, 415, 422, 501, 503))
+@router.post("", status_code=201, responses=problems(413, 415, 422, 501, 503))
 async def open_stream(body: Strict[PlanRequest], response: Response, context: InContext) -> OpenStream:
     """Open a stream of frames of a scene. It ends when it is deleted, or not asked for a frame for a while.
 
@@ -70,22 +70,20 @@ async def open_stream(body: Strict[PlanRequest], response: Response, context: In
     return OpenStream(id=stream.id, lease=LEASE_SECONDS, **_state(context))
 
 
-@router.put("/{stream}", status_code=204, responses=problem_responses(404, 413, 415, 422, 501, 503))
+@router.put("/{stream}", status_code=204, responses=problems(404, 413, 415, 422, 501, 503))
 async def change_stream(stream: StreamId, body: Strict[PlanRequest], context: InContext) -> None:
     """Show another scene, or in another quality."""
     found = _find(stream, context)
     found.quality, found.scene = await _planned(body, context), body.scene
 
 
-@router.delete("/{stream}", status_code=204, responses=problem_responses(422))
+@router.delete("/{stream}", status_code=204, responses=problems(422))
 async def close_stream(stream: StreamId, _: NoParameters, context: InContext) -> None:
     """End a stream, if it has not ended."""
     context.streams.close(stream)
 
 
-@router.get(
-    "/{stream}/frame.jpg", responses=_FRAME | problem_responses(404, 422, 500, 503, 504), response_class=Response
-)
+@router.get("/{stream}/frame.jpg", responses=_FRAME | problems(404, 422, 500, 503, 504), response_class=Response)
 async def get_stream_frame(
     stream: StreamId, query: Annotated[StreamFrameParameters, Query()], request: Request, context: InContext
 ) -> Response:

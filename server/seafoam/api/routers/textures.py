@@ -8,7 +8,7 @@ from pydantic import Field
 from starlette.responses import Response
 
 from seafoam.api.context import InContext
-from seafoam.api.http.answers import IMMUTABLE, NOT_MODIFIED, REVALIDATE, content, not_modified, problem_responses
+from seafoam.api.http.answers import IMMUTABLE, NOT_MODIFIED, REVALIDATE, content, not_modified, problems
 from seafoam.api.http.parameters import Parameters
 from seafoam.api.http.problems import BadRequestError, FieldProblem, NotFoundError
 from seafoam.textures.parts import TexturePart
@@ -37,7 +37,7 @@ _RESPONSES = content(
 )
 
 
-@router.get("/textures/{name:path}", responses=_RESPONSES | NOT_MODIFIED | problem_responses(404, 422, 503))
+@router.get("/textures/{name:path}", responses=_RESPONSES | NOT_MODIFIED | problems(404, 422, 503))
 async def get_texture(
     name: Annotated[
         str, Path(description="Name of a texture in a plan", examples=["mask/vac-24/ranks"], max_length=9000)

@@ -126,14 +126,7 @@ class Executor:
         self._static = Cache(_STATIC_BYTES, target_bytes)
 
     def render(
-        self,
-        plan: FramePlan,
-        *,
-        time: float,
-        camera: Camera,
-        width: int,
-        height: int,
-        output: Output = "rgba8",
+        self, plan: FramePlan, *, time: float, camera: Camera, width: int, height: int, output: Output = "rgba8"
     ) -> RenderedPixels:
         """Draw a frame of ``plan`` at ``time`` (s, up to ±1e9) from ``camera``, ``width`` × ``height`` pixels.
 

@@ -26,14 +26,7 @@ from typing import Any, Literal
 from pebble import ProcessExpired, ProcessPool
 
 from seafoam.render.gl.executor import Executor
-from seafoam.render.service.errors import (
-    DeadlineError,
-    RenderError,
-    RendererUnavailableError,
-    RenderFailedError,
-    RenderQueueFullError,
-    StartingError,
-)
+from seafoam.render.service import errors
 from seafoam.render.service.jobs import Drawn, EncodedFrame, FrameJob, MeasureJob, Picture, Renderer, encode_frame
 from seafoam.render.service.queues import PrioritySemaphore, Ticket
 from seafoam.render.service.shared_buffer import BufferPool, SharedBuffer
@@ -204,7 +197,7 @@ class RenderPool:
             async with asyncio.timeout(max(0.0, expires - time.time())):
                 return await asyncio.shield(encoding)
         except TimeoutError:
-            raise DeadlineError("timeout: the frame was drawn, but not encoded before its deadline") from None
+            raise errors.DeadlineError("timeout: the frame was drawn, but not encoded before its deadline") from None
 
     async def measure(self, job: MeasureJob) -> tuple[Drawn, ...]:
         """Measure in a worker, in turn with the frames, without taking a place in their queue.
@@ -222,14 +215,14 @@ class RenderPool:
             async with asyncio.timeout(self.deadline):
                 await self._settled.wait()
         if self.state == "starting":
-            raise StartingError("the renderer is starting: it compiles the default picture")
+            raise errors.StartingError("the renderer is starting: it compiles the default picture")
         if self.state != "ready":
-            raise RendererUnavailableError(self.remedy or "the renderer is stopped")
+            raise errors.RendererUnavailableError(self.remedy or "the renderer is stopped")
 
     def _admit(self, ticket: Ticket) -> None:
         """Refuse a frame for which there is neither a worker nor a place in the queue."""
         if self.state in ("unavailable", "stopped"):
-            raise RendererUnavailableError(self.remedy or "the renderer is stopped")
+            raise errors.RendererUnavailableError(self.remedy or "the renderer is stopped")
         if ticket.stream:
             return
         waiting, capacity = (
@@ -237,14 +230,14 @@ class RenderPool:
         )
         if waiting >= capacity and (self.state == "starting" or self._free_workers.locked()):
             ahead = math.ceil(self._recent_seconds * (waiting + 1) / self.workers)
-            raise RenderQueueFullError(waiting, max(EARLIEST_RETRY, ahead))
+            raise errors.RenderQueueFullError(waiting, max(EARLIEST_RETRY, ahead))
 
     async def _take(self, places: PrioritySemaphore, expires: float, ticket: Ticket | None = None) -> None:
         try:
             async with asyncio.timeout(max(0.0, expires - time.time())):
                 await places.acquire(ticket)
         except TimeoutError:
-            raise DeadlineError("timeout: no render worker was free before the frame's deadline") from None
+            raise errors.DeadlineError("timeout: no render worker was free before the frame's deadline") from None
 
     async def _run(self, work: Callable[..., Answer[T]], args: tuple[Any, ...], expires: float, grace: float = 0) -> T:
         """Run work in the reserved worker, which is released when it is idle again.
@@ -260,7 +253,7 @@ class RenderPool:
             try:
                 answer = await self._attempt(work, args, expires, grace)
             except (ProcessExpired, BrokenProcessPool, CancelledFuture) as again:
-                raise RenderFailedError("the render worker crashed twice") from again
+                raise errors.RenderFailedError("the render worker crashed twice") from again
         return self._accept(answer)
 
     async def _attempt(
@@ -292,8 +285,8 @@ class RenderPool:
             self.restarts["crash"] += 1
             raise
 
-    def _past_deadline(self) -> DeadlineError:
-        return DeadlineError(f"timeout: the frame was not finished within {self.deadline:g} s")
+    def _past_deadline(self) -> errors.DeadlineError:
+        return errors.DeadlineError(f"timeout: the frame was not finished within {self.deadline:g} s")
 
     def _accept(self, answer: Answer[T]) -> T:
         self._jobs_of_worker[answer.worker] += 1
@@ -301,14 +294,14 @@ class RenderPool:
             del self._jobs_of_worker[answer.worker]
             self.restarts["recycled"] += 1
         match answer.value:
-            case RendererUnavailableError() as error:
+            case errors.RendererUnavailableError() as error:
                 self._give_up(str(error))
                 raise error
-            case RenderFailedError() as error:
+            case errors.RenderFailedError() as error:
                 log.error("A frame failed:\n%s", error)
-                raise RenderFailedError("the renderer failed; the server log has the details")
-            case RenderError():
-                raise DeadlineError(f"timeout: the frame was not started within {self.deadline:g} s")
+                raise errors.RenderFailedError("the renderer failed; the server log has the details")
+            case errors.RenderError():
+                raise errors.DeadlineError(f"timeout: the frame was not started within {self.deadline:g} s")
             case value:
                 self.succeeded_at = time.time()
                 return value
@@ -368,9 +361,9 @@ class RenderPool:
         try:
             self.info = await self._run(work_canary, (), time.time() + START_SECONDS)
             self.state, self.remedy = "ready", ""
-        except RendererUnavailableError as error:
+        except errors.RendererUnavailableError as error:
             log.warning("No renderer: %s", error)
-        except RenderError as error:
+        except errors.RenderError as error:
             self._give_up(f"the renderer does not start: {error}")
         self._settled.set()
 
