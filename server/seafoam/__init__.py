@@ -37,27 +37,10 @@ if TYPE_CHECKING:
     __version__: str
 
 __all__ = [
-    "EXACT",
-    "Camera",
-    "InvalidRequestError",
-    "NoRendererError",
-    "Quality",
-    "Scene",
-    "ServerError",
-    "Water",
-    "close",
-    "connect",
-    "encoded",
-    "encoded_async",
-    "frame",
-    "frame_async",
-    "linear",
-    "linear_async",
-    "mask",
-    "mask_async",
-    "preset",
-    "presets",
-]
+    "EXACT", "Camera", "InvalidRequestError", "NoRendererError", "Quality", "Scene", "ServerError", "Water", "close",
+    "connect", "encoded", "encoded_async", "frame", "frame_async", "linear", "linear_async", "mask", "mask_async",
+    "preset", "presets",
+]  # fmt: skip
 
 # A star import, help() and completion read every name that is listed: not the one that raises without its extra.
 if _find_spec("anywidget") is None:

@@ -42,7 +42,6 @@ class Store:
         self._memory: dict[str, bytes] = {}
 
     def get(self, kind: str, name: str) -> bytes | None:
-        """Return the content stored under this name, or None."""
         if (held := self._memory.get(f"{kind}/{name}")) is not None:
             return held
         try:

@@ -15,22 +15,9 @@ from typing import get_args
 
 import numpy as np
 
-from seafoam.accuracy import metrics
+from seafoam.accuracy import metrics, model
 from seafoam.accuracy.cache import Store, key_of
 from seafoam.accuracy.metrics import Picture
-from seafoam.accuracy.model import (
-    FORMAT,
-    Causes,
-    Machine,
-    MeasuredPoint,
-    Point,
-    Step,
-    Sweep,
-    TimeModel,
-    Timing,
-    TruthInfo,
-    processor,
-)
 from seafoam.accuracy.points import chains, idealised, points_of, shown
 from seafoam.accuracy.timing import beating, compare, front, median_model, sentences, spread_of, time_model
 from seafoam.accuracy.truth import SweepStoppedError, TruthSpec, Watcher, make_truth
@@ -111,14 +98,14 @@ class Rig:
     threads: int
 
     @property
-    def machine(self) -> Machine:
+    def machine(self) -> model.Machine:
         """The machine, as recorded in sweeps."""
-        return Machine(**self.info, processor=processor(), cores=os.cpu_count() or 1, threads=self.threads)
+        return model.Machine(**self.info, processor=model.processor(), cores=os.cpu_count() or 1, threads=self.threads)
 
 
-def truth_info(subject: Subject, settings: SweepSettings) -> TruthInfo:
+def truth_info(subject: Subject, settings: SweepSettings) -> model.TruthInfo:
     """The float64 picture of a subject, and its path in the API."""
-    return TruthInfo(
+    return model.TruthInfo(
         url=None if subject.preset is None else f"/api/accuracy/{subject.preset}/truth.npy",
         width=settings.width,
         height=settings.height,
@@ -127,13 +114,13 @@ def truth_info(subject: Subject, settings: SweepSettings) -> TruthInfo:
     )
 
 
-def find_sweep(store: Store, subject: Subject, settings: SweepSettings, machine: Machine) -> Sweep | None:
+def find_sweep(store: Store, subject: Subject, settings: SweepSettings, machine: model.Machine) -> model.Sweep | None:
     """Return a stored sweep with the same plans, time, size, machine and versions, if there is one."""
     content = store.get("sweeps", _name(subject, settings, machine))
     if content is None:
         return None
     try:
-        sweep = Sweep.model_validate_json(content)
+        sweep = model.Sweep.model_validate_json(content)
     except ValueError:
         return None
     # A preset and a posted scene that equals it share their measurements.
@@ -148,7 +135,7 @@ def make_sweep(
     watcher: Watcher | None = None,
     *,
     again: bool = False,
-) -> Sweep:
+) -> model.Sweep:
     """Measure a scene, or return the stored measurement; ``again``: ignore a stored one.
 
     Raises :class:`seafoam.planner.PlanError`, what drawing raises, and :class:`SweepStoppedError` if the watcher stops
@@ -185,18 +172,18 @@ class _Sweeping:
         self.done = 0.0
         self.began = clock.perf_counter()
 
-    def run(self, truth: Picture) -> Sweep:
+    def run(self, truth: Picture) -> model.Sweep:
         timed, small = self._compile()
         frames, models = self._rounds(timed, small)
         curve = metrics.tone_curve(self.subject.scene)
         errors = {point.id: metrics.errors(frames[point.id], truth, curve) for point in self.points}
         rmse = {id: error.rmse for id, error in errors.items()}
-        times = {id: [model.at(*self.subject.size) for model in rounds] for id, rounds in models.items()}
+        times = {id: [fit.at(*self.subject.size) for fit in rounds] for id, rounds in models.items()}
         spreads = {id: spread_of(values) for id, values in times.items()}
         best = front({id: (spread.median_ms, rmse[id]) for id, spread in spreads.items()})
         beaten = beating({id: (values, rmse[id]) for id, values in times.items()})
         measured = {
-            point.id: MeasuredPoint(
+            point.id: model.MeasuredPoint(
                 **dict(point),
                 on_front=point.id in best,
                 beaten_by=beaten[point.id],
@@ -207,7 +194,7 @@ class _Sweeping:
             )
             for point in self.points
         }
-        return Sweep(
+        return model.Sweep(
             preset=self.subject.preset,
             scene_sha256=scene_sha256(self.subject.scene),
             width=self.settings.width,
@@ -235,25 +222,25 @@ class _Sweeping:
             self._draw(point.quality, 0, (Draw(*small, "rgba8"),), "compiling", 0.0)
         return timed, small
 
-    def _rounds(self, timed: Size, small: Size) -> tuple[dict[str, list[Picture]], dict[str, list[TimeModel]]]:
+    def _rounds(self, timed: Size, small: Size) -> tuple[dict[str, list[Picture]], dict[str, list[model.TimeModel]]]:
         """Pictures and time models of every point, one per round."""
         points, rounds = self.points, self.settings.rounds
         frames: dict[str, list[Picture]] = {point.id: [] for point in points}
-        models: dict[str, list[TimeModel]] = {point.id: [] for point in points}
+        models: dict[str, list[model.TimeModel]] = {point.id: [] for point in points}
         for index in range(rounds):
             first = index % len(points)
             turned = [*points[first:], *points[:first]]
             for point in turned if index % 2 == 0 else reversed(turned):
                 last = models[point.id][-1] if index > 0 else None
                 stage = f"round {index + 1} of {rounds}"
-                picture, model = self._measure(point.quality, index, last, timed, small, stage)
+                picture, fit = self._measure(point.quality, index, last, timed, small, stage)
                 frames[point.id].append(picture)
-                models[point.id].append(model)
+                models[point.id].append(fit)
         return frames, models
 
     def _measure(
-        self, quality: Quality, frame: int, last: TimeModel | None, timed: Size, small: Size, stage: str
-    ) -> tuple[Picture, TimeModel]:
+        self, quality: Quality, frame: int, last: model.TimeModel | None, timed: Size, small: Size, stage: str
+    ) -> tuple[Picture, model.TimeModel]:
         """A frame's linear picture and its time model. ``last``: the model of the round before."""
         compared = (self.settings.width, self.settings.height)
         long = last is not None and last.at(*timed) > LONG_MS
@@ -268,8 +255,8 @@ class _Sweeping:
         large = compared if slow else timed
         return pixels, time_model(1000.0 * drawn[-2].seconds, large, 1000.0 * drawn[-1].seconds, small)
 
-    def _timing(self, timed: Size, small: Size) -> Timing:
-        return Timing(
+    def _timing(self, timed: Size, small: Size) -> model.Timing:
+        return model.Timing(
             timer=self.settings.timer,
             width=timed[0],
             height=timed[1],
@@ -292,7 +279,7 @@ class _Sweeping:
             ideals[point.id]["rest"] = plan_hash(self.subject.scene, without_all), without_all
         return ideals
 
-    def _causes(self, point: Point, error: float, truth: Picture) -> Causes | None:
+    def _causes(self, point: model.Point, error: float, truth: Picture) -> model.Causes | None:
         if point.tier is None:
             return None
         without = {
@@ -300,7 +287,7 @@ class _Sweeping:
             for cause, (plan, quality) in self.ideals[point.id].items()
         }
         falls = {cause: error - without[cause] for cause in get_args(Cause)}
-        return Causes(**falls, rest=without["rest"])
+        return model.Causes(**falls, rest=without["rest"])
 
     def _picture(self, plan: str, quality: Quality, stage: str) -> Picture:
         """Return the linear picture at the subject's own time; each plan is drawn once."""
@@ -338,13 +325,13 @@ class _Sweeping:
             width, height = 2 * width, 2 * height
         return (width, height), (max(1, width // SMALL), max(1, height // SMALL))
 
-    def _steps(self, rounds: Mapping[str, list[float]], error: Mapping[str, float]) -> tuple[Step, ...]:
+    def _steps(self, rounds: Mapping[str, list[float]], error: Mapping[str, float]) -> tuple[model.Step, ...]:
         steps = []
         for before, after, first, second in chains(self.subject.scene, self.points):
             compared = compare(rounds[first], rounds[second], error[first], error[second])
             worth = compared.measurable and compared.added_ms > 0.0
             steps.append(
-                Step(
+                model.Step(
                     **after.model_dump(exclude={"value"}),
                     value_from=before.value,
                     value_to=after.value,
@@ -362,9 +349,9 @@ class _Sweeping:
         return tuple(steps)
 
 
-def _name(subject: Subject, settings: SweepSettings, machine: Machine) -> str:
+def _name(subject: Subject, settings: SweepSettings, machine: model.Machine) -> str:
     plans = sorted(point.plan for point in points_of(subject.scene))
-    what = [FORMAT, plans, scene_sha256(subject.scene), subject.time, subject.size]
+    what = [model.FORMAT, plans, scene_sha256(subject.scene), subject.time, subject.size]
     how = [settings.width, settings.height, settings.samples_along, settings.rounds, settings.timer]
     versions = [version("seafoam"), version("moderngl"), np.__version__]
     return key_of(what, how, machine.model_dump(), versions) + ".json"

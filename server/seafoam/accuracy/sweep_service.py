@@ -90,7 +90,6 @@ class SweepService:
 
     @property
     def stopped(self) -> bool:
-        """Whether all measurements were cancelled."""
         return self._queue.stopped.is_set()
 
     def stop(self) -> None:

@@ -61,7 +61,6 @@ class Watcher:
 
 
 def find_truth(store: Store, spec: TruthSpec) -> Truth | None:
-    """Return the stored picture, if there is one."""
     content = store.get("truth", spec.file)
     if content is None:
         return None

@@ -82,9 +82,7 @@ def entries(export: Export, textures: dict[str, bytes], player: dict[str, bytes]
     tags = "".join(f'    <script src="{path}"></script>\n' for path in (*scripts, *names.values()))
     yield "index.html", html.replace("    <!-- data -->\n", tags).encode()
     yield "README.md", _filled(player["README.md"], export).encode()
-    yield "LICENSE", player["LICENSE"]
-    yield "player.js", player["player.js"]
-    for name in sorted(set(player) - set(PLAYER)):
+    for name in (*PLAYER[2:], *sorted(set(player) - set(PLAYER))):
         yield name, player[name]
     yield "data/plan.js", (_GLOBAL + "seafoamData.plan = ").encode() + export.compiled.content + b";\n"
     yield "data/recipe.js", f"{_GLOBAL}seafoamData.recipe = {export.recipe};\n".encode()

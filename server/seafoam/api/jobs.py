@@ -64,7 +64,6 @@ class PoolWorkers:
 
     @property
     def info(self) -> Mapping[str, str]:
-        """The renderer's, if it is ready."""
         return _ready(self._pool)
 
     def draw(self, units: Iterable[Unit]) -> DrawnFrames:

@@ -131,7 +131,6 @@ class Settings(Described, BaseSettings):
 
     @property
     def access(self) -> Access:
-        """Return who may use the API."""
         signing = Signing.of(self.signing_key.get_secret_value(), self.signing_salt.get_secret_value())
         return Access(api_keys_of(self.api_keys.get_secret_value()), signing)
 
@@ -143,5 +142,4 @@ class Settings(Described, BaseSettings):
 
     @property
     def frame_limits(self) -> FrameLimits:
-        """Return the limits of one frame."""
         return FrameLimits(self.max_side, self.max_sampled_side, self.max_samples)

@@ -54,7 +54,6 @@ _LIST = """      <h1>Waters</h1>
 
 
 async def _water(name: str, request: Request) -> Response:
-    """Return the page opened at a preset."""
     try:
         preset = load_preset(name)
     except KeyError:

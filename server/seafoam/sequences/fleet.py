@@ -15,7 +15,7 @@ from contextlib import ExitStack
 from functools import partial
 from itertools import chain, islice
 from queue import Empty, Queue
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from seafoam import processes
 from seafoam.extras import require
@@ -37,8 +37,8 @@ POLL_SECONDS = 1.0
 _mine = threading.local()
 
 
-class DaskWorkers:
-    """Draws on a Dask cluster. It is a context manager.
+class DaskWorkers(ExitStack):
+    """Draws on a Dask cluster, and leaves it at the end of the context, in which a local one ends.
 
     scheduler: address such as ``tcp://host:8786``; absent: ``workers`` processes on this machine. mixed: allow workers
     with other renderers than the first one's: their frames differ in single levels. factory: creates the renderer in
@@ -55,18 +55,11 @@ class DaskWorkers:
         mixed: bool = False,
         factory: Callable[[], Renderer] = Executor,
     ) -> None:
+        super().__init__()
         require("cluster")
-        self._scheduler, self._workers = scheduler, workers
-        self._mixed = mixed
-        self._factory = factory
-        self._stack = ExitStack()
-        try:
-            self.client = self._connected(scheduler, workers)
-            self.info: Mapping[str, str] = {}
-            self._common_renderer()
-        except BaseException:
-            self._stack.close()
-            raise
+        self._scheduler, self._workers, self._mixed, self._factory = scheduler, workers, mixed, factory
+        self.info: Mapping[str, str] = {}
+        self._connect()
 
     def draw(self, units: Units) -> DrawnFrames:
         """Draw frames, each as soon as a worker is free, in the order in which they are finished.
@@ -120,61 +113,53 @@ class DaskWorkers:
         """Name of the connected scheduler's process; None while there is no connection."""
         if self.client.status != "running":
             return None
-        found: str = self.client.scheduler_info(n_workers=0)["id"]
-        return found
+        return str(self.client.scheduler_info(n_workers=0)["id"])
 
     def _rejoin(self) -> None:
         """Connect anew to a scheduler that went away, when it is back with a worker."""
-        self._stack.close()
+        self.close()
         until = time.monotonic() + RETURN_SECONDS
         while True:
             try:
-                self.client = self._connected(self._scheduler, self._workers)
-                self._common_renderer()
-                return
+                return self._connect()
             except MixedFleetError:
                 raise
             except SequenceError as error:
-                self._stack.close()
                 if time.monotonic() > until:
                     raise SequenceError(f"the scheduler went away and did not return: {error}") from error
                 time.sleep(RETURN_POLL)
 
-    def close(self) -> None:
-        """Leave the cluster, and end the local one."""
-        self._stack.close()
+    def _connect(self) -> None:
+        """Connect to the scheduler, or start a cluster here, and compare the workers' renderers."""
+        try:
+            self.client = self._connected()
+            self.callback(self.client.close)
+            self._common_renderer()
+        except BaseException:
+            self.close()
+            raise
 
-    def __enter__(self) -> "DaskWorkers":
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.close()
-
-    def _connected(self, scheduler: str | None, workers: int) -> "Client":
+    def _connected(self) -> "Client":
         from distributed import Client, LocalCluster
 
-        if scheduler is None:
-            cluster = LocalCluster(
-                n_workers=workers,
-                threads_per_worker=1,
-                processes=True,
-                host="127.0.0.1",
-                dashboard_address="127.0.0.1:0",
-                env={"LP_NUM_THREADS": str(max(1, (os.cpu_count() or 1) // workers))},
-            )
-            self._stack.callback(cluster.close)
-            client = Client(cluster, set_as_default=False)
-        else:
+        if self._scheduler is not None:
             try:
-                client = processes.connected(scheduler)
+                return processes.connected(self._scheduler)
             except processes.NoClusterError as error:
                 raise SequenceError(str(error)) from error
-        self._stack.callback(client.close)
-        return client
+        cluster = LocalCluster(
+            n_workers=self._workers,
+            threads_per_worker=1,
+            processes=True,
+            host="127.0.0.1",
+            dashboard_address="127.0.0.1:0",
+            env={"LP_NUM_THREADS": str(max(1, (os.cpu_count() or 1) // self._workers))},
+        )
+        self.callback(cluster.close)
+        return Client(cluster, set_as_default=False)
 
     def _addresses(self) -> dict[str, Any]:
-        found: dict[str, Any] = self.client.scheduler_info(n_workers=-1)["workers"]
-        return found
+        return cast(dict[str, Any], self.client.scheduler_info(n_workers=-1)["workers"])
 
     def _common_renderer(self) -> None:
         """Ask every worker for its renderer, in the thread that will draw; the first one's is that of the fleet."""
@@ -204,8 +189,7 @@ def _renderer(factory: Callable[[], Renderer]) -> Renderer:
     """Return the renderer of this worker, which belongs to this thread."""
     if not hasattr(_mine, "renderer"):
         _mine.renderer = factory()
-    renderer: Renderer = _mine.renderer
-    return renderer
+    return cast(Renderer, _mine.renderer)
 
 
 def _report(factory: Callable[[], Renderer]) -> dict[str, str]:

@@ -34,7 +34,6 @@ _LINE = re.compile(r"([0-9a-f]{64})  frame-(\d{6})\.png")
 
 
 def frame_name(index: int) -> str:
-    """Return the file name of a frame."""
     return f"frame-{index:06d}.png"
 
 
@@ -62,7 +61,6 @@ class SequenceFolder:
         write_whole(path / MANIFEST, (json.dumps(manifest, indent=1, ensure_ascii=False) + "\n").encode())
 
     def frame(self, index: int) -> Path:
-        """Return the path of a frame."""
         return self.path / frame_name(index)
 
     def put(self, index: int, content: bytes) -> None:

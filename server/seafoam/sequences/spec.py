@@ -71,7 +71,6 @@ class SequenceSpec:
 
     @property
     def count(self) -> int:
-        """Number of frames."""
         return frame_count(self.start, self.stop, self.fps)
 
     def frame(self, index: int) -> FrameJob:
@@ -177,10 +176,8 @@ class InProcess:
 
     @property
     def info(self) -> Mapping[str, str]:
-        """The renderer's ``vendor``, ``renderer`` and ``version``."""
         return self._renderer.info
 
     def draw(self, units: Units) -> DrawnFrames:
-        """Draw frames one after the other."""
         for index, job in units:
             yield index, render_frame(self._renderer, job).content

@@ -63,13 +63,11 @@ class PlanIndex:
 
     def remember(self, plan: str, scene: Scene, quality: Quality) -> None:
         """Remember what a plan was made from."""
-        if self.holds(plan):
-            return
-        stored = self._read(plan)
-        source = stored or PlanSource(scene=scene, quality=quality)
-        if stored is None and self._disk is not None:
-            self._disk.put(_key(plan), source.model_dump_json().encode())
-        self._held.put(plan, source)
+        if self.find(plan) is None:
+            source = PlanSource(scene=scene, quality=quality)
+            if self._disk is not None:
+                self._disk.put(_key(plan), source.model_dump_json().encode())
+            self._held.put(plan, source)
 
     def find(self, plan: str) -> PlanSource | None:
         """Return what a plan is made from, or None if this server has not made it."""

@@ -184,7 +184,6 @@ async def with_quality(
 
 
 def _refused(asked: FrameParameters | FrameRequest, detail: str) -> BadRequestError:
-    """Return the error of a budget that is missing or not allowed."""
     detail = f"budget_ms: {detail}"
     if isinstance(asked, FrameParameters):
         return BadRequestError(FieldProblem(parameter="budget_ms", detail=detail))

@@ -78,11 +78,6 @@ class Stream:
         finally:
             self.frames = [frame for frame in self.frames if frame is not own]
 
-    def give_up(self) -> None:
-        """Give up all frames."""
-        for frame in self.frames:
-            frame.task.cancel()
-
 
 class Streams:
     """The streams of one event loop. limit: how many at once; clock: seconds, steady."""
@@ -115,13 +110,11 @@ class Streams:
     def find(self, id: str) -> Stream | None:
         """Return a stream, whose lease begins anew, or None if it has ended."""
         self._expire()
-        stream = self._open.get(id)
-        if stream is not None:
+        if (stream := self._open.get(id)) is not None:
             self.renew(stream)
         return stream
 
     def renew(self, stream: Stream) -> None:
-        """Begin a stream's lease anew."""
         stream.expires = self._clock() + LEASE_SECONDS
 
     def has_frame(self, path: str) -> bool:
@@ -132,9 +125,9 @@ class Streams:
 
     def close(self, id: str) -> None:
         """End a stream, if it has not ended, and give up its frames: else streams that follow each other have many."""
-        stream = self._open.pop(id, None)
-        if stream is not None:
-            stream.give_up()
+        if (stream := self._open.pop(id, None)) is not None:
+            for frame in stream.frames:
+                frame.task.cancel()
 
     def drawn(self, pixels: int, seconds: float) -> None:
         """Note how long a frame took, without waiting."""

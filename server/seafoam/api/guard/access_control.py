@@ -61,7 +61,6 @@ class TokenBuckets:
         return f'"{POLICY}";q={self.burst};w={math.ceil(self.burst / self.rate)}'
 
     def take(self, client: str) -> Standing:
-        """Take a token of a client."""
         now = self._clock()
         full_at = max(self._full_at.get(client, now), now)
         tokens = self.burst - (full_at - now) * self.rate
@@ -73,11 +72,6 @@ class TokenBuckets:
         if len(self._full_at) > self._clients:
             self._full_at.popitem(last=False)
         return Standing(True, int(tokens - 1.0 + 1e-6), math.ceil(full_at + 1.0 / self.rate - now))
-
-
-def limit_of(standing: Standing) -> str:
-    """Return the value of ``RateLimit`` (draft-ietf-httpapi-ratelimit-headers-10)."""
-    return f'"{POLICY}";r={standing.left};t={standing.seconds}'
 
 
 def bucket_of(address: str) -> str:
@@ -164,7 +158,8 @@ class AccessControl(HttpMiddleware):
                 del headers["link"]
             if self.rates is not None and standing is not None:
                 headers["RateLimit-Policy"] = self.rates.policy
-                headers["RateLimit"] = limit_of(standing)
+                # draft-ietf-httpapi-ratelimit-headers-10
+                headers["RateLimit"] = f'"{POLICY}";r={standing.left};t={standing.seconds}'
 
         await (refusal or self.app)(scope, receive, altering(send, mark))
 

@@ -67,11 +67,12 @@ class LimitBody(HttpMiddleware):
     def __init__(self, app: ASGIApp, limit: int) -> None:
         super().__init__(app)
         self.limit = limit
+        self.detail = f"the request body exceeds {limit:,} bytes"
 
     async def _handle(self, scope: Scope, receive: Receive, send: Send) -> None:
         announced = Headers(scope=scope).get("content-length", "")
         if announced.isascii() and announced.isdigit() and int(announced) > self.limit:
-            await problem(scope["path"], ProblemType(413), self._detail)(scope, receive, send)
+            await problem(scope["path"], ProblemType(413), self.detail)(scope, receive, send)
             return
         arrived = 0
 
@@ -81,14 +82,10 @@ class LimitBody(HttpMiddleware):
             arrived += len(message.get("body", b""))
             if arrived > self.limit:
                 # FastAPI lets no other exception pass while it reads a body.
-                raise HTTPException(413, self._detail)
+                raise HTTPException(413, self.detail)
             return message
 
         await self.app(scope, counting, send)
-
-    @property
-    def _detail(self) -> str:
-        return f"the request body exceeds {self.limit:,} bytes"
 
 
 class SecurityHeaders(HttpMiddleware):

@@ -167,7 +167,6 @@ class ViewParameters(Parameters):
 
     @property
     def camera(self) -> Camera:
-        """Return the camera."""
         angles = {name: getattr(self, name) for name in ("yaw", "pitch", "roll", "fov")}
         return Camera(position=(self.x, self.y, self.z), **angles)
 

@@ -75,7 +75,6 @@ class JsonLines(logging.Formatter):
     """A log record as one line of JSON: time (ISO 8601, UTC), level, logger, message, request_id, and its fields."""
 
     def format(self, record: logging.LogRecord) -> str:
-        """Return the line."""
         line: dict[str, Any] = {
             "time": datetime.fromtimestamp(record.created, UTC).isoformat(timespec="milliseconds"),
             "level": record.levelname.lower(),

@@ -69,7 +69,6 @@ class Metrics:
         self.registry.register(_Counts(pool, frames))
 
     def count_frame(self, frame: EncodedFrame, format: str) -> None:
-        """Count a rendered frame."""
         self.frames.labels(format).inc()
         for stage, seconds in frame.timings.items():
             self.stages.labels(stage).observe(seconds)
@@ -87,7 +86,6 @@ class _Counts(Collector):
         self._frames = frames
 
     def collect(self) -> Iterator[CounterMetricFamily]:
-        """Yield each with its present values."""
         restarts = CounterMetricFamily("seafoam_worker_restarts", "Render workers replaced", labels=("reason",))
         for reason in ("deadline", "crash", "recycled"):
             restarts.add_metric((reason,), self._pool.restarts[reason])
@@ -202,7 +200,6 @@ class Traces:
             span.end(began)
 
     def close(self) -> None:
-        """Send what is left, and stop."""
         self._provider.shutdown()
 
 

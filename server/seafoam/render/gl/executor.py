@@ -73,7 +73,6 @@ class _Linked:
         self._arrays: dict[Grid | None, tuple[Any, ...]] = {}
 
     def draw(self, mesh: Mesh) -> None:
-        """Draw ``mesh`` with the program."""
         if isinstance(mesh, Grid):
             self._array(mesh).render(moderngl.TRIANGLES)
         elif isinstance(mesh, Points):
@@ -96,7 +95,6 @@ class _Linked:
         return self._context.vertex_array(self.program, [(buffers[0], "2f", "a_grid")], buffers[1]), *buffers
 
     def release(self) -> None:
-        """Release arrays, buffers and program."""
         for parts in self._arrays.values():
             for part in parts:
                 part.release()

@@ -44,7 +44,6 @@ class RendererUnavailableError(RenderError):
 
     @property
     def remedy(self) -> str:
-        """The text."""
         return str(self)
 
 

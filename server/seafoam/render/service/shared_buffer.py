@@ -84,7 +84,6 @@ class BufferPool:
         self._free: list[SharedBuffer] = []
 
     def take(self, size: int) -> SharedBuffer:
-        """Return a buffer for ``size`` bytes."""
         for index, buffer in enumerate(self._free):
             if buffer.address is not None and size <= buffer.address.size <= 4 * size:
                 return self._free.pop(index)
@@ -100,7 +99,6 @@ class BufferPool:
             self._free.pop(0).close()
 
     def close(self) -> None:
-        """Close all that are free."""
         while self._free:
             self._free.pop().close()
 
