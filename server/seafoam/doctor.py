@@ -52,16 +52,13 @@ def probe_renderer() -> dict[str, str]:
 
 def examine(probe: Callable[[], dict[str, str]] = probe_renderer) -> list[Finding]:
     """Check everything that rendering, the web client and the tests need. Takes seconds; starts a process."""
-    return [_python(), *_renderer(probe), _masks(), _webclient(), _reports(), _node(), _chromium()]
+    python = Finding("Python", "good", sys.version.split()[0])
+    return [python, *_renderer(probe), _masks(), _webclient(), _reports(), _node(), _chromium()]
 
 
 def able_to_render(findings: list[Finding]) -> bool:
     """Whether everything that rendering requires is present."""
     return all(finding.state != "missing" for finding in findings)
-
-
-def _python() -> Finding:
-    return Finding("Python", "good", sys.version.split()[0])
 
 
 def _renderer(probe: Callable[[], dict[str, str]]) -> list[Finding]:

@@ -201,7 +201,16 @@ class _Sweeping:
             height=self.settings.height,
             time=self.subject.time,
             truth=truth_info(self.subject, self.settings),
-            timing=self._timing(timed, small),
+            timing=model.Timing(
+                timer=self.settings.timer,
+                width=timed[0],
+                height=timed[1],
+                small_width=small[0],
+                small_height=small[1],
+                own_width=self.subject.size[0],
+                own_height=self.subject.size[1],
+                rounds=self.settings.rounds,
+            ),
             machine=self.rig.machine,
             versions={name: version(name) for name in ("seafoam", "moderngl", "numpy", "flip-evaluator")},
             measured_at=datetime.now(UTC).isoformat(timespec="seconds"),
@@ -254,18 +263,6 @@ class _Sweeping:
         assert pixels is not None
         large = compared if slow else timed
         return pixels, time_model(1000.0 * drawn[-2].seconds, large, 1000.0 * drawn[-1].seconds, small)
-
-    def _timing(self, timed: Size, small: Size) -> model.Timing:
-        return model.Timing(
-            timer=self.settings.timer,
-            width=timed[0],
-            height=timed[1],
-            small_width=small[0],
-            small_height=small[1],
-            own_width=self.subject.size[0],
-            own_height=self.subject.size[1],
-            rounds=self.settings.rounds,
-        )
 
     def _ideals(self) -> dict[str, dict[str, tuple[str, Quality]]]:
         """Of each tier, by cause of error ("rest": all three): plan and quality without that cause."""

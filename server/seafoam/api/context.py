@@ -5,17 +5,19 @@ from typing import Annotated
 
 from fastapi import Depends, Request
 
+from seafoam.accuracy.cache import cache_dir
 from seafoam.accuracy.model import Running, Sweep
 from seafoam.accuracy.sweep import Subject
 from seafoam.api.frames.plans import REQUESTS_KEPT, CompiledPlan, PlanIndex, RequestCache, compile_scene
 from seafoam.api.frames.streams import Streams
-from seafoam.api.jobs import ThreadPool, sequence_service, sweep_service
+from seafoam.api.jobs import PoolWorkers, ThreadPool, sweep_service
 from seafoam.api.settings import Settings
 from seafoam.api.watch.metrics import Metrics, Traces
 from seafoam.extras import require
 from seafoam.quality import Quality
 from seafoam.render.service.frame_cache import FrameCache
 from seafoam.scene.models import Scene
+from seafoam.sequences.service import SequenceService
 
 
 class Context:
@@ -37,7 +39,9 @@ class Context:
         # Apart, so that a mask, which takes seconds, delays no plan, and one that takes minutes no other mask.
         self.plans, self.masks, self.slow_masks = ThreadPool(2, 64), ThreadPool(1, 8), ThreadPool(1, 2)
         self.sweeps = sweep_service(settings, self.pool, loop)
-        self.sequences = sequence_service(settings, self.pool, loop)
+        workers, directory = PoolWorkers(self.pool, loop), (settings.cache or cache_dir()) / "sequences"
+        bounds = {"waiting": settings.sequences_waiting, "kept": settings.sequences_kept}
+        self.sequences = SequenceService(directory, lambda: workers, **bounds)
         self.streams = Streams(settings.streams)
         self.ahead: asyncio.Task[None] | None = None
         """Compiles the presets' programs ahead, if the settings say so."""

@@ -10,7 +10,7 @@ from typing import ParamSpec, TypeVar
 import anyio
 import anyio.to_thread
 
-from seafoam.accuracy.cache import Store, cache_dir
+from seafoam.accuracy.cache import Store
 from seafoam.accuracy.model import Running
 from seafoam.accuracy.sweep import Rig, SweepSettings
 from seafoam.accuracy.sweep_service import SweepService
@@ -21,7 +21,6 @@ from seafoam.render.service.errors import DeadlineError, RenderError, RendererUn
 from seafoam.render.service.jobs import Drawn, FrameJob, MeasureJob
 from seafoam.render.service.pool import RenderPool
 from seafoam.render.service.queues import Ticket
-from seafoam.sequences.service import SequenceService
 from seafoam.sequences.spec import DrawnFrames, SequenceError, Unit
 
 LONGEST_WAIT = 15
@@ -90,13 +89,6 @@ class PoolWorkers:
                 if attempt == _ATTEMPTS or not isinstance(error, DeadlineError | RenderQueueFullError):
                     raise SequenceError(f"a frame could not be drawn: {error}") from error
         raise AssertionError("the last attempt returns or raises")
-
-
-def sequence_service(settings: Settings, pool: RenderPool, loop: asyncio.AbstractEventLoop) -> SequenceService:
-    """Return a service that draws on the pool; coroutines run on ``loop``."""
-    directory = (cache_dir() if settings.cache is None else settings.cache) / "sequences"
-    workers = PoolWorkers(pool, loop)
-    return SequenceService(directory, lambda: workers, waiting=settings.sequences_waiting, kept=settings.sequences_kept)
 
 
 P = ParamSpec("P")

@@ -20,7 +20,18 @@ from typer.exceptions import TyperException
 
 from seafoam.cli import options
 from seafoam.cli.masks import masks
-from seafoam.cli.support import UNABLE, Command, CommandError, Serve, member_of, prepare, refuse, say, size_of
+from seafoam.cli.support import (
+    UNABLE,
+    Command,
+    CommandError,
+    Serve,
+    member_of,
+    prepare,
+    print_table,
+    refuse,
+    say,
+    size_of,
+)
 from seafoam.extras import UnableError, require
 from seafoam.processes import SCHEDULER
 
@@ -210,18 +221,13 @@ def accuracy(
 @app.command()
 def presets() -> None:
     """List the presets."""
-    from rich.console import Console
-    from rich.table import Column, Table
-
     from seafoam.scene.presets import load_preset, preset_names
 
-    name_column = Column("name", no_wrap=True)
-    table = Table(name_column, "title", "size", "time", "summary", box=None, pad_edge=False)
-    for name in preset_names():
-        preset = load_preset(name)
-        width, height = preset.size
-        table.add_row(name, preset.title, f"{width}x{height}", f"{preset.time:g} s", preset.summary)
-    Console().print(table)
+    rows = [
+        (each.name, each.title, "{}x{}".format(*each.size), f"{each.time:g} s", each.summary)
+        for each in map(load_preset, preset_names())
+    ]
+    print_table(rows, "name", "title", "size", "time", "summary", unwrapped="name")
 
 
 @app.command()
@@ -235,9 +241,6 @@ def plan(
 ) -> None:
     """List the passes of a preset's frame plan, or print the GLSL of one of its programs."""
     _require_preset(preset)
-    from rich.console import Console
-    from rich.table import Column, Table
-
     from seafoam.planner import make_plan
     from seafoam.quality import TIERS
     from seafoam.scene.presets import load_preset
@@ -254,13 +257,13 @@ def plan(
                 say(f"// ---- {names[number]}")
             say(line)
         return
-    program_column = Column("program", no_wrap=True)
-    table = Table("pass", program_column, "target", "drawn", "files", "lines", box=None, pad_edge=False)
+    rows = []
     for one in made.passes:
         shader = made.programs[one.program].fragment
         files, lines = sum(1 for file in shader.files if file.path), shader.text.count("\n")
-        table.add_row(one.name, one.program, one.target, one.when, str(files), str(lines))
-    Console(soft_wrap=True).print(table)
+        rows.append((one.name, one.program, one.target, one.when, str(files), str(lines)))
+    columns = ("pass", "program", "target", "drawn", "files", "lines")
+    print_table(rows, *columns, unwrapped="program", soft_wrap=True)
 
 
 @app.command()

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from seafoam.cli.support import CommandError, Output, extension_of, say, write
+from seafoam.cli.support import CommandError, Output, extension_of, print_table, say, write
 from seafoam.extras import require
 
 if TYPE_CHECKING:
@@ -18,17 +18,14 @@ masks = typer.Typer(help="Halftone masks: list the shipped ones, make new ones, 
 @masks.command("list")
 def list_masks() -> None:
     """List the shipped masks."""
-    from rich.console import Console
-    from rich.table import Table
-
     from seafoam.masks.catalogue import load_catalogue
 
-    table = Table("name", "family", "sigma", "size", "seed", "sha256", "title", box=None, pad_edge=False)
+    rows = []
     for name, entry in load_catalogue().items():
         made = entry.parameters
         sizes = f"{made.sigma:g}", str(made.width), str(made.seed)
-        table.add_row(name, entry.family, *sizes, entry.sha256[:12], entry.title)
-    Console().print(table)
+        rows.append((name, entry.family, *sizes, entry.sha256[:12], entry.title))
+    print_table(rows, "name", "family", "sigma", "size", "seed", "sha256", "title")
 
 
 @masks.command("make")
@@ -117,22 +114,14 @@ def mask_shapes(
     if as_json:
         say(json.dumps(shapes.model_dump()))
         return
-    from rich.console import Console
-    from rich.table import Table
-
     columns = ("saturation", "largest component", "Euler number", "holes 10 / 50 / 90 %", "foam chord", "water chord")
-    table = Table(*columns, box=None, pad_edge=False)
+    rows = []
     for entry in shapes.saturations:
         holes = " / ".join(f"{diameter:.0f}" for diameter in entry.hole_diameters)
-        table.add_row(
-            f"{entry.saturation:g}",
-            f"{entry.largest_piece:.2f}",
-            str(entry.euler_number),
-            holes,
-            f"{entry.foam_chord:.1f}",
-            f"{entry.water_chord:.1f}",
-        )
-    Console().print(table)
+        chords = f"{entry.foam_chord:.1f}", f"{entry.water_chord:.1f}"
+        pieces = f"{entry.largest_piece:.2f}", str(entry.euler_number)
+        rows.append((f"{entry.saturation:g}", *pieces, holes, *chords))
+    print_table(rows, *columns)
     say(f"At saturation {shapes.joined_from:g} and above, one component holds more than half of the foam.")
 
 

@@ -9,7 +9,7 @@ import math
 import re
 import sys
 import unicodedata
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, NoReturn, TypeVar
 
@@ -100,16 +100,25 @@ class Serve(Command):
     def format_help(self, ctx: Any, formatter: Any) -> None:
         """Write the usual help, then the settings."""
         super().format_help(ctx, formatter)
-        from rich.console import Console
-        from rich.table import Column, Table
-
         from seafoam.api.settings import SERVED, Settings
 
-        table = Table(Column("variable", no_wrap=True), "default", "setting", box=None, pad_edge=False)
+        rows = []
         for name, field in Settings.model_fields.items():
             value = SERVED.get(name, field.get_default(call_default_factory=True))
-            table.add_row(f"SEAFOAM_{name.upper()}", _shown(value), field.description)
-        Console(markup=False, emoji=False, highlight=False).print(table)
+            rows.append((f"SEAFOAM_{name.upper()}", _shown(value), field.description or ""))
+        columns = ("variable", "default", "setting")
+        print_table(rows, *columns, unwrapped="variable", markup=False, emoji=False, highlight=False)
+
+
+def print_table(rows: Iterable[Sequence[str]], *columns: str, unwrapped: str = "", **console: bool) -> None:
+    """Print rows under the names of their columns. unwrapped: the column whose cells stay on one line."""
+    from rich.console import Console
+    from rich.table import Column, Table
+
+    table = Table(*(Column(name, no_wrap=name == unwrapped) for name in columns), box=None, pad_edge=False)
+    for row in rows:
+        table.add_row(*row)
+    Console(**console).print(table)  # type: ignore[arg-type]
 
 
 def _shown(value: Any) -> str:

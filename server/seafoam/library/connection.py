@@ -59,11 +59,10 @@ class Connection(PictureSource):
     def _draw(self, job: FrameJob) -> Future[bytes]:
         return self._threads.submit(self._ask, "/api/frames", json.dumps(job.request).encode())
 
-    def _mask(self, asked: MaskRequest) -> Future[bytes]:
-        if not asked.given:
-            return self._threads.submit(self._ask, f"/api/masks/{quote(asked.name, safe='')}/data.npy", None)
+    def _mask(self, asked: MaskRequest) -> bytes:
         query = urlencode({"family": asked.name, **asked.given})
-        return self._threads.submit(self._ask, f"/api/masks/custom/data.npy?{query}", None)
+        mask = f"custom/data.npy?{query}" if asked.given else f"{quote(asked.name, safe='')}/data.npy"
+        return self._threads.submit(self._ask, f"/api/masks/{mask}", None).result()
 
     def _ask(self, path: str, body: bytes | None) -> bytes:
         media = {} if body is None else {"Content-Type": "application/json"}

@@ -52,13 +52,14 @@ class Embedded(PictureSource):
                 self._owner, self._drew_in = ThreadPoolExecutor(1, "seafoam"), os.getpid()
             return self._owner.submit(self._drawn, job)
 
-    def _mask(self, asked: MaskRequest) -> Future[bytes]:
-        done: Future[bytes] = Future()
+    def _mask(self, asked: MaskRequest) -> bytes:
+        if not asked.given and asked.name in load_catalogue():
+            return to_npy(load_mask(asked.name).ranks)
+        given = {name: value for name, value in vars(asked).items() if name != "name" and value is not None}
         try:
-            done.set_result(_made(asked))
+            return to_npy(make_mask(asked.name, **{"size": CUSTOM_SIZE, **given}))
         except ValueError as error:
-            done.set_exception(InvalidRequestError(f"mask {error}"))
-        return done
+            raise InvalidRequestError(f"mask {error}") from error
 
     def _drawn(self, job: FrameJob) -> bytes:
         if self._executor is None:
@@ -72,13 +73,6 @@ class Embedded(PictureSource):
         executor, self._executor = self._executor, None
         if executor is not None:
             executor.close()
-
-
-def _made(asked: MaskRequest) -> bytes:
-    if not asked.given and asked.name in load_catalogue():
-        return to_npy(load_mask(asked.name).ranks)
-    given = {name: value for name, value in vars(asked).items() if name != "name" and value is not None}
-    return to_npy(make_mask(asked.name, **{"size": CUSTOM_SIZE, **given}))
 
 
 HERE = Embedded()

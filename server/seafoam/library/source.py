@@ -80,7 +80,7 @@ class PictureSource(ABC):
         256 if absent. seed: 0 (absent) to 2³² - 1. aspect: 1 (absent) to 6, and age: 0 (absent) to 1, of ``lace``.
         Ranges: docs/masks.md.
         """
-        return _array(self._mask(asked).result())
+        return _array(self._mask(asked))
 
     @asking(PictureRequest)
     async def frame_async(self, asked: PictureRequest) -> Image.Image:
@@ -100,7 +100,7 @@ class PictureSource(ABC):
     @asking(MaskRequest)
     async def mask_async(self, asked: MaskRequest) -> NDArray[np.float32]:
         """:meth:`mask`, without blocking the event loop."""
-        return await asyncio.to_thread(lambda: _array(self._mask(asked).result()))
+        return await asyncio.to_thread(lambda: _array(self._mask(asked)))
 
     @abstractmethod
     def close(self) -> None:
@@ -111,8 +111,8 @@ class PictureSource(ABC):
         """Start to draw a frame and encode it in its format."""
 
     @abstractmethod
-    def _mask(self, asked: MaskRequest) -> Future[bytes]:
-        """Start to make or fetch a mask, as an NPY file."""
+    def _mask(self, asked: MaskRequest) -> bytes:
+        """Make or fetch a mask, as an NPY file."""
 
     def __enter__(self) -> "PictureSource":
         return self

@@ -66,7 +66,7 @@ class SequenceFolder:
     def put(self, index: int, content: bytes) -> None:
         """Write a frame, then its hash. Raises ``OSError``."""
         write_whole(self.frame(index), content)
-        line = f"{hashlib.sha256(content).hexdigest()}  {frame_name(index)}\n"
+        line = f"{_sha256(content)}  {frame_name(index)}\n"
         with (self.path / HASHES).open("ab") as file:
             file.write(line.encode())
 
@@ -76,7 +76,7 @@ class SequenceFolder:
         return {
             index
             for index, noted in hashes.items()
-            if index < count and self.frame(index).is_file() and _sha256(self.frame(index)) == noted
+            if index < count and (file := self.frame(index)).is_file() and _sha256(file.read_bytes()) == noted
         }
 
     def clear(self) -> None:
@@ -112,9 +112,8 @@ class SequenceFolder:
         return {int(line[2]): line[1] for line in lines if line}
 
 
-def _sha256(path: Path) -> str:
-    with path.open("rb") as file:
-        return hashlib.file_digest(file, "sha256").hexdigest()
+def _sha256(content: bytes) -> str:
+    return hashlib.sha256(content).hexdigest()
 
 
 Kind = Literal["frames", "zip", "webp", "mp4"]
@@ -199,7 +198,12 @@ def make_sequence(
             folder = SequenceFolder(output.frames, identity, again=again)
             found = folder.finished(spec.count)
             missing = [index for index in range(spec.count) if index not in found]
-            _draw(spec, folder, workers, missing, _Meter("frames", spec.count, len(found), tell, stopped))
+            meter = _Meter("frames", spec.count, len(found), tell, stopped)
+            if missing:
+                with closing(workers.draw((index, spec.frame(index)) for index in missing)) as drawn:
+                    for index, content in drawn:
+                        folder.put(index, content)
+                        meter.step()
             if output.kind != "frames":
                 _write_file(spec, output, folder, _Meter("file", spec.count, 0, tell, stopped))
                 folder.clear()
@@ -207,14 +211,6 @@ def make_sequence(
         name = output.path.name
         raise SequenceError(f"another process is writing {name}: wait for it, or choose another name") from None
     return Made(len(missing), len(found))
-
-
-def _draw(spec: SequenceSpec, folder: SequenceFolder, workers: Workers, missing: list[int], meter: _Meter) -> None:
-    if missing:
-        with closing(workers.draw((index, spec.frame(index)) for index in missing)) as drawn:
-            for index, content in drawn:
-                folder.put(index, content)
-                meter.step()
 
 
 def check_output(spec: SequenceSpec, output: Output) -> None:
@@ -236,8 +232,11 @@ def _write_file(spec: SequenceSpec, output: Output, folder: SequenceFolder, mete
             with part.open("w+b") as file:
                 stills = _stills(frames, meter)
                 write_animation(file, stills, spec.job.width, spec.job.height, durations_of(spec.count, spec.fps))
-        else:
-            _write_zip(part, frames, meter)
+        else:  # the same frames give the same bytes
+            with zipfile.ZipFile(part, "w", zipfile.ZIP_STORED) as archive:
+                for path in frames:
+                    archive.writestr(zipfile.ZipInfo(path.name), path.read_bytes())
+                    meter.step()
 
 
 def _stills(frames: list[Path], meter: _Meter) -> Iterator[bytes]:
@@ -246,11 +245,3 @@ def _stills(frames: list[Path], meter: _Meter) -> Iterator[bytes]:
             pixels = np.asarray(image.convert("RGBA"))
         yield encode(pixels, "webp")
         meter.step()
-
-
-def _write_zip(path: Path, frames: list[Path], meter: _Meter) -> None:
-    """Write the frames into an archive; the same frames give the same bytes."""
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_STORED) as archive:
-        for index, frame in enumerate(frames):
-            archive.writestr(zipfile.ZipInfo(frame_name(index)), frame.read_bytes())
-            meter.step()

@@ -9,8 +9,7 @@ from importlib.metadata import version
 from typing import Any
 
 from fastapi import FastAPI, Request
-from starlette.responses import FileResponse, Response, StreamingResponse
-from starlette.staticfiles import NotModifiedResponse, StaticFiles
+from starlette.responses import Response, StreamingResponse
 
 from seafoam.accuracy.cache import key_of
 from seafoam.api.http.errors import MEDIA_TYPE, PROBLEM_TYPES, Problem
@@ -35,12 +34,6 @@ def not_modified(request: Request, tag: str, headers: Mapping[str, str]) -> Resp
     sent = request.headers.get("if-none-match", "")
     current = sent.strip() == "*" or tag in (part.strip().removeprefix("W/") for part in sent.split(","))
     return Response(status_code=304, headers={"ETag": tag, **headers}) if current else None
-
-
-def file_unless_current(request: Request, response: FileResponse) -> Response:
-    """Return the answer with a file, made with ``stat_result``, or 304 if the client's copy is current."""
-    known = StaticFiles(check_dir=False).is_not_modified(response.headers, request.headers)
-    return NotModifiedResponse(response.headers) if known else response
 
 
 def event(name: str, data: str) -> str:

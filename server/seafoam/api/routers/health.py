@@ -5,6 +5,7 @@ import time
 from typing import Literal
 
 from fastapi import APIRouter
+from prometheus_client import CONTENT_TYPE_LATEST
 from pydantic import BaseModel, Field
 from starlette.responses import JSONResponse, Response
 
@@ -12,7 +13,6 @@ from seafoam.api.context import InContext
 from seafoam.api.http.answers import NO_STORE, TEXT, content, problems
 from seafoam.api.http.problems import BusyError
 from seafoam.api.http.validation import NoParameters
-from seafoam.api.watch.metrics import CONTENT_TYPE_LATEST
 from seafoam.render.service.errors import RendererUnavailableError
 
 router = APIRouter(tags=["health"])

@@ -7,6 +7,7 @@ from typing import Annotated, Literal
 from fastapi import APIRouter, Path, Request
 from pydantic import Discriminator, Field, Tag
 from starlette.responses import FileResponse, JSONResponse, Response, StreamingResponse
+from starlette.staticfiles import NotModifiedResponse, StaticFiles
 
 from seafoam.api.context import Context, InContext
 from seafoam.api.http import answers
@@ -122,9 +123,9 @@ async def get_file(sequence: SequenceName, _: NoParameters, request: Request, co
     """Download a finished sequence. Parts can be requested with the header Range."""
     path = await context.plans.run(context.sequences.file, sequence)
     media = MEDIA_TYPES[path.suffix[1:]]
-    return answers.file_unless_current(
-        request, FileResponse(path, media_type=media, filename=path.name, stat_result=path.stat())
-    )
+    response = FileResponse(path, media_type=media, filename=path.name, stat_result=path.stat())
+    known = StaticFiles(check_dir=False).is_not_modified(response.headers, request.headers)
+    return NotModifiedResponse(response.headers) if known else response
 
 
 @router.delete("/sequences/{sequence}", status_code=204, responses=answers.problems(404, 422, 503))

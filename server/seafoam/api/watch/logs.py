@@ -54,21 +54,16 @@ class LogRequests(HttpMiddleware):
             await self.app(scope, receive, altering(sent, mark))
         finally:
             if self.written and not _too_many(scope["path"], sent.status):
-                _write(scope, sent, time.perf_counter() - began)
-
-
-def _write(scope: Scope, sent: CountingSend, seconds: float) -> None:
-    route = route_of(scope)
-    fields = {
-        "method": scope["method"],
-        "route": route,
-        "path": scope["path"],
-        "status": sent.status,
-        "duration_ms": round(1000 * seconds, 3),
-        "bytes": sent.bytes,
-        "client": scope["state"].get("client") or (scope.get("client") or ("",))[0],
-    }
-    log.info("%s %s %d", scope["method"], route, sent.status, extra={"fields": fields})
+                fields = {
+                    "method": scope["method"],
+                    "route": route_of(scope),
+                    "path": scope["path"],
+                    "status": sent.status,
+                    "duration_ms": round(1000 * (time.perf_counter() - began), 3),
+                    "bytes": sent.bytes,
+                    "client": scope["state"].get("client") or (scope.get("client") or ("",))[0],
+                }
+                log.info("%(method)s %(route)s %(status)d", fields, extra={"fields": fields})
 
 
 class JsonLines(logging.Formatter):

@@ -7,7 +7,7 @@ from importlib.metadata import version
 from typing import TYPE_CHECKING, get_args
 
 from fastapi.telemetry import TelemetryConfig
-from prometheus_client import CONTENT_TYPE_LATEST, CollectorRegistry, Counter, Gauge, Histogram, generate_latest
+from prometheus_client import CollectorRegistry, Counter, Gauge, Histogram, generate_latest
 from prometheus_client.core import CounterMetricFamily
 from prometheus_client.registry import Collector
 from starlette.types import ASGIApp, Receive, Scope, Send
@@ -74,7 +74,7 @@ class Metrics:
             self.stages.labels(stage).observe(seconds)
 
     def exposition(self) -> bytes:
-        """Return all metrics in Prometheus text format, :data:`CONTENT_TYPE_LATEST`."""
+        """Return all metrics in Prometheus text format."""
         return generate_latest(self.registry)
 
 
@@ -120,9 +120,6 @@ class MeasureRequests(HttpMiddleware):
             self.metrics.requests.labels(scope["method"], route, str(sent.status)).inc()
             self.metrics.durations.labels(scope["method"], route).observe(time.perf_counter() - began)
             self.metrics.sent.labels(route).inc(sent.bytes)
-
-
-__all__ = ["CONTENT_TYPE_LATEST", "MeasureRequests", "Metrics"]
 
 
 NO_TELEMETRY: TelemetryConfig = {"tracing": False, "metrics": False, "logs": False, "auto_configure": False}

@@ -2,7 +2,6 @@
 
 import os
 import struct
-from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache
 from itertools import pairwise
@@ -78,20 +77,13 @@ def recipe_in_png(content: bytes) -> str | None:
     """Return the recipe of a PNG, or None. Raises ``UnicodeDecodeError`` for one that is no text."""
     if not content.startswith(_SIGNATURE):
         return None
-    found = (data for kind, data in _chunks(content) if kind == b"iTXt" and data.startswith(_NOTE))
-    data = next(found, None)
-    return None if data is None else data[len(_NOTE) :].decode()
-
-
-def _chunks(content: bytes) -> Iterator[tuple[bytes, bytes]]:
-    """Yield type and data of each complete chunk."""
     at = len(_SIGNATURE)
     while at + 12 <= len(content):
-        (length,) = struct.unpack_from(">I", content, at)
-        if at + 12 + length > len(content):
-            return
-        yield content[at + 4 : at + 8], content[at + 8 : at + 8 + length]
-        at += 12 + length
+        length, kind = struct.unpack_from(">I4s", content, at)
+        data, at = content[at + 8 : at + 8 + length], at + 12 + length
+        if kind == b"iTXt" and data.startswith(_NOTE) and at <= len(content):
+            return data[len(_NOTE) :].decode()
+    return None
 
 
 def _chunk(kind: bytes, data: bytes) -> bytes:

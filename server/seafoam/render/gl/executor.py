@@ -9,7 +9,7 @@ import time as clock
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any
+from typing import Any, cast
 
 import moderngl
 import numpy as np
@@ -84,8 +84,7 @@ class _Linked:
         """Return the vertex array that feeds ``mesh``; None: no attributes."""
         if mesh not in self._arrays:
             self._arrays[mesh] = self._make(mesh)
-        array: moderngl.VertexArray = self._arrays[mesh][0]
-        return array
+        return cast(moderngl.VertexArray, self._arrays[mesh][0])
 
     def _make(self, mesh: Grid | None) -> tuple[Any, ...]:
         if mesh is None:
@@ -259,7 +258,7 @@ class Executor:
         for name in declared_uniforms(model.vertex) | declared_uniforms(model.fragment):
             if name in program and name not in step.inputs:
                 uniform = step.uniforms.get(name) or plan.uniforms[name]
-                member = _member(program, name)
+                member = cast(moderngl.Uniform, program[name])
                 # Drivers shorten arrays whose last elements are never read.
                 values = evaluate(uniform, state)[: member.array_length * member.dimension]
                 member.write(values.tobytes())
@@ -280,8 +279,7 @@ class Executor:
                 raise ShaderError(f"{error}\n{_listing(model)}") from error
             return _Linked(self._context, program)
 
-        linked: _Linked = self._programs.get((model.vertex.sha256, model.fragment.sha256), make)
-        return linked
+        return cast(_Linked, self._programs.get((model.vertex.sha256, model.fragment.sha256), make))
 
     def _texture(self, name: str, model: Texture) -> moderngl.Texture:
         def make() -> moderngl.Texture:
@@ -303,14 +301,12 @@ class Executor:
             created.repeat_x = created.repeat_y = model.wrap == "repeat"
             return created
 
-        image: moderngl.Texture = self._textures.get((model.sha256, model.filter, model.wrap), make)
-        return image
+        return cast(moderngl.Texture, self._textures.get((model.sha256, model.filter, model.wrap), make))
 
     def _target(self, name: str, target: Target, width: int = 0, height: int = 0) -> tuple[Any, ...]:
         size = target.size.of_picture(width, height)
         key = (name, size, target.layers, target.format, target.depth, target.filter, target.wrap)
-        found: tuple[Any, ...] = self._targets.get(key, partial(self._create, target, width, height))
-        return found
+        return cast(tuple[Any, ...], self._targets.get(key, partial(self._create, target, width, height)))
 
     def _create(self, target: Target, width: int = 0, height: int = 0) -> tuple[Any, ...]:
         """Create a target for a picture of ``width`` × ``height`` pixels, which targets of fixed size ignore."""
@@ -337,12 +333,6 @@ class Executor:
             return self._context.framebuffer([color]), color
         buffer = self._context.depth_renderbuffer(size)
         return self._context.framebuffer([color], buffer), color, buffer
-
-
-def _member(program: moderngl.Program, name: str) -> moderngl.Uniform:
-    member = program[name]
-    assert isinstance(member, moderngl.Uniform)
-    return member
 
 
 def grid(rows: int, columns: int) -> tuple[NDArray[np.float32], NDArray[np.uint32]]:

@@ -15,7 +15,7 @@ import threading
 import time
 from collections import Counter, OrderedDict
 from collections.abc import Callable, Coroutine
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from importlib.metadata import version
 from pathlib import Path
@@ -197,11 +197,11 @@ class LruCache(Generic[K, V]):
                 self._total -= self._weigh(self._held.popitem(last=False)[1])
 
 
+@dataclass
 class _Run(Generic[T]):
-    def __init__(self, ticket: Ticket, task: asyncio.Task[T]) -> None:
-        self.ticket = ticket
-        self.task = task
-        self.waiting = 0
+    ticket: Ticket
+    task: asyncio.Task[T]
+    waiting: int = 0
 
 
 class InFlight(Generic[T]):

@@ -111,22 +111,18 @@ def send(pixels: NDArray[Any], address: BufferAddress | None) -> Any:
     """Write pixels to the parent's memory, in a worker, and return :class:`SharedPixels`, or else the pixels."""
     if address is None or pixels.nbytes > address.size:
         return pixels
-    try:
-        memory = _mapping(address)
-    except OSError:  # the parent no longer waits and has closed it
-        return pixels
-    np.copyto(np.frombuffer(memory, pixels.dtype, pixels.size).reshape(pixels.shape), pixels)
-    return SharedPixels(pixels.shape, pixels.dtype.str)
-
-
-def _mapping(address: BufferAddress) -> mmap.mmap:
     if address.serial not in _mapped:
-        file = os.open(address.path, os.O_RDWR)
         try:
-            _mapped[address.serial] = mmap.mmap(file, address.size)
-        finally:
-            os.close(file)
+            file = os.open(address.path, os.O_RDWR)
+            try:
+                _mapped[address.serial] = mmap.mmap(file, address.size)
+            finally:
+                os.close(file)
+        except OSError:  # the parent no longer waits and has closed it
+            return pixels
         if len(_mapped) > KEPT_MAPPINGS:
             _mapped.popitem(last=False)
     _mapped.move_to_end(address.serial)
-    return _mapped[address.serial]
+    memory = _mapped[address.serial]
+    np.copyto(np.frombuffer(memory, pixels.dtype, pixels.size).reshape(pixels.shape), pixels)
+    return SharedPixels(pixels.shape, pixels.dtype.str)
