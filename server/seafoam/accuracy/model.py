@@ -213,10 +213,7 @@ class Sweep(SweepPart):
 
     def point(self, id: str) -> MeasuredPoint:
         """A point by its id. Raises ``KeyError``."""
-        for point in self.points:
-            if point.id == id:
-                return point
-        raise KeyError(id)
+        return {point.id: point for point in self.points}[id]
 
 
 class Running(SweepPart):

@@ -117,10 +117,8 @@ def truth_info(subject: Subject, settings: SweepSettings) -> model.TruthInfo:
 def find_sweep(store: Store, subject: Subject, settings: SweepSettings, machine: model.Machine) -> model.Sweep | None:
     """Return a stored sweep with the same plans, time, size, machine and versions, if there is one."""
     content = store.get("sweeps", _name(subject, settings, machine))
-    if content is None:
-        return None
     try:
-        sweep = model.Sweep.model_validate_json(content)
+        sweep = model.Sweep.model_validate_json(content or b"")
     except ValueError:
         return None
     # A preset and a posted scene that equals it share their measurements.

@@ -62,10 +62,8 @@ class Watcher:
 
 def find_truth(store: Store, spec: TruthSpec) -> Truth | None:
     content = store.get("truth", spec.file)
-    if content is None:
-        return None
     try:
-        picture: NDArray[Any] = np.load(io.BytesIO(content), allow_pickle=False)
+        picture: NDArray[Any] = np.load(io.BytesIO(content or b""), allow_pickle=False)
     except (ValueError, EOFError):
         return None
     good = picture.shape == (spec.height, spec.width, 4) and picture.dtype == np.float32

@@ -6,7 +6,7 @@
 import io
 import mimetypes
 import os
-from functools import lru_cache
+from functools import cache, lru_cache
 from html import escape
 from http import HTTPStatus
 from pathlib import Path
@@ -24,33 +24,20 @@ from seafoam.scene.presets import Preset, load_preset, preset_names
 
 PREVIEW = (1200, 630)
 """Width and height of a preview, pixels: the format that link previews show uncut."""
+_TEMPLATES = Path(__file__).parent / "pages"
 _QUALITY = 82
 """Pillow's ``quality`` of JPEG."""
-
-_PAGE = """<!doctype html>
-<html lang="en">
-  <head>
-    <meta charset="utf-8" />
-    <meta name="viewport" content="width=device-width, initial-scale=1" />
-    <meta name="color-scheme" content="dark" />
-    <title>{title} · Seafoam</title>
-    <link rel="icon" href="../icon.svg" type="image/svg+xml" />
-    <link rel="stylesheet" href="../message.css" />
-  </head>
-  <body>
-    <main>
-{content}
-      <p><a href="../">Open Seafoam</a></p>
-    </main>
-  </body>
-</html>
-"""
 _UNKNOWN = """      <h1>There is no water “{name}” here</h1>
       <p>The link may be old or misspelt.</p>"""
 _LIST = """      <h1>Waters</h1>
       <ul>
 {items}
       </ul>"""
+
+
+@cache
+def _template(name: str) -> str:
+    return (_TEMPLATES / f"{name}.html").read_text(encoding="utf-8")
 
 
 async def _water(name: str, request: Request) -> Response:
@@ -68,7 +55,7 @@ async def _water(name: str, request: Request) -> Response:
 async def _waters() -> HTMLResponse:
     presets = [load_preset(name) for name in preset_names()]
     items = [f'        <li><a href="./{each.name}">{escape(each.title)}</a></li>' for each in presets]
-    content = _PAGE.format(title="Waters", content=_LIST.format(items="\n".join(items)))
+    content = _template("message").format(title="Waters", content=_LIST.format(items="\n".join(items)))
     return HTMLResponse(content, headers={"Cache-Control": REVALIDATE})
 
 
@@ -87,7 +74,7 @@ def _link_preview(name: str) -> Response:
 
 def _unknown(name: str) -> HTMLResponse:
     content = _UNKNOWN.format(name=escape(name[:80]))
-    return HTMLResponse(_PAGE.format(title="Water not found", content=content), HTTPStatus.NOT_FOUND)
+    return HTMLResponse(_template("message").format(title="Water not found", content=content), HTTPStatus.NOT_FOUND)
 
 
 def _opened_at(preset: Preset, page: str, base: str) -> str:
@@ -131,23 +118,6 @@ NOT_BUILT = """Seafoam is running, but its web client has not been built.
 
 To build it, run:  make webclient
 The API's description is at /openapi.json, a rendered frame at /api/frames/default.png.
-"""
-
-_MANUAL = """<!doctype html>
-<html lang="en">
-  <head>
-    <meta charset="utf-8" />
-    <meta name="viewport" content="width=device-width, initial-scale=1" />
-    <title>Seafoam: API</title>
-    <link rel="icon" href="icon.svg" type="image/svg+xml" />
-    <link rel="stylesheet" href="docs/swagger-ui.css" />
-  </head>
-  <body>
-    <div id="manual" data-description="openapi.json"></div>
-    <script src="docs/swagger-ui-bundle.js"></script>
-    <script src="docs/manual.js"></script>
-  </body>
-</html>
 """
 
 
@@ -222,4 +192,4 @@ async def _manual() -> Response:
     """
     if not (data_dir("webclient") / "docs" / "swagger-ui-bundle.js").is_file():
         return PlainTextResponse(NOT_BUILT, headers={"Cache-Control": NO_STORE})
-    return HTMLResponse(_MANUAL, headers={"Cache-Control": REVALIDATE})
+    return HTMLResponse(_template("manual"), headers={"Cache-Control": REVALIDATE})

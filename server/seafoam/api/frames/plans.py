@@ -80,10 +80,8 @@ class PlanIndex:
 
     def _read(self, plan: str) -> PlanSource | None:
         content = None if self._disk is None else self._disk.get(_key(plan))
-        if content is None:
-            return None
         try:
-            source = PlanSource.model_validate_json(content)
+            source = PlanSource.model_validate_json(content or b"")
             # Another version of the program may make another plan of the same scene, or none.
             return source if plan_hash(source.scene, source.quality) == plan else None
         except (ValueError, PlanError):

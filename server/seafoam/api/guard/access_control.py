@@ -123,6 +123,7 @@ _UNAUTHORIZED = ProblemType(401, "unauthorized", "A key is required")
 _BAD_SIGNATURE = ProblemType(403, "bad-signature", "The link was altered")
 
 
+@dataclass(eq=False)
 class AccessControl(HttpMiddleware):
     """Answers 401 without a key, 403 for an altered link and 429 beyond a client's rate; lets all else in.
 
@@ -130,10 +131,8 @@ class AccessControl(HttpMiddleware):
     ``private``: caches between must not give it to those without; a signed link is its own permission.
     """
 
-    def __init__(self, app: ASGIApp, access: Access, rates: TokenBuckets | None) -> None:
-        super().__init__(app)
-        self.access = access
-        self.rates = rates
+    access: Access
+    rates: TokenBuckets | None
 
     async def _handle(self, scope: Scope, receive: Receive, send: Send) -> None:
         path = scope["path"]

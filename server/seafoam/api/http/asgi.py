@@ -1,16 +1,17 @@
 """What ASGI middleware of this package has in common."""
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 from starlette.datastructures import MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 
+@dataclass(eq=False)
 class HttpMiddleware:
     """ASGI middleware for HTTP requests, in :meth:`_handle`; anything else passes untouched."""
 
-    def __init__(self, app: ASGIApp) -> None:
-        self.app = app
+    app: ASGIApp
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         await (self._handle if scope["type"] == "http" else self.app)(scope, receive, send)

@@ -3,10 +3,11 @@
 import asyncio
 import re
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.exceptions import HTTPException
-from starlette.types import ASGIApp, Message, Receive, Scope, Send
+from starlette.types import Message, Receive, Scope, Send
 
 from seafoam.api.http.asgi import HttpMiddleware, altering
 from seafoam.api.http.errors import RANGE_PROBLEM, ProblemType, problem
@@ -61,18 +62,17 @@ class HeadAsGet(HttpMiddleware):
             scope["route"] = inner.get("route")
 
 
+@dataclass(eq=False)
 class LimitBody(HttpMiddleware):
     """Rejects bodies of more than ``limit`` bytes, by their declared length or as they arrive."""
 
-    def __init__(self, app: ASGIApp, limit: int) -> None:
-        super().__init__(app)
-        self.limit = limit
-        self.detail = f"the request body exceeds {limit:,} bytes"
+    limit: int
 
     async def _handle(self, scope: Scope, receive: Receive, send: Send) -> None:
+        detail = f"the request body exceeds {self.limit:,} bytes"
         announced = Headers(scope=scope).get("content-length", "")
         if announced.isascii() and announced.isdigit() and int(announced) > self.limit:
-            await problem(scope["path"], ProblemType(413), self.detail)(scope, receive, send)
+            await problem(scope["path"], ProblemType(413), detail)(scope, receive, send)
             return
         arrived = 0
 
@@ -82,7 +82,7 @@ class LimitBody(HttpMiddleware):
             arrived += len(message.get("body", b""))
             if arrived > self.limit:
                 # FastAPI lets no other exception pass while it reads a body.
-                raise HTTPException(413, self.detail)
+                raise HTTPException(413, detail)
             return message
 
         await self.app(scope, counting, send)

@@ -6,12 +6,13 @@ import re
 import time
 import uuid
 from contextvars import ContextVar
+from dataclasses import dataclass
 from datetime import UTC, datetime
 from http import HTTPStatus
 from typing import Any, Literal
 
 from starlette.datastructures import Headers, MutableHeaders
-from starlette.types import ASGIApp, Receive, Scope, Send
+from starlette.types import Receive, Scope, Send
 
 from seafoam.api.frames.streams import is_frame
 from seafoam.api.http.asgi import CountingSend, HttpMiddleware, altering, route_of
@@ -28,15 +29,14 @@ request_id: ContextVar[str | None] = ContextVar("request_id", default=None)
 log = logging.getLogger(__name__)
 
 
+@dataclass(eq=False)
 class LogRequests(HttpMiddleware):
     """ASGI middleware: gives each request an id, returns it, and writes a line when the request has been answered.
 
     An id that the client sends in ``X-Request-ID`` is kept if it is sane. written: False: ids only.
     """
 
-    def __init__(self, app: ASGIApp, written: bool) -> None:
-        super().__init__(app)
-        self.written = written
+    written: bool
 
     async def _handle(self, scope: Scope, receive: Receive, send: Send) -> None:
         asked = Headers(scope=scope).get(REQUEST_ID, "")

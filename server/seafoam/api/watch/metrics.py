@@ -3,6 +3,7 @@
 import os
 import time
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from importlib.metadata import version
 from typing import TYPE_CHECKING, get_args
 
@@ -10,7 +11,7 @@ from fastapi.telemetry import TelemetryConfig
 from prometheus_client import CollectorRegistry, Counter, Gauge, Histogram, generate_latest
 from prometheus_client.core import CounterMetricFamily
 from prometheus_client.registry import Collector
-from starlette.types import ASGIApp, Receive, Scope, Send
+from starlette.types import Receive, Scope, Send
 
 from seafoam.api.frames.streams import is_frame
 from seafoam.api.http.asgi import CountingSend, HttpMiddleware, route_of
@@ -103,12 +104,11 @@ class _Counts(Collector):
         )
 
 
+@dataclass(eq=False)
 class MeasureRequests(HttpMiddleware):
     """ASGI middleware: counts requests, their duration and bytes, by route template."""
 
-    def __init__(self, app: ASGIApp, metrics: Metrics) -> None:
-        super().__init__(app)
-        self.metrics = metrics
+    metrics: Metrics
 
     async def _handle(self, scope: Scope, receive: Receive, send: Send) -> None:
         began = time.perf_counter()
