@@ -87,12 +87,6 @@ def errors(frames: Sequence[Picture], truth: Picture, curve: ToneCurve | None) -
 
     frames: a short sequence whose first frame is at the reference picture's time; curve: see :func:`tone_curve`.
     """
-    picture = frames[0]
-    return Errors(
-        rmse=rmse(picture, truth),
-        max=greatest(picture, truth),
-        flip=flip(picture, truth, curve),
-        coverage=coverage(picture, truth),
-        flipped=flipped(picture, truth),
-        popping=popping(frames),
-    )
+    compared = frames[0], truth
+    light = {"rmse": rmse(*compared), "max": greatest(*compared), "flip": flip(*compared, curve)}
+    return Errors(**light, coverage=coverage(*compared), flipped=flipped(*compared), popping=popping(frames))

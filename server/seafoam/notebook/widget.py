@@ -84,14 +84,8 @@ class WaterWidget(anywidget.AnyWidget):
         panel: bool = False,
     ) -> None:
         job = request.PictureRequest(what, time=time, camera=camera, quality=quality).job()
-        super().__init__(
-            scene=job.scene,
-            camera=job.camera,
-            quality=described(job.quality),
-            time=job.time,
-            playing=playing,
-            panel=panel,
-        )
+        shown = {"scene": job.scene, "camera": job.camera, "quality": described(job.quality), "time": job.time}
+        super().__init__(**shown, playing=playing, panel=panel)
         self.on_msg(self._answer)
         self.observe(self._follow_camera, "scene")
 

@@ -165,13 +165,9 @@ class AccessControl(HttpMiddleware):
     def _beyond(self, scope: Scope, standing: Standing | None) -> Response | None:
         if standing is None or standing.allowed or self.rates is None:
             return None
-        return problem(
-            scope["path"],
-            _RATE_EXCEEDED,
-            f"more than {self.rates.burst} requests at once and {self.rates.rate:g} a second; "
-            f"the next is allowed in {standing.seconds} s",
-            headers={"Retry-After": str(standing.seconds)},
-        )
+        most = f"{self.rates.burst} requests at once and {self.rates.rate:g} a second"
+        detail = f"more than {most}; the next is allowed in {standing.seconds} s"
+        return problem(scope["path"], _RATE_EXCEEDED, detail, headers={"Retry-After": str(standing.seconds)})
 
     def _refusal(self, scope: Scope, signed: bool, name: str | None) -> Response | None:
         """Return why a request is not let in, or None. A signed one goes on as the request that was signed."""
@@ -179,15 +175,10 @@ class AccessControl(HttpMiddleware):
             return self._unsign(scope)
         if not self.access.restricted or name:
             return None
-        sent = "authorization" in Headers(scope=scope)
-        return problem(
-            scope["path"],
-            _UNAUTHORIZED,
-            ("the key is not known" if sent else "a key is required")
-            + ", as Authorization: Bearer KEY or as the password of Basic"
-            + ("; or a signed link" if self.access.signing else ""),
-            headers={"WWW-Authenticate": CHALLENGE},
-        )
+        why = "the key is not known" if "authorization" in Headers(scope=scope) else "a key is required"
+        otherwise = "; or a signed link" if self.access.signing else ""
+        detail = f"{why}, as Authorization: Bearer KEY or as the password of Basic{otherwise}"
+        return problem(scope["path"], _UNAUTHORIZED, detail, headers={"WWW-Authenticate": CHALLENGE})
 
     def _unsign(self, scope: Scope) -> Response | None:
         assert self.access.signing is not None
@@ -196,18 +187,11 @@ class AccessControl(HttpMiddleware):
         path = slash + rest
         address = path + (b"?" + scope["query_string"] if scope["query_string"] else b"")
         if not path.startswith(API.encode()) or not self.access.signing.holds(signature.decode("latin-1"), address):
-            return problem(
-                scope["path"],
-                _BAD_SIGNATURE,
-                "the signature is not that of path and query; they must be sent as they were signed",
-            )
+            detail = "the signature is not that of path and query; they must be sent as they were signed"
+            return problem(scope["path"], _BAD_SIGNATURE, detail)
         if scope["method"] != "GET":
-            return problem(
-                scope["path"],
-                ProblemType(405),
-                f"method {scope['method']} is not allowed for signed links",
-                headers={"Allow": "GET, HEAD"},
-            )
+            detail = f"method {scope['method']} is not allowed for signed links"
+            return problem(scope["path"], ProblemType(405), detail, headers={"Allow": "GET, HEAD"})
         # In place: what counts and logs requests reads the route from the same scope.
         scope["raw_path"], scope["path"] = path, unquote(path.decode("latin-1"))
         return None

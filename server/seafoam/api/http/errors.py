@@ -109,12 +109,8 @@ def problem(
         errors=list(errors) or None,
         remedy=remedy,
     )
-    return JSONResponse(
-        content.model_dump(mode="json", exclude_none=True),
-        kind.status,
-        {"Cache-Control": "no-store", **(headers or {})},
-        MEDIA_TYPE,
-    )
+    sent = {"Cache-Control": "no-store", **(headers or {})}
+    return JSONResponse(content.model_dump(mode="json", exclude_none=True), kind.status, sent, MEDIA_TYPE)
 
 
 def install(app: FastAPI) -> None:

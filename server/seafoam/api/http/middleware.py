@@ -232,14 +232,9 @@ def _explaining(scope: Scope, receive: Receive, send: Send) -> Send:
             replaced = True
             total = Headers(raw=message["headers"])["content-range"]
             last = int(total.removeprefix("bytes */")) - 1
-            error = FieldProblem(
-                parameter="Range",
-                detail=f"Range: the file has bytes 0 to {last}",
-                allowed={"minimum": 0, "maximum": last},
-            )
-            answer = problem(
-                scope["path"], RANGE_PROBLEM, error.detail, errors=[error], headers={"Content-Range": total}
-            )
+            detail, allowed = f"Range: the file has bytes 0 to {last}", {"minimum": 0, "maximum": last}
+            errors = [FieldProblem(parameter="Range", detail=detail, allowed=allowed)]
+            answer = problem(scope["path"], RANGE_PROBLEM, detail, errors=errors, headers={"Content-Range": total})
             await answer(scope, receive, send)
         elif not replaced:
             await send(message)

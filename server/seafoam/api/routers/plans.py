@@ -15,16 +15,15 @@ from seafoam.quality import TIERS
 
 router = APIRouter(prefix="/api", tags=["plans"], default_response_class=Response)
 
+_HEADERS = {
+    "ETag": "Quoted SHA-256 of the plan, weak where the answer is compressed",
+    "Seafoam-Plan": "SHA-256 of the plan",
+}
 _RESPONSES: answers.Responses = {
     200: {
         "model": FramePlan,
         "description": "The frame plan; the same scene and quality give the same bytes",
-        "headers": answers.headers_of(
-            {
-                "ETag": "Quoted SHA-256 of the plan, weak where the answer is compressed",
-                "Seafoam-Plan": "SHA-256 of the plan",
-            }
-        ),
+        "headers": answers.headers_of(_HEADERS),
     }
 }
 

@@ -4,6 +4,7 @@ import os
 import time
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import partial
 from importlib.metadata import version
 from typing import TYPE_CHECKING, get_args
 
@@ -32,25 +33,16 @@ class Metrics:
 
     def __init__(self, pool: RenderPool, frames: FrameCache) -> None:
         self.registry = CollectorRegistry()
-        self.requests = Counter(
-            "seafoam_requests", "Requests answered", ("method", "route", "status"), registry=self.registry
-        )
-        self.durations = Histogram(
-            "seafoam_request_duration_seconds",
-            "Time from the start of a request to the last byte of its response",
-            ("method", "route"),
-            buckets=_SECONDS,
-            registry=self.registry,
-        )
-        self.sent = Counter("seafoam_response_bytes", "Bytes of response bodies", ("route",), registry=self.registry)
-        self.frames = Counter("seafoam_frames", "Frames rendered", ("format",), registry=self.registry)
-        self.stages = Histogram(
-            "seafoam_frame_stage_seconds",
-            "Time per frame and stage: queue, plan, render, read, encode",
-            ("stage",),
-            buckets=_SECONDS,
-            registry=self.registry,
-        )
+        counter = partial(Counter, registry=self.registry)
+        gauge = partial(Gauge, registry=self.registry)
+        histogram = partial(Histogram, registry=self.registry, buckets=_SECONDS)
+        self.requests = counter("seafoam_requests", "Requests answered", ("method", "route", "status"))
+        duration = "Time from the start of a request to the last byte of its response"
+        self.durations = histogram("seafoam_request_duration_seconds", duration, ("method", "route"))
+        self.sent = counter("seafoam_response_bytes", "Bytes of response bodies", ("route",))
+        self.frames = counter("seafoam_frames", "Frames rendered", ("format",))
+        stages = "Time per frame and stage: queue, plan, render, read, encode"
+        self.stages = histogram("seafoam_frame_stage_seconds", stages, ("stage",))
         for name, text, read in (
             ("seafoam_queue_waiting", "Frames waiting for a render worker", lambda: pool.waiting),
             ("seafoam_background_waiting", "Frames that wait behind every visitor's", lambda: pool.waiting_background),
@@ -58,13 +50,9 @@ class Metrics:
             ("seafoam_workers", "Render workers", lambda: pool.workers),
             ("seafoam_workers_active", "Busy render workers", lambda: pool.active),
         ):
-            Gauge(name, text, registry=self.registry).set_function(read)
-        state = Gauge(
-            "seafoam_renderer_state",
-            "State of the renderer: 1 for the current state, 0 for the others",
-            ("state",),
-            registry=self.registry,
-        )
+            gauge(name, text).set_function(read)
+        states = "State of the renderer: 1 for the current state, 0 for the others"
+        state = gauge("seafoam_renderer_state", states, ("state",))
         for name in get_args(State):
             state.labels(name).set_function(lambda name=name: float(pool.state == name))  # type: ignore[misc]
         self.registry.register(_Counts(pool, frames))
@@ -96,12 +84,9 @@ class _Counts(Collector):
             origins.add_metric((origin,), self._frames.origins[origin])
         yield origins
         disk = self._frames.disk
-        yield CounterMetricFamily(
-            "seafoam_cache_damaged", "Files of the cache that were damaged, and removed", disk.damaged if disk else 0
-        )
-        yield CounterMetricFamily(
-            "seafoam_cache_failures", "Writes to the cache that failed", disk.failures if disk else 0
-        )
+        damaged, failures = (disk.damaged, disk.failures) if disk else (0, 0)
+        yield CounterMetricFamily("seafoam_cache_damaged", "Files of the cache that were damaged, and removed", damaged)
+        yield CounterMetricFamily("seafoam_cache_failures", "Writes to the cache that failed", failures)
 
 
 @dataclass(eq=False)

@@ -82,13 +82,9 @@ class FrameLimits:
         requested = width * height * samples
         if requested > self.samples:
             max_height = max(1, self.samples // (width * samples))
-            raise FrameTooLargeError(
-                "height",
-                f"{width} × {height} pixels with {samples} samples each are {requested:,} samples; the limit "
-                f"is {self.samples:,}: lower width, height or the quality's samples",
-                1,
-                max_height,
-            )
+            asked = f"{width} × {height} pixels with {samples} samples each are {requested:,} samples"
+            advice = f"the limit is {self.samples:,}: lower width, height or the quality's samples"
+            raise FrameTooLargeError("height", f"{asked}; {advice}", 1, max_height)
 
 
 IN_PROCESS = FrameLimits(side=8192, sampled_side=16384, samples=16384 * 8192)
