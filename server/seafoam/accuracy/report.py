@@ -5,6 +5,8 @@ import csv
 import html
 import io
 from collections.abc import Sequence
+from pathlib import Path
+from string import Template
 
 from seafoam.accuracy.model import Causes, MeasuredPoint, Sweep
 
@@ -19,19 +21,6 @@ HEADINGS = (
     "quality", "front", "time, ms", "quartiles", "RMSE", "max", "FLIP", "coverage", "flipped", "popping", "geometry",
     "filtering", "precision", "rest",
 )  # fmt: skip
-
-NOTES = (
-    "Time: from the first call of a frame until it is finished, without readback and encoding; median and quartiles "
-    "of rounds in which all points are drawn in turn.",
-    "RMSE and max: linear RGB clipped at display white, in levels of 255, against the converged float64 picture. "
-    "FLIP: mean, of tone-mapped sRGB. Coverage: RMSE of foam coverage. Flipped: fraction of pixels that have foam in "
-    "only one picture.",
-    "Popping: maximum fraction of the foam that disappears within 1/60 s. Some foam of the sea disappears in truth: "
-    "compare with tier reference.",
-    "Geometry, filtering, precision: reduction of the RMSE when only the settings of that cause are as in tier "
-    "reference; rest: error that remains when all are. Causes mask each other, so the reductions need not add up and "
-    "can be negative.",
-)
 
 
 def csv_of(sweep: Sweep) -> str:
@@ -97,13 +86,10 @@ def page(sweep: Sweep, command: str) -> str:
     from seafoam.accuracy.plots import plot_sweep
 
     machine, timing = sweep.machine, sweep.timing
-    plot = base64.b64encode(plot_sweep(sweep)).decode()
-    name = sweep.preset or "a scene"
-    threads = f"{machine.threads} of {machine.cores} cores"
     about = (
         ("command", command),
         ("renderer", f"{machine.renderer}, {machine.version}"),
-        ("processor", f"{machine.processor}, {threads}"),
+        ("processor", f"{machine.processor}, {machine.threads} of {machine.cores} cores"),
         ("measured", f"{sweep.measured_at}, in {sweep.seconds:.0f} s, {timing.rounds} rounds"),
         ("time of the scene", f"{sweep.time:g} s"),
         ("times", f"of frames of {timing.own_width} × {timing.own_height}, {timing.timer} clock"),
@@ -115,29 +101,16 @@ def page(sweep: Sweep, command: str) -> str:
         ("compared at", f"{sweep.width} × {sweep.height} with {sweep.truth.samples} samples per pixel in float64"),
         ("versions", ", ".join(f"{package} {number}" for package, number in sweep.versions.items())),
     )
-    rows = [row_of(point) for point in sweep.points]
-    marks = ["front" if point.on_front else "" for point in sweep.points]
-    parts = [
-        "<!doctype html>",
-        '<html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width">',
-        f"<title>Cost of accuracy: {html.escape(name)}</title>",
-        f"<style>{_STYLE}</style>",
-        f"<h1>Cost of accuracy: {html.escape(name)}</h1>",
-        f'<img alt="Time against error" src="data:image/png;base64,{plot}">',
-        "<h2>Along the front</h2>",
-        _list(sweep.sentences),
-        "<h2>Tiers</h2>",
-        _list([_standing(sweep, point) for point in sweep.points if point.tier is not None]),
-        "<h2>Single settings</h2>",
-        "<p>Steps from a value to the next more exact one, all other settings as in tier standard.</p>",
-        _list([step.sentence + _worth(step.error_per_ms) for step in sweep.steps]),
-        "<h2>All points</h2>",
-        _table(HEADINGS, rows, marks),
-        *(f"<p>{html.escape(note)}</p>" for note in NOTES),
-        "<h2>Method</h2>",
-        "<dl>" + "".join(f"<dt>{what}<dd>{html.escape(said)}" for what, said in about) + "</dl>",
-    ]
-    return "\n".join(parts) + "\n"
+    template = Template(Path(__file__).with_name("report.html").read_text(encoding="utf-8"))
+    return template.substitute(
+        name=html.escape(sweep.preset or "a scene"),
+        plot=base64.b64encode(plot_sweep(sweep)).decode(),
+        sentences=_list(sweep.sentences),
+        tiers=_list([_standing(sweep, point) for point in sweep.points if point.tier is not None]),
+        steps=_list([step.sentence + _worth(step.error_per_ms) for step in sweep.steps]),
+        points=_table(sweep.points),
+        about="".join(f"<dt>{what}<dd>{html.escape(said)}" for what, said in about),
+    )
 
 
 def _standing(sweep: Sweep, point: MeasuredPoint) -> str:
@@ -157,19 +130,10 @@ def _list(lines: Sequence[str]) -> str:
     return "<ul>" + "".join(f"<li>{html.escape(line)}" for line in lines) + "</ul>"
 
 
-def _table(headings: Sequence[str], rows: Sequence[Sequence[str]], marks: Sequence[str]) -> str:
-    head = "".join(f"<th>{html.escape(heading)}" for heading in headings)
+def _table(points: Sequence[MeasuredPoint]) -> str:
+    head = "".join(f"<th>{html.escape(heading)}" for heading in HEADINGS)
     lines = [
-        f'<tr class="{mark}">' + "".join(f"<td>{html.escape(cell)}" for cell in row)
-        for row, mark in zip(rows, marks, strict=True)
+        f'<tr class="{"front" * point.on_front}">' + "".join(f"<td>{html.escape(cell)}" for cell in row_of(point))
+        for point in points
     ]
     return f"<div><table><tr>{head}\n" + "\n".join(lines) + "</table></div>"
-
-
-_STYLE = (
-    "body{font:15px/1.5 system-ui,sans-serif;color:#1c2b33;max-width:1100px;margin:2em auto;padding:0 1em}"
-    "img{width:100%}div{overflow-x:auto}table{border-collapse:collapse;font-size:13px}"
-    "td,th{padding:.2em .6em;text-align:right;border-bottom:1px solid #dde3e6;white-space:nowrap}"
-    "td:first-child,th:first-child{text-align:left}tr.front{background:#eef6f2;font-weight:600}"
-    "dt{font-weight:600;float:left;clear:left;width:11em}dd{margin:0 0 .2em 11em}"
-)

@@ -182,7 +182,5 @@ async def with_quality(
 
 
 def _refused(asked: FrameParameters | FrameRequest, detail: str) -> BadRequestError:
-    detail = f"budget_ms: {detail}"
-    if isinstance(asked, FrameParameters):
-        return BadRequestError(FieldProblem(parameter="budget_ms", detail=detail))
-    return BadRequestError(FieldProblem(pointer="/budget_ms", detail=detail))
+    place = {"parameter": "budget_ms"} if isinstance(asked, FrameParameters) else {"pointer": "/budget_ms"}
+    return BadRequestError(FieldProblem(**place, detail=f"budget_ms: {detail}"))

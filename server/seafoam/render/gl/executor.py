@@ -82,16 +82,13 @@ class _Linked:
 
     def _array(self, mesh: Grid | None) -> moderngl.VertexArray:
         """Return the vertex array that feeds ``mesh``; None: no attributes."""
-        if mesh not in self._arrays:
-            self._arrays[mesh] = self._make(mesh)
+        if mesh is None and mesh not in self._arrays:
+            self._arrays[mesh] = (self._context.vertex_array(self.program, []),)
+        elif mesh is not None and mesh not in self._arrays:
+            vertices, indices = (self._context.buffer(part.tobytes()) for part in grid(mesh.rows, mesh.columns))
+            array = self._context.vertex_array(self.program, [(vertices, "2f", "a_grid")], indices)
+            self._arrays[mesh] = array, vertices, indices
         return cast(moderngl.VertexArray, self._arrays[mesh][0])
-
-    def _make(self, mesh: Grid | None) -> tuple[Any, ...]:
-        if mesh is None:
-            return (self._context.vertex_array(self.program, []),)
-        vertices, indices = grid(mesh.rows, mesh.columns)
-        buffers = self._context.buffer(vertices.tobytes()), self._context.buffer(indices.tobytes())
-        return self._context.vertex_array(self.program, [(buffers[0], "2f", "a_grid")], buffers[1]), *buffers
 
     def release(self) -> None:
         for parts in self._arrays.values():
@@ -108,11 +105,8 @@ class Executor:
         self._context = create_context(device_index)
         # Bound while others are released, since moderngl binds the last framebuffer again when it creates an object.
         self._resting = self._context.framebuffer([self._context.texture((1, 1), 4)])
-        self.info: dict[str, str] = {
-            "vendor": self._context.info["GL_VENDOR"],
-            "renderer": self._context.info["GL_RENDERER"],
-            "version": self._context.info["GL_VERSION"],
-        }
+        names = ("vendor", "renderer", "version")
+        self.info: dict[str, str] = {name: self._context.info[f"GL_{name.upper()}"] for name in names}
         self.max_side = int(self._context.info["GL_MAX_TEXTURE_SIZE"])
         # llvmpipe compiles two variants of a program for an opaque state, and one for a blended state. So blending is
         # always enabled there; the factors (1, 0) make it opaque.
