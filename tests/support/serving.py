@@ -17,9 +17,9 @@ from PIL import Image
 from starlette.testclient import TestClient
 
 from seafoam.api.app import create_app
+from seafoam.api.context import ThreadPool
 from seafoam.api.frames.plans import RequestCache
 from seafoam.api.frames.streams import Streams
-from seafoam.api.jobs import ThreadPool
 from seafoam.api.settings import Settings
 from support.api_fakes import FakeRenderer
 from support.command import free_port

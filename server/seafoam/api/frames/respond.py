@@ -13,13 +13,12 @@ from starlette.types import Receive, Scope, Send
 from seafoam.accuracy.model import Running
 from seafoam.accuracy.sweep import Subject
 from seafoam.accuracy.timing import choose
-from seafoam.api.context import Context
+from seafoam.api.context import Context, retry_seconds
 from seafoam.api.frames.plans import ADDRESS_KEPT, ResolvedFrame, address_of
 from seafoam.api.http.answers import content, not_modified
 from seafoam.api.http.asgi import HttpMiddleware
 from seafoam.api.http.parameters import FrameParameters, FrameRequest
 from seafoam.api.http.problems import BadRequestError, FieldProblem, NotMeasuredError
-from seafoam.api.jobs import retry_seconds
 from seafoam.render.encode import MEDIA_TYPES
 from seafoam.render.service.jobs import EncodedFrame, FrameJob
 

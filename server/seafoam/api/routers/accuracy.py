@@ -10,10 +10,9 @@ from seafoam.accuracy.model import Running, Sweep, SweepPoints
 from seafoam.accuracy.points import points_of
 from seafoam.accuracy.report import csv_of
 from seafoam.accuracy.sweep import Subject, truth_info
-from seafoam.api.context import Context, InContext
+from seafoam.api.context import Context, InContext, retry_seconds
 from seafoam.api.http import answers
 from seafoam.api.http.validation import NoParameters, PresetName, find_preset
-from seafoam.api.jobs import retry_seconds
 from seafoam.render.encode import encode
 
 router = APIRouter(prefix="/api", tags=["accuracy"], default_response_class=Response)

@@ -15,11 +15,10 @@ from pydantic import BaseModel, Field
 
 from seafoam.accuracy.model import ParameterInfo
 from seafoam.accuracy.points import every_parameter
-from seafoam.api.context import InContext
+from seafoam.api.context import InContext, ThreadPool
 from seafoam.api.frames.plans import compile_scene
 from seafoam.api.http.answers import problems
 from seafoam.api.http.validation import NoParameters, PresetName, Strict, find_preset
-from seafoam.api.jobs import ThreadPool
 from seafoam.described import Described
 from seafoam.quality import TIERS, Quality, Tier
 from seafoam.scene.models import Scene

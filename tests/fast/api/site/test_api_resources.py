@@ -9,7 +9,7 @@ from typing import Any, get_args
 
 from prometheus_client.parser import text_string_to_metric_families
 
-from seafoam.api.jobs import ThreadPool
+from seafoam.api.context import ThreadPool
 from seafoam.api.routers.presets import _made_summary, warm
 from seafoam.framegraph.plan import FramePlan
 from seafoam.quality import TIERS
