@@ -18,6 +18,8 @@ from seafoam.scene.models import Scene
 
 STEEP = -0.5
 """Pitch of a camera below which it looks down on water, rad: a square is seen half as high as wide."""
+CALM = 0.01
+"""Standard deviation of the ripples' slope below which the mirrored sun is a narrow column, upright in the picture."""
 
 
 @lru_cache(maxsize=128)
@@ -91,10 +93,16 @@ def _steepest_waves(scene: Scene, count: int) -> Scene:
 def _with_pixels_of(scene: Scene, quality: Quality) -> Quality:
     """Return the quality with the width at which pixels of the scene are drawn.
 
-    It is half of that asked for, rounded up, where rows are as fine as columns: from a camera that looks down, and with
-    foam that drifts, in lines of every direction. More samples per pixel are asked for where every pixel counts: then
-    it is 1.
+    It is 1 where rows are as fine as columns because the camera looks down, and where more samples per pixel are asked
+    for; half of that asked for, rounded up, with foam that drifts in lines of every direction and on water so calm that
+    it mirrors the sun as a narrow column; at most 3 where boats or surf on rocks, which are drawn at full width, have
+    their mirror and their shadow beside them.
     """
-    several, fine = quality.samples > 1 or quality.chosen_samples, scene.drift or scene.camera.pitch < STEEP
-    width = 1 if several else -(-quality.pixel_width // 2) if fine else quality.pixel_width
+    ripples, width = scene.water.ripples, quality.pixel_width
+    if quality.samples > 1 or quality.chosen_samples or scene.camera.pitch < STEEP:
+        width = 1
+    elif scene.drift or (scene.light is not None and ripples is not None and ripples.slope < CALM):
+        width = -(-width // 2)
+    elif scene.boats or (scene.spray and scene.shore):
+        width = min(width, 3)
     return quality if width == quality.pixel_width else quality.model_copy(update={"pixel_width": width})

@@ -104,13 +104,18 @@ def test_kinds_of_choice_and_fewer_samples_are_none() -> None:
     ("preset", "asked", "drawn"),
     [
         ("default", 2, 2),
-        ("boat-race", 3, 3),
-        ("pool-caustics", 2, 1),
-        ("pool-caustics", 3, 2),
+        ("default", 4, 4),
+        ("boat-race", 4, 3),
+        ("spray-on-rocks", 4, 3),
+        ("storm", 4, 4),
+        ("pool-caustics", 4, 1),
         ("drift-vortices", 4, 2),
+        ("lake-calm", 2, 1),
+        ("lake-calm", 4, 2),
+        ("lake-sunset", 4, 4),
     ],
 )
-def test_pixels_are_half_as_wide_where_rows_are_as_fine_as_columns(preset: str, asked: int, drawn: int) -> None:
+def test_pixels_are_less_wide_where_rows_have_detail(preset: str, asked: int, drawn: int) -> None:
     scene = load_preset(preset).scene
     assert make_plan(scene, chosen(pixel_width=asked)).targets["samples"].size == ViewportSize(narrow=drawn)
     several = make_plan(scene, chosen(pixel_width=asked, samples=4))

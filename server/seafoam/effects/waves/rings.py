@@ -40,7 +40,7 @@ RING_CONSTS: dict[str, Const] = {
     "RING_FRONT": FRONT,
 }
 """What every file of rings needs."""
-_MIN_TEXELS = 4.0
+_MIN_TEXELS = 3.0
 """Texels to the shortest wave below which a map does not resolve it, so that the rings are summed instead."""
 _TOUCH_LIFE = significant(math.log(1.0 / model.DEAD_SHARE) / model.TOUCH_DECAY + 1.0)
 """Age at which every ring has ended, and a second more, s."""
