@@ -98,7 +98,8 @@ def _with_pixels_of(scene: Scene, quality: Quality) -> Quality:
     it mirrors the sun as a narrow column; at most 3 where boats or surf on rocks, which are drawn at full width, have
     their mirror and their shadow beside them.
     """
-    ripples, width = scene.water.ripples, quality.pixel_width
+    ripples = scene.water.ripples
+    width: int = quality.pixel_width
     if quality.samples > 1 or quality.chosen_samples or scene.camera.pitch < STEEP:
         width = 1
     elif scene.drift or (scene.light is not None and ripples is not None and ripples.slope < CALM):
