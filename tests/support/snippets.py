@@ -12,7 +12,7 @@ NOT_RUN = {
     "make demo": "installs packages and serves until it is stopped; its server is the one that other snippets ask",
     "make test": "runs all tests",
     "make bench": "half an hour; -m bench is run by tests/fast/project/test_bench.py in parts",
-    "make gpu": "five minutes, for a machine with a GPU; tests/fast/project/test_gpu_bench.py has its parts",
+    "make gpu": "five minutes, for a machine with a GPU; tests/fast/project/test_bench.py has its parts",
     ".venv/bin/python -m bench": "minutes to half an hour; that its options exist is tested here",
     ".venv/bin/pytest": "the tests themselves; that the files exist is tested here",
     ".venv/bin/python docs/make_stability.py": "needs what browsers measured; test_generated.py has its own",

@@ -1,17 +1,27 @@
-"""Whole frames, and frames on disk."""
+"""Frames in float64, and their truth as it is baked."""
 
+import math
+from dataclasses import replace
 from pathlib import Path
 from typing import get_args
 
 import numpy as np
 import pytest
 
+from seafoam.effects.bounds import max_surface_height
+from seafoam.ocean.basics.levels import wave_level
+from seafoam.ocean.waves.cascades import RAISED, cascades
+from seafoam.ocean.waves.rings import ring_height
+from seafoam.ocean.waves.wakes import joint_height, wakes
 from seafoam.reference import load_truth, render, scene_sha256, truth_is_current
+from seafoam.reference.bake import EVERY_LOOK, TIMES, baked, jobs_of, truth_file
 from seafoam.reference.truth import truth_bytes
+from seafoam.reference.types import Floats
 from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Foam, FrontSaturation, HeightSaturation, Look
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
+from seafoam.scene.presets import load_preset, preset_names
 from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave
 
@@ -80,3 +90,62 @@ def test_truth_survives_the_disk(tmp_path: Path, mode: str) -> None:
     assert truth_is_current(paths[0], SEA)
     assert not truth_is_current(paths[0], Scene())
     assert not truth_is_current(tmp_path / "none.npz", SEA)
+
+
+def test_every_preset_has_its_frames() -> None:
+    jobs = [job for name in preset_names() for job in jobs_of(name, load_preset(name).scene)]
+    assert len({job.name for job in jobs}) == len(jobs)
+    for name in preset_names():
+        own = [job for job in jobs if job.preset == name]
+        assert sum(job.mode == "same-samples" for job in own) == len(TIMES)
+        converged = {job.scene.foam.look for job in own if job.mode == "converged" and job.scene.foam is not None}
+        assert converged == (set(get_args(Look)) if name in EVERY_LOOK else set())
+
+
+def test_presets_named_for_every_look_exist() -> None:
+    assert set(EVERY_LOOK) <= set(preset_names())
+
+
+def test_a_baked_frame_is_current(tmp_path: Path) -> None:
+    job = replace(jobs_of("default", load_preset("default").scene)[0], size=(8, 5), samples=1)
+    content, seconds = baked(job)
+    assert seconds > 0.0
+    path = truth_file(tmp_path, job.name)
+    path.write_bytes(content)
+    assert truth_is_current(path, job.scene)
+    assert load_truth(path).rgb.shape == (5, 8, 3)
+
+
+MOST = 2e-4
+"""Greatest share of the time under water."""
+MOMENTS = 400_000
+
+
+def heights(scene: Scene) -> Floats:
+    """Height of the water over a place at moments far apart, m.
+
+    Waves at any phase, as high as in their groups at most; a normal sea; rings, wakes and surf by the most they add.
+    """
+    random = np.random.default_rng(1)
+    total = np.full(MOMENTS, ring_height(scene) + joint_height(wakes(scene.boats)))
+    if scene.shore is not None:
+        total += scene.shore.surf.height
+    for wave in scene.waves:
+        turn = random.uniform(0.0, 2.0 * math.pi, MOMENTS)
+        total += wave.amplitude * (0.5 + 0.5 * np.sin(turn)) ** wave.exponent - wave_level(wave)
+    if scene.sea is not None and scene.sea.wind_speed > 0.0:
+        variance = sum(tile.variance for tile in cascades(scene.sea, scene.water.depth)[:RAISED])
+        total += random.normal(0.0, math.sqrt(variance), MOMENTS)
+    return total
+
+
+def test_the_cameras_stay_above_water() -> None:
+    judged = 0
+    for name in preset_names():
+        scene = load_preset(name).scene.settled
+        height = scene.camera.position[1]
+        if height <= max_surface_height(scene):
+            judged += 1
+            under = float((heights(scene) >= height).mean())
+            assert under <= MOST, f"{name}: {100.0 * under:.2f} % of the time under water"
+    assert judged > 0

@@ -19,7 +19,7 @@ WITH_IPV6 = pytest.mark.skipif(not os.path.exists("/proc/net/if_inet6"), reason=
 
 
 def test_a_frame_imports_what_it_needs(tmp_path):
-    """Drawn and written; tests/fast/cli/test_cold_start.py has what comes before, and the other commands."""
+    """Drawn and written; tests/fast/cli/test_consoles.py has what comes before, and the other commands."""
     arguments = ["render", "default", "--size", "48x27", "--quality", "fast", "-o", str(tmp_path / "a.png")]
     found = imported(f"from seafoam.cli import main; main({arguments})")
     unneeded = {"PIL", "OpenEXR", "asyncio", "fastapi", "matplotlib", "multiprocessing", "rich", "scipy", "starlette"}
