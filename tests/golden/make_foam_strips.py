@@ -83,13 +83,7 @@ def filtered(words: np.ndarray, quantiles: np.ndarray) -> Vectors:
             near = looks.magnified_coverage(b, e, threshold, width)
             covered = looks.filtered_coverage(share, np.zeros_like(u), near, size, whole=fade == 0.0)
             vectors.append(
-                {
-                    "s": s,
-                    "fade": fade,
-                    "x": (u * SIDE).tolist(),
-                    "y": (v * SIDE).tolist(),
-                    "coverage": covered.tolist(),
-                }
+                {"s": s, "fade": fade, "x": (u * SIDE).tolist(), "y": (v * SIDE).tolist(), "coverage": covered.tolist()}
             )
     return vectors
 

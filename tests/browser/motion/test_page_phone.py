@@ -127,8 +127,7 @@ def beside(letters: NDArray[np.bool_], reach: int) -> NDArray[np.bool_]:
 
 
 @pytest.mark.parametrize(
-    ("preset", "window"),
-    crossed(("default", "storm", "moonlight", "shallows", "paper-threshold"), WINDOWS, 2),
+    ("preset", "window"), crossed(("default", "storm", "moonlight", "shallows", "paper-threshold"), WINDOWS, 2)
 )
 def test_words_stand_out(llvmpipe: Lane, server: str, window: str, preset: str) -> None:
     """Over pale sky, night and white dots: what lies beside letters is of another tone, by their ink or their glow."""

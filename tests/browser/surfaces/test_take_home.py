@@ -22,18 +22,7 @@ from seafoam.render.encode.exr import encode_exr
 from seafoam.render.encode.png import recipe_in_png
 from seafoam.render.encode.webp import encode_webp
 from support.browser.lanes import Lane
-from support.browser.visits import (
-    BLANK,
-    DESKTOP,
-    FINGER,
-    PHONE,
-    TARGETS,
-    Visit,
-    differs,
-    link,
-    pixels_of,
-    visit,
-)
+from support.browser.visits import BLANK, DESKTOP, FINGER, PHONE, TARGETS, Visit, differs, link, pixels_of, visit
 from support.scenes import load_preset
 
 ROOT = Path(__file__).resolve().parents[3]

@@ -19,10 +19,7 @@ def _with(**fields: object) -> Drift:
     return _EDDY.model_copy(update=fields)
 
 
-_INVISIBLE = (
-    Scene(foam=_FOAM),
-    Scene(drift=_EDDY, foam=Foam(saturation=(DriftSaturation(amount=0.0),))),
-)
+_INVISIBLE = (Scene(foam=_FOAM), Scene(drift=_EDDY, foam=Foam(saturation=(DriftSaturation(amount=0.0),))))
 
 _HARD = (
     HardCase(
@@ -123,10 +120,7 @@ _HARD = (
             waves=(ParametricWave(amplitude=0.2, wavelength=5.0),),
             drift=_EDDY,
             foam=Foam(
-                saturation=(
-                    DriftSaturation(amount=4.0, coverage=0.95),
-                    HeightSaturation(base=-0.2, full=0.4),
-                ),
+                saturation=(DriftSaturation(amount=4.0, coverage=0.95), HeightSaturation(base=-0.2, full=0.4)),
                 combine="product",
                 mask="clump",
                 mask_tile=4.0,

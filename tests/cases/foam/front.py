@@ -106,10 +106,7 @@ _HARD = (
     HardCase(
         "footprints from a hair to the horizon",
         Scene(
-            waves=(
-                ParametricWave(amplitude=0.01, wavelength=0.05),
-                ParametricWave(amplitude=0.3, wavelength=2000.0),
-            ),
+            waves=(ParametricWave(amplitude=0.01, wavelength=0.05), ParametricWave(amplitude=0.3, wavelength=2000.0)),
             foam=Foam(),
         ),
         guard="whole periods counted separately, Gauss quadrature over short intervals "

@@ -37,11 +37,7 @@ _HARD = (
     ),
     HardCase(
         "foam on a coast without surf",
-        Scene(
-            light=None,
-            shore=Shore(size=160.0, depth=6.0, slope=0.1, smoothing=3.0),
-            foam=_FOAM,
-        ),
+        Scene(light=None, shore=Shore(size=160.0, depth=6.0, slope=0.1, smoothing=3.0), foam=_FOAM),
         guard="gradient of the waves' phase divided by a length of at least 1e-6 (foam/carry.glsl@shore)",
         camera=Camera(position=(-42.0, 7.0, 9.0), yaw=1.4, pitch=-0.2),
         without={"shore/waves.glsl": {"max(length(out_to_sea), 1e-6)": "length(out_to_sea)"}},

@@ -48,10 +48,7 @@ _HARD_RELIEF = (
     ),
     HardCase(
         "foam with the eye all but on it",
-        Scene(
-            light=Light(),
-            foam=_FOAM_RELIEF.model_copy(update={"thickness": 1.0, "mask_tile": 0.05}),
-        ),
+        Scene(light=Light(), foam=_FOAM_RELIEF.model_copy(update={"thickness": 1.0, "mask_tile": 0.05})),
         guard="sides of the footprint at least 1e-6 m before they are widened (foam/shading.glsl@relief)",
         camera=Camera(position=(0.0, 1e-25, 0.0), pitch=-math.pi / 2),
         without={"foam/shading.glsl": {"max(x, 1e-6)": "x", "max(y, 1e-6)": "y"}},

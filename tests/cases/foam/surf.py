@@ -12,19 +12,12 @@ _LIGHT = Light(sun_elevation=0.7, sun_azimuth=2.0, exposure=-2.0)
 
 _VIEW = Camera(position=(-42.0, 7.0, 9.0), yaw=1.4, pitch=-0.2)
 
-_INVISIBLE = (
-    Scene(foam=_FOAM),
-    Scene(shore=_BEACH.model_copy(update={"surf": Surf(height=0.0)}), foam=_FOAM),
-)
+_INVISIBLE = (Scene(foam=_FOAM), Scene(shore=_BEACH.model_copy(update={"surf": Surf(height=0.0)}), foam=_FOAM))
 
 _HARD = (
     HardCase(
         "surf foam on water as level as its ground",
-        Scene(
-            light=_LIGHT,
-            shore=_BEACH.model_copy(update={"slope": 0.01, "surf": Surf(height=0.05)}),
-            foam=_FOAM,
-        ),
+        Scene(light=_LIGHT, shore=_BEACH.model_copy(update={"slope": 0.01, "surf": Surf(height=0.05)}), foam=_FOAM),
         guard="change of depth over a footprint at least 1 mm (foam/saturation/surf.glsl@front_filtered)",
         times=(0.0, 2.3),
         camera=_VIEW,

@@ -86,7 +86,6 @@ _HARD = (
 
 CASES = {
     "sun and sky": Cases(
-        always_visible="all other effects are seen by it; without it a scene is drawn in white on black",
-        hard=_HARD,
+        always_visible="all other effects are seen by it; without it a scene is drawn in white on black", hard=_HARD
     )
 }

@@ -24,9 +24,7 @@ _MOON_HARD = (
     ),
     HardCase(
         "the moon before the sun",
-        Scene(
-            light=Light(sun_azimuth=0.3, sun_elevation=0.4, exposure=-6.0, sky=Sky(moon=_BEFORE)),
-        ),
+        Scene(light=Light(sun_azimuth=0.3, sun_elevation=0.4, exposure=-6.0, sky=Sky(moon=_BEFORE))),
         guard="the irradiance of points that face away from the sun is at least 0 (light/night.glsl@moon_disc)",
         camera=Camera(position=(0.0, 3.0, 0.0), yaw=0.3 + math.pi / 2, pitch=0.4, fov=0.3),
         without={"light/night.glsl": {"sqrt(max(dot(normal, u_moon_sun), 0.0))": "sqrt(dot(normal, u_moon_sun))"}},

@@ -21,11 +21,7 @@ _HARD = (
     ),
     HardCase(
         "a mirror at grazing, eye among crests",
-        Scene(
-            light=_MIRROR,
-            boats=(_BOAT,),
-            waves=(ParametricWave(amplitude=0.8, wavelength=7.0, direction=1.2),),
-        ),
+        Scene(light=_MIRROR, boats=(_BOAT,), waves=(ParametricWave(amplitude=0.8, wavelength=7.0, direction=1.2),)),
         guard="reflected rays start where the camera's ray meets the water, not at the still-water level "
         "(surface/main.glsl)",
         camera=Camera(position=(0.0, 0.4, 12.0), pitch=0.0),

@@ -10,10 +10,7 @@ _FLOWS = Scene(current=Current(speed=3.0, direction=0.9, stones=_STONES))
 
 _ABOVE = Camera(position=(0.0, 25.0, -18.0), pitch=-math.pi / 2)
 
-_INVISIBLE = (
-    Scene(current=Current(speed=0.4, stones=_STONES)),
-    Scene(current=Current(stones=(Stone(waves=0.0),))),
-)
+_INVISIBLE = (Scene(current=Current(speed=0.4, stones=_STONES)), Scene(current=Current(stones=(Stone(waves=0.0),))))
 
 _HARD = (
     HardCase(

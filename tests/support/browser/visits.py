@@ -201,13 +201,7 @@ class Held:
 
 @contextmanager
 def visit(
-    lane: Lane,
-    server: str,
-    address: str = STILL,
-    *,
-    size: tuple[int, int] = SMALL,
-    settle: bool = True,
-    **context: Any,
+    lane: Lane, server: str, address: str = STILL, *, size: tuple[int, int] = SMALL, settle: bool = True, **context: Any
 ) -> Iterator[Visit]:
     """The page at an address below the server's, in a browser that remembers nothing; it may complain of nothing.
 

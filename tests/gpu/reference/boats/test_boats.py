@@ -175,10 +175,7 @@ def test_wakes_equal_their_float64_form(probe: Probe, report: Report) -> None:
             ("lib/numbers.glsl", Inline("uniform vec4 u_wake;\nuniform vec2 u_form;\n"), "boats/wake.glsl@pattern"),
             "y = wake_pattern(x.xy, u_wake, u_form.x, u_form.y);",
             at,
-            uniforms={
-                "u_wake": (wake.k, boat.wake, wake.length, wake.shortest),
-                "u_form": (boat.length, boat.radius),
-            },
+            uniforms={"u_wake": (wake.k, boat.wake, wake.length, wake.shortest), "u_form": (boat.length, boat.radius)},
         ).astype(np.float64)
         off = np.abs(got[:, :3] - np.stack(wakes_of.pattern(wake, *at.astype(np.float64).T), axis=-1)).max(axis=0)
         report.within(
