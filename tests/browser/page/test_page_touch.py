@@ -12,11 +12,17 @@ SIZE = (560, 360)
 LAKE = link(preset="lake-calm", time=2.0)
 
 
-@pytest.fixture
-def lake(llvmpipe: Lane, server: str) -> Iterator[Visit]:
-    """A still lake, paused."""
+@pytest.fixture(scope="module")
+def shared_lake(llvmpipe: Lane, server: str) -> Iterator[Visit]:
     with visit(llvmpipe, server, LAKE, size=SIZE, reduced_motion="reduce") as made:
         yield made
+
+
+@pytest.fixture
+def lake(shared_lake: Visit) -> Visit:
+    """A still lake, paused, as nobody has touched it."""
+    shared_lake.start_again(LAKE)
+    return shared_lake
 
 
 def touches(made: Visit) -> list[dict[str, float]]:
@@ -116,6 +122,7 @@ def test_keys_touch_and_choose_what_a_drag_does(lake: Visit) -> None:
     drag(lake.page, (200, 200), (260, 200))
     lake.page.wait_for_function("(yaw) => window.seafoam.state().camera.yaw !== yaw", arg=before["yaw"])
     assert len(touches(lake)) == 1
+    lake.page.keyboard.press("t")
 
 
 def test_rings_begin_when_they_can_be_seen(llvmpipe: Lane, server: str) -> None:

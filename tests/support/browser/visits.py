@@ -124,13 +124,14 @@ class Visit:
         self.frames(2)
         self.page.wait_for_function("() => !window.seafoam.state().busy", timeout=180_000)
 
-    def start_again(self) -> None:
+    def start_again(self, fragment: str = "#paused=1&quality=fast&preset=default") -> None:
         """Put the page back to how it was when it opened, for the next test."""
+        self.page.unroute_all()
         self.page.locator(".toast").evaluate_all("(toasts) => toasts.forEach((toast) => toast.remove())")
         self.page.evaluate("() => document.activeElement?.blur()")
         if self.page.locator("#settings.open").count():
             self.press("Close settings")
-        self.follow(link(preset="default"))
+        self.follow(fragment)
         self.settle()
         self.complaints.clear()
         self.asked.clear()
