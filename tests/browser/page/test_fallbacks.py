@@ -3,11 +3,15 @@
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from playwright.sync_api import Page
+from playwright.sync_api import Error, Page
 
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS
+from seafoam.render.gl.executor import Executor
 from support.browser.lanes import Lane, rendered
 from support.browser.visits import STILL, Pixels, Visit, link, visit
+from support.exact import UNFILTERED
+from support.pictures import draw
 from support.scenes import load_preset
 
 SIZE = (400, 300)
@@ -32,17 +36,29 @@ def usual(llvmpipe: Lane, server: str) -> Pixels:
     "hidden",
     [
         "OES_texture_float_linear",
+        "EXT_float_blend",
         "EXT_color_buffer_float",
         "EXT_color_buffer_half_float",
+        "OES_texture_float_linear,OES_texture_half_float_linear,EXT_float_blend,EXT_color_buffer_float",
         "KHR_parallel_shader_compile",
         "EXT_disjoint_timer_query_webgl2,WEBGL_debug_renderer_info",
         "WEBGL_lose_context",
     ],
 )
-def test_draws_without(llvmpipe: Lane, server: str, usual: Pixels, hidden: str) -> None:
+def test_draws_without(llvmpipe: Lane, server: str, executor: Executor, usual: Pixels, hidden: str) -> None:
+    """The same picture, and the server's pixels; where a float32 target cannot be had that is asked for, a word."""
+    scene, size = load_preset("default").scene, (48, 27)
     with visit(llvmpipe, server, f"?hide={hidden}{STILL}", size=SIZE) as made:
         assert (made.picture() == usual).all()
         assert made.page.locator(".toast").count() == 0
+        for quality in (TIERS["standard"], UNFILTERED):
+            plan = make_plan(scene, quality)
+            if "EXT_color_buffer_float" in hidden and quality is UNFILTERED:
+                with pytest.raises(Error, match="EXT_color_buffer_float"):
+                    rendered(made.page, plan, time=2.7, size=size, camera=scene.camera)
+                continue
+            drawn = rendered(made.page, plan, time=2.7, size=size, camera=scene.camera).astype(int)
+            assert np.abs(drawn - draw(executor, plan, scene.camera, time=2.7, size=size)).max() <= 1
 
 
 def test_the_server_draws_where_no_picture_can_be_drawn(llvmpipe: Lane, server: str) -> None:

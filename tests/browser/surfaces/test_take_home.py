@@ -103,15 +103,14 @@ def test_a_picture_of_the_page_restores_itself(llvmpipe: Lane, server: str) -> N
     assert (pixels_of(again) == pixels_of(first)).all()
 
 
-def test_other_files_are_refused_in_plain_words(llvmpipe: Lane, server: str) -> None:
+def test_other_files_are_refused_in_plain_words(planned: Visit) -> None:
     plain = io.BytesIO()
     Image.new("RGB", (2, 2)).save(plain, "PNG")
-    with visit(llvmpipe, server, size=SIZE) as made:
-        before = made.state()["preset"]
-        for content, said in ((b"not a picture", "not a PNG, WebP or OpenEXR"), (plain.getvalue(), "no recipe")):
-            drop(made.page, content)
-            made.page.locator(".toast.error", has_text=said).wait_for()
-        assert made.state()["preset"] == before
+    before = planned.state()["preset"]
+    for content, said in ((b"not a picture", "not a PNG, WebP or OpenEXR"), (plain.getvalue(), "no recipe")):
+        drop(planned.page, content)
+        planned.page.locator(".toast.error", has_text=said).wait_for()
+    assert planned.state()["preset"] == before
 
 
 @pytest.mark.parametrize("preset", ["default", "paper-halftone"])
