@@ -18,7 +18,7 @@ from seafoam.quality import TIERS, Quality
 from seafoam.render.gl.executor import Executor
 from seafoam.textures.masks import MaskTexture
 from seafoam.textures.store import texture, url_of
-from support.browser.lanes import Lane, opened, rendered
+from support.browser.lanes import rendered
 from support.pictures import draw
 from support.probe import WHOLE
 from support.scenes import Camera, Foam, HeightSaturation, Light, Scene
@@ -99,47 +99,29 @@ def comparing(mask: str) -> FramePlan:
     """A plan whose picture is red where the drawn atlas is not the one of the server's resource."""
     foam = Foam(saturation=(HeightSaturation(base=-1.0, full=1.0),), look="filtered", mask=mask)
     plan = make_plan(Scene(foam=foam, light=None), TIERS["standard"])
-    made = texture(MaskTexture(masks=(mask,), table="atlas"))
-    vertex = WHOLE
-    compare = Pass(
-        name="compare",
-        when="frame",
-        program="compare",
-        target="screen",
-        mesh=Fullscreen(),
-        inputs={"u_drawn": TargetInput(target="mask_atlas"), "u_made": TextureInput(texture="made")},
-    )
-    given = Texture(
-        url=url_of(MaskTexture(masks=(mask,), table="atlas")),
-        sha256=made.sha256,
-        format="RG32UI",
-        width=made.width,
-        height=made.height,
-        levels=1,
-        filter="nearest",
-        wrap="repeat",
-    )
-    return plan.model_copy(
-        update={
-            "passes": (*(one for one in plan.passes if one.when == "setup"), compare),
-            "programs": {**plan.programs, "compare": Program(vertex=vertex, fragment=assemble([COMPARE], {}))},
-            "textures": {**plan.textures, "made": given},
-        }
-    )
+    spec = MaskTexture(masks=(mask,), table="atlas")
+    made = texture(spec)
+    read = {"u_drawn": TargetInput(target="mask_atlas"), "u_made": TextureInput(texture="made")}
+    how = {"when": "frame", "program": "compare", "target": "screen", "mesh": Fullscreen()}
+    size = {"width": made.width, "height": made.height, "levels": 1}
+    resource = {"url": url_of(spec), "sha256": made.sha256, "format": made.format, **size}
+    parts = {
+        "passes": (*(one for one in plan.passes if one.when == "setup"), Pass(name="compare", inputs=read, **how)),
+        "programs": {**plan.programs, "compare": Program(vertex=WHOLE, fragment=assemble([COMPARE], {}))},
+        "textures": {**plan.textures, "made": Texture(**resource, filter="nearest", wrap="repeat")},
+    }
+    return plan.model_copy(update=parts)
 
 
 @pytest.mark.parametrize("mask", ["vac-24", "clump"])
-@pytest.mark.parametrize("lane", ["llvmpipe", "swiftshader"])
+@pytest.mark.parametrize("renderer", ["page", "other"])
 def test_the_drawn_atlas_is_the_made_one(
-    lane: str, mask: str, executor: Executor, server: str, request: pytest.FixtureRequest
+    renderer: str, mask: str, executor: Executor, request: pytest.FixtureRequest
 ) -> None:
-    browser: Lane = request.getfixturevalue(lane)
+    page: Page = request.getfixturevalue(renderer)
     plan, camera = comparing(mask), Camera()
-    made = texture(MaskTexture(masks=(mask,), table="atlas"))
-    page = opened(browser, server)
-    pixels = rendered(page, plan, time=0.0, size=(made.width, made.height), camera=camera)
-    page.close()
+    size = (plan.textures["made"].width, plan.textures["made"].height)
+    pixels = rendered(page, plan, time=0.0, size=size, camera=camera)
     assert not pixels[..., 0].any()
     assert pixels[:, :512, 1].std() > 50.0
-    here = draw(executor, plan, camera, time=0.0, size=(made.width, made.height))
-    assert np.array_equal(pixels, here)
+    assert np.array_equal(pixels, draw(executor, plan, camera, time=0.0, size=size))
