@@ -11,10 +11,8 @@ import numpy as np
 import pytest
 
 from support.browser.axe import AXE
-from support.browser.bidi import Firefox
-from support.browser.engine import Engine
+from support.browser.engines import Engine, Firefox, WebKit
 from support.browser.visits import DESKTOP, PHONE, link, pixels_of
-from support.browser.webkit import WebKit
 from support.sweep import REST
 
 WIDTH, HEIGHT, TIME = 160, 90, 2.7
