@@ -2,6 +2,8 @@
 
 import importlib
 from dataclasses import dataclass, field
+from functools import cache
+from pathlib import Path
 
 from seafoam.effects.effect import Effect
 from support.hard.mutations import Replaced
@@ -70,12 +72,20 @@ class Cases:
     variants: tuple[Scene, ...] = ()
 
 
+@cache
+def _of_the_package() -> dict[str, Cases]:
+    """Every ``CASES`` of ``tests/cases``."""
+    folder = Path(__file__).parents[1]
+    names = (".".join(file.relative_to(folder).with_suffix("").parts) for file in folder.glob("cases/**/[!_]*.py"))
+    return {effect: cases for name in names for effect, cases in importlib.import_module(name).CASES.items()}
+
+
 def cases_of(effect: Effect) -> Cases:
-    """The effect's entry in ``CASES`` of ``tests/cases``, or of ``NAME_cases`` beside an effect outside the package.
+    """The effect's entry in a ``CASES`` of ``tests/cases``, or of ``NAME_cases`` beside an effect outside the package.
 
     Raises ``ImportError`` or ``KeyError`` where it has none.
     """
     module = effect.contribute.__module__
-    inside = module.removeprefix("seafoam.effects.")
-    found = importlib.import_module(f"cases.{inside}" if inside != module else f"{module}_cases")
-    return found.CASES[effect.name]
+    if module.startswith("seafoam."):
+        return _of_the_package()[effect.name]
+    return importlib.import_module(f"{module}_cases").CASES[effect.name]

@@ -1,4 +1,4 @@
-"""Hard cases of spray.spray, and scenes that name it but in which it is invisible."""
+"""Test scenes of spray: hard cases, and scenes that name it but in which it is invisible."""
 
 import math
 
@@ -125,4 +125,6 @@ _HARD = (
     ),
 )
 
-CASES = {"spray": Cases(invisible=_INVISIBLE, hard=_HARD)}
+CASES = {
+    "spray": Cases(invisible=_INVISIBLE, hard=_HARD),
+}

@@ -1,14 +1,16 @@
-"""Hard cases of boats.boat, and scenes that name it but in which it is invisible."""
+"""Test scenes of boats and their wakes: hard cases, and scenes that name them but in which they are invisible."""
+
+import math
 
 from support.cases import Cases, HardCase
-from support.hard.mutations import TIME_AND_PLACE, guards
-from support.scenes import Boat, Camera, Light, ParametricWave, Scene, Shore, Surf, Water
+from support.hard.mutations import TIME, TIME_AND_PLACE, guards
+from support.scenes import Boat, Camera, Foam, Light, ParametricWave, Scene, Shore, SlopeSaturation, Surf, Water
 
 _NEAR = Boat(centre=(0.0, -14.0), radius=15.0, bearing=1.6, speed=0.0)
 
 _BEACH = Shore(size=160.0, radius=25.0, depth=6.0, slope=0.1, smoothing=3.0, surf=Surf(height=1.5))
 
-_HARD = (
+_HARD_BOAT = (
     HardCase(
         "a boat on a breaking crest",
         Scene(
@@ -77,7 +79,50 @@ _HARD_SHADOWS = (
     ),
 )
 
+_FAST = Boat(centre=(0.0, -30.0), radius=30.0, bearing=1.2, speed=4.0, wake=0.3)
+
+_ABOVE = Camera(position=(0.0, 30.0, -20.0), pitch=-math.pi / 2)
+
+_INVISIBLE = (
+    Scene(boats=(_FAST.model_copy(update={"speed": 0.0}),)),
+    Scene(boats=(_FAST.model_copy(update={"wake": 0.0}),)),
+)
+
+_HARD_WAKE = (
+    HardCase(
+        "the edge of a wake, where both systems meet",
+        Scene(boats=(_FAST,), foam=Foam(saturation=(SlopeSaturation(),), look="textured")),
+        guard="a wake has height only where the square root in its phase exceeds 0 (boats/wake.glsl@pattern)",
+        camera=_ABOVE,
+        without={"boats/wake.glsl": {"at.x <= 0.0 || square <= 0.0": "at.x <= 0.0"}},
+    ),
+    HardCase(
+        "the centre of a boat's circle, and straight behind it",
+        Scene(boats=(_FAST.model_copy(update={"radius": 13.5}),)),
+        guard="distance from the centre at least a tenth of the radius, tangent at most 5000 (boats/wake.glsl@way, "
+        "boats/wake.glsl@pattern)",
+        camera=_ABOVE.model_copy(update={"position": (0.0, 20.0, -30.0)}),
+        without={
+            "boats/wake.glsl": {
+                "max(length(from), 0.1 * radius)": "length(from)",
+                "max(q, 1e-4)": "q",
+                "max(q * q, 1e-8)": "(q * q)",
+            }
+        },
+        missed_by=guards("waves", "wakes_at_the_centre_and_on_the_course"),
+    ),
+    HardCase(
+        "a wake from thirty years ago",
+        Scene(boats=(_FAST,)),
+        guard="the bearing on the course reduced in float64 (framegraph/evaluation.py)",
+        times=(-1e9, 1e9),
+        camera=_ABOVE,
+        without=TIME,
+    ),
+)
+
 CASES = {
-    "boats": Cases(always_visible="a boat stands over the water and before it", hard=_HARD),
+    "boats": Cases(always_visible="a boat stands over the water and before it", hard=_HARD_BOAT),
     "boat shadows": Cases(always_visible="a boat takes the sun from the water beside it", hard=_HARD_SHADOWS),
+    "wakes": Cases(invisible=_INVISIBLE, hard=_HARD_WAKE),
 }

@@ -1,4 +1,4 @@
-"""Hard cases of waves.parametric, and scenes that call for it and cannot show it."""
+"""Test scenes of parametric waves and of the open sea: hard cases, and scenes that cannot show them."""
 
 import math
 
@@ -12,18 +12,20 @@ from support.scenes import (
     ParametricWave,
     Ripples,
     Scene,
+    Sea,
     SlopeSaturation,
     Spray,
     Water,
     WaveGroups,
+    WhitecapSaturation,
 )
 
-_INVISIBLE = (
+_INVISIBLE_PARAMETRIC = (
     Scene(waves=(ParametricWave(amplitude=1e-6, wavelength=10.0),), water=Water(translucency=0.0)),
     Scene(waves=(ParametricWave(),), light=None),
 )
 
-_HARD = (
+_HARD_PARAMETRIC = (
     HardCase(
         "a cusp in every trough, K 0.1",
         Scene(waves=(ParametricWave(amplitude=0.4, wavelength=3.0, exponent=0.1),), foam=Foam(look="halftone")),
@@ -215,4 +217,71 @@ _VARIANTS = (
     Scene(waves=_GROUPED, wave_groups=WaveGroups(), foam=Foam(), spray=Spray(threshold=0.5)),
 )
 
-CASES = {"parametric waves": Cases(invisible=_INVISIBLE, hard=(*_HARD, *_IN_GROUPS), variants=_VARIANTS)}
+_NEAR = Camera(position=(0.37, 9.0, -0.21), yaw=1.0, pitch=-0.3)
+
+_INVISIBLE_SEA = (Scene(sea=Sea(wind=0.0)), Scene(sea=Sea(), light=None))
+
+_HARD_SEA = (
+    HardCase(
+        "a sea without wind",
+        Scene(sea=Sea(wind=0.0), foam=Foam(saturation=(WhitecapSaturation(),))),
+        guard="the spectrum is 0 without wind (ocean/waves/cascades.py)",
+        camera=_NEAR,
+        without={
+            "effects/waves/sea.py": {" or scene.sea.wind_speed <= 0.0": ""},
+            "ocean/waves/cascades.py": {
+                "if sea.wind_speed <= 0.0:": "if sea.wind_speed < 0.0:",
+                "sea.wind_speed > 0.0 and": "",
+            },
+            "ocean/basics/spectrum.py": {"if wind <= 0.0:": "if wind < 0.0:"},
+        },
+        error="ZeroDivisionError",
+    ),
+    HardCase(
+        "the open sea at any time",
+        Scene(sea=Sea(wind=8.0)),
+        guard="every frequency is a multiple of 2π per loop, and the time in the loop is reduced in float64 "
+        "(waves/sea_passes.glsl@spectrum)",
+        times=(-1e9, 1e9),
+        camera=_NEAR,
+        without={
+            "framegraph/evaluation.py": {
+                "(_modulo(state.time + rule.offset, rule.period),)": "(state.time + rule.offset,)"
+            }
+        },
+    ),
+    HardCase(
+        "the open sea ten thousand kilometres away",
+        Scene(sea=Sea(wind=8.0, model="gerstner")),
+        guard="the camera's position in each tile is reduced in float64 (framegraph/evaluation.py)",
+        camera=Camera(position=(-1e7, 9.0, 1e7), yaw=1.0, pitch=-0.3),
+        without=PLACE,
+    ),
+    HardCase(
+        "a hurricane that has blown over a hundred metres",
+        Scene(sea=Sea(wind=60.0, fetch=100.0, choppiness=1.0)),
+        guard="choppiness is reduced until the Jacobian is negative at one point in 60 000 (ocean/waves/cascades.py)",
+        camera=_NEAR.model_copy(update={"position": (0.37, 8.711393, -0.21)}),
+        without={"ocean/waves/cascades.py": {"requested if requested * slope <= TILT else TILT / slope": "requested"}},
+    ),
+    HardCase(
+        "a breath of wind, and no wave on the largest tile",
+        Scene(sea=Sea(wind=0.4, fetch=100.0, spread=100.0, against=0.0), water=Water(ripples=Ripples())),
+        guard="the divisor is at least 1e-30 where slopes are clamped (waves/sea_passes.glsl@tile_pass)",
+        camera=_NEAR,
+        without={
+            "waves/sea_passes.glsl": {
+                "slope *= min(1.0, u_sea_limit.y / max(length(slope), 1e-30))": (
+                    "slope = min(length(slope), u_sea_limit.y) * normalize(slope)"
+                )
+            }
+        },
+    ),
+)
+
+CASES = {
+    "parametric waves": Cases(
+        invisible=_INVISIBLE_PARAMETRIC, hard=(*_HARD_PARAMETRIC, *_IN_GROUPS), variants=_VARIANTS
+    ),
+    "sea": Cases(invisible=_INVISIBLE_SEA, hard=_HARD_SEA),
+}

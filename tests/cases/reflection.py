@@ -1,14 +1,14 @@
-"""Hard cases of reflection.cubemap, and scenes that call for it and cannot show it."""
+"""Test scenes of mirrors: hard cases, and scenes that call for them and cannot show them."""
 
 import math
 
 from support.cases import Cases, HardCase
 from support.hard.mutations import guards
-from support.scenes import Camera, Clouds, Light, ParametricWave, Scene, Shore, Sky
+from support.scenes import Boat, Camera, Clouds, Light, ParametricWave, Ripples, Scene, Shore, Sky, Water
 
-_INVISIBLE = (Scene(light=Light(sun_elevation=-1.2, exposure=-3.0, reflection="cubemap")),)
+_INVISIBLE_CUBEMAP = (Scene(light=Light(sun_elevation=-1.2, exposure=-3.0, reflection="cubemap")),)
 
-_HARD = (
+_HARD_CUBEMAP = (
     HardCase(
         "a mirror with nothing to mirror",
         Scene(light=Light(sun_elevation=-math.pi / 2, exposure=8.0, reflection="cubemap")),
@@ -46,4 +46,32 @@ _HARD = (
     ),
 )
 
-CASES = {"cube map": Cases(invisible=_INVISIBLE, hard=_HARD)}
+_BOAT = Boat(centre=(0.0, -14.0), radius=15.0, bearing=1.6, speed=0.0)
+
+_MIRROR = Light(reflection="planar")
+
+_INVISIBLE_PLANAR = (Scene(light=_MIRROR), Scene(light=_MIRROR, waves=(ParametricWave(),)))
+
+_HARD_PLANAR = (
+    HardCase(
+        "a mirror under the eye and straight down",
+        Scene(light=_MIRROR, boats=(_BOAT,), water=Water(ripples=Ripples())),
+        guard="only points in front of the mirrored camera are read (reflection/mirror.glsl@planar)",
+        camera=Camera(position=(0.0, 4.0, -2.0), pitch=-1.5708),
+        without={"reflection/mirror.glsl": {"if (depth < 1e-3)": "if (false)"}},
+        missed_by=guards("ground", "functions_are_guarded[mirror of what is behind]"),
+    ),
+    HardCase(
+        "a mirror at grazing, eye among crests",
+        Scene(light=_MIRROR, boats=(_BOAT,), waves=(ParametricWave(amplitude=0.8, wavelength=7.0, direction=1.2),)),
+        guard="reflected rays start where the camera's ray meets the water, not at the still-water level "
+        "(surface/main.glsl)",
+        camera=Camera(position=(0.0, 0.4, 12.0), pitch=0.0),
+        without={"surface/main.glsl": {"vec3(p.x, u_eye_height + tau * ray.y, p.y)": "vec3(p.x, 0.0, p.y)"}},
+    ),
+)
+
+CASES = {
+    "cube map": Cases(invisible=_INVISIBLE_CUBEMAP, hard=_HARD_CUBEMAP),
+    "planar reflection": Cases(invisible=_INVISIBLE_PLANAR, hard=_HARD_PLANAR),
+}
