@@ -24,7 +24,7 @@ NOT_RUN = {
     ".venv/bin/python -c": "docs/python.md begins with the same, and is run",
     ".venv/bin/seafoam sequence": "those of docs/sequences.md are run",
     "seafoam accuracy PRESET": "the same, for every preset",
-    "npm pack three": "tests/browser/elsewhere/test_three_example.py runs the example with the same package",
+    "npm pack three": "tests/browser/elsewhere/test_element.py runs the example with the same package",
     "dask ": "a cluster of machines; tests/fast/sequences/test_fleet.py has one in processes",
 }
 """Beginnings of commands -> why no test runs them as they stand."""
