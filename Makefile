@@ -126,11 +126,7 @@ wheel: setup
 # Baked data, checked in; these commands make it again.
 bake: setup
 	$(BIN)/python -m seafoam.masks.bake
-	$(BIN)/python tests/golden/make_uniform_rules.py
-	$(BIN)/python tests/golden/make_views.py
-	$(BIN)/python tests/golden/make_flip.py
-	$(BIN)/python tests/golden/make_foam_strips.py
-	$(BIN)/python tests/golden/make_picks.py
+	$(BIN)/python tests/golden/make.py
 	$(BIN)/python -m seafoam.reference.bake
 
 docs: setup-test

@@ -2,7 +2,7 @@
 
 Run as ``python docs/make_accuracy.py`` after a change of their form. After a change of what is drawn, measure first::
 
-    pytest tests/gpu/reference/*/test_f*.py tests/gpu/accuracy/test_flicker.py --figures .cache/accuracy.json
+    pytest tests/gpu/reference/*/test_f*.py tests/gpu/accuracy/test_real_sweep.py --figures .cache/accuracy.json
     python docs/make_accuracy.py .cache/accuracy.json
 
 What is measured stands in docs/accuracy.json, by the titles of the tests' tables; a run that measures some of them

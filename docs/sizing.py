@@ -14,7 +14,7 @@ Requests arrive at random (Poisson) at ``rate`` (1/s), N workers draw one each i
 - Refused (503): the last state of M/M/N/N+Q, B ρ^Q / (1 + B (ρ + … + ρ^Q)). Fewer are refused where frame times vary
   less than exponential ones do (variation below 1).
 
-``tests/fast/project/test_sizing.py`` compares all of it with a simulation.
+``tests/fast/project/test_generated.py`` compares all of it with a simulation.
 """
 
 import argparse

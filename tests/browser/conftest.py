@@ -81,6 +81,14 @@ def page(llvmpipe: Lane, server: str) -> Iterator[Page]:
     made.close()
 
 
+@pytest.fixture(scope="package")
+def other(swiftshader: Lane, server: str) -> Iterator[Page]:
+    """The page on another renderer."""
+    made = opened(swiftshader, server)
+    yield made
+    made.close()
+
+
 @pytest.fixture(scope="module")
 def shared(llvmpipe: Lane, server: str) -> Iterator[Visit]:
     with visit(llvmpipe, server) as made:

@@ -5,7 +5,6 @@ from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 
-import cases
 from seafoam.effects.effect import Effect
 from support.hard.mutations import Replaced
 from support.scenes import Camera, Scene
@@ -74,20 +73,19 @@ class Cases:
 
 
 @cache
-def _inside() -> dict[str, Cases]:
-    """Those of the package's effects, from all modules of ``tests/cases``."""
-    paths = sorted(Path(cases.__file__).parent.glob("*/*.py"))
-    modules = (importlib.import_module(f"cases.{path.parent.name}.{path.stem}") for path in paths)
-    return {name: found for module in modules for name, found in module.CASES.items()}
+def _of_the_package() -> dict[str, Cases]:
+    """Every ``CASES`` of ``tests/cases``."""
+    folder = Path(__file__).parents[1]
+    names = (".".join(file.relative_to(folder).with_suffix("").parts) for file in folder.glob("cases/**/[!_]*.py"))
+    return {effect: cases for name in names for effect, cases in importlib.import_module(name).CASES.items()}
 
 
 def cases_of(effect: Effect) -> Cases:
-    """The effect's entry in ``CASES`` of a module of ``tests/cases``, or of ``NAME_cases`` beside one from outside.
+    """The effect's entry in a ``CASES`` of ``tests/cases``, or of ``NAME_cases`` beside an effect outside the package.
 
     Raises ``ImportError`` or ``KeyError`` where it has none.
     """
     module = effect.contribute.__module__
-    if module.startswith("seafoam.effects."):
-        return _inside()[effect.name]
-    found: dict[str, Cases] = importlib.import_module(f"{module}_cases").CASES
-    return found[effect.name]
+    if module.startswith("seafoam."):
+        return _of_the_package()[effect.name]
+    return importlib.import_module(f"{module}_cases").CASES[effect.name]

@@ -12,7 +12,7 @@ NOT_RUN = {
     "make demo": "installs packages and serves until it is stopped; its server is the one that other snippets ask",
     "make test": "runs all tests",
     "make bench": "half an hour; -m bench is run by tests/fast/project/test_bench.py in parts",
-    "make gpu": "five minutes, for a machine with a GPU; tests/fast/project/test_gpu_bench.py has its parts",
+    "make gpu": "five minutes, for a machine with a GPU; tests/fast/project/test_bench.py has its parts",
     ".venv/bin/python -m bench": "minutes to half an hour; that its options exist is tested here",
     ".venv/bin/pytest": "the tests themselves; that the files exist is tested here",
     ".venv/bin/python docs/make_stability.py": "needs what browsers measured; test_generated.py has its own",
@@ -24,7 +24,7 @@ NOT_RUN = {
     ".venv/bin/python -c": "docs/python.md begins with the same, and is run",
     ".venv/bin/seafoam sequence": "those of docs/sequences.md are run",
     "seafoam accuracy PRESET": "the same, for every preset",
-    "npm pack three": "tests/browser/elsewhere/test_three_example.py runs the example with the same package",
+    "npm pack three": "tests/browser/elsewhere/test_element.py runs the example with the same package",
     "dask ": "a cluster of machines; tests/fast/sequences/test_fleet.py has one in processes",
 }
 """Beginnings of commands -> why no test runs them as they stand."""

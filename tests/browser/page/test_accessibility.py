@@ -5,7 +5,7 @@ from playwright.sync_api import expect
 
 from support.browser.axe import violations
 from support.browser.lanes import Lane
-from support.browser.visits import DESKTOP, PHONE, link, visit
+from support.browser.visits import DESKTOP, FINGER, PHONE, TARGETS, Visit, link, visit
 
 SIZES = pytest.mark.parametrize("size", [DESKTOP, PHONE], ids=["desktop", "phone"])
 
@@ -25,18 +25,44 @@ def test_axe_finds_nothing(llvmpipe: Lane, server: str, size: tuple[int, int]) -
         assert violations(made.page) == [], "the settings"
 
 
+def fits(made: Visit, size: tuple[int, int]) -> None:
+    """What opened beside the picture is no wider than the page, and fingers hit what is in it."""
+    sheet = made.page.locator(".sheet")
+    sheet.get_by_role("heading", level=2).wait_for()
+    sheet.get_by_role("heading", level=3).first.wait_for()
+    box = sheet.bounding_box() or {}
+    assert box["x"] >= 0
+    assert box["x"] + box["width"] <= size[0]
+    assert made.page.evaluate("() => document.querySelector('.sheet').scrollWidth") <= box["width"]
+    small = [one for one in made.page.evaluate(TARGETS) if one[2] < FINGER - 1]
+    inside = {one.strip()[:40] for one in sheet.locator("button, select").all_inner_texts()}
+    assert [one for one in small if one[0] in inside] == []
+
+
+def closed(made: Visit) -> None:
+    made.page.locator(".sheet").get_by_role("button", name="Close").press("Escape")
+    made.page.locator(".sheet").wait_for(state="detached")
+    made.page.wait_for_function("() => !location.hash.includes('open=')")
+
+
 @SIZES
-def test_axe_finds_nothing_in_what_opens_beside_the_picture(llvmpipe: Lane, server: str, size: tuple[int, int]) -> None:
-    """The stage is dark in both themes; a cheap picture is enough behind it."""
+def test_what_opens_beside_the_picture_fits_closes_and_axe_finds_nothing(
+    llvmpipe: Lane, server: str, size: tuple[int, int]
+) -> None:
+    """By its address. The stage is dark in both themes; a cheap picture is enough behind it."""
     light = {"color_scheme": "light", "reduced_motion": "reduce"}
     with visit(llvmpipe, server, link(preset="paper-threshold", open="plan"), size=size, **light) as made:
         page = made.page
+        fits(made, size)
         for tab in ("Passes", "Effects", "GLSL", "Changes"):
             page.locator(".sheet").get_by_role("button", name=tab, exact=True).click()
             assert violations(page) == [], f"the plan's {tab}"
-        page.get_by_role("button", name="Take home").click()
+        closed(made)
+        made.follow(link(preset="paper-threshold", open="take"))
         page.locator("[data-surface=take] pre").first.wait_for()
+        fits(made, size)
         assert violations(page) == [], "take home"
+        closed(made)
         page.get_by_role("button", name="Accuracy benchmark").click()
         page.locator("#accuracy.open").wait_for()
         assert violations(page) == [], "accuracy"

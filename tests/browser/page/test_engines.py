@@ -11,10 +11,8 @@ import numpy as np
 import pytest
 
 from support.browser.axe import AXE
-from support.browser.bidi import Firefox
-from support.browser.engine import Engine
+from support.browser.engines import Engine, Firefox, WebKit
 from support.browser.visits import DESKTOP, PHONE, link, pixels_of
-from support.browser.webkit import WebKit
 from support.sweep import REST
 
 WIDTH, HEIGHT, TIME = 160, 90, 2.7
@@ -96,9 +94,9 @@ def opened(engine: Engine, server: str, preset: str, size: tuple[int, int]) -> N
     engine.until(SETTLED)
 
 
-def test_presets_are_the_servers_pixels(engine: Engine, server: str) -> None:
+def test_presets_are_the_servers_pixels_and_settings_change_the_scene(engine: Engine, server: str) -> None:
     """On the same llvmpipe, at most one pixel in ten thousand differs: the bar of Chromium."""
-    opened(engine, server, "paper-threshold", (400, 300))
+    opened(engine, server, "paper-threshold", (760, 500))
     # WebKit gives every renderer this name.
     renderer = "Apple GPU" if isinstance(engine, WebKit) else "llvmpipe"
     assert renderer in engine.evaluate("window.seafoam.renderer")
@@ -112,21 +110,6 @@ def test_presets_are_the_servers_pixels(engine: Engine, server: str) -> None:
             truth = pixels_of(reply.read())
         assert truth.std() > 5.0
         assert (ours != truth).any(axis=-1).mean() <= 1e-4, preset
-    assert engine.complaints == []
-
-
-@engines_at(firefox="desktop, phone", webkit="desktop, phone")
-def test_nothing_lies_over_anything(engine: Engine, server: str, size: tuple[int, int]) -> None:
-    opened(engine, server, "paper-threshold", size)
-    assert engine.evaluate("document.querySelectorAll('.strip a').length") > 20
-    assert engine.evaluate("document.querySelector('h1').checkVisibility({ checkVisibilityCSS: true })")
-    assert engine.evaluate(OVERLAPS) == []
-    assert engine.evaluate("document.documentElement.scrollWidth") <= size[0]
-    assert engine.complaints == []
-
-
-def test_settings_open_and_change_the_scene(engine: Engine, server: str) -> None:
-    opened(engine, server, "paper-threshold", (760, 500))
     engine.evaluate("document.querySelector('[data-tool=settings]').click()")
     engine.until("document.querySelector('#settings.open .tp-rotv') !== null")
     # While the panel slides in, its list is elsewhere a moment later.
@@ -139,6 +122,13 @@ def test_settings_open_and_change_the_scene(engine: Engine, server: str) -> None
     )
     engine.until(f"{SETTLED} && window.seafoam.state().timing.width === 380")
     assert engine.complaints == []
+
+
+def nothing_lies_over_anything(engine: Engine, size: tuple[int, int]) -> None:
+    assert engine.evaluate("document.querySelectorAll('.strip a').length") > 20
+    assert engine.evaluate("document.querySelector('h1').checkVisibility({ checkVisibilityCSS: true })")
+    assert engine.evaluate(OVERLAPS) == []
+    assert engine.evaluate("document.documentElement.scrollWidth") <= size[0]
 
 
 @pytest.mark.parametrize(
@@ -166,8 +156,11 @@ def test_a_touch_raises_a_ring(engine: Engine, server: str, kind: str, size: tup
 
 
 @engines_at(firefox="phone", webkit="phone")
-def test_a_water_is_found_by_words(engine: Engine, server: str, size: tuple[int, int]) -> None:
+def test_nothing_lies_over_anything_and_a_water_is_found_by_words(
+    engine: Engine, server: str, size: tuple[int, int]
+) -> None:
     opened(engine, server, "paper-threshold", size)
+    nothing_lies_over_anything(engine, size)
     engine.evaluate("document.dispatchEvent(new KeyboardEvent('keydown', { key: '/', bubbles: true }))")
     engine.until("document.querySelectorAll('.waters a').length > 20")
     engine.evaluate(
@@ -181,8 +174,11 @@ def test_a_water_is_found_by_words(engine: Engine, server: str, size: tuple[int,
 
 
 @engines_at(firefox="desktop", webkit="desktop")
-def test_a_lost_context_comes_back(engine: Engine, server: str, size: tuple[int, int]) -> None:
+def test_nothing_lies_over_anything_and_a_lost_context_comes_back(
+    engine: Engine, server: str, size: tuple[int, int]
+) -> None:
     opened(engine, server, "paper-threshold", size)
+    nothing_lies_over_anything(engine, size)
     draw = f"window.seafoam.render('default', {{ time: {TIME}, width: 64, height: 36, quality: 'fast' }})"
     before = engine.evaluate(draw)["pixels"]
     engine.evaluate("window.seafoam.loseContext()")

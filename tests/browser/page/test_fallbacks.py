@@ -1,11 +1,17 @@
-"""Where something is missing: an extension, a renderer, the server, a preset. There is a picture or a plain word."""
+"""Where something is missing or goes away: an extension, a renderer, its context, the server, a preset."""
 
+import numpy as np
 import pytest
-from playwright.sync_api import Page
+from numpy.typing import NDArray
+from playwright.sync_api import Error, Page
 
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from support.browser.lanes import Lane
-from support.browser.visits import STILL, Pixels, link, visit
+from seafoam.render.gl.executor import Executor
+from support.browser.lanes import Lane, rendered
+from support.browser.visits import STILL, Pixels, Visit, link, visit
+from support.exact import UNFILTERED
+from support.pictures import draw
 from support.scenes import load_preset
 
 SIZE = (400, 300)
@@ -30,17 +36,29 @@ def usual(llvmpipe: Lane, server: str) -> Pixels:
     "hidden",
     [
         "OES_texture_float_linear",
+        "EXT_float_blend",
         "EXT_color_buffer_float",
         "EXT_color_buffer_half_float",
+        "OES_texture_float_linear,OES_texture_half_float_linear,EXT_float_blend,EXT_color_buffer_float",
         "KHR_parallel_shader_compile",
         "EXT_disjoint_timer_query_webgl2,WEBGL_debug_renderer_info",
         "WEBGL_lose_context",
     ],
 )
-def test_draws_without(llvmpipe: Lane, server: str, usual: Pixels, hidden: str) -> None:
+def test_draws_without(llvmpipe: Lane, server: str, executor: Executor, usual: Pixels, hidden: str) -> None:
+    """The same picture, and the server's pixels; where a float32 target cannot be had that is asked for, a word."""
+    scene, size = load_preset("default").scene, (48, 27)
     with visit(llvmpipe, server, f"?hide={hidden}{STILL}", size=SIZE) as made:
         assert (made.picture() == usual).all()
         assert made.page.locator(".toast").count() == 0
+        for quality in (TIERS["standard"], UNFILTERED):
+            plan = make_plan(scene, quality)
+            if "EXT_color_buffer_float" in hidden and quality is UNFILTERED:
+                with pytest.raises(Error, match="EXT_color_buffer_float"):
+                    rendered(made.page, plan, time=2.7, size=size, camera=scene.camera)
+                continue
+            drawn = rendered(made.page, plan, time=2.7, size=size, camera=scene.camera).astype(int)
+            assert np.abs(drawn - draw(executor, plan, scene.camera, time=2.7, size=size)).max() <= 1
 
 
 def test_the_server_draws_where_no_picture_can_be_drawn(llvmpipe: Lane, server: str) -> None:
@@ -126,3 +144,54 @@ def test_a_link_cut_short_opens_what_is_left(llvmpipe: Lane, server: str, fragme
     with visit(llvmpipe, server, f"{fragment}&paused=1&quality=fast", size=SIZE) as made:
         assert made.state()["preset"] == "default"
         assert made.picture().std() > 5.0
+
+
+def drawn(made: Visit) -> NDArray[np.uint8]:
+    return rendered(made.page, "default", time=2.7, size=(160, 90), quality="fast")
+
+
+def lose(made: Visit) -> None:
+    made.page.evaluate("() => window.seafoam.loseContext()")
+    made.page.wait_for_function("() => window.seafoam.state().lost")
+    # The event that the page must hear comes later, in a task of its own.
+    made.page.locator(".toast", has_text="WebGL context lost").wait_for()
+
+
+def restore(made: Visit) -> None:
+    made.page.evaluate("() => window.seafoam.restoreContext()")
+    made.page.wait_for_function("() => !window.seafoam.state().lost && window.seafoam.state().pictures > 0")
+
+
+@pytest.mark.parametrize("split", [False, True], ids=["one picture", "two pictures"])
+def test_the_picture_comes_back(llvmpipe: Lane, server: str, split: bool) -> None:
+    parts = {"split": "/foam/look~textured~halftone~0.400"} if split else {}
+    with visit(llvmpipe, server, link(time=2.7, **parts), size=(400, 300)) as made:
+        frame, canvas = drawn(made), made.picture()
+        assert frame[..., :3].std() > 5.0
+        assert canvas.std() > 5.0
+        asked = made.state()
+        for _ in range(2):
+            lose(made)
+            restore(made)
+            made.settle()
+            assert made.page.evaluate("() => window.seafoam.state().pictures") == (2 if split else 1)
+            assert (made.picture() == canvas).all()
+            assert (drawn(made) == frame).all()
+        now = made.state()
+        assert {key: now[key] for key in ("camera", "time", "changes", "split")} == {
+            key: asked[key] for key in ("camera", "time", "changes", "split")
+        }
+
+
+def test_choices_made_meanwhile_are_drawn(llvmpipe: Lane, server: str) -> None:
+    with visit(llvmpipe, server, STILL, size=(400, 300)) as made:
+        made.follow(link(scene={"/foam/look": "textured"}))
+        want = made.picture()
+        made.follow(STILL)
+        assert (made.picture() != want).any()
+        lose(made)
+        made.page.evaluate("(fragment) => { location.hash = fragment; }", link(scene={"/foam/look": "textured"}))
+        made.frames(3)
+        restore(made)
+        made.settle()
+        assert (made.picture() == want).all()

@@ -1,14 +1,19 @@
-"""What a visitor transfers and sees until the water moves, on a slow network too, and the exact picture afterwards."""
+"""What a visitor transfers and sees until the water moves, by every start of Chromium, under the security policy."""
 
 import re
 from collections.abc import Iterator
 from contextlib import contextmanager
+from itertools import pairwise
 from typing import Any
 
-from playwright.sync_api import expect
+import numpy as np
+import pytest
+from playwright.sync_api import Page, Playwright, expect
 
 from support.browser.lanes import Lane
+from support.browser.starts import SPLIT, STARTS, Started, browser_started, opened
 from support.browser.visits import BLANK, Held, Visit, link, until, visit
+from support.sweep import REST
 
 MOST = 900_000
 """Bytes from navigation until the water moves, as they come over the network."""
@@ -111,3 +116,121 @@ def test_the_picture_stays_on_a_slow_network_and_the_last_choice_counts(small: V
     small.follow(link(scene={"/foam/look": "halftone"}))
     assert (small.picture() == halftone).all()
     assert (halftone != before).any()
+
+
+REPORTS = """
+window.blocked = [];
+document.addEventListener("securitypolicyviolation", ({ violatedDirective, blockedURI, sample }) =>
+  window.blocked.push([violatedDirective, blockedURI, sample].join(" ")));
+"""
+
+
+def blocked(page: Page) -> list[Any]:
+    """What the policy has blocked since the page opened."""
+    return page.evaluate("() => window.blocked")
+
+
+def test_the_page_needs_nothing_that_its_policy_forbids(llvmpipe: Lane, server: str) -> None:
+    with visit(llvmpipe, server, link(), settle=False, bypass_csp=False, size=(760, 700)) as made:
+        page = made.page
+        page.add_init_script(REPORTS)
+        page.reload(wait_until="load")
+        until(page, "() => window.seafoam?.state().settled === true")
+        page.get_by_role("button", name="Settings", exact=True).click()
+        light = page.locator("#settings").get_by_role("button", name="light", exact=True)
+        light.click()
+        # Tweakpane's own styles are in force.
+        folder = page.locator("#settings .tp-fldv").first
+        assert folder.evaluate("(folder) => getComputedStyle(folder).position") == "relative"
+        page.get_by_role("button", name="Compare side by side").click()
+        with page.expect_download() as download:
+            page.get_by_role("button", name="Save image as PNG").click()
+        assert download.value.suggested_filename.endswith(".png")
+        page.get_by_role("button", name="Accuracy benchmark").click()
+        page.locator("#accuracy.open").wait_for()
+        assert blocked(page) == []
+
+
+def test_the_policy_is_in_force_and_the_api_reference_needs_nothing_that_it_forbids(
+    llvmpipe: Lane, server: str
+) -> None:
+    with visit(llvmpipe, server, "docs", settle=False, bypass_csp=False) as made:
+        page = made.page
+        page.add_init_script(REPORTS)
+        page.reload(wait_until="load")
+        operation = page.locator(".opblock", has=page.locator("[data-path='/api/presets']"))
+        operation.wait_for()
+        operation.click()
+        page.get_by_role("button", name="Try it out").click()
+        page.get_by_role("button", name="Execute").click()
+        page.locator(".live-responses-table .response-col_status", has_text="200").wait_for()
+        assert blocked(page) == []
+        assert made.complaints == []
+        assert [url for _, url in made.asked if not url.startswith((server, "data:"))] == []
+        made.expected = "Content Security Policy"
+        page.evaluate("() => document.body.setAttribute('style', 'color: red')")
+        until(page, "() => window.blocked.length > 0")
+        assert "style-src-attr" in blocked(page)[0]
+
+
+USUAL = {
+    "default flags": "desktop",
+    "ANGLE on GL": "phone",
+    "SwiftShader": "phone",
+    "llvmpipe": "desktop",
+    "WebGL off": "phone",
+}
+"""The window that every run tries; the sweep has the other."""
+SOFTWARE = ("SwiftShader", "llvmpipe", "WebGL off")
+"""Starts that draw without a GPU on every machine."""
+CASES = [
+    pytest.param((start, window), id=f"{start}-{window}", marks=() if USUAL[start] == window else REST)
+    for start in STARTS
+    for window in ("desktop", "phone")
+]
+
+
+@pytest.fixture(params=CASES)
+def started(request: pytest.FixtureRequest, playwright: Playwright, server: str) -> Iterator[Started]:
+    start, window = request.param
+    with browser_started(playwright, start) as (browser, _), opened(browser, server, window) as made:
+        yield made
+        assert made.said() == []
+        if start in SOFTWARE:
+            assert {frame["by"] for frame in made.frames()} == {"server"}, "nothing is compiled that draws slowly"
+
+
+def test_the_water_moves_and_answers(started: Started) -> None:
+    page = started.page
+    page.wait_for_function("() => window.seafoam !== undefined")
+    page.evaluate("() => window.seafoam.ready")
+    pictures = [started.picture()]
+    for _ in range(2):
+        started.more_frames(4)
+        pictures.append(started.picture())
+    steps = [np.abs(a - b).mean() for a, b in pairwise(pictures)]
+    assert min(steps) > 0.2, "the pixels change from picture to picture"
+    began = page.evaluate("() => window.seafoam.state().camera")
+    started.drag_seconds()
+    assert page.evaluate("() => window.seafoam.state().camera") != began
+    readout = page.locator(".frame-stats").inner_text()
+    assert re.search(r"\b[1-9]\d* fps\b", readout), readout
+    assert " 0.0 ms" not in readout
+    drawer = started.frames()[-1]["by"]
+    assert ("server" in readout) == (drawer == "server")
+    size = [int(pixels) for pixels in re.findall(r"(\d+) × (\d+)", readout)[0]]
+    assert size in [[frame["width"], frame["height"]] for frame in started.frames()]
+
+
+@pytest.mark.parametrize("started", [pytest.param(("WebGL off", "phone"), id="WebGL off")], indirect=True)
+def test_play_leaves_no_message_and_without_a_divider_the_other_sides_stream_is_given_back(started: Started) -> None:
+    started.page.wait_for_function("() => window.seafoam !== undefined")
+    started.page.evaluate("() => window.seafoam.ready")
+    started.play(20.0)
+    started.more_frames(2)
+    assert "touches" in started.page.url or "split" in started.page.url
+    page = started.page
+    page.evaluate("(hash) => { location.hash = hash; }", f"#preset=default&split={SPLIT}")
+    page.locator(".served canvas").nth(1).wait_for()
+    with page.expect_request(lambda request: request.method == "DELETE" and "/api/streams/" in request.url):
+        page.evaluate("(hash) => { location.hash = hash; }", "#preset=default")

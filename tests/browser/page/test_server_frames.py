@@ -21,14 +21,20 @@ ADDRESS = link(preset="paper-threshold", time=1.0)
 FRAMES, PRESETS = "**/api/frames", "**/api/presets/*"
 
 
-@pytest.fixture
-def served(llvmpipe: Lane, server: str) -> Iterator[Visit]:
-    """A page whose browser has no WebGL 2, paused."""
+@pytest.fixture(scope="module")
+def shared_served(llvmpipe: Lane, server: str) -> Iterator[Visit]:
     with visit(llvmpipe, server, BLANK, size=SIZE, settle=False, reduced_motion="reduce") as made:
         made.page.add_init_script(NO_WEBGL)
         made.page.goto(f"{server}/{ADDRESS}")
         made.settle()
         yield made
+
+
+@pytest.fixture
+def served(shared_served: Visit) -> Visit:
+    """A page whose browser has no WebGL 2, paused."""
+    shared_served.start_again(ADDRESS)
+    return shared_served
 
 
 def shown(made: Visit) -> Pixels:

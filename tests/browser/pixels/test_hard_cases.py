@@ -1,21 +1,16 @@
 """Every effect's hard cases in a real browser: the server's pixels on its renderer, sound pictures on another."""
 
-from collections.abc import Iterator
-from typing import Any
-
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from playwright.sync_api import Error, Page
+from playwright.sync_api import Page
 
 from seafoam.effects import EFFECTS
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from support.browser.lanes import Lane, opened, rendered
-from support.browser.visits import STILL, visit
+from support.browser.lanes import rendered
 from support.cases import HardCase, cases_of
-from support.exact import UNFILTERED
 from support.pictures import draw
 from support.report import REPORT
 from support.scenes import Camera, Scene, load_preset
@@ -29,26 +24,15 @@ HARD = {"mean": 3.0, "share_over_2": 0.06}
 SOFT = {"mean": 1.5, "share_over_2": 0.04}
 """What SwiftShader may differ by, as for the presets (test_parity.py); but soft
 looks get a mean of 1.5 and a share of 4 %, 52 of 48 × 27 pixels, for steep crests and waves of 5 cm."""
-HIDDEN = [
-    "OES_texture_float_linear",
-    "EXT_float_blend",
-    "EXT_color_buffer_float",
-    "EXT_color_buffer_half_float",
-    "OES_texture_float_linear,OES_texture_half_float_linear,EXT_float_blend,EXT_color_buffer_float",
-]
 
 
 def off(
-    page: Page, executor: Executor, scene: Scene, camera: Camera | None = None, time: float = 2.7, **how: Any
+    page: Page, executor: Executor, scene: Scene, camera: Camera, time: float = 2.7, size: tuple[int, int] = SIZE
 ) -> Pictures:
     """The page's frame, the server's, and the largest difference of each pixel."""
-    plan, seen, size = (
-        make_plan(scene, how.get("quality", TIERS["standard"])),
-        camera or scene.camera,
-        how.get("size", SIZE),
-    )
-    got = rendered(page, plan, time=time, size=size, camera=seen)
-    want = draw(executor, plan, seen, time=time, size=size)
+    plan = make_plan(scene, TIERS["standard"])
+    got = rendered(page, plan, time=time, size=size, camera=camera)
+    want = draw(executor, plan, camera, time=time, size=size)
     return got, want, np.abs(got.astype(int) - want.astype(int)).max(axis=-1)
 
 
@@ -64,14 +48,8 @@ def test_same_pixels_on_the_same_renderer(page: Page, executor: Executor, case: 
 
 @pytest.mark.parametrize("size", [(1, 1), (1, 4096), (4096, 1), (47, 27)], ids=str)
 def test_sizes(page: Page, executor: Executor, size: tuple[int, int]) -> None:
-    assert same(off(page, executor, load_preset("default").scene, size=size)[2])
-
-
-@pytest.fixture(scope="module")
-def other(swiftshader: Lane, server: str) -> Iterator[Page]:
-    made = opened(swiftshader, server)
-    yield made
-    made.close()
+    scene = load_preset("default").scene
+    assert same(off(page, executor, scene, scene.camera, size=size)[2])
 
 
 @pytest.mark.parametrize("case", rested(CASES, 26))
@@ -96,16 +74,3 @@ def test_sound_on_another_renderer(other: Page, executor: Executor, case: HardCa
         if not case.coarse_apart:
             assert mean <= allowed["mean"]
             assert over <= (allowed["share_over_2"] if case.coarse_share is None else case.coarse_share)
-
-
-@pytest.mark.parametrize("hidden", HIDDEN)
-def test_without_extensions(llvmpipe: Lane, server: str, executor: Executor, hidden: str) -> None:
-    """The same pixels without them; where a float32 target is called for and cannot be had, a plain word."""
-    scene = load_preset("default").scene
-    with visit(llvmpipe, server, f"?hide={hidden}{STILL}", size=(320, 180)) as made:
-        assert same(off(made.page, executor, scene)[2])
-        if "EXT_color_buffer_float" in hidden:
-            with pytest.raises(Error, match="EXT_color_buffer_float"):
-                off(made.page, executor, scene, quality=UNFILTERED)
-        else:
-            assert off(made.page, executor, scene, quality=UNFILTERED)[2].max() <= 1

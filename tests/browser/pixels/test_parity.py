@@ -1,6 +1,5 @@
 """The browser's frames against the server's: same text, same pixels on the same Mesa; a stated tolerance elsewhere."""
 
-from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -12,7 +11,7 @@ from seafoam.framegraph.visibility import applies_to, eye_of
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, SurfaceQuality, Tier
 from seafoam.render.gl.executor import Executor
-from support.browser.lanes import Lane, opened, rendered
+from support.browser.lanes import rendered
 from support.exact import UNFILTERED
 from support.pictures import draw
 from support.report import REPORT
@@ -108,13 +107,6 @@ def test_the_driver_gets_the_text_of_the_plan(page: Page, preset: str) -> None:
     assert answer["sources"] == {
         name: {"vertex": one.vertex.sha256, "fragment": one.fragment.sha256} for name, one in programs.items()
     }
-
-
-@pytest.fixture(scope="module")
-def other(swiftshader: Lane, server: str) -> Iterator[Page]:
-    made = opened(swiftshader, server)
-    yield made
-    made.close()
 
 
 @pytest.mark.parametrize(("preset", "time"), crossed(preset_names(), ELSEWHERE, len(ELSEWHERE), 10, 1))

@@ -1,4 +1,4 @@
-"""Passes after surface and sky: points, blended, laid over the picture alike on the server and in Chromium."""
+"""Passes beside surface and sky, alike on the server and in Chromium: points, and the atlas of a mask."""
 
 from pathlib import Path
 
@@ -8,13 +8,20 @@ from playwright.sync_api import Page
 
 from seafoam.effects import EFFECTS
 from seafoam.effects.effect import ABOVE, Contribution, Effect, PassSpec
-from seafoam.framegraph.passes import Blend, Points
+from seafoam.effects.shader import Inline
+from seafoam.framegraph.passes import Blend, Fullscreen, Pass, Points
+from seafoam.framegraph.resources import TargetInput, Texture, TextureInput
+from seafoam.framegraph.shader import Program
 from seafoam.planner import FramePlan, make_plan, planner
+from seafoam.planner.glsl import assemble
 from seafoam.quality import TIERS, Quality
 from seafoam.render.gl.executor import Executor
+from seafoam.textures.masks import MaskTexture
+from seafoam.textures.store import texture, url_of
 from support.browser.lanes import rendered
 from support.pictures import draw
-from support.scenes import Camera, Light, Scene
+from support.probe import WHOLE
+from support.scenes import Camera, Foam, HeightSaturation, Light, Scene
 
 SIZE = (32, 16)
 FILES = Path(__file__).parents[2] / "support" / "stages"
@@ -74,3 +81,47 @@ def test_a_scene_without_such_passes_is_drawn_at_once() -> None:
     plan = make_plan(SCENE, TIERS["standard"])
     assert "compose" not in plan.programs
     assert set(plan.targets) == {"samples", "enlarged"}
+
+
+COMPARE = Inline("""uniform usampler2D u_drawn;
+uniform usampler2D u_made;
+out vec4 o_color;
+void main() {
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    uvec2 drawn = texelFetch(u_drawn, at, 0).rg;
+    bool same = drawn == texelFetch(u_made, at, 0).rg;
+    o_color = vec4(same ? 0.0 : 1.0, float(drawn.x & 255u) / 255.0, float(drawn.y & 255u) / 255.0, 1.0);
+}
+""")
+
+
+def comparing(mask: str) -> FramePlan:
+    """A plan whose picture is red where the drawn atlas is not the one of the server's resource."""
+    foam = Foam(saturation=(HeightSaturation(base=-1.0, full=1.0),), look="filtered", mask=mask)
+    plan = make_plan(Scene(foam=foam, light=None), TIERS["standard"])
+    spec = MaskTexture(masks=(mask,), table="atlas")
+    made = texture(spec)
+    read = {"u_drawn": TargetInput(target="mask_atlas"), "u_made": TextureInput(texture="made")}
+    how = {"when": "frame", "program": "compare", "target": "screen", "mesh": Fullscreen()}
+    size = {"width": made.width, "height": made.height, "levels": 1}
+    resource = {"url": url_of(spec), "sha256": made.sha256, "format": made.format, **size}
+    parts = {
+        "passes": (*(one for one in plan.passes if one.when == "setup"), Pass(name="compare", inputs=read, **how)),
+        "programs": {**plan.programs, "compare": Program(vertex=WHOLE, fragment=assemble([COMPARE], {}))},
+        "textures": {**plan.textures, "made": Texture(**resource, filter="nearest", wrap="repeat")},
+    }
+    return plan.model_copy(update=parts)
+
+
+@pytest.mark.parametrize("mask", ["vac-24", "clump"])
+@pytest.mark.parametrize("renderer", ["page", "other"])
+def test_the_drawn_atlas_is_the_made_one(
+    renderer: str, mask: str, executor: Executor, request: pytest.FixtureRequest
+) -> None:
+    page: Page = request.getfixturevalue(renderer)
+    plan, camera = comparing(mask), Camera()
+    size = (plan.textures["made"].width, plan.textures["made"].height)
+    pixels = rendered(page, plan, time=0.0, size=size, camera=camera)
+    assert not pixels[..., 0].any()
+    assert pixels[:, :512, 1].std() > 50.0
+    assert np.array_equal(pixels, draw(executor, plan, camera, time=0.0, size=size))

@@ -176,9 +176,9 @@ def test_without_webgl_the_picture_stands(llvmpipe: Lane, server: str) -> None:
 
 
 @pytest.mark.parametrize("address", [LEARN + "/", LABORATORY])
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_pages_fit_a_phone(llvmpipe: Lane, server: str, address: str, scheme: str) -> None:
-    phone: dict[str, Any] = {"has_touch": True, "is_mobile": True, "color_scheme": scheme, "reduced_motion": "reduce"}
+def test_pages_fit_a_phone(llvmpipe: Lane, server: str, address: str) -> None:
+    """What their colours must be, axe says (test_accessibility.py)."""
+    phone: dict[str, Any] = {"has_touch": True, "is_mobile": True, "reduced_motion": "reduce"}
     with opened(llvmpipe, f"{server}/{address}", PHONE, **phone) as page:
         if address == LABORATORY:
             page.locator("#strips[data-live=true]").wait_for()
@@ -188,18 +188,6 @@ def test_pages_fit_a_phone(llvmpipe: Lane, server: str, address: str, scheme: st
         assert page.evaluate("() => document.documentElement.scrollWidth") <= PHONE[0]
         small = [one for one in page.evaluate(TARGETS) if one[2] < FINGER]
         assert small == []
-        contrast = page.evaluate(
-            """() => {
-              const bright = (color) => {
-                const [r, g, b] = color.match(/[\\d.]+/g).map((c) => (c / 255) ** 2.2);
-                return 0.2126 * r + 0.7152 * g + 0.0722 * b;
-              };
-              const ground = bright(getComputedStyle(document.body).backgroundColor);
-              const text = bright(getComputedStyle(document.querySelector('header p')).color);
-              return (Math.max(ground, text) + 0.05) / (Math.min(ground, text) + 0.05);
-            }"""
-        )
-        assert contrast >= 4.5
 
 
 def test_the_laboratory_is_in_its_address(llvmpipe: Lane, server: str) -> None:

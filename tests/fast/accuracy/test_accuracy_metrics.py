@@ -1,9 +1,16 @@
-"""Errors of pictures that were made so that the answer is known."""
+"""Measures of pictures that were made so that the answer is known."""
+
+import math
 
 import numpy as np
 import pytest
+from bench.drawn.motion import excess, flicker
+from docs.whitecaps_measure import Rule, awe_coverage, grey, levelled
+from numpy.typing import NDArray
+from scipy.ndimage import gaussian_filter
 
 from seafoam.accuracy import metrics
+from support.report import Report
 
 
 def picture(value=0.5, coverage=0.0, size=(40, 60)):
@@ -51,3 +58,84 @@ def test_popping_is_the_worst_loss_of_living_foam():
     assert metrics.popping(frames[2:]) == pytest.approx(0.1)
     assert metrics.popping(frames[1:2]) is None
     assert metrics.popping([picture(), picture(coverage=1.0)]) is None
+
+
+Frames = list[NDArray[np.float64]]
+
+
+def pan(step: float, count: int = 12) -> Frames:
+    """A wave of 32 pixels that moves by so many a frame."""
+    x = np.arange(64.0)
+    return [np.tile(0.5 + 0.5 * np.sin(2.0 * math.pi * (x - step * i) / 32.0), (16, 1)) for i in range(count)]
+
+
+def specks(share: float, count: int = 12) -> Frames:
+    """Still grey, in which every frame another share of the pixels is white."""
+    random = np.random.default_rng(2)
+    return [np.where(random.uniform(size=(64, 64)) < share, 1.0, 0.5) for _ in range(count)]
+
+
+def test_a_smooth_pan_scores_low_popping_high_and_what_stays_or_fades_evenly_nothing() -> None:
+    smooth, popped = flicker(pan(0.1)), flicker(specks(0.05))
+    assert smooth < 0.1
+    assert popped > 100.0 * smooth
+    still = np.random.default_rng(1).uniform(size=(8, 9))
+    assert flicker([still] * 4) == 0.0
+    assert flicker([0.1 * i * still for i in range(6)]) < 1e-9
+
+
+def test_flicker_is_the_high_pass_it_says() -> None:
+    """A pan at f cycles a frame: 4 sin²(πf) times the wave's root mean square."""
+    for step in (0.5, 2.0, 8.0):
+        wanted = 255.0 * 4.0 * math.sin(math.pi * step / 32.0) ** 2 * 0.5 / math.sqrt(2.0)
+        assert flicker(pan(step)) == pytest.approx(wanted, rel=1e-9)
+    frames = [np.zeros((4, 4)) for _ in range(5)]
+    frames[2] = np.full((4, 4), 0.1)
+    assert flicker(frames) == pytest.approx(25.5 * math.sqrt(6.0 / 3.0))
+
+
+def test_excess_is_over_the_truth() -> None:
+    assert excess(pan(2.0), pan(2.0)) == 1.0
+    noisy = [frame + 0.2 * pops[:16] for frame, pops in zip(pan(2.0), specks(0.2), strict=True)]
+    assert excess(noisy, pan(2.0)) > 2.0
+    assert np.isfinite(excess(specks(0.1), [np.zeros((64, 64))] * 12))
+
+
+SIZE = (480, 640)
+
+
+def photograph(coverage: float, seed: int, water: float = 0.35, foam: float = 0.85) -> NDArray[np.uint8]:
+    """Grey water with noise of all sizes, and blobs of uneven foam over so much of it, edges a pixel wide."""
+    random = np.random.default_rng(seed)
+    smooth = gaussian_filter(random.normal(size=SIZE), 12.0)
+    level = np.quantile(smooth, 1.0 - coverage) if coverage > 0.0 else np.inf
+    share = gaussian_filter((smooth > level).astype(np.float64), 0.7)
+    sea = water + 0.03 * random.normal(size=SIZE) + 0.02 * np.linspace(1.0, -1.0, SIZE[0])[:, None]
+    white = foam + 0.06 * random.normal(size=SIZE)
+    return np.round(255.0 * np.clip(sea + share * (white - sea), 0.0, 1.0)).astype(np.uint8)
+
+
+@pytest.mark.parametrize("coverage", [0.005, 0.02, 0.08, 0.25])
+@pytest.mark.parametrize("rule", ["program", "least"])
+def test_awe_finds_a_known_coverage(report: Report, coverage: float, rule: Rule) -> None:
+    found = awe_coverage([photograph(coverage, seed) for seed in range(4)], rule)
+    report.add(
+        "AWE on synthetic photographs",
+        rule=rule,
+        coverage=f"{100 * coverage:.2f} %",
+        found=" ".join(f"{100 * share:.2f}" for share in found),
+    )
+    assert np.abs(found / coverage - 1.0).max() <= 0.2
+
+
+@pytest.mark.parametrize("coverage", [0.02, 0.08])
+def test_awe_finds_a_known_coverage_on_a_slope(coverage: float) -> None:
+    """Under light that falls to 0.4 from the top to the bottom AWE misses; levelled it finds what is there."""
+    slope = np.linspace(1.15, 0.45, SIZE[0])[:, None]
+    found = []
+    for seed in range(4):
+        lit = np.clip(photograph(coverage, seed) / 255.0 * slope, 0.0, 1.0)
+        picture = np.repeat(np.round(255.0 * lit).astype(np.uint8)[..., None], 3, axis=2)
+        found.append([float(awe_coverage([image])[0]) / coverage for image in (grey(picture), levelled(picture))])
+    plain, levels = np.abs(np.array(found) - 1.0).max(axis=0)
+    assert levels <= 0.2 < plain

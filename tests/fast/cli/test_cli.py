@@ -5,7 +5,9 @@ import json
 import logging
 import os
 import signal
+import time
 from functools import partial
+from types import SimpleNamespace
 
 import numpy as np
 import OpenEXR
@@ -13,6 +15,7 @@ import pytest
 from PIL import Image
 
 from seafoam import doctor
+from seafoam.accuracy import sweep
 from seafoam.api.watch.logs import not_a_probe
 from seafoam.doctor import Finding
 from seafoam.masks.catalogue import load_mask
@@ -22,7 +25,9 @@ from seafoam.planner import make_plan
 from seafoam.planner.glsl import read_file
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import NoRendererError
+from seafoam.render.service import jobs
 from seafoam.scene.presets import load_preset, preset_names
+from support.accuracy_rigs import grey_truth, noisy
 from support.api_fakes import FakeRenderer
 
 
@@ -195,3 +200,100 @@ def test_health_checks_and_frames_of_streams_are_not_logged():
     logged = {("/api/presets", 200), (frame, 504), ("/api/streams", 201)}
     silent = {("/healthz", 200), ("/readyz", 503), ("/metrics", 200), (frame, 200), (frame, 204)}
     assert {each for each in logged | silent if kept(*each)} == logged
+
+
+@pytest.fixture
+def rigged(seafoam, monkeypatch, tmp_path):
+    """The command on a renderer whose times and errors are known."""
+    monkeypatch.setenv("SEAFOAM_CACHE", str(tmp_path / "cache"))
+    monkeypatch.setattr(sweep, "make_truth", grey_truth)
+    monkeypatch.setattr("seafoam.render.service.jobs.measure", lambda executor, job: noisy().measure(job))
+    return seafoam
+
+
+SMALL = ("--size", "32x18", "--rounds", "2", "--samples", "2")
+
+
+def test_accuracy_writes_every_form(rigged, tmp_path):
+    files = {"-o": "a.png", "--json": "a.json", "--csv": "a.csv", "--html": "a.html"}
+    options = [part for option, name in files.items() for part in (option, tmp_path / name)]
+    code, out, err = rigged("accuracy", "default", *SMALL, *options)
+    assert code == 0, err
+    assert "samples=4" in out
+    assert "× the time buys" in out
+    found = json.loads((tmp_path / "a.json").read_text())
+    assert found["preset"] == "default"
+    assert (tmp_path / "a.png").read_bytes().startswith(b"\x89PNG")
+    assert (tmp_path / "a.csv").read_text().startswith("id,")
+    assert "seafoam accuracy default --size 32x18" in (tmp_path / "a.html").read_text()
+
+
+def test_accuracy_says_by_which_clock_it_timed(rigged, tmp_path):
+    for clock in ("wall", "processor"):
+        code, _, err = rigged("accuracy", "paper-threshold", *SMALL, "--timer", clock, "--json", tmp_path / "a.json")
+        assert code == 0, err
+        assert json.loads((tmp_path / "a.json").read_text())["timing"]["timer"] == clock
+
+
+@pytest.mark.parametrize(("clock", "seconds"), [("wall", 0.5), ("processor", 2.0)])
+def test_a_measurement_is_timed_by_the_clock_that_is_asked_for(monkeypatch, clock, seconds):
+    scene = load_preset("paper-threshold").scene
+    drawn = SimpleNamespace(pixels=np.zeros((9, 16, 4), np.uint8), timings={"render": 0.5, "read": 0.25})
+    renderer = SimpleNamespace(render=lambda plan, **asked: drawn)
+    monkeypatch.setattr(time, "process_time", iter((1.0, 3.0)).__next__)
+    asked = jobs.MeasureJob(scene, TIERS["fast"], 0.0, scene.camera, (jobs.Draw(16, 9, "rgba8"),), clock)
+    assert [one.seconds for one in jobs.measure(renderer, asked)] == [seconds]
+
+
+def test_accuracy_of_all_presets_fills_folders(rigged, monkeypatch, tmp_path):
+    monkeypatch.setattr("seafoam.scene.presets.preset_names", lambda: ("paper-halftone", "paper-threshold"))
+    code, _, err = rigged("accuracy", "--all", *SMALL, "--csv", tmp_path / "reports")
+    assert code == 0, err
+    assert {path.stem for path in (tmp_path / "reports").iterdir()} == {"paper-halftone", "paper-threshold"}
+
+
+def test_render_picks_a_quality_for_a_budget(rigged, tmp_path):
+    asked = ("--size", "32x18", "--quality", "auto", "--budget-ms", "4")
+    code, out, err = rigged("render", "paper-threshold", "-o", tmp_path / "a.png", *asked)
+    assert code == 0, err
+    assert "predicted" in out.splitlines()[-1]
+    assert "of 4 ms at 32 x 18" in out.splitlines()[-1]
+
+
+SHORT = ("sequence", "paper-halftone", "--stop", "0.25", "--start", "0", "--size", "24x16", "--quality", "fast", "-o")
+
+
+@pytest.mark.parametrize("name", ["run", "a.webp", "a.mp4", "a.ZIP"])
+def test_it_writes_what_the_name_says_into_a_folder_that_it_makes(seafoam, tmp_path, name):
+    code, out, err = seafoam(*SHORT, tmp_path / "new" / name)
+    assert (code, err) == (0, "")
+    assert f"{name}: 6 frames of 24 × 16 at 24 a second; gradient" in out
+    assert [each.name for each in (tmp_path / "new").iterdir()] == [name]
+
+
+def test_it_goes_on(seafoam, tmp_path):
+    run = (*SHORT, tmp_path / "run")
+    assert seafoam(*run)[0] == 0
+    (tmp_path / "run" / "frame-000002.png").unlink()
+    assert "5 of them were there" in seafoam(*run)[1]
+    code, _, err = seafoam(*run, "--fps", "30")
+    assert code == 2
+    assert "differs in fps" in err
+    assert "--again" in err
+    assert seafoam(*run, "--fps", "30", "--again")[0] == 0
+
+
+def test_interrupted(seafoam, tmp_path, monkeypatch):
+    render = FakeRenderer.render
+
+    def interrupted(self, plan, *, time, **options):
+        if time > 0.1:
+            raise KeyboardInterrupt
+        return render(self, plan, time=time, **options)
+
+    with monkeypatch.context() as patched:
+        patched.setattr(FakeRenderer, "render", interrupted)
+        code, _, err = seafoam(*SHORT, tmp_path / "run")
+    assert code == 130
+    assert "goes on" in err
+    assert "3 of them were there" in seafoam(*SHORT, tmp_path / "run")[1]

@@ -1,16 +1,21 @@
-"""Consoles of other encodings, and names with control characters: readable text, exit code 0."""
+"""The command's process: what it imports, where it listens, and what consoles show."""
 
+import errno
 import json
 import os
 import re
+import socket
 import subprocess
 from pathlib import Path
+from unittest.mock import Mock
 
 import pytest
 
 from seafoam.api.app import create_app
-from seafoam.cli.support import spelt
-from support.command import COMMAND, run
+from seafoam.cli import listening
+from seafoam.cli.listening import listen
+from seafoam.cli.support import CommandError, spelt
+from support.command import COMMAND, imported, run
 from support.sweep import crossed
 
 PLAIN_LOCALE = {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONIOENCODING": ""}
@@ -68,3 +73,89 @@ def test_what_cannot_be_shown_is_spelt() -> None:
     }
     for text, shown in plain.items():
         assert "".join(c if c.isascii() else spelt(UnicodeEncodeError("ascii", c, 0, 1, ""))[0] for c in text) == shown
+
+
+WITH_IPV6 = pytest.mark.skipif(not os.path.exists("/proc/net/if_inet6"), reason="this machine has no IPv6")
+
+
+@pytest.mark.parametrize(
+    ("host", "url", "reached"),
+    [
+        ("127.0.0.1", "http://127.0.0.1:", ["127.0.0.1"]),
+        ("localhost", "http://localhost:", ["127.0.0.1"]),
+        ("", "http://127.0.0.1:", ["127.0.0.1"]),
+        ("0.0.0.0", "http://127.0.0.1:", ["127.0.0.1"]),
+        pytest.param("::1", "http://[::1]:", ["::1"], marks=WITH_IPV6),
+        pytest.param("[::1]", "http://[::1]:", ["::1"], marks=WITH_IPV6),
+        pytest.param("::", "http://127.0.0.1:", ["127.0.0.1", "::1"], marks=WITH_IPV6),
+    ],
+)
+def test_both_versions_of_ip(host: str, url: str, reached: list[str]) -> None:
+    server, address = listen(host, 0)
+    with server:
+        port = server.getsockname()[1]
+        assert address == f"{url}{port}"
+        for place in reached:
+            socket.create_connection((place, port), timeout=5).close()
+
+
+def test_the_advice_fits_the_error(monkeypatch: pytest.MonkeyPatch) -> None:
+    for code, advice in {
+        errno.EADDRINUSE: "choose another port with --port",
+        errno.EACCES: "ports below 1024",
+        errno.EADDRNOTAVAIL: "no such address",
+        errno.EAFNOSUPPORT: "no IPv6",
+        errno.ENOBUFS: "--host or port with --port",
+    }.items():
+        monkeypatch.setattr(listening.socket, "create_server", Mock(side_effect=OSError(code, "why")))
+        with pytest.raises(CommandError) as refused:
+            listen("::1", 80)
+        assert refused.value.exit_code == 1
+        assert str(refused.value).startswith(f"cannot listen on [::1]:80: {os.strerror(code)}; ")
+        assert advice in str(refused.value)
+
+
+def test_addresses_of_others_of_zones_and_unknown_names() -> None:
+    with pytest.raises(CommandError, match=r"cannot listen on 192\.0\.2\.1:9: .*no such address.*--host"):
+        listen("192.0.2.1", 9)
+    for host in ("no.such.invalid", "a..b", "999.1.1.1", "::1::"):
+        with pytest.raises(CommandError, match="neither an address nor a name"):
+            listen(host, 0)
+    assert listening._authority("fe80::1%eth0", 80) == "[fe80::1%25eth0]:80"
+
+
+HELP = "from seafoam.cli import main; main(['--help'])"
+RENDER = """
+from seafoam.cli import app, frames
+from seafoam.planner import make_plan
+from seafoam.quality import TIERS
+from seafoam.scene.presets import load_preset
+make_plan(load_preset("default").scene, TIERS["standard"])
+"""
+"""What `seafoam render` does before it draws."""
+HEAVY = {
+    "IPython", "OpenEXR", "PIL", "anywidget", "asyncio", "av", "distributed", "fastapi", "isal", "matplotlib",
+    "moderngl", "multiprocessing", "numpy", "opentelemetry", "pebble", "prometheus_client", "pydantic",
+    "pydantic_settings", "rich", "scipy", "starlette", "typer", "uvicorn",
+}  # fmt: skip
+"""Packages that take long to import, or that only some uses need."""
+
+
+@pytest.mark.parametrize(
+    ("code", "packages", "most"),
+    [
+        ("import seafoam", set(), 40),
+        (HELP, {"typer", "rich"}, 300),
+        (RENDER, {"typer", "pydantic", "numpy", "moderngl", "isal"}, 580),
+    ],
+    ids=["import", "help", "render"],
+)
+def test_a_start_imports_little(code: str, packages: set[str], most: int) -> None:
+    found = imported(code)
+    assert {name.partition(".")[0] for name in found} & HEAVY <= packages
+    assert len(found) <= most, f"{len(found)} modules"
+
+
+def test_parts_that_a_frame_does_not_need_are_not_imported() -> None:
+    others = ("seafoam.accuracy", "seafoam.reference", "seafoam.sequences", "seafoam.library", "seafoam.notebook")
+    assert [name for name in imported(RENDER) if name.startswith(others)] == []

@@ -1,19 +1,28 @@
-"""Plans of presets at every tier (half of them without the sweep): whole, with nothing that a scene has not, and drawn
-as often as need be.
-"""
+"""Plans of presets and of test scenes: whole, cheap, with nothing that a scene has not, drawn as often as needed."""
 
+import json
 import re
-from itertools import product
+from collections.abc import Iterator
+from itertools import combinations, product
+from pathlib import Path
 
 import pytest
 
+import seafoam
+from seafoam.effects import EFFECTS
+from seafoam.framegraph.resources import FixedSize
 from seafoam.framegraph.rules import COMPONENTS
 from seafoam.framegraph.shader import declared_uniforms
 from seafoam.planner import FramePlan, make_plan
+from seafoam.planner.glsl import read_file
 from seafoam.quality import TIERS
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene.water import Water
 from seafoam.textures.store import spec_of, texture, url_of
+from support.cases import HardCase, cases_of
+from support.exact import EXACT
+from support.hard.cases import HARD, QUALITIES
 from support.sweep import REST
 
 ONCE = ("shore: ", "mask: ", "wakes, ", "standing waves, ", "flow of drift", "drift, parts of", "drift, two ")
@@ -95,3 +104,73 @@ def test_textures_are_described_by_their_addresses_alone(plan: FramePlan) -> Non
         made = texture(spec)
         for field in ("sha256", "format", "width", "height", "levels"):
             assert getattr(made, field) == getattr(entry, field), (entry.url, field)
+
+
+FIGURES = json.loads((Path(__file__).parents[3] / "bench/compiler.json").read_text(encoding="utf-8"))["figures"]
+BOUNDS = {
+    ("storm", "fast"): 460,
+    ("storm", "standard"): 1220,
+    ("boat-in-storm", "fast"): 430,
+    ("open-ocean", "fast"): 345,
+    ("open-ocean", "standard"): 1110,
+}
+"""Millions. Before passes drew into layers: 1243, 1862, 1149, 784 and 1468, most of a moving `storm` without a GPU."""
+
+
+@pytest.mark.parametrize(("preset", "tier"), BOUNDS)
+def test_what_is_drawn_at_any_size_stays_cheap(preset: str, tier: str) -> None:
+    plan = make_plan(load_preset(preset).scene.settled, TIERS[tier])
+    total = 0
+    for drawn in plan.passes:
+        target = plan.targets.get(drawn.target)
+        if drawn.when == "frame" and target is not None and isinstance(target.size, FixedSize):
+            total += target.size.width * target.size.height * FIGURES[f"{preset} {tier} {drawn.program}"][0]
+    assert total <= 1e6 * BOUNDS[preset, tier]
+
+
+def test_every_effect_has_hard_cases_and_says_when_it_cannot_be_seen() -> None:
+    for effect in EFFECTS:
+        found = cases_of(effect)
+        assert found.hard, f"{effect.name} declares no hard case"
+        assert bool(found.invisible) != bool(found.always_visible), effect.name
+    for effect, case in HARD:
+        assert all((case.guard, case.times)), case.name
+        assert effect.contribute(case.scene, EXACT) is not None, f"{case.name} does not call for {effect.name}"
+    assert not [one.name for (_, one), (_, other) in combinations(HARD, 2) if one.name == other.name]
+
+
+def misplaced(case: HardCase) -> Iterator[str]:
+    """What is not so of the files that a guard names: a guard in a shader that is not drawn guards nothing."""
+    named = re.findall(r"[\w/]+\.(?:glsl(?:@\w+)?|py)", case.guard)
+    modules = [name for name in named if name.endswith(".py")]
+    for name in modules:
+        if not any(Path(seafoam.__file__).parent.rglob(name)):
+            yield f"{case.name}: no file {name}"
+    for name in set(named) - set(modules):
+        assert read_file(name)
+    if named and not modules:
+        plans = (make_plan(case.scene, quality) for quality in QUALITIES.values())
+        shaders = (shader for plan in plans for one in plan.programs.values() for shader in (one.vertex, one.fragment))
+        if not any(file.path in named for shader in shaders for file in shader.files):
+            yield f"{case.name}: none of {named} is drawn"
+
+
+def test_guards_stand_where_they_are_said_to() -> None:
+    assert [fault for _, case in HARD for fault in misplaced(case)] == []
+
+
+def test_a_bound_that_is_not_small_keeps_the_effect_and_what_it_hangs_on_is_not_live() -> None:
+    """Some preset shows each effect, so leaving it out is not the rule; what only visitors add, a variant shows."""
+    finer = TIERS["standard"].model_copy(update={"foam_relief": True})
+    scenes = [load_preset(name).scene for name in preset_names()]
+    assert not any(scene.touches for scene in scenes)
+    for effect in EFFECTS:
+        if effect.fields == ("/touches",):
+            scenes += cases_of(effect).variants
+    shown = {note.name for scene in scenes for note in make_plan(scene, finer).effects}
+    assert {effect.name for effect in EFFECTS} <= shown
+    # Raising the exposure may bring back what the plan left out, so the page must ask for a new plan.
+    deep = make_plan(Scene(water=Water(depth=500.0)), TIERS["standard"])
+    assert "floor" in {note.name for note in deep.skipped}
+    assert "/light/exposure" not in deep.live
+    assert "/light/visibility" in deep.live

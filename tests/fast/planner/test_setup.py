@@ -1,16 +1,22 @@
-"""Passes that are drawn once: which they are, and what their targets hang on."""
+"""Which passes a picture needs: those that are drawn once, and those that are in view."""
+
+import json
+import math
+from pathlib import Path
 
 import pytest
 
 from seafoam.effects.shader import Inline
-from seafoam.framegraph.passes import Fullscreen, Pass, Points, State
+from seafoam.framegraph.passes import BoundingSphere, Fullscreen, Pass, Points, State
 from seafoam.framegraph.resources import Target, TargetInput, ViewportSize
 from seafoam.framegraph.rules import Clamp, Loop, Phase, Rule, Uniform, Viewport, Wrap, number
 from seafoam.framegraph.shader import Program
+from seafoam.framegraph.visibility import drawn_passes, in_view
 from seafoam.planner import make_plan
 from seafoam.planner.glsl import assemble
 from seafoam.planner.schedule import with_setup
 from seafoam.quality import TIERS
+from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 from support.probe import WHOLE
@@ -116,3 +122,32 @@ def test_plans_share_what_hangs_on_the_same() -> None:
     assert len({kept(), kept(smoothing=9.0), kept(level=0.1), kept(size=400.0)}) == 4
     finer = STANDARD.model_copy(update={"shore_map": 128})
     assert make_plan(scene, finer).kept["shore_smooth"] != kept()
+
+
+GOLDEN = json.loads((Path(__file__).parents[2] / "golden" / "views.json").read_text(encoding="utf-8"))
+PRESETS = {(entry["preset"], entry["tier"]): entry for entry in GOLDEN}
+
+
+@pytest.mark.parametrize(("preset", "tier"), PRESETS)
+def test_pinned_views_are_those_of_today(preset: str, tier: str) -> None:
+    plan = make_plan(load_preset(preset).scene, TIERS[tier])
+    for picture in PRESETS[preset, tier]["pictures"]:
+        drawn = drawn_passes(
+            plan, Camera.model_validate(picture["camera"]), picture["width"], picture["height"], "screen"
+        )
+        assert [[index, shows] for index, shows in drawn.items()] == picture["drawn"]
+
+
+def test_spheres_are_seen_where_they_touch_the_picture() -> None:
+    camera = Camera(position=(1.0, 2.0, 3.0), pitch=0.0, fov=math.pi / 2)
+    for centre, radius, seen in (
+        ((1.0, 2.0, -7.0), 0.0, True),
+        ((1.0, 2.0, 4.0), 0.5, False),
+        ((1.0, 2.0, 4.0), 1.5, True),
+        ((1.0, 22.0, -7.0), 7.0, False),
+        ((1.0, 22.0, -7.0), 7.2, True),
+        ((31.0, 2.0, -7.0), 4.4, False),
+        ((31.0, 2.0, -7.0), 4.5, True),
+    ):
+        assert in_view((BoundingSphere(centre=centre, radius=radius),), 0.0, camera, 200, 100) == seen
+    assert not in_view((), 0.0, camera, 200, 100)

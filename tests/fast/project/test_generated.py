@@ -1,16 +1,23 @@
-"""What is generated, cited or compared, and checked in, is what would be generated now."""
+"""What is generated, cited or compared, and checked in, is what would be generated now; what a first visit loads."""
 
+import importlib.util
 import json
+import math
 import re
 import subprocess
 from importlib import import_module, metadata
 from pathlib import Path
 
+import numpy as np
 import pytest
-from docs import make_stability
+from docs import make_nature, make_stability
+from docs.nature import laws, measure
+from docs.sizing import Queue, erlang_b, measured_times, moments, renders, workers_for
+from PIL import Image
 
 from seafoam.api.app import create_app
 from seafoam.effects import EFFECTS
+from seafoam.scene.presets import load_preset, preset_names
 from support.cases import cases_of
 
 ROOT = Path(__file__).parents[3]
@@ -55,3 +62,182 @@ def test_the_papers_numbers_are_todays(monkeypatch: pytest.MonkeyPatch) -> None:
     page = made.PAGE.read_text(encoding="utf-8")
     for name, table in (("saturations", made.saturations), ("spectra", made.spectra)):
         assert f"<!-- paper: {name} -->\n{table()}<!-- end -->" in page
+
+
+ALL_STILLS = 1_500_000
+"""Most bytes of the presets' stills with their thumbnails and of the chapter's together."""
+_SPEC = importlib.util.spec_from_file_location("make_stills", WEB / "make_stills.py")
+stills = importlib.util.module_from_spec(_SPEC)
+_SPEC.loader.exec_module(stills)
+
+
+@pytest.mark.parametrize("name", preset_names())
+def test_a_preset_has_its_still(name: str) -> None:
+    made_for = json.loads(stills.INDEX.read_text(encoding="utf-8"))
+    now = {"start": stills.start_of(load_preset(name)), **stills.heading_of(name)}
+    assert made_for.get(name) == now, "the preset starts otherwise: make stills"
+    for path, form, size, most in (
+        (stills.still_of(name), "AVIF", stills.SIZE, 100_000),
+        (stills.thumbnail_of(name), "WEBP", stills.SMALL, 12_000),
+    ):
+        with Image.open(path) as picture:
+            assert (picture.format, picture.size) == (form, size)
+        assert path.stat().st_size <= most, "a first visit waits for it"
+
+
+def test_a_clone_has_the_stills_they_are_small_and_nothing_else_lies_there() -> None:
+    known = {path for name in preset_names() for path in (stills.still_of(name), stills.thumbnail_of(name))}
+    assert set(stills.FOLDER.iterdir()) == known
+    assert list(json.loads(stills.INDEX.read_text(encoding="utf-8"))) == list(preset_names())
+    command = ["git", "ls-files", "webclient/public/stills", "webclient/public/learn-stills"]
+    names = subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True).stdout.split()
+    assert {stills.still_of(name) for name in preset_names()} <= {ROOT / name for name in names}
+    assert sum((ROOT / name).stat().st_size for name in names) <= ALL_STILLS
+
+
+def test_a_page_shows_each_picture_of_docs_and_begins_with_the_first_preset() -> None:
+    shown = {
+        (page.parent / picture).resolve()
+        for page in (ROOT / "README.md", *(ROOT / "docs").rglob("*.md"))
+        for picture in re.findall(r"\(([\w./-]*pictures/[\w./-]+)\)", page.read_text(encoding="utf-8"))
+    }
+    assert {path for path in (ROOT / "docs/pictures").rglob("*") if path.is_file()} == shown
+    page = (WEB / "index.html").read_text(encoding="utf-8")
+    found = re.search(r'data-preset="([\w-]+)"', page)
+    assert found[1] == preset_names()[0]
+
+
+DIST = WEB / "dist"
+SCRIPT = 90_000
+"""Most bytes of script for stage and settings, Brotli."""
+STILL = 150_000
+"""Most bytes of all that the first still and the page round it take."""
+STYLES = 900
+"""Style sheets written by hand have fewer lines; the others are made of the classes in the markup."""
+LONGEST_LINE = 130
+"""Of a style sheet: what many lines say is not said by a few long ones."""
+
+
+def weight(name: str) -> int:
+    compressed = DIST / f"{name}.br"
+    return (compressed if compressed.exists() else DIST / name).stat().st_size
+
+
+def linked(kinds: str) -> list[str]:
+    """Files that the page's HTML names, in order: what it loads at once, and all that this imports."""
+    html = (DIST / "index.html").read_text(encoding="utf-8")
+    return re.findall(rf'(?:src|href)="\./([^"]+\.(?:{kinds}))"', html)
+
+
+def named(prefix: str) -> set[str]:
+    return {f"assets/{file.name}" for file in (DIST / "assets").glob(f"{prefix}-*.js")}
+
+
+def test_stage_and_settings_are_light() -> None:
+    pane = named("pane")
+    assert len(pane) == 1
+    assert not pane & set(linked("js")), "the settings' pane is loaded when they are opened"
+    assert sum(map(weight, set(linked("js")) | pane)) <= SCRIPT
+
+
+def test_the_first_still_and_the_page_round_it_are_light_and_it_is_asked_for_before_all_else() -> None:
+    assert sum(map(weight, set(linked("js|css")) | {"index.html", "stills/default.avif"})) <= STILL
+    # Scripts behind the style sheets wait for these.
+    assert linked("js|css|avif")[0] == "still.js"
+
+
+def test_surfaces_and_laboratories_are_loaded_when_opened() -> None:
+    later = {"panel": "accuracy", "surface": "plan and take home", "linechart": "charts"}
+    for prefix, what in later.items():
+        assert named(prefix), f"no file of {what}: the names have changed"
+        assert not named(prefix) & set(linked("js")), f"{what} would be loaded with the page"
+
+
+def test_few_styles_are_written_by_hand() -> None:
+    command = ["git", "ls-files", "--cached", "--others", "--exclude-standard", "*.css"]
+    names = subprocess.run(command, cwd=WEB, check=True, capture_output=True, text=True).stdout.split()
+    lines = [line for name in names if (WEB / name).exists() for line in (WEB / name).read_text("utf-8").splitlines()]
+    assert 0 < len(lines) < STYLES
+    assert max(map(len, lines)) <= LONGEST_LINE
+
+
+NATURE = json.loads(make_nature.FIGURES.read_text(encoding="utf-8"))
+
+
+def test_the_figures_are_of_the_presets_and_in_the_page() -> None:
+    stale = [name for name, of in NATURE.items() if of["of"] != make_nature.measured_of(load_preset(name))]
+    assert not stale, "run python docs/make_nature.py"
+    assert tuple(NATURE) == make_nature.PRESETS
+    page = make_nature.PAGE.read_text(encoding="utf-8")
+    assert page == make_nature.filled(page, NATURE), "run python docs/make_nature.py"
+
+
+def test_nine_of_ten_quantities_lie_within_what_was_published() -> None:
+    """Every sea that is measured has more than half of its own there, too."""
+    rows = laws.rows(NATURE)
+    inside = [row.preset for row in rows if row.side == "within"]
+    assert len(inside) >= 0.9 * len(rows)
+    for name in make_nature.PRESETS:
+        assert inside.count(name) > 0.5 * sum(row.preset == name for row in rows)
+
+
+def test_what_lies_out_of_a_band_says_why_and_bands_have_what_was_published() -> None:
+    row = laws.Row("path", "storm", 0.9, 1.0, 2.0)
+    assert row.side == "below"
+    assert make_nature.reason(row) in make_nature.table([row])
+    with pytest.raises(KeyError):
+        make_nature.table([laws.Row("decay", "storm", 9.0, 1.0, 2.0)])
+    # Coverage at 10 m/s from both articles; slopes of Cox and Munk at 13.9 m/s; full growth.
+    least, greatest = laws.coverage_band(10.0)
+    assert least * laws.SCATTER == pytest.approx(0.00795, rel=0.01)
+    assert greatest / laws.SCATTER == pytest.approx(0.00987, rel=0.01)
+    along, across = laws.slope_bands(13.9)
+    assert np.mean(along) == pytest.approx(0.0439, rel=0.01)
+    assert np.mean(across) == pytest.approx(0.0297, rel=0.01)
+    (_, height), (_, period) = laws.growth(20.0, 1e6)
+    assert (height, period) == pytest.approx((211.5 * 0.72 / 9.81, 239.8 * 0.72**0.5 / 9.81), rel=0.01)
+    assert laws.growth(20.0, 1e5)[0][0] < laws.growth(20.0, 1e6)[0][0]
+
+
+def test_patches_that_shrink_have_their_decay_time() -> None:
+    """A disc that grows and decays with 6 steps; one that is cut by the picture's side, and a speck, do not count."""
+    y, x = np.mgrid[:64, :64]
+    film = np.zeros((40, 64, 64), bool)
+    for i in range(1, 39):
+        area = 500.0 * min(0.2 * i, math.exp(-(i - 5) / 6.0))
+        film[i] = ((x - 32) ** 2 + (y - 32) ** 2) * math.pi < area
+        film[i, :5, :5] = True
+    film[3, 60, 60] = True
+    assert measure.patch_times(film, 0.5, 4.0) == pytest.approx([3.0], rel=0.06)
+
+
+def test_erlang_b_is_that_of_the_tables() -> None:
+    for workers, offered, blocked in ((1, 1.0, 0.5), (5, 3.0, 0.110), (10, 5.0, 0.0184), (20, 12.0, 0.0098)):
+        assert erlang_b(workers, offered) == pytest.approx(blocked, rel=0.01)
+
+
+def test_one_worker_is_pollaczek_and_khinchine_and_at_full_load_nothing_is_promised() -> None:
+    queue = Queue(1, rate=2.0, service=0.3, variation=0.5, room=2)
+    assert queue.delayed == pytest.approx(0.6)
+    assert queue.mean_wait == pytest.approx(2.0 * 0.3**2 * 1.5 / (2.0 * (1.0 - 0.6)))
+    queue = Queue(2, 10.0, 0.25, 1.0, 4)
+    assert (queue.delayed, queue.mean_wait) == (1.0, math.inf)
+    assert queue.refused > 0.2
+
+
+def test_workers_are_the_fewest_that_do() -> None:
+    queue = workers_for(70.0, 0.25, 0.5)
+    fewer = Queue(queue.workers - 1, 70.0, 0.25, 0.5, 2 * queue.workers - 2)
+    assert queue.refused <= 1e-3
+    assert queue.waits_beyond(1.0) <= 0.01
+    assert fewer.refused > 1e-3 or fewer.waits_beyond(1.0) > 0.01
+
+
+def test_the_documents_table_is_what_the_module_says() -> None:
+    text = (Path(__file__).parents[3] / "docs" / "operations.md").read_text(encoding="utf-8")
+    rows = re.findall(r"(?m)^\| ([\d,]+) \| (\d+) % \| ([\d.]+) \| (\d+) \| (\d+) % \|", text)
+    assert len(rows) == 9
+    service, variation = moments(measured_times())
+    for visitors, hits, rate, workers, busy in rows:
+        queue = workers_for(renders(float(visitors.replace(",", "")), 5.0, 0.01 * int(hits)), service, variation)
+        assert (f"{queue.rate:.3g}", queue.workers, round(100 * queue.load)) == (rate, int(workers), int(busy))

@@ -1,11 +1,12 @@
-"""Saturations, reading images, and the looks."""
+"""Foam in float64: its looks and saturations, octaves of a mask, and how light scatters in it."""
 
 import math
 
 import numpy as np
 import pytest
 
-from seafoam.masks.catalogue import mask_by_name
+from seafoam.masks.catalogue import load_mask, mask_by_name
+from seafoam.masks.prefilter import OCTAVE_RAMP, ramp_threshold
 from seafoam.reference import Assets, sampling
 from seafoam.reference.foam import coverage as looked
 from seafoam.reference.foam import looks
@@ -16,8 +17,13 @@ from seafoam.reference.foam.front import (
     group,
     seen_phases,
 )
+from seafoam.reference.light import light
+from seafoam.reference.light.light import foam_layer, lumpy_cosine
 from seafoam.reference.renderer.sources import joined
+from seafoam.reference.types import unit
 from seafoam.reference.waves.parametric import wave_set
+from seafoam.scene.foam import Foam, FoamScattering
+from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.waves import ParametricWave
 
@@ -130,3 +136,129 @@ def test_filtered_coverage_is_the_share_of_the_footprint(texels: float, within: 
         hard = looks.converged_coverage(np.full(b.value.size, s), b.value, MASK.filtering.quantiles[0], 0.0)
         errors = covered(s, texels, 0.0)[:600] - hard.reshape(600, -1).mean(axis=1)
         assert float(np.sqrt((errors**2).mean())) <= within
+
+
+UP = np.array([[0.0, 1.0, 0.0]])
+
+
+def test_a_thick_smooth_layer_without_a_lobe_is_matt_foam() -> None:
+    air = light.air(Light(sun_elevation=0.7))
+    matt = FoamScattering(optical_depth=1000.0, roughness=0.0, forward=0.0)
+    d = unit(np.array([[1.0, -0.5, 0.3]]))
+    got, opacity = foam_layer(air, matt, 0.9, UP, d, np.ones(1))
+    np.testing.assert_allclose(opacity, 1.0, atol=2e-3)
+    np.testing.assert_allclose(got, opacity[:, None] * light.foam(air, 0.9, UP), rtol=1e-12)
+
+
+@pytest.mark.parametrize("slope", [0.2, 0.7, 1.5])
+def test_lumps_have_the_mean_cosine_of_gaussian_slopes(slope: float) -> None:
+    """Mean of max(c + s g, 0) over a Gaussian g; the closed form is within 0.071 s of it."""
+    g = np.linspace(-8.0, 8.0, 20001)
+    weights = np.exp(-0.5 * g * g)
+    weights /= weights.sum()
+    for c in (-0.6, -0.1, 0.0, 0.1, 0.5, 1.0):
+        want = float((np.maximum(c + slope * g, 0.0) * weights).sum())
+        assert abs(float(lumpy_cosine(np.array([c]), slope)[0]) - want) <= 0.071 * slope
+        if c == 0.0:
+            assert float(lumpy_cosine(np.array([c]), slope)[0]) == pytest.approx(want, rel=1e-5)
+
+
+@pytest.mark.parametrize("elevation", [0.02, 0.1, 0.4, 1.5])
+@pytest.mark.parametrize("forward", [0.0, 0.6, 1.0])
+def test_smooth_foam_sends_back_no_more_than_arrives(elevation: float, forward: float) -> None:
+    """Flux of the reflected sunlight over the hemisphere, by the midpoint rule in cosine and azimuth."""
+    air = light.air(Light(sun_elevation=elevation))
+    scattering = FoamScattering(optical_depth=1000.0, roughness=0.0, forward=forward)
+    mu = (np.arange(400) + 0.5) / 400
+    turn = (np.arange(720) + 0.5) * (2.0 * math.pi / 720)
+    level = np.sqrt(1.0 - mu * mu)
+    out = np.stack(
+        (np.outer(level, np.cos(turn)), np.repeat(mu[:, None], 720, axis=1), np.outer(level, np.sin(turn))), -1
+    ).reshape(-1, 3)
+    n = np.broadcast_to(UP, out.shape)
+    whole, _ = foam_layer(air, scattering, 1.0, n, -out, np.ones(len(out)))
+    dark, _ = foam_layer(air, scattering, 1.0, n, -out, np.ones(len(out)), np.zeros(len(out)))
+    flux = ((whole - dark) * out[:, 1:2]).mean(axis=0) * 2.0 * math.pi
+    arrives = air.sun_irradiance * math.sin(elevation)
+    assert (flux <= 1.001 * arrives).all()
+    assert (flux > 0.01 * arrives).all()
+
+
+def test_foam_before_a_low_sun_is_brighter_than_foam_after_it() -> None:
+    air = light.air(Light(sun_elevation=0.15, sun_azimuth=0.0))
+    toward, away = (unit(np.array([[x, -0.15, 0.0]])) for x in (1.0, -1.0))
+    glow, _ = foam_layer(air, FoamScattering(), 0.9, UP, toward, np.ones(1))
+    plain, _ = foam_layer(air, FoamScattering(), 0.9, UP, away, np.ones(1))
+    assert (glow > 2.0 * plain).all()
+
+
+SIDE = 100
+"""Places along each side of the tile, one in each square."""
+NEEDLE = np.array([[1.0, 0.0], [0.3, 0.8]])
+
+
+@pytest.fixture(scope="module")
+def lace() -> Assets:
+    return Assets.of(load_mask("lace"), np.ones((1, 1)))
+
+
+def places(seed: int) -> np.ndarray:
+    """(2, SIDE^2) places in [0, 1), jittered."""
+    row, column = np.mgrid[:SIDE, :SIDE]
+    jitter = np.random.default_rng(seed).random((2, SIDE, SIDE))
+    return ((np.stack((column, row)) + jitter) / SIDE).reshape(2, -1)
+
+
+def amount(
+    assets: Assets, s: float, texels: float, octaves: int, at: np.ndarray | None = None, fade: float = 0.0
+) -> np.ndarray:
+    """Cover at places under footprints of so many texels; (places,)."""
+    u, v = places(3) if at is None else at
+    points = looked.MaskPoints(u, v, *(np.broadcast_to(side * texels / 512.0, (u.size, 2)) for side in NEEDLE))
+    return looked.coverage(Foam(octaves=octaves, fade=fade), assets, np.full(u.size, s), points, filtering=True)
+
+
+@pytest.mark.parametrize("texels", 2.0 ** np.arange(-6.0, 7.0, 2.0))
+def test_the_cover_is_the_saturation_at_every_scale(lace: Assets, texels: float) -> None:
+    for s in (0.02, 0.1, 0.3, 0.5, 0.75, 0.95):
+        for octaves in (2, 4):
+            # Within 0.002 over ten times as many places; so few scatter by 0.0015.
+            assert amount(lace, s, texels, octaves).mean() == pytest.approx(s, abs=0.006)
+
+
+@pytest.mark.parametrize("fade", [0.2, 0.6])
+def test_octaves_cover_as_much_as_the_fade(lace: Assets, fade: float) -> None:
+    for s in (0.1, 0.5, 1.0):
+        share = s * s / (2.0 * fade) if s < fade else s - 0.5 * fade
+        assert amount(lace, s, 0.1, 3, fade=fade).mean() == pytest.approx(share, abs=0.006)
+
+
+def test_the_ramp_covers_the_saturation_of_even_thresholds() -> None:
+    u = (np.arange(100_000) + 0.5) / 100_000
+    for s in (0.0, 1e-3, 0.2, 0.3, 0.5, 0.7, 0.8, 0.999, 1.0):
+        covered = np.clip((float(ramp_threshold(s)) - u) / OCTAVE_RAMP, 0.0, 1.0).mean()
+        assert covered == pytest.approx(s, abs=1e-5)
+    assert OCTAVE_RAMP == looks.OCTAVE_RAMP
+
+
+def test_six_octaves_only_resolve_grey() -> None:
+    """On the texels themselves, in whole numbers: each octave is a permutation of the tile, whole and clear stay."""
+    ranks = load_mask("lace").ranks.astype(np.int64)
+    size, count = ranks.shape[0], ranks.size
+    y, x = np.mgrid[:size, :size]
+    # Cover in whole parts of a ramp, which is so many ranks wide.
+    ramp = round(OCTAVE_RAMP * count)
+    left = np.full(ranks.shape, round(0.4 * ramp), np.int64)
+    for _ in range(6):
+        threshold = np.rint(ramp_threshold(left / ramp) * count).astype(np.int64)
+        whole, clear = left == ramp, left == 0
+        own = np.clip(threshold - ranks[y, x], 0, ramp)
+        assert (own[whole] == ramp).all()
+        assert (own[clear] == 0).all()
+        # Rounding of thresholds to ranks, and how far octaves are from independent.
+        assert own.mean() / ramp == pytest.approx(0.4, abs=0.002)
+        left = own
+        x, y = (4 * x - 3 * y) % size, (3 * x + 4 * y) % size
+        assert np.array_equal(np.sort((y * size + x).ravel()), np.arange(count))
+    grey = (left > 0) & (left < ramp)
+    assert grey.mean() < 0.02

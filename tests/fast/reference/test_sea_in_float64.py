@@ -6,22 +6,40 @@ from typing import Literal
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 from seafoam.ocean.basics import spectrum as sea_spectrum
 from seafoam.ocean.waves import cascades as sea_tiles
+from seafoam.ocean.waves.cascades import BAND, Cascade
 from seafoam.reference.waves import sea as truth
+from seafoam.reference.waves.sea import TileSample
 from seafoam.scene.foam import Foam, WhitecapSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 from seafoam.scene.waves import Sea
 from seafoam.textures.sea import SeaSpectrum
 from seafoam.textures.store import texture
-from support.float64.tile import summed
 from support.report import Report
 from support.scenes.seas import SEAS
 from support.sweep import REST
 
 POINTS = 800
+
+
+def summed(cascade: Cascade, time: float, x: NDArray[np.float64], z: NDArray[np.float64]) -> TileSample:
+    """A tile as the sum of all its waves, at every place (m, (r,)) at a time, s."""
+    step = 2.0 * math.pi / cascade.size
+    rows, columns = np.nonzero(cascade.h0)
+    kx, kz = step * (columns - BAND), step * (rows - BAND)
+    k = np.hypot(kx, kz)
+    h = 2.0 * truth.amplitudes(cascade, time)[rows, columns]
+    parts: list[list[NDArray[np.float64]]] = []
+    for start in range(0, x.size, 256):
+        here = slice(start, start + 256)
+        wave = np.exp(1j * (kx[:, None] * x[here] + kz[:, None] * z[here]))
+        factors = (1.0, 1j * kx, 1j * kz, 1j * kx / k, 1j * kz / k, -kx * kx / k, -kx * kz / k, -kz * kz / k)
+        parts.append([np.real((h * factor) @ wave) for factor in factors])
+    return TileSample(*(np.concatenate(part) for part in zip(*parts, strict=True)))
 
 
 @pytest.mark.parametrize("name", SEAS)

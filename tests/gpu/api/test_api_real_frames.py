@@ -1,13 +1,24 @@
-"""Frames that GL draws: pictures, the same ones for the same request, at the ends of time and size."""
+"""Frames over HTTP and by the command, drawn with GL."""
 
+import http.client
 import io
+import json
+import os
+import threading
+import time
+import urllib.request
+from collections import defaultdict
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import OpenEXR
 import pytest
+from distributed import LocalCluster
 from starlette.testclient import TestClient
 
+import seafoam
+from support.command import free_port, imported, run, served
 from support.serving import frame, picture, serving
 
 
@@ -55,3 +66,98 @@ def test_the_renderer_is_told(real):
     assert ready["status"] == "ready"
     assert frame(real).headers["Seafoam-Renderer"] == ready["renderer"]["renderer"]
     assert "Mesa" in ready["renderer"]["version"] or ready["renderer"]["version"][0].isdigit()
+
+
+WITH_IPV6 = pytest.mark.skipif(not os.path.exists("/proc/net/if_inet6"), reason="this machine has no IPv6")
+
+
+def test_a_frame_imports_what_it_needs(tmp_path):
+    """Drawn and written; tests/fast/cli/test_consoles.py has what comes before, and the other commands."""
+    arguments = ["render", "default", "--size", "48x27", "--quality", "fast", "-o", str(tmp_path / "a.png")]
+    found = imported(f"from seafoam.cli import main; main({arguments})")
+    unneeded = {"PIL", "OpenEXR", "asyncio", "fastapi", "matplotlib", "multiprocessing", "rich", "scipy", "starlette"}
+    assert {name.partition(".")[0] for name in found} & unneeded == set()
+    assert len(found) <= 600, f"{len(found)} modules"
+
+
+def test_a_relative_folder_of_caches_is_ignored(tmp_path, monkeypatch):
+    """By Mesa too, which takes one."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.delenv("MESA_SHADER_CACHE_DIR", raising=False)
+    arguments = ["render", "paper-threshold", "--size", "48x27", "--quality", "fast", "-o", "a.png"]
+    done = run(*arguments, XDG_CACHE_HOME="relative", SEAFOAM_CACHE="")
+    assert done.returncode == 0, done.stderr
+    assert os.listdir() == ["a.png"]
+
+
+@pytest.mark.parametrize("host", ["127.0.0.1", pytest.param("::1", marks=WITH_IPV6)])
+def test_serve_answers_without_delay_and_stops_when_told(host):
+    with served("--host", host) as address:
+        with urllib.request.urlopen(f"{address}/healthz", timeout=60) as response:
+            assert json.load(response) == {"status": "alive"}
+        with seafoam.connect(address) as source:
+            assert source.mask("vac-24").shape == (512, 512)
+
+
+def test_a_restart_under_load_tears_no_answer(tmp_path):
+    """Clients see whole answers, refusals, or no server; an address has the same bytes before and after."""
+    port = free_port()
+    how = {"port": port, "SEAFOAM_CACHE": str(tmp_path), "SEAFOAM_CACHE_SIZE": str(2**26)}
+    paths = [f"/api/frames/paper-halftone.png?width=64&height=36&quality=fast&time={time}" for time in range(12)]
+    answers, wrong, over = defaultdict(set), [], threading.Event()
+    counts = {"200": 0, "away": 0}
+
+    def client(offset):
+        while not over.is_set():
+            connection = http.client.HTTPConnection("127.0.0.1", port, timeout=60)
+            try:
+                for path in paths[offset:] + paths[:offset]:
+                    connection.request("GET", path)
+                    response = connection.getresponse()
+                    body = response.read()
+                    if response.status == 200:
+                        counts["200"] += 1
+                        answers[path].add(body)
+                    elif response.status != 503 or "Retry-After" not in response.headers:
+                        wrong.append(f"{response.status}: {body[:200]}")
+            except http.client.IncompleteRead as torn:
+                wrong.append(repr(torn))
+            except (OSError, http.client.HTTPException):
+                counts["away"] += 1
+                time.sleep(0.1)
+            finally:
+                connection.close()
+
+    def answered(least):
+        until = time.monotonic() + 120
+        while counts["200"] < least:
+            assert time.monotonic() < until, (counts, wrong)
+            time.sleep(0.05)
+
+    with ThreadPoolExecutor(4) as clients:
+        try:
+            clients.map(client, range(0, 12, 3))
+            with served(**how):
+                answered(50)
+            away, before = counts["away"], counts["200"]
+            with served(**how):
+                answered(before + 50)
+                over.set()
+                clients.shutdown()
+        finally:
+            over.set()
+    assert wrong == []
+    assert away < counts["away"]
+    assert all(len(answers[path]) == 1 for path in paths)
+
+
+def test_a_cluster_measures_accuracy(tmp_path):
+    """The sweep of a worker, in this process's files."""
+    asked = ["--size", "16x16", "--rounds", "2", "--samples", "2", "--again", "--json", str(tmp_path / "a.json")]
+    with LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None, host="127.0.0.1") as cluster:
+        done = run("accuracy", "paper-threshold", *asked, "--scheduler", cluster.scheduler_address)
+    assert done.returncode == 0, done.stderr
+    assert "paper-threshold: errors at 16 × 16" in done.stdout
+    measured = json.loads((tmp_path / "a.json").read_text(encoding="utf-8"))
+    assert {point["tier"] for point in measured["points"]} >= {"high", "reference"}
+    assert all(point["error"]["rmse"] >= 0.0 for point in measured["points"])

@@ -84,10 +84,7 @@ def test_sixteen_taps_are_near_256_samples(executor: Executor, report: Report, n
     ranks = load_mask(name).ranks
     truth = drawn(executor, ranks, 0.3, HARD, SAMPLES)
     snippet = drawn(executor, ranks, 0.3, "foam(u_saturation, uv)")
-    errors = {
-        "hard": error(drawn(executor, ranks, 0.3, HARD), truth),
-        "snippet": error(snippet, truth),
-    }
+    errors = {"hard": error(drawn(executor, ranks, 0.3, HARD), truth), "snippet": error(snippet, truth)}
     report.add(
         "Coverage of a plane at saturation 0.3 against 256 samples a pixel, levels of 255 (docs/masks.md)",
         mask=name,

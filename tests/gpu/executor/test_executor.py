@@ -1,16 +1,23 @@
-"""The executor's caches: what is let go is made again, and nothing of it is left in use."""
+"""The executor: what it draws, keeps between frames, and times."""
 
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
+from bench.drawn.passes import kind
+from bench.gpu.timers import PassTimer, loads
+from numpy.typing import NDArray
+from PIL import Image
 
+from seafoam.effects.effect import ABOVE
 from seafoam.framegraph.shader import Shader
 from seafoam.planner import FramePlan, make_plan
-from seafoam.quality import TIERS, SurfaceQuality
-from seafoam.render.gl.executor import Executor, ShaderError
+from seafoam.quality import TIERS, Quality, SurfaceQuality
+from seafoam.render.gl.executor import Executor, Output, ShaderError
+from seafoam.render.gl.formats import target_bytes
 from support.pictures import ROUNDED, draw
-from support.scenes import load_preset
+from support.scenes import load_preset, preset_names
 
 
 def test_programs_let_go_and_made_again_draw_the_same(executor: Executor, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -70,3 +77,232 @@ def test_another_thread_is_refused(executor: Executor) -> None:
     plan = make_plan(scene, TIERS["standard"])
     with ThreadPoolExecutor(1) as pool, pytest.raises(RuntimeError, match="only in the thread that created it"):
         pool.submit(executor.render, plan, time=0.0, camera=scene.camera, width=8, height=8).result()
+
+
+STANDARD = TIERS["standard"]
+SHORES = [name for name in preset_names() if load_preset(name).scene.shore is not None]
+
+
+@pytest.fixture
+def fresh(executor: Executor) -> Executor:
+    """The executor with nothing kept."""
+    executor._static.clear()
+    return executor
+
+
+@pytest.fixture
+def drawn(fresh: Executor, monkeypatch: pytest.MonkeyPatch) -> Callable[[FramePlan], list[str]]:
+    """Draws a frame and gives the names of its passes."""
+    names: list[str] = []
+    draw_pass = fresh._draw
+
+    def counted(plan: FramePlan, index: int, *rest: object) -> None:
+        names.append(plan.passes[index].name)
+        draw_pass(plan, index, *rest)
+
+    monkeypatch.setattr(fresh, "_draw", counted)
+    times = iter(range(100))
+
+    def frame(plan: FramePlan) -> list[str]:
+        names.clear()
+        camera = load_preset("island-surf").scene.camera
+        draw(fresh, plan, camera, time=float(next(times)), size=(16, 9))
+        return list(names)
+
+    return frame
+
+
+def shore_passes(names: list[str]) -> int:
+    return sum(name.startswith("shore: ") for name in names)
+
+
+def mask_passes(names: list[str]) -> int:
+    return sum(name.startswith("mask: ") for name in names)
+
+
+class TestDraws:
+    def test_setup_passes_are_drawn_for_the_first_frame_alone(self, drawn: Callable[[FramePlan], list[str]]) -> None:
+        plan = make_plan(load_preset("island-surf").scene, STANDARD)
+        first, second, third = (drawn(plan) for _ in range(3))
+        assert (shore_passes(first), shore_passes(second)) == (16, 1)
+        # Eleven for each of two masks, and one that lays them over one another.
+        assert (mask_passes(first), mask_passes(second)) == (23, 0)
+        still = {one.name for one in plan.passes if one.when == "setup"}
+        assert second == third == [name for name in first if name not in still]
+
+    def test_another_plan_of_the_same_shore_draws_no_map_of_its_own(
+        self, drawn: Callable[[FramePlan], list[str]]
+    ) -> None:
+        scene = load_preset("island-surf").scene
+        drawn(make_plan(scene, STANDARD))
+        painted = scene.model_copy(update={"shore": scene.shore.model_copy(update={"rock": (0.2, 0.1, 0.1)})})
+        assert shore_passes(drawn(make_plan(painted, STANDARD))) == 1
+        smoother = scene.model_copy(update={"shore": scene.shore.model_copy(update={"smoothing": 9.0})})
+        assert shore_passes(drawn(make_plan(smoother, STANDARD))) == 14
+        assert shore_passes(drawn(make_plan(scene, STANDARD))) == 1
+
+    def test_what_is_kept_is_bounded_in_bytes(
+        self, fresh: Executor, drawn: Callable[[FramePlan], list[str]], monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        plan = make_plan(load_preset("island-surf").scene, STANDARD)
+        drawn(plan)
+        sizes = [target_bytes(target) for target in fresh._static._items.values()]
+        assert sorted(sizes) == [256 * 128 * 8, 256 * 256 * 16, 1280 * 1024 * 8]
+        monkeypatch.setattr(fresh._static, "_size", sum(sizes) - 1)
+        drawn(plan)
+        assert len(fresh._static._items) == 2
+        monkeypatch.setattr(fresh._static, "_size", 0)
+        drawn(plan)
+        again = drawn(plan)
+        assert (shore_passes(again), mask_passes(again)) == (16, 23)
+
+    def test_a_target_whose_passes_failed_is_not_kept(self, fresh: Executor) -> None:
+        scene = load_preset("island-surf").scene
+        plan = make_plan(scene, STANDARD)
+        broken = plan.programs["shore_blur"]
+        fragment = broken.fragment.model_copy(update={"text": "#version 300 es\nbroken", "sha256": "0" * 64})
+        programs = {**plan.programs, "shore_blur": broken.model_copy(update={"fragment": fragment})}
+        with pytest.raises(ShaderError):
+            draw(fresh, plan.model_copy(update={"programs": programs}), scene.camera, time=0.0, size=(16, 9))
+        assert not fresh._static._items
+
+
+@pytest.mark.parametrize("preset", ["island-surf", "drift-vortices"])
+def test_a_frame_after_others_is_that_of_a_fresh_executor(preset: str, fresh: Executor) -> None:
+    scene = load_preset(preset).scene
+    plan = make_plan(scene, STANDARD)
+
+    def at(time: float, one: FramePlan = plan) -> bytes:
+        return draw(fresh, one, scene.camera, time=time, size=(48, 27)).tobytes()
+
+    alone = at(7.3)
+    fresh._static.clear()
+    for other in SHORES[:2]:
+        at(1.0, make_plan(load_preset(other).scene, STANDARD))
+    at(2.0)
+    assert at(7.3) == alone
+    # And as it was where every pass is drawn in every frame.
+    each = tuple(one.model_copy(update={"when": "frame"}) for one in plan.passes)
+    assert at(7.3, plan.model_copy(update={"passes": each, "kept": {}})) == alone
+
+
+SIZES = ((96, 54), (50, 7), (51, 7), (2, 3), (1, 1))
+
+
+def narrow(width: int) -> Quality:
+    return STANDARD.model_copy(update={"pixel_width": width})
+
+
+def narrowed(
+    executor: Executor, preset: str, quality: Quality, size: tuple[int, int], output: Output = "rgba8"
+) -> NDArray[np.float64]:
+    """A frame, (height, width, 4)."""
+    found = load_preset(preset)
+    plan = make_plan(found.scene, quality)
+    return draw(executor, plan, found.scene.camera, time=found.time, size=size, output=output).astype(np.float64)
+
+
+def along_rows(seen: NDArray[np.float64], x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Rows (height, columns, 4) at places x (height, width) along them, columns: Catmull and Rom's cubic."""
+    columns, first = seen.shape[1], np.floor(x).astype(int)
+    f = (x - first)[..., None]
+    p = [np.take_along_axis(seen, np.clip(first + step, 0, columns - 1)[..., None], 1) for step in (-1, 0, 1, 2)]
+    slopes = (0.5 * (p[2] - p[0]), 0.5 * (p[3] - p[1]))
+    # Hermite's form of the same cubic.
+    found = (
+        (2.0 * f**3 - 3.0 * f**2 + 1.0) * p[1]
+        + (f**3 - 2.0 * f**2 + f) * slopes[0]
+        + (3.0 * f**2 - 2.0 * f**3) * p[2]
+        + (f**3 - f**2) * slopes[1]
+    )
+    return np.clip(found, np.minimum(p[1], p[2]), np.maximum(p[1], p[2]))
+
+
+def enlarged(picture: NDArray[np.float64], width: int) -> NDArray[np.float64]:
+    """What is shown of (height, columns, 4), the top row first: docs/formulae.md, section 1."""
+    colors = np.maximum(picture[..., :3], 0.0)
+    seen = np.concatenate([colors / (1.0 + colors.max(-1, keepdims=True)), picture[..., 3:]], -1)
+    height, columns = seen.shape[:2]
+    # Rows count from the bottom.
+    rows = np.arange(height)[::-1]
+    shift = np.where(rows % 2 == 0, -0.25, 0.25)[:, None]
+    middle = (np.arange(width) + 0.5) / width * columns - 0.5
+    own = along_rows(seen, middle - shift)
+    f = (middle - shift) % 1.0
+    sides = [np.abs(np.arange(height) + step) for step in (-1, 1)]
+    sides[1] = np.where(sides[1] == height, max(height - 2, 0), sides[1])
+    sides[0] = np.minimum(sides[0], height - 1)
+    beside = np.clip(np.floor(middle + shift + 0.5).astype(int), 0, columns - 1)[..., None]
+    around = sum(np.take_along_axis(seen[side], beside, 1) for side in sides) / 2.0
+    share = (0.1 * 4.0 * f * (1.0 - f))[..., None]
+    found = (1.0 - share) * own + share * around
+    return np.concatenate([found[..., :3] / (1.0 - found[..., :3].max(-1, keepdims=True)), found[..., 3:]], -1)
+
+
+@pytest.mark.parametrize("width", [2, 3, 4])
+def test_what_is_drawn_narrow_is_enlarged_by_a_cubic_and_the_rows_beside(executor: Executor, width: int) -> None:
+    quality = narrow(width).model_copy(update={"target": "RGBA32F"})
+    for size in SIZES:
+        samples = narrowed(executor, "default", quality, size, "samples")
+        assert samples.shape[:2] == (size[1], -(-size[0] // width))
+        want = enlarged(samples, size[0])
+        np.testing.assert_allclose(narrowed(executor, "default", quality, size, "linear"), want, rtol=2e-4, atol=1e-5)
+
+
+@pytest.mark.parametrize("preset", ["default", "coastline", "swell"])
+def test_a_third_of_the_width_errs_less_than_fewer_pixels_along_both_axes(executor: Executor, preset: str) -> None:
+    """As many samples either way, and a twelfth less error at least."""
+    size = (480, 270)
+    truth = narrowed(executor, preset, TIERS["high"], size)[..., :3]
+    third = narrowed(executor, preset, narrow(3), size)[..., :3]
+    small = narrowed(executor, preset, STANDARD, (277, 156)).astype(np.uint8)
+    plain = np.asarray(Image.fromarray(small[..., :3]).resize(size, Image.Resampling.BICUBIC), np.float64)
+    errors = [float(np.sqrt(np.square(picture - truth).mean())) for picture in (third, plain)]
+    assert errors[0] < 0.92 * errors[1], errors
+
+
+@pytest.mark.parametrize("preset", ["storm", "spray-on-rocks", "boat-race", "moonlight"])
+def test_narrow_pixels_change_no_light_in_the_mean(executor: Executor, preset: str) -> None:
+    """Drops, stars, boats and foam hide and light as much, however wide a pixel is: within two hundredths."""
+    means = [narrowed(executor, preset, narrow(width), (384, 216), "linear").mean((0, 1)) for width in (1, 3)]
+    np.testing.assert_allclose(means[1], means[0], rtol=0.02, atol=0.002)
+
+
+@pytest.mark.parametrize("preset", ["boat-race", "storm"])
+def test_what_stands_before_the_scenery_is_drawn_at_full_width(executor: Executor, preset: str) -> None:
+    """Rays to drops begin where wider tiles of rays begin, and may end elsewhere within the tolerance: one in 100."""
+    scene, exact = load_preset(preset).scene, SurfaceQuality(tolerance=0.02)
+    qualities = [narrow(width).model_copy(update={"surface": exact}) for width in (1, 2, 3)]
+    plans = [make_plan(scene, quality).model_copy(update={"linear": ABOVE}) for quality in qualities]
+    above = [draw(executor, plan, scene.camera, time=10.0, size=(96, 54), output="linear") for plan in plans]
+    assert above[0][..., 3].max() > 0.4
+    for one in above[1:]:
+        assert (np.abs(one - above[0]).max(-1) > 1e-3).mean() < 0.01
+
+
+SIZE = (64, 36)
+
+
+def test_every_pass_of_a_frame_is_timed_and_the_picture_stays(executor: Executor) -> None:
+    found = load_preset("open-ocean")
+    plan, camera = make_plan(found.scene, TIERS["fast"]), found.scene.camera
+    # Draws what is kept.
+    plain = draw(executor, plan, camera, time=found.time, size=SIZE)
+    timer = PassTimer(executor)
+    for _ in range(2):
+        with timer.running():
+            assert (draw(executor, plan, camera, time=found.time, size=SIZE) == plain).all()
+        taken = timer.seconds()
+        assert taken["surface"] > 0.0
+        assert taken.keys() <= {kind(one.name) for one in plan.passes if one.when == "frame"}
+    assert 1 < len(timer._queries) <= sum(one.when == "frame" for one in plan.passes)
+
+
+def test_known_loads_leave_the_context_as_it_was(executor: Executor) -> None:
+    found = load_preset("paper-height")
+    plan, camera = make_plan(found.scene, TIERS["fast"]), found.scene.camera
+    before = draw(executor, plan, camera, time=found.time, size=SIZE)
+    pairs = loads(executor)
+    assert len(pairs) == 2
+    assert all(wall > 0.0 for _, wall in pairs)
+    assert (draw(executor, plan, camera, time=found.time, size=SIZE) == before).all()

@@ -1,25 +1,23 @@
-"""What sources of waves declare, or measure in each frame, as the most that their surface can be: held at 10⁵ places.
-
-A march that steps by these bounds passes no crest (docs/formulae.md, section 3).
-"""
+"""Bounds of the surface, and the horizon."""
 
 import hashlib
+import math
 from functools import cache
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.resources import FixedSize, Target
-from seafoam.planner import make_plan
+from seafoam.planner import FramePlan, make_plan
 from seafoam.planner.glsl import read_file
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
 from support.exact import UNFILTERED
 from support.pictures import draw
+from support.probe import WHOLE
 from support.report import Report
-from support.scenes import Boat, Current, Scene, Stone, load_preset, preset_names
+from support.scenes import Boat, Camera, Current, Scene, Stone, load_preset, preset_names
 from support.sweep import crossed
 
 SIDE = 192
@@ -123,3 +121,44 @@ def test_what_the_tree_calls_free_has_no_land(name: str, texels: int, executor: 
     # Some beams meet land after a way, others none.
     assert 0.05 < met.mean() < 0.95
     assert far.mean() > 0.05
+
+
+SIZES = ((48, 27), (64, 7), (5, 61), (1, 1))
+
+
+def over_the_target(plan: FramePlan) -> FramePlan:
+    """The plan with every pass that keeps under the horizon drawn over the whole target."""
+    programs = dict(plan.programs)
+    for name, program in programs.items():
+        if any(file.path == "vertex/vertex.glsl@falling" for file in program.vertex.files):
+            programs[name] = program.model_copy(update={"vertex": WHOLE})
+    assert programs != plan.programs
+    return plan.model_copy(update={"programs": programs})
+
+
+def cameras(top: float) -> list[Camera]:
+    """High and low, among crests and over all of them, every way up; straight down and up."""
+    chance = np.random.default_rng(23)
+    found = [Camera(position=(3.0, top + 2.0, 1.0), pitch=sign * math.pi / 2, roll=1.0) for sign in (-1.0, 1.0)]
+    for height in (0.3 * top, top, top + 0.01, top + 1.0, top + 40.0):
+        for _ in range(4):
+            yaw, roll = chance.uniform(-math.pi, math.pi, 2)
+            pitch, fov = chance.uniform(-1.2, 0.9), chance.uniform(0.2, 2.4)
+            found.append(Camera(position=(5.0, height, -2.0), yaw=yaw, pitch=pitch, roll=roll, fov=fov))
+    return found
+
+
+@pytest.mark.parametrize("preset", ["default", "beach"])
+def test_no_pixel_is_different(executor: Executor, preset: str) -> None:
+    scene: Scene = load_preset(preset).scene
+    plan = make_plan(scene, TIERS["standard"])
+    whole = over_the_target(plan)
+    water = 0
+    for camera in cameras(plan.top):
+        for width, height in SIZES:
+            one, other = (
+                draw(executor, each, camera, time=2.7, size=(width, height), output="linear") for each in (plan, whole)
+            )
+            assert (one == other).all(), (camera, width, height)
+            water += int((one[..., 3] > 0.0).sum())
+    assert water > 0

@@ -124,13 +124,14 @@ class Visit:
         self.frames(2)
         self.page.wait_for_function("() => !window.seafoam.state().busy", timeout=180_000)
 
-    def start_again(self) -> None:
+    def start_again(self, fragment: str = "#paused=1&quality=fast&preset=default") -> None:
         """Put the page back to how it was when it opened, for the next test."""
+        self.page.unroute_all()
         self.page.locator(".toast").evaluate_all("(toasts) => toasts.forEach((toast) => toast.remove())")
         self.page.evaluate("() => document.activeElement?.blur()")
         if self.page.locator("#settings.open").count():
             self.press("Close settings")
-        self.follow(link(preset="default"))
+        self.follow(fragment)
         self.settle()
         self.complaints.clear()
         self.asked.clear()
@@ -201,13 +202,7 @@ class Held:
 
 @contextmanager
 def visit(
-    lane: Lane,
-    server: str,
-    address: str = STILL,
-    *,
-    size: tuple[int, int] = SMALL,
-    settle: bool = True,
-    **context: Any,
+    lane: Lane, server: str, address: str = STILL, *, size: tuple[int, int] = SMALL, settle: bool = True, **context: Any
 ) -> Iterator[Visit]:
     """The page at an address below the server's, in a browser that remembers nothing; it may complain of nothing.
 

@@ -1,13 +1,21 @@
-"""Frames: their headers, identity and parameters, with a renderer that draws gradients."""
+"""Frames: their headers, identity and parameters; the same frame once, from memory, disk, and by its plan's address."""
 
 import io
+import json
 import re
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from urllib.parse import urljoin
 
 import numpy as np
 import pytest
 
-from seafoam.scene.presets import load_preset
-from support.serving import SMALL, frame, picture, problem
+from seafoam.api.settings import SERVED, Settings
+from seafoam.render.encode import read_recipe
+from seafoam.render.service.pool import BACKGROUND_QUEUE
+from seafoam.scene.presets import load_preset, preset_names
+from support.api_fakes import SLOW
+from support.serving import SMALL, busy, eventually, frame, picture, problem, serving
 
 
 def test_headers_of_a_frame(client):
@@ -98,3 +106,159 @@ def test_looks_and_masks_need_foam(client, monkeypatch):
     # At a time of its own: what has been asked before is known without looking at the preset.
     response = client.get("/api/frames/default.png", params=SMALL | {"look": "halftone", "time": 0.125})
     assert problem(response, 422)["errors"][0]["parameter"] == "look"
+
+
+CACHED = {"cache_size": 16 << 20, "cache_memory": 4 << 20}
+
+
+def origin(response) -> str:
+    return re.sub(r'cache;desc="(\w+)"', r"\1", response.headers["Server-Timing"].split(",")[0].split(";dur")[0])
+
+
+def origins(client) -> dict[str, float]:
+    return dict(client.app.state.context.frames.origins)
+
+
+@pytest.fixture(scope="module")
+def cached(tmp_path_factory):
+    with serving(cache=tmp_path_factory.mktemp("cache"), **CACHED) as client:
+        yield client
+
+
+def test_nothing_is_kept_unless_it_is_set_and_serve_sets_it(client, monkeypatch):
+    assert origin(frame(client, time=70.0)) == origin(frame(client, time=70.0)) == "queue"
+    assert client.app.state.context.frames.disk is None
+    monkeypatch.delenv("SEAFOAM_CACHE_SIZE", raising=False)
+    assert (Settings().cache_size, Settings().served.cache_size) == (0, SERVED["cache_size"])
+    monkeypatch.setenv("SEAFOAM_CACHE_SIZE", "0")
+    monkeypatch.setenv("SEAFOAM_CACHE_MEMORY", "5")
+    assert (Settings().served.cache_size, Settings().served.cache_memory) == (0, 5)
+
+
+def test_a_repeat_is_answered_from_memory_without_planning(cached, monkeypatch):
+    first = frame(cached, time=1.5)
+    body = {"scene": load_preset("default").scene.model_dump(mode="json"), "preset": "default", "time": 1.5, **SMALL}
+    assert cached.post("/api/frames", json=body).content == first.content
+    assert origin(cached.post("/api/frames", json=body)) == "memory"
+    monkeypatch.setattr("seafoam.api.context.compile_scene", None)
+    again = frame(cached, time=1.5)
+    assert (origin(first), origin(again)) == ("queue", "memory")
+    # In a folder of the cache for measurements.
+    assert cached.app.state.context.frames.disk.directory == Path(cached.app.state.context.settings.cache) / "frames"
+    assert again.content == first.content
+    for name in ("ETag", "Seafoam-Plan", "Seafoam-Renderer", "Cache-Control", "Link", "Content-Type"):
+        assert again.headers[name] == first.headers[name]
+
+
+def test_a_restarted_server_answers_from_disk_without_its_renderer(tmp_path):
+    with serving(cache=tmp_path, **CACHED) as client:
+        first = frame(client, time=3.5)
+    with serving(cache=tmp_path, **CACHED) as client:
+        again = frame(client, time=3.5)
+        assert origin(again) == "disk"
+        assert again.content == first.content
+        assert again.headers["ETag"] == first.headers["ETag"]
+        assert origin(frame(client, time=3.5)) == "memory"
+        assert origins(client) == {"disk": 1, "memory": 1}
+        text = client.get("/metrics").text
+        assert 'seafoam_frame_origins_total{origin="disk"} 1.0' in text
+        assert "seafoam_cache_damaged_total 0.0" in text
+
+
+def test_requests_in_flight_share_a_render():
+    with serving() as client, ThreadPoolExecutor(6) as threads:
+        client.get("/api/frames/default.png?width=8&height=8")
+        answers = list(threads.map(lambda _: frame(client, time=SLOW), range(6)))
+        # No cache: all of them were in flight at once, in a queue that holds two.
+        assert len({answer.content for answer in answers}) == 1
+        assert len({answer.headers["ETag"] for answer in answers}) == 1
+        assert sorted(map(origin, answers)) == ["queue", *["shared"] * 5]
+        assert client.app.state.context.metrics.frames.labels("png")._value.get() == 2
+
+
+def test_no_visitor_waits_behind_a_queued_thumbnail():
+    assert 2 * len(preset_names()) <= BACKGROUND_QUEUE, "thumbnails have a queue of their own"
+    names = preset_names()[:4]
+    with serving() as client, ThreadPoolExecutor(len(names) + 2) as threads:
+        assert frame(client).status_code == 200
+        pool = client.app.state.context.pool
+        order: list[str] = []
+
+        def ask(name: str, url: str) -> int:
+            status = client.get(url).status_code
+            order.append(name)
+            return status
+
+        with busy(client):
+            urls = {name: f"/api/presets/{name}/thumbnail.webp?width=16" for name in names}
+            thumbnails = [threads.submit(ask, *each) for each in urls.items()]
+            client.portal.call(eventually, lambda: pool.waiting_background == len(names))
+            assert pool.waiting == 0
+            visitor = threads.submit(ask, "visitor", "/api/frames/default.png?width=9&height=9")
+            client.portal.call(eventually, lambda: pool.waiting == 1)
+        assert visitor.result() == 200
+        assert [thumbnail.result() for thumbnail in thumbnails] == [200] * len(names)
+        assert order[0] == "visitor"
+        assert "seafoam_background_waiting 0.0" in client.get("/metrics").text
+
+
+def test_a_thumbnail_is_a_small_frame_of_its_preset(cached):
+    preset = load_preset("default")
+    response = cached.get("/api/presets/default/thumbnail.png?width=160")
+    assert picture(response).size == (160, round(160 * preset.size[1] / preset.size[0]))
+    assert response.headers["Cache-Control"] == "public, no-cache"
+    assert origin(cached.get("/api/presets/default/thumbnail.png?width=160")) == "memory"
+    size = {"width": 160, "height": picture(response).size[1]}
+    assert frame(cached, **size).content == response.content
+    tag = response.headers["ETag"]
+    current = cached.get("/api/presets/default/thumbnail.png?width=160", headers={"If-None-Match": tag})
+    assert current.status_code == 304
+
+
+def test_every_frame_names_its_immutable_address(cached):
+    asked = {"time": -1e-7, "yaw": 0.1}
+    for response in (
+        frame(cached, **asked),
+        frame(cached, dither=False, **asked),
+        frame(cached, "exr", precision="float", **asked),
+        cached.post("/api/frames", json={"scene": {}, "time": 2.0, **SMALL}),
+        cached.get("/api/presets/default/thumbnail.webp?width=32"),
+    ):
+        address = re.fullmatch(r'<(\S+)>; rel="canonical"', response.headers["Link"])[1]
+        found = cached.get(urljoin(str(response.url), address))
+        assert found.status_code == 200, found.text
+        assert found.headers["Cache-Control"] == "public, max-age=31536000, immutable"
+        assert found.headers["Seafoam-Plan"] == response.headers["Seafoam-Plan"]
+        assert urljoin(str(found.url), re.match("<(.+)>", found.headers["Link"])[1]) == str(found.url)
+        if "exr" not in response.headers["Content-Type"]:  # the same picture; its recipe names no preset
+            assert picture(found).tobytes() == picture(response).tobytes()
+        tag = found.headers["ETag"]
+        assert cached.get(str(found.url), headers={"If-None-Match": tag}).status_code == 304
+
+
+def test_plans_are_known_by_their_hash_after_a_restart_but_not_by_another_version(tmp_path, monkeypatch):
+    where = "width=8&height=8&x=0&y=4&z=0&yaw=0&pitch=0&roll=0&fov=1"
+    scene = {"waves": [{"model": "parametric"}]}
+    with serving(cache=tmp_path, **CACHED) as client:
+        plan = client.post("/api/plans", json={"scene": scene, "quality": "fast"}).headers["Seafoam-Plan"]
+        preset = client.get("/api/plans/storm?quality=high").headers["Seafoam-Plan"]
+        url = f"/api/plans/{plan}/frames/1.png?{where}"
+        first = client.get(url)
+        assert first.status_code == 200
+    with serving(cache=tmp_path, **CACHED) as client:
+        assert client.get(url).content == first.content
+        assert client.get(f"/api/plans/{preset}/frames/1.png?{where}").headers["Seafoam-Plan"] == preset
+    with serving(cache=tmp_path / "other", **CACHED) as client:
+        assert problem(client.get(url), 404)["errors"][0]["parameter"] == "plan"
+    monkeypatch.setattr("seafoam.api.frames.plans.plan_hash", lambda scene, quality: "0" * 64)
+    with serving(cache=tmp_path, **CACHED) as client:
+        assert client.app.state.context.plan_index.find(plan) is None
+
+
+def test_what_a_frame_carries_is_its_recipe(cached):
+    for suffix, own in (("png", "dither"), ("webp", "dither"), ("exr", "precision")):
+        response = frame(cached, suffix, time=6.5)
+        recipe = json.loads(read_recipe(response.content))
+        assert recipe["plan"] == response.headers["Seafoam-Plan"]
+        assert (recipe["time"], recipe["width"], recipe["height"], recipe["format"]) == (6.5, 24, 16, suffix)
+        assert {"dither", "precision"} & set(recipe) == {own}

@@ -1,16 +1,31 @@
-"""Request ids, and the log as lines of JSON."""
+"""Request ids, the log as lines of JSON, and traces by OpenTelemetry."""
 
+import asyncio
 import io
 import json
 import logging
 import re
+import threading
 from collections.abc import Callable, Iterator
+from http.server import BaseHTTPRequestHandler, HTTPServer
+from itertools import pairwise
+from types import SimpleNamespace
+from typing import get_args
 
 import pytest
+from opentelemetry.proto.collector.trace.v1.trace_service_pb2 import ExportTraceServiceRequest
+from opentelemetry.sdk.trace import ReadableSpan
+from opentelemetry.sdk.trace.export.in_memory_span_exporter import InMemorySpanExporter
 from starlette.responses import Response
 from starlette.testclient import TestClient
 
-from seafoam.api.watch import logs
+from seafoam.api.frames.plans import ResolvedFrame
+from seafoam.api.frames.respond import answer
+from seafoam.api.watch import logs, metrics
+from seafoam.api.watch.metrics import Traces, UnsupportedTelemetryError, configured
+from seafoam.extras import MissingExtraError
+from seafoam.render.service.jobs import EncodedFrame, Origin
+from support.command import imported
 from support.serving import answering
 
 Logged = Callable[[], list[dict[str, object]]]
@@ -32,37 +47,37 @@ def logged() -> Iterator[Logged]:
 
 
 @pytest.fixture(scope="module")
-def client() -> TestClient:
+def asked() -> TestClient:
     return answering(log_format="json")
 
 
 def test_each_request_has_an_id_also_where_an_error_is_unexpected(
-    client: TestClient, monkeypatch: pytest.MonkeyPatch
+    asked: TestClient, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    one, other = (client.get("/healthz").headers["X-Request-ID"] for _ in range(2))
+    one, other = (asked.get("/healthz").headers["X-Request-ID"] for _ in range(2))
     assert re.fullmatch("[0-9a-f]{32}", one)
     assert one != other
     monkeypatch.setattr("seafoam.api.routers.presets.every_parameter", lambda: 1 / 0)
-    response = client.get("/api/quality", headers={"X-Request-ID": "one"})
+    response = asked.get("/api/quality", headers={"X-Request-ID": "one"})
     assert response.status_code == 500
     assert response.headers["X-Request-ID"] == response.json()["request_id"] == "one"
 
 
-def test_a_sane_id_is_kept_and_another_replaced(client: TestClient) -> None:
+def test_a_sane_id_is_kept_and_another_replaced(asked: TestClient) -> None:
     for sent in ("abc", "01J8-X_y.z:1", "a" * 128):
-        response = client.get("/api/presets/none", headers={"X-Request-ID": sent})
+        response = asked.get("/api/presets/none", headers={"X-Request-ID": sent})
         assert response.headers["X-Request-ID"] == response.json()["request_id"] == sent
     for sent in ("", " ", "a b", "a" * 129, '{"a":1}', "é".encode(), b"\xff", "a,b", "-a", "<b>"):
-        response = client.get("/healthz", headers={"X-Request-ID": sent})
+        response = asked.get("/healthz", headers={"X-Request-ID": sent})
         assert re.fullmatch("[0-9a-f]{32}", response.headers["X-Request-ID"]), sent
 
 
-def test_a_line_for_each_request_but_for_probes(client: TestClient, logged: Logged) -> None:
-    response = client.get("/api/presets/none?x=1", headers={"X-Request-ID": "one"})
-    client.head("/api/quality")
-    client.get("/learn/")
-    client.get("/healthz")
-    client.get("/readyz")
+def test_a_line_for_each_request_but_for_probes(asked: TestClient, logged: Logged) -> None:
+    response = asked.get("/api/presets/none?x=1", headers={"X-Request-ID": "one"})
+    asked.head("/api/quality")
+    asked.get("/learn/")
+    asked.get("/healthz")
+    asked.get("/readyz")
     first, second, third = logged()
     assert re.fullmatch(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d\.\d{3}\+00:00", str(first.pop("time")))
     assert 0.0 < float(str(first.pop("duration_ms"))) < 60_000.0
@@ -85,12 +100,12 @@ def test_a_key_is_logged_by_its_name(logged: Logged) -> None:
 
 
 def test_frames_of_streams_are_logged_if_they_are_refused(monkeypatch: pytest.MonkeyPatch, logged: Logged) -> None:
-    client = answering(log_format="json")
+    asked = answering(log_format="json")
     path = "/api/streams/x/frame.jpg"
-    client.get(path)
+    asked.get(path)
     monkeypatch.setattr("seafoam.api.guard.access_control.AccessControl.__call__", Response(status_code=204))
-    client.get(path)
-    client.get("/api/streams")
+    asked.get(path)
+    asked.get("/api/streams")
     assert [(line["path"], line["status"]) for line in logged()] == [(path, 422), ("/api/streams", 204)]
 
 
@@ -114,3 +129,134 @@ def test_json_replaces_uvicorns_own_log_and_as_text_uvicorn_writes_the_lines(
     assert isinstance(made["handlers"][0].formatter, logs.JsonLines)
     answering().get("/api/quality")
     assert logged() == []
+
+
+ENDPOINT = {"OTEL_EXPORTER_OTLP_ENDPOINT": "http://127.0.0.1:4318"}
+PARENT = "00-0af7651916cd43dd8448eb211c80319c-b7ad6b7169203331-01"
+
+
+class Recorded:
+    """Traces that stay here."""
+
+    def __init__(self) -> None:
+        self.exporter = InMemorySpanExporter()
+        self.traces = Traces(self.exporter)
+
+    def spans(self) -> list[ReadableSpan]:
+        self.traces._provider.force_flush()
+        return list(self.exporter.get_finished_spans())
+
+
+@pytest.fixture
+def recorded(monkeypatch: pytest.MonkeyPatch) -> Iterator[Recorded]:
+    made = Recorded()
+    monkeypatch.setattr("seafoam.api.app.configured_traces", lambda: made.traces)
+    yield made
+    made.traces.close()
+
+
+def test_the_standard_variables_switch_it_on_and_what_is_not_supported_is_refused() -> None:
+    otlp = {"OTEL_TRACES_EXPORTER": "otlp", "OTEL_EXPORTER_OTLP_PROTOCOL": "http/protobuf"}
+    for on in (ENDPOINT, {"OTEL_EXPORTER_OTLP_TRACES_ENDPOINT": "http://a/v1/traces"}, ENDPOINT | otlp):
+        assert configured(on), on
+    none = {"OTEL_TRACES_EXPORTER": "none"}
+    for off in ({}, {"OTEL_SERVICE_NAME": "sea"}, ENDPOINT | {"OTEL_SDK_DISABLED": "true"}, ENDPOINT | none):
+        assert not configured(off), off
+    for name, value in (("OTEL_TRACES_EXPORTER", "console"), ("OTEL_EXPORTER_OTLP_PROTOCOL", "grpc")):
+        with pytest.raises(UnsupportedTelemetryError, match=rf"{name}: must be .*, not '{value}'"):
+            configured({**ENDPOINT, name: value})
+
+
+def test_without_the_packages_the_error_names_them(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv(*next(iter(ENDPOINT.items())))
+    monkeypatch.setattr("seafoam.extras._installed", lambda module: False)
+    with pytest.raises(MissingExtraError, match=r"seafoam\[telemetry\]"):
+        metrics.traces()
+
+
+def test_nothing_is_imported_where_nothing_asks_for_it() -> None:
+    # FastAPI imports the API of OpenTelemetry itself.
+    found = imported("from seafoam.api.app import create_app; create_app()")
+    assert [name for name in found if name.startswith(("opentelemetry.sdk", "opentelemetry.exporter"))] == []
+
+
+def test_a_span_for_each_request_of_which_an_unexpected_error_is_one(
+    recorded: Recorded, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    client = answering()
+    client.get("/api/presets/none", headers={"traceparent": PARENT})
+    client.head("/api/quality")
+    client.get("/healthz")
+    client.get("/api/streams/x/frame.jpg")
+    monkeypatch.setattr("seafoam.api.routers.presets.every_parameter", lambda: 1 / 0)
+    client.get("/api/quality")
+    first, second, failed = recorded.spans()
+    assert first.name == "GET /api/presets/{preset}"
+    assert first.attributes.items() >= {"http.response.status_code": 404, "url.path": "/api/presets/none"}.items()
+    assert f"{first.parent.trace_id:032x}" == PARENT.split("-")[1]
+    assert first.status.is_unset
+    assert second.name == "HEAD /api/quality"
+    assert second.parent is None
+    assert (failed.status.is_ok, failed.status.is_unset) == (False, False)
+
+
+def test_a_drawn_frames_stages_are_spans_within_its_request(recorded: Recorded) -> None:
+    timings = {"queue": 0.5, "plan": 0.001, "render": 0.02, "read": 0.001, "encode": 0.004}
+
+    async def draw(*_: object, **__: object) -> EncodedFrame:
+        return EncodedFrame(b"", timings, origin)
+
+    async def leave() -> None:
+        await asyncio.Event().wait()
+
+    for origin in get_args(Origin):
+        frames = SimpleNamespace(frame=draw, at_hand=lambda key: None)
+        context = SimpleNamespace(
+            frames=frames, traces=recorded.traces, metrics=SimpleNamespace(count_frame=lambda *_: None)
+        )
+        job = SimpleNamespace(format="png")
+        request = SimpleNamespace(method="POST", receive=leave)
+        with recorded.traces._tracer.start_as_current_span(origin):
+            asyncio.run(answer(ResolvedFrame(job, "", {}, None), request, context))
+    spans = recorded.spans()
+    parent = next(each for each in spans if each.name == "drawn")
+    stages = [each for each in spans if each.name not in get_args(Origin)]
+    assert [each.name for each in stages] == list(timings)
+    for before, after in pairwise(stages):
+        assert before.end_time == after.start_time
+    for each in stages:
+        assert each.parent.span_id == parent.context.span_id
+        assert each.end_time - each.start_time == pytest.approx(1e9 * timings[each.name], abs=1)
+
+
+def test_spans_reach_a_collector(monkeypatch: pytest.MonkeyPatch) -> None:
+    received = []
+
+    class Collector(BaseHTTPRequestHandler):
+        def do_POST(self) -> None:
+            received.append((self.path, self.rfile.read(int(self.headers["Content-Length"]))))
+            self.send_response(200)
+            self.send_header("Content-Length", "0")
+            self.end_headers()
+
+        def log_message(self, *_: object) -> None:
+            """Say nothing."""
+
+    with HTTPServer(("127.0.0.1", 0), Collector) as server:
+        thread = threading.Thread(target=server.serve_forever)
+        thread.start()
+        monkeypatch.setenv("OTEL_EXPORTER_OTLP_ENDPOINT", f"http://127.0.0.1:{server.server_port}")
+        monkeypatch.setenv("OTEL_SERVICE_NAME", "sea")
+        made = metrics.traces()
+        assert made is not None
+        made.stages({"render": 0.25})
+        made.close()
+        server.shutdown()
+        thread.join()
+    ((path, body),) = received
+    assert path == "/v1/traces"
+    sent = ExportTraceServiceRequest.FromString(body).resource_spans[0]
+    assert {each.key: each.value.string_value for each in sent.resource.attributes}["service.name"] == "sea"
+    (span,) = sent.scope_spans[0].spans
+    assert span.name == "render"
+    assert span.end_time_unix_nano - span.start_time_unix_nano == 250_000_000

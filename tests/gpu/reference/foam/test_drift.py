@@ -45,8 +45,7 @@ EDDIES = (
 )
 SUM = f"y.x = drift_saturation(x.xy, 0.0, {FOOTPRINT}); y.y = dot(drift_shares(), vec4(1.0));"
 SCENE = Scene(
-    drift=Drift(current=(0.35, -0.1), size=40.0, vortices=EDDIES),
-    foam=Foam(saturation=(SOURCE,), look="halftone"),
+    drift=Drift(current=(0.35, -0.1), size=40.0, vortices=EDDIES), foam=Foam(saturation=(SOURCE,), look="halftone")
 )
 
 

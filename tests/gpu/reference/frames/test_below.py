@@ -111,11 +111,7 @@ VIEWS = {
         Camera(position=(0.0, -1.0, 0.0), pitch=0.6),
     ),
     "foam without light": (
-        Scene(
-            waves=WAVES,
-            light=None,
-            foam=Foam(saturation=(HeightSaturation(base=0.1, full=0.7),), look="textured"),
-        ),
+        Scene(waves=WAVES, light=None, foam=Foam(saturation=(HeightSaturation(base=0.1, full=0.7),), look="textured")),
         Camera(position=(0.0, -0.5, 0.0), pitch=0.5),
     ),
 }

@@ -35,10 +35,7 @@ def truth(scene: Scene, camera: Camera) -> NDArray[np.float64]:
     width, height = SIZE
     view = cameras.view(camera, width, height)
     state = SampleShader(scene.settled, TIME, cameras.SampleGrid(view, width, height), "same-samples", None)
-    X, Y = (
-        2.0 * (np.arange(width) + 0.5) / width - 1.0,
-        1.0 - 2.0 * (np.arange(height) + 0.5) / height,
-    )
+    X, Y = (2.0 * (np.arange(width) + 0.5) / width - 1.0, 1.0 - 2.0 * (np.arange(height) + 0.5) / height)
     surface, coast = state.surface, state.surface.coast
     D = cameras.rays(view, *(one.ravel() for one in np.meshgrid(X, Y)))
     d = unit(D)

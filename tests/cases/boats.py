@@ -1,0 +1,128 @@
+"""Test scenes of boats and their wakes: hard cases, and scenes that name them but in which they are invisible."""
+
+import math
+
+from support.cases import Cases, HardCase
+from support.hard.mutations import TIME, TIME_AND_PLACE, guards
+from support.scenes import Boat, Camera, Foam, Light, ParametricWave, Scene, Shore, SlopeSaturation, Surf, Water
+
+_NEAR = Boat(centre=(0.0, -14.0), radius=15.0, bearing=1.6, speed=0.0)
+
+_BEACH = Shore(size=160.0, radius=25.0, depth=6.0, slope=0.1, smoothing=3.0, surf=Surf(height=1.5))
+
+_HARD_BOAT = (
+    HardCase(
+        "a boat on a breaking crest",
+        Scene(
+            waves=(ParametricWave(amplitude=6.0, wavelength=12.0, exponent=6.0, direction=1.2),),
+            boats=(_NEAR.model_copy(update={"smoothing": 0.0, "length": 4.0, "bearing": 1.45}),),
+        ),
+        guard="a boat tilts by at most 45 degrees (boats/pose.glsl@pass)",
+        times=(0.0, 0.7, 1.4),
+        camera=Camera(position=(0.0, 9.0, 16.0), pitch=-0.2),
+        without={"boats/pose.glsl": {"slope /= max(length(slope), 1.0);": ""}},
+    ),
+    HardCase(
+        "a boat on dry land",
+        Scene(
+            shore=_BEACH,
+            boats=(Boat(centre=(-10.0, 0.0), radius=9.0, bearing=0.5, speed=0.0, length=6.0),),
+            light=Light(sun_elevation=0.7, sun_azimuth=2.0, exposure=-2.0),
+            water=Water(scattering=0.01),
+        ),
+        guard="ground above the keel supports the boat (boats/pose.glsl@aground)",
+        camera=Camera(position=(-30.0, 7.0, 9.0), yaw=1.4, pitch=-0.2),
+        without={"boats/pose.glsl": {"max(waves(p).x, shore_floor(shore_place(p)).x + draught)": "waves(p).x"}},
+    ),
+    HardCase(
+        "a boat ten thousand kilometres away, after thirty years",
+        Scene(
+            waves=(ParametricWave(amplitude=0.3, wavelength=9.0),),
+            boats=(_NEAR.model_copy(update={"centre": (-9999990.0, 9999980.0), "speed": 3.0}),),
+        ),
+        guard="bearing and vector from the centre of the course reduced in float64 (framegraph/evaluation.py)",
+        times=(-1e9, 1e9),
+        camera=Camera(position=(-9999990.0, 9.0, 10000000.0), pitch=-0.2),
+        without=TIME_AND_PLACE,
+    ),
+    HardCase(
+        "eye in a boat",
+        Scene(boats=(Boat(centre=(0.0, -50.0), radius=50.0, length=30.0, bearing=1.57, speed=0.0),)),
+        guard="intersections behind the camera are discarded (boats/hull.glsl@hull)",
+        camera=Camera(position=(0.0, 1.0, 1.0), pitch=-0.2),
+        without={
+            "boats/hull.glsl": {"max(enter.w, least)": "enter.w", "leave > least": "true", ") > least": ") > -1e9"}
+        },
+    ),
+    HardCase(
+        "rays along a boat's own axes",
+        Scene(boats=(_NEAR.model_copy(update={"bearing": 0.0, "centre": (-15.0, -12.0)}),), light=Light()),
+        guard="quadratic coefficients of at least 1e-7, cosines to planes of at least 1e-9 (boats/hull.glsl@hull)",
+        camera=Camera(position=(0.0, 0.7, 0.0), pitch=0.0, fov=0.6),
+        without={"boats/hull.glsl": {"a = max(a, 1e-7);": "", "abs(rate) < 1e-9": "false"}},
+        missed_by=guards("waves", "functions_are_guarded[rays abeam]"),
+    ),
+)
+
+_HARD_SHADOWS = (
+    HardCase(
+        "shadow of a boat under a low sun over a floor",
+        Scene(
+            boats=(Boat(centre=(-13.4, -18.1), radius=14.0, bearing=0.3, speed=0.0, length=9.0),),
+            light=Light(sun_elevation=0.25, sun_azimuth=0.6, exposure=-2.0),
+            water=Water(depth=1.5, floor_tile=1.0, scattering=0.05, absorption_length=(4.0, 20.0, 30.0)),
+        ),
+        guard="quadratic coefficients of at least 1e-7 in rays to the sun (boats/hull.glsl@hull)",
+        camera=Camera(position=(0.0, 3.0, 0.0), pitch=-0.2),
+        without={"boats/hull.glsl": {"a = max(a, 1e-7);": ""}},
+        missed_by=guards("waves", "functions_are_guarded[rays abeam]"),
+    ),
+)
+
+_FAST = Boat(centre=(0.0, -30.0), radius=30.0, bearing=1.2, speed=4.0, wake=0.3)
+
+_ABOVE = Camera(position=(0.0, 30.0, -20.0), pitch=-math.pi / 2)
+
+_INVISIBLE = (
+    Scene(boats=(_FAST.model_copy(update={"speed": 0.0}),)),
+    Scene(boats=(_FAST.model_copy(update={"wake": 0.0}),)),
+)
+
+_HARD_WAKE = (
+    HardCase(
+        "the edge of a wake, where both systems meet",
+        Scene(boats=(_FAST,), foam=Foam(saturation=(SlopeSaturation(),), look="textured")),
+        guard="a wake has height only where the square root in its phase exceeds 0 (boats/wake.glsl@pattern)",
+        camera=_ABOVE,
+        without={"boats/wake.glsl": {"at.x <= 0.0 || square <= 0.0": "at.x <= 0.0"}},
+    ),
+    HardCase(
+        "the centre of a boat's circle, and straight behind it",
+        Scene(boats=(_FAST.model_copy(update={"radius": 13.5}),)),
+        guard="distance from the centre at least a tenth of the radius, tangent at most 5000 (boats/wake.glsl@way, "
+        "boats/wake.glsl@pattern)",
+        camera=_ABOVE.model_copy(update={"position": (0.0, 20.0, -30.0)}),
+        without={
+            "boats/wake.glsl": {
+                "max(length(from), 0.1 * radius)": "length(from)",
+                "max(q, 1e-4)": "q",
+                "max(q * q, 1e-8)": "(q * q)",
+            }
+        },
+        missed_by=guards("waves", "wakes_at_the_centre_and_on_the_course"),
+    ),
+    HardCase(
+        "a wake from thirty years ago",
+        Scene(boats=(_FAST,)),
+        guard="the bearing on the course reduced in float64 (framegraph/evaluation.py)",
+        times=(-1e9, 1e9),
+        camera=_ABOVE,
+        without=TIME,
+    ),
+)
+
+CASES = {
+    "boats": Cases(always_visible="a boat stands over the water and before it", hard=_HARD_BOAT),
+    "boat shadows": Cases(always_visible="a boat takes the sun from the water beside it", hard=_HARD_SHADOWS),
+    "wakes": Cases(invisible=_INVISIBLE, hard=_HARD_WAKE),
+}

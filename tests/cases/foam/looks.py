@@ -1,0 +1,309 @@
+"""Test scenes of looks and material of foam: hard cases, and scenes that name an effect and cannot show it."""
+
+import math
+
+from support.cases import Bounds, Cases, HardCase
+from support.hard.mutations import IN_FLOAT32, guards, reference
+from support.scenes import (
+    Camera,
+    Foam,
+    FoamLife,
+    FoamScattering,
+    FrontSaturation,
+    HeightSaturation,
+    Light,
+    ParametricWave,
+    Scene,
+    Water,
+)
+
+_INVISIBLE = (
+    Scene(
+        waves=(ParametricWave(amplitude=0.5),),
+        foam=Foam(saturation=(HeightSaturation(base=0.6, full=1.0),), look="halftone"),
+    ),
+    Scene(
+        waves=(ParametricWave(amplitude=0.5),),
+        foam=Foam(saturation=(HeightSaturation(base=0.4999, full=1.4999),), look="textured"),
+    ),
+    Scene(
+        waves=(ParametricWave(amplitude=0.5),),
+        foam=Foam(
+            saturation=(FrontSaturation(), HeightSaturation(base=0.6, full=1.0)), combine="product", look="filtered"
+        ),
+    ),
+)
+
+_HARD = (
+    HardCase(
+        "filtered, a hair above nothing",
+        Scene(foam=Foam(saturation=(HeightSaturation(base=-6.103515625e-05, full=0.99993896484375),), look="filtered")),
+        guard="amount 0 at saturation 0 and 1 at 1, by a step of 1/256 at each end (foam/look.glsl@filtered)",
+        without={"foam/look.glsl": {"covered *= smoothstep(0.0, 1.0 / 256.0, s);": ""}},
+        missed_by=reference("foam/foam_functions", "filtered_coverage_equals_its_float64_form[0.0-vac-1.5]"),
+    ),
+    HardCase(
+        "filtered, a hair below all",
+        Scene(foam=Foam(saturation=(HeightSaturation(base=-0.99993896484375, full=6.103515625e-05),), look="filtered")),
+        guard="amount 0 at saturation 0 and 1 at 1, by a step of 1/256 at each end (foam/look.glsl@filtered)",
+        without={"foam/look.glsl": {"1.0 - (1.0 - covered) * smoothstep(0.0, 1.0 / 256.0, 1.0 - s)": "covered"}},
+        missed_by=guards("foam", "foam_closes_before_its_saturation_is_whole"),
+    ),
+    HardCase(
+        "thresholds next to 0 and to 1",
+        Scene(
+            foam=Foam(saturation=(HeightSaturation(base=-1.52587890625e-05, full=0.9999847412109375),), look="halftone")
+        ),
+        guard="thresholds in the middle of their ranks, (rank + 1/2)/N (foam/mask.glsl@texel_u16)",
+        without={"foam/mask.glsl": {"+ 0.5) / 65536.0": ") / 65536.0"}},
+        missed_by=guards("foam", "functions_are_guarded[the lowest threshold of a mask]"),
+    ),
+    HardCase(
+        "a mask at a thousandth of a texel a pixel",
+        Scene(foam=Foam(saturation=(HeightSaturation(base=-0.5, full=0.5),), look="filtered", mask_tile=1000.0)),
+        guard="half width of the edge at least 5e-4, in thresholds (foam/look.glsl@filtered)",
+        camera=Camera(position=(0.0, 0.1, 0.0), pitch=-math.pi / 2),
+        without={"foam/look.glsl": {"/ 131072.0, 5e-4)": "/ 131072.0, 0.0)"}},
+        missed_by=guards("foam", "functions_are_guarded[a mask that does not change under a footprint]"),
+    ),
+    HardCase(
+        "a mask at a thousand texels a pixel",
+        Scene(foam=Foam(saturation=(HeightSaturation(base=-0.5, full=0.5),), look="filtered", mask_tile=0.05)),
+        guard="level at most the last one, a single texel for the whole mask (foam/look.glsl@filtered)",
+        camera=Camera(position=(0.0, 5.0, 0.0), pitch=-math.pi / 2),
+        without={"foam/look.glsl": {"clamp(most, 1.0, float(1 << (MASK_LEVELS - 1)))": "max(most, 1.0)"}},
+        missed_by=guards("foam", "functions_are_guarded[eight tiles of a mask under a footprint]"),
+    ),
+    HardCase(
+        "needles: footprints of a tenth of a texel by a thousand",
+        Scene(
+            foam=Foam(
+                saturation=(HeightSaturation(base=-0.4, full=0.6),), look="filtered", mask="vac-1.5", mask_tile=1.0
+            )
+        ),
+        guard="level at least 0; box at least 0.01 texel wide (foam/look.glsl@filtered)",
+        camera=Camera(position=(0.3, 0.02, 0.1), pitch=-0.01),
+        without={
+            "foam/look.glsl": {
+                "int level = max(form, 0);": "int level = form;",
+                "<< 23), 1e-2, 0.75 * float(FOAM_SIDE))": "<< 23), 0.0, 0.75 * float(FOAM_SIDE))",
+            }
+        },
+        missed_by=guards("foam", "functions_are_guarded[a footprint without width]"),
+    ),
+    HardCase(
+        "a fade too small for float32",
+        Scene(waves=(ParametricWave(),), foam=Foam(fade=1e-40), light=None),
+        guard="divisor of the ramp at least 1e-30 (foam/look.glsl@filtered)",
+        without={"foam/look.glsl": {"max(2.0 * fade, 1e-30)": "(2.0 * fade)", "max(part, 1e-30)": "part"}},
+    ),
+    HardCase(
+        "four octaves, a hair below all",
+        Scene(
+            foam=Foam(
+                saturation=(HeightSaturation(base=-0.99993896484375, full=6.103515625e-05),),
+                look="filtered",
+                mask="lace",
+                octaves=4,
+            )
+        ),
+        guard="no further octave where the amount is already 0 or 1 (foam/look.glsl@filtered)",
+        camera=Camera(position=(0.37, 0.3, -0.21), yaw=1.0, pitch=-0.3),
+        unseen="not needed: the steps of 1/256 at both ends keep 0 and 1 as they are in any further octave; the guard "
+        "only saves the work",
+    ),
+    HardCase(
+        "four octaves, ten thousand kilometres away",
+        Scene(
+            foam=Foam(
+                saturation=(HeightSaturation(base=-0.4, full=0.6),),
+                look="filtered",
+                mask="lace",
+                octaves=4,
+                mask_tile=0.7,
+            )
+        ),
+        guard="coordinates reduced modulo a tile before each octave, whose frequency is an integer "
+        "(foam/look.glsl@filtered)",
+        camera=Camera(position=(9.99e6, 0.4, -9.99e6), yaw=1.0, pitch=-0.5),
+        without={"foam/look.glsl": {"octave(fract(uv))": "octave(uv)"}},
+        missed_by=guards("foam", "octaves_are_alike_in_every_tile"),
+    ),
+    HardCase(
+        "a mask turned in each cell, ten thousand kilometres away",
+        Scene(
+            foam=Foam(saturation=(HeightSaturation(base=-0.4, full=0.6),), look="filtered", cells=True, mask_tile=0.7)
+        ),
+        guard="camera position as whole cells and a fraction, both reduced in float64 (effects/foam/look.py)",
+        camera=Camera(position=(9.99e6, 2.4, -9.99e6), yaw=1.0, pitch=-0.5),
+        without=IN_FLOAT32,
+        missed_by=reference("foam/slope_and_cells", "frames_with_cells_and_two_textures_equal_float64[filtered]"),
+    ),
+    HardCase(
+        "a mask turned in each cell, a hair below all",
+        Scene(
+            waves=(ParametricWave(amplitude=1e-3, wavelength=3.0),),
+            foam=Foam(saturation=(HeightSaturation(base=-0.9995, full=0.0005),), cells=True, mask_tile=1.5),
+            light=None,
+        ),
+        guard="base of the power at least 1/256, below that linear to 0 (foam/shading.glsl@cover)",
+        camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
+        without={
+            "foam/shading.glsl": {"vec2(max(left, 1.0 / 256.0), smoothstep(0.0, 1.0 / 256.0, left))": "vec2(left, 1.0)"}
+        },
+        missed_by=guards("foam", "functions_are_guarded[covers next to whole]"),
+    ),
+    HardCase(
+        "a mask turned in each cell, its thresholds hard",
+        Scene(
+            foam=Foam(
+                saturation=(HeightSaturation(base=-0.4, full=0.6),),
+                look="halftone_textured",
+                cells=True,
+                mask_tile=4.0,
+                texture_tile=2.7,
+                texture_second=3.14,
+            )
+        ),
+        guard="only the nearest cell is used, whose weight is never 0 (foam/cells.glsl@sharp)",
+        camera=Camera(position=(3.0, 1.6, -9.0), yaw=2.0, pitch=-0.5),
+        without={
+            "foam/cells.glsl": {
+                "cell_enter(corner[near], way[near]);": (
+                    "float sum = 0.0;\n"
+                    "    for (int i = 0; i < 3; ++i) {\n"
+                    "        cell_enter(corner[i], way[i]);\n        sum += share[i] * cell_amount(f, p, fp);\n    }"
+                ),
+                "return cell_amount(f, p, fp);": "return sum;",
+            }
+        },
+    ),
+    HardCase(
+        "black foam over the brightest glitter",
+        Scene(
+            foam=Foam(saturation=(HeightSaturation(base=-0.99, full=0.01),), mask_tile=1000.0, fade=0.1, albedo=0.0),
+            water=Water(roughness=0.01),
+            light=Light(sun_elevation=0.3, exposure=10.0, visibility=1e6),
+        ),
+        guard="foam amount clamped to [0, 1] (foam/look.glsl@filtered)",
+        camera=Camera(position=(3.0, 0.3, 0.0), yaw=math.pi / 2, pitch=-0.3, fov=0.3),
+        # The share of foam is rounded where it is nearly 1, and the light under it is 65504.
+        bounds=Bounds(mean=8.0, share=0.15),
+        without={"foam/look.glsl": {"share = clamp(share, 0.0, 1.0);": ""}},
+    ),
+    HardCase(
+        "a foam texture far under a texel",
+        Scene(foam=Foam(saturation=(HeightSaturation(base=-1.0, full=1.0),), look="textured", texture_tile=1000.0)),
+        guard="footprint at least 1e-6 texels before the logarithm (foam/mask.glsl@texture)",
+        camera=Camera(position=(0.37, 1e-3, -0.21), pitch=-0.3),
+        unseen="llvmpipe's logarithm of 0, which GLSL leaves undefined, is -infinity, and the level is held at 0",
+    ),
+)
+
+_FOAM_RELIEF = Foam(
+    saturation=(HeightSaturation(base=-0.4, full=0.6),), mask="lace", octaves=4, thickness=0.05, life=FoamLife()
+)
+
+_INVISIBLE_RELIEF = (
+    Scene(
+        waves=(ParametricWave(amplitude=0.5),),
+        foam=Foam(
+            saturation=(FrontSaturation(), HeightSaturation(base=0.6, full=1.0)), combine="product", thickness=0.1
+        ),
+    ),
+)
+
+_HARD_RELIEF = (
+    HardCase(
+        "foam under a low sun",
+        Scene(light=Light(sun_elevation=0.1, sun_azimuth=2.0), foam=_FOAM_RELIEF),
+        guard="sine of the sun's elevation at least 1/4 in the length of shadows (foam/shading.glsl@relief)",
+        camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.3),
+        without={"foam/shading.glsl": {"max(u_sun_direction.y, 0.25)": "u_sun_direction.y"}},
+    ),
+    HardCase(
+        "foam under a sun overhead",
+        Scene(light=Light(sun_elevation=math.pi / 2), foam=_FOAM_RELIEF),
+        guard="shadows shorter than a footprint fade out, with a length of at least 1e-6 m as divisor "
+        "(foam/shading.glsl@relief)",
+        camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.3),
+        without={"foam/shading.glsl": {"1.0 - smoothstep(0.25, 1.0, max(x, y) / max(length(way), 1e-6))": "1.0"}},
+    ),
+    HardCase(
+        "foam with the eye all but on it",
+        Scene(light=Light(), foam=_FOAM_RELIEF.model_copy(update={"thickness": 1.0, "mask_tile": 0.05})),
+        guard="sides of the footprint at least 1e-6 m before they are widened (foam/shading.glsl@relief)",
+        camera=Camera(position=(0.0, 1e-25, 0.0), pitch=-math.pi / 2),
+        without={"foam/shading.glsl": {"max(x, 1e-6)": "x", "max(y, 1e-6)": "y"}},
+        missed_by=guards("foam", "functions_are_guarded[a footprint that its shade widens]"),
+    ),
+)
+
+_INVISIBLE_SCATTERING = (
+    Scene(
+        waves=(ParametricWave(amplitude=0.5),),
+        foam=Foam(
+            saturation=(FrontSaturation(), HeightSaturation(base=0.6, full=1.0)),
+            combine="product",
+            scattering=FoamScattering(),
+        ),
+    ),
+)
+
+
+def _foam_scattering(layer: FoamScattering) -> Foam:
+    return Foam(saturation=(HeightSaturation(base=-0.4, full=0.6),), scattering=layer)
+
+
+_HARD_SCATTERING = (
+    HardCase(
+        "flat foam seen along its surface against the sun",
+        Scene(
+            light=Light(sun_elevation=0.0, sun_azimuth=0.0, exposure=-3.0),
+            foam=_foam_scattering(FoamScattering(optical_depth=0.5, roughness=0.0, forward=1.0)),
+            water=Water(roughness=0.05),
+        ),
+        guard="mean cosines of lumps at least 0.001 (foam/shading.glsl@scattering)",
+        camera=Camera(position=(0.37, 1.2, -0.21), yaw=math.pi / 2, pitch=-0.01),
+        without={"foam/shading.glsl": {"u_foam_lumps)), 1e-3)": "u_foam_lumps)), 0.0)"}},
+        missed_by=guards("foam", "functions_are_guarded[smooth foam that neither sun nor eye sees]"),
+    ),
+)
+
+_VARIANTS_SCATTERING = (
+    Scene(foam=_foam_scattering(FoamScattering()), light=Light()),
+    Scene(foam=_foam_scattering(FoamScattering()).model_copy(update={"thickness": 0.1}), light=Light()),
+)
+
+_FOAM_AERATION = Foam(saturation=(HeightSaturation(base=-0.4, full=0.6),))
+
+_INVISIBLE_AERATION = (
+    Scene(waves=(ParametricWave(amplitude=0.5),), foam=Foam(), water=Water(aeration=1e-6)),
+    Scene(
+        waves=(ParametricWave(amplitude=0.5),),
+        foam=Foam(saturation=(FrontSaturation(), HeightSaturation(base=0.6, full=1.0)), combine="product"),
+        water=Water(aeration=1.0),
+    ),
+)
+
+_HARD_AERATION = (
+    HardCase(
+        "milk in water as dark and as clear as it gets",
+        Scene(
+            foam=_FOAM_AERATION,
+            water=Water(
+                aeration=10.0, plume_depth=20.0, scattering=0.0, absorption_length=(0.01, 1000.0, 0.01), depth=0.05
+            ),
+        ),
+        guard="reflected light at least 0 (water/body.glsl@bubbles)",
+        unseen="not needed: bubbles scatter back at least what the water of their layer does: deep (1 - passed) more; "
+        "by rounding none of 2 million random waters was negative",
+    ),
+)
+
+CASES = {
+    "foam look": Cases(invisible=_INVISIBLE, hard=_HARD),
+    "foam relief": Cases(invisible=_INVISIBLE_RELIEF, hard=_HARD_RELIEF),
+    "foam scattering": Cases(invisible=_INVISIBLE_SCATTERING, hard=_HARD_SCATTERING, variants=_VARIANTS_SCATTERING),
+    "milky water": Cases(invisible=_INVISIBLE_AERATION, hard=_HARD_AERATION),
+}

@@ -1,0 +1,341 @@
+"""Test scenes of fronts and of foam that drifts and lives: hard cases, and scenes that cannot show it."""
+
+import math
+
+from support.cases import Cases, HardCase
+from support.hard.mutations import IN_FLOAT32, guards, reference
+from support.scenes import (
+    Camera,
+    Drift,
+    DriftSaturation,
+    Foam,
+    FoamLife,
+    FrontSaturation,
+    HeightSaturation,
+    Light,
+    ParametricWave,
+    Scene,
+    Shore,
+    Vortex,
+)
+
+_INVISIBLE_FRONT = (
+    Scene(foam=Foam()),
+    Scene(waves=(ParametricWave(),), foam=Foam(saturation=(FrontSaturation(group=(1.0, 1.0)),), look="halftone")),
+)
+
+_HARD_FRONT = (
+    HardCase(
+        "the pole of every crest, C 0.25",
+        Scene(
+            waves=(ParametricWave(amplitude=0.0, wavelength=2.0),),
+            foam=Foam(saturation=(FrontSaturation(intensity=0.25),), look="halftone"),
+        ),
+        guard="f = 4 where the phase is exactly 0, the pole; exponent clamped to [-80, 80] "
+        "(foam/saturation/front.glsl@profile)",
+        camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
+        without={
+            "foam/saturation/front.glsl": {
+                "signal.y == 0.0 ? 80.0 :": "",
+                "clamp((rho + signal.x) / signal.y, -80.0, 80.0)": "(rho + signal.x) / signal.y",
+            }
+        },
+        missed_by="tests/gpu/numerics/test_hard_cases.py::test_front_at_its_pole_and_beyond_the_schemas_c[0.25]",
+    ),
+    HardCase(
+        "the pole of the listing, C 100",
+        Scene(
+            waves=(ParametricWave(amplitude=0.0, wavelength=2.0),),
+            foam=Foam(saturation=(FrontSaturation(intensity=100.0, constants="listing"),), look="listing"),
+        ),
+        guard="the cotangent of half the phase instead of the published tangent (foam/saturation/front.glsl@profile)",
+        camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
+        without={
+            "foam/saturation/front.glsl": {
+                "exp(u_front_log_base * exponent)": (
+                    "exp(-u_front_log_base * tan(0.5 * atan(signal.y, signal.x) + 0.5 * PI))"
+                )
+            }
+        },
+        missed_by="tests/gpu/numerics/test_hard_cases.py::test_front_at_its_pole_and_beyond_the_schemas_c[0.25]",
+    ),
+    HardCase(
+        "no phase at all: waves in antiphase",
+        Scene(
+            waves=(ParametricWave(amplitude=0.0), ParametricWave(amplitude=0.0, phase=math.pi)),
+            foam=Foam(look="textured"),
+        ),
+        guard="exponent 0 where it would be 0/0 (foam/saturation/front.glsl@profile)",
+        camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
+        apart="the phase of a sum that is 0 is rounding",
+        coarse_apart="what is drawn is rounding",
+        without={
+            "foam/saturation/front.glsl": {
+                "rho > 0.0 ? signal.y / (rho - signal.x) : 0.0": "signal.y / (rho - signal.x)"
+            }
+        },
+        missed_by=guards("foam", "functions_are_guarded[a front of no phase]"),
+    ),
+    HardCase(
+        "filtered, where the phase turns endlessly fast",
+        Scene(waves=(ParametricWave(amplitude=0.0), ParametricWave(amplitude=0.0, phase=math.pi)), foam=Foam()),
+        guard="rho² at least 1e-4 in the phase's gradient, phase width at most 1e4 rad "
+        "(foam/saturation/front.glsl@filtered)",
+        apart="the phase of a sum that is 0 is rounding",
+        coarse_apart="what is drawn is rounding",
+        without={
+            "foam/saturation/front.glsl": {
+                "max(dot(signal, signal), 1e-4)": "dot(signal, signal)",
+                "clamp(width, 1e-5, 1e4)": "max(width, 1e-5)",
+            }
+        },
+        missed_by=guards("foam", "functions_are_guarded[a front whose phase turns endlessly fast]"),
+    ),
+    HardCase(
+        "patches anywhere, at any time",
+        Scene(
+            waves=(ParametricWave(amplitude=0.3), ParametricWave(amplitude=0.3, direction=0.5)),
+            foam=Foam(saturation=(FrontSaturation(group=(0.3, 0.9), decay=3.0, variation=0.3, variation_size=5.0),)),
+        ),
+        guard="the camera's position in the noise is reduced in float64 (framegraph/evaluation.py)",
+        times=(-1e9, 1e9),
+        camera=Camera(position=(-1e7, 3.0, 1e7), yaw=1.0, pitch=-0.3),
+        without=IN_FLOAT32,
+    ),
+    HardCase(
+        "a gate without width",
+        Scene(
+            waves=(ParametricWave(amplitude=0.3), ParametricWave(amplitude=0.3, direction=0.5)),
+            foam=Foam(
+                saturation=(FrontSaturation(group=(0.5, 0.5)), HeightSaturation(base=-0.5, full=2.0)),
+                look="halftone",
+                combine="max",
+            ),
+        ),
+        guard="upper group threshold at least 1e-4 above the lower one (effects/foam/front.py)",
+        without={"effects/foam/front.py": {"max(front.group[1], front.group[0] + 1e-4)": "front.group[1]"}},
+        missed_by=guards("foam", "groups_foam_over_a_range"),
+    ),
+    HardCase(
+        "footprints from a hair to the horizon",
+        Scene(
+            waves=(ParametricWave(amplitude=0.01, wavelength=0.05), ParametricWave(amplitude=0.3, wavelength=2000.0)),
+            foam=Foam(),
+        ),
+        guard="whole periods counted separately, Gauss quadrature over short intervals "
+        "(foam/saturation/front.glsl@filtered)",
+        times=(0.0, 1e9),
+        camera=Camera(position=(0.0, 0.8, 0.0), pitch=-0.2),
+        without={"foam/saturation/front.glsl": {"if (i == j && !crosses)": "if (false)"}},
+        missed_by=guards("foam", "functions_are_guarded[a front under a hair]"),
+    ),
+    HardCase(
+        "waves that hide their backs, an eye as high as their crests",
+        Scene(
+            waves=(
+                ParametricWave(amplitude=0.5, wavelength=8.0, exponent=2.0),
+                ParametricWave(amplitude=0.2, wavelength=5.0, direction=0.6),
+            ),
+            foam=Foam(),
+        ),
+        guard="divisor of a ray's fall over the waves' slope at least 1e-20, phase intervals at least 1e-5 rad "
+        "(foam/saturation/front.glsl@filtered)",
+        times=(0.0, 1e9),
+        camera=Camera(position=(0.37, 0.4375, -0.21), yaw=1.2, pitch=-0.05),
+        without={
+            "foam/saturation/front.glsl": {
+                "max(relief * length(p), 1e-20)": "(relief * length(p))",
+                "1.0 - q16, 1e-6), 1e-5)": "1.0 - q16, 1e-6), 0.0)",
+            }
+        },
+        missed_by=guards("foam", "functions_are_guarded[a front as high as the eye]"),
+    ),
+)
+
+_LIGHT = Light(sun_elevation=0.7, sun_azimuth=2.0, exposure=-1.0)
+
+_VIEW = Camera(position=(0.0, 9.0, 8.0), pitch=-0.5)
+
+_FOAM_DRIFT = Foam(saturation=(DriftSaturation(),), mask="clump", mask_tile=4.0)
+
+_EDDY = Drift(place=(0.0, -10.0), size=40.0, vortices=(Vortex(place=(0.0, -10.0)),))
+
+
+def _with(**fields: object) -> Drift:
+    return _EDDY.model_copy(update=fields)
+
+
+_INVISIBLE_DRIFT = (Scene(foam=_FOAM_DRIFT), Scene(drift=_EDDY, foam=Foam(saturation=(DriftSaturation(amount=0.0),))))
+
+_HARD_DRIFT = (
+    HardCase(
+        "the centre of a vortex in the middle of a pixel",
+        Scene(light=_LIGHT, drift=_EDDY, foam=_FOAM_DRIFT),
+        guard="a series for (1 - e^-y)/y at small y, where the difference cancels (foam/drift.glsl@flow)",
+        times=(0.0, 17.0),
+        camera=Camera(position=(0.0, 4.0, -10.0), pitch=-math.pi / 2),
+        # SwiftShader's sine, good to 2e-4, moves threads of foam round a vortex, a pixel wide.
+        coarse_share=0.12,
+        without={"foam/drift.glsl": {"y < 0.05 ?": "y < 0.0 ?"}},
+        missed_by=reference("foam/drift", "flow_equals_float64_right_into_the_centre"),
+    ),
+    HardCase(
+        "a hundred texels a step",
+        Scene(light=_LIGHT, drift=_with(current=(17.0, -5.0)), foam=_FOAM_DRIFT),
+        guard="texels are traced back along the flow, so that each has a value for any step "
+        "(foam/drift_passes.glsl@backward)",
+        times=(3.0,),
+        camera=_VIEW,
+        without={
+            "effects/foam/drift.py": {
+                'self.forward = quality.drift == "forward"': 'self.forward = quality.drift != "exact"',
+                'look != "filtered" or quality.drift == "forward"': 'look != "filtered" or quality.drift != "exact"',
+            }
+        },
+        missed_by=reference("foam/drift", "backward_is_one_everywhere_where_forward_gaps_and_piles"),
+    ),
+    HardCase(
+        "a vortex that turns twice a second",
+        Scene(
+            light=_LIGHT,
+            drift=_with(vortices=(Vortex(place=(0.0, -6.0), radius=0.28, speed=2.0),)),
+            foam=Foam(saturation=(DriftSaturation(life=12.0),), mask="clump", mask_tile=4.0),
+        ),
+        guard="steps in which the fastest vortex turns by at most 1 rad (effects/foam/drift.py)",
+        times=(5.0,),
+        camera=Camera(position=(0.0, 3.0, -6.0), pitch=-math.pi / 2),
+        without={
+            "effects/foam/drift.py": {
+                "min(quality.drift_step, STEP_TURN * min(quality.drift_step, 1.0) / max(fastest, 1e-6))": (
+                    "quality.drift_step"
+                )
+            }
+        },
+    ),
+    HardCase(
+        "a vortex that has ground its foam finer than texels",
+        Scene(
+            light=_LIGHT,
+            drift=_with(current=(0.0, 0.0), vortices=(Vortex(place=(0.0, -6.0), radius=1.2, speed=2.0),)),
+            foam=Foam(saturation=(DriftSaturation(life=60.0, patch=1.0),), mask="clump", mask_tile=4.0),
+        ),
+        guard="patches blend to their mean where a texel is larger than a patch (foam/drift_passes.glsl@backward)",
+        times=(50.0,),
+        camera=Camera(position=(0.0, 6.0, -6.0), pitch=-math.pi / 2),
+        without={"foam/drift_passes.glsl": {"mix(sum, u_drift_coverage, smoothstep(0.5, 2.0, reach))": "sum"}},
+        missed_by=guards("foam", "foam_that_is_ground_fine_does_not_flicker"),
+    ),
+    HardCase(
+        "drifting foam a thousand million seconds from now",
+        Scene(light=_LIGHT, drift=_EDDY, foam=_FOAM_DRIFT),
+        guard="ages and the number of the generation reduced in float64 (framegraph/evaluation.py)",
+        times=(-1e9, 1e9 + 3.1),
+        camera=_VIEW,
+        without=IN_FLOAT32,
+    ),
+    HardCase(
+        "drifting foam ten thousand kilometres away",
+        Scene(
+            light=_LIGHT,
+            drift=_with(
+                place=(9.99e6, -9.99e6), vortices=(Vortex(place=(9.99e6 + 1.3, -9.99e6 + 3.7)),), current=(0.3, 0.1)
+            ),
+            foam=_FOAM_DRIFT,
+        ),
+        guard="the vector from the square's centre to the camera reduced in float64 (framegraph/evaluation.py)",
+        times=(12.0,),
+        camera=Camera(position=(9.99e6, 9.0, -9.99e6 + 18.0), pitch=-0.5),
+        without={
+            "effects/foam/drift.py": {
+                'array("vec2", to_camera(*scene.drift.place), 1),': (
+                    'array("vec2", to_camera(0.0, 0.0), 1),\n'
+                    '            "u_drift_middle": vector((-scene.drift.place[0], -scene.drift.place[1])),'
+                )
+            },
+            "foam/saturation/drift.glsl": {
+                "uniform vec2 u_drift_place;": "uniform vec2 u_drift_middle;\nuniform vec2 u_drift_place;",
+                "p + u_drift_place;": "(p + u_drift_place) + u_drift_middle;",
+            },
+            "foam/drift.glsl": {"p + u_drift_place;": "(p + u_drift_place) + u_drift_middle;"},
+        },
+    ),
+    HardCase(
+        "more drifting foam than the water holds, times foam by height",
+        Scene(
+            light=_LIGHT,
+            waves=(ParametricWave(amplitude=0.2, wavelength=5.0),),
+            drift=_EDDY,
+            foam=Foam(
+                saturation=(DriftSaturation(amount=4.0, coverage=0.95), HeightSaturation(base=-0.2, full=0.4)),
+                combine="product",
+                mask="clump",
+                mask_tile=4.0,
+            ),
+        ),
+        guard="the filtered look clamps each saturation to 1 before the product (foam/saturation/drift.glsl@map)",
+        times=(12.0,),
+        camera=_VIEW,
+        without={
+            "effects/foam/drift.py": {
+                '"DRIFT_CAP": 1.0 if foam.look == "filtered" else SATURATION_CAP': '"DRIFT_CAP": SATURATION_CAP'
+            }
+        },
+    ),
+    HardCase(
+        "no current and no vortex",
+        Scene(light=_LIGHT, drift=_with(current=(0.0, 0.0), vortices=()), foam=_FOAM_DRIFT),
+        guard="without vortices the shader's array holds one of speed 0 (effects/foam/drift.py)",
+        times=(12.0,),
+        camera=_VIEW,
+        without={
+            "effects/foam/drift.py": {"drift.vortices or (Vortex(place=drift.place, speed=0.0),)": "drift.vortices"}
+        },
+        error="greater than or equal to 1",
+    ),
+)
+
+_LIFE = FoamLife(wind_drift=0.3, windrows=1.0, windrow_spacing=4.0)
+
+_FOAM_LIVING = Foam(saturation=(HeightSaturation(base=-0.4, full=0.6),), mask="lace", octaves=4, life=_LIFE)
+
+_HARD_LIVING = (
+    HardCase(
+        "foam that has drifted for thirty years",
+        Scene(waves=(ParametricWave(amplitude=0.2, wavelength=6.0),), foam=_FOAM_LIVING),
+        guard="displacement by the drift reduced in float64 to a phase of the mask (effects/foam/look.py)",
+        times=(-1e9, 1e9),
+        camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.3),
+        without=IN_FLOAT32,
+    ),
+    HardCase(
+        "foam of any age, ten thousand kilometres away",
+        Scene(waves=(ParametricWave(amplitude=0.2, wavelength=6.0),), foam=_FOAM_LIVING),
+        guard="camera position in the windrows' noise reduced in float64 (effects/foam/look.py)",
+        camera=Camera(position=(9.99e6, 1.4, -9.99e6), yaw=1.0, pitch=-0.3),
+        without=IN_FLOAT32,
+    ),
+    HardCase(
+        "foam next to none and next to whole, of all ages",
+        Scene(
+            waves=(ParametricWave(amplitude=1.0, wavelength=6.0, exponent=2.0),),
+            foam=_FOAM_LIVING.model_copy(update={"saturation": (HeightSaturation(base=0.0, full=1.0),)}),
+        ),
+        guard="ridges of the windrows at least -1, so that they take no more foam than there is "
+        "(foam/living.glsl@windrows); saturation at least 1e-6 in its logarithm (foam/living.glsl@living)",
+        camera=Camera(position=(0.37, 12.0, -0.21), yaw=1.0, pitch=-0.6),
+        without={"foam/living.glsl": {"uint(WINDROW_SEED))), -1.0)": "uint(WINDROW_SEED))), -1e30)"}},
+    ),
+    HardCase(
+        "foam on a coast without surf",
+        Scene(light=None, shore=Shore(size=160.0, depth=6.0, slope=0.1, smoothing=3.0), foam=_FOAM_LIVING),
+        guard="gradient of the waves' phase divided by a length of at least 1e-6 (foam/carry.glsl@shore)",
+        camera=Camera(position=(-42.0, 7.0, 9.0), yaw=1.4, pitch=-0.2),
+        without={"shore/waves.glsl": {"max(length(out_to_sea), 1e-6)": "length(out_to_sea)"}},
+    ),
+)
+
+CASES = {
+    "front foam": Cases(invisible=_INVISIBLE_FRONT, hard=_HARD_FRONT),
+    "drifting foam": Cases(invisible=_INVISIBLE_DRIFT, hard=_HARD_DRIFT),
+    "foam that lives": Cases(always_visible="a mask that is moved is another everywhere", hard=_HARD_LIVING),
+}

@@ -1,0 +1,243 @@
+"""Test scenes of the water's body, floor and caustics: hard cases, and scenes that cannot show them."""
+
+import math
+from itertools import product
+from typing import Any
+
+from support.cases import Bounds, Cases, HardCase
+from support.hard.mutations import IN_FLOAT32, guards, reference
+from support.scenes import Camera, Caustics, Foam, HeightSaturation, Light, ParametricWave, Ripples, Scene, Shore, Water
+
+_HARD_WATER = (
+    HardCase(
+        "eye on the surface",
+        Scene(foam=Foam(saturation=(HeightSaturation(base=-1.0, full=1.0),), look="halftone")),
+        guard="the distance along the ray is at least 0 (surface/march.glsl@plane, surface/march.glsl@march)",
+        camera=Camera(position=(0.0, 0.0, 0.0), pitch=-0.3),
+        without={"surface/march.glsl": {"u_eye_height * ray.y >= 0.0": "ray.y >= 0.0"}},
+    ),
+    HardCase(
+        "no scattering, no roughness to speak of",
+        Scene(water=Water(scattering=0.0, roughness=0.01, absorption_length=(0.01, 1000.0, 0.01))),
+        guard="the roughness is at least 0.01 (scene/water.py), which keeps the cosine of incidence above 0 "
+        "(light/shade.glsl@lit)",
+        camera=Camera(position=(0.0, 0.5, 0.0), pitch=0.0),
+        without={
+            "scene/water.py": {
+                "roughness: float = Field(default=0.05, ge=0.01": "roughness: float = Field(default=0.05, ge=0.0"
+            }
+        },
+        missed_by=guards("ground", "water_at_the_ends_of_its_fields[roughness-minimum]"),
+    ),
+    HardCase(
+        "the horizon exactly in the middle",
+        Scene(),
+        guard="rays that do not point downward miss (surface/march.glsl@plane, surface/march.glsl@march); lengths and "
+        "quotients are limited at the horizon (light/shade.glsl@lit)",
+        camera=Camera(position=(0.0, 6.0, 0.0), pitch=0.0),
+        without={"surface/march.glsl": {"u_eye_height * ray.y >= 0.0": "false"}},
+    ),
+    HardCase(
+        "water as rough as it gets, a hundred kilometres up",
+        Scene(water=Water(roughness=0.5, ripples=Ripples(slope=0.6))),
+        guard="the unresolved slope variance, which is added to the roughness, is never negative "
+        "(waves/ripples.glsl@bands)",
+        camera=Camera(position=(0.0, 1e5, 0.0), pitch=-0.3, fov=2.6),
+        unseen="not needed: what footprints leave of a band is in [0, 1]",
+    ),
+)
+
+_BEACH_BELOW = Shore(size=160.0, radius=25.0, depth=6.0, slope=0.1, smoothing=3.0)
+
+_POOL_BELOW = Water(depth=2.0, floor_tile=0.3, ripples=Ripples(slope=0.08))
+
+
+def _below(**parts: Any) -> Scene:
+    return Scene(**{"water": _POOL_BELOW, "light": Light(exposure=-1.5), **parts})
+
+
+_HARD_BELOW = (
+    HardCase(
+        "past the critical angle",
+        _below(),
+        guard="the square of the ray's cosine in air is at least 0 under the root (water/underside.glsl@main)",
+        camera=Camera(position=(0.37, -1.2, -0.21), yaw=1.0, pitch=0.35),
+        without={"water/underside.glsl": {"sqrt(max(out2, 0.0))": "sqrt(out2)"}},
+    ),
+    HardCase(
+        "straight up, where light and sight fade alike",
+        _below(water=_POOL_BELOW.model_copy(update={"ripples": None})),
+        guard="1 + fall is at least 1e-3 (water/underside.glsl@water)",
+        camera=Camera(position=(0.0, -1.0, 0.0), pitch=math.pi / 2, fov=0.01),
+        without={"water/underside.glsl": {"max(1.0 + fall, 1e-3)": "1.0 + fall"}},
+    ),
+    HardCase(
+        "a hair under the surface",
+        _below(),
+        guard="the distance to the surface is at least 1 mm (water/underside.glsl@main)",
+        camera=Camera(position=(0.0, -1e-7, 0.0), pitch=0.3),
+        without={"water/underside.glsl": {"max(so_far, 1e-3)": "so_far"}},
+    ),
+    HardCase(
+        "an eye under the floor",
+        _below(),
+        guard="the distance to the floor is at least 0 (water/seafloor.glsl@reach)",
+        camera=Camera(position=(0.0, -5.0, 0.0), pitch=-0.2),
+        without={"water/seafloor.glsl": {"max(u_floor_depth + y, 0.0)": "(u_floor_depth + y)"}},
+    ),
+    HardCase(
+        "an eye in a crest, below",
+        _below(waves=(ParametricWave(amplitude=0.6, wavelength=5.0, phase=math.pi / 2),), foam=Foam(look="halftone")),
+        guard="the distance along the ray is at least 0 (water/underside.glsl@find)",
+        camera=Camera(position=(0.0, 0.125, 0.0), pitch=0.1),
+        without={
+            "water/underside.glsl": {
+                "tau = max(u_surface_trough - u_eye_height, 0.0)": "tau = (u_surface_trough - u_eye_height)",
+                "tau = max(tau, march_start(ray).r)": "tau = tau",
+            }
+        },
+    ),
+    HardCase(
+        "straight up from before a beach",
+        _below(water=Water(scattering=0.01), shore=_BEACH_BELOW),
+        guard="the rate at which a ray approaches the floor is at least 1e-6 (shore/march.glsl@reach)",
+        camera=Camera(position=(-42.0, -1.2, 9.0), pitch=math.pi / 2),
+        without={
+            "shore/march.glsl": {
+                "max(u_shore_steepest[0] * level - ray.y, slowest)": "u_shore_steepest[0] * level - ray.y"
+            }
+        },
+    ),
+    HardCase(
+        "along the slope of a beach, a hand over it",
+        _below(water=Water(scattering=0.01), shore=_BEACH_BELOW),
+        guard="Newton steps are taken only where the ray approaches the floor (shore/march.glsl@reach)",
+        camera=Camera(position=(-60.0, -5.9, 9.0), yaw=1.4, pitch=0.09),
+        without={"lib/rays.glsl": {"if (rate < -slowest)": "if (true)"}},
+    ),
+)
+
+_INVISIBLE_SEAFLOOR = (
+    Scene(water=Water(depth=11000.0)),
+    Scene(waves=(ParametricWave(),), water=Water(depth=500.0, ripples=Ripples())),
+)
+
+_HARD_SEAFLOOR = (
+    HardCase(
+        "five centimetres of black water",
+        Scene(
+            water=Water(depth=0.05, absorption_length=(0.01, 0.01, 0.01), scattering=0.5, ripples=Ripples(slope=0.6)),
+            waves=(ParametricWave(amplitude=50.0, wavelength=0.05),),
+        ),
+        guard="cv is at most 1 under the root (water/body.glsl@floor)",
+        camera=Camera(position=(0.0, 60.0, 0.0), pitch=-0.6),
+        coarse_apart="slopes of 6000 magnify the error of SwiftShader's sine, 2e-4",
+        without={
+            "water/body.glsl": {
+                "float slant = refracted_cosine(min(cv, 1.0), INDEX)": "float slant = refracted_cosine(cv, INDEX)"
+            }
+        },
+        missed_by=guards("light", "light_at_grazing_incidence_comes_from_the_floor_as_along_the_water"),
+    ),
+    HardCase(
+        "the clearest water over a white floor",
+        Scene(
+            water=Water(
+                depth=0.05, absorption_length=(1000.0, 1000.0, 1000.0), scattering=0.0, floor_albedo=(1.0, 1.0, 1.0)
+            )
+        ),
+        guard="the absorption length is finite (scene/water.py), so the extinction is not 0 (light/shade.glsl@lit)",
+        unseen="the schema alone keeps absorption over 0; nothing in the program does",
+    ),
+)
+
+_PLAIN = Caustics(dispersion=0.0)
+
+_LIGHT = Light(sun_elevation=1.0, exposure=-2.5, caustics=_PLAIN)
+
+_DEEP = Water(depth=900.0, ripples=Ripples())
+
+_DOWN = Camera(position=(0.0, 2.0, 0.0), pitch=-1.2)
+
+
+_INVISIBLE_CAUSTICS = (
+    Scene(water=_DEEP, light=Light(caustics=Caustics())),
+    Scene(water=Water(depth=2.0, ripples=Ripples()), light=Light(sun_elevation=-0.3, caustics=Caustics())),
+)
+
+_HARD_CAUSTICS = (
+    HardCase(
+        "the floor in the focus",
+        Scene(water=Water(depth=4.0, scattering=0.0, ripples=Ripples(slope=0.08)), light=_LIGHT),
+        guard="a triangle is at most 12 times as bright as under level water (water/caustics.glsl@grid_vertex)",
+        times=(2.0,),
+        camera=_DOWN,
+        # Half floats add up a hundred photons a texel, each sum rounded.
+        bounds=Bounds(mean=0.5, share=0.03),
+        # SwiftShader's sine, good to 2e-4, moves lines of light in a focus, a pixel wide.
+        coarse_share=0.15,
+        without={
+            "water/caustics.glsl": {"max(abs(a.x * b.y - a.y * b.x), 1.0 / CAUSTIC_MOST)": "abs(a.x * b.y - a.y * b.x)"}
+        },
+        missed_by=guards("ground", "a_grid_is_no_brighter_in_a_focus_than_photons"),
+    ),
+    HardCase(
+        "caustics of a sun on the horizon",
+        Scene(water=Water(depth=1.0, ripples=Ripples(slope=0.1)), light=Light(sun_elevation=0.0, caustics=_PLAIN)),
+        guard="the sine of the sun's elevation is at least 0.05 (water/caustics.glsl@landing)",
+        times=(2.0,),
+        camera=_DOWN,
+        without={"water/caustics.glsl": {"max(u_sun_direction.y, 0.05)": "u_sun_direction.y"}},
+    ),
+    HardCase(
+        "caustics of the steepest ripples",
+        Scene(
+            water=Water(depth=3.0, ripples=Ripples(slope=0.6)),
+            light=Light(sun_elevation=0.1, exposure=-1.0, caustics=_PLAIN),
+        ),
+        guard="the cosine between a refracted ray and the vertical is at least 0.25 (water/caustics.glsl@landing)",
+        times=(2.0,),
+        camera=_DOWN,
+        without={"water/caustics.glsl": {"max(-ray.y, 0.25)": "-ray.y"}},
+    ),
+    HardCase(
+        "caustics after thirty years, ten thousand kilometres away",
+        Scene(water=Water(depth=2.0, floor_tile=0.3, ripples=Ripples(slope=0.06)), light=_LIGHT),
+        guard="phases and the camera's position in the tile are reduced in float64 (framegraph/evaluation.py)",
+        times=(1e9,),
+        camera=Camera(position=(-1e7, 2.0, 1e7), pitch=-1.2),
+        without=IN_FLOAT32,
+    ),
+    HardCase(
+        "colours as far apart as they go",
+        Scene(
+            water=Water(depth=6.0, absorption_length=(50.0, 50.0, 50.0), ripples=Ripples(slope=0.06)),
+            light=Light(sun_elevation=0.3, exposure=-1.0, caustics=Caustics(dispersion=10.0)),
+        ),
+        guard="the grid extends beyond the tile as far as light of any colour is displaced (effects/water/caustics.py)",
+        times=(2.0,),
+        camera=_DOWN,
+        # SwiftShader's sine, good to 2e-4, moves lines of light in a focus, a pixel wide.
+        coarse_share=0.2,
+        without={"effects/water/caustics.py": {"margin, size = tile.margin(cells)": "margin, size = 0"}},
+        missed_by=reference("light/caustics", "no_seam_shows[caustics_cells-grid]"),
+    ),
+)
+
+_VARIANTS = tuple(
+    Scene(
+        water=Water(depth=2.0, floor_tile=tile, view_below=below, ripples=Ripples()),
+        light=Light(caustics=Caustics(dispersion=dispersion)),
+    )
+    for dispersion, tile, below in product((0.0, 1.0), (None, 0.3), (False, True))
+)
+
+CASES = {
+    "water body": Cases(always_visible="it is the water", hard=_HARD_WATER),
+    "view from below": Cases(
+        always_visible="a camera under the surface sees nothing else, and a plan is valid for any camera height",
+        hard=_HARD_BELOW,
+    ),
+    "floor": Cases(invisible=_INVISIBLE_SEAFLOOR, hard=_HARD_SEAFLOOR),
+    "caustics": Cases(invisible=_INVISIBLE_CAUSTICS, hard=_HARD_CAUSTICS, variants=_VARIANTS),
+}

@@ -1,0 +1,305 @@
+"""Test scenes of rings, touches, ripples and currents: hard cases, and scenes that cannot show them."""
+
+import math
+
+from support.cases import Cases, HardCase
+from support.hard.mutations import PLACE, TIME, TIME_AND_PLACE, guards, reference
+from support.scenes import (
+    TOUCHES_MOST,
+    Camera,
+    Current,
+    Foam,
+    Gusts,
+    HeightSaturation,
+    ParametricWave,
+    Ring,
+    Ripples,
+    Scene,
+    Sea,
+    SlopeSaturation,
+    Stone,
+    Touch,
+    WakeSaturation,
+    Water,
+)
+
+_VIEW = Camera(position=(0.0, 3.2, 0.0), pitch=-0.35)
+
+_STONE = Ring(place=(0.3, -7.0), amplitude=0.12, decay=0.4, wavelength=1.6)
+
+
+def _moved_rings(by: tuple[float, float]) -> tuple[Ring, Camera]:
+    """The stone and the view, elsewhere."""
+    x, y, z = _VIEW.position
+    return (
+        _STONE.model_copy(update={"place": (_STONE.place[0] + by[0], _STONE.place[1] + by[1])}),
+        _VIEW.model_copy(update={"position": (x + by[0], y, z + by[1])}),
+    )
+
+
+_AWAY = _moved_rings((9.9e6, -9.9e6))
+
+_INVISIBLE_RINGS = (
+    Scene(rings=(Ring(amplitude=1e-4), Ring(amplitude=0.0))),
+    Scene(rings=(Ring(amplitude=1e-4),), foam=Foam(saturation=(HeightSaturation(),), look="halftone")),
+    Scene(rings=(Ring(amplitude=1.00001e-4, wavelength=3.0),), water=Water(translucency=0.0)),
+    Scene(rings=(_STONE,), light=None),
+)
+
+_HARD_RINGS = (
+    HardCase(
+        "a hundred rings at one point",
+        Scene(rings=(_STONE.model_copy(update={"amplitude": 0.004}),) * 100, water=Water(ripples=Ripples())),
+        guard="height and slope are bounded by the sum over rings that can meet (ocean/waves/rings.py)",
+        times=(2.0,),
+        camera=_VIEW,
+        without={
+            "ocean/waves/rings.py": {
+                "total += w * train": "total = w * train",
+                "min(_over_the_plane(shown), _over_time(shown))": "_over_the_plane(shown)",
+            }
+        },
+    ),
+    HardCase(
+        "a ring at its own centre at its birth",
+        Scene(
+            rings=(_STONE, _STONE.model_copy(update={"birth": 2.0})),
+            foam=Foam(saturation=(SlopeSaturation(),), look="textured"),
+        ),
+        guard="r is rounded off at the centre, and there is no wave beyond the front, which is at the centre at "
+        "birth (waves/rings.glsl@ring)",
+        times=(0.0, 2.0, 2.4),
+        camera=Camera(position=(0.3, 2.0, -7.0), pitch=-math.pi / 2),
+        without={
+            "waves/rings.glsl": {"float soft = RING_SOFT * wavelength": "float soft = 0.0", " || rho >= front": ""}
+        },
+    ),
+    HardCase(
+        "a front without width",
+        Scene(
+            rings=(_STONE.model_copy(update={"crests": 0.5}),),
+            foam=Foam(saturation=(HeightSaturation(base=0.05, full=0.25),), look="textured"),
+        ),
+        guard="amplitude rises and falls over a wavelength at front and tail (waves/rings.glsl@ring)",
+        times=(1.5,),
+        camera=_VIEW,
+        without={"waves/rings.glsl": {"float band = 1.0 / (RING_FRONT * wavelength)": "float band = 1e6"}},
+    ),
+    HardCase(
+        "rings a thousand million seconds from now",
+        Scene(rings=(_STONE.model_copy(update={"birth": 1e9}), _STONE.model_copy(update={"every": 14.0}))),
+        guard="ages are reduced in float64 (framegraph/evaluation.py)",
+        times=(-1e9, 1e9 + 2.3),
+        camera=_VIEW,
+        without=TIME,
+    ),
+    HardCase(
+        "rings ten thousand kilometres away",
+        Scene(rings=(_AWAY[0],), water=Water(ripples=Ripples())),
+        guard="the vector from the centre to the camera is reduced in float64 (framegraph/evaluation.py)",
+        times=(2.3,),
+        camera=_AWAY[1],
+        without=PLACE,
+    ),
+    HardCase(
+        "rings long dead",
+        Scene(rings=(_STONE,), foam=Foam(saturation=(HeightSaturation(base=0.0, full=0.5),), look="halftone")),
+        guard="negative amplitudes count as 0 (waves/rings.glsl@ring)",
+        times=(13.8, 1e9),
+        camera=_VIEW,
+        without={"waves/rings.glsl": {"amplitude <= 0.0 || rho": "rho"}},
+        missed_by=reference("waves/rings", "a_dead_ring_leaves_no_trace"),
+    ),
+)
+
+_NEAR = Camera(position=(0.0, 2.0, 0.0), pitch=-0.45)
+_TRAIN = tuple(Touch(place=(0.35 * i - 2.0, -4.0 - 0.1 * i), time=0.15 * i - 2.0) for i in range(12))
+
+
+def _moved_touch(touches: tuple[Touch, ...], by: tuple[float, float]) -> tuple[Touch, ...]:
+    return tuple(
+        touch.model_copy(update={"place": (touch.place[0] + by[0], touch.place[1] + by[1])}) for touch in touches
+    )
+
+
+_INVISIBLE_TOUCH = (
+    Scene(touches=(Touch(strength=0.0), Touch(strength=1e-4))),
+    Scene(waves=(ParametricWave(),), foam=Foam(), touches=_TRAIN, light=None),
+)
+
+_HARD_TOUCH = (
+    HardCase(
+        "as many touches as there may be, at one place",
+        Scene(touches=(Touch(strength=0.004, time=-0.5),) * TOUCHES_MOST),
+        guard="slopes without height, so no ray misses a crest (waves/rings.glsl@touch)",
+        camera=_NEAR,
+        without={
+            "waves/rings.glsl": {
+                "vec3 touches_detail(vec2 p, Footprint fp) {": (
+                    "vec3 touched(vec2 p, Footprint fp, bool high);\n"
+                    "vec3 touches_waves(vec2 p) {\n"
+                    "    return touched(p, Footprint(vec2(0.0), vec2(0.0)), true);\n"
+                    "}\n"
+                    "vec4 touches_shading(vec2 p, Footprint fp) {\n"
+                    "    return vec4(touched(p, fp, true).x, touched(p, fp, false));\n"
+                    "}\nvec3 touched(vec2 p, Footprint fp, bool high) {"
+                ),
+                "sum += vec3(kept": "sum += high ? vec3(ring.x, ring.y * ring.z * way) : vec3(kept",
+            },
+            "effects/waves/rings.py": {
+                'SlotFile("detail"': 'SlotFile("waves"',
+                "bound=effect.Bound.zero_if(": (
+                    "max_height=0.004, min_height=-0.004, max_slope=1.0, bound=effect.Bound.zero_if("
+                ),
+            },
+        },
+        missed_by=guards("waves", "no_ray_misses_a_ring_of_touches"),
+    ),
+    HardCase(
+        "touches a thousand million seconds from now",
+        Scene(touches=tuple(touch.model_copy(update={"time": 1e9 + touch.time}) for touch in _TRAIN[-1:])),
+        guard="ages are reduced in float64 (framegraph/evaluation.py)",
+        times=(1e9 - 8.0, 1e9, 1e9 + 0.75),
+        camera=_NEAR,
+        without=TIME,
+    ),
+    HardCase(
+        "touches ten thousand kilometres away",
+        Scene(touches=_moved_touch(_TRAIN, (1e7 - 8.0, -1e7 + 8.0)), water=Water(ripples=Ripples())),
+        guard="the vector from the centre to the camera is reduced in float64 (framegraph/evaluation.py)",
+        camera=Camera(position=(1e7 - 8.0, 2.0, -1e7 + 8.0), pitch=-0.45),
+        without=PLACE,
+    ),
+    HardCase(
+        "touches long over, and touches of no strength",
+        Scene(touches=(*_TRAIN, Touch(strength=0.0)), foam=Foam(saturation=(HeightSaturation(),))),
+        guard="negative amplitudes count as 0, and strengths of 0 are passed over (waves/rings.glsl@ring)",
+        times=(12.0, 1e9),
+        camera=_NEAR,
+        without={"waves/rings.glsl": {"amplitude <= 0.0 || rho": "rho", "touch.w <= 0.0 || !ring": "!ring"}},
+    ),
+    HardCase(
+        "touches of a river thirty years after its current set in",
+        Scene(
+            current=Current(speed=2.0, direction=0.6),
+            touches=tuple(touch.model_copy(update={"time": 9e8 + touch.time}) for touch in _TRAIN),
+        ),
+        guard="velocity times the time of the touch and velocity times time cancel in float64 (effects/waves/rings.py)",
+        times=(9e8,),
+        camera=_NEAR,
+        without=TIME,
+    ),
+)
+
+_VARIANTS = (
+    Scene(sea=Sea(), touches=_TRAIN),
+    Scene(waves=(ParametricWave(),), water=Water(ripples=Ripples(), depth=2.0), touches=_TRAIN),
+)
+
+_INVISIBLE_RIPPLES = (
+    Scene(water=Water(ripples=Ripples(slope=0.0))),
+    Scene(water=Water(ripples=Ripples(slope=4e-7))),
+    Scene(waves=(ParametricWave(),), foam=Foam(), water=Water(ripples=Ripples()), light=None),
+)
+
+_HARD_RIPPLES = (
+    HardCase(
+        "ripples at any time",
+        Scene(water=Water(ripples=Ripples())),
+        guard="phases are reduced in float64 (framegraph/evaluation.py)",
+        times=(-1e9, 0.0, 1e9, 1e9 + 1e-6),
+        without=TIME,
+    ),
+    HardCase(
+        "ripples ten thousand kilometres away",
+        Scene(water=Water(ripples=Ripples())),
+        guard="the camera's position in each tile is reduced in float64 (framegraph/evaluation.py)",
+        camera=Camera(position=(-1e7, 1.2, 1e7), pitch=-0.3),
+        without=PLACE,
+    ),
+    HardCase(
+        "gusts anywhere, at any time",
+        Scene(water=Water(ripples=Ripples(gusts=Gusts(strength=1.0, size=4.0, speed=20.0, change=0.5)))),
+        guard="the camera's position in the noise is reduced in float64 (framegraph/evaluation.py)",
+        times=(-1e9, 1e9),
+        camera=Camera(position=(-1e7, 1.2, 1e7), yaw=1.0, pitch=-0.3),
+        without=TIME_AND_PLACE,
+    ),
+    HardCase(
+        "the steepest ripples, all one way",
+        Scene(
+            water=Water(ripples=Ripples(slope=0.6, spread=0.0)),
+            foam=Foam(saturation=(HeightSaturation(base=-1.0, full=1.0),)),
+        ),
+        guard="the cosine of incidence is at least the roughness (light/shade.glsl@lit)",
+        without={"light/shade.glsl": {"float cv = sqrt(nv * nv + sigma2 * aside2)": "float cv = nv"}},
+        missed_by=guards("waves", "no_facet_that_faces_away_glitters"),
+    ),
+    HardCase(
+        "ripples a million to a pixel",
+        Scene(water=Water(ripples=Ripples(slope=0.6))),
+        guard="exponents are limited to 75 (waves/ripples.glsl@bands)",
+        camera=Camera(position=(0.0, 1e5, 0.0), pitch=-0.5, fov=2.6),
+        unseen="not needed: exp of a large negative number is 0, as is what is left of a ripple",
+    ),
+)
+
+_WAVES = (
+    ParametricWave(amplitude=0.4, wavelength=5.0, direction=1.2),
+    ParametricWave(amplitude=0.2, wavelength=2.3, direction=-0.8),
+)
+
+_FLOWS_CURRENT = Scene(
+    waves=_WAVES,
+    foam=Foam(saturation=(HeightSaturation(base=0.1, full=0.5),), look="fading", mask="clump"),
+    water=Water(ripples=Ripples(slope=0.1)),
+    current=Current(speed=3.7, direction=0.4),
+)
+
+_HARD_CURRENT = (
+    HardCase(
+        "a current for thirty years",
+        _FLOWS_CURRENT,
+        guard="the way of the water, reduced in float64 together with each place and phase (framegraph/rules.py)",
+        times=(-1e9, 1e9),
+        camera=_FLOWS_CURRENT.camera,
+        without=TIME,
+    ),
+)
+
+_STONES = (Stone(place=(0.0, -20.0), radius=0.8, waves=1.0), Stone(place=(4.0, -24.0), radius=10.0, waves=1.0))
+_FLOWS_STANDING = Scene(current=Current(speed=3.0, direction=0.9, stones=_STONES))
+
+_ABOVE = Camera(position=(0.0, 25.0, -18.0), pitch=-math.pi / 2)
+
+_INVISIBLE_STANDING = (
+    Scene(current=Current(speed=0.4, stones=_STONES)),
+    Scene(current=Current(stones=(Stone(waves=0.0),))),
+)
+
+_HARD_STANDING = (
+    HardCase(
+        "the edge of standing waves, and straight behind a stone",
+        _FLOWS_STANDING.model_copy(update={"foam": Foam(saturation=(SlopeSaturation(),), look="textured")}),
+        guard="waves only where the square root in their phase exceeds 0 (boats/wake.glsl@pattern)",
+        camera=_ABOVE,
+        without={"boats/wake.glsl": {"at.x <= 0.0 || square <= 0.0": "at.x <= 0.0"}},
+    ),
+    HardCase(
+        "white water at a stone's middle, and far down the current",
+        _FLOWS_STANDING.model_copy(
+            update={"foam": Foam(saturation=(WakeSaturation(amount=4.0, life=60.0, bow=4.0),), look="textured")}
+        ),
+        guard="exponents at most 80 (foam/saturation/surf.glsl@stones)",
+        camera=_ABOVE,
+        unseen="not needed: exp of a large negative number is 0, and so is the foam there",
+    ),
+)
+
+CASES = {
+    "rings": Cases(invisible=_INVISIBLE_RINGS, hard=_HARD_RINGS),
+    "touch": Cases(invisible=_INVISIBLE_TOUCH, hard=_HARD_TOUCH, variants=_VARIANTS),
+    "ripples": Cases(invisible=_INVISIBLE_RIPPLES, hard=_HARD_RIPPLES),
+    "current": Cases(invisible=(Scene(waves=_WAVES, current=Current(speed=0.0)),), hard=_HARD_CURRENT),
+    "standing waves": Cases(invisible=_INVISIBLE_STANDING, hard=_HARD_STANDING),
+}

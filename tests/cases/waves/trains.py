@@ -1,0 +1,287 @@
+"""Test scenes of parametric waves and of the open sea: hard cases, and scenes that cannot show them."""
+
+import math
+
+from support.cases import Bounds, Cases, HardCase
+from support.hard.mutations import PLACE, TIME, TIME_AND_PLACE, guards
+from support.scenes import (
+    Camera,
+    Foam,
+    FoamLife,
+    FrontSaturation,
+    ParametricWave,
+    Ripples,
+    Scene,
+    Sea,
+    SlopeSaturation,
+    Spray,
+    Water,
+    WaveGroups,
+    WhitecapSaturation,
+)
+
+_INVISIBLE_PARAMETRIC = (
+    Scene(waves=(ParametricWave(amplitude=1e-6, wavelength=10.0),), water=Water(translucency=0.0)),
+    Scene(waves=(ParametricWave(),), light=None),
+)
+
+_HARD_PARAMETRIC = (
+    HardCase(
+        "a cusp in every trough, K 0.1",
+        Scene(waves=(ParametricWave(amplitude=0.4, wavelength=3.0, exponent=0.1),), foam=Foam(look="halftone")),
+        guard="|p| is at least 1e-4 in the derivative (waves/parametric.glsl)",
+        # A cusp's slope bound is 158 A k: rays run out of steps before they reach the surface.
+        bounds=Bounds(mean=12.0, share=0.08),
+        without={"waves/parametric.glsl": {"max(q, exponent < 0.5 ? 1e-4 : 1e-30)": "q"}},
+        missed_by=guards("waves", "functions_are_guarded[the slope of a cusp in its trough]"),
+    ),
+    HardCase(
+        "0^K, K 100, and kinks, K 0.5 and 0.7",
+        Scene(
+            waves=tuple(
+                ParametricWave(amplitude=0.3, wavelength=4.0 + k / 50.0, exponent=k, direction=0.06 * k)
+                for k in (0.5, 0.7, 100.0)
+            ),
+            foam=Foam(look="textured"),
+        ),
+        guard="powers are taken of |p| = sqrt(u), which is at least 1e-30; height and slope come from one power "
+        "(waves/parametric.glsl)",
+        without={"waves/parametric.glsl": {"max(q, exponent < 0.5 ? 1e-4 : 1e-30)": "q"}},
+        missed_by=guards("waves", "functions_are_guarded[a kink in its trough]"),
+    ),
+    HardCase(
+        "any time, waves of 5 cm",
+        Scene(waves=(ParametricWave(amplitude=0.005, wavelength=0.05), ParametricWave()), foam=Foam(look="halftone")),
+        guard="phases are reduced in float64 (framegraph/evaluation.py)",
+        times=(-1e9, 0.0, 1e9, 1e9 + 1e-6),
+        camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
+        without=TIME,
+    ),
+    HardCase(
+        "ten thousand kilometres from the origin",
+        Scene(waves=(ParametricWave(amplitude=0.005, wavelength=0.05), ParametricWave()), foam=Foam(look="halftone")),
+        guard="positions are relative to the camera, whose own position is reduced in float64 "
+        "(framegraph/evaluation.py)",
+        camera=Camera(position=(1e7, 3.0, -1e7), pitch=-math.pi / 2),
+        without=PLACE,
+    ),
+    HardCase(
+        "opposite waves that cancel",
+        Scene(
+            waves=(ParametricWave(), ParametricWave(direction=math.pi), ParametricWave(phase=math.pi)),
+            foam=Foam(saturation=(FrontSaturation(group=(0.1, 0.4)),), look="halftone"),
+        ),
+        guard="nothing is divided by the sum of the waves, and the group threshold suppresses foam where the sum "
+        "is rounding noise (foam/saturation/front.glsl@gate)",
+        times=(0.0, 1.3863),
+        without={
+            "foam/saturation/front.glsl": {
+                "return FRONT_GATED ? smoothstep(u_front_group.x, u_front_group.y, rho) : 1.0;": "return 1.0;"
+            }
+        },
+    ),
+    HardCase(
+        "sixteen equal waves",
+        Scene(waves=(ParametricWave(amplitude=0.06, wavelength=9.0),) * 16, foam=Foam(look="fading")),
+        guard="the slope bound of ray marching is the sum over all waves (effects/waves/parametric.py, "
+        "surface/march.glsl@march)",
+        times=(0.0, 1e9),
+        without={"surface/march.glsl": {"(now.x - less.x) * speed": "0.06 * (now.x - less.x) * speed"}},
+    ),
+    HardCase(
+        "a wall of water, 50 m high and 5 cm long",
+        Scene(waves=(ParametricWave(amplitude=50.0, wavelength=0.05, exponent=4.0),), foam=Foam()),
+        guard="N·D is at most -1e-3 |N||D| in the footprint (lib/rays.glsl@camera)",
+        camera=Camera(position=(0.0, 60.0, 0.0), pitch=-0.6),
+        coarse_apart="slopes of 6000 magnify the error of SwiftShader's sine, 2e-4",
+        without={"lib/rays.glsl": {"min(dot(normal, ray), -1e-3 * length(normal) * length(ray))": "dot(normal, ray)"}},
+        missed_by=guards("waves", "functions_are_guarded[the footprint of a ray along the surface]"),
+    ),
+    HardCase(
+        "as good as flat",
+        Scene(
+            waves=(ParametricWave(amplitude=1e-30), ParametricWave(amplitude=0.0)),
+            foam=Foam(look="halftone"),
+            water=Water(ripples=Ripples()),
+        ),
+        guard="steps are divided by at least 1e-6 |D| (surface/march.glsl@march)",
+        without={
+            "surface/march.glsl": {
+                "max((now.x - less.x) * speed - ray.y, 1e-6 * length(ray))": "(now.x - less.x) * speed - ray.y"
+            }
+        },
+        missed_by=guards("waves", "functions_are_guarded[a step along level water]"),
+    ),
+    HardCase(
+        "two kilometres long in 5 cm of water",
+        Scene(
+            waves=(
+                ParametricWave(amplitude=0.02, wavelength=2000.0),
+                ParametricWave(amplitude=50.0, wavelength=2000.0, speed=200.0),
+            ),
+            foam=Foam(look="textured"),
+            water=Water(depth=0.05),
+        ),
+        guard="the dispersion relation is solved by Newton's method from Eckart's estimate, in float64 "
+        "(ocean/basics/dispersion.py)",
+        camera=Camera(position=(0.0, 60.0, 0.0), pitch=-0.3),
+        without={
+            "ocean/basics/dispersion.py": {
+                "k = deep / math.sqrt(math.tanh(deep * depth))": "k = deep",
+                "range(30)": "range(3)",
+            }
+        },
+    ),
+    HardCase(
+        "a grazing ray over steep crests",
+        Scene(
+            waves=(
+                ParametricWave(amplitude=1.0, wavelength=5.0, exponent=8.0),
+                ParametricWave(amplitude=0.6, wavelength=3.1, direction=0.7, exponent=6.0),
+            ),
+            foam=Foam(look="halftone"),
+        ),
+        guard="a Newton step is taken only where the gap shrinks at a rate above 1e-3, and its length is limited "
+        "by the last gap of ray marching (surface/march.glsl@march, surface/march.glsl@newton)",
+        times=(0.0, 2.7),
+        camera=Camera(position=(0.0, 1.29, 0.0), yaw=1.571, pitch=0.0),
+        without={"lib/rays.glsl": {"rate < -slowest": "rate < 0.0", "clamp(gap / rate, -limit, limit)": "gap / rate"}},
+        missed_by=guards("waves", "newtons_method_takes_no_step_too_far"),
+    ),
+    HardCase(
+        "rays that double back on the mesh",
+        Scene(waves=(ParametricWave(amplitude=3.0, wavelength=8.0, exponent=8.0),), foam=Foam()),
+        guard="Newton steps are at most a twentieth of the distance, and only where the ray approaches the "
+        "surface (surface/march.glsl@newton)",
+        camera=Camera(position=(0.0, 4.0, 0.0), yaw=1.571, pitch=-0.2),
+        without={
+            "surface/march.glsl": {
+                "if (rate < -1e-3 * length(ray)) {": "{",
+                "clamp(gap / rate, -limit, limit)": "gap / rate",
+            }
+        },
+        missed_by=guards("waves", "functions_are_guarded[steps from the mesh]"),
+    ),
+    HardCase(
+        "eye inside a crest",
+        Scene(waves=(ParametricWave(amplitude=1.0, wavelength=6.0, phase=math.pi / 2),), foam=Foam()),
+        guard="the distance along the ray is never negative (surface/march.glsl@march)",
+        camera=Camera(position=(0.0, 0.025, 0.0), pitch=-0.2),
+        apart="the reference looks for the surface from below, the march takes the eye's own place",
+        without={
+            "lib/rays.glsl": {
+                "max(tau - clamp(gap / rate, -limit, limit), least)": "tau - clamp(gap / rate, -limit, limit)"
+            }
+        },
+        missed_by=guards("waves", "functions_are_guarded[no step behind the eye]"),
+    ),
+    HardCase(
+        "eye far below the water",
+        Scene(waves=(ParametricWave(),), foam=Foam(), water=Water(ripples=Ripples())),
+        guard="the distance at which the ray leaves the slab of the waves is never negative (surface/march.glsl@march)",
+        camera=Camera(position=(0.0, -1000.0, 0.0), pitch=0.4),
+        apart="the reference looks for the surface from below, the march takes the eye's own place",
+        without={
+            "surface/march.glsl": {"max(u_eye_height - u_surface_trough, 0.0)": "(u_eye_height - u_surface_trough)"}
+        },
+        missed_by=guards("waves", "functions_are_guarded[a march from far below]"),
+    ),
+)
+
+_IN_GROUPS = (
+    HardCase(
+        "groups, thirty years later and ten thousand kilometres away",
+        Scene(
+            waves=(ParametricWave(amplitude=0.8, wavelength=9.0, direction=0.7), ParametricWave(direction=-0.4)),
+            wave_groups=WaveGroups(size=30.0, contrast=1.0),
+            foam=Foam(saturation=(FrontSaturation(group=(0.1, 0.6), decay=3.0),)),
+        ),
+        guard="the place in the period is reduced in float64, past the way that groups have travelled "
+        "(framegraph/evaluation.py)",
+        times=(-1e9, 1e9),
+        camera=Camera(position=(1e7, 3.0, -1e7), pitch=-0.3),
+        without=TIME_AND_PLACE,
+    ),
+)
+
+_GROUPED = (
+    ParametricWave(amplitude=0.6, wavelength=11.0, direction=0.4, exponent=1.6),
+    ParametricWave(amplitude=0.3, wavelength=7.3, direction=-0.3, exponent=1.4),
+)
+_SHARED = FrontSaturation(intensity=7.0, group=(0.2, 1.2), decay=3.0, variation=0.2)
+_VARIANTS = (
+    Scene(waves=_GROUPED, wave_groups=WaveGroups(), foam=Foam(saturation=(_SHARED,), life=FoamLife())),
+    Scene(
+        waves=_GROUPED, wave_groups=WaveGroups(), foam=Foam(saturation=(_SHARED, SlopeSaturation()), life=FoamLife())
+    ),
+    Scene(waves=_GROUPED, wave_groups=WaveGroups(), foam=Foam(), spray=Spray(threshold=0.5)),
+)
+
+_NEAR = Camera(position=(0.37, 9.0, -0.21), yaw=1.0, pitch=-0.3)
+
+_INVISIBLE_SEA = (Scene(sea=Sea(wind=0.0)), Scene(sea=Sea(), light=None))
+
+_HARD_SEA = (
+    HardCase(
+        "a sea without wind",
+        Scene(sea=Sea(wind=0.0), foam=Foam(saturation=(WhitecapSaturation(),))),
+        guard="the spectrum is 0 without wind (ocean/waves/cascades.py)",
+        camera=_NEAR,
+        without={
+            "effects/waves/sea.py": {" or scene.sea.wind_speed <= 0.0": ""},
+            "ocean/waves/cascades.py": {
+                "if sea.wind_speed <= 0.0:": "if sea.wind_speed < 0.0:",
+                "sea.wind_speed > 0.0 and": "",
+            },
+            "ocean/basics/spectrum.py": {"if wind <= 0.0:": "if wind < 0.0:"},
+        },
+        error="ZeroDivisionError",
+    ),
+    HardCase(
+        "the open sea at any time",
+        Scene(sea=Sea(wind=8.0)),
+        guard="every frequency is a multiple of 2π per loop, and the time in the loop is reduced in float64 "
+        "(waves/sea_passes.glsl@spectrum)",
+        times=(-1e9, 1e9),
+        camera=_NEAR,
+        without={
+            "framegraph/evaluation.py": {
+                "(_modulo(state.time + rule.offset, rule.period),)": "(state.time + rule.offset,)"
+            }
+        },
+    ),
+    HardCase(
+        "the open sea ten thousand kilometres away",
+        Scene(sea=Sea(wind=8.0, model="gerstner")),
+        guard="the camera's position in each tile is reduced in float64 (framegraph/evaluation.py)",
+        camera=Camera(position=(-1e7, 9.0, 1e7), yaw=1.0, pitch=-0.3),
+        without=PLACE,
+    ),
+    HardCase(
+        "a hurricane that has blown over a hundred metres",
+        Scene(sea=Sea(wind=60.0, fetch=100.0, choppiness=1.0)),
+        guard="choppiness is reduced until the Jacobian is negative at one point in 60 000 (ocean/waves/cascades.py)",
+        camera=_NEAR.model_copy(update={"position": (0.37, 8.711393, -0.21)}),
+        without={"ocean/waves/cascades.py": {"requested if requested * slope <= TILT else TILT / slope": "requested"}},
+    ),
+    HardCase(
+        "a breath of wind, and no wave on the largest tile",
+        Scene(sea=Sea(wind=0.4, fetch=100.0, spread=100.0, against=0.0), water=Water(ripples=Ripples())),
+        guard="the divisor is at least 1e-30 where slopes are clamped (waves/sea_passes.glsl@tile_pass)",
+        camera=_NEAR,
+        without={
+            "waves/sea_passes.glsl": {
+                "slope *= min(1.0, u_sea_limit.y / max(length(slope), 1e-30))": (
+                    "slope = min(length(slope), u_sea_limit.y) * normalize(slope)"
+                )
+            }
+        },
+    ),
+)
+
+CASES = {
+    "parametric waves": Cases(
+        invisible=_INVISIBLE_PARAMETRIC, hard=(*_HARD_PARAMETRIC, *_IN_GROUPS), variants=_VARIANTS
+    ),
+    "sea": Cases(invisible=_INVISIBLE_SEA, hard=_HARD_SEA),
+}

@@ -1,1 +1,0 @@
-"""Float64 forms of what only tests compute."""
