@@ -32,8 +32,7 @@ def pcg(word: Words) -> Words:
     """One output of PCG-RXS-M-XS 32 (O'Neill 2014)."""
     state = (word * np.uint64(747796405) + np.uint64(2891336453)) & LOW
     mixed = (((state >> ((state >> np.uint64(28)) + np.uint64(4))) ^ state) * np.uint64(277803737)) & LOW
-    result: Words = (mixed >> np.uint64(22)) ^ mixed
-    return result
+    return (mixed >> np.uint64(22)) ^ mixed
 
 
 def share(word: Words) -> Floats:

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Self
+from typing import Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -64,15 +64,13 @@ def smoothstep_slope(low: float, high: float, x: Floats) -> tuple[Floats, Floats
 
 def dot(a: Floats, b: Floats) -> Floats:
     """Scalar product along the last axis; shapes broadcast."""
-    product: Any = np.einsum("...i,...i->...", *np.broadcast_arrays(a, b))
-    return np.asarray(product, np.float64)
+    return np.asarray(np.einsum("...i,...i->...", *np.broadcast_arrays(a, b)), np.float64)
 
 
 def henyey_greenstein(asymmetry: float, cosine: Floats) -> Floats:
     """Phase function of Henyey and Greenstein (1941) at cosines of the scattering angle, 1/sr; of their shape."""
     g = asymmetry
-    result: Floats = (1.0 - g**2) / (4.0 * math.pi * (1.0 + g**2 - 2.0 * g * cosine) ** 1.5)
-    return result
+    return (1.0 - g**2) / (4.0 * math.pi * (1.0 + g**2 - 2.0 * g * cosine) ** 1.5)
 
 
 def unit(a: Floats) -> Floats:

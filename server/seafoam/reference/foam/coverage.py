@@ -73,8 +73,7 @@ class MaskPoints(Rows):
 
     def size(self, assets: Assets) -> Floats:
         """Sides, in texels along the mask's axes, of the box with the footprint's variance; (r, 2)."""
-        result: Floats = np.hypot(self.foot_u, self.foot_v) * assets.thresholds.shape[0]
-        return result
+        return np.hypot(self.foot_u, self.foot_v) * assets.thresholds.shape[0]
 
 
 def coverage(

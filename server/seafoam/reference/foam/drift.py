@@ -152,8 +152,7 @@ class Copy:
 
     def turned(self, foot: Floats) -> Floats:
         """Footprints (r, 2) m, mapped to the copy; (r, 2)."""
-        result: Floats = np.einsum("rij,rj->ri", self.turn, foot)
-        return result
+        return np.einsum("rij,rj->ri", self.turn, foot)
 
 
 def copies(
@@ -185,8 +184,7 @@ def copies(
 
 def _moved_back(flow: Flow, x: Floats, z: Floats, seconds: float) -> Floats:
     """Vectors from places to where their water was, (r, 2) m."""
-    away: Floats = (flow.back(x, z, seconds) - np.stack((x, z))).T
-    return away
+    return (flow.back(x, z, seconds) - np.stack((x, z))).T
 
 
 def patch(source: DriftSaturation, generation: int, x: Floats, z: Floats) -> Floats:

@@ -140,8 +140,7 @@ def front_integral(intensity: float, base: float = math.e) -> Callable[[Floats],
     def integral(psi: Floats) -> Floats:
         turns = np.floor(psi / TURN)
         rest = psi - TURN * turns
-        result: Floats = turns * sums[-1] + np.where(rest < full, rest, tail(np.maximum(rest, full)))
-        return result
+        return turns * sums[-1] + np.where(rest < full, rest, tail(np.maximum(rest, full)))
 
     return integral
 
@@ -165,8 +164,7 @@ def phase_gradient(group: Group) -> Floats:
 
 def phase_width(gradient: Floats, footprints: Footprints) -> Floats:
     """Δ = |∇ψ·∂x/∂X| + |∇ψ·∂x/∂Y| over footprints; (r,) rad."""
-    result: Floats = sum(np.abs((gradient * side).sum(axis=1)) for side in footprints)
-    return result
+    return sum(np.abs((gradient * side).sum(axis=1)) for side in footprints)
 
 
 def seen_phases(

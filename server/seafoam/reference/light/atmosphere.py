@@ -173,8 +173,7 @@ class LayeredSky:
     def passed(self, distance: Floats) -> Floats:
         """Share of light that passes through (r,) m of air near the sea; (r, 3)."""
         haze = max(CONTRAST / self.light.visibility - float(MOLECULES[1]), 0.0)
-        result: Floats = np.exp(-distance[:, None] * (haze * HAZE_COLOUR + MOLECULES))
-        return result
+        return np.exp(-distance[:, None] * (haze * HAZE_COLOUR + MOLECULES))
 
     def behind_clouds(self, air: Floats, d: Floats, spread: Spread) -> tuple[Floats, Floats]:
         """The light ``air`` (r, 3) of the sky toward d (r, 3) with clouds in front, and what share they hide (r,)."""
@@ -307,8 +306,7 @@ def over_hemisphere(radiance: Callable[[Floats], Floats]) -> Floats:
         (level[:, None] * np.cos(around), np.repeat(y[:, None], TURNS, axis=1), level[:, None] * np.sin(around)), -1
     )
     rings = radiance(d).sum(axis=1) * (2.0 * math.pi / TURNS)
-    result: Floats = ((2.0 * root * y * weights)[:, None] * rings).sum(axis=0)
-    return result
+    return ((2.0 * root * y * weights)[:, None] * rings).sum(axis=0)
 
 
 def _eye(d: Floats) -> tuple[Floats, Floats]:

@@ -76,8 +76,7 @@ class CloudLayer:
     def radiance(self) -> Floats:
         """Mean radiance of clouds; (3,)."""
         sunny, forward, grey = self.means.mean(axis=0)
-        result: Floats = (sunny + forward / (4.0 * math.pi)) * self.light + grey * self.sky
-        return result
+        return (sunny + forward / (4.0 * math.pi)) * self.light + grey * self.sky
 
     @cached_property
     def means(self) -> Floats:
@@ -208,8 +207,7 @@ class CloudLayer:
         noise, whose mean is one less :attr:`taken`."""
         middle, variance, thickest = self._gap
         x = (middle - noise) / np.sqrt(variance + lost)
-        result: Floats = thickest + (1.0 - thickest) * 0.5 * special.erfc(-x / math.sqrt(2.0))
-        return result
+        return thickest + (1.0 - thickest) * 0.5 * special.erfc(-x / math.sqrt(2.0))
 
     @cached_property
     def _gap(self) -> tuple[float, float, float]:

@@ -19,8 +19,7 @@ def _photographic(x: Floats) -> Floats:
     norm = (x**3).sum(axis=-1, keepdims=True) / np.maximum(squares, 1e-12)
     level = _shoulder(norm)
     hue = np.maximum(1.0 + 1.2 * (x / np.maximum(norm, 1e-6) - 1.0), 0.0)
-    result: Floats = np.clip(level * hue + level * level * (_shoulder(x) - level * hue), 0.0, 1.0)
-    return result
+    return np.clip(level * hue + level * level * (_shoulder(x) - level * hue), 0.0, 1.0)
 
 
 def _shoulder(x: Floats) -> Floats:

@@ -323,8 +323,7 @@ def _crest(air: Air, body: Water, hit: WaterHit) -> Floats:
         return np.zeros_like(hit.d)
     toward = np.maximum(hit.d[:, 0] * air.sun[0] + hit.d[:, 2] * air.sun[2], 0.0)
     share = body.translucency / math.pi * ((hit.height - trough) / (top - trough)) ** 2 * toward
-    result: Floats = share[:, None] * air.sun_irradiance * np.exp(-CREST_PATH / np.array(body.absorption_length))
-    return result
+    return share[:, None] * air.sun_irradiance * np.exp(-CREST_PATH / np.array(body.absorption_length))
 
 
 def _reflected(d: Floats, n: Floats, sigma2: float) -> Floats:
@@ -349,5 +348,4 @@ def blinn_phong(air: Air, power: float, perturb: float, d: Floats, n: Floats, cv
     """The lake's highlight: around a half vector moved by the normal's tilt; (r, 3), independent of roughness."""
     h = unit(air.sun - d + perturb * n * np.array([1.0, 0.0, 1.0]))
     nh = np.clip(dot(n, h), 0.0, 1.0)
-    result: Floats = air.sun_irradiance / math.pi * LAKE_STRENGTH * LAKE_COLOUR * np.power(nh, power)[:, None]
-    return result
+    return air.sun_irradiance / math.pi * LAKE_STRENGTH * LAKE_COLOUR * np.power(nh, power)[:, None]

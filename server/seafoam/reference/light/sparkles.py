@@ -81,8 +81,7 @@ class SparkleField:
         swell = 30.0 * (s * (1.0 - s)) ** 2
         # The brightness of each is w over the probability that it is active, so that its mean is w.
         bright = np.maximum(w, 1.0 / (self.density * solid))
-        result: Floats = lit * swell * shape * bright * solid / mean
-        return result
+        return lit * swell * shape * bright * solid / mean
 
     def broken(self, air: Air, d: Floats, smooth: Floats) -> Floats:
         """The reflection (r, 3) toward −d (r, 3) whose mean over all hashes is ``smooth`` (r, 3)."""
@@ -90,8 +89,7 @@ class SparkleField:
         w = np.maximum(smooth.sum(axis=1) / total, LIGHT_LEAST)
         here = self.side**2 * np.abs(d).sum(axis=1) ** 3
         apart = self.sparkles.share * (1.0 - smoothstep(0.5, 2.0, self.density * w * here))
-        result: Floats = smooth * (1.0 - apart + apart / w * self.light(d, w))[:, None]
-        return result
+        return smooth * (1.0 - apart + apart / w * self.light(d, w))[:, None]
 
 
 def sun(light: Light, air: Air, time: float, step: float) -> Glint:

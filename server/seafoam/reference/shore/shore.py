@@ -42,8 +42,7 @@ PATCHES = (6.0, True), (1.7, False), (0.5, True)
 
 def _swing(here: Floats, phase: Floats, turn: Floats) -> Floats:
     """Displacement of the surf's foam along the gradient of the phase (2, r), m; (2, r)."""
-    result: Floats = 1.5 * here[:, 1] * np.sin(2.0 * math.pi * turn) / np.maximum(np.hypot(*phase), 1e-6) * phase
-    return result
+    return 1.5 * here[:, 1] * np.sin(2.0 * math.pi * turn) / np.maximum(np.hypot(*phase), 1e-6) * phase
 
 
 class Coast:
@@ -75,8 +74,7 @@ class Coast:
             ndimage.maximum_filter(np.abs(np.diff(values, axis=axis, append=values.take([-1], axis))), 5)
             for axis in (0, 1)
         ]
-        result: Floats = np.hypot(both[0], both[1]) / texel
-        return result
+        return np.hypot(both[0], both[1]) / texel
 
     @cached_property
     def slope(self) -> float:
@@ -217,8 +215,7 @@ class Coast:
         late = since < -0.5
         share = np.maximum(0.5 - np.where(late, since + 1.0, -since) / width, 0.0)
         own, beyond = np.minimum(after(since), 1.0), np.minimum(after(np.where(late, 0.0, -1.0)), 1.0)
-        mixed: Floats = own + share * (beyond - own)
-        return mixed
+        return own + share * (beyond - own)
 
     def ground(self, q_x: Floats, q_z: Floats) -> tuple[Floats, Floats, Floats, Floats]:
         """Height of the ground (m), its gradient and its tint; (r,) each. Arguments: m from the square's centre."""
@@ -367,5 +364,4 @@ def grain(q_x: Floats, q_z: Floats, footprints: Footprints) -> Floats:
         seen = np.flatnonzero(kept > 0.0)
         total[seen] += (value(KEY, q_x[seen] / cell, q_z[seen] / cell) - 0.5) * 0.45 * kept[seen]
         cell *= GRAIN_STEP
-    result: Floats = np.clip(total, 0.0, 1.0)
-    return result
+    return np.clip(total, 0.0, 1.0)

@@ -166,7 +166,7 @@ class Seabed:
         tile = tiles(True)[0]
         u = (x - self.flat[0] + math.fmod(self.afloat[0], tile)) / tile % 1.0
         v = (z - self.flat[1] + math.fmod(self.afloat[1], tile)) / tile % 1.0
-        return bilinear(self.map, u, v)
+        return np.stack([bilinear(sheet, u, v) for sheet in np.moveaxis(self.map, -1, 0)], axis=-1)
 
     def albedo(self, x: Floats, z: Floats, footprints: Footprints) -> Floats:
         """Reflectance (r, 3): uniform, or of tiles, with the share of joints in the footprint's bounding box."""

@@ -144,8 +144,7 @@ class WaveSet:
             return total
         by_x, by_z = self.groups.gradient(x, z)
         passing = -(self.groups.velocity[0] * by_x + self.groups.velocity[1] * by_z)
-        risen: Floats = self.groups(x, z) * total + self._even_height(x, z, 0.0) * passing
-        return risen
+        return self.groups(x, z) * total + self._even_height(x, z, 0.0) * passing
 
     def _even_height(self, x: Floats, z: Floats, ago: Floats | float) -> Floats:
         """The height ``ago`` s before, without groups; (r,) m."""
