@@ -45,7 +45,7 @@ def texel(image: Floats, column: Floats, row: Floats) -> Floats:
 def bilinear(image: Floats, u: Floats, v: Floats) -> Floats:
     """Bilinear between the four nearest texel centres of an image without channels; (r,)."""
     at = v * image.shape[0] - 0.5, u * image.shape[0] - 0.5
-    return map_coordinates(image, at, order=1, mode="grid-wrap")
+    return map_coordinates(image, at, np.float64, order=1, mode="grid-wrap")
 
 
 def trilinear(chain: Sequence[Floats], u: Floats, v: Floats, level: Floats) -> Floats:

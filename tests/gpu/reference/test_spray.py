@@ -21,7 +21,7 @@ from seafoam.reference.renderer.relief import Relief
 from seafoam.reference.shore.shore import Coast
 from seafoam.reference.spray import births as drop
 from seafoam.reference.spray import splats as flying
-from seafoam.reference.spray.waters import drops as thrown
+from seafoam.reference.spray.births import drops as thrown
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.reference.waves.rings import ring_set
 from seafoam.reference.waves.sea import sea_surface

@@ -13,7 +13,6 @@ import math
 from itertools import count
 
 import numpy as np
-from scipy.optimize.elementwise import find_root
 
 from seafoam.reference.renderer.relief import ReliefPart
 from seafoam.reference.types import Bools, Floats, Indices, dot
@@ -26,6 +25,7 @@ FINE_STEPS = 1500
 GROWTH = 1.02
 SHAPE_SHARE = 0.25
 """Step size over the size of the finest feature."""
+REFINEMENTS = 80
 GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
 GOLDEN_STEPS = 40
 
@@ -130,9 +130,7 @@ class _Search:
         dips = self._march(np.flatnonzero(~steep), low, high, side, sure, before, after)
         self._search_dips(dips, side, before, after)
         crossed = np.flatnonzero(np.isfinite(after))
-        ends = before[crossed], after[crossed]
-        found = find_root(self._value, ends, args=tuple(self.d[:, crossed]))
-        after[crossed] = np.where(found.success, found.x, ends[1])
+        after[crossed] = self._refine(crossed, before[crossed], after[crossed], side[crossed])
         return after
 
     def _march(
@@ -195,3 +193,24 @@ class _Search:
         for i in below[np.argsort(-middle[below], kind="stable")]:
             if middle[i] < after[rays[i]]:
                 before[rays[i]], after[rays[i]] = start[i], middle[i]
+
+    def _refine(self, rays: Indices, a: Floats, b: Floats, side: Floats) -> Floats:
+        """The zero between a (G·side ≥ 0) and b (G·side ≤ 0): Newton steps, bisection where they leave the bracket."""
+        result, place = np.empty(rays.size), np.arange(rays.size)
+        d, s = self.d[:, rays], 0.5 * (a + b)
+        for _ in range(REFINEMENTS if rays.size else 0):
+            g = side * self._value(s, *d)
+            h_x, h_z = self.relief.gradient(d[0] * s, d[2] * s)
+            slope = side * (d[1] - d[0] * h_x - d[2] * h_z)
+            a, b = np.where(g > 0.0, s, a), np.where(g > 0.0, b, s)
+            falling = slope < 0.0
+            newton = s - g / np.where(falling, slope, 1.0)
+            good = falling & (newton > a) & (newton < b)
+            following = np.where(good, newton, 0.5 * (a + b))
+            done = (np.abs(following - s) <= 1e-14 * (s + abs(self.eye_y))) | (g == 0.0)
+            result[place] = np.where(g == 0.0, s, following)
+            left = ~done
+            if not left.any():
+                break
+            d, s, a, b, side, place = (part[..., left] for part in (d, following, a, b, side, place))
+        return result
