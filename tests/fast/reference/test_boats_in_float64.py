@@ -9,7 +9,7 @@ from seafoam.effects.foam.wake_foam import wake_limit
 from seafoam.ocean.waves.wakes import Wake
 from seafoam.reference.boats import floating
 from seafoam.reference.boats import wake as wakes_of
-from seafoam.reference.boats.form import FORMS
+from seafoam.reference.boats.floating import FORMS
 from seafoam.scene.boats import Boat
 from seafoam.scene.foam import Foam, WakeSaturation
 from seafoam.scene.models import Scene

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from seafoam.reference.boats.floating import Height, course_of, float_on
-from seafoam.reference.boats.form import DRAUGHT, FORMS, Form, Inequality, Pose, house, paint, plane
+from seafoam.reference.boats import floating
+from seafoam.reference.boats.floating import FORMS, Height, Inequality, house, plane
 from seafoam.reference.light.light import Air, fresnel, sky_light
 from seafoam.reference.types import Floats, Rows, Sunlight, dot, smoothstep, unit
 from seafoam.scene.boats import Boat
@@ -37,7 +37,7 @@ class Hit(Rows):
 class Fleet:
     """All boats of a scene at one time."""
 
-    poses: tuple[Pose, ...]
+    poses: tuple[floating.Pose, ...]
 
     def trace(self, o: Floats, d: Floats, least: float = 0.0) -> Hit:
         """First hits of rays o + t d, o and d (r, 3), with t ≥ ``least`` m; t is infinite where there is none."""
@@ -82,7 +82,7 @@ class Fleet:
             if rows.size == 0:
                 continue
             n, part = hit.normal[rows], hit.part[rows]
-            albedo, gloss = paint(pose, hit.place[rows], pose.inward(n), part)
+            albedo, gloss = floating.paint(pose, hit.place[rows], pose.inward(n), part)
             facing = dot(n, air.sun)
             share = np.maximum(facing, 0.0)
             sail = part == SAIL
@@ -159,7 +159,7 @@ class _Boat:
     def _solid(self, walls: tuple[Inequality, ...], part: int) -> None:
         self._take(*self._interval(walls), part)
 
-    def _hull(self, form: Form) -> None:
+    def _hull(self, form: floating.Form) -> None:
         enter, leave, gradient = self._interval(form.sides())
         cut, uncut, _ = self._interval((form.above(),))
         none = ~(cut < uncut)
@@ -225,6 +225,8 @@ def fleet(scene: Scene, time: float, origin: tuple[float, float], height: Height
     def support(boat: Boat) -> Height:
         if ground is None:
             return height
-        return lambda x, z: np.maximum(height(x, z), ground(x, z) + DRAUGHT * boat.length)
+        return lambda x, z: np.maximum(height(x, z), ground(x, z) + floating.DRAUGHT * boat.length)
 
-    return Fleet(tuple(float_on(boat, course_of(boat, time, origin), support(boat)) for boat in scene.boats))
+    return Fleet(
+        tuple(floating.float_on(boat, floating.course_of(boat, time, origin), support(boat)) for boat in scene.boats)
+    )

@@ -5,14 +5,12 @@ Standing waves behind stones are wakes of hulls that move against the current as
 
 import math
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import cached_property
 
 import numpy as np
 
 from seafoam.ocean.waves.wakes import LEAST_SPEED, Wake, joint_height, joint_slope, stone_wakes, wakes
-from seafoam.reference.boats.floating import HULL_SPEED, Course, course_of
-from seafoam.reference.boats.form import FORMS, STEM
+from seafoam.reference.boats.floating import FORMS, HULL_SPEED, STEM, Course, course_of
 from seafoam.reference.noise import filtered_step, footprint_variance, patches
 from seafoam.reference.types import Bools, Floats, Footprints, Gradient, smoothstep_slope
 from seafoam.scene.boats import Boat
@@ -222,9 +220,7 @@ class StoneSet(Wakes):
     def _from_middle(self, stone: Stone, x: Floats, z: Floats) -> tuple[Floats, Floats]:
         """How far places (x, z), m from the origin, are downstream of a stone's middle and to the right; (r,) m."""
         c, s = self._downstream
-        from_x, from_z = (
-            part + float(Fraction(a) - Fraction(b)) for part, a, b in zip((x, z), self.origin, stone.place, strict=True)
-        )
+        from_x, from_z = x + (self.origin[0] - stone.place[0]), z + (self.origin[1] - stone.place[1])
         return c * from_x + s * from_z, c * from_z - s * from_x
 
     def foam(self, source: WakeSaturation, x: Floats, z: Floats, cap: float, footprints: Footprints | None) -> Floats:

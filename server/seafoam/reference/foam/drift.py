@@ -94,21 +94,16 @@ def flow_of(scene: Scene) -> Flow:
     """The flow of a scene that has a drift."""
     drift = scene.drift
     assert drift is not None
-    vortices = tuple((*_apart(one.place, drift.place), one.radius, one.speed) for one in drift.vortices)
+    x, z = drift.place
+    vortices = tuple((one.place[0] - x, one.place[1] - z, one.radius, one.speed) for one in drift.vortices)
     return Flow(steady_drift(scene), 0.5 * drift.size, vortices)
-
-
-def _apart(place: tuple[float, float], middle: tuple[float, float]) -> tuple[float, float]:
-    x, z = (float(Fraction(a) - Fraction(b)) for a, b in zip(place, middle, strict=True))
-    return x, z
 
 
 def _over_square(
     scene: Scene, drift: Drift, origin: tuple[float, float], x: Floats, z: Floats
 ) -> tuple[Flow, tuple[Floats, Floats], Floats]:
     """The flow, places (x, z), m from the origin, in its square, m from the middle, and the foam's fade to the rim."""
-    flow, (from_x, from_z) = flow_of(scene), _apart(origin, drift.place)
-    q_x, q_z = x + from_x, z + from_z
+    flow, q_x, q_z = flow_of(scene), x + (origin[0] - drift.place[0]), z + (origin[1] - drift.place[1])
     return flow, (q_x, q_z), 1.0 - smoothstep(RIM, 1.0, np.hypot(q_x, q_z) / flow.half)
 
 

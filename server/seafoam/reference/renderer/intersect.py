@@ -14,8 +14,7 @@ from itertools import count
 
 import numpy as np
 
-from seafoam.reference.renderer.relief import ReliefPart
-from seafoam.reference.types import Bools, Floats, Indices, dot
+from seafoam.reference.types import Bools, Floats, Indices, ReliefPart, dot
 
 LEVEL = 1e-9
 """Rays with |d.y| below this are treated as horizontal: they intersect no horizontal plane."""
@@ -143,7 +142,8 @@ class _Search:
         dips: list[tuple[Indices, Floats, Floats]] = []
         if rays.size == 0:
             return dips
-        d, level, sign, s, end, certain = (part[..., rays] for part in (self.d, self.level, side, low, high, sure))
+        d, level, sign, s, end = (part[..., rays] for part in (self.d, self.level, side, low, high))
+        certain = sure[rays]
         g = sign * self._value(s, *d)
         s_old, g_old = s, np.full(s.shape, np.inf)
         closing = self.relief.slope * level - sign * d[1]
@@ -168,8 +168,9 @@ class _Search:
                 break
             s_old, g_old, s, g = s, g, s_new, g_new
             if np.count_nonzero(live) < 0.75 * live.size:
-                rays, certain, d, level, sign, end = (part[..., live] for part in (rays, certain, d, level, sign, end))
-                closing, fine, s, g, s_old, g_old = (part[live] for part in (closing, fine, s, g, s_old, g_old))
+                rays, certain, d = rays[live], certain[live], d[:, live]
+                level, sign, end, closing, fine = (part[live] for part in (level, sign, end, closing, fine))
+                s, g, s_old, g_old = (part[live] for part in (s, g, s_old, g_old))
                 live = np.ones(rays.size, np.bool_)
         return dips
 
@@ -196,7 +197,8 @@ class _Search:
 
     def _refine(self, rays: Indices, a: Floats, b: Floats, side: Floats) -> Floats:
         """The zero between a (G·side ≥ 0) and b (G·side ≤ 0): Newton steps, bisection where they leave the bracket."""
-        result, place = np.empty(rays.size), np.arange(rays.size)
+        result = np.empty(rays.size)
+        place = np.arange(rays.size)
         d, s = self.d[:, rays], 0.5 * (a + b)
         for _ in range(REFINEMENTS if rays.size else 0):
             g = side * self._value(s, *d)
@@ -212,5 +214,6 @@ class _Search:
             left = ~done
             if not left.any():
                 break
-            d, s, a, b, side, place = (part[..., left] for part in (d, following, a, b, side, place))
+            s, a, b, side = (part[left] for part in (following, a, b, side))
+            d, place = d[:, left], place[left]
         return result

@@ -13,10 +13,9 @@ from seafoam.reference.foam.coverage import Assets
 from seafoam.reference.light import light, sparkles
 from seafoam.reference.renderer import intersect
 from seafoam.reference.renderer.camera import SampleGrid
-from seafoam.reference.renderer.relief import Relief, ReliefPart
 from seafoam.reference.shore.shadow import land_shadow
 from seafoam.reference.shore.shore import Coast
-from seafoam.reference.types import Floats, Footprints, Sunlight, dot, unit
+from seafoam.reference.types import Floats, Footprints, Relief, ReliefPart, Sunlight, dot, unit
 from seafoam.reference.water.seafloor import Seabed, ShoreSeabed
 from seafoam.reference.waves.parametric import RippleSet, WaveSet, afloat, gust_field, ripple_set, wave_set
 from seafoam.reference.waves.rings import RingSet, ring_set, touch_set

@@ -14,10 +14,9 @@ from scipy import ndimage
 from seafoam.ocean.constants import WATER_INDEX
 from seafoam.reference.light.light import Floor, plain_floor
 from seafoam.reference.noise import KEY, filtered_step, footprint_variance, patches, value
-from seafoam.reference.renderer.relief import ReliefPart
 from seafoam.reference.shore import maps
 from seafoam.reference.shore.soil import Soil, detailed
-from seafoam.reference.types import Floats, Footprints, dot, smoothstep, unit
+from seafoam.reference.types import Floats, Footprints, ReliefPart, dot, smoothstep, unit
 from seafoam.reference.waves.parametric import reduced
 from seafoam.scene.foam import SurfSaturation
 from seafoam.scene.shore import Shore

@@ -18,10 +18,9 @@ from seafoam.ocean.foam import spray as shared
 from seafoam.ocean.foam.spray import BATCHES, CELLS, CLUSTER, EPOCHS, LEVELS, MOMENT, SEA_TEXELS
 from seafoam.ocean.waves.cascades import RAISED, cascades
 from seafoam.reference.noise import Words, chained, number, pcg
-from seafoam.reference.renderer.relief import Relief
 from seafoam.reference.shore.maps import SWASH, rhythm
 from seafoam.reference.shore.shore import Coast
-from seafoam.reference.types import Floats, Rows, dot, smoothstep
+from seafoam.reference.types import Floats, Relief, Rows, dot, smoothstep
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.reference.waves.rings import ring_set
 from seafoam.reference.waves.sea import coefficients, grids, sea_surface
@@ -207,7 +206,7 @@ def _swell_then(scene: Scene, time: float, origin: tuple[float, float], place: F
     """Height of single waves and rings ages (n,) ago at places (n, 2) from the camera, m."""
     total = np.zeros_like(age)
     if scene.waves:
-        total += wave_set(scene, time, origin).height_before(place[:, 0], place[:, 1], age)
+        total += wave_set(scene, time, origin).height(place[:, 0], place[:, 1], age)
     for i in range(len(age) if scene.rings else 0):
         total[i] += ring_set(scene, time - float(age[i]), origin).height(*place[i, :, None])[0]
     return total

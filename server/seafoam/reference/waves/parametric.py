@@ -8,17 +8,17 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, reduce
 
 import numpy as np
 from scipy import optimize, special
 
 from seafoam.ocean.constants import GRAVITY
+from seafoam.ocean.waves import groups as wave_groups
 from seafoam.ocean.waves.ripples import ripple_cascades
 from seafoam.ocean.waves.stokes import orbit
 from seafoam.reference.noise import PERIOD, fractal
-from seafoam.reference.types import Floats
-from seafoam.reference.waves.groups import GroupFactor, group_factor
+from seafoam.reference.types import Floats, smoothstep_slope
 from seafoam.scene.models import Scene
 from seafoam.scene.water import Ripples
 from seafoam.scene.waves import ParametricWave
@@ -35,6 +35,71 @@ STEEPEST = 1e9
 """Value used for an infinite slope."""
 TROUGH = 1e-4
 """Least |p| in the derivative of waves of exponent below ½, whose slope is infinite at the trough."""
+
+
+@dataclass(frozen=True, eq=False)
+class GroupFactor:
+    """The factor at one time around one origin."""
+
+    corners: Floats
+    """Values of the noise at its corners, in [0, 1]; rows along the second axis."""
+    along: tuple[float, float]
+    """Step of the noise along the way of the groups, (x, z) cells/m; the other is at right angles to it."""
+    contrast: float
+    velocity: tuple[float, float]
+    """(x, z) m/s."""
+    place: tuple[float, float]
+    """The origin in the noise, cells."""
+
+    def __call__(self, x: Floats, z: Floats, ago: Floats | float = 0.0) -> Floats:
+        """Factor at (x, z), m from the origin, ``ago`` s before; in [1 − contrast, 1]."""
+        noise = self._noise(x + self.velocity[0] * ago, z + self.velocity[1] * ago)[0]
+        return 1.0 - self.contrast * (1.0 - noise)
+
+    def gradient(self, x: Floats, z: Floats) -> Floats:
+        """Its derivatives, (2, r) 1/m."""
+        _, by_u, by_v = self._noise(x, z)
+        k_x, k_z = self.along
+        return self.contrast * np.stack((k_x * by_u - k_z * by_v, k_z * by_u + k_x * by_v))
+
+    @property
+    def slope(self) -> float:
+        """Greatest derivative along any line, 1/m: that of smoothstep, ³⁄₂ a cell."""
+        return 1.000001 * self.contrast * 1.5 * math.hypot(*self.along)
+
+    @property
+    def curvature(self) -> float:
+        """Greatest second derivative along any line, 1/m²: that of smoothstep, 6 a cell²."""
+        return self.contrast * 6.0 * math.hypot(*self.along) ** 2
+
+    def _noise(self, x: Floats, z: Floats) -> tuple[Floats, Floats, Floats]:
+        """Value noise and its derivatives per cell."""
+        k_x, k_z = self.along
+        u, v = self.place[0] + k_x * x + k_z * z, self.place[1] - k_z * x + k_x * z
+        i, j = np.floor(u), np.floor(v)
+        s, t = u - i, v - j
+        column, row = np.mod(i, wave_groups.PERIOD).astype(np.int64), np.mod(j, wave_groups.PERIOD).astype(np.int64)
+        right, down = (column + 1) % wave_groups.PERIOD, (row + 1) % wave_groups.PERIOD
+        a, b, c, d = (self.corners[m, n] for m in (row, down) for n in (column, right))
+        (s_in, s_rate), (t_in, t_rate) = smoothstep_slope(0.0, 1.0, s), smoothstep_slope(0.0, 1.0, t)
+        top, bottom = a + (b - a) * s_in, c + (d - c) * s_in
+        by_u = s_rate * ((b - a) * (1.0 - t_in) + (d - c) * t_in)
+        return top + (bottom - top) * t_in, by_u, t_rate * (bottom - top)
+
+
+def group_factor(scene: Scene, time: float, origin: tuple[float, float]) -> GroupFactor | None:
+    """The factor of the scene's groups at a time (s) around an origin (x, z) in m; None without groups."""
+    groups = scene.wave_groups
+    if groups is None or not wave_groups.in_groups(scene):
+        return None
+    along, velocity = wave_groups.group_cells(scene, groups), wave_groups.group_velocity(scene)
+    moved = [Fraction(start) - Fraction(speed) * Fraction(time) for start, speed in zip(origin, velocity, strict=True)]
+    k_x, k_z = Fraction(along[0]), Fraction(along[1])
+    place = (
+        float((k_x * moved[0] + k_z * moved[1]) % wave_groups.PERIOD),
+        float((k_x * moved[1] - k_z * moved[0]) % wave_groups.PERIOD),
+    )
+    return GroupFactor(wave_groups.group_corners(groups.seed), along, groups.contrast, velocity, place)
 
 
 @dataclass(frozen=True)
@@ -117,9 +182,9 @@ class WaveSet:
         """Phases at (x, z), m from the origin, shape (r,): (n, r) rad, not reduced."""
         return self.phase[:, None] - self.kx[:, None] * x - self.kz[:, None] * z
 
-    def height(self, x: Floats, z: Floats) -> Floats:
-        """Σ y over the waves at (x, z), minus its mean, times the factor of the groups; (r,) m."""
-        return self._grouped(self._even_height(x, z, 0.0), x, z)
+    def height(self, x: Floats, z: Floats, ago: Floats | float = 0.0) -> Floats:
+        """Σ y over the waves at (x, z), ``ago`` s before, minus its mean, times the factor of the groups; (r,) m."""
+        return self._grouped(self._even_height(x, z, ago), x, z, ago)
 
     def gradient(self, x: Floats, z: Floats) -> Floats:
         """(h_x, h_z) of the sum at (x, z); (2, r)."""
@@ -130,10 +195,6 @@ class WaveSet:
         if self.groups is None:
             return slope
         return self.groups(x, z) * slope + self._even_height(x, z, 0.0) * self.groups.gradient(x, z)
-
-    def height_before(self, x: Floats, z: Floats, ago: Floats | float) -> Floats:
-        """The height at (x, z) as it was ``ago`` s before; (r,) m."""
-        return self._grouped(self._even_height(x, z, ago), x, z, ago)
 
     def rise(self, x: Floats, z: Floats) -> Floats:
         """Speed at which the surface rises at (x, z); (r,) m/s."""
@@ -192,7 +253,8 @@ def wave_height(theta: Floats, A: float, K: float) -> Floats:
     # (sin θ + 1)/2 is sin²(θ/2 + π/4), which has no cancellation at the trough.
     p = np.sin(0.5 * theta + 0.25 * math.pi)
     u = p * p
-    return A * (_whole_power(u, int(K)) if int(K) == K and K <= 16 else np.power(u, K))
+    # Products are several times faster than np.power.
+    return A * (reduce(np.multiply, [u] * int(K)) if int(K) == K and K <= 16 else np.power(u, K))
 
 
 def wave_derivative(theta: Floats, A: float, K: float) -> Floats:
@@ -310,15 +372,3 @@ def gust_field(ripples: Ripples | None, time: float, origin: tuple[float, float]
         return 1.0 + gusts.strength * np.clip(0.8 * noise, -1.0, 1.0)
 
     return factor
-
-
-def _whole_power(base: Floats, exponent: int) -> Floats:
-    """base^exponent by repeated squaring, several times faster than np.power."""
-    result = None
-    while exponent:
-        if exponent & 1:
-            result = base if result is None else result * base
-        exponent >>= 1
-        if exponent:
-            base = base * base
-    return np.ones_like(base) if result is None else result
