@@ -10,8 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from seafoam.reference.types import Floats, Footprints, Gradient, Indices, smoothstep
 
-KEY = 0x9031965F
-"""Hash key of the noise that textures ground and foam."""
+KEY = 0x9031965F  # hash key of the noise that textures ground and foam
 PERIOD = 256
 GAIN = 0.58
 FINER = 5.0**0.5
@@ -19,13 +18,10 @@ STRENGTH = {2: 4.6207, 3: 4.2631}
 """Amplitude of the first octave, by dimensions, so that infinitely many octaves have standard deviation 1."""
 BITS = {2: 16, 3: 10}
 SHIFT = (0.37, 0.71, 0.53)
-TORN = 0.25, 0.72
-"""Range of a sum of noises over which patches of foam grow from nothing to full."""
-TORN_SHARES = 0.4, 0.35, 0.25
-"""Shares of the noises in that sum."""
+TORN = 0.25, 0.72  # range of a sum of noises over which patches of foam grow from nothing to full
+TORN_SHARES = 0.4, 0.35, 0.25  # shares of the noises in that sum
 LOW = np.uint64(0xFFFFFFFF)
-Words = NDArray[np.uint64]
-"""32-bit words, in 64 bits."""
+Words = NDArray[np.uint64]  # 32-bit words, in 64 bits
 
 
 def pcg(word: Words) -> Words:

@@ -57,8 +57,7 @@ class Relief:
     """The sum of parts, itself a part."""
 
     def __init__(self, parts: Iterable[ReliefPart]) -> None:
-        self.raised = tuple(part for part in parts if part.top > 0.0)
-        """The parts that are not flat."""
+        self.raised = tuple(part for part in parts if part.top > 0.0)  # the parts that are not flat
         self.top = sum(part.top for part in self.raised)
         self.trough = sum(part.trough for part in self.raised)
         self.slope = sum(part.slope for part in self.raised)

@@ -14,8 +14,7 @@ BOW, QUARTER, BEAM, STEM, DRAUGHT = 0.36, 0.3, 0.1, 0.42, 0.08
 RADON = math.sqrt(2.0 / 3.0)
 UP = np.array([0.0, 1.0, 0.0])
 HULL_SPEED = 1.25
-Height = Callable[[Floats, Floats], Floats]
-"""Heights at (x, z), m from the origin."""
+Height = Callable[[Floats, Floats], Floats]  # heights at (x, z), m from the origin
 
 
 @dataclass(frozen=True)

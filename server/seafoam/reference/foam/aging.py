@@ -12,8 +12,7 @@ from seafoam.reference.types import Floats, smoothstep
 from seafoam.reference.waves.parametric import reduced
 from seafoam.scene.models import Scene
 
-AGE = 0.8
-"""Age between one mask and the next, in e-folds of the saturation."""
+AGE = 0.8  # age between one mask and the next, in e-folds of the saturation
 ROW_LENGTH = 8.0
 RIDGE = 7.781
 ROW_SEED = 1938
@@ -23,12 +22,9 @@ ROW_SEED = 1938
 class Share:
     """Coverage by one mask."""
 
-    mask: int
-    """Index of the mask; 0 is the foam's own."""
-    weight: Floats
-    """(r,); 0 where this mask has no foam."""
-    s: Floats
-    """Share of the plane; (r,)."""
+    mask: int  # index of the mask; 0 is the foam's own
+    weight: Floats  # (r,); 0 where this mask has no foam
+    s: Floats  # share of the plane; (r,)
 
 
 def gathered(scene: Scene, time: float, origin: tuple[float, float], s: Floats, x: Floats, z: Floats) -> Floats:

@@ -10,24 +10,19 @@ from seafoam.reference.types import Floats, smoothstep
 from seafoam.scene.foam import Foam
 
 COUNT = 4096
-LEAST = 0.25
-"""Barycentric weight below which a cell has no influence."""
-LAST = 1.0 / 256.0
-"""Uncovered share below which the power is replaced by a ramp to 0."""
+LEAST = 0.25  # barycentric weight below which a cell has no influence
+LAST = 1.0 / 256.0  # uncovered share below which the power is replaced by a ramp to 0
 
 
 @dataclass(frozen=True, eq=False)
 class Corner:
     """One of the three cells around each of r places."""
 
-    weight: Floats
-    """(r,); the weights of the three cells sum to 1."""
-    u: Floats
+    weight: Floats  # (r,); the weights of the three cells sum to 1
+    u: Floats  # mask coordinates, in tiles; (r,) each
     v: Floats
-    """Mask coordinates, in tiles; (r,) each."""
-    cosine: Floats
+    cosine: Floats  # of the cell's rotation; (r,) each
     sine: Floats
-    """Cosine and sine of the cell's rotation; (r,) each."""
 
     def turned(self, foot: Floats) -> Floats:
         """Footprints (r, 2) in tiles, rotated with the cell; (r, 2)."""

@@ -19,36 +19,26 @@ from seafoam.scene.models import Scene
 
 GENERATIONS = 4
 COUNTED = 1024
-PEAK = 1.2564312086261697
-"""Solution y of e^y = 1 + 2y."""
-LONGEST = 0.125
-"""Longest time step, s."""
-TURN = 0.2
-"""Longest time step, as a rotation of the fastest vortex, rad."""
-FADE, REACH = 3.0, 6.0
-"""Distances at which a vortex begins to fade and ends, in radii."""
+PEAK = 1.2564312086261697  # solution y of e^y = 1 + 2y
+LONGEST = 0.125  # longest time step, s
+TURN = 0.2  # longest time step, as a rotation of the fastest vortex, rad
+FADE, REACH = 3.0, 6.0  # distances at which a vortex begins to fade and ends, in radii
 OCTAVES = ((0.55, 1.0, False), (0.3, 2.3, True), (0.15, 5.1, False))
 """Weight, frequency and rotation (or none) of each octave of a patch."""
 DEVIATION = 0.138
 HALF_CUT = 0.1
-APART = (3.37, 5.61)
-"""Offset between the two copies of a mask, in tiles."""
-BESIDE = 1e-3
-"""Step of the finite differences of displacements, m."""
-RIM = 0.6
-"""Distance from the middle at which foam begins to fade, over half the side."""
+APART = (3.37, 5.61)  # offset between the two copies of a mask, in tiles
+BESIDE = 1e-3  # step of the finite differences of displacements, m
+RIM = 0.6  # distance from the middle at which foam begins to fade, over half the side
 
 
 @dataclass(frozen=True)
 class Flow:
     """A flow over a square; places in m from its middle."""
 
-    steady: tuple[float, float]
-    """m/s"""
-    half: float
-    """Half the square's side, m."""
-    vortices: tuple[tuple[float, float, float, float], ...]
-    """Centre (x, z), radius (m), speed there (m/s)."""
+    steady: tuple[float, float]  # m/s
+    half: float  # half the square's side, m
+    vortices: tuple[tuple[float, float, float, float], ...]  # centre (x, z), radius (m), speed there (m/s)
 
     def velocity(self, x: Floats, z: Floats) -> Floats:
         """(u, w) at (x, z); (2, r) m/s."""
@@ -137,13 +127,10 @@ def drift_saturation(
 class Copy:
     """One of the two copies of a mask that the flow advects, at r places."""
 
-    weight: Floats
-    """(r,); the weights of the two copies sum to 1."""
-    x: Floats
+    weight: Floats  # (r,); the weights of the two copies sum to 1
+    x: Floats  # where the mask is read, m from the origin; (r,) each
     z: Floats
-    """Where the mask is read, m from the origin; (r,) each."""
-    turn: Floats
-    """(r, 2, 2): Jacobian of the displacement, applied to vectors (x, z)."""
+    turn: Floats  # (r, 2, 2): Jacobian of the displacement, applied to vectors (x, z)
 
     def turned(self, foot: Floats) -> Floats:
         """Footprints (r, 2) m, mapped to the copy; (r, 2)."""

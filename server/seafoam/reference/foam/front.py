@@ -17,18 +17,14 @@ from seafoam.scene.foam import FrontSaturation
 TURN = 2.0 * math.pi
 CAP = 4.0
 EXPONENT = 80.0
-CELLS = 16384
-"""Cells of the tabulated integral, interpolated by cubics: error below 10⁻¹²."""
+CELLS = 16384  # cells of the tabulated integral, interpolated by cubics: error below 10⁻¹²
 
-LISTING_SPATIAL = 6.28 / (2.0 * math.pi)
-"""Factor of the wavenumbers in the published code."""
+LISTING_SPATIAL = 6.28 / (2.0 * math.pi)  # factor of the wavenumbers in the published code
 
 GATE_LEAST = 1e-4
-LEAST_RATE = 1e-3
-"""Least mean frequency of the waves for drifting water, rad/s."""
+LEAST_RATE = 1e-3  # least mean frequency of the waves for drifting water, rad/s
 
-GROUP_LEAST = 1e-4
-"""Least ρ² in ∇ψ."""
+GROUP_LEAST = 1e-4  # least ρ² in ∇ψ
 
 PATCH_OCTAVES, PATCH_SEED, PATCH_CHANGE = 3, 64 * 91, 25.0
 """Octaves of the noise of patches, its seed, and the time in which it changes, s."""
@@ -38,10 +34,8 @@ PATCH_OCTAVES, PATCH_SEED, PATCH_CHANGE = 3, 64 * 91, 25.0
 class History:
     """How the water moves foam after it has appeared."""
 
-    drift: tuple[float, float]
-    """(x, z) m/s."""
-    orbits: bool
-    """Whether the waves' orbits move it to and fro."""
+    drift: tuple[float, float]  # (x, z) m/s
+    orbits: bool  # whether the waves' orbits move it to and fro
 
 
 STILL = History((0.0, 0.0), False)

@@ -10,10 +10,8 @@ from seafoam.reference.sampling import SplineSample, quantile, texel
 from seafoam.reference.types import Floats, smoothstep
 
 LEAST_HALF = 5e-4
-OCTAVE_RAMP = 0.6
-"""Width of an octave's ramp that the next octave resolves, as a share of the plane."""
-OCTAVE_SHOWN = (32.0, 64.0)
-"""Footprint in texels of an octave at which it begins to fade and is gone."""
+OCTAVE_RAMP = 0.6  # width of an octave's ramp that the next octave resolves, as a share of the plane
+OCTAVE_SHOWN = (32.0, 64.0)  # footprint in texels of an octave at which it begins to fade and is gone
 END = 1.0 / 256.0
 
 

@@ -18,15 +18,13 @@ from seafoam.reference.types import Floats, dot, henyey_greenstein, smoothstep, 
 from seafoam.scene.light import Day, Light, Moon, Sky
 
 RAYLEIGH = np.array([0.055, 0.108, 0.215])
-RAYLEIGH_HEIGHT, MIE_HEIGHT = 8000.0, 1200.0
-"""Scale heights of molecules and of haze, m."""
+RAYLEIGH_HEIGHT, MIE_HEIGHT = 8000.0, 1200.0  # scale heights of molecules and of haze, m
 MIE_LEAST, MIE_PER_TURBIDITY = 0.01, 0.04
 CLOUD_POWER = 20.0
 MOON_POWER = 0.2 * np.array([0.75, 0.9, 1.2])
 MOON_RADIUS = 0.0045
 MOON_FACE = 2.5
-MOLECULES = np.array([6.54e-6, 1.405e-5, 3.16e-5])
-"""Scattering by molecules at the sea, 1/m."""
+MOLECULES = np.array([6.54e-6, 1.405e-5, 3.16e-5])  # scattering by molecules at the sea, 1/m
 HAZE_COLOUR = np.array([0.826, 1.0, 1.225])
 CONTRAST = 3.912
 DISC_MOST = 3000.0
@@ -92,14 +90,10 @@ def _summed(
 class Lamp:
     """Sun or moon, as a light source for the air."""
 
-    direction: Floats
-    """(3,) unit vector toward it."""
-    path: Floats
-    """(3,) optical depth of the air along its light's path to the sea."""
-    power: Floats
-    """(3,) irradiance above the air."""
-    glow: skylight.Glow
-    """Coefficients of the sky that it lights."""
+    direction: Floats  # (3,) unit vector toward it
+    path: Floats  # (3,) optical depth of the air along its light's path to the sea
+    power: Floats  # (3,) irradiance above the air
+    glow: skylight.Glow  # coefficients of the sky that it lights
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,15 +104,11 @@ class LayeredSky:
     sky: Sky
     mie: float
     lamps: tuple[Lamp, ...]
-    lit_by: Floats
-    """(3,) unit vector toward the lamp that lights water and clouds."""
-    clear_direct: Floats
-    """(3,) its irradiance at the sea under a clear sky."""
-    cloud_light: Callable[[float], Floats]
-    """(3,) its irradiance at an altitude, m."""
+    lit_by: Floats  # (3,) unit vector toward the lamp that lights water and clouds
+    clear_direct: Floats  # (3,) its irradiance at the sea under a clear sky
+    cloud_light: Callable[[float], Floats]  # (3,) its irradiance at an altitude, m
     time: float
-    eye: tuple[float, float, float]
-    """The camera's position, m."""
+    eye: tuple[float, float, float]  # the camera's position, m
 
     @cached_property
     def clouds(self) -> CloudLayer | None:

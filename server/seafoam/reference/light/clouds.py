@@ -22,28 +22,22 @@ EARTH = 6.371e6
 OCTAVES = 6
 WIDTH = 1.4
 """Width at which a cell of noise fades, over the standard deviation of the place at which it is read."""
-SLICES = np.array([0.0, 0.4, 0.8])
-"""Heights of the slices of clouds, of their depth."""
+SLICES = np.array([0.0, 0.4, 0.8])  # heights of the slices of clouds, of their depth
 TAPER, STEP, CORE, DARK, RELIEF, OCTAVES_AHEAD = 0.9, 0.2, -1.2, 0.3, 0.3, 2
 """Rise of the edge's noise from foot to top; cells toward the lamp; noise over which a core deepens; darkness of what
 diffuse light passes; shading by the rise toward the lamp; octaves of it."""
 AHEAD = (0.712, 0.382, 0.589)
 """What noise toward the lamp has of the first octave here, of the finer ones, and of its own, by the correlation of
 gradient noise."""
-LATTICE, ROOT = 8192, 1.1347241384015194
-"""Points of the means over noise, and the root of x⁶ = x + 1."""
-SHADED = 0.85
-"""Share of the air under an overcast sky that no lamp lights."""
+LATTICE, ROOT = 8192, 1.1347241384015194  # points of the means over noise, and the root of x⁶ = x + 1
+SHADED = 0.85  # share of the air under an overcast sky that no lamp lights
 STRETCH = 8.0
 RAIN_SIZES = (2.0, 5.0, 10.0)
 RAIN_SLANT, RAIN_SPREADS, RAIN_FADES, RAIN_LIGHT = (0.2, 0.1, -0.25), 0.06, 30000.0, 0.55
 SHADOW_OCTAVES = 4
-PENUMBRA = 0.00233
-"""Standard deviation of directions over the sun's disc, rad."""
-LEAST_PASSED = 1e-4
-"""Least mean transmittance by which that of a column is divided."""
-SPAN = 0.9
-"""The farthest that slices are parted, cells."""
+PENUMBRA = 0.00233  # standard deviation of directions over the sun's disc, rad
+LEAST_PASSED = 1e-4  # least mean transmittance by which that of a column is divided
+SPAN = 0.9  # the farthest that slices are parted, cells
 EYE = (7e-4, 7e-4)
 """Standard deviation of the directions from which an eye mixes clouds, up and down, and aside, rad."""
 
@@ -53,14 +47,10 @@ class CloudLayer:
     """Clouds at one time over one camera position, under one lamp."""
 
     clouds: Clouds
-    lit_by: Floats
-    """(3,) unit vector toward the lamp."""
-    light: Floats
-    """(3,) its irradiance at the height of clouds."""
-    sky: Floats
-    """(3,) radiance of their ambient light."""
-    place: tuple[float, float, float]
-    """The camera's position in the clouds' noise, cells."""
+    lit_by: Floats  # (3,) unit vector toward the lamp
+    light: Floats  # (3,) its irradiance at the height of clouds
+    sky: Floats  # (3,) radiance of their ambient light
+    place: tuple[float, float, float]  # the camera's position in the clouds' noise, cells
     eye_y: float
 
     @cached_property

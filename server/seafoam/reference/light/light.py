@@ -29,8 +29,7 @@ FLAT_SHARE = 0.04
 SUN_SOLID_ANGLE = 6.8e-5
 DISC_INNER = 0.0045
 DISC_OUTER = 0.0055
-ENTERS = 0.95
-"""Share of the light from above that enters the water."""
+ENTERS = 0.95  # share of the light from above that enters the water
 BACKSCATTER = 0.4
 CREST_PATH = 6.0
 LAKE_COLOUR = np.array([0.98, 0.97, 0.7])
@@ -38,25 +37,19 @@ LAKE_STRENGTH = 0.6
 GLITTER_MOST = 1e4
 FOAM_FORWARD = 0.75
 """Asymmetry of the phase function of foam, a lumpy layer of bubbles that scatters the sun's light forward."""
-LUMPS_LEAST = 1e-3
-"""Least mean cosine of lumps."""
+LUMPS_LEAST = 1e-3  # least mean cosine of lumps
 
 
 @dataclass(frozen=True)
 class Air:
     """A light, evaluated for its sun: all that is independent of rays."""
 
-    sun: Floats
-    """S, (3,) unit vector to the sun."""
+    sun: Floats  # S, (3,) unit vector to the sun
     mie: float
-    depth: Floats
-    """τ, (3,) optical depth at the zenith."""
-    sun_irradiance: Floats
-    """E_s, (3,)."""
-    air_light: Floats
-    """E_a, (3,)."""
-    above: atmosphere.LayeredSky | None = None
-    """The layered sky of section 9, if the scene has one."""
+    depth: Floats  # τ, (3,) optical depth at the zenith
+    sun_irradiance: Floats  # E_s, (3,)
+    air_light: Floats  # E_a, (3,)
+    above: atmosphere.LayeredSky | None = None  # the layered sky of section 9, if the scene has one
 
     def sky(self, d: Floats) -> Floats:
         """sky(d) without the disc; (..., 3). Directions below the horizon have the horizon's air mass."""
@@ -114,8 +107,7 @@ def sky_light(air: Air, up: Floats) -> Floats:
     return air.sky_irradiance * (0.5 + 0.5 * up)[..., None]
 
 
-Share = Floats | float
-"""A share of the sunlight at each of r places (r,), or one of all."""
+Share = Floats | float  # a share of the sunlight at each of r places (r,), or one of all
 
 Mirror = Callable[[Floats, tuple[Floats, Floats]], Floats]
 """Light (r, 3) from directions about (r, 3), of standard deviations (r,) up and down, and aside, rad."""
@@ -153,32 +145,22 @@ def lit_floor(radiance: Floats, path: Floats, depth: Floats) -> Floor:
 class WaterHit:
     """Where r rays meet the water."""
 
-    d: Floats
-    """(r, 3) unit vectors away from the camera."""
-    n: Floats
-    """(r, 3) unit normals with ripples."""
-    height: Floats
-    """(r,) m."""
-    heights: tuple[float, float]
-    """The least and the greatest height of the whole surface, m."""
-    floor: Floor | None = None
-    """None: level, at the depth of the scene's water, or none if it has no depth."""
-    saturation: Floats | None = None
-    """(r,) of foam, whose bubbles make the water milky."""
+    d: Floats  # (r, 3) unit vectors away from the camera
+    n: Floats  # (r, 3) unit normals with ripples
+    height: Floats  # (r,) m
+    heights: tuple[float, float]  # the least and the greatest height of the whole surface, m
+    floor: Floor | None = None  # None: level, at the depth of the scene's water, or none if it has no depth
+    saturation: Floats | None = None  # (r,) of foam, whose bubbles make the water milky
 
 
 @dataclass(frozen=True)
 class Illumination:
     """Light that reaches places on the water."""
 
-    sun: Share = 1.0
-    """What all that throws shadows leaves of the sun."""
-    sun_past_foam: Share = 1.0
-    """What foam beside a place leaves too."""
-    mirrored: Mirror | None = None
-    """Light that is reflected; None: the sky's."""
-    glint: Glint | None = None
-    """None: smooth."""
+    sun: Share = 1.0  # what all that throws shadows leaves of the sun
+    sun_past_foam: Share = 1.0  # what foam beside a place leaves too
+    mirrored: Mirror | None = None  # light that is reflected; None: the sky's
+    glint: Glint | None = None  # None: smooth
 
 
 def water(air: Air, body: Water, hit: WaterHit, light: Illumination = Illumination()) -> Floats:

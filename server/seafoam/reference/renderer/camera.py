@@ -14,14 +14,10 @@ from seafoam.scene.camera import Camera
 class View:
     """A camera's position and the three vectors of which rays are composed."""
 
-    eye: Floats
-    """(3,) position, m."""
-    ray_x: Floats
-    """(3,) derivative of a ray by clip X."""
-    ray_y: Floats
-    """(3,) derivative of a ray by clip Y."""
-    ray_z: Floats
-    """(3,) the ray through the centre of the picture."""
+    eye: Floats  # (3,) position, m
+    ray_x: Floats  # (3,) derivative of a ray by clip X
+    ray_y: Floats  # (3,) derivative of a ray by clip Y
+    ray_z: Floats  # (3,) the ray through the centre of the picture
 
 
 @dataclass(frozen=True)
@@ -29,11 +25,9 @@ class SampleGrid:
     """The samples of a camera's picture."""
 
     view: View
-    width: int
-    """Pixels."""
+    width: int  # pixels, as is the height
     height: int
-    samples: int = 1
-    """Along each side of a pixel."""
+    samples: int = 1  # along each side of a pixel
 
     @property
     def eye_y(self) -> float:

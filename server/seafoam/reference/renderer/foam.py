@@ -14,10 +14,8 @@ from seafoam.reference.renderer.state import ReferenceState, WaterSamples
 from seafoam.reference.types import Floats, Footprints, Indices, smoothstep
 from seafoam.scene.foam import DriftSaturation, Foam
 
-LOWEST_SHADE = 0.25
-"""Sine of the sun's elevation below which shadows of foam have constant length."""
-FOAM_SHADE = 0.6
-"""Share of the sun's light that foam blocks."""
+LOWEST_SHADE = 0.25  # sine of the sun's elevation below which shadows of foam have constant length
+FOAM_SHADE = 0.6  # share of the sun's light that foam blocks
 TEXTURED_LOOKS = ("textured", "halftone_textured", "listing")
 
 

@@ -14,8 +14,7 @@ from seafoam.reference.types import Bools, Floats, Indices
 from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
 
-CHUNK = 32768
-"""Rays shaded at a time, so that their arrays fit in the processor's cache."""
+CHUNK = 32768  # rays shaded at a time, so that their arrays fit in the processor's cache
 JITTER_SEED = 20110
 
 

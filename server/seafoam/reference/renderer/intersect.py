@@ -16,14 +16,11 @@ import numpy as np
 
 from seafoam.reference.types import Bools, Floats, Indices, ReliefPart, dot
 
-LEVEL = 1e-9
-"""Rays with |d.y| below this are treated as horizontal: they intersect no horizontal plane."""
-FAR = 1e7
-"""Distance to which rays inside the waves' slab are followed, m."""
+LEVEL = 1e-9  # rays with |d.y| below this are treated as horizontal: they intersect no horizontal plane
+FAR = 1e7  # distance to which rays inside the waves' slab are followed, m
 FINE_STEPS = 1500
 GROWTH = 1.02
-SHAPE_SHARE = 0.25
-"""Step size over the size of the finest feature."""
+SHAPE_SHARE = 0.25  # step size over the size of the finest feature
 REFINEMENTS = 80
 GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
 GOLDEN_STEPS = 40

@@ -10,9 +10,8 @@ from seafoam.reference.shore.shore import Coast
 from seafoam.reference.types import Floats, unit
 from seafoam.reference.water.seafloor import FARTHEST
 
-AROUND_HEIGHT = 1.0
-AROUND_BLUR = 0.012
-"""Height from which the surroundings are seen (m), and their blur by ripples (rad)."""
+AROUND_HEIGHT = 1.0  # height from which the surroundings are seen, m
+AROUND_BLUR = 0.012  # their blur by ripples, rad
 
 
 class ReflectionStage(FoamStage):

@@ -15,8 +15,7 @@ from seafoam.reference.types import Bools, Floats, dot, unit
 from seafoam.reference.water.seafloor import FOAM_THROUGH, Seabed
 from seafoam.scene.foam import SurfSaturation
 
-BRIGHTEST = 65504.0
-"""The greatest half float, at which frames are clamped."""
+BRIGHTEST = 65504.0  # the greatest half float, at which frames are clamped
 
 
 class SampleShader(ReflectionStage):

@@ -18,8 +18,7 @@ from seafoam.reference.waves.parametric import WaveSet, wave_set
 from seafoam.reference.waves.sea import whitecap_saturation
 from seafoam.scene import foam as scenes
 
-Slopes = Callable[[Floats, Floats], Floats]
-"""The surface's gradient at (x, z), m from the origin; (2, r)."""
+Slopes = Callable[[Floats, Floats], Floats]  # the surface's gradient at (x, z), m from the origin; (2, r)
 
 
 def height_saturation(H: Floats, base: float, full: float) -> Floats:

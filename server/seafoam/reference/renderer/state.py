@@ -30,19 +30,15 @@ Mode = Literal["same-samples", "converged"]
 class Surface:
     """The water at one time around one origin, all that raises and tilts it, and the land."""
 
-    afloat: tuple[float, float]
-    """The origin in the frame of the flowing water, m."""
+    afloat: tuple[float, float]  # the origin in the frame of the flowing water, m
     waves: WaveSet
     sea: SeaSurface | None
-    wakes: WakeSet | StoneSet | None
-    """The wakes that leave foam."""
+    wakes: WakeSet | StoneSet | None  # the wakes that leave foam
     coast: Coast | None
-    relief: ReliefPart
-    """The sum of all that raises the water."""
+    relief: ReliefPart  # the sum of all that raises the water
     ripples: RippleSet
     touches: RingSet
-    orbits: bool
-    """Whether waves move foam to and fro."""
+    orbits: bool  # whether waves move foam to and fro
 
     @staticmethod
     def of(scene: Scene, time: float, origin: tuple[float, float]) -> "Surface":
@@ -95,10 +91,8 @@ class Lighting:
     settings: Light
     air: light.Air
     glint: light.Glint
-    open_sun: Sunlight
-    """What land and clouds leave of the sun."""
-    sunlight: Sunlight
-    """What boats leave too."""
+    open_sun: Sunlight  # what land and clouds leave of the sun
+    sunlight: Sunlight  # what boats leave too
 
     @staticmethod
     def of(
@@ -140,20 +134,14 @@ def _product(parts: list[Sunlight]) -> Sunlight:
 class WaterSamples:
     """Where r rays meet the water."""
 
-    d: Floats
-    """(r, 3) unit vectors along the rays."""
-    distance: Floats
-    """(r,) m."""
-    x: Floats
-    """(r,) m from the origin."""
+    d: Floats  # (r, 3) unit vectors along the rays
+    distance: Floats  # (r,) m
+    x: Floats  # (r,) m from the origin
     z: Floats
-    height: Floats
-    """(r,) m."""
+    height: Floats  # (r,) m
     footprints: Footprints
-    normal: Floats
-    """(r, 3) unit vectors, with ripples."""
-    foam_normal: Floats
-    """The same with half of the ripples, which foam damps."""
+    normal: Floats  # (r, 3) unit vectors, with ripples
+    foam_normal: Floats  # the same with half of the ripples, which foam damps
 
 
 class ReferenceState:

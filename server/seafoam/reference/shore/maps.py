@@ -16,19 +16,13 @@ from seafoam.reference.waves.parametric import reduced
 from seafoam.scene.shore import Shore, Surf
 from seafoam.textures.shore import shore_profiles
 
-BREAKS = 0.78
-"""Ratio of height to depth at which a wave breaks (McCowan 1894)."""
+BREAKS = 0.78  # ratio of height to depth at which a wave breaks (McCowan 1894)
 LEAST = 0.05
-SWASH = 0.3
-"""Share of its height that a broken wave has on the beach."""
-MAP = 256
-"""Texels along a side of the map."""
-FLOOR = 512
-"""Texels along a side of the height field."""
-NODES = 256
-"""Nodes of a profile."""
-PERIOD = 2.0**18
-"""Side of the square in which a shore repeats, m."""
+SWASH = 0.3  # share of its height that a broken wave has on the beach
+MAP = 256  # texels along a side of the map
+FLOOR = 512  # texels along a side of the height field
+NODES = 256  # nodes of a profile
+PERIOD = 2.0**18  # side of the square in which a shore repeats, m
 MASK = ((83.0, 0.4, 31.0), (57.0, 2.1, 23.0), (119.0, 3.6, 43.0), (71.0, 5.3, 37.0))
 """Wavelength (m), heading (rad) and period (s) of the sines that vary the waves' height; sine i starts at 1.7 i rad."""
 

@@ -10,18 +10,12 @@ from seafoam.reference.shore.shore import Coast
 from seafoam.reference.types import Floats, Footprints, Sunlight, dot, smoothstep
 from seafoam.scene.shore import Shore
 
-CELLS = 128
-"""Cells along a side of the map."""
-STEPS = 256
-"""Steps toward the sun."""
-SUN_RADIUS = 0.00465
-"""Angular radius of the sun, rad."""
-STEEPEST, LOWEST_RISE = 1.5, 1e-3
-"""Greatest elevation of a rim (rad) and least slope of its sight."""
-FARTHEST = 1.5
-"""End of the steps, in sides of the square."""
-SOFT = 0.25
-"""Error of an edge's place that softens it, cells."""
+CELLS = 128  # cells along a side of the map
+STEPS = 256  # steps toward the sun
+SUN_RADIUS = 0.00465  # angular radius of the sun, rad
+STEEPEST, LOWEST_RISE = 1.5, 1e-3  # greatest elevation of a rim (rad) and least slope of its sight
+FARTHEST = 1.5  # end of the steps, in sides of the square
+SOFT = 0.25  # error of an edge's place that softens it, cells
 
 
 def land_shadow(coast: Coast, sun: Floats) -> Sunlight:

@@ -27,14 +27,11 @@ SHALLOW = (0.1, 0.6)
 """Depths of the floor at which the look of soaked land starts to give way to that of the plain ground, and has, m."""
 FALL_LEAST = 0.25
 REFRACTION_STEPS = 16
-PLAIN_FILM_ROUGHNESS2 = 0.02
-"""Mean square slope of the film of water on land without detail."""
-DRYING = 4.0, 40.0
-"""Times in which the film of water and the sand dry to 1/e, s."""
+PLAIN_FILM_ROUGHNESS2 = 0.02  # mean square slope of the film of water on land without detail
+DRYING = 4.0, 40.0  # times in which the film of water and the sand dry to 1/e, s
 SAFE_STEPS = 20000
 WEED = np.array([0.08, 0.085, 0.05])
-EDGE = 1e-3, 0.15
-"""Minimum and maximum of the change of depth over a footprint at the water's edge, m."""
+EDGE = 1e-3, 0.15  # minimum and maximum of the change of depth over a footprint at the water's edge, m
 PATCHES = (6.0, True), (1.7, False), (0.5, True)
 """Cells of the noise that tears the surf's foam, m, and whether they are turned."""
 

@@ -10,11 +10,9 @@ from seafoam.reference.types import Floats, Footprints, Indices, dot, smoothstep
 from seafoam.scene.shore import Shore
 
 KEY = 0x51ED270B
-CELL = 64.0
-"""Side of the first octave's cells, m."""
+CELL = 64.0  # side of the first octave's cells, m
 FINER = 0.31
-STRENGTH = 5.672
-"""Over the standard deviation of the gradient noise."""
+STRENGTH = 5.672  # over the standard deviation of the gradient noise
 OCTAVES = (
     # share of the pattern, then relief's height over its cell on sand, rock and plants
     (0.30, 0.0, 0.03, 0.02),
@@ -25,19 +23,13 @@ OCTAVES = (
     (0.35, 0.022, 0.11, 0.10),
     (0.29, 0.020, 0.08, 0.05),
 )
-CRACKED = 0.0575
-"""Mean of (1 − 5|x|)² where 5|x| < 1, x normal."""
-WIND = np.array([40.0, 17.0])
-"""Wavevector of the sand's ripples, rad/m."""
-DIP = np.array([0.21, -0.13])
-"""Slope of the layers of rock, negative."""
+CRACKED = 0.0575  # mean of (1 − 5|x|)² where 5|x| < 1, x normal
+WIND = np.array([40.0, 17.0])  # wavevector of the sand's ripples, rad/m
+DIP = np.array([0.21, -0.13])  # slope of the layers of rock, negative
 WRACK = np.array([0.08, 0.06, 0.04])
-FILM_ROUGHNESS2 = 0.003
-"""Mean square slope of the film of water on sand."""
-LAYERS = 7.0, 1.7, 0.37
-"""Thickness of the layers of rock, m."""
-SUNKEN = 8.0
-"""How much lower the ground below still water lies for its look, m."""
+FILM_ROUGHNESS2 = 0.003  # mean square slope of the film of water on sand
+LAYERS = 7.0, 1.7, 0.37  # thickness of the layers of rock, m
+SUNKEN = 8.0  # how much lower the ground below still water lies for its look, m
 
 
 @dataclass(frozen=True)
@@ -72,42 +64,28 @@ class Pattern:
         return filtered_step(*self.grows, self.sum(noise), 0.5 * noise.hidden)
 
 
-SAND_TONE = Pattern(broad=0.06, six=0.05, two=0.05, fine=0.11)
-"""Lightness of sand, about 1."""
-RIPPLE_BEND = Pattern(two=2.2, fine=1.2)
-"""By how much ripples of the wind are off their straight lines, rad."""
-RIPPLED = Pattern(broad=0.5, six=1.0, grows=(-0.6, 1.0))
-"""Where the wind has combed the sand."""
+SAND_TONE = Pattern(broad=0.06, six=0.05, two=0.05, fine=0.11)  # lightness of sand, about 1
+RIPPLE_BEND = Pattern(two=2.2, fine=1.2)  # by how much ripples of the wind are off their straight lines, rad
+RIPPLED = Pattern(broad=0.5, six=1.0, grows=(-0.6, 1.0))  # where the wind has combed the sand
 STRAND_BEND = Pattern(six=0.5, two=0.35)
 """By how much the strand line is off a contour of height, over its width."""
-STRINGS = Pattern(two=0.6, fine=1.8, grows=(0.3, 1.8))
-"""Where wrack lies on the strand line."""
-LAYER_BEND = Pattern(broad=0.9, six=0.35, two=0.12)
-"""By how much layers of rock are off their plane, m."""
-CRACKED_ROCK = Pattern(six=1.0, fine=1.0, grows=(-0.5, 1.2))
-"""Where rock has cracks."""
-CROWNS = Pattern(six=0.5, two=0.7, fine=0.6, grows=(-1.4, 1.6))
-"""Crowns of plants between their shadows."""
-DRY_PLANTS = Pattern(broad=1.0, six=0.4, grows=(-0.4, 1.6))
-"""Where plants are yellow."""
-BARE_EARTH = Pattern(broad=0.8, all=-0.7, grows=(0.9, 1.7))
-"""Earth between plants."""
+STRINGS = Pattern(two=0.6, fine=1.8, grows=(0.3, 1.8))  # where wrack lies on the strand line
+LAYER_BEND = Pattern(broad=0.9, six=0.35, two=0.12)  # by how much layers of rock are off their plane, m
+CRACKED_ROCK = Pattern(six=1.0, fine=1.0, grows=(-0.5, 1.2))  # where rock has cracks
+CROWNS = Pattern(six=0.5, two=0.7, fine=0.6, grows=(-1.4, 1.6))  # crowns of plants between their shadows
+DRY_PLANTS = Pattern(broad=1.0, six=0.4, grows=(-0.4, 1.6))  # where plants are yellow
+BARE_EARTH = Pattern(broad=0.8, all=-0.7, grows=(0.9, 1.7))  # earth between plants
 
 
 @dataclass(frozen=True, eq=False)
 class Soil:
     """What land looks like at places (r,)."""
 
-    normal: Floats
-    """(r, 3) unit vectors, of the relief."""
-    albedo: Floats
-    """(r, 3)."""
-    film: Floats
-    """(r,) share that a film of water mirrors."""
-    roughness2: float
-    """Mean square slope of the film."""
-    glints: bool
-    """Whether the film mirrors the sun."""
+    normal: Floats  # (r, 3) unit vectors, of the relief
+    albedo: Floats  # (r, 3)
+    film: Floats  # (r,) share that a film of water mirrors
+    roughness2: float  # mean square slope of the film
+    glints: bool  # whether the film mirrors the sun
 
 
 def slopes(key: int, x: Floats, z: Floats) -> tuple[Floats, Floats, Floats]:
@@ -140,14 +118,12 @@ def slopes(key: int, x: Floats, z: Floats) -> tuple[Floats, Floats, Floats]:
 class _Noise:
     """Octaves of noise under footprints: see shore/soil.glsl@soil."""
 
-    bands: Floats
-    """(r, 4): octaves of 64 and 20 m together, of 6 m, of 2 m, and finer ones together."""
+    bands: Floats  # (r, 4): octaves of 64 and 20 m together, of 6 m, of 2 m, and finer ones together
     pattern: Floats
     hidden: Floats
     cracks: Floats
     strings: Floats
-    relief: Floats
-    """(r, 3, 2): slopes on sand, rock and plants."""
+    relief: Floats  # (r, 3, 2): slopes on sand, rock and plants
 
 
 def _noise(q_x: Floats, q_z: Floats, ground: tuple[Floats, Floats, Floats], footprints: Footprints) -> _Noise:

@@ -27,15 +27,11 @@ from seafoam.reference.waves.sea import coefficients, grids, sea_surface
 from seafoam.scene.models import Scene
 from seafoam.scene.spray import DROPS, Spray
 
-SHEET, MIST, DRIFT, COLUMN = 0.0, 1.0, 2.0, 3.0
-"""Kinds of drops."""
+SHEET, MIST, DRIFT, COLUMN = 0.0, 1.0, 2.0, 3.0  # kinds of drops
 JETS = 48
-DELAY = 1.5
-"""Longest time from a crest to a drop at rocks, s."""
-SPOT, JET = 6.0, 1.5
-"""Sides of the squares of coast that emit drops at the same time, and in the same way, m."""
-CREST_SLOPE2 = 0.02
-"""Least squared slope of a wave by which the speed of its front is divided."""
+DELAY = 1.5  # longest time from a crest to a drop at rocks, s
+SPOT, JET = 6.0, 1.5  # sides of the squares of coast that emit drops at the same time, and in the same way, m
+CREST_SLOPE2 = 0.02  # least squared slope of a wave by which the speed of its front is divided
 Breaking = tuple[Floats, Floats, Floats, Floats]
 """How hard water breaks (...), where it is (..., 2), and the velocity (..., 3) and strength (...) of the front."""
 
@@ -226,11 +222,9 @@ class _Waters:
     scene: Scene
     spray: Spray
     now: float
-    age: float
-    """How long before ``now`` the birth was, s."""
+    age: float  # how long before ``now`` the birth was, s
     origin: tuple[float, float]
-    coast: Coast | None
-    """The shore now."""
+    coast: Coast | None  # the shore now
 
     @property
     def time(self) -> float:

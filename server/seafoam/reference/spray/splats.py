@@ -26,16 +26,14 @@ from seafoam.scene.models import Scene
 from seafoam.textures.spray import STRANDS, strand_levels
 
 NEAREST = 0.3
-NARROWEST = 0.75
-"""Half the least width and length, samples."""
+NARROWEST = 0.75  # half the least width and length, samples
 AROUND = 0.06, 0.2
 """Tangents of half the angle of a drop's length from which on it fades, and where it is gone."""
 BEHIND = 0.999
 WINDOW = 0.4
 FINER = 3.7
 BRIGHTEST = 64.0
-ONWARD = 0.8
-"""Mean cosine of the light that drops send on."""
+ONWARD = 0.8  # mean cosine of the light that drops send on
 KINDS = np.array(
     [
         (1.0, GRAVITY, 0.35, 0.35, 0.9, 1.4, 0.15, 2.5, 0.22),

@@ -21,8 +21,7 @@ from seafoam.reference.waves.parametric import afloat, reduced
 from seafoam.scene.models import Scene
 from seafoam.scene.water import Ripples, Water
 
-MAP = 512
-"""Texels along a side of the caustic map."""
+MAP = 512  # texels along a side of the caustic map
 PHOTONS = 1024
 """Photons along a side of the tile: the map's root mean square error is a thousandth of the mean light."""
 COLOURS = (-0.0033, 0.0, 0.0042)
@@ -35,8 +34,7 @@ JOINT_ALBEDO = 0.72
 TILES_APART = 256
 NARROWEST = 1e-3
 FOAM_THROUGH = 0.5
-FARTHEST = 1e6
-"""Upper limit of distances to the floor, m."""
+FARTHEST = 1e6  # upper limit of distances to the floor, m
 
 
 def refracted(d: Floats, n: Floats, index: float = WATER_INDEX) -> Floats:

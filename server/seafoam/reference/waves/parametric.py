@@ -26,13 +26,11 @@ from seafoam.scene.waves import ParametricWave
 _TWO_PI = 2 * Fraction("3.14159265358979323846264338327950288419716939937510")
 
 BOUND_SAMPLES = 8192
-CYCLE = np.linspace(0.0, 2.0 * math.pi, BOUND_SAMPLES + 1)
-"""Phases at which bounds of a wave are sampled."""
+CYCLE = np.linspace(0.0, 2.0 * math.pi, BOUND_SAMPLES + 1)  # phases at which bounds of a wave are sampled
 RELIEF_SAMPLES = 256
 """Phases over which slopes are averaged; their number affects K < ½, where the slope is infinite at troughs."""
 GUST_OCTAVES = 3
-STEEPEST = 1e9
-"""Value used for an infinite slope."""
+STEEPEST = 1e9  # value used for an infinite slope
 TROUGH = 1e-4
 """Least |p| in the derivative of waves of exponent below ½, whose slope is infinite at the trough."""
 
@@ -41,15 +39,12 @@ TROUGH = 1e-4
 class GroupFactor:
     """The factor at one time around one origin."""
 
-    corners: Floats
-    """Values of the noise at its corners, in [0, 1]; rows along the second axis."""
+    corners: Floats  # values of the noise at its corners, in [0, 1]; rows along the second axis
     along: tuple[float, float]
     """Step of the noise along the way of the groups, (x, z) cells/m; the other is at right angles to it."""
     contrast: float
-    velocity: tuple[float, float]
-    """(x, z) m/s."""
-    place: tuple[float, float]
-    """The origin in the noise, cells."""
+    velocity: tuple[float, float]  # (x, z) m/s
+    place: tuple[float, float]  # the origin in the noise, cells
 
     def __call__(self, x: Floats, z: Floats, ago: Floats | float = 0.0) -> Floats:
         """Factor at (x, z), m from the origin, ``ago`` s before; in [1 − contrast, 1]."""
@@ -108,18 +103,13 @@ class WaveSet:
 
     amplitude: Floats
     exponent: Floats
-    orbit: Floats
-    """Horizontal amplitude of each wave's orbits at the surface, m."""
-    k: Floats
-    """Wavenumbers, rad/m."""
+    orbit: Floats  # horizontal amplitude of each wave's orbits at the surface, m
+    k: Floats  # wavenumbers, rad/m
     kx: Floats
     kz: Floats
-    omega: Floats
-    """Angular frequencies, rad/s."""
-    phase: Floats
-    """θ at the origin at the given time, in [0, 2π)."""
-    groups: GroupFactor | None = None
-    """Factor of the heights; None: 1."""
+    omega: Floats  # angular frequencies, rad/s
+    phase: Floats  # θ at the origin at the given time, in [0, 2π)
+    groups: GroupFactor | None = None  # factor of the heights; None: 1
 
     @property
     def top(self) -> float:

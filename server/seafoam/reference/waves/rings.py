@@ -19,32 +19,23 @@ from seafoam.reference.waves.parametric import wavenumber
 from seafoam.scene.models import Scene
 from seafoam.scene.waves import Ring
 
-LEAST = 1e-4
-LEAST_SHARE = 1.0 / 256.0
-"""A ring's amplitude is reduced by this, m, or by this share of I₀ if that is more."""
-ROUND = 0.25
-"""Radius of the rounded centre, in wavelengths."""
-BAND = 1.0
-"""Width of front and tail, in wavelengths."""
+LEAST = 1e-4  # a ring's amplitude is reduced by this, m,
+LEAST_SHARE = 1.0 / 256.0  # or by this share of I₀ if that is more
+ROUND = 0.25  # radius of the rounded centre, in wavelengths
+BAND = 1.0  # width of front and tail, in wavelengths
 
 
 @dataclass(frozen=True)
 class OneRing:
     """A ring at one time."""
 
-    amplitude: float
-    """Amplitude I₀e^(−bs) − d, at least 0, m."""
-    k: float
-    """Wavenumber, rad/m."""
-    theta: float
-    """Phase ωs, rad."""
-    front: float
-    """Radius of the front, c s, m."""
-    tail: float
-    """Length of the waves behind the front, m; infinite if they reach the centre."""
-    x: float
+    amplitude: float  # amplitude I₀e^(−bs) − d, at least 0, m
+    k: float  # wavenumber, rad/m
+    theta: float  # phase ωs, rad
+    front: float  # radius of the front, c s, m
+    tail: float  # length of the waves behind the front, m; infinite if they reach the centre
+    x: float  # centre, m from the origin
     z: float
-    """Centre, m from the origin."""
 
     @property
     def length(self) -> float:

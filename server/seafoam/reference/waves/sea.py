@@ -16,8 +16,7 @@ from seafoam.scene.foam import WhitecapSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.waves import Sea
 
-TEXELS = 512
-"""Texels along a tile: surface and slopes are bilinear between them, which is part of the model."""
+TEXELS = 512  # texels along a tile: surface and slopes are bilinear between them, which is part of the model
 NEWTON_STEPS = 12
 coefficients = partial(spline_filter, order=3, mode="grid-wrap")
 """Coefficients of the periodic cubic B-spline through values."""
@@ -71,12 +70,9 @@ class Tile:
     height: Floats
     h_x: Floats
     h_z: Floats
-    fold: Floats
-    """λ div D."""
-    jacobian: Floats
-    """det(1 + λ ∂D/∂x)."""
-    label_x: Floats
-    """Rest position of the water at each corner, texels."""
+    fold: Floats  # λ div D
+    jacobian: Floats  # det(1 + λ ∂D/∂x)
+    label_x: Floats  # rest position of the water at each corner, texels
     label_z: Floats
 
 
