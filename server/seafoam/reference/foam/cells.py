@@ -46,10 +46,15 @@ def corners(u: Floats, v: Floats, blended: bool) -> list[Corner]:
         weights = (np.argmax(shares, axis=0) == np.arange(3)[:, None]).astype(np.float64)
     both = upper.astype(np.float64)
     offsets: tuple[tuple[Floats | float, Floats | float], ...] = ((both, both), (1.0, 0.0), (0.0, 1.0))
-    return [
-        _corner(weight, i + di, j + dj, s - di, t - dj)
-        for weight, (di, dj) in zip(weights / weights.sum(axis=0), offsets, strict=True)
-    ]
+    around = []
+    for weight, (di, dj) in zip(weights / weights.sum(axis=0), offsets, strict=True):
+        word = chained(0, i + di, j + dj, period=COUNT)
+        angle = 2.0 * math.pi * number(word, 0)
+        cosine, sine = -np.cos(angle), -np.sin(angle)
+        x, y = (s - di) + 0.5 * (t - dj), 0.5 * math.sqrt(3.0) * (t - dj)
+        place = cosine * x + sine * y + number(word, 1), cosine * y - sine * x + number(word, 2)
+        around.append(Corner(weight, *place, cosine, sine))
+    return around
 
 
 def part(s: Floats, weight: Floats) -> Floats:
@@ -72,17 +77,3 @@ def counted(x: Floats, z: Floats, foam: Foam, origin: tuple[float, float]) -> tu
     u = (x * cosine + z * sine) / foam.mask_tile + far_u
     v = (z * cosine - x * sine) / foam.mask_tile + far_v
     return u, v
-
-
-def _corner(weight: Floats, i: Floats, j: Floats, s: Floats, t: Floats) -> Corner:
-    word = chained(0, i, j, period=COUNT)
-    angle = 2.0 * math.pi * number(word, 0)
-    cosine, sine = -np.cos(angle), -np.sin(angle)
-    x, y = s + 0.5 * t, 0.5 * math.sqrt(3.0) * t
-    return Corner(
-        weight=weight,
-        u=cosine * x + sine * y + number(word, 1),
-        v=cosine * y - sine * x + number(word, 2),
-        cosine=cosine,
-        sine=sine,
-    )

@@ -7,9 +7,9 @@ water orbits.
 import math
 from dataclasses import dataclass
 from fractions import Fraction
-from statistics import NormalDist
 
 import numpy as np
+from scipy.special import ndtri
 
 from seafoam.ocean.waves.stokes import steady_drift
 from seafoam.reference.noise import pcg, value
@@ -178,5 +178,5 @@ def patch(source: DriftSaturation, generation: int, x: Floats, z: Floats) -> Flo
         if turned:
             u, v = 0.8 * u - 0.6 * v, 0.6 * u + 0.8 * v
         total += weight * value(key + i, u * frequency, v * frequency)
-    middle = 0.5 + DEVIATION * NormalDist().inv_cdf(1.0 - source.coverage)
+    middle = 0.5 + DEVIATION * float(ndtri(1.0 - source.coverage))
     return smoothstep(middle - HALF_CUT, middle + HALF_CUT, total)

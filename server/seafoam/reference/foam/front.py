@@ -10,7 +10,7 @@ import numpy as np
 from scipy.interpolate import CubicHermiteSpline
 
 from seafoam.reference.noise import fractal
-from seafoam.reference.types import Floats, Footprints, SurfacePoints, smoothstep
+from seafoam.reference.types import Floats, SurfacePoints, smoothstep
 from seafoam.reference.waves.parametric import WaveSet, noise_place
 from seafoam.scene.foam import FrontSaturation
 
@@ -156,11 +156,6 @@ def phase_gradient(group: Group) -> Floats:
     return (group.X[:, None] * group.slope_of_y - group.Y[:, None] * group.slope_of_x) / squared[:, None]
 
 
-def phase_width(gradient: Floats, footprints: Footprints) -> Floats:
-    """Δ = |∇ψ·∂x/∂X| + |∇ψ·∂x/∂Y| over footprints; (r,) rad."""
-    return sum(np.abs((gradient * side).sum(axis=1)) for side in footprints)
-
-
 def seen_phases(
     psi: Floats, width: Floats, change: tuple[Floats, Floats], eye: tuple[Floats, Floats], relief: float, crest: float
 ) -> tuple[Floats, Floats]:
@@ -188,9 +183,8 @@ def phases_under(
     away = np.hypot(points.x, points.z)
     along = (gradient[:, 0] * points.x + gradient[:, 1] * points.z) / np.maximum(away, 1e-6)
     change = along, np.hypot(gradient[:, 0], gradient[:, 1])
-    return seen_phases(
-        psi, phase_width(gradient, points.footprints), change, (eye_y - points.height, away), relief, crest
-    )
+    width: Floats = sum(np.abs((gradient * side).sum(axis=1)) for side in points.footprints)
+    return seen_phases(psi, width, change, (eye_y - points.height, away), relief, crest)
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,6 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
-from statistics import NormalDist
 
 import numpy as np
 from scipy import special
@@ -126,9 +125,8 @@ class CloudLayer:
         look = d[at]
         distance, slant = distance_to(look, clouds.height - self.eye_y)
         wide = np.maximum(spread[0][at] / slant, spread[1][at])
-        noise, ahead, lost, parted, parted_lost = self._noise(
-            look, distance, slant, WIDTH * wide * distance / clouds.size
-        )
+        width = WIDTH * wide * distance / clouds.size
+        noise, ahead, lost, parted, parted_lost = self._noise(look, distance, slant, width)
         opaque, *shines = self._column(noise, ahead)
         # Blurred clouds shine as their mean does.
         means = self.means[0][:, None] + (self.means[1] - self.means[0])[:, None] * parted
@@ -155,12 +153,8 @@ class CloudLayer:
             far = sizes * clouds.size
             up = far * d[at, 1] / (level * high)
             slanted = np.column_stack((heading * sizes, np.zeros(at.size))) + (1.0 - up)[:, None] * np.array(RAIN_SLANT)
-            noise, _ = octaves(
-                slanted + self.place,
-                WIDTH * spread[1][at] * sizes + RAIN_SPREADS * np.maximum(1.0 - up, 0.0),
-                (0, 3),
-                64 * clouds.seed,
-            )
+            width = WIDTH * spread[1][at] * sizes + RAIN_SPREADS * np.maximum(1.0 - up, 0.0)
+            noise, _ = octaves(slanted + self.place, width, (0, 3), 64 * clouds.seed)
             falls = smoothstep(0.0, 2.0, noise - max(float(self._start[0]), -0.6))
             depth += np.where(up < 1.0, falls * (1.0 - smoothstep(0.2, 1.0, up)) * math.exp(-far / RAIN_FADES), 0.0)
         left = np.ones(d.shape[0])
@@ -176,13 +170,8 @@ class CloudLayer:
         tall = clouds.depth / clouds.size
         level = distance / clouds.size + SLICES[1] * min(tall / slant, SPAN)
         left = np.maximum(1.0 - place[:, 1] / clouds.height, 0.0)
-        slice_place = np.column_stack(
-            (
-                self.place[0] + place[:, 0] / clouds.size + left * level * self.lit_by[0],
-                self.place[1] + place[:, 2] / clouds.size + left * level * self.lit_by[2],
-                np.full(left.size, self.place[2] + SLICES[1] * tall),
-            )
-        )
+        across = place[:, [0, 2]] / clouds.size + (left * level)[:, None] * self.lit_by[[0, 2]]
+        slice_place = np.insert(across, 2, SLICES[1] * tall, axis=1) + self.place
         side2 = np.maximum(dot(footprints[0], footprints[0]), dot(footprints[1], footprints[1])) / 12.0
         penumbra = PENUMBRA * distance / math.sqrt(slant)
         width = WIDTH * np.sqrt(side2 + penumbra**2) / clouds.size
@@ -196,8 +185,7 @@ class CloudLayer:
         """Transmittance (r,) of columns of noise (r,), which lacks the variance ``lost`` (r,): a normal law by the
         noise, whose mean is one less :attr:`taken`."""
         middle, variance, thickest = self._gap
-        x = (middle - noise) / np.sqrt(variance + lost)
-        return thickest + (1.0 - thickest) * 0.5 * special.erfc(-x / math.sqrt(2.0))
+        return thickest + (1.0 - thickest) * special.ndtr((middle - noise) / np.sqrt(variance + lost))
 
     @cached_property
     def _gap(self) -> tuple[float, float, float]:
@@ -208,7 +196,7 @@ class CloudLayer:
         mean = float(rise @ at / rise.sum())
         variance = float(rise @ (at - mean) ** 2 / rise.sum())
         share = (1.0 - self.taken - thickest) / (1.0 - thickest)
-        clear = NormalDist().inv_cdf(min(max(share, 1e-6), 1.0 - 1e-6))
+        clear = float(special.ndtri(min(max(share, 1e-6), 1.0 - 1e-6)))
         return clear * math.sqrt(1.0 + variance), variance, thickest
 
     def base(self, noise: Floats) -> Floats:
@@ -219,7 +207,7 @@ class CloudLayer:
     def _start(self) -> Floats:
         """Noise above which there is cloud, in each slice; (3,)."""
         covered = min(max(self.clouds.cover, 1e-4), 1.0 - 1e-4)
-        return -NormalDist().inv_cdf(covered) - 0.25 * self.clouds.softness + TAPER * SLICES
+        return -special.ndtri(covered) - 0.25 * self.clouds.softness + TAPER * SLICES
 
     def _noise(self, look: Floats, distance: Floats, slant: Floats, width: Floats) -> tuple[Floats, ...]:
         """Noise of the slices (3, r) and toward the lamp (r,), narrowed by the lost variance (r,); how far the slices
@@ -227,12 +215,9 @@ class CloudLayer:
         clouds = self.clouds
         seed = 64 * clouds.seed
         tall = clouds.depth / clouds.size
-        foot = (
-            np.column_stack((look[:, [0, 2]] * (distance / clouds.size)[:, None], np.zeros(distance.size))) + self.place
-        )
-        climb = np.column_stack(
-            (look[:, [0, 2]] * np.minimum(tall / slant, 0.9)[:, None], np.full(distance.size, tall))
-        )
+        level = look[:, [0, 2]]
+        foot = np.insert(level * (distance / clouds.size)[:, None], 2, 0.0, axis=1) + self.place
+        climb = np.insert(level * np.minimum(tall / slant, 0.9)[:, None], 2, tall, axis=1)
         middle = foot + SLICES[1] * climb
         ahead = middle + STEP * self.lit_by[[0, 2, 1]]
         coarse = [octaves(foot + share * climb, width, (0, 1), seed)[0] for share in SLICES]
@@ -240,10 +225,8 @@ class CloudLayer:
         kept = (1.0 - lost) / (1.0 - GAIN * GAIN)
         fine, less = octaves(middle, width, (1, OCTAVES), seed)
         noise = np.stack(coarse) + fine
-        before = (
-            octaves(ahead, width, (0, OCTAVES_AHEAD), seed)[0]
-            + octaves(middle, width, (OCTAVES_AHEAD, OCTAVES), seed)[0]
-        )
+        before = octaves(ahead, width, (0, OCTAVES_AHEAD), seed)[0]
+        before = before + octaves(middle, width, (OCTAVES_AHEAD, OCTAVES), seed)[0]
         lost = np.maximum(lost + less - 1.0, 0.0)
         over, deviation, _ = self.edge
         narrow = deviation / np.sqrt(deviation * deviation + lost)
@@ -312,7 +295,7 @@ class HighClouds:
         broad = fractal(patches, 0.25 * width, 2, 64 * cirrus.seed)
         streak[:, 1] += 0.35 * broad
         fine = fractal(3.0 * streak, 3.0 * width, 5, 64 * cirrus.seed + 8)
-        start = -NormalDist().inv_cdf(min(max(cirrus.cover, 1e-3), 1.0 - 1e-3)) - 1.2
+        start = -special.ndtri(min(max(cirrus.cover, 1e-3), 1.0 - 1e-3)) - 1.2
         density = smoothstep(0.0, 2.4, broad - start) * smoothstep(-1.2, 2.4, fine + 0.5 * broad)
         hidden[at] = seen[at] * (1.0 - np.exp(-cirrus.thickness * density))
         cover[at] = hidden[at] * np.exp(-0.8 * np.minimum(depth(look[:, 1])[:, 0], 60.0))
@@ -340,10 +323,8 @@ def _composite(ends: Floats) -> tuple[Floats, Floats]:
 @lru_cache(maxsize=1)
 def _lattice() -> Floats:
     """Normal numbers (5, n): points of the additive recurrence by powers of the root of x⁶ = x + 1 (Roberts 2018)."""
-    steps = ROOT ** -np.arange(1.0, 6.0)
-    shares = np.mod(0.5 + np.outer(steps, np.arange(1, LATTICE + 1)), 1.0)
-    normal = [[NormalDist().inv_cdf(float(one)) for one in row] for row in np.clip(shares, 1e-9, 1.0 - 1e-9)]
-    return np.array(normal)
+    shares = np.mod(0.5 + np.outer(ROOT ** -np.arange(1.0, 6.0), np.arange(1, LATTICE + 1)), 1.0)
+    return special.ndtri(np.clip(shares, 1e-9, 1.0 - 1e-9))
 
 
 def place(clouds: Clouds, time: float, eye: tuple[float, float, float]) -> tuple[float, float, float]:

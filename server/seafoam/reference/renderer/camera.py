@@ -53,23 +53,15 @@ class SampleGrid:
         return 2.0 * self.view.ray_x / self.columns, 2.0 * self.view.ray_y / self.rows
 
 
-def basis(yaw: float, pitch: float, roll: float) -> tuple[Floats, Floats, Floats]:
-    """Right, up and forward, (3,) unit vectors, of a camera rotated by yaw, pitch and roll (rad)."""
-    sin_yaw, cos_yaw = math.sin(yaw), math.cos(yaw)
-    sin_pitch, cos_pitch = math.sin(pitch), math.cos(pitch)
+def view(camera: Camera, width: int, height: int) -> View:
+    """The view of a camera on a picture of width × height pixels: rotated by yaw, then pitch, then roll."""
+    sin_yaw, cos_yaw = math.sin(camera.yaw), math.cos(camera.yaw)
+    sin_pitch, cos_pitch = math.sin(camera.pitch), math.cos(camera.pitch)
+    sin_roll, cos_roll = math.sin(camera.roll), math.cos(camera.roll)
     forward = np.array([sin_yaw * cos_pitch, sin_pitch, -cos_yaw * cos_pitch])
     right = np.array([cos_yaw, 0.0, sin_yaw])
     up = np.array([-sin_yaw * sin_pitch, cos_pitch, cos_yaw * sin_pitch])
-    return (
-        right * math.cos(roll) + up * math.sin(roll),
-        up * math.cos(roll) - right * math.sin(roll),
-        forward,
-    )
-
-
-def view(camera: Camera, width: int, height: int) -> View:
-    """The view of a camera on a picture of width × height pixels."""
-    right, up, forward = basis(camera.yaw, camera.pitch, camera.roll)
+    right, up = right * cos_roll + up * sin_roll, up * cos_roll - right * sin_roll
     q = math.tan(camera.fov / 2.0)
     return View(np.array(camera.position, np.float64), q * (width / height) * right, q * up, forward)
 

@@ -38,11 +38,8 @@ def slope_saturation(slopes: Slopes, x: Floats, z: Floats, gain: float, base: fl
 
 def joined(parts: list[Floats], combine: Literal["max", "product"], cap: float) -> Floats:
     """The greatest or the product of saturations, each and the result capped; one array or more."""
-    result = np.minimum(parts[0], cap)
-    for part in parts[1:]:
-        held = np.minimum(part, cap)
-        result = np.maximum(result, held) if combine == "max" else result * held
-    return np.minimum(result, cap)
+    joint = np.max if combine == "max" else np.prod
+    return np.minimum(joint(np.minimum(parts, cap), axis=0), cap)
 
 
 def front_source(

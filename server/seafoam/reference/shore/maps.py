@@ -173,16 +173,11 @@ class Profiles:
         y = np.clip(skew, 0.0, 1.0) * (rows - 1)
         row = np.minimum(y.astype(np.intp), rows - 2)
         share = y - row
-        value, slope = np.zeros((2, turn.size)), np.zeros((2, turn.size))
-        for i in range(3):
-            node = (base + i - 1) % nodes
-            for j in range(2):
-                here = self.table[row + j, node]
-                value[j] += weights[i] * here
-                slope[j] += slopes[i] * here
-        mixed: Floats = value[0] + share * (value[1] - value[0])
-        turned: Floats = (slope[0] + share * (slope[1] - slope[0])) * nodes
-        return mixed, turned, (value[1] - value[0]) * (rows - 1)
+        around = (base + np.arange(-1, 2)[:, None]) % nodes
+        here = self.table[row + np.arange(2)[:, None, None], around]
+        value, slope = (weights * here).sum(axis=1), (slopes * here).sum(axis=1)
+        turned = (slope[0] + share * (slope[1] - slope[0])) * nodes
+        return value[0] + share * (value[1] - value[0]), turned, (value[1] - value[0]) * (rows - 1)
 
 
 @lru_cache(maxsize=8)

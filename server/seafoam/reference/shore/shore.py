@@ -66,11 +66,8 @@ class Coast:
     def _change(self, values: Floats) -> Floats:
         """Greatest derivative of a map's channel around each texel, per metre: an upper bound of its spline's."""
         texel = self.shore.size / maps.MAP
-        both = [
-            ndimage.maximum_filter(np.abs(np.diff(values, axis=axis, append=values.take([-1], axis))), 5)
-            for axis in (0, 1)
-        ]
-        return np.hypot(both[0], both[1]) / texel
+        steps = (np.abs(np.diff(values, axis=axis, append=values.take([-1], axis))) for axis in (0, 1))
+        return np.hypot(*(ndimage.maximum_filter(step, 5) for step in steps)) / texel
 
     @cached_property
     def slope(self) -> float:
@@ -108,9 +105,7 @@ class Coast:
         low, high = np.zeros(d.shape[0]), np.full(d.shape[0], np.inf)
         for axis, offset, start in zip((0, 2), self.offset, (x, z), strict=True):
             along = np.where(np.abs(d[:, axis]) < 1e-12, 1e-12, d[:, axis])
-            ends = np.sort(
-                np.stack([(side * self.shore.size - offset - start) / along for side in (-0.5, 0.5)]), axis=0
-            )
+            ends = np.sort([(side * self.shore.size - offset - start) / along for side in (-0.5, 0.5)], axis=0)
             low, high = np.maximum(low, ends[0]), np.minimum(high, ends[1])
         return low, high
 
@@ -226,31 +221,21 @@ class Coast:
         far = np.zeros_like(x)
         result = np.full_like(x, farthest)
         left = np.arange(x.size)
-        closing = np.maximum(self.steepest * np.hypot(d[:, 0], d[:, 2]) - d[:, 1], 1e-9)
+        steepest = _steepest(self.floor.texels[..., 0], self.shore.size)
+        closing = np.maximum(steepest * np.hypot(d[:, 0], d[:, 2]) - d[:, 1], 1e-9)
         for _ in range(SAFE_STEPS):
             s, ray = far[left], d[left]
             here = self.ground(*self.place(x[left] + s * ray[:, 0], z[left] + s * ray[:, 2]))[0]
             gap = y[left] + s * ray[:, 1] - here
             met = gap <= 1e-9 * (1.0 + s)
             result[left[met]] = s[met]
-            gone = (s > farthest) | ((ray[:, 1] > 0.0) & (y[left] + s * ray[:, 1] > self.highest))
+            gone = (s > farthest) | ((ray[:, 1] > 0.0) & (y[left] + s * ray[:, 1] > self.land.top))
             far[left] = s + gap / closing[left]
             left = left[~met & ~gone]
             if left.size == 0:
                 return result
         result[left] = far[left]
         return np.minimum(result, farthest)
-
-    @cached_property
-    def highest(self) -> float:
-        """Greatest height of the ground, m."""
-        return float(self.floor.texels[..., 0].max())
-
-    @cached_property
-    def steepest(self) -> float:
-        """Upper bound of the ground's slope."""
-        heights, step = self.floor.texels[..., 0], self.floor.size / self.floor.texels.shape[0]
-        return 1.01 * math.hypot(*(float(np.abs(np.diff(heights, axis=axis)).max()) / step for axis in (0, 1)))
 
     def bed(self, x: Floats, z: Floats, H: Floats, d: Floats, n: Floats, footprints: Footprints) -> Floor:
         """The floor along rays d (r, 3) refracted at (x, z), where the water has height H and unit normals n (r, 3)."""
@@ -333,10 +318,9 @@ class Land:
         dry = np.maximum(heights, 0.0)
         self.top = float(dry.max())
         self.trough = 0.0
-        self.slope = 1.01 * math.hypot(*(float(np.abs(np.diff(dry, axis=axis)).max()) / step for axis in (0, 1)))
-        self.curvature = 3.0 * max(
-            float(np.abs(np.diff(heights[1:-1, 1:-1], 2, axis=axis)).max()) / step**2 for axis in (0, 1)
-        )
+        self.slope = _steepest(dry, coast.shore.size)
+        bends = [float(np.abs(np.diff(heights[1:-1, 1:-1], 2, axis=axis)).max()) for axis in (0, 1)]
+        self.curvature = 3.0 * max(bends) / step**2
         self.shape = 2.0 * step
 
     def height(self, x: Floats, z: Floats) -> Floats:
@@ -347,6 +331,12 @@ class Land:
         """(h_x, h_z); (2, r)."""
         height, *slope, _ = self.coast.ground(*self.coast.place(x, z))
         return np.where(height > 0.0, slope, 0.0)
+
+
+def _steepest(heights: Floats, size: float) -> float:
+    """Upper bound of the slope of a map of heights (n, n) of a square of this side, m."""
+    steps = (float(np.abs(np.diff(heights, axis=axis)).max()) for axis in (0, 1))
+    return 1.01 * math.hypot(*steps) * heights.shape[0] / size
 
 
 def grain(q_x: Floats, q_z: Floats, footprints: Footprints) -> Floats:

@@ -114,11 +114,16 @@ class WaveSet:
     @property
     def top(self) -> float:
         """ΣA minus the waves' mean: upper bound of the surface's height, m."""
-        return float(self.amplitude.sum()) - self.level
+        return self._height - self.level
 
     @property
     def trough(self) -> float:
         return -self.level
+
+    @property
+    def _height(self) -> float:
+        """Height of all waves together, m."""
+        return float(self.amplitude.sum())
 
     @cached_property
     def level(self) -> float:
@@ -148,20 +153,20 @@ class WaveSet:
     @cached_property
     def curvature(self) -> float:
         """Greatest second derivative, rounded up, 1/m, without the infinite one at the cusp of K < 1."""
-        waves = sum(k * k * curvature_bound(A, K) for A, K, k in self._shapes)
+        bends = [k * k * np.abs(np.diff(wave_derivative(CYCLE, A, K))).max() for A, K, k in self._shapes]
+        waves = 1.05 * float(sum(bends)) * BOUND_SAMPLES / (2.0 * math.pi)
         if self.groups is None:
             return waves
         return waves + 2.0 * self._steepest * self.groups.slope + self._height * self.groups.curvature
 
     @cached_property
     def _steepest(self) -> float:
-        """Greatest slope of waves of one height each, rounded up."""
-        return sum(k * slope_bound(A, K) for A, K, k in self._shapes)
-
-    @property
-    def _height(self) -> float:
-        """Height of all waves together, m."""
-        return float(self.amplitude.sum())
+        """Greatest slope of waves of one height each, by sampling, rounded up."""
+        total = 0.0
+        for A, K, k in self._shapes:
+            steepest = float(np.abs(wave_derivative(CYCLE, A, K)).max())
+            total += k * (STEEPEST if K < 0.5 else 1.001 * steepest)
+        return total
 
     @cached_property
     def shape(self) -> float:
@@ -255,19 +260,6 @@ def wave_derivative(theta: Floats, A: float, K: float) -> Floats:
     if K < 0.5:
         magnitude = np.maximum(magnitude, TROUGH)
     return A * K * np.power(magnitude, 2.0 * K - 1.0) * np.sign(p) * np.cos(half)
-
-
-def slope_bound(A: float, K: float) -> float:
-    """Greatest |dy/dθ| of a wave, by sampling, rounded up; STEEPEST for K < ½."""
-    if K < 0.5:
-        return STEEPEST
-    return 1.001 * float(np.abs(wave_derivative(CYCLE, A, K)).max())
-
-
-def curvature_bound(A: float, K: float) -> float:
-    """Greatest |d²y/dθ²| of a wave, by sampling, rounded up, without the infinite one at the cusp of K < 1."""
-    slopes = wave_derivative(CYCLE, A, K)
-    return 1.05 * float(np.abs(np.diff(slopes)).max()) * BOUND_SAMPLES / (2.0 * math.pi)
 
 
 def reduced(*terms: tuple[float, float], plus: float = 0.0) -> float:
