@@ -8,7 +8,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from seafoam.reference.types import Floats, Footprints, Gradient, Indices, smoothstep
+from seafoam.reference.types import Floats, Footprints, Gradient, Indices, Pair, smoothstep
 
 KEY = 0x9031965F  # hash key of the noise that textures ground and foam
 PERIOD = 256
@@ -83,7 +83,7 @@ def fractal(x: Floats, width: Floats, count: int, seed: int) -> Floats:
     return octaves(x, width, (0, count), seed)[0]
 
 
-def octaves(x: Floats, width: Floats, span: tuple[int, int], seed: int) -> tuple[Floats, Floats]:
+def octaves(x: Floats, width: Floats, span: tuple[int, int], seed: int) -> Pair:
     """Octaves ``span`` of :func:`fractal`, and the variance that they lack of 1; (r,)."""
     dimensions = x.shape[1]
     strength, place, scale, variance = STRENGTH[dimensions], x, 1.0, 1.0 - GAIN * GAIN

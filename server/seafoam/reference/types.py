@@ -13,7 +13,11 @@ Bools = NDArray[np.bool_]
 Indices = NDArray[np.intp]
 Ranks = NDArray[np.uint32] | NDArray[np.int64]
 
-Footprints = tuple[Floats, Floats]
+Pair = tuple[Floats, Floats]
+Vec2 = tuple[float, float]  # (x, z), or two bounds
+Vec3 = tuple[float, float, float]
+
+Footprints = Pair
 """Both sides of samples' footprints on a surface: their x and z, (r, 2) m each."""
 
 Gradient = tuple[Floats | float, Floats | float] | Floats
@@ -94,7 +98,7 @@ class SurfacePoints:
     """Upper limit of the saturation."""
     time: float
     """s."""
-    origin: tuple[float, float]
+    origin: Vec2
     """World coordinates (x, z) of the point below the camera, m."""
 
 
@@ -104,7 +108,7 @@ def smoothstep(low: float, high: float, x: ArrayLike) -> Floats:
     return q * q * (3.0 - 2.0 * q)
 
 
-def smoothstep_slope(low: float, high: float, x: Floats) -> tuple[Floats, Floats]:
+def smoothstep_slope(low: float, high: float, x: Floats) -> Pair:
     """The smoothstep and its derivative; of the shape of ``x`` each."""
     q = np.clip((x - low) / (high - low), 0.0, 1.0)
     return q * q * (3.0 - 2.0 * q), 6.0 * q * (1.0 - q) / (high - low)

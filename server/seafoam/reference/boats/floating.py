@@ -7,7 +7,7 @@ from fractions import Fraction
 
 import numpy as np
 
-from seafoam.reference.types import Floats, dot
+from seafoam.reference.types import Floats, Pair, Vec2, Vec3, dot
 from seafoam.scene.boats import Boat
 
 BOW, QUARTER, BEAM, STEM, DRAUGHT = 0.36, 0.3, 0.1, 0.42, 0.08
@@ -29,7 +29,7 @@ class Inequality:
         return 2.0 * (self.m * x + self.linear)
 
 
-def plane(n: tuple[float, float, float], c: float) -> Inequality:
+def plane(n: Vec3, c: float) -> Inequality:
     """n·x ≤ c."""
     return Inequality(np.zeros(3), 0.5 * np.array(n), -c)
 
@@ -104,7 +104,7 @@ def house(
     )
 
 
-def paint(pose: Pose, place: Floats, n: Floats, part: Floats) -> tuple[Floats, Floats]:
+def paint(pose: Pose, place: Floats, n: Floats, part: Floats) -> Pair:
     """Reflectance (r, 3) and gloss (r,) of places in the boat's lengths and axes."""
     motor = pose.boat.kind == "motor"
     form = FORMS[pose.boat.kind]
@@ -141,37 +141,32 @@ def paint(pose: Pose, place: Floats, n: Floats, part: Floats) -> tuple[Floats, F
 class Course:
     """Position on a course: vector from its centre to the origin (m), bearing (rad), and sense of rotation."""
 
-    centre: tuple[float, float]
+    centre: Vec2
     bearing: float
     turn: float
     radius: float
 
     @property
-    def place(self) -> tuple[float, float]:
+    def place(self) -> Vec2:
         return (
             self.radius * math.cos(self.bearing) - self.centre[0],
             self.radius * math.sin(self.bearing) - self.centre[1],
         )
 
     @property
-    def heading(self) -> tuple[float, float]:
+    def heading(self) -> Vec2:
         return -self.turn * math.sin(self.bearing), self.turn * math.cos(self.bearing)
 
 
-def course_of(boat: Boat, time: float, origin: tuple[float, float]) -> Course:
+def course_of(boat: Boat, time: float, origin: Vec2) -> Course:
     """The course at a time, with the bearing reduced exactly, its rate taken as a float64 number."""
     turn = 1.0 if boat.turn == "starboard" else -1.0
     angle = Fraction(boat.bearing) + Fraction(turn * boat.speed / boat.radius) * Fraction(time)
     around = Fraction(2.0 * math.pi)
-    return Course(
-        (origin[0] - boat.centre[0], origin[1] - boat.centre[1]),
-        float(angle % around),
-        turn,
-        boat.radius,
-    )
+    return Course((origin[0] - boat.centre[0], origin[1] - boat.centre[1]), float(angle % around), turn, boat.radius)
 
 
-def hull_points(boat: Boat, course: Course) -> tuple[tuple[float, float], ...]:
+def hull_points(boat: Boat, course: Course) -> tuple[Vec2, ...]:
     """Bow, port and starboard quarter, m from the origin."""
     (x, z), (a, b), size = course.place, course.heading, boat.length
     return (
@@ -181,7 +176,7 @@ def hull_points(boat: Boat, course: Course) -> tuple[tuple[float, float], ...]:
     )
 
 
-def mean_height(height: Height, place: tuple[float, float], reach: float) -> float:
+def mean_height(height: Height, place: Vec2, reach: float) -> float:
     """Mean height over a disc by Radon's seven points (degree 5)."""
     turns = np.arange(6) * (math.pi / 3.0)
     x = place[0] + RADON * reach * np.concatenate(([0.0], np.cos(turns)))

@@ -8,7 +8,7 @@ import numpy as np
 from seafoam.ocean.waves.stokes import foam_drift, foam_life
 from seafoam.reference.foam.cells import part
 from seafoam.reference.noise import PERIOD, perlin
-from seafoam.reference.types import Floats, smoothstep
+from seafoam.reference.types import Floats, Vec2, smoothstep
 from seafoam.reference.waves.parametric import reduced
 from seafoam.scene.models import Scene
 
@@ -27,7 +27,7 @@ class Share:
     s: Floats  # share of the plane; (r,)
 
 
-def gathered(scene: Scene, time: float, origin: tuple[float, float], s: Floats, x: Floats, z: Floats) -> Floats:
+def gathered(scene: Scene, time: float, origin: Vec2, s: Floats, x: Floats, z: Floats) -> Floats:
     """The coverage s (r,) at (x, z), m from the origin, concentrated in windrows; (r,)."""
     life = foam_life(scene)
     if life is None or life.row_strength == 0.0:
@@ -58,7 +58,7 @@ def shares(masks: int, s: Floats, f: Floats) -> list[Share]:
     return result
 
 
-def drifted(scene: Scene, time: float, origin: tuple[float, float]) -> tuple[float, float]:
+def drifted(scene: Scene, time: float, origin: Vec2) -> Vec2:
     """Mask coordinates (u, v) of the origin, moved back along the drift; tiles in [0, 1)."""
     foam = scene.foam
     assert foam is not None

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from seafoam.reference.noise import chained, number
-from seafoam.reference.types import Floats, smoothstep
+from seafoam.reference.types import Floats, Pair, Vec2, smoothstep
 from seafoam.scene.foam import Foam
 
 COUNT = 4096
@@ -63,7 +63,7 @@ def part(s: Floats, weight: Floats) -> Floats:
     return 1.0 - np.maximum(left, LAST) ** weight * smoothstep(0.0, LAST, left)
 
 
-def counted(x: Floats, z: Floats, foam: Foam, origin: tuple[float, float]) -> tuple[Floats, Floats]:
+def counted(x: Floats, z: Floats, foam: Foam, origin: Vec2) -> Pair:
     """Rotated coordinates of (x, z), m from the origin, in tiles from the world's origin; (r,) each.
 
     Whole periods of the lattice, 4096 cells along each side, are subtracted.

@@ -13,7 +13,7 @@ from scipy.special import ndtri
 
 from seafoam.ocean.waves.stokes import steady_drift
 from seafoam.reference.noise import pcg, value
-from seafoam.reference.types import Floats, smoothstep
+from seafoam.reference.types import Floats, Pair, Vec2, smoothstep
 from seafoam.scene.foam import Drift, DriftSaturation
 from seafoam.scene.models import Scene
 
@@ -36,7 +36,7 @@ RIM = 0.6  # distance from the middle at which foam begins to fade, over half th
 class Flow:
     """A flow over a square; places in m from its middle."""
 
-    steady: tuple[float, float]  # m/s
+    steady: Vec2  # m/s
     half: float  # half the square's side, m
     vortices: tuple[tuple[float, float, float, float], ...]  # centre (x, z), radius (m), speed there (m/s)
 
@@ -89,9 +89,7 @@ def flow_of(scene: Scene) -> Flow:
     return Flow(steady_drift(scene), 0.5 * drift.size, vortices)
 
 
-def _over_square(
-    scene: Scene, drift: Drift, origin: tuple[float, float], x: Floats, z: Floats
-) -> tuple[Flow, tuple[Floats, Floats], Floats]:
+def _over_square(scene: Scene, drift: Drift, origin: Vec2, x: Floats, z: Floats) -> tuple[Flow, Pair, Floats]:
     """The flow, places (x, z), m from the origin, in its square, m from the middle, and the foam's fade to the rim."""
     flow, q_x, q_z = flow_of(scene), x + (origin[0] - drift.place[0]), z + (origin[1] - drift.place[1])
     return flow, (q_x, q_z), 1.0 - smoothstep(RIM, 1.0, np.hypot(q_x, q_z) / flow.half)
@@ -104,9 +102,7 @@ def _generation(source: DriftSaturation, time: float) -> tuple[int, float, float
     return number, float(Fraction(time) - number * interval), float(interval)
 
 
-def drift_saturation(
-    scene: Scene, source: DriftSaturation, time: float, origin: tuple[float, float], x: Floats, z: Floats
-) -> Floats:
+def drift_saturation(scene: Scene, source: DriftSaturation, time: float, origin: Vec2, x: Floats, z: Floats) -> Floats:
     """f of drifting foam at (x, z), m from the origin, at a time (s); (r,), not capped."""
     result = np.zeros_like(x)
     if scene.drift is None:
@@ -138,7 +134,7 @@ class Copy:
 
 
 def copies(
-    scene: Scene, source: DriftSaturation, tile: float, time: float, origin: tuple[float, float], x: Floats, z: Floats
+    scene: Scene, source: DriftSaturation, tile: float, time: float, origin: Vec2, x: Floats, z: Floats
 ) -> list[Copy]:
     """The two copies of a mask with tiles of a side ``tile`` (m) at (x, z), m from the origin, at a time (s)."""
     assert scene.drift is not None

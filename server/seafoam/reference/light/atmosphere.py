@@ -14,7 +14,7 @@ from seafoam.ocean.sky import skylight
 from seafoam.reference.light import clouds
 from seafoam.reference.light.clouds import EYE, FORWARD, CloudLayer, HighClouds, Spread
 from seafoam.reference.noise import chained, fractal, number, share
-from seafoam.reference.types import Floats, dot, henyey_greenstein, smoothstep, unit
+from seafoam.reference.types import Floats, Pair, Vec2, Vec3, dot, henyey_greenstein, smoothstep, unit
 from seafoam.scene.light import Day, Light, Moon, Sky
 
 RAYLEIGH = np.array([0.055, 0.108, 0.215])
@@ -44,7 +44,7 @@ def to_sun(light: Light) -> Floats:
     return toward(*((light.sun_azimuth, light.sun_elevation) if light.day is None else sun_angles(light.day)))
 
 
-def sun_angles(day: Day) -> tuple[float, float]:
+def sun_angles(day: Day) -> Vec2:
     """Azimuth and elevation of the sun, rad: its position on the celestial sphere, rotated by hour and latitude."""
     declination = math.radians(23.44) * math.sin(2.0 * math.pi * (284.0 + day.date) / 365.0)
     hour, level = 2.0 * math.pi * (day.hour - 12.0) / 24.0, math.cos(declination)
@@ -61,7 +61,7 @@ def toward(azimuth: float, elevation: float) -> Floats:
     return np.array([level * math.cos(azimuth), math.sin(elevation), level * math.sin(azimuth)])
 
 
-def two_looks(d: Floats, deviation: Floats) -> tuple[Floats, Floats]:
+def two_looks(d: Floats, deviation: Floats) -> Pair:
     """Return the unit vectors above and below d (r, 3) that stand for directions that deviate up and down, (r,) rad."""
     level = np.hypot(d[:, 0], d[:, 2])
     heading = d[:, [0, 2]] / np.maximum(level, 1e-6)[:, None]
@@ -108,7 +108,7 @@ class LayeredSky:
     clear_direct: Floats  # (3,) its irradiance at the sea under a clear sky
     cloud_light: Callable[[float], Floats]  # (3,) its irradiance at an altitude, m
     time: float
-    eye: tuple[float, float, float]  # the camera's position, m
+    eye: Vec3  # the camera's position, m
 
     @cached_property
     def clouds(self) -> CloudLayer | None:
@@ -165,7 +165,7 @@ class LayeredSky:
         haze = max(CONTRAST / self.light.visibility - float(MOLECULES[1]), 0.0)
         return np.exp(-distance[:, None] * (haze * HAZE_COLOUR + MOLECULES))
 
-    def behind_clouds(self, air: Floats, d: Floats, spread: Spread) -> tuple[Floats, Floats]:
+    def behind_clouds(self, air: Floats, d: Floats, spread: Spread) -> Pair:
         """The light ``air`` (r, 3) of the sky toward d (r, 3) with clouds in front, and what share they hide (r,)."""
         hidden = np.zeros(d.shape[0])
         if self.high is not None:
@@ -186,7 +186,7 @@ class LayeredSky:
         level = unit(d * np.array([1.0, 0.0, 1.0]))
         return self.behind_clouds(self.clear(level, d), level, _eye(level))[0]
 
-    def mirrored(self, d: Floats, spread: tuple[Floats, Floats]) -> Floats:
+    def mirrored(self, d: Floats, spread: Pair) -> Floats:
         """Radiance toward directions about d (r, 3), with standard deviations (r,) up and down, and aside, rad; (r, 3).
 
         Two directions stand for all in the air, whose light varies most along the horizon; clouds are filtered.
@@ -211,7 +211,7 @@ class LayeredSky:
         passed = self.clear_direct / CLOUD_POWER
         return DISC_MOST * math.sqrt(float(passed.max())) * passed * inside[:, None]
 
-    def moon_disc(self, d: Floats) -> tuple[Floats, Floats]:
+    def moon_disc(self, d: Floats) -> Pair:
         """Radiance of the moon's face (r, 3), and its coverage (r,)."""
         moon = self.sky.moon
         colour, hides = np.zeros(d.shape), np.zeros(d.shape[0])
@@ -299,7 +299,7 @@ def over_hemisphere(radiance: Callable[[Floats], Floats]) -> Floats:
     return ((2.0 * root * y * weights)[:, None] * rings).sum(axis=0)
 
 
-def _eye(d: Floats) -> tuple[Floats, Floats]:
+def _eye(d: Floats) -> Pair:
     return np.full(d.shape[0], EYE[0]), np.full(d.shape[0], EYE[1])
 
 
@@ -309,7 +309,7 @@ def _axes(moon: Moon) -> tuple[Floats, Floats, Floats]:
     return to_moon, toward(moon.azimuth + 0.5 * math.pi, 0.0), toward(moon.azimuth, moon.elevation + 0.5 * math.pi)
 
 
-def layered_sky(light: Light, time: float, eye: tuple[float, float, float]) -> LayeredSky | None:
+def layered_sky(light: Light, time: float, eye: Vec3) -> LayeredSky | None:
     """The layered sky of a light at a time (s) over a camera position (m); None if the scene has the plain sky."""
     sky = light.sky
     if sky is None:

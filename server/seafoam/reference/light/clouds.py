@@ -9,11 +9,11 @@ import numpy as np
 from scipy import special
 
 from seafoam.reference.noise import GAIN, PERIOD, fractal, octaves
-from seafoam.reference.types import Floats, Footprints, dot, henyey_greenstein, smoothstep
+from seafoam.reference.types import Floats, Footprints, Pair, Vec3, dot, henyey_greenstein, smoothstep
 from seafoam.reference.waves.parametric import noise_place, reduced
 from seafoam.scene.light import Cirrus, Clouds
 
-Spread = tuple[Floats, Floats]
+Spread = Pair
 Depth = Callable[[Floats], Floats]
 
 FORWARD = 0.76
@@ -49,7 +49,7 @@ class CloudLayer:
     lit_by: Floats  # (3,) unit vector toward the lamp
     light: Floats  # (3,) its irradiance at the height of clouds
     sky: Floats  # (3,) radiance of their ambient light
-    place: tuple[float, float, float]  # the camera's position in the clouds' noise, cells
+    place: Vec3  # the camera's position in the clouds' noise, cells
     eye_y: float
 
     @cached_property
@@ -93,7 +93,7 @@ class CloudLayer:
         return np.array(means), covers[1] - covers[0]
 
     @cached_property
-    def edge(self) -> tuple[float, float, float]:
+    def edge(self) -> Vec3:
         """Mean and standard deviation of the noise over a slice's start, where its opacity rises, and :attr:`taken`
         less the opacity of edges there that are widened by the variance 1."""
         nodes, weights = np.polynomial.legendre.leggauss(64)
@@ -139,7 +139,7 @@ class CloudLayer:
         hidden[at] = hides
         return light, cover, hidden
 
-    def in_rain(self, light: Floats, hidden: Floats, d: Floats, spread: Spread) -> tuple[Floats, Floats]:
+    def in_rain(self, light: Floats, hidden: Floats, d: Floats, spread: Spread) -> Pair:
         """Light (r, 3) from behind the rain toward d (r, 3) with the rain's own, and the share (r,) that is hidden."""
         clouds = self.clouds
         high = clouds.height - self.eye_y
@@ -188,7 +188,7 @@ class CloudLayer:
         return thickest + (1.0 - thickest) * special.ndtr((middle - noise) / np.sqrt(variance + lost))
 
     @cached_property
-    def _gap(self) -> tuple[float, float, float]:
+    def _gap(self) -> Vec3:
         """Middle and variance of the edge, where the transmittance falls, and that of the thickest clouds."""
         thickest = math.exp(-self.clouds.thickness)
         at = np.linspace(-8.0, 8.0, 20001)
@@ -304,7 +304,7 @@ class HighClouds:
         return light, cover, hidden
 
 
-def distance_to(look: Floats, high: float) -> tuple[Floats, Floats]:
+def distance_to(look: Floats, high: float) -> Pair:
     """Distance to a layer ``high`` m above the eye along (r, 3), m, and the sine of the slant there; (r,) each."""
     along = EARTH * look[:, 1]
     rest = 2.0 * EARTH * high + high * high
@@ -312,7 +312,7 @@ def distance_to(look: Floats, high: float) -> tuple[Floats, Floats]:
     return distance, (along + distance) / (EARTH + high)
 
 
-def _composite(ends: Floats) -> tuple[Floats, Floats]:
+def _composite(ends: Floats) -> Pair:
     """Nodes and weights of Gauss–Legendre quadrature between each two of ``ends`` (n,)."""
     nodes, weights = np.polynomial.legendre.leggauss(24)
     half = 0.5 * np.diff(ends)[:, None]
@@ -327,13 +327,13 @@ def _lattice() -> Floats:
     return special.ndtri(np.clip(shares, 1e-9, 1.0 - 1e-9))
 
 
-def place(clouds: Clouds, time: float, eye: tuple[float, float, float]) -> tuple[float, float, float]:
+def place(clouds: Clouds, time: float, eye: Vec3) -> Vec3:
     """A camera position (m) in the clouds' noise at a time (s), cells."""
     velocity = clouds.wind_speed * math.cos(clouds.downwind), clouds.wind_speed * math.sin(clouds.downwind)
     return noise_place(clouds.size, clouds.change, velocity, time, (eye[0], eye[2]))
 
 
-def streak_place(cirrus: Cirrus, time: float, eye: tuple[float, float, float]) -> tuple[float, float, float, float]:
+def streak_place(cirrus: Cirrus, time: float, eye: Vec3) -> tuple[float, float, float, float]:
     """A camera position (m) in the noise of streaks and of their patches at a time (s), cells."""
     c, s = math.cos(cirrus.downwind), math.sin(cirrus.downwind)
     cells = PERIOD / (2.0 * math.pi)

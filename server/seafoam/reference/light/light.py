@@ -14,7 +14,7 @@ from seafoam.ocean.constants import WATER_INDEX
 from seafoam.reference.light import atmosphere
 from seafoam.reference.light.clouds import FORWARD
 from seafoam.reference.shore.soil import Soil
-from seafoam.reference.types import Floats, dot, henyey_greenstein, smoothstep, unit
+from seafoam.reference.types import Floats, Pair, Vec2, Vec3, dot, henyey_greenstein, smoothstep, unit
 from seafoam.scene.foam import FoamScattering
 from seafoam.scene.light import Light
 from seafoam.scene.water import Water
@@ -55,7 +55,7 @@ class Air:
         """sky(d) without the disc; (..., 3). Directions below the horizon have the horizon's air mass."""
         return sky(self, d) if self.above is None else self.above.seen(d)
 
-    def mirrored(self, d: Floats, spread: tuple[Floats, Floats]) -> Floats:
+    def mirrored(self, d: Floats, spread: Pair) -> Floats:
         """The sky reflected by water toward directions about d (r, 3), with standard deviations (r,) up and down, and
         aside, rad, which blur only a layered sky; (r, 3)."""
         return sky(self, d) if self.above is None else self.above.mirrored(d, spread)
@@ -68,7 +68,7 @@ class Air:
         return _sky_irradiance(tuple(self.sun.tolist()), self.mie)
 
 
-def air(light: Light, time: float = 0.0, eye: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> Air:
+def air(light: Light, time: float = 0.0, eye: Vec3 = (0.0, 0.0, 0.0)) -> Air:
     """The air under a light at a time (s) around a camera position (m)."""
     plain = _air(atmosphere.to_sun(light), atmosphere.mie_depth(light))
     above = atmosphere.layered_sky(light, time, eye)
@@ -109,7 +109,7 @@ def sky_light(air: Air, up: Floats) -> Floats:
 
 Share = Floats | float  # a share of the sunlight at each of r places (r,), or one of all
 
-Mirror = Callable[[Floats, tuple[Floats, Floats]], Floats]
+Mirror = Callable[[Floats, Pair], Floats]
 """Light (r, 3) from directions about (r, 3), of standard deviations (r,) up and down, and aside, rad."""
 
 Glint = Callable[[Floats, Floats, Floats, float], Floats]
@@ -148,7 +148,7 @@ class WaterHit:
     d: Floats  # (r, 3) unit vectors away from the camera
     n: Floats  # (r, 3) unit normals with ripples
     height: Floats  # (r,) m
-    heights: tuple[float, float]  # the least and the greatest height of the whole surface, m
+    heights: Vec2  # the least and the greatest height of the whole surface, m
     floor: Floor | None = None  # None: level, at the depth of the scene's water, or none if it has no depth
     saturation: Floats | None = None  # (r,) of foam, whose bubbles make the water milky
 
@@ -193,7 +193,7 @@ def lumpy_cosine(c: Floats, roughness: float) -> Floats:
 
 def foam_layer(
     air: Air, scattering: FoamScattering, albedo: float, n: Floats, d: Floats, f: Floats, sun: Share = 1.0
-) -> tuple[Floats, Floats]:
+) -> Pair:
     """Radiance (r, 3) of foam of saturation f (r,) before haze, and its opacity (r,).
 
     n, d: unit normals and view rays (r, 3). ``sun``: what is left of the sunlight.

@@ -6,7 +6,7 @@ from functools import cached_property
 
 import numpy as np
 
-from seafoam.reference.types import Floats
+from seafoam.reference.types import Floats, Pair, Vec2
 from seafoam.scene.camera import Camera
 
 
@@ -35,7 +35,7 @@ class SampleGrid:
         return float(self.view.eye[1])
 
     @property
-    def origin(self) -> tuple[float, float]:
+    def origin(self) -> Vec2:
         """World coordinates (x, z) of the point below the camera, m."""
         return float(self.view.eye[0]), float(self.view.eye[2])
 
@@ -48,7 +48,7 @@ class SampleGrid:
         return self.samples * self.width
 
     @cached_property
-    def steps(self) -> tuple[Floats, Floats]:
+    def steps(self) -> Pair:
         """Change of a ray from one sample to the next, along a row and along a column; (3,) each."""
         return 2.0 * self.view.ray_x / self.columns, 2.0 * self.view.ray_y / self.rows
 

@@ -11,7 +11,7 @@ from seafoam.reference.renderer import intersect
 from seafoam.reference.renderer.foam import FoamStage
 from seafoam.reference.renderer.state import Lighting, WaterSamples
 from seafoam.reference.shore.shore import Coast
-from seafoam.reference.types import Bools, Floats, dot, unit
+from seafoam.reference.types import Bools, Floats, Pair, dot, unit
 from seafoam.reference.water.seafloor import FARTHEST, FOAM_THROUGH, Seabed
 from seafoam.scene.foam import SurfSaturation
 
@@ -57,7 +57,7 @@ class SampleShader(FoamStage):
         step = self.grid.steps[1]
         return air.above.whole(d, math.sqrt(dot(step, step)) / np.sqrt(dot(D, D)))
 
-    def _water(self, samples: WaterSamples) -> tuple[Floats, Floats]:
+    def _water(self, samples: WaterSamples) -> Pair:
         """Colour (r, 3) and foam amount (r,) of samples of the water."""
         foam, lighting = self.scene.foam, self.lighting
         a, f = np.zeros_like(samples.x), None
@@ -96,7 +96,7 @@ class SampleShader(FoamStage):
             return self.surface.coast.bed(*place)
         return None if self.seabed is None else self.seabed.seen(*place)
 
-    def _land(self, coast: Coast, D: Floats, d: Floats, distance: Floats) -> tuple[Floats, Floats]:
+    def _land(self, coast: Coast, D: Floats, d: Floats, distance: Floats) -> Pair:
         """Colour (r, 3) and foam amount (r,) where rays D meet land, ``distance`` metres away."""
         foam, lighting = self.scene.foam, self.lighting
         x, z = d[:, 0] * distance, d[:, 2] * distance
@@ -147,7 +147,7 @@ class SampleShader(FoamStage):
         colour[seen] = self._through_water(bed, radiance, d[seen], far)
         return np.minimum(colour * self.exposure, BRIGHTEST), amount, np.ones(d.shape[0], np.bool_)
 
-    def _underside(self, bed: Seabed, D: Floats, d: Floats, distance: Floats) -> tuple[Floats, Floats]:
+    def _underside(self, bed: Seabed, D: Floats, d: Floats, distance: Floats) -> Pair:
         """Colour (r, 3), not exposed, and foam amount (r,) of the surface that rays D meet from below."""
         foam, samples = self.scene.foam, self.water_samples(D, d, distance, side=-1.0)
         place = samples.x, samples.z, samples.height
@@ -170,7 +170,7 @@ class SampleShader(FoamStage):
             return np.clip(self.exposure * (colour + white * a[:, None]), 0.0, 1.0) / self.exposure
         return colour * (1.0 - a[:, None]) + white * a[:, None]
 
-    def _mirror(self, lighting: Lighting, place: Floats, r: Floats, spread: tuple[Floats, Floats]) -> Floats:
+    def _mirror(self, lighting: Lighting, place: Floats, r: Floats, spread: Pair) -> Floats:
         """Radiance that arrives from directions r (r, 3) at places (r, 3) on the water: sky, and what occludes it.
 
         ``spread``: standard deviations (r,) of the directions about r from which the sky's light comes, rad.
@@ -213,7 +213,7 @@ class SampleShader(FoamStage):
         seen = light.land(lighting.air, soil, d, unit(intersect.normal(g_x, g_z)), sun)
         return lighting.haze(seen, d, far)
 
-    def _around(self, lighting: Lighting, coast: Coast, r: Floats, spread: tuple[Floats, Floats]) -> Floats:
+    def _around(self, lighting: Lighting, coast: Coast, r: Floats, spread: Pair) -> Floats:
         """Sky and land toward r (n, 3), from 1 m above water or ground, vertically below the camera; (n, 3)."""
         here = coast.place(np.zeros(1), np.zeros(1))
         height = AROUND_HEIGHT + max(0.0, float(coast.ground(*here)[0][0]))

@@ -14,7 +14,7 @@ from seafoam.reference.foam.drift import drift_saturation
 from seafoam.reference.renderer.state import ReferenceState, WaterSamples
 from seafoam.reference.types import Floats
 from seafoam.reference.types import SurfacePoints as SurfacePoints
-from seafoam.reference.waves.parametric import WaveSet, wave_set
+from seafoam.reference.waves.parametric import wave_set
 from seafoam.reference.waves.sea import whitecap_saturation
 from seafoam.scene import foam as scenes
 
@@ -42,23 +42,15 @@ def joined(parts: list[Floats], combine: Literal["max", "product"], cap: float) 
     return np.minimum(joint(np.minimum(parts, cap), axis=0), cap)
 
 
-def front_source(
-    source: scenes.FrontSaturation,
-    waves: WaveSet,
-    points: SurfacePoints,
-    eye_y: float,
-    history: front.History = front.STILL,
-) -> Floats:
-    """f of fronts at points; (r,).
-
-    ``waves``: those of the source's constants. With footprints fronts are averaged over what an eye at a height of
-    ``eye_y`` m over (0, 0) sees of them. ``history``: how foam that fronts leave moves with the water.
-    """
+def _front(state: ReferenceState, source: scenes.FrontSaturation, points: SurfacePoints) -> Floats:
+    """f of fronts at points, with footprints averaged over what the camera sees of them; (r,)."""
+    constants, eye_y = front.FRONT_CONSTANTS[source.constants], state.eye_y
+    waves = wave_set(state.scene, state.time, state.surface.afloat, constants.spatial)
     if waves.amplitude.size == 0:
         return np.zeros_like(points.x)
     if source.decay is not None:
+        history = front.History(foam_drift(state.scene), state.surface.orbits)
         return front.decaying_front(source, waves, points, eye_y, history)
-    constants = front.FRONT_CONSTANTS[source.constants]
     sum_of = front.group(waves, points.x, points.z, constants.delta)
     if points.footprints is None:
         f = np.minimum(front.front_saturation(sum_of.X, sum_of.Y, source.intensity, constants.base), points.cap)
@@ -67,13 +59,6 @@ def front_source(
         psi, width = front.phases_under(psi, front.phase_gradient(sum_of), points, eye_y, waves.relief, crest)
         f = front.front_saturation_filtered(psi, width, source.intensity, constants.base)
     return f * front.gate(sum_of.rho, source.group)
-
-
-def _front(state: ReferenceState, source: scenes.FrontSaturation, points: SurfacePoints) -> Floats:
-    history = front.History(foam_drift(state.scene), state.surface.orbits)
-    spatial = front.FRONT_CONSTANTS[source.constants].spatial
-    waves = wave_set(state.scene, state.time, state.surface.afloat, spatial)
-    return front_source(source, waves, points, state.eye_y, history)
 
 
 def _surf(state: ReferenceState, source: scenes.SurfSaturation, points: SurfacePoints) -> Floats:

@@ -15,7 +15,7 @@ from seafoam.reference.renderer import intersect
 from seafoam.reference.renderer.camera import SampleGrid
 from seafoam.reference.shore.shadow import land_shadow
 from seafoam.reference.shore.shore import Coast
-from seafoam.reference.types import Floats, Footprints, Relief, ReliefPart, Sunlight, dot, unit
+from seafoam.reference.types import Floats, Footprints, Relief, ReliefPart, Sunlight, Vec2, dot, unit
 from seafoam.reference.water.seafloor import Seabed, ShoreSeabed
 from seafoam.reference.waves.parametric import RippleSet, WaveSet, afloat, gust_field, ripple_set, wave_set
 from seafoam.reference.waves.rings import RingSet, ring_set, touch_set
@@ -30,7 +30,7 @@ Mode = Literal["same-samples", "converged"]
 class Surface:
     """The water at one time around one origin, all that raises and tilts it, and the land."""
 
-    afloat: tuple[float, float]  # the origin in the frame of the flowing water, m
+    afloat: Vec2  # the origin in the frame of the flowing water, m
     waves: WaveSet
     sea: SeaSurface | None
     wakes: WakeSet | StoneSet | None  # the wakes that leave foam
@@ -41,7 +41,7 @@ class Surface:
     orbits: bool  # whether waves move foam to and fro
 
     @staticmethod
-    def of(scene: Scene, time: float, origin: tuple[float, float]) -> "Surface":
+    def of(scene: Scene, time: float, origin: Vec2) -> "Surface":
         """The surface of a scene at a time (s) around an origin (x, z) in m."""
         floating = afloat(scene, time, origin)
         waves, sea = wave_set(scene, time, floating), sea_surface(scene, time, floating)

@@ -11,7 +11,7 @@ from scipy import ndimage
 from seafoam.ocean.coast.seabed import floor_grid
 from seafoam.ocean.coast.travel import travel_grid
 from seafoam.ocean.constants import GRAVITY
-from seafoam.reference.types import Bools, Floats, Indices, smoothstep
+from seafoam.reference.types import Bools, Floats, Indices, Pair, smoothstep
 from seafoam.reference.waves.parametric import reduced
 from seafoam.scene.shore import Shore, Surf
 from seafoam.textures.shore import shore_profiles
@@ -82,7 +82,7 @@ class QuadraticSpline:
         """(r, c) at (x, z), m from the centre of the square; outside it the value of the nearest point inside."""
         return self._sums(x, z, ((0, 0),))[0]
 
-    def all(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
+    def all(self, x: Floats, z: Floats) -> Pair:
         """Value (r, c) and its derivatives along x and z, (2, r, c) per metre. Outside the square derivatives are 0."""
         total, *changes = self._sums(x, z, ((0, 0), (1, 0), (0, 1)))
         inside = np.abs(np.stack((x, z))) <= 0.5 * self.size

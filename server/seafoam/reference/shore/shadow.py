@@ -7,7 +7,7 @@ import numpy as np
 
 from seafoam.reference.shore.maps import QuadraticSpline, floor_spline
 from seafoam.reference.shore.shore import Coast
-from seafoam.reference.types import Floats, Footprints, Sunlight, dot, smoothstep
+from seafoam.reference.types import Floats, Footprints, Sunlight, Vec2, dot, smoothstep
 from seafoam.scene.shore import Shore
 
 CELLS = 128  # cells along a side of the map
@@ -46,7 +46,7 @@ def land_shadow(coast: Coast, sun: Floats) -> Sunlight:
 
 
 @lru_cache(maxsize=8)
-def _heights(shore: Shore, toward: tuple[float, float], rises: tuple[float, ...]) -> Floats:
+def _heights(shore: Shore, toward: Vec2, rises: tuple[float, ...]) -> Floats:
     """Heights from which the sun's upper and lower rim are seen over the land, (CELLS, CELLS, 2), rows along z, m."""
     floor = floor_spline(shore)
     side = shore.size / CELLS

@@ -16,7 +16,7 @@ from seafoam.reference.light.light import Floor, plain_floor
 from seafoam.reference.noise import KEY, filtered_step, footprint_variance, patches, value
 from seafoam.reference.shore import maps
 from seafoam.reference.shore.soil import Soil, detailed
-from seafoam.reference.types import Floats, Footprints, ReliefPart, dot, smoothstep, unit
+from seafoam.reference.types import Floats, Footprints, Pair, ReliefPart, Vec2, dot, smoothstep, unit
 from seafoam.reference.waves.parametric import reduced
 from seafoam.scene.foam import SurfSaturation
 from seafoam.scene.shore import Shore
@@ -44,7 +44,7 @@ def _swing(here: Floats, phase: Floats, turn: Floats) -> Floats:
 class Coast:
     """The shore of a scene at a time, x and z from an origin (m); its sea, with all waves, is a part of the surface."""
 
-    def __init__(self, shore: Shore, time: float, origin: tuple[float, float], open_sea: ReliefPart) -> None:
+    def __init__(self, shore: Shore, time: float, origin: Vec2, open_sea: ReliefPart) -> None:
         self.shore = shore
         self.open_sea = open_sea
         self.offset = tuple(math.remainder(a - b, maps.PERIOD) for a, b in zip(origin, shore.place, strict=True))
@@ -95,11 +95,11 @@ class Coast:
         steps = self._change(self.field.texels[..., 0])[ndimage.maximum_filter(height, 5) > 0.0]
         return min(self.open_sea.shape, 0.1 / float(steps.max())) if steps.size else self.open_sea.shape
 
-    def place(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
+    def place(self, x: Floats, z: Floats) -> Pair:
         """(x, z) relative to the centre of the square, m."""
         return x + self.offset[0], z + self.offset[1]
 
-    def within(self, d: Floats, x: Floats | float = 0.0, z: Floats | float = 0.0) -> tuple[Floats, Floats]:
+    def within(self, d: Floats, x: Floats | float = 0.0, z: Floats | float = 0.0) -> Pair:
         """Distances at which unit rays d (r, 3) from (x, z) enter and leave the square, m; (r,), entry > exit for a
         miss."""
         low, high = np.zeros(d.shape[0]), np.full(d.shape[0], np.inf)
@@ -288,7 +288,7 @@ class Coast:
         normal = unit(np.stack((-g_x, np.ones_like(g_x), -g_z), axis=-1))
         return Soil(normal, self.albedo(q_x, q_z, footprints), by_height[1], PLAIN_FILM_ROUGHNESS2, glints=False)
 
-    def wetness(self, q_x: Floats, q_z: Floats, height: Floats) -> tuple[Floats, Floats]:
+    def wetness(self, q_x: Floats, q_z: Floats, height: Floats) -> Pair:
         """How dark the swash left the ground, and how much of it mirrors; (r,) each."""
         surf, dark = self.shore.surf, self.wet(height)
         if surf.height <= 0.0:

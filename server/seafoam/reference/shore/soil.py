@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from seafoam.reference.noise import chained, filtered_step, share
-from seafoam.reference.types import Floats, Footprints, Indices, dot, smoothstep, unit
+from seafoam.reference.types import Floats, Footprints, Indices, Pair, Vec2, dot, smoothstep, unit
 from seafoam.scene.shore import Shore
 
 KEY = 0x51ED270B
@@ -45,7 +45,7 @@ class Pattern:
     two: float = 0.0
     fine: float = 0.0
     all: float = 0.0
-    grows: tuple[float, float] = (0.0, 1.0)
+    grows: Vec2 = (0.0, 1.0)
 
     def sum(self, noise: "_Noise", start: Floats | float = 0.0) -> Floats:
         """The sum (r,), added to ``start``."""
@@ -94,12 +94,12 @@ def slopes(key: int, x: Floats, z: Floats) -> tuple[Floats, Floats, Floats]:
     u, v = x - i, z - j
     columns, rows = i.astype(np.int64), j.astype(np.int64)
 
-    def word(column: Indices, row: Indices) -> tuple[Floats, Floats]:
+    def word(column: Indices, row: Indices) -> Pair:
         drawn = chained(key, column, row)
         x_part = (drawn & np.uint64(0xFFFF)).astype(np.float64) / 32767.5 - 1.0
         return x_part, (drawn >> np.uint64(16)).astype(np.float64) / 32767.5 - 1.0
 
-    def fade(t: Floats) -> tuple[Floats, Floats]:
+    def fade(t: Floats) -> Pair:
         return t**3 * (t * (6.0 * t - 15.0) + 10.0), 30.0 * t**2 * (1.0 - t) ** 2
 
     (w_u, s_u), (w_v, s_v) = fade(u), fade(v)
@@ -147,14 +147,7 @@ def _noise(q_x: Floats, q_z: Floats, ground: tuple[Floats, Floats, Floats], foot
     return result
 
 
-def _add_octaves(
-    result: _Noise,
-    place: tuple[Floats, Floats],
-    axes: tuple[Floats, Floats],
-    key: int,
-    weights: tuple[Floats, Floats],
-    footprints: Footprints,
-) -> None:
+def _add_octaves(result: _Noise, place: Pair, axes: Pair, key: int, weights: Pair, footprints: Footprints) -> None:
     """Adds octaves at ``place`` in a plane whose coordinates have the gradients ``axes`` (r, 2) in x and z.
 
     ``weights``: gain of the noise, and share of means, (r,) each.
@@ -188,7 +181,7 @@ def _add_octaves(
         cell *= FINER
 
 
-def _layer(key: int, x: Floats, width: Floats) -> tuple[Floats, Floats]:
+def _layer(key: int, x: Floats, width: Floats) -> Pair:
     """Value noise along a line, mean 0, and its derivative, under a width; (r,)."""
     base = np.floor(x)
     t = x - base
@@ -203,10 +196,10 @@ def _mix(a: Floats, b: Floats, part: Floats) -> Floats:
 
 def detailed(
     shore: Shore,
-    place: tuple[Floats, Floats],
+    place: Pair,
     ground: tuple[Floats, Floats, Floats, Floats],
     footprints: Footprints,
-    wet: tuple[Floats, Floats],
+    wet: Pair,
     *,
     floor: bool = False,
 ) -> Soil:
@@ -253,9 +246,7 @@ def detailed(
     return Soil(normal, np.minimum(albedo, 0.95), film, FILM_ROUGHNESS2, glints=True)
 
 
-def _sand(
-    shore: Shore, place: tuple[Floats, Floats], steep: Floats, noise: _Noise, footprints: Footprints, damp: Floats
-) -> tuple[Floats, Floats]:
+def _sand(shore: Shore, place: Pair, steep: Floats, noise: _Noise, footprints: Footprints, damp: Floats) -> Pair:
     """Reflectance (r, 3) and slopes (r, 2) of dry sand, combed by the wind where it is level and not ``damp`` (r,)."""
     d = shore.detail
     tone = np.maximum(1.0 + d * SAND_TONE.sum(noise), 0.2)
@@ -285,7 +276,7 @@ def _plants(shore: Shore, noise: _Noise) -> Floats:
     return green * (1.0 + d * (0.3 + 1.5 * CROWNS.grown_under(noise) - 1.0))[:, None]
 
 
-def _rock(shore: Shore, noise: _Noise, level: Floats, across: Floats, footprints: Footprints) -> tuple[Floats, Floats]:
+def _rock(shore: Shore, noise: _Noise, level: Floats, across: Floats, footprints: Footprints) -> Pair:
     """Reflectance (r, 3) and slopes (r, 2) of rock; ``level``: height over its layers, ``across``: gradient of that."""
     d = shore.detail
     layer = level + d * LAYER_BEND.sum(noise)

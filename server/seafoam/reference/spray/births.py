@@ -20,7 +20,7 @@ from seafoam.ocean.waves.cascades import RAISED, cascades
 from seafoam.reference.noise import Words, chained, number, pcg
 from seafoam.reference.shore.maps import SWASH, rhythm
 from seafoam.reference.shore.shore import Coast
-from seafoam.reference.types import Floats, Relief, Rows, dot, smoothstep
+from seafoam.reference.types import Floats, Relief, Rows, Vec2, dot, smoothstep
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.reference.waves.rings import ring_set
 from seafoam.reference.waves.sea import coefficients, grids, sea_surface
@@ -55,7 +55,7 @@ def joined(parts: list[Drops]) -> Drops:
     return Drops(*map(np.concatenate, zip(*(vars(part).values() for part in parts), strict=True)))
 
 
-def drops(scene: Scene, time: float, origin: tuple[float, float], ahead: Floats, coast: Coast | None) -> Drops | None:
+def drops(scene: Scene, time: float, origin: Vec2, ahead: Floats, coast: Coast | None) -> Drops | None:
     """The drops of a scene's spray in the air; None where nothing can throw any.
 
     ``ahead``: (2,) x and z of the ray through the picture's centre.
@@ -88,7 +88,7 @@ def cycles(time: float, period: float) -> tuple[int, float]:
     return int(whole), float(left)
 
 
-def from_bursts(spray: Spray, time: float, origin: tuple[float, float]) -> Drops:
+def from_bursts(spray: Spray, time: float, origin: Vec2) -> Drops:
     """Drops of blasts under the water, by index, with a strength of 0 where there is none."""
     index = np.arange(DROPS)
     which = index % len(spray.bursts)
@@ -147,7 +147,7 @@ def on_rocks(scene: Scene) -> bool:
     return shore is not None and spray is not None and shore.surf.height > 0.0 and len(rocks(shore, spray.steep)) > 0
 
 
-def from_rocks(scene: Scene, coast: Coast, time: float, origin: tuple[float, float]) -> Drops:
+def from_rocks(scene: Scene, coast: Coast, time: float, origin: Vec2) -> Drops:
     """Drops that surf throws up from rocks, by index, with a strength of 0 where there is none."""
     spray, period = scene.spray, coast.shore.surf.period
     assert spray is not None
@@ -198,7 +198,7 @@ def surf_then(coast: Coast, q: Floats, field: Floats, age: Floats, time: float) 
     return np.maximum(field[:, 1] * ratio, 0.0) * profile
 
 
-def _swell_then(scene: Scene, time: float, origin: tuple[float, float], place: Floats, age: Floats) -> Floats:
+def _swell_then(scene: Scene, time: float, origin: Vec2, place: Floats, age: Floats) -> Floats:
     """Height of single waves and rings ages (n,) ago at places (n, 2) from the camera, m."""
     total = np.zeros_like(age)
     if scene.waves:
@@ -208,7 +208,7 @@ def _swell_then(scene: Scene, time: float, origin: tuple[float, float], place: F
     return total
 
 
-def _limits(scene: Scene) -> tuple[float, float] | None:
+def _limits(scene: Scene) -> Vec2 | None:
     """Divergence of the sea below which it throws drops, and the width of the change; None: it throws none."""
     if scene.sea is None or scene.spray is None:
         return None
@@ -223,7 +223,7 @@ class _Waters:
     spray: Spray
     now: float
     age: float  # how long before ``now`` the birth was, s
-    origin: tuple[float, float]
+    origin: Vec2
     coast: Coast | None  # the shore now
 
     @property

@@ -21,7 +21,7 @@ from seafoam.reference.renderer.state import Lighting, Surface
 from seafoam.reference.sampling import trilinear
 from seafoam.reference.shore.shore import Coast
 from seafoam.reference.spray.births import COLUMN, SHEET, Drops, on_rocks
-from seafoam.reference.types import Floats, ReliefPart, dot, smoothstep, unit
+from seafoam.reference.types import Floats, Pair, ReliefPart, Vec2, dot, smoothstep, unit
 from seafoam.scene.models import Scene
 from seafoam.textures.spray import STRANDS, strand_levels
 
@@ -76,11 +76,9 @@ class Splats:
             across = np.array([-along[1], along[0]])
             reach = np.abs(along) * self.half[i, 0] + np.abs(across) * self.half[i, 1] + 1.0
             middle = 0.5 * np.array([self.X[i] + 1.0, 1.0 - self.Y[i]]) * sides
-            if ((middle <= -reach) | (middle >= sides + reach)).any():
-                continue
-            ends = (np.clip(np.floor(middle + s * reach), 0, sides - 1).astype(np.intp) for s in (-1.0, 1.0))
-            (left, top), (right, bottom) = ends
-            here = (slice(top, bottom + 1), slice(left, right + 1))
+            left, top = np.clip(np.floor(middle - reach), 0, sides).astype(np.intp)
+            right, bottom = np.clip(np.floor(middle + reach) + 1.0, 0, sides).astype(np.intp)
+            here = (slice(top, bottom), slice(left, right))
             right_of, above = (X[here] - self.X[i]) * 0.5 * columns, (Y[here] - self.Y[i]) * 0.5 * rows
             a = (right_of * along[0] + above * along[1]) / self.half[i, 0]
             b = (right_of * across[0] + above * across[1]) / self.half[i, 1]
@@ -94,7 +92,7 @@ class Splats:
         cover = 1.0 - np.exp(-thick[wet])
         picture[wet] = picture[wet] * (1.0 - cover)[:, None] + total[wet] * (cover / thick[wet])[:, None]
 
-    def _water(self, i: int, a: Floats, b: Floats, square: Floats) -> tuple[Floats, Floats]:
+    def _water(self, i: int, a: Floats, b: Floats, square: Floats) -> Pair:
         """Optical depth (n,) of a drop at places in it, and its light times that (n, 3)."""
         u, v, stretch = self.window[i]
         by_u, by_v = a * stretch, b * 0.5 * WINDOW
@@ -111,9 +109,7 @@ class Splats:
         return depth, colour * depth[:, None]
 
 
-def flight(
-    birth: Floats, velocity: Floats, age: Floats, tau: Floats, weight: Floats, wind: tuple[float, float]
-) -> tuple[Floats, Floats]:
+def flight(birth: Floats, velocity: Floats, age: Floats, tau: Floats, weight: Floats, wind: Vec2) -> Pair:
     """Positions (n, 3), m, and velocities (n, 3), m/s, of drops ``age`` s after their start.
 
     Ballistics with linear drag; its time constants τ and the weights (n,) each.
@@ -253,7 +249,7 @@ def _ellipses(
 
 def _visible(
     away: Floats, eye_y: float, soft: Floats, relief: ReliefPart, coast: Coast | None, fleet: Fleet | None
-) -> tuple[Floats, Floats]:
+) -> Pair:
     """What is seen of drops (n, 3): nothing of those below or behind water or ground, or behind a boat; in [0, 1].
 
     And their heights over both, m.

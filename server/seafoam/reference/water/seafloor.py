@@ -16,7 +16,7 @@ from seafoam.reference.light.light import BACKSCATTER, ENTERS, GLITTER_MOST, Air
 from seafoam.reference.noise import chained, share
 from seafoam.reference.sampling import bilinear, spline
 from seafoam.reference.shore.shore import Coast
-from seafoam.reference.types import Floats, Footprints, Sunlight, dot, unit
+from seafoam.reference.types import Floats, Footprints, Pair, Sunlight, Vec2, dot, unit
 from seafoam.reference.waves.parametric import afloat, reduced
 from seafoam.scene.models import Scene
 from seafoam.scene.water import Ripples, Water
@@ -53,7 +53,7 @@ def landing(air_: Air, depth: float, h_x: Floats, h_z: Floats, index: float) -> 
     return ray[..., 0] * path, ray[..., 2] * path, share
 
 
-def tile_slopes(ripples: Ripples, time: float, count: int) -> tuple[Floats, Floats]:
+def tile_slopes(ripples: Ripples, time: float, count: int) -> Pair:
     """Slopes of tiling ripples at the nodes of a tile's grid, (count, count) each, rows along z."""
     drawn = [wave for cascade in ripple_cascades(ripples, True) for wave in cascade]
     nodes = np.arange(count) * (tiles(True)[0] / count)
@@ -111,7 +111,7 @@ def _splat(u: Floats, v: Floats, weight: Floats, texels: int) -> Floats:
 class Seabed:
     """A level floor under a light, at one time around one origin."""
 
-    def __init__(self, scene: Scene, air: Air, time: float, origin: tuple[float, float], sunlight: Sunlight) -> None:
+    def __init__(self, scene: Scene, air: Air, time: float, origin: Vec2, sunlight: Sunlight) -> None:
         water, light = scene.water, scene.light
         assert light is not None
         self.air = air
@@ -236,9 +236,7 @@ class Seabed:
 class ShoreSeabed(Seabed):
     """The floor of a shore."""
 
-    def __init__(
-        self, scene: Scene, air: Air, time: float, origin: tuple[float, float], sunlight: Sunlight, coast: Coast
-    ) -> None:
+    def __init__(self, scene: Scene, air: Air, time: float, origin: Vec2, sunlight: Sunlight, coast: Coast) -> None:
         super().__init__(scene, air, time, origin, sunlight)
         self.coast = coast
 

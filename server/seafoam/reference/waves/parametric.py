@@ -18,7 +18,7 @@ from seafoam.ocean.waves import groups as wave_groups
 from seafoam.ocean.waves.ripples import ripple_cascades
 from seafoam.ocean.waves.stokes import orbit
 from seafoam.reference.noise import PERIOD, fractal
-from seafoam.reference.types import Floats, smoothstep_slope
+from seafoam.reference.types import Floats, Vec2, Vec3, smoothstep_slope
 from seafoam.scene.models import Scene
 from seafoam.scene.water import Ripples
 from seafoam.scene.waves import ParametricWave
@@ -40,11 +40,11 @@ class GroupFactor:
     """The factor at one time around one origin."""
 
     corners: Floats  # values of the noise at its corners, in [0, 1]; rows along the second axis
-    along: tuple[float, float]
+    along: Vec2
     """Step of the noise along the way of the groups, (x, z) cells/m; the other is at right angles to it."""
     contrast: float
-    velocity: tuple[float, float]  # (x, z) m/s
-    place: tuple[float, float]  # the origin in the noise, cells
+    velocity: Vec2  # (x, z) m/s
+    place: Vec2  # the origin in the noise, cells
 
     def __call__(self, x: Floats, z: Floats, ago: Floats | float = 0.0) -> Floats:
         """Factor at (x, z), m from the origin, ``ago`` s before; in [1 − contrast, 1]."""
@@ -82,7 +82,7 @@ class GroupFactor:
         return top + (bottom - top) * t_in, by_u, t_rate * (bottom - top)
 
 
-def group_factor(scene: Scene, time: float, origin: tuple[float, float]) -> GroupFactor | None:
+def group_factor(scene: Scene, time: float, origin: Vec2) -> GroupFactor | None:
     """The factor of the scene's groups at a time (s) around an origin (x, z) in m; None without groups."""
     groups = scene.wave_groups
     if groups is None or not wave_groups.in_groups(scene):
@@ -131,7 +131,7 @@ class WaveSet:
         return sum(A * float(special.beta(K + 0.5, 0.5)) / math.pi for A, K, _ in self._shapes)
 
     @cached_property
-    def _shapes(self) -> list[tuple[float, float, float]]:
+    def _shapes(self) -> list[Vec3]:
         """(A, K, k) of the waves that are not flat."""
         shapes = zip(self.amplitude.tolist(), self.exponent.tolist(), self.k.tolist(), strict=True)
         return [shape for shape in shapes if shape[0] > 0.0]
@@ -262,15 +262,13 @@ def wave_derivative(theta: Floats, A: float, K: float) -> Floats:
     return A * K * np.power(magnitude, 2.0 * K - 1.0) * np.sign(p) * np.cos(half)
 
 
-def reduced(*terms: tuple[float, float], plus: float = 0.0) -> float:
+def reduced(*terms: Vec2, plus: float = 0.0) -> float:
     """Σ ab + plus modulo 2π, exact up to the last rounding; in [0, 2π)."""
     value = sum((Fraction(a) * Fraction(b) for a, b in terms), Fraction(plus))
     return float(value % _TWO_PI)
 
 
-def noise_place(
-    size: float, change: float, velocity: tuple[float, float], time: float, origin: tuple[float, float]
-) -> tuple[float, float, float]:
+def noise_place(size: float, change: float, velocity: Vec2, time: float, origin: Vec2) -> Vec3:
     """An origin (x, z) in m at a time (s) in noise of period ``PERIOD``, with cells of ``size`` m; cells.
 
     The noise drifts with a velocity (m/s), and changes in ``change`` s.
@@ -299,7 +297,7 @@ def wavenumber(wavelength: float, depth: float | None) -> float:
     return float(optimize.brentq(lambda k: k * math.tanh(k * depth) - deep, deep, most, xtol=1e-300, rtol=1e-15))
 
 
-def afloat(scene: Scene, time: float, origin: tuple[float, float]) -> tuple[float, float]:
+def afloat(scene: Scene, time: float, origin: Vec2) -> Vec2:
     """The origin (x, z) in the frame of the flowing water, which is the ground's at time 0; m."""
     if scene.current is None:
         return origin
@@ -310,7 +308,7 @@ def afloat(scene: Scene, time: float, origin: tuple[float, float]) -> tuple[floa
     return x, z
 
 
-def wave_set(scene: Scene, time: float, origin: tuple[float, float], spatial: float = 1.0) -> WaveSet:
+def wave_set(scene: Scene, time: float, origin: Vec2, spatial: float = 1.0) -> WaveSet:
     """The scene's waves at a time (s) around an origin (x, z) in m; ``spatial`` scales the wavenumbers."""
     depth = scene.water.depth
     own = [(wave.amplitude, wave.exponent, wave.direction, orbit(wave, depth)) for wave in scene.waves]
@@ -327,11 +325,7 @@ def wave_set(scene: Scene, time: float, origin: tuple[float, float], spatial: fl
 
 
 def ripple_set(
-    ripples: Ripples | None,
-    time: float,
-    origin: tuple[float, float],
-    repeats: bool = False,
-    gusts: GustField | None = None,
+    ripples: Ripples | None, time: float, origin: Vec2, repeats: bool = False, gusts: GustField | None = None
 ) -> RippleSet:
     """Ripples at a time (s) around an origin (x, z) in m; empty without one."""
     drawn = [] if ripples is None else [ripple for cascade in ripple_cascades(ripples, repeats) for ripple in cascade]
@@ -340,7 +334,7 @@ def ripple_set(
     return RippleSet(slope, kx, kz, np.array(phase, np.float64), gusts)
 
 
-def gust_field(ripples: Ripples | None, time: float, origin: tuple[float, float]) -> GustField | None:
+def gust_field(ripples: Ripples | None, time: float, origin: Vec2) -> GustField | None:
     """Section 9: the gusts over ripples at a time (s) around an origin (x, z) in m; None without any."""
     if ripples is None or ripples.gusts is None:
         return None

@@ -14,7 +14,7 @@ import numpy as np
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.waves.rings import ring_curvature, ring_slope
 from seafoam.ocean.waves.rings import ring_height as highest
-from seafoam.reference.types import Floats, smoothstep_slope
+from seafoam.reference.types import Floats, Vec2, smoothstep_slope
 from seafoam.reference.waves.parametric import wavenumber
 from seafoam.scene.models import Scene
 from seafoam.scene.waves import Ring
@@ -79,13 +79,13 @@ class RingSet:
         return total
 
 
-def ring_set(scene: Scene, time: float, origin: tuple[float, float]) -> RingSet:
+def ring_set(scene: Scene, time: float, origin: Vec2) -> RingSet:
     """The scene's active rings at a time (s) around an origin (x, z) in m."""
     states = [one_ring(ring, scene.water.depth, time, origin) for ring in scene.rings]
     return RingSet(_active(states), top=highest(scene), slope=ring_slope(scene), curvature=ring_curvature(scene))
 
 
-def touch_set(scene: Scene, time: float, origin: tuple[float, float]) -> RingSet:
+def touch_set(scene: Scene, time: float, origin: Vec2) -> RingSet:
     """The rings of the scene's touches, carried by its current; they have slopes without height."""
     states = []
     for touch in scene.touches:
@@ -103,7 +103,7 @@ def _active(rings: list[OneRing]) -> tuple[OneRing, ...]:
     return tuple(ring for ring in rings if ring.amplitude > 0.0 and ring.front > 0.0)
 
 
-def one_ring(ring: Ring, depth: float | None, time: float, origin: tuple[float, float]) -> OneRing:
+def one_ring(ring: Ring, depth: float | None, time: float, origin: Vec2) -> OneRing:
     """A ring at a time (s) around an origin."""
     since = Fraction(time) - Fraction(ring.birth)
     age = float(since % Fraction(ring.every)) if ring.every is not None else max(float(since), 0.0)

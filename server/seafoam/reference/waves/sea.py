@@ -11,7 +11,7 @@ from scipy.ndimage import map_coordinates, spline_filter
 from seafoam.ocean.foam.whitecaps import AGE_STEP, AGE_STEPS, OLD_TEXELS, WhitecapModel, old_times, whitecap_model
 from seafoam.ocean.waves.cascades import BAND, LEAST_JACOBIAN, LOOP, RAISED, Cascade, cascades
 from seafoam.ocean.waves.stokes import foam_drift
-from seafoam.reference.types import Floats
+from seafoam.reference.types import Floats, Vec2
 from seafoam.scene.foam import WhitecapSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.waves import Sea
@@ -47,7 +47,7 @@ def amplitudes(cascade: Cascade, time: float) -> NDArray[np.complex128]:
     return cascade.h0 * np.exp(-1j * angle)
 
 
-def grids(cascade: Cascade, time: float, texels: int, moved: tuple[float, float] = (0.0, 0.0)) -> TileSample:
+def grids(cascade: Cascade, time: float, texels: int, moved: Vec2 = (0.0, 0.0)) -> TileSample:
     """The field at texel corners x = j·size/texels, (texels, texels), row z, shifted by (x, z) m; by inverse FFT."""
     number = np.fft.fftfreq(texels, 1.0 / texels).round().astype(np.int64)
     spectrum = np.zeros((texels, texels), np.complex128)
@@ -113,7 +113,7 @@ class SeaSurface:
 
     tiles: tuple[Tile, ...]
     cascades: tuple[Cascade, ...]
-    origin: tuple[float, float]
+    origin: Vec2
     earlier: tuple[tuple[Floats, ...], ...] = ()
     """For each raised tile, λ div D at each earlier time, moved with the water, if the scene has whitecaps; half the
     texels."""
@@ -219,7 +219,7 @@ def _tiles(sea: Sea, depth: float | None, time: float, texels: int) -> tuple[Til
 
 @lru_cache(maxsize=1)
 def _history(
-    sea: Sea, depth: float | None, time: float, texels: int, drift: tuple[float, float], lasting: bool
+    sea: Sea, depth: float | None, time: float, texels: int, drift: Vec2, lasting: bool
 ) -> tuple[tuple[tuple[Floats, ...], ...], tuple[Floats, ...]]:
     drawn, tiles = cascades(sea, depth), _tiles(sea, depth, time, texels)
 
@@ -240,7 +240,7 @@ def _history(
     return earlier, old
 
 
-def sea_surface(scene: Scene, time: float, origin: tuple[float, float], texels: int = TEXELS) -> SeaSurface | None:
+def sea_surface(scene: Scene, time: float, origin: Vec2, texels: int = TEXELS) -> SeaSurface | None:
     """The scene's sea at a time (s) around an origin (x, z) in m, on tiles of ``texels``²; None without sea or wind."""
     if scene.sea is None or scene.sea.wind_speed <= 0.0:
         return None
