@@ -159,7 +159,7 @@ class SeaSurface:
         return self.tiles[:RAISED]
 
     def height(self, x: Floats, z: Floats) -> Floats:
-        return sum((self._read(1, tile, tile.height, x, z) for tile in self._raised), np.zeros_like(x))
+        return sum((self.read(1, tile, tile.height, x, z) for tile in self._raised), np.zeros_like(x))
 
     def gradient(self, x: Floats, z: Floats) -> Floats:
         return self._slopes(1, self._raised, x, z)
@@ -176,7 +176,7 @@ class SeaSurface:
         """λ div D now and at each earlier time, summed over the raised tiles; (r,) each."""
         now = 3, [tile.fold for tile in self._raised]
         return [
-            np.sum([self._read(order, *one, x, z) for one in zip(self._raised, parts, strict=True)], axis=0)
+            np.sum([self.read(order, *one, x, z) for one in zip(self._raised, parts, strict=True)], axis=0)
             for order, parts in (now, *((1, then) for then in zip(*self.earlier, strict=True)))
         ]
 
@@ -185,7 +185,7 @@ class SeaSurface:
         left = np.zeros_like(self.old[0])
         for share, folded in zip(model.old_shares, self.old, strict=True):
             left += share * np.clip((model.old[0] - folded) / model.old[1], 0.0, 1.0)
-        return self._read(1, self.tiles[0], left, x, z)
+        return self.read(1, self.tiles[0], left, x, z)
 
     def to_rest(self, x: Floats, z: Floats) -> Floats:
         """Displacement from (x, z) to the rest position of the water there, m; (2, r)."""
@@ -194,16 +194,16 @@ class SeaSurface:
             texels = tile.label_x.shape[0]
             corner = np.arange(0, texels, 2)
             away = tile.label_x[::2, ::2] - corner[None, :], tile.label_z[::2, ::2] - corner[:, None]
-            by += [self._read(1, tile, tile.size / texels * part, x, z) for part in away]
+            by += [self.read(1, tile, tile.size / texels * part, x, z) for part in away]
         return by
 
     def _slopes(self, order: int, tiles: tuple[Tile, ...], x: Floats, z: Floats) -> Floats:
         slope = np.zeros((2, x.size))
         for tile in tiles:
-            slope += [self._read(order, tile, part, x, z) for part in (tile.h_x, tile.h_z)]
+            slope += [self.read(order, tile, part, x, z) for part in (tile.h_x, tile.h_z)]
         return slope
 
-    def _read(self, order: int, tile: Tile, values: Floats, x: Floats, z: Floats) -> Floats:
+    def read(self, order: int, tile: Tile, values: Floats, x: Floats, z: Floats) -> Floats:
         """``values`` of a tile at (x, z), m from the origin: bilinear, or as coefficients of a cubic B-spline."""
         at = [
             (math.fmod(start, tile.size) + place) * (values.shape[0] / tile.size)
