@@ -12,17 +12,14 @@ from numpy.typing import ArrayLike
 from scipy.ndimage import map_coordinates
 
 from seafoam.reference.types import Floats, Indices, Ranks
+from seafoam.textures.spec import halved
 
 QUANTILE_ENTRIES = 65
 
 
 def box_chain(image: Floats) -> list[Floats]:
     """The image and its box-averaged halvings down to one texel."""
-    chain = [image]
-    while chain[-1].shape[0] > 1:
-        last = chain[-1]
-        chain.append(0.25 * (last[0::2, 0::2] + last[1::2, 0::2] + last[0::2, 1::2] + last[1::2, 1::2]))
-    return chain
+    return [image, *box_chain(halved(image))] if image.shape[0] > 1 else [image]
 
 
 def thresholds(ranks: Ranks) -> Floats:

@@ -13,8 +13,7 @@ from seafoam.reference.foam.coverage import Assets
 from seafoam.reference.light import light, sparkles
 from seafoam.reference.renderer import intersect
 from seafoam.reference.renderer.camera import SampleGrid
-from seafoam.reference.shore.shadow import land_shadow
-from seafoam.reference.shore.shore import Coast
+from seafoam.reference.shore.shore import Coast, land_shadow
 from seafoam.reference.types import Floats, Footprints, Relief, ReliefPart, Sunlight, Vec2, dot, unit
 from seafoam.reference.water.seafloor import Seabed, ShoreSeabed
 from seafoam.reference.waves.parametric import RippleSet, WaveSet, afloat, gust_field, ripple_set, wave_set

@@ -180,6 +180,4 @@ class Profiles:
         return value[0] + share * (value[1] - value[0]), turned, (value[1] - value[0]) * (rows - 1)
 
 
-@lru_cache(maxsize=8)
-def profiles(skew: float, sharpness: float) -> Profiles:
-    return Profiles(skew, sharpness)
+profiles = lru_cache(maxsize=8)(Profiles)

@@ -6,23 +6,21 @@ the grids here are the same, those of the ``reference`` quality.
 """
 
 import math
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 from scipy import ndimage
 
 from seafoam.ocean.constants import WATER_INDEX
 from seafoam.reference.light.light import Floor, plain_floor
-from seafoam.reference.noise import KEY, filtered_step, footprint_variance, patches, value
+from seafoam.reference.noise import filtered_step, footprint_variance, grain, patches
 from seafoam.reference.shore import maps
 from seafoam.reference.shore.soil import Soil, detailed
-from seafoam.reference.types import Floats, Footprints, Pair, ReliefPart, Vec2, dot, smoothstep, unit
+from seafoam.reference.types import Floats, Footprints, Pair, ReliefPart, Sunlight, Vec2, dot, smoothstep, unit
 from seafoam.reference.waves.parametric import reduced
 from seafoam.scene.foam import SurfSaturation
 from seafoam.scene.shore import Shore
 
-GRAIN_CELL, GRAIN_OCTAVES, GRAIN_STEP = 9.0, 5, 0.31
-"""Side of the ground's first cells of noise (m), number of octaves, and ratio of one's cells to the one before."""
 SHALLOW = (0.1, 0.6)
 """Depths of the floor at which the look of soaked land starts to give way to that of the plain ground, and has, m."""
 FALL_LEAST = 0.25
@@ -34,6 +32,12 @@ WEED = np.array([0.08, 0.085, 0.05])
 EDGE = 1e-3, 0.15  # minimum and maximum of the change of depth over a footprint at the water's edge, m
 PATCHES = (6.0, True), (1.7, False), (0.5, True)
 """Cells of the noise that tears the surf's foam, m, and whether they are turned."""
+SHADOW_CELLS = 128  # cells along a side of the map of shadows
+SHADOW_STEPS = 256  # steps toward the sun
+SUN_RADIUS = 0.00465  # angular radius of the sun, rad
+STEEPEST, LOWEST_RISE = 1.5, 1e-3  # greatest elevation of a rim (rad) and least slope of its sight
+SHADOW_REACH = 1.5  # end of those steps, in sides of the square
+SHADOW_SOFT = 0.25  # error of an edge's place that softens it, cells
 
 
 def _swing(here: Floats, phase: Floats, turn: Floats) -> Floats:
@@ -339,15 +343,43 @@ def _steepest(heights: Floats, size: float) -> float:
     return 1.01 * math.hypot(*steps) * heights.shape[0] / size
 
 
-def grain(q_x: Floats, q_z: Floats, footprints: Footprints) -> Floats:
-    """Texture of the ground in [0, 1]: octaves of noise, faded out before they are smaller than footprints; (r,)."""
-    reach = np.sqrt(np.maximum(*(dot(side, side) for side in footprints)))
-    total = np.full(q_x.shape, 0.5)
-    cell = GRAIN_CELL
-    for _ in range(GRAIN_OCTAVES):
-        q_x, q_z = 0.8 * q_x - 0.6 * q_z, 0.6 * q_x + 0.8 * q_z
-        kept = 1.0 - smoothstep(0.15 * cell, 0.6 * cell, reach)
-        seen = np.flatnonzero(kept > 0.0)
-        total[seen] += (value(KEY, q_x[seen] / cell, q_z[seen] / cell) - 0.5) * 0.45 * kept[seen]
-        cell *= GRAIN_STEP
-    return np.clip(total, 0.0, 1.0)
+def land_shadow(coast: Coast, sun: Floats) -> Sunlight:
+    """The share of the sunlight that a coast's land leaves under a sun (3,)."""
+    x, y, z = (float(part) for part in sun)
+    elevation, level = math.atan2(y, math.hypot(x, z)), max(math.hypot(x, z), 1e-6)
+    toward, size = (x / level, z / level), coast.shore.size
+    rises = tuple(
+        max(math.tan(min(elevation + side * SUN_RADIUS, most)), LOWEST_RISE)
+        for side, most in ((1.0, STEEPEST), (-1.0, STEEPEST - 0.01))
+    )
+    seen_from = maps.QuadraticSpline(_shadow_heights(coast.shore.ground, toward, rises), size)
+
+    def sunlight(place: Floats, footprints: Footprints) -> Floats:
+        q = coast.place(place[:, 0], place[:, 2])
+        enters = [
+            np.maximum(-0.5 * size - math.copysign(1.0, u) * part, 0.0) / max(abs(u), 1e-6)
+            for u, part in zip(toward, q, strict=True)
+        ]
+        far = np.maximum(enters[0], enters[1])
+        here, change = seen_from.all(q[0] + far * toward[0], q[1] + far * toward[1])
+        slope = change[..., 1].T
+        soft = 0.5 * sum(np.abs(dot(slope, side)) for side in footprints) + SHADOW_SOFT * rises[1] * size / SHADOW_CELLS
+        low, high = (here[:, i] - far * rise for i, rise in enumerate(rises))
+        return smoothstep(0.0, 1.0, (place[:, 1] - low + soft) / (high - low + 2.0 * soft))
+
+    return sunlight
+
+
+@lru_cache(maxsize=8)
+def _shadow_heights(shore: Shore, toward: Vec2, rises: tuple[float, ...]) -> Floats:
+    """Heights from which the sun's upper and lower rim are seen over the land, (n, n, 2), rows along z, m."""
+    floor = maps.floor_spline(shore)
+    side = shore.size / SHADOW_CELLS
+    centres = (np.arange(SHADOW_CELLS) + 0.5) * side - 0.5 * shore.size
+    x, z = (part.ravel() for part in np.meshgrid(centres, centres, indexing="xy"))
+    highest = np.full((x.size, 2), -np.inf)
+    for s in np.linspace(0.0, 1.0, SHADOW_STEPS):
+        far = side + (SHADOW_REACH * shore.size - side) * s * (0.25 + 0.75 * s)
+        ground = floor.value(x + far * toward[0], z + far * toward[1])[:, 0]
+        highest = np.maximum(highest, ground[:, None] - far * np.array(rises))
+    return highest.reshape(SHADOW_CELLS, SHADOW_CELLS, 2)

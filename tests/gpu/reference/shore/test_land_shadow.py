@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from seafoam.reference.light import light as sky
-from seafoam.reference.shore.shadow import land_shadow
+from seafoam.reference.shore.shore import land_shadow
 from seafoam.render.gl.executor import Executor
 from support.report import Report
 from support.scenes import Light
