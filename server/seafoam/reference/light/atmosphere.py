@@ -240,11 +240,7 @@ class LayeredSky:
         result = np.zeros(d.shape)
         if bright == 0.0:
             return result
-        size = np.abs(d)
-        axis = np.where(
-            (size[:, 0] >= size[:, 1]) & (size[:, 0] >= size[:, 2]), 0, np.where(size[:, 1] >= size[:, 2], 1, 2)
-        )
-        rows = np.arange(d.shape[0])
+        axis, rows = np.argmax(np.abs(d), axis=1), np.arange(d.shape[0])
         main = d[rows, axis]
         face = 2 * axis + (main <= 0.0)
         turned = np.stack((d[rows, (axis + 1) % 3], d[rows, (axis + 2) % 3], np.abs(main)), axis=-1)
