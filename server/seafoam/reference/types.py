@@ -12,17 +12,13 @@ Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 Indices = NDArray[np.intp]
 Ranks = NDArray[np.uint32] | NDArray[np.int64]
-
 Pair = tuple[Floats, Floats]
 Vec2 = tuple[float, float]  # (x, z), or two bounds
 Vec3 = tuple[float, float, float]
-
 Footprints = Pair
 """Both sides of samples' footprints on a surface: their x and z, (r, 2) m each."""
-
 Gradient = tuple[Floats | float, Floats | float] | Floats
 """Derivatives by x and z, (2, r), or the same everywhere."""
-
 Sunlight = Callable[[Floats, Footprints], Floats]
 """Share (r,) of the sunlight that reaches places (r, 3), m from the origin, averaged over footprints."""
 

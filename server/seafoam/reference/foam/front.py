@@ -18,14 +18,10 @@ TURN = 2.0 * math.pi
 CAP = 4.0
 EXPONENT = 80.0
 CELLS = 16384  # cells of the tabulated integral, interpolated by cubics: error below 10⁻¹²
-
 LISTING_SPATIAL = 6.28 / (2.0 * math.pi)  # factor of the wavenumbers in the published code
-
 GATE_LEAST = 1e-4
 LEAST_RATE = 1e-3  # least mean frequency of the waves for drifting water, rad/s
-
 GROUP_LEAST = 1e-4  # least ρ² in ∇ψ
-
 PATCH_OCTAVES, PATCH_SEED, PATCH_CHANGE = 3, 64 * 91, 25.0
 """Octaves of the noise of patches, its seed, and the time in which it changes, s."""
 

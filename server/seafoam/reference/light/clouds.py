@@ -15,7 +15,6 @@ from seafoam.scene.light import Cirrus, Clouds
 
 Spread = Pair
 Depth = Callable[[Floats], Floats]
-
 FORWARD = 0.76
 EARTH = 6.371e6
 OCTAVES = 6

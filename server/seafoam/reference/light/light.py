@@ -108,10 +108,8 @@ def sky_light(air: Air, up: Floats) -> Floats:
 
 
 Share = Floats | float  # a share of the sunlight at each of r places (r,), or one of all
-
 Mirror = Callable[[Floats, Pair], Floats]
 """Light (r, 3) from directions about (r, 3), of standard deviations (r,) up and down, and aside, rad."""
-
 Glint = Callable[[Floats, Floats, Floats, float], Floats]
 """Reflection of the sun (r, 3) from d, n, cv and σ², the arguments of :func:`glint`."""
 

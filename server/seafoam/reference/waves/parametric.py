@@ -24,7 +24,6 @@ from seafoam.scene.water import Ripples
 from seafoam.scene.waves import ParametricWave
 
 _TWO_PI = 2 * Fraction("3.14159265358979323846264338327950288419716939937510")
-
 BOUND_SAMPLES = 8192
 CYCLE = np.linspace(0.0, 2.0 * math.pi, BOUND_SAMPLES + 1)  # phases at which bounds of a wave are sampled
 RELIEF_SAMPLES = 256

@@ -12,8 +12,7 @@ from functools import cached_property
 import numpy as np
 
 from seafoam.ocean.constants import GRAVITY
-from seafoam.ocean.waves.rings import ring_curvature, ring_slope
-from seafoam.ocean.waves.rings import ring_height as highest
+from seafoam.ocean.waves.rings import ring_curvature, ring_height, ring_slope
 from seafoam.reference.types import Floats, Vec2, smoothstep_slope
 from seafoam.reference.waves.parametric import wavenumber
 from seafoam.scene.models import Scene
@@ -82,7 +81,7 @@ class RingSet:
 def ring_set(scene: Scene, time: float, origin: Vec2) -> RingSet:
     """The scene's active rings at a time (s) around an origin (x, z) in m."""
     states = [one_ring(ring, scene.water.depth, time, origin) for ring in scene.rings]
-    return RingSet(_active(states), top=highest(scene), slope=ring_slope(scene), curvature=ring_curvature(scene))
+    return RingSet(_active(states), top=ring_height(scene), slope=ring_slope(scene), curvature=ring_curvature(scene))
 
 
 def touch_set(scene: Scene, time: float, origin: Vec2) -> RingSet:
