@@ -67,12 +67,10 @@ def drops(scene: Scene, time: float, origin: Vec2, ahead: Floats, coast: Coast |
     if coast is not None and on_rocks(scene):
         sources.append(from_rocks(scene, coast, time, origin))
     elif coast.shore.surf.height > 0.0 if coast is not None else not still:
-        # From a batch that ended a part of an interval ago to one that began so many intervals before.
-        whole, left = cycles(time, spray.life / BATCHES)
-        waters = [
-            _Waters(scene, spray, time, (left + batch) * (spray.life / BATCHES), origin, coast)
-            for batch in range(BATCHES)
-        ]
+        # A batch is born at the start of each interval; drop i is of batch i modulo their number.
+        step = spray.life / BATCHES
+        whole, left = cycles(time, step)
+        waters = [_Waters(scene, spray, time, (left + batch) * step, origin, coast) for batch in range(BATCHES)]
         parts = joined([_batch(one, ahead, batch, whole - batch) for batch, one in enumerate(waters)])
         sources.append(parts.subset(np.arange(DROPS).reshape(BATCHES, -1).T.ravel()))
     if not sources:
