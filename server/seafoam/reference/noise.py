@@ -29,7 +29,7 @@ Words = NDArray[np.uint64]  # 32-bit words, in 64 bits
 def pcg(word: Words) -> Words:
     """One output of PCG-RXS-M-XS 32 (O'Neill 2014)."""
     state = (word * np.uint64(747796405) + np.uint64(2891336453)) & LOW
-    mixed = (((state >> ((state >> np.uint64(28)) + np.uint64(4))) ^ state) * np.uint64(277803737)) & LOW
+    mixed: Words = (((state >> ((state >> np.uint64(28)) + np.uint64(4))) ^ state) * np.uint64(277803737)) & LOW
     return (mixed >> np.uint64(22)) ^ mixed
 
 
@@ -144,7 +144,7 @@ def footprint_variance(gradient: Gradient, footprints: Footprints | None) -> Flo
 def grain(q_x: Floats, q_z: Floats, footprints: Footprints) -> Floats:
     """Texture of the ground in [0, 1]: octaves of noise, faded out before they are smaller than footprints; (r,)."""
     reach = np.sqrt(np.maximum(*(dot(side, side) for side in footprints)))
-    total = np.full(q_x.shape, 0.5)
+    total: Floats = np.full(q_x.shape, 0.5)
     cell = GRAIN_CELL
     for _ in range(GRAIN_OCTAVES):
         q_x, q_z = 0.8 * q_x - 0.6 * q_z, 0.6 * q_x + 0.8 * q_z

@@ -42,7 +42,8 @@ def texel(image: Floats, column: Floats, row: Floats) -> Floats:
 def bilinear(image: Floats, u: Floats, v: Floats) -> Floats:
     """Bilinear between the four nearest texel centres of an image without channels; (r,)."""
     at = v * image.shape[0] - 0.5, u * image.shape[0] - 0.5
-    return map_coordinates(image, at, np.float64, order=1, mode="grid-wrap")
+    result: Floats = map_coordinates(image, at, np.float64, order=1, mode="grid-wrap")
+    return result
 
 
 def trilinear(chain: Sequence[Floats], u: Floats, v: Floats, level: Floats) -> Floats:
@@ -108,7 +109,8 @@ def quantile(table: Floats, s: ArrayLike) -> Floats:
 def footprint_level(foot_u: Floats, foot_v: Floats, size: int) -> Floats:
     """log₂ of the longer of two footprints (r, 2), 1 a tile, in texels; far below 0 for a footprint of 0."""
     longer = np.maximum((foot_u * foot_u).sum(axis=1), (foot_v * foot_v).sum(axis=1))
-    return 0.5 * np.log2(np.maximum(longer * float(size) ** 2, 1e-60))
+    level: Floats = 0.5 * np.log2(np.maximum(longer * float(size) ** 2, 1e-60))
+    return level
 
 
 def _wrapped(index: Floats, size: int) -> Indices:

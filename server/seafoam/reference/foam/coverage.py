@@ -73,7 +73,8 @@ class MaskPoints(Rows):
 
     def size(self, assets: Assets) -> Floats:
         """Sides, in texels along the mask's axes, of the box with the footprint's variance; (r, 2)."""
-        return np.hypot(self.foot_u, self.foot_v) * assets.thresholds.shape[0]
+        result: Floats = np.hypot(self.foot_u, self.foot_v) * assets.thresholds.shape[0]
+        return result
 
 
 def coverage(

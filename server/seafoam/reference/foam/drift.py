@@ -13,7 +13,7 @@ from scipy.special import ndtri
 
 from seafoam.ocean.waves.stokes import steady_drift
 from seafoam.reference.noise import pcg, value
-from seafoam.reference.types import Floats, Pair, Vec2, smoothstep
+from seafoam.reference.types import Floats, Pair, Vec2, dot, smoothstep
 from seafoam.scene.foam import Drift, DriftSaturation
 from seafoam.scene.models import Scene
 
@@ -130,7 +130,7 @@ class Copy:
 
     def turned(self, foot: Floats) -> Floats:
         """Footprints (r, 2) m, mapped to the copy; (r, 2)."""
-        return np.einsum("rij,rj->ri", self.turn, foot)
+        return dot(self.turn, foot[:, None])
 
 
 def copies(

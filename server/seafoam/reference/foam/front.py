@@ -130,7 +130,8 @@ def front_integral(intensity: float, base: float = math.e) -> Callable[[Floats],
     def integral(psi: Floats) -> Floats:
         turns = np.floor(psi / TURN)
         rest = psi - TURN * turns
-        return turns * sums[-1] + np.where(rest < full, rest, tail(np.maximum(rest, full)))
+        result: Floats = turns * sums[-1] + np.where(rest < full, rest, tail(np.maximum(rest, full)))
+        return result
 
     return integral
 

@@ -24,8 +24,8 @@ CLOUD_POWER = 20.0
 MOON_POWER = 0.2 * np.array([0.75, 0.9, 1.2])
 MOON_RADIUS = 0.0045
 MOON_FACE = 2.5
-MOLECULES = np.array([6.54e-6, 1.405e-5, 3.16e-5])  # scattering by molecules at the sea, 1/m
-HAZE_COLOUR = np.array([0.826, 1.0, 1.225])
+MOLECULES: Floats = np.array([6.54e-6, 1.405e-5, 3.16e-5])  # scattering by molecules at the sea, 1/m
+HAZE_COLOUR: Floats = np.array([0.826, 1.0, 1.225])
 CONTRAST = 3.912
 DISC_MOST = 3000.0
 STAR_CELLS = 64
@@ -292,7 +292,8 @@ def over_hemisphere(radiance: Callable[[Floats], Floats]) -> Floats:
         (level[:, None] * np.cos(around), np.repeat(y[:, None], TURNS, axis=1), level[:, None] * np.sin(around)), -1
     )
     rings = radiance(d).sum(axis=1) * (2.0 * math.pi / TURNS)
-    return ((2.0 * root * y * weights)[:, None] * rings).sum(axis=0)
+    result: Floats = ((2.0 * root * y * weights)[:, None] * rings).sum(axis=0)
+    return result
 
 
 def _eye(d: Floats) -> Pair:

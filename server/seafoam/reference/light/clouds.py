@@ -64,7 +64,8 @@ class CloudLayer:
     def radiance(self) -> Floats:
         """Mean radiance of clouds; (3,)."""
         sunny, forward, grey = self.means.mean(axis=0)
-        return (sunny + forward / (4.0 * math.pi)) * self.light + grey * self.sky
+        result: Floats = (sunny + forward / (4.0 * math.pi)) * self.light + grey * self.sky
+        return result
 
     @cached_property
     def means(self) -> Floats:
@@ -184,7 +185,8 @@ class CloudLayer:
         """Transmittance (r,) of columns of noise (r,), which lacks the variance ``lost`` (r,): a normal law by the
         noise, whose mean is one less :attr:`taken`."""
         middle, variance, thickest = self._gap
-        return thickest + (1.0 - thickest) * special.ndtr((middle - noise) / np.sqrt(variance + lost))
+        result: Floats = thickest + (1.0 - thickest) * special.ndtr((middle - noise) / np.sqrt(variance + lost))
+        return result
 
     @cached_property
     def _gap(self) -> Vec3:
@@ -206,7 +208,7 @@ class CloudLayer:
     def _start(self) -> Floats:
         """Noise above which there is cloud, in each slice; (3,)."""
         covered = min(max(self.clouds.cover, 1e-4), 1.0 - 1e-4)
-        return -special.ndtri(covered) - 0.25 * self.clouds.softness + TAPER * SLICES
+        return -float(special.ndtri(covered)) - 0.25 * self.clouds.softness + TAPER * SLICES
 
     def _noise(self, look: Floats, distance: Floats, slant: Floats, width: Floats) -> tuple[Floats, ...]:
         """Noise of the slices (3, r) and toward the lamp (r,), narrowed by the lost variance (r,); how far the slices
@@ -323,7 +325,8 @@ def _composite(ends: Floats) -> Pair:
 def _lattice() -> Floats:
     """Normal numbers (5, n): points of the additive recurrence by powers of the root of x⁶ = x + 1 (Roberts 2018)."""
     shares = np.mod(0.5 + np.outer(ROOT ** -np.arange(1.0, 6.0), np.arange(1, LATTICE + 1)), 1.0)
-    return special.ndtri(np.clip(shares, 1e-9, 1.0 - 1e-9))
+    result: Floats = special.ndtri(np.clip(shares, 1e-9, 1.0 - 1e-9))
+    return result
 
 
 def place(clouds: Clouds, time: float, eye: Vec3) -> Vec3:

@@ -14,7 +14,7 @@ def tone(x: Floats, curve: ToneCurve = "filmic") -> Floats:
     squares = (x * x).sum(axis=-1, keepdims=True)
     norm = (x**3).sum(axis=-1, keepdims=True) / np.maximum(squares, 1e-12)
     level = _shoulder(norm)
-    hue = np.maximum(1.0 + 1.2 * (x / np.maximum(norm, 1e-6) - 1.0), 0.0)
+    hue: Floats = np.maximum(1.0 + 1.2 * (x / np.maximum(norm, 1e-6) - 1.0), 0.0)
     return np.clip(level * hue + level * level * (_shoulder(x) - level * hue), 0.0, 1.0)
 
 

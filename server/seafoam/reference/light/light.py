@@ -32,7 +32,7 @@ DISC_OUTER = 0.0055
 ENTERS = 0.95  # share of the light from above that enters the water
 BACKSCATTER = 0.4
 CREST_PATH = 6.0
-LAKE_COLOUR = np.array([0.98, 0.97, 0.7])
+LAKE_COLOUR: Floats = np.array([0.98, 0.97, 0.7])
 LAKE_STRENGTH = 0.6
 GLITTER_MOST = 1e4
 FOAM_FORWARD = 0.75
@@ -303,7 +303,8 @@ def _crest(air: Air, body: Water, hit: WaterHit) -> Floats:
         return np.zeros_like(hit.d)
     toward = np.maximum(hit.d[:, 0] * air.sun[0] + hit.d[:, 2] * air.sun[2], 0.0)
     share = body.translucency / math.pi * ((hit.height - trough) / (top - trough)) ** 2 * toward
-    return share[:, None] * air.sun_irradiance * np.exp(-CREST_PATH / np.array(body.absorption_length))
+    result: Floats = share[:, None] * air.sun_irradiance * np.exp(-CREST_PATH / np.array(body.absorption_length))
+    return result
 
 
 def _reflected(d: Floats, n: Floats, sigma2: float) -> Floats:
@@ -327,5 +328,5 @@ def glint(air: Air, d: Floats, n: Floats, cv: Floats, sigma2: float) -> Floats:
 def blinn_phong(air: Air, power: float, perturb: float, d: Floats, n: Floats, cv: Floats, sigma2: float) -> Floats:
     """The lake's highlight: around a half vector moved by the normal's tilt; (r, 3), independent of roughness."""
     h = unit(air.sun - d + perturb * n * np.array([1.0, 0.0, 1.0]))
-    nh = np.clip(dot(n, h), 0.0, 1.0)
-    return air.sun_irradiance / math.pi * LAKE_STRENGTH * LAKE_COLOUR * np.power(nh, power)[:, None]
+    shine: Floats = np.power(np.clip(dot(n, h), 0.0, 1.0), power)
+    return air.sun_irradiance / math.pi * LAKE_STRENGTH * LAKE_COLOUR * shine[:, None]

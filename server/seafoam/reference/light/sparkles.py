@@ -75,12 +75,13 @@ class SparkleField:
         swell = 30.0 * (s * (1.0 - s)) ** 2
         # The brightness of each is w over the probability that it is active, so that its mean is w.
         bright = np.maximum(w, 1.0 / (self.density * solid))
-        return lit * swell * shape * bright * solid / mean
+        result: Floats = lit * swell * shape * bright * solid / mean
+        return result
 
     def broken(self, air: Air, d: Floats, smooth: Floats) -> Floats:
         """The reflection (r, 3) toward −d (r, 3) whose mean over all hashes is ``smooth`` (r, 3)."""
         total = max(float(air.sun_irradiance.sum()), LIGHT_LEAST)
-        w = np.maximum(smooth.sum(axis=1) / total, LIGHT_LEAST)
+        w: Floats = np.maximum(smooth.sum(axis=1) / total, LIGHT_LEAST)
         here = self.side**2 * np.abs(d).sum(axis=1) ** 3
         apart = self.sparkles.share * (1.0 - smoothstep(0.5, 2.0, self.density * w * here))
         return smooth * (1.0 - apart + apart / w * self.light(d, w))[:, None]

@@ -38,7 +38,7 @@ def slope_saturation(slopes: Slopes, x: Floats, z: Floats, gain: float, base: fl
 
 def joined(parts: list[Floats], combine: Literal["max", "product"], cap: float) -> Floats:
     """The greatest or the product of saturations, each and the result capped; one array or more."""
-    joint = np.max if combine == "max" else np.prod
+    joint: Callable[..., Floats] = np.max if combine == "max" else np.prod
     return np.minimum(joint(np.minimum(parts, cap), axis=0), cap)
 
 

@@ -47,7 +47,8 @@ def signed_distance(land: Bools) -> Floats:
 def gaussian(values: Floats, deviation: float) -> Floats:
     """Values (n, n) smoothed by a Gaussian, its deviation in texels, cut at 3 deviations, with repeated edges."""
     reach = min(max(math.ceil(3.0 * deviation), 1), 48)
-    return ndimage.gaussian_filter(values, max(deviation, 0.01), radius=reach, mode="nearest")
+    result: Floats = ndimage.gaussian_filter(values, max(deviation, 0.01), radius=reach, mode="nearest")
+    return result
 
 
 def _quadratic(at: Floats) -> tuple[Indices, Floats, Floats]:
@@ -80,7 +81,7 @@ class QuadraticSpline:
 
     def value(self, x: Floats, z: Floats) -> Floats:
         """(r, c) at (x, z), m from the centre of the square; outside it the value of the nearest point inside."""
-        return self._sums(x, z, ((0, 0),))[0]
+        return self._sums(x, z, ((0, 0),))[0, :]
 
     def all(self, x: Floats, z: Floats) -> Pair:
         """Value (r, c) and its derivatives along x and z, (2, r, c) per metre. Outside the square derivatives are 0."""

@@ -42,7 +42,8 @@ SHADOW_SOFT = 0.25  # error of an edge's place that softens it, cells
 
 def _swing(here: Floats, phase: Floats, turn: Floats) -> Floats:
     """Displacement of the surf's foam along the gradient of the phase (2, r), m; (2, r)."""
-    return 1.5 * here[:, 1] * np.sin(2.0 * math.pi * turn) / np.maximum(np.hypot(*phase), 1e-6) * phase
+    result: Floats = 1.5 * here[:, 1] * np.sin(2.0 * math.pi * turn) / np.maximum(np.hypot(*phase), 1e-6) * phase
+    return result
 
 
 class Coast:
@@ -71,7 +72,8 @@ class Coast:
         """Greatest derivative of a map's channel around each texel, per metre: an upper bound of its spline's."""
         texel = self.shore.size / maps.MAP
         steps = (np.abs(np.diff(values, axis=axis, append=values.take([-1], axis))) for axis in (0, 1))
-        return np.hypot(*(ndimage.maximum_filter(step, 5) for step in steps)) / texel
+        result: Floats = np.hypot(*(ndimage.maximum_filter(step, 5) for step in steps)) / texel
+        return result
 
     @cached_property
     def slope(self) -> float:
@@ -210,7 +212,8 @@ class Coast:
         late = since < -0.5
         share = np.maximum(0.5 - np.where(late, since + 1.0, -since) / width, 0.0)
         own, beyond = np.minimum(after(since), 1.0), np.minimum(after(np.where(late, 0.0, -1.0)), 1.0)
-        return own + share * (beyond - own)
+        result: Floats = own + share * (beyond - own)
+        return result
 
     def ground(self, q_x: Floats, q_z: Floats) -> tuple[Floats, Floats, Floats, Floats]:
         """Height of the ground (m), its gradient and its tint; (r,) each. Arguments: m from the square's centre."""
@@ -340,7 +343,7 @@ class Land:
 def _steepest(heights: Floats, size: float) -> float:
     """Upper bound of the slope of a map of heights (n, n) of a square of this side, m."""
     steps = (float(np.abs(np.diff(heights, axis=axis)).max()) for axis in (0, 1))
-    return 1.01 * math.hypot(*steps) * heights.shape[0] / size
+    return 1.01 * math.hypot(*steps) * len(heights) / size
 
 
 def land_shadow(coast: Coast, sun: Floats) -> Sunlight:

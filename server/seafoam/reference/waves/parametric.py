@@ -198,7 +198,7 @@ class WaveSet:
         if self.groups is None:
             return total
         by_x, by_z = self.groups.gradient(x, z)
-        passing = -(self.groups.velocity[0] * by_x + self.groups.velocity[1] * by_z)
+        passing: Floats = -(self.groups.velocity[0] * by_x + self.groups.velocity[1] * by_z)
         return self.groups(x, z) * total + self._even_height(x, z, 0.0) * passing
 
     def _even_height(self, x: Floats, z: Floats, ago: Floats | float) -> Floats:

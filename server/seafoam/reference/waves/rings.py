@@ -62,7 +62,7 @@ class RingSet:
 
     def height(self, x: Floats, z: Floats) -> Floats:
         """The sum of every η at (x, z), m from the origin; (r,) m."""
-        return self._sums(x, z)[0]
+        return self._sums(x, z)[0, :]
 
     def gradient(self, x: Floats, z: Floats) -> Floats:
         """(h_x, h_z) of the sum at (x, z); (2, r)."""

@@ -43,8 +43,8 @@ class TileSample:
 def amplitudes(cascade: Cascade, time: float) -> NDArray[np.complex128]:
     """h₀ e^{−iωt}, with ωt reduced in whole turns: exact at any time, s."""
     turns = math.fmod(time, LOOP) / LOOP
-    angle = 2.0 * math.pi * np.mod(cascade.turns * turns, 1.0)
-    return cascade.h0 * np.exp(-1j * angle)
+    turned: NDArray[np.complex128] = np.exp(-1j * (2.0 * math.pi * np.mod(cascade.turns * turns, 1.0)))
+    return cascade.h0 * turned
 
 
 def grids(cascade: Cascade, time: float, texels: int, moved: Vec2 = (0.0, 0.0)) -> TileSample:
@@ -85,7 +85,8 @@ def tile(cascade: Cascade, time: float, wanted: float, texels: int = TEXELS) -> 
     splines = {name: coefficients(values) for name, values in vars(field).items()}
 
     def at(name: str, x: Floats, z: Floats) -> Floats:
-        return map_coordinates(splines[name], (z, x), order=3, mode="grid-wrap", prefilter=False)
+        result: Floats = map_coordinates(splines[name], (z, x), order=3, mode="grid-wrap", prefilter=False)
+        return result
 
     x, z = p_x.copy(), p_z.copy()
     for _ in range(NEWTON_STEPS if scale > 0.0 else 0):
@@ -209,7 +210,8 @@ class SeaSurface:
             (math.fmod(start, tile.size) + place) * (values.shape[0] / tile.size)
             for start, place in zip(self.origin, (x, z), strict=True)
         ]
-        return map_coordinates(values, at[::-1], order=order, mode="grid-wrap", prefilter=False)
+        result: Floats = map_coordinates(values, at[::-1], order=order, mode="grid-wrap", prefilter=False)
+        return result
 
 
 @lru_cache(maxsize=1)
