@@ -16,8 +16,8 @@ from PIL import Image
 
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.reference.renderer.relief import Relief, ReliefPart
 from seafoam.reference.shore.shore import Coast
+from seafoam.reference.types import Relief, ReliefPart
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.reference.waves.rings import ring_set
 from seafoam.reference.waves.sea import sea_surface

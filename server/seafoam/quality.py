@@ -65,7 +65,7 @@ class Quality(Extensible, QualityParameters):
     ripples_size: int = Field(default=256, ge=32, le=1024, description="Side of the ripple tile, texels")
     rings: Literal["map", "exact"] = "map"
     """Rings. map: read from a displacement map that is drawn each frame; exact: summed for each sample"""
-    rings_size: int = Field(default=1024, ge=32, le=2048, description="Side of the rings' displacement map, texels")
+    rings_size: int = Field(default=512, ge=32, le=2048, description="Side of the rings' displacement map, texels")
     sea_size: Literal[64, 128, 256, 512] = Field(default=512, description="Side of each tile of the open sea, texels")
     sea_tiles: Literal[2, 3, 4] = 4
     """Number of tiles of an FFT sea, the largest first; fewer leave out the shortest waves"""
@@ -184,7 +184,6 @@ TIERS: dict[Tier, Quality] = {
     "fast": Quality(
         surface=SurfaceQuality(tolerance=0.2),
         ripples_size=128,
-        rings_size=512,
         sea_size=256,
         age_steps=4,
         age_step=0.7,

@@ -22,8 +22,7 @@ from seafoam.scene.foam import Look
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 
-TIMES = (0.0, 2.7, 1000003.5)
-"""Times of same-samples frames, s."""
+TIMES = (0.0, 2.7, 1000003.5)  # times of same-samples frames, s
 SAME_SIZE = (320, 180)
 COSTLY_SIZE = (160, 90)
 """The same for scenes with a shore, an open sea, drifting foam, caustics or boats, which take ten times as long."""
@@ -31,8 +30,7 @@ SAME_SAMPLES = 4
 CONVERGED_TIME = 2.7
 CONVERGED_SIZE = (160, 90)
 CONVERGED_SAMPLES = 16
-EVERY_LOOK = ("default", "paper-halftone")
-"""Presets with converged frames, at least one for every look."""
+EVERY_LOOK = ("default", "paper-halftone")  # presets with converged frames, at least one for every look
 PROCESSES = 2
 DIRECTORY = Path("tests/references")
 

@@ -8,10 +8,9 @@ from itertools import product
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from seafoam.reference.types import Floats, Footprints, Gradient, Indices, smoothstep
+from seafoam.reference.types import Floats, Footprints, Gradient, Indices, Pair, dot, smoothstep
 
-KEY = 0x9031965F
-"""Hash key of the noise that textures ground and foam."""
+KEY = 0x9031965F  # hash key of the noise that textures ground and foam
 PERIOD = 256
 GAIN = 0.58
 FINER = 5.0**0.5
@@ -19,21 +18,19 @@ STRENGTH = {2: 4.6207, 3: 4.2631}
 """Amplitude of the first octave, by dimensions, so that infinitely many octaves have standard deviation 1."""
 BITS = {2: 16, 3: 10}
 SHIFT = (0.37, 0.71, 0.53)
-TORN = 0.25, 0.72
-"""Range of a sum of noises over which patches of foam grow from nothing to full."""
-TORN_SHARES = 0.4, 0.35, 0.25
-"""Shares of the noises in that sum."""
+TORN = 0.25, 0.72  # range of a sum of noises over which patches of foam grow from nothing to full
+TORN_SHARES = 0.4, 0.35, 0.25  # shares of the noises in that sum
+GRAIN_CELL, GRAIN_OCTAVES, GRAIN_STEP = 9.0, 5, 0.31
+"""Side of the ground's first cells of noise (m), number of octaves, and ratio of one's cells to the one before."""
 LOW = np.uint64(0xFFFFFFFF)
-Words = NDArray[np.uint64]
-"""32-bit words, in 64 bits."""
+Words = NDArray[np.uint64]  # 32-bit words, in 64 bits
 
 
 def pcg(word: Words) -> Words:
     """One output of PCG-RXS-M-XS 32 (O'Neill 2014)."""
     state = (word * np.uint64(747796405) + np.uint64(2891336453)) & LOW
-    mixed = (((state >> ((state >> np.uint64(28)) + np.uint64(4))) ^ state) * np.uint64(277803737)) & LOW
-    result: Words = (mixed >> np.uint64(22)) ^ mixed
-    return result
+    mixed: Words = (((state >> ((state >> np.uint64(28)) + np.uint64(4))) ^ state) * np.uint64(277803737)) & LOW
+    return (mixed >> np.uint64(22)) ^ mixed
 
 
 def share(word: Words) -> Floats:
@@ -88,7 +85,7 @@ def fractal(x: Floats, width: Floats, count: int, seed: int) -> Floats:
     return octaves(x, width, (0, count), seed)[0]
 
 
-def octaves(x: Floats, width: Floats, span: tuple[int, int], seed: int) -> tuple[Floats, Floats]:
+def octaves(x: Floats, width: Floats, span: tuple[int, int], seed: int) -> Pair:
     """Octaves ``span`` of :func:`fractal`, and the variance that they lack of 1; (r,)."""
     dimensions = x.shape[1]
     strength, place, scale, variance = STRENGTH[dimensions], x, 1.0, 1.0 - GAIN * GAIN
@@ -142,3 +139,17 @@ def footprint_variance(gradient: Gradient, footprints: Footprints | None) -> Flo
     if footprints is None:
         return 0.0
     return sum((gradient[0] * side[:, 0] + gradient[1] * side[:, 1]) ** 2 / 12.0 for side in footprints)
+
+
+def grain(q_x: Floats, q_z: Floats, footprints: Footprints) -> Floats:
+    """Texture of the ground in [0, 1]: octaves of noise, faded out before they are smaller than footprints; (r,)."""
+    reach = np.sqrt(np.maximum(*(dot(side, side) for side in footprints)))
+    total: Floats = np.full(q_x.shape, 0.5)
+    cell = GRAIN_CELL
+    for _ in range(GRAIN_OCTAVES):
+        q_x, q_z = 0.8 * q_x - 0.6 * q_z, 0.6 * q_x + 0.8 * q_z
+        kept = 1.0 - smoothstep(0.15 * cell, 0.6 * cell, reach)
+        seen = np.flatnonzero(kept > 0.0)
+        total[seen] += (value(KEY, q_x[seen] / cell, q_z[seen] / cell) - 0.5) * 0.45 * kept[seen]
+        cell *= GRAIN_STEP
+    return np.clip(total, 0.0, 1.0)

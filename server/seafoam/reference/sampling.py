@@ -9,19 +9,17 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
+from scipy.ndimage import map_coordinates
 
 from seafoam.reference.types import Floats, Indices, Ranks
+from seafoam.textures.spec import halved
 
 QUANTILE_ENTRIES = 65
 
 
 def box_chain(image: Floats) -> list[Floats]:
     """The image and its box-averaged halvings down to one texel."""
-    chain = [image]
-    while chain[-1].shape[0] > 1:
-        last = chain[-1]
-        chain.append(0.25 * (last[0::2, 0::2] + last[1::2, 0::2] + last[0::2, 1::2] + last[1::2, 1::2]))
-    return chain
+    return [image, *box_chain(halved(image))] if image.shape[0] > 1 else [image]
 
 
 def thresholds(ranks: Ranks) -> Floats:
@@ -42,34 +40,20 @@ def texel(image: Floats, column: Floats, row: Floats) -> Floats:
 
 
 def bilinear(image: Floats, u: Floats, v: Floats) -> Floats:
-    """Bilinear between the four nearest texel centres; (r,) or (r, channels)."""
-    size = image.shape[0]
-    x, y = u * size - 0.5, v * size - 0.5
-    i, j = np.floor(x), np.floor(y)
-    fx, fy = x - i, y - j
-    if image.ndim == 3:
-        fx, fy = fx[:, None], fy[:, None]
-    left, right = _wrapped(i, size), _wrapped(i + 1.0, size)
-    low, high = _wrapped(j, size), _wrapped(j + 1.0, size)
-    result: Floats = (1.0 - fy) * ((1.0 - fx) * image[low, left] + fx * image[low, right]) + fy * (
-        (1.0 - fx) * image[high, left] + fx * image[high, right]
-    )
+    """Bilinear between the four nearest texel centres of an image without channels; (r,)."""
+    at = v * image.shape[0] - 0.5, u * image.shape[0] - 0.5
+    result: Floats = map_coordinates(image, at, np.float64, order=1, mode="grid-wrap")
     return result
 
 
 def trilinear(chain: Sequence[Floats], u: Floats, v: Floats, level: Floats) -> Floats:
-    """Bilinear at the two levels around ``level``, clamped to existing ones, linear between; (r,) or (r, channels)."""
+    """Bilinear at the two levels around ``level``, clamped to existing ones, linear between; (r,)."""
     level = np.clip(level, 0.0, len(chain) - 1.0)
-    result = np.zeros(u.shape + chain[0].shape[2:])
-    below = np.floor(level).astype(np.intp)
-    share = level - below
+    result = np.zeros_like(u)
     for index, image in enumerate(chain):
-        for offset, weight in ((0, 1.0 - share), (1, share)):
-            here = np.flatnonzero((below + offset == index) & (weight > 0.0))
-            if here.size:
-                read = bilinear(image, u[here], v[here])
-                part = weight[here]
-                result[here] += read * (part[:, None] if read.ndim == 2 else part)
+        weight = np.maximum(1.0 - np.abs(level - index), 0.0)
+        here = np.flatnonzero(weight > 0.0)
+        result[here] += weight[here] * bilinear(image, u[here], v[here])
     return result
 
 
@@ -119,17 +103,14 @@ def quantile(table: Floats, s: ArrayLike) -> Floats:
     share = np.clip(np.asarray(s, np.float64), 0.0, 1.0)
     upper = share > 0.5
     root = np.sqrt(0.5 * np.where(upper, 1.0 - share, share))
-    place = (QUANTILE_ENTRIES - 1) * np.where(upper, 1.0 - root, root)
-    i = np.minimum(place.astype(np.intp), QUANTILE_ENTRIES - 2)
-    result: Floats = table[i] + (place - i) * (table[i + 1] - table[i])
-    return result
+    return np.interp(np.where(upper, 1.0 - root, root), np.linspace(0.0, 1.0, QUANTILE_ENTRIES), table)
 
 
 def footprint_level(foot_u: Floats, foot_v: Floats, size: int) -> Floats:
     """log₂ of the longer of two footprints (r, 2), 1 a tile, in texels; far below 0 for a footprint of 0."""
     longer = np.maximum((foot_u * foot_u).sum(axis=1), (foot_v * foot_v).sum(axis=1))
-    result: Floats = 0.5 * np.log2(np.maximum(longer * float(size) ** 2, 1e-60))
-    return result
+    level: Floats = 0.5 * np.log2(np.maximum(longer * float(size) ** 2, 1e-60))
+    return level
 
 
 def _wrapped(index: Floats, size: int) -> Indices:

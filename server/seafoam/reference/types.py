@@ -1,9 +1,9 @@
 """Array types of the reference, what its sections pass to each other, and functions that all of them use."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from typing import Any, Self
+from typing import Protocol, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,15 +12,63 @@ Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 Indices = NDArray[np.intp]
 Ranks = NDArray[np.uint32] | NDArray[np.int64]
-
-Footprints = tuple[Floats, Floats]
+Pair = tuple[Floats, Floats]
+Vec2 = tuple[float, float]  # (x, z), or two bounds
+Vec3 = tuple[float, float, float]
+Footprints = Pair
 """Both sides of samples' footprints on a surface: their x and z, (r, 2) m each."""
-
 Gradient = tuple[Floats | float, Floats | float] | Floats
 """Derivatives by x and z, (2, r), or the same everywhere."""
-
 Sunlight = Callable[[Floats, Footprints], Floats]
 """Share (r,) of the sunlight that reaches places (r, 3), m from the origin, averaged over footprints."""
+
+
+class ReliefPart(Protocol):
+    """A part of the surface's height, at one time around one origin; heights in [trough, top] m."""
+
+    @property
+    def top(self) -> float:
+        """Upper bound of the height, m."""
+
+    @property
+    def trough(self) -> float:
+        """Lower bound of the height, m; at most 0."""
+
+    @property
+    def slope(self) -> float:
+        """Greatest slope, rounded up."""
+
+    @property
+    def curvature(self) -> float:
+        """Greatest second derivative along any line, rounded up, 1/m."""
+
+    @property
+    def shape(self) -> float:
+        """Size of the finest feature, m."""
+
+    def height(self, x: Floats, z: Floats) -> Floats:
+        """Height at (x, z), m from the origin, shape (r,); (r,) m."""
+
+    def gradient(self, x: Floats, z: Floats) -> Floats:
+        """(h_x, h_z) at (x, z); (2, r)."""
+
+
+class Relief:
+    """The sum of parts, itself a part."""
+
+    def __init__(self, parts: Iterable[ReliefPart]) -> None:
+        self.raised = tuple(part for part in parts if part.top > 0.0)  # the parts that are not flat
+        self.top = sum(part.top for part in self.raised)
+        self.trough = sum(part.trough for part in self.raised)
+        self.slope = sum(part.slope for part in self.raised)
+        self.curvature = sum(part.curvature for part in self.raised)
+        self.shape = min((part.shape for part in self.raised), default=float("inf"))
+
+    def height(self, x: Floats, z: Floats) -> Floats:
+        return sum((part.height(x, z) for part in self.raised), np.zeros_like(x))
+
+    def gradient(self, x: Floats, z: Floats) -> Floats:
+        return sum((part.gradient(x, z) for part in self.raised), np.zeros((2, x.size)))
 
 
 class Rows:
@@ -46,7 +94,7 @@ class SurfacePoints:
     """Upper limit of the saturation."""
     time: float
     """s."""
-    origin: tuple[float, float]
+    origin: Vec2
     """World coordinates (x, z) of the point below the camera, m."""
 
 
@@ -56,7 +104,7 @@ def smoothstep(low: float, high: float, x: ArrayLike) -> Floats:
     return q * q * (3.0 - 2.0 * q)
 
 
-def smoothstep_slope(low: float, high: float, x: Floats) -> tuple[Floats, Floats]:
+def smoothstep_slope(low: float, high: float, x: Floats) -> Pair:
     """The smoothstep and its derivative; of the shape of ``x`` each."""
     q = np.clip((x - low) / (high - low), 0.0, 1.0)
     return q * q * (3.0 - 2.0 * q), 6.0 * q * (1.0 - q) / (high - low)
@@ -64,15 +112,13 @@ def smoothstep_slope(low: float, high: float, x: Floats) -> tuple[Floats, Floats
 
 def dot(a: Floats, b: Floats) -> Floats:
     """Scalar product along the last axis; shapes broadcast."""
-    product: Any = np.einsum("...i,...i->...", *np.broadcast_arrays(a, b))
-    return np.asarray(product, np.float64)
+    return np.asarray(np.einsum("...i,...i->...", *np.broadcast_arrays(a, b)), np.float64)
 
 
 def henyey_greenstein(asymmetry: float, cosine: Floats) -> Floats:
     """Phase function of Henyey and Greenstein (1941) at cosines of the scattering angle, 1/sr; of their shape."""
     g = asymmetry
-    result: Floats = (1.0 - g**2) / (4.0 * math.pi * (1.0 + g**2 - 2.0 * g * cosine) ** 1.5)
-    return result
+    return (1.0 - g**2) / (4.0 * math.pi * (1.0 + g**2 - 2.0 * g * cosine) ** 1.5)
 
 
 def unit(a: Floats) -> Floats:

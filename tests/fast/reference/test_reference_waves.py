@@ -9,7 +9,7 @@ from seafoam.effects.foam.wake_foam import wake_limit
 from seafoam.ocean.waves.wakes import Wake
 from seafoam.reference.boats import floating
 from seafoam.reference.boats import wake as wakes_of
-from seafoam.reference.boats.form import FORMS
+from seafoam.reference.boats.floating import FORMS
 from seafoam.reference.renderer import intersect
 from seafoam.reference.waves.parametric import reduced, ripple_set, wave_height, wave_set, wavenumber
 from seafoam.scene.boats import Boat

@@ -63,8 +63,8 @@ def test_the_reference_is_the_sum_of_its_waves(report: Report, name: str) -> Non
         seen_x, _ = surface.shading(p_x, p_z)
         deviation, slope = math.sqrt(of.variance), math.sqrt(of.mean_square_slope)
         away = np.abs(height - wanted.h)
-        spline = np.abs(surface._smooth(tile, truth.coefficients(got.d_x), x, z) - wanted.d_x).max()
-        bent = math.sqrt(np.mean((surface._smooth(tile, tile.jacobian, p_x, p_z) - folds) ** 2))
+        spline = np.abs(surface.read(3, tile, truth.coefficients(got.d_x), x, z) - wanted.d_x).max()
+        bent = math.sqrt(np.mean((surface.read(3, tile, tile.jacobian, p_x, p_z) - folds) ** 2))
         report.add(
             "The reference's tiles against direct sums (in standard deviations of height and slope)",
             model=name,

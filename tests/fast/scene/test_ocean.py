@@ -32,7 +32,7 @@ from seafoam.ocean.waves.groups import group_speed, group_velocity
 from seafoam.ocean.waves.rings import ring_height, trains
 from seafoam.ocean.waves.ripples import SURFACE_TENSION, ripple_cascades
 from seafoam.ocean.waves.wakes import wakes
-from seafoam.reference.waves.groups import group_factor
+from seafoam.reference.waves.parametric import group_factor
 from seafoam.scene.boats import Boat
 from seafoam.scene.foam import WhitecapSaturation
 from seafoam.scene.models import Scene

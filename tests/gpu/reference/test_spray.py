@@ -17,11 +17,11 @@ from seafoam.ocean.foam.spray import BATCHES, cell_sides, fold_limits
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.reference.renderer.camera import view
-from seafoam.reference.renderer.relief import Relief
 from seafoam.reference.shore.shore import Coast
 from seafoam.reference.spray import births as drop
 from seafoam.reference.spray import splats as flying
-from seafoam.reference.spray.waters import drops as thrown
+from seafoam.reference.spray.births import drops as thrown
+from seafoam.reference.types import Relief
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.reference.waves.rings import ring_set
 from seafoam.reference.waves.sea import sea_surface
@@ -66,7 +66,7 @@ def throws(count: int) -> NDArray[np.float64]:
 def flown(values: NDArray[np.float64], weight: float) -> NDArray[np.float64]:
     up, across, age, tau = values.T
     velocity = np.column_stack([across, up, np.zeros_like(up)])
-    return flying.flight(np.zeros_like(velocity), velocity, age, tau, np.full_like(up, weight), WIND)
+    return flying.flight(np.zeros_like(velocity), velocity, age, tau, np.full_like(up, weight), WIND)[0]
 
 
 @pytest.mark.parametrize("weight", [9.81, 1.5])
@@ -313,9 +313,9 @@ def test_no_drop_is_left_at_rest(executor: Executor, report: Report) -> None:
     kinds = np.repeat([drop.SHEET, drop.MIST, drop.DRIFT, drop.COLUMN], 50)
     vary = np.tile(np.linspace(0.0, 1.0, 50), 4)
     one = np.ones(200)
-    assert flying._form(kinds, 2.5 * one, 2.5 * one, vary, vary).depth.max() == 0.0
-    tau, weight = flying.falls(kinds, 0.8 * one)
-    late = flying.speed(np.zeros((200, 3)), 2.5 * one, tau, weight, (0.0, 0.0))
+    assert flying.form(kinds, 2.5 * one, 2.5 * one, vary, vary)[1].max() == 0.0
+    of, rest = flying.KINDS[kinds.astype(np.intp)], np.zeros((200, 3))
+    _, late = flying.flight(rest, rest, 2.5 * one, 0.8 * of["drag"], of["weight"], (0.0, 0.0))
     assert late[:, 1].max() < -0.5
     scene = Scene(spray=Spray(bursts=(Burst(place=(0.0, -30.0)),)), light=Light(), camera=Camera(pitch=-0.1))
     plans = [make_plan(one, TIERS["standard"]) for one in (scene, scene.model_copy(update={"spray": None}))]

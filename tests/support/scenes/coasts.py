@@ -11,8 +11,8 @@ from PIL import Image
 
 from seafoam.planner import FramePlan
 from seafoam.reference.light.light import Floor
-from seafoam.reference.renderer.relief import Relief
 from seafoam.reference.shore import shore as truth
+from seafoam.reference.types import Relief
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.render.gl.executor import Executor
 from support.pictures import draw_target

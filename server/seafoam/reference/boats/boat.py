@@ -9,17 +9,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from seafoam.reference.boats.floating import Height, course_of, float_on
-from seafoam.reference.boats.form import DRAUGHT, FORMS, Form, Inequality, Pose, house, paint, plane
+from seafoam.reference.boats import floating
+from seafoam.reference.boats.floating import FORMS, Height, Inequality, house, plane
 from seafoam.reference.light.light import Air, fresnel, sky_light
-from seafoam.reference.types import Floats, Rows, Sunlight, dot, smoothstep, unit
+from seafoam.reference.types import Floats, Pair, Rows, Sunlight, Vec2, Vec3, dot, smoothstep, unit
 from seafoam.scene.boats import Boat
 from seafoam.scene.models import Scene
 
 BOUNCED, THROUGH_SAIL, UNDER_SAIL = 0.1, 0.4, 0.25
 """Share of the light that arrives from below, and of the sun's that passes a sail and that its shadow has."""
 HULL, DECK, HOUSE, SPAR, SAIL = range(5)
-Vector = tuple[float, float, float]
 
 
 @dataclass
@@ -37,7 +36,7 @@ class Hit(Rows):
 class Fleet:
     """All boats of a scene at one time."""
 
-    poses: tuple[Pose, ...]
+    poses: tuple[floating.Pose, ...]
 
     def trace(self, o: Floats, d: Floats, least: float = 0.0) -> Hit:
         """First hits of rays o + t d, o and d (r, 3), with t ≥ ``least`` m; t is infinite where there is none."""
@@ -82,7 +81,7 @@ class Fleet:
             if rows.size == 0:
                 continue
             n, part = hit.normal[rows], hit.part[rows]
-            albedo, gloss = paint(pose, hit.place[rows], pose.inward(n), part)
+            albedo, gloss = floating.paint(pose, hit.place[rows], pose.inward(n), part)
             facing = dot(n, air.sun)
             share = np.maximum(facing, 0.0)
             sail = part == SAIL
@@ -159,7 +158,7 @@ class _Boat:
     def _solid(self, walls: tuple[Inequality, ...], part: int) -> None:
         self._take(*self._interval(walls), part)
 
-    def _hull(self, form: Form) -> None:
+    def _hull(self, form: floating.Form) -> None:
         enter, leave, gradient = self._interval(form.sides())
         cut, uncut, _ = self._interval((form.above(),))
         none = ~(cut < uncut)
@@ -172,7 +171,7 @@ class _Boat:
         at = self.o + np.where(np.isinf(late), 0.0, late)[:, None] * self.d
         self._take(late, leave, -form.above().gradient(at), DECK)
 
-    def _spar(self, foot: Vector, direction: Vector, reach: float, radius: float) -> None:
+    def _spar(self, foot: Vec3, direction: Vec3, reach: float, radius: float) -> None:
         axis, base = np.array(direction), np.array(foot)
         from_foot = self.o - base
         a = self.d - dot(self.d, axis)[:, None] * axis
@@ -185,7 +184,7 @@ class _Boat:
         gradient[around] = b[around] + first[around, None] * a[around]
         self._take(np.maximum(enter, first), np.minimum(leave, last), gradient, SPAR)
 
-    def _sail(self, tack: Vector, head: Vector, clew: Vector, roach: float) -> None:
+    def _sail(self, tack: Vec3, head: Vec3, clew: Vec3, roach: float) -> None:
         corner = np.array(tack)
         luff, foot = np.array(head) - corner, np.array(clew) - corner
         n = np.cross(luff, foot)
@@ -206,7 +205,7 @@ class _Boat:
         self.part[met] = SAIL
 
 
-def _roots(a: Floats, b: Floats, c: Floats) -> tuple[Floats, Floats]:
+def _roots(a: Floats, b: Floats, c: Floats) -> Pair:
     """The interval of t in which at² + 2bt + c ≤ 0, a ≥ 0; (∞, −∞) if it is empty."""
     straight, square = a < 1e-14, b * b - a * c
     q = -(b + np.where(b < 0.0, -1.0, 1.0) * np.sqrt(np.maximum(square, 0.0)))
@@ -219,12 +218,14 @@ def _roots(a: Floats, b: Floats, c: Floats) -> tuple[Floats, Floats]:
     return first, last
 
 
-def fleet(scene: Scene, time: float, origin: tuple[float, float], height: Height, ground: Height | None) -> Fleet:
+def fleet(scene: Scene, time: float, origin: Vec2, height: Height, ground: Height | None) -> Fleet:
     """The boats of a scene, floating on a surface or, where that is too shallow, resting on the ground."""
 
     def support(boat: Boat) -> Height:
         if ground is None:
             return height
-        return lambda x, z: np.maximum(height(x, z), ground(x, z) + DRAUGHT * boat.length)
+        return lambda x, z: np.maximum(height(x, z), ground(x, z) + floating.DRAUGHT * boat.length)
 
-    return Fleet(tuple(float_on(boat, course_of(boat, time, origin), support(boat)) for boat in scene.boats))
+    return Fleet(
+        tuple(floating.float_on(boat, floating.course_of(boat, time, origin), support(boat)) for boat in scene.boats)
+    )

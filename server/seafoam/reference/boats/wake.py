@@ -5,16 +5,14 @@ Standing waves behind stones are wakes of hulls that move against the current as
 
 import math
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import cached_property
 
 import numpy as np
 
 from seafoam.ocean.waves.wakes import LEAST_SPEED, Wake, joint_height, joint_slope, stone_wakes, wakes
-from seafoam.reference.boats.floating import HULL_SPEED, Course, course_of
-from seafoam.reference.boats.form import FORMS, STEM
+from seafoam.reference.boats.floating import FORMS, HULL_SPEED, STEM, Course, course_of
 from seafoam.reference.noise import filtered_step, footprint_variance, patches
-from seafoam.reference.types import Bools, Floats, Footprints, Gradient, smoothstep_slope
+from seafoam.reference.types import Bools, Floats, Footprints, Gradient, Pair, Vec2, smoothstep_slope
 from seafoam.scene.boats import Boat
 from seafoam.scene.foam import WakeSaturation
 from seafoam.scene.models import Scene
@@ -198,7 +196,7 @@ def pattern(wake: Wake, behind: Floats, aside: Floats) -> tuple[Floats, Floats, 
     return height, rise, spread
 
 
-def wake_set(scene: Scene, time: float, origin: tuple[float, float]) -> WakeSet:
+def wake_set(scene: Scene, time: float, origin: Vec2) -> WakeSet:
     """The wakes of a scene's boats at a time (s) around an origin (x, z) in m."""
     return WakeSet(wakes(scene.boats), scene.boats, tuple(course_of(boat, time, origin) for boat in scene.boats))
 
@@ -208,10 +206,10 @@ class StoneSet(Wakes):
     """The standing waves of a current's stones."""
 
     current: Current
-    origin: tuple[float, float]
+    origin: Vec2
 
     @property
-    def _downstream(self) -> tuple[float, float]:
+    def _downstream(self) -> Vec2:
         return math.cos(self.current.direction), math.sin(self.current.direction)
 
     def along(self, i: int, x: Floats, z: Floats) -> tuple[Floats, Floats, Gradient, Gradient]:
@@ -219,12 +217,10 @@ class StoneSet(Wakes):
         behind, aside = self._from_middle(self.current.stones[i], x, z)
         return behind + self.current.stones[i].radius, aside, (c, s), (-s, c)
 
-    def _from_middle(self, stone: Stone, x: Floats, z: Floats) -> tuple[Floats, Floats]:
+    def _from_middle(self, stone: Stone, x: Floats, z: Floats) -> Pair:
         """How far places (x, z), m from the origin, are downstream of a stone's middle and to the right; (r,) m."""
         c, s = self._downstream
-        from_x, from_z = (
-            part + float(Fraction(a) - Fraction(b)) for part, a, b in zip((x, z), self.origin, stone.place, strict=True)
-        )
+        from_x, from_z = x + (self.origin[0] - stone.place[0]), z + (self.origin[1] - stone.place[1])
         return c * from_x + s * from_z, c * from_z - s * from_x
 
     def foam(self, source: WakeSaturation, x: Floats, z: Floats, cap: float, footprints: Footprints | None) -> Floats:
@@ -256,6 +252,6 @@ class StoneSet(Wakes):
         return np.minimum(total, cap)
 
 
-def stone_set(current: Current, origin: tuple[float, float]) -> StoneSet:
+def stone_set(current: Current, origin: Vec2) -> StoneSet:
     """The standing waves of a current's stones around an origin (x, z) in m."""
     return StoneSet(stone_wakes(current), current, origin)

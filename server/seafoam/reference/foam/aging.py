@@ -8,12 +8,11 @@ import numpy as np
 from seafoam.ocean.waves.stokes import foam_drift, foam_life
 from seafoam.reference.foam.cells import part
 from seafoam.reference.noise import PERIOD, perlin
-from seafoam.reference.types import Floats, smoothstep
+from seafoam.reference.types import Floats, Vec2, smoothstep
 from seafoam.reference.waves.parametric import reduced
 from seafoam.scene.models import Scene
 
-AGE = 0.8
-"""Age between one mask and the next, in e-folds of the saturation."""
+AGE = 0.8  # age between one mask and the next, in e-folds of the saturation
 ROW_LENGTH = 8.0
 RIDGE = 7.781
 ROW_SEED = 1938
@@ -23,15 +22,12 @@ ROW_SEED = 1938
 class Share:
     """Coverage by one mask."""
 
-    mask: int
-    """Index of the mask; 0 is the foam's own."""
-    weight: Floats
-    """(r,); 0 where this mask has no foam."""
-    s: Floats
-    """Share of the plane; (r,)."""
+    mask: int  # index of the mask; 0 is the foam's own
+    weight: Floats  # (r,); 0 where this mask has no foam
+    s: Floats  # share of the plane; (r,)
 
 
-def gathered(scene: Scene, time: float, origin: tuple[float, float], s: Floats, x: Floats, z: Floats) -> Floats:
+def gathered(scene: Scene, time: float, origin: Vec2, s: Floats, x: Floats, z: Floats) -> Floats:
     """The coverage s (r,) at (x, z), m from the origin, concentrated in windrows; (r,)."""
     life = foam_life(scene)
     if life is None or life.row_strength == 0.0:
@@ -62,7 +58,7 @@ def shares(masks: int, s: Floats, f: Floats) -> list[Share]:
     return result
 
 
-def drifted(scene: Scene, time: float, origin: tuple[float, float]) -> tuple[float, float]:
+def drifted(scene: Scene, time: float, origin: Vec2) -> Vec2:
     """Mask coordinates (u, v) of the origin, moved back along the drift; tiles in [0, 1)."""
     foam = scene.foam
     assert foam is not None

@@ -6,28 +6,23 @@ from dataclasses import dataclass
 import numpy as np
 
 from seafoam.reference.noise import chained, number
-from seafoam.reference.types import Floats, smoothstep
+from seafoam.reference.types import Floats, Pair, Vec2, smoothstep
 from seafoam.scene.foam import Foam
 
 COUNT = 4096
-LEAST = 0.25
-"""Barycentric weight below which a cell has no influence."""
-LAST = 1.0 / 256.0
-"""Uncovered share below which the power is replaced by a ramp to 0."""
+LEAST = 0.25  # barycentric weight below which a cell has no influence
+LAST = 1.0 / 256.0  # uncovered share below which the power is replaced by a ramp to 0
 
 
 @dataclass(frozen=True, eq=False)
 class Corner:
     """One of the three cells around each of r places."""
 
-    weight: Floats
-    """(r,); the weights of the three cells sum to 1."""
-    u: Floats
+    weight: Floats  # (r,); the weights of the three cells sum to 1
+    u: Floats  # mask coordinates, in tiles; (r,) each
     v: Floats
-    """Mask coordinates, in tiles; (r,) each."""
-    cosine: Floats
+    cosine: Floats  # of the cell's rotation; (r,) each
     sine: Floats
-    """Cosine and sine of the cell's rotation; (r,) each."""
 
     def turned(self, foot: Floats) -> Floats:
         """Footprints (r, 2) in tiles, rotated with the cell; (r, 2)."""
@@ -51,10 +46,15 @@ def corners(u: Floats, v: Floats, blended: bool) -> list[Corner]:
         weights = (np.argmax(shares, axis=0) == np.arange(3)[:, None]).astype(np.float64)
     both = upper.astype(np.float64)
     offsets: tuple[tuple[Floats | float, Floats | float], ...] = ((both, both), (1.0, 0.0), (0.0, 1.0))
-    return [
-        _corner(weight, i + di, j + dj, s - di, t - dj)
-        for weight, (di, dj) in zip(weights / weights.sum(axis=0), offsets, strict=True)
-    ]
+    around = []
+    for weight, (di, dj) in zip(weights / weights.sum(axis=0), offsets, strict=True):
+        word = chained(0, i + di, j + dj, period=COUNT)
+        angle = 2.0 * math.pi * number(word, 0)
+        cosine, sine = -np.cos(angle), -np.sin(angle)
+        x, y = (s - di) + 0.5 * (t - dj), 0.5 * math.sqrt(3.0) * (t - dj)
+        place = cosine * x + sine * y + number(word, 1), cosine * y - sine * x + number(word, 2)
+        around.append(Corner(weight, *place, cosine, sine))
+    return around
 
 
 def part(s: Floats, weight: Floats) -> Floats:
@@ -63,7 +63,7 @@ def part(s: Floats, weight: Floats) -> Floats:
     return 1.0 - np.maximum(left, LAST) ** weight * smoothstep(0.0, LAST, left)
 
 
-def counted(x: Floats, z: Floats, foam: Foam, origin: tuple[float, float]) -> tuple[Floats, Floats]:
+def counted(x: Floats, z: Floats, foam: Foam, origin: Vec2) -> Pair:
     """Rotated coordinates of (x, z), m from the origin, in tiles from the world's origin; (r,) each.
 
     Whole periods of the lattice, 4096 cells along each side, are subtracted.
@@ -77,17 +77,3 @@ def counted(x: Floats, z: Floats, foam: Foam, origin: tuple[float, float]) -> tu
     u = (x * cosine + z * sine) / foam.mask_tile + far_u
     v = (z * cosine - x * sine) / foam.mask_tile + far_v
     return u, v
-
-
-def _corner(weight: Floats, i: Floats, j: Floats, s: Floats, t: Floats) -> Corner:
-    word = chained(0, i, j, period=COUNT)
-    angle = 2.0 * math.pi * number(word, 0)
-    cosine, sine = -np.cos(angle), -np.sin(angle)
-    x, y = s + 0.5 * t, 0.5 * math.sqrt(3.0) * t
-    return Corner(
-        weight=weight,
-        u=cosine * x + sine * y + number(word, 1),
-        v=cosine * y - sine * x + number(word, 2),
-        cosine=cosine,
-        sine=sine,
-    )

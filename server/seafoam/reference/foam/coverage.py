@@ -10,7 +10,7 @@ from seafoam.masks.catalogue import Mask, mask_by_name
 from seafoam.ocean.waves.stokes import foam_life
 from seafoam.reference import sampling
 from seafoam.reference.foam import looks
-from seafoam.reference.types import Floats, Footprints, Rows
+from seafoam.reference.types import Floats, Footprints, Rows, Vec2
 from seafoam.scene.foam import Foam
 from seafoam.scene.models import Scene
 from seafoam.textures.foam import foam_texture
@@ -135,7 +135,7 @@ def tiles(position: float, tile: float) -> float:
     return math.fmod(position, tile) / tile
 
 
-def mask_points(x: Floats, z: Floats, footprints: Footprints, foam: Foam, origin: tuple[float, float]) -> MaskPoints:
+def mask_points(x: Floats, z: Floats, footprints: Footprints, foam: Foam, origin: Vec2) -> MaskPoints:
     """Where (x, z), m from the origin, and footprints lie in a foam's mask."""
     cosine, sine, tile = math.cos(foam.mask_angle), math.sin(foam.mask_angle), foam.mask_tile
     u = (x * cosine + z * sine) / tile + tiles(origin[0] * cosine + origin[1] * sine, tile)

@@ -7,48 +7,38 @@ water orbits.
 import math
 from dataclasses import dataclass
 from fractions import Fraction
-from statistics import NormalDist
 
 import numpy as np
+from scipy.special import ndtri
 
 from seafoam.ocean.waves.stokes import steady_drift
 from seafoam.reference.noise import pcg, value
-from seafoam.reference.types import Floats, smoothstep
+from seafoam.reference.types import Floats, Pair, Vec2, dot, smoothstep
 from seafoam.scene.foam import Drift, DriftSaturation
 from seafoam.scene.models import Scene
 
 GENERATIONS = 4
 COUNTED = 1024
-PEAK = 1.2564312086261697
-"""Solution y of e^y = 1 + 2y."""
-LONGEST = 0.125
-"""Longest time step, s."""
-TURN = 0.2
-"""Longest time step, as a rotation of the fastest vortex, rad."""
-FADE, REACH = 3.0, 6.0
-"""Distances at which a vortex begins to fade and ends, in radii."""
+PEAK = 1.2564312086261697  # solution y of e^y = 1 + 2y
+LONGEST = 0.125  # longest time step, s
+TURN = 0.2  # longest time step, as a rotation of the fastest vortex, rad
+FADE, REACH = 3.0, 6.0  # distances at which a vortex begins to fade and ends, in radii
 OCTAVES = ((0.55, 1.0, False), (0.3, 2.3, True), (0.15, 5.1, False))
 """Weight, frequency and rotation (or none) of each octave of a patch."""
 DEVIATION = 0.138
 HALF_CUT = 0.1
-APART = (3.37, 5.61)
-"""Offset between the two copies of a mask, in tiles."""
-BESIDE = 1e-3
-"""Step of the finite differences of displacements, m."""
-RIM = 0.6
-"""Distance from the middle at which foam begins to fade, over half the side."""
+APART = (3.37, 5.61)  # offset between the two copies of a mask, in tiles
+BESIDE = 1e-3  # step of the finite differences of displacements, m
+RIM = 0.6  # distance from the middle at which foam begins to fade, over half the side
 
 
 @dataclass(frozen=True)
 class Flow:
     """A flow over a square; places in m from its middle."""
 
-    steady: tuple[float, float]
-    """m/s"""
-    half: float
-    """Half the square's side, m."""
-    vortices: tuple[tuple[float, float, float, float], ...]
-    """Centre (x, z), radius (m), speed there (m/s)."""
+    steady: Vec2  # m/s
+    half: float  # half the square's side, m
+    vortices: tuple[tuple[float, float, float, float], ...]  # centre (x, z), radius (m), speed there (m/s)
 
     def velocity(self, x: Floats, z: Floats) -> Floats:
         """(u, w) at (x, z); (2, r) m/s."""
@@ -94,21 +84,14 @@ def flow_of(scene: Scene) -> Flow:
     """The flow of a scene that has a drift."""
     drift = scene.drift
     assert drift is not None
-    vortices = tuple((*_apart(one.place, drift.place), one.radius, one.speed) for one in drift.vortices)
+    x, z = drift.place
+    vortices = tuple((one.place[0] - x, one.place[1] - z, one.radius, one.speed) for one in drift.vortices)
     return Flow(steady_drift(scene), 0.5 * drift.size, vortices)
 
 
-def _apart(place: tuple[float, float], middle: tuple[float, float]) -> tuple[float, float]:
-    x, z = (float(Fraction(a) - Fraction(b)) for a, b in zip(place, middle, strict=True))
-    return x, z
-
-
-def _over_square(
-    scene: Scene, drift: Drift, origin: tuple[float, float], x: Floats, z: Floats
-) -> tuple[Flow, tuple[Floats, Floats], Floats]:
+def _over_square(scene: Scene, drift: Drift, origin: Vec2, x: Floats, z: Floats) -> tuple[Flow, Pair, Floats]:
     """The flow, places (x, z), m from the origin, in its square, m from the middle, and the foam's fade to the rim."""
-    flow, (from_x, from_z) = flow_of(scene), _apart(origin, drift.place)
-    q_x, q_z = x + from_x, z + from_z
+    flow, q_x, q_z = flow_of(scene), x + (origin[0] - drift.place[0]), z + (origin[1] - drift.place[1])
     return flow, (q_x, q_z), 1.0 - smoothstep(RIM, 1.0, np.hypot(q_x, q_z) / flow.half)
 
 
@@ -119,9 +102,7 @@ def _generation(source: DriftSaturation, time: float) -> tuple[int, float, float
     return number, float(Fraction(time) - number * interval), float(interval)
 
 
-def drift_saturation(
-    scene: Scene, source: DriftSaturation, time: float, origin: tuple[float, float], x: Floats, z: Floats
-) -> Floats:
+def drift_saturation(scene: Scene, source: DriftSaturation, time: float, origin: Vec2, x: Floats, z: Floats) -> Floats:
     """f of drifting foam at (x, z), m from the origin, at a time (s); (r,), not capped."""
     result = np.zeros_like(x)
     if scene.drift is None:
@@ -142,22 +123,18 @@ def drift_saturation(
 class Copy:
     """One of the two copies of a mask that the flow advects, at r places."""
 
-    weight: Floats
-    """(r,); the weights of the two copies sum to 1."""
-    x: Floats
+    weight: Floats  # (r,); the weights of the two copies sum to 1
+    x: Floats  # where the mask is read, m from the origin; (r,) each
     z: Floats
-    """Where the mask is read, m from the origin; (r,) each."""
-    turn: Floats
-    """(r, 2, 2): Jacobian of the displacement, applied to vectors (x, z)."""
+    turn: Floats  # (r, 2, 2): Jacobian of the displacement, applied to vectors (x, z)
 
     def turned(self, foot: Floats) -> Floats:
         """Footprints (r, 2) m, mapped to the copy; (r, 2)."""
-        result: Floats = np.einsum("rij,rj->ri", self.turn, foot)
-        return result
+        return dot(self.turn, foot[:, None])
 
 
 def copies(
-    scene: Scene, source: DriftSaturation, tile: float, time: float, origin: tuple[float, float], x: Floats, z: Floats
+    scene: Scene, source: DriftSaturation, tile: float, time: float, origin: Vec2, x: Floats, z: Floats
 ) -> list[Copy]:
     """The two copies of a mask with tiles of a side ``tile`` (m) at (x, z), m from the origin, at a time (s)."""
     assert scene.drift is not None
@@ -185,8 +162,7 @@ def copies(
 
 def _moved_back(flow: Flow, x: Floats, z: Floats, seconds: float) -> Floats:
     """Vectors from places to where their water was, (r, 2) m."""
-    away: Floats = (flow.back(x, z, seconds) - np.stack((x, z))).T
-    return away
+    return (flow.back(x, z, seconds) - np.stack((x, z))).T
 
 
 def patch(source: DriftSaturation, generation: int, x: Floats, z: Floats) -> Floats:
@@ -198,5 +174,5 @@ def patch(source: DriftSaturation, generation: int, x: Floats, z: Floats) -> Flo
         if turned:
             u, v = 0.8 * u - 0.6 * v, 0.6 * u + 0.8 * v
         total += weight * value(key + i, u * frequency, v * frequency)
-    middle = 0.5 + DEVIATION * NormalDist().inv_cdf(1.0 - source.coverage)
+    middle = 0.5 + DEVIATION * float(ndtri(1.0 - source.coverage))
     return smoothstep(middle - HALF_CUT, middle + HALF_CUT, total)

@@ -10,26 +10,18 @@ import numpy as np
 from scipy.interpolate import CubicHermiteSpline
 
 from seafoam.reference.noise import fractal
-from seafoam.reference.types import Floats, Footprints, SurfacePoints, smoothstep
+from seafoam.reference.types import Floats, Pair, SurfacePoints, Vec2, smoothstep
 from seafoam.reference.waves.parametric import WaveSet, noise_place
 from seafoam.scene.foam import FrontSaturation
 
 TURN = 2.0 * math.pi
 CAP = 4.0
 EXPONENT = 80.0
-CELLS = 16384
-"""Cells of the tabulated integral, interpolated by cubics: error below 10⁻¹²."""
-
-LISTING_SPATIAL = 6.28 / (2.0 * math.pi)
-"""Factor of the wavenumbers in the published code."""
-
+CELLS = 16384  # cells of the tabulated integral, interpolated by cubics: error below 10⁻¹²
+LISTING_SPATIAL = 6.28 / (2.0 * math.pi)  # factor of the wavenumbers in the published code
 GATE_LEAST = 1e-4
-LEAST_RATE = 1e-3
-"""Least mean frequency of the waves for drifting water, rad/s."""
-
-GROUP_LEAST = 1e-4
-"""Least ρ² in ∇ψ."""
-
+LEAST_RATE = 1e-3  # least mean frequency of the waves for drifting water, rad/s
+GROUP_LEAST = 1e-4  # least ρ² in ∇ψ
 PATCH_OCTAVES, PATCH_SEED, PATCH_CHANGE = 3, 64 * 91, 25.0
 """Octaves of the noise of patches, its seed, and the time in which it changes, s."""
 
@@ -38,10 +30,8 @@ PATCH_OCTAVES, PATCH_SEED, PATCH_CHANGE = 3, 64 * 91, 25.0
 class History:
     """How the water moves foam after it has appeared."""
 
-    drift: tuple[float, float]
-    """(x, z) m/s."""
-    orbits: bool
-    """Whether the waves' orbits move it to and fro."""
+    drift: Vec2  # (x, z) m/s
+    orbits: bool  # whether the waves' orbits move it to and fro
 
 
 STILL = History((0.0, 0.0), False)
@@ -101,7 +91,7 @@ def group(waves: WaveSet, x: Floats, z: Floats, delta: float) -> Group:
     return Group(factor * X, factor * Y, factor[:, None] * slope_of_x, factor[:, None] * slope_of_y)
 
 
-def gate(rho: Floats, thresholds: tuple[float, float]) -> Floats:
+def gate(rho: Floats, thresholds: Vec2) -> Floats:
     """Factor on f for a sum of waves of length ρ, in [0, 1]; thresholds (0, 0): 1."""
     low, high = thresholds
     if low == 0.0 and high == 0.0:
@@ -163,15 +153,7 @@ def phase_gradient(group: Group) -> Floats:
     return (group.X[:, None] * group.slope_of_y - group.Y[:, None] * group.slope_of_x) / squared[:, None]
 
 
-def phase_width(gradient: Floats, footprints: Footprints) -> Floats:
-    """Δ = |∇ψ·∂x/∂X| + |∇ψ·∂x/∂Y| over footprints; (r,) rad."""
-    result: Floats = sum(np.abs((gradient * side).sum(axis=1)) for side in footprints)
-    return result
-
-
-def seen_phases(
-    psi: Floats, width: Floats, change: tuple[Floats, Floats], eye: tuple[Floats, Floats], relief: float, crest: float
-) -> tuple[Floats, Floats]:
+def seen_phases(psi: Floats, width: Floats, change: Pair, eye: Pair, relief: float, crest: float) -> Pair:
     """ψ and Δ of the phases under a footprint that are visible, where crests hide what lies behind them; (r,) each.
 
     ``change``: derivative of ψ along the view, and its greatest in any direction (rad/m); ``eye``: height of the camera
@@ -190,15 +172,14 @@ def seen_phases(
 
 def phases_under(
     psi: Floats, gradient: Floats, points: SurfacePoints, eye_y: float, relief: float, crest: float
-) -> tuple[Floats, Floats]:
+) -> Pair:
     """:func:`seen_phases` under the footprints of points, of a phase ψ with a gradient (r, 2), from a height (m)."""
     assert points.footprints is not None
     away = np.hypot(points.x, points.z)
     along = (gradient[:, 0] * points.x + gradient[:, 1] * points.z) / np.maximum(away, 1e-6)
     change = along, np.hypot(gradient[:, 0], gradient[:, 1])
-    return seen_phases(
-        psi, phase_width(gradient, points.footprints), change, (eye_y - points.height, away), relief, crest
-    )
+    width: Floats = sum(np.abs((gradient * side).sum(axis=1)) for side in points.footprints)
+    return seen_phases(psi, width, change, (eye_y - points.height, away), relief, crest)
 
 
 @dataclass(frozen=True)
@@ -227,15 +208,7 @@ class _Fronts:
     ``since``: phase since the last front, rad in [0, 2π]. ``more``: what patches add to the sum of the waves, (r,).
     """
 
-    def __init__(
-        self,
-        waves: WaveSet,
-        x: Floats,
-        z: Floats,
-        drift: tuple[float, float],
-        group: tuple[float, float],
-        more: Floats,
-    ) -> None:
+    def __init__(self, waves: WaveSet, x: Floats, z: Floats, drift: Vec2, group: Vec2, more: Floats) -> None:
         self.place, self.drift, self.groups = (x, z), drift, waves.groups
         self.thetas = waves.theta(x, z)
         self.rates = waves.omega - waves.kx * drift[0] - waves.kz * drift[1]
@@ -254,16 +227,14 @@ class _Fronts:
             rho = rho * self.groups(x - by_x * seconds, z - by_z * seconds, seconds)
         return gate(rho + self.more, self.group)
 
-    def last(self, since: Floats, left: float) -> tuple[Floats, Floats]:
+    def last(self, since: Floats, left: float) -> Pair:
         """Strength of the foam of the last front and of the one before. ``left``: of foam after a turn."""
         third = self.strength(since + 2.0 * TURN) * (1.0 - smoothstep(0.5, 1.0, since / TURN))
         before = np.maximum(self.strength(since + TURN), left * third)
         return np.maximum(self.strength(since), left * before), before
 
 
-def front_patches(
-    source: FrontSaturation, drift: tuple[float, float], points: SurfacePoints, x: Floats, z: Floats
-) -> Floats:
+def front_patches(source: FrontSaturation, drift: Vec2, points: SurfacePoints, x: Floats, z: Floats) -> Floats:
     """What patches, in which fronts foam more or less, add to the sum of the waves at rest positions (x, z); (r,).
 
     They move with the drift, m/s, and are filtered to the footprints of the points.

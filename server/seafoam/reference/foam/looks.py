@@ -7,13 +7,11 @@ arrays of one shape.
 import numpy as np
 
 from seafoam.reference.sampling import SplineSample, quantile, texel
-from seafoam.reference.types import Floats, smoothstep
+from seafoam.reference.types import Floats, Pair, smoothstep
 
 LEAST_HALF = 5e-4
-OCTAVE_RAMP = 0.6
-"""Width of an octave's ramp that the next octave resolves, as a share of the plane."""
-OCTAVE_SHOWN = (32.0, 64.0)
-"""Footprint in texels of an octave at which it begins to fade and is gone."""
+OCTAVE_RAMP = 0.6  # width of an octave's ramp that the next octave resolves, as a share of the plane
+OCTAVE_SHOWN = (32.0, 64.0)  # footprint in texels of an octave at which it begins to fade and is gone
 END = 1.0 / 256.0
 
 
@@ -52,7 +50,7 @@ def minification(size: Floats) -> Floats:
     return smoothstep(1.0, 1.5, size.max(axis=1))
 
 
-def spline_over_footprint(spline: SplineSample, foot_u: Floats, foot_v: Floats) -> tuple[Floats, Floats]:
+def spline_over_footprint(spline: SplineSample, foot_u: Floats, foot_v: Floats) -> Pair:
     """b and e: mean of the B-spline mask over footprints (r, 2), and half the range of its values; (r,) each."""
     mean = spline.value + (spline.bend(foot_u) + spline.bend(foot_v)) / 24.0
     half: Floats = 0.5 * np.hypot(spline.along(foot_u), spline.along(foot_v))
@@ -111,7 +109,7 @@ def filtered_coverage(s: Floats, minified: Floats, magnified: Floats, size: Floa
     return np.clip(A, 0.0, 1.0)
 
 
-def octave(u: Floats, v: Floats) -> tuple[Floats, Floats]:
+def octave(u: Floats, v: Floats) -> Pair:
     """Coordinates or footprints in the next octave: times the Gaussian integer 4 + 3i, five times finer, rotated by
     37°."""
     return 4.0 * u - 3.0 * v, 3.0 * u + 4.0 * v

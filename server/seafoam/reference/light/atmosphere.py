@@ -14,20 +14,18 @@ from seafoam.ocean.sky import skylight
 from seafoam.reference.light import clouds
 from seafoam.reference.light.clouds import EYE, FORWARD, CloudLayer, HighClouds, Spread
 from seafoam.reference.noise import chained, fractal, number, share
-from seafoam.reference.types import Floats, dot, henyey_greenstein, smoothstep, unit
+from seafoam.reference.types import Floats, Pair, Vec2, Vec3, dot, henyey_greenstein, smoothstep, unit
 from seafoam.scene.light import Day, Light, Moon, Sky
 
 RAYLEIGH = np.array([0.055, 0.108, 0.215])
-RAYLEIGH_HEIGHT, MIE_HEIGHT = 8000.0, 1200.0
-"""Scale heights of molecules and of haze, m."""
+RAYLEIGH_HEIGHT, MIE_HEIGHT = 8000.0, 1200.0  # scale heights of molecules and of haze, m
 MIE_LEAST, MIE_PER_TURBIDITY = 0.01, 0.04
 CLOUD_POWER = 20.0
 MOON_POWER = 0.2 * np.array([0.75, 0.9, 1.2])
 MOON_RADIUS = 0.0045
 MOON_FACE = 2.5
-MOLECULES = np.array([6.54e-6, 1.405e-5, 3.16e-5])
-"""Scattering by molecules at the sea, 1/m."""
-HAZE_COLOUR = np.array([0.826, 1.0, 1.225])
+MOLECULES: Floats = np.array([6.54e-6, 1.405e-5, 3.16e-5])  # scattering by molecules at the sea, 1/m
+HAZE_COLOUR: Floats = np.array([0.826, 1.0, 1.225])
 CONTRAST = 3.912
 DISC_MOST = 3000.0
 STAR_CELLS = 64
@@ -46,7 +44,7 @@ def to_sun(light: Light) -> Floats:
     return toward(*((light.sun_azimuth, light.sun_elevation) if light.day is None else sun_angles(light.day)))
 
 
-def sun_angles(day: Day) -> tuple[float, float]:
+def sun_angles(day: Day) -> Vec2:
     """Azimuth and elevation of the sun, rad: its position on the celestial sphere, rotated by hour and latitude."""
     declination = math.radians(23.44) * math.sin(2.0 * math.pi * (284.0 + day.date) / 365.0)
     hour, level = 2.0 * math.pi * (day.hour - 12.0) / 24.0, math.cos(declination)
@@ -63,7 +61,7 @@ def toward(azimuth: float, elevation: float) -> Floats:
     return np.array([level * math.cos(azimuth), math.sin(elevation), level * math.sin(azimuth)])
 
 
-def two_looks(d: Floats, deviation: Floats) -> tuple[Floats, Floats]:
+def two_looks(d: Floats, deviation: Floats) -> Pair:
     """Return the unit vectors above and below d (r, 3) that stand for directions that deviate up and down, (r,) rad."""
     level = np.hypot(d[:, 0], d[:, 2])
     heading = d[:, [0, 2]] / np.maximum(level, 1e-6)[:, None]
@@ -92,14 +90,10 @@ def _summed(
 class Lamp:
     """Sun or moon, as a light source for the air."""
 
-    direction: Floats
-    """(3,) unit vector toward it."""
-    path: Floats
-    """(3,) optical depth of the air along its light's path to the sea."""
-    power: Floats
-    """(3,) irradiance above the air."""
-    glow: skylight.Glow
-    """Coefficients of the sky that it lights."""
+    direction: Floats  # (3,) unit vector toward it
+    path: Floats  # (3,) optical depth of the air along its light's path to the sea
+    power: Floats  # (3,) irradiance above the air
+    glow: skylight.Glow  # coefficients of the sky that it lights
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,15 +104,11 @@ class LayeredSky:
     sky: Sky
     mie: float
     lamps: tuple[Lamp, ...]
-    lit_by: Floats
-    """(3,) unit vector toward the lamp that lights water and clouds."""
-    clear_direct: Floats
-    """(3,) its irradiance at the sea under a clear sky."""
-    cloud_light: Callable[[float], Floats]
-    """(3,) its irradiance at an altitude, m."""
+    lit_by: Floats  # (3,) unit vector toward the lamp that lights water and clouds
+    clear_direct: Floats  # (3,) its irradiance at the sea under a clear sky
+    cloud_light: Callable[[float], Floats]  # (3,) its irradiance at an altitude, m
     time: float
-    eye: tuple[float, float, float]
-    """The camera's position, m."""
+    eye: Vec3  # the camera's position, m
 
     @cached_property
     def clouds(self) -> CloudLayer | None:
@@ -173,10 +163,9 @@ class LayeredSky:
     def passed(self, distance: Floats) -> Floats:
         """Share of light that passes through (r,) m of air near the sea; (r, 3)."""
         haze = max(CONTRAST / self.light.visibility - float(MOLECULES[1]), 0.0)
-        result: Floats = np.exp(-distance[:, None] * (haze * HAZE_COLOUR + MOLECULES))
-        return result
+        return np.exp(-distance[:, None] * (haze * HAZE_COLOUR + MOLECULES))
 
-    def behind_clouds(self, air: Floats, d: Floats, spread: Spread) -> tuple[Floats, Floats]:
+    def behind_clouds(self, air: Floats, d: Floats, spread: Spread) -> Pair:
         """The light ``air`` (r, 3) of the sky toward d (r, 3) with clouds in front, and what share they hide (r,)."""
         hidden = np.zeros(d.shape[0])
         if self.high is not None:
@@ -197,7 +186,7 @@ class LayeredSky:
         level = unit(d * np.array([1.0, 0.0, 1.0]))
         return self.behind_clouds(self.clear(level, d), level, _eye(level))[0]
 
-    def mirrored(self, d: Floats, spread: tuple[Floats, Floats]) -> Floats:
+    def mirrored(self, d: Floats, spread: Pair) -> Floats:
         """Radiance toward directions about d (r, 3), with standard deviations (r,) up and down, and aside, rad; (r, 3).
 
         Two directions stand for all in the air, whose light varies most along the horizon; clouds are filtered.
@@ -222,7 +211,7 @@ class LayeredSky:
         passed = self.clear_direct / CLOUD_POWER
         return DISC_MOST * math.sqrt(float(passed.max())) * passed * inside[:, None]
 
-    def moon_disc(self, d: Floats) -> tuple[Floats, Floats]:
+    def moon_disc(self, d: Floats) -> Pair:
         """Radiance of the moon's face (r, 3), and its coverage (r,)."""
         moon = self.sky.moon
         colour, hides = np.zeros(d.shape), np.zeros(d.shape[0])
@@ -251,11 +240,7 @@ class LayeredSky:
         result = np.zeros(d.shape)
         if bright == 0.0:
             return result
-        size = np.abs(d)
-        axis = np.where(
-            (size[:, 0] >= size[:, 1]) & (size[:, 0] >= size[:, 2]), 0, np.where(size[:, 1] >= size[:, 2], 1, 2)
-        )
-        rows = np.arange(d.shape[0])
+        axis, rows = np.argmax(np.abs(d), axis=1), np.arange(d.shape[0])
         main = d[rows, axis]
         face = 2 * axis + (main <= 0.0)
         turned = np.stack((d[rows, (axis + 1) % 3], d[rows, (axis + 2) % 3], np.abs(main)), axis=-1)
@@ -311,7 +296,7 @@ def over_hemisphere(radiance: Callable[[Floats], Floats]) -> Floats:
     return result
 
 
-def _eye(d: Floats) -> tuple[Floats, Floats]:
+def _eye(d: Floats) -> Pair:
     return np.full(d.shape[0], EYE[0]), np.full(d.shape[0], EYE[1])
 
 
@@ -321,7 +306,7 @@ def _axes(moon: Moon) -> tuple[Floats, Floats, Floats]:
     return to_moon, toward(moon.azimuth + 0.5 * math.pi, 0.0), toward(moon.azimuth, moon.elevation + 0.5 * math.pi)
 
 
-def layered_sky(light: Light, time: float, eye: tuple[float, float, float]) -> LayeredSky | None:
+def layered_sky(light: Light, time: float, eye: Vec3) -> LayeredSky | None:
     """The layered sky of a light at a time (s) over a camera position (m); None if the scene has the plain sky."""
     sky = light.sky
     if sky is None:

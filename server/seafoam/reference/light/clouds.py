@@ -4,46 +4,38 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
-from statistics import NormalDist
 
 import numpy as np
 from scipy import special
 
 from seafoam.reference.noise import GAIN, PERIOD, fractal, octaves
-from seafoam.reference.types import Floats, Footprints, dot, henyey_greenstein, smoothstep
+from seafoam.reference.types import Floats, Footprints, Pair, Vec3, dot, henyey_greenstein, smoothstep
 from seafoam.reference.waves.parametric import noise_place, reduced
 from seafoam.scene.light import Cirrus, Clouds
 
-Spread = tuple[Floats, Floats]
+Spread = Pair
 Depth = Callable[[Floats], Floats]
-
 FORWARD = 0.76
 EARTH = 6.371e6
 OCTAVES = 6
 WIDTH = 1.4
 """Width at which a cell of noise fades, over the standard deviation of the place at which it is read."""
-SLICES = np.array([0.0, 0.4, 0.8])
-"""Heights of the slices of clouds, of their depth."""
+SLICES = np.array([0.0, 0.4, 0.8])  # heights of the slices of clouds, of their depth
 TAPER, STEP, CORE, DARK, RELIEF, OCTAVES_AHEAD = 0.9, 0.2, -1.2, 0.3, 0.3, 2
 """Rise of the edge's noise from foot to top; cells toward the lamp; noise over which a core deepens; darkness of what
 diffuse light passes; shading by the rise toward the lamp; octaves of it."""
 AHEAD = (0.712, 0.382, 0.589)
 """What noise toward the lamp has of the first octave here, of the finer ones, and of its own, by the correlation of
 gradient noise."""
-LATTICE, ROOT = 8192, 1.1347241384015194
-"""Points of the means over noise, and the root of x⁶ = x + 1."""
-SHADED = 0.85
-"""Share of the air under an overcast sky that no lamp lights."""
+LATTICE, ROOT = 8192, 1.1347241384015194  # points of the means over noise, and the root of x⁶ = x + 1
+SHADED = 0.85  # share of the air under an overcast sky that no lamp lights
 STRETCH = 8.0
 RAIN_SIZES = (2.0, 5.0, 10.0)
 RAIN_SLANT, RAIN_SPREADS, RAIN_FADES, RAIN_LIGHT = (0.2, 0.1, -0.25), 0.06, 30000.0, 0.55
 SHADOW_OCTAVES = 4
-PENUMBRA = 0.00233
-"""Standard deviation of directions over the sun's disc, rad."""
-LEAST_PASSED = 1e-4
-"""Least mean transmittance by which that of a column is divided."""
-SPAN = 0.9
-"""The farthest that slices are parted, cells."""
+PENUMBRA = 0.00233  # standard deviation of directions over the sun's disc, rad
+LEAST_PASSED = 1e-4  # least mean transmittance by which that of a column is divided
+SPAN = 0.9  # the farthest that slices are parted, cells
 EYE = (7e-4, 7e-4)
 """Standard deviation of the directions from which an eye mixes clouds, up and down, and aside, rad."""
 
@@ -53,14 +45,10 @@ class CloudLayer:
     """Clouds at one time over one camera position, under one lamp."""
 
     clouds: Clouds
-    lit_by: Floats
-    """(3,) unit vector toward the lamp."""
-    light: Floats
-    """(3,) its irradiance at the height of clouds."""
-    sky: Floats
-    """(3,) radiance of their ambient light."""
-    place: tuple[float, float, float]
-    """The camera's position in the clouds' noise, cells."""
+    lit_by: Floats  # (3,) unit vector toward the lamp
+    light: Floats  # (3,) its irradiance at the height of clouds
+    sky: Floats  # (3,) radiance of their ambient light
+    place: Vec3  # the camera's position in the clouds' noise, cells
     eye_y: float
 
     @cached_property
@@ -105,7 +93,7 @@ class CloudLayer:
         return np.array(means), covers[1] - covers[0]
 
     @cached_property
-    def edge(self) -> tuple[float, float, float]:
+    def edge(self) -> Vec3:
         """Mean and standard deviation of the noise over a slice's start, where its opacity rises, and :attr:`taken`
         less the opacity of edges there that are widened by the variance 1."""
         nodes, weights = np.polynomial.legendre.leggauss(64)
@@ -137,9 +125,8 @@ class CloudLayer:
         look = d[at]
         distance, slant = distance_to(look, clouds.height - self.eye_y)
         wide = np.maximum(spread[0][at] / slant, spread[1][at])
-        noise, ahead, lost, parted, parted_lost = self._noise(
-            look, distance, slant, WIDTH * wide * distance / clouds.size
-        )
+        width = WIDTH * wide * distance / clouds.size
+        noise, ahead, lost, parted, parted_lost = self._noise(look, distance, slant, width)
         opaque, *shines = self._column(noise, ahead)
         # Blurred clouds shine as their mean does.
         means = self.means[0][:, None] + (self.means[1] - self.means[0])[:, None] * parted
@@ -152,7 +139,7 @@ class CloudLayer:
         hidden[at] = hides
         return light, cover, hidden
 
-    def in_rain(self, light: Floats, hidden: Floats, d: Floats, spread: Spread) -> tuple[Floats, Floats]:
+    def in_rain(self, light: Floats, hidden: Floats, d: Floats, spread: Spread) -> Pair:
         """Light (r, 3) from behind the rain toward d (r, 3) with the rain's own, and the share (r,) that is hidden."""
         clouds = self.clouds
         high = clouds.height - self.eye_y
@@ -166,12 +153,8 @@ class CloudLayer:
             far = sizes * clouds.size
             up = far * d[at, 1] / (level * high)
             slanted = np.column_stack((heading * sizes, np.zeros(at.size))) + (1.0 - up)[:, None] * np.array(RAIN_SLANT)
-            noise, _ = octaves(
-                slanted + self.place,
-                WIDTH * spread[1][at] * sizes + RAIN_SPREADS * np.maximum(1.0 - up, 0.0),
-                (0, 3),
-                64 * clouds.seed,
-            )
+            width = WIDTH * spread[1][at] * sizes + RAIN_SPREADS * np.maximum(1.0 - up, 0.0)
+            noise, _ = octaves(slanted + self.place, width, (0, 3), 64 * clouds.seed)
             falls = smoothstep(0.0, 2.0, noise - max(float(self._start[0]), -0.6))
             depth += np.where(up < 1.0, falls * (1.0 - smoothstep(0.2, 1.0, up)) * math.exp(-far / RAIN_FADES), 0.0)
         left = np.ones(d.shape[0])
@@ -187,13 +170,8 @@ class CloudLayer:
         tall = clouds.depth / clouds.size
         level = distance / clouds.size + SLICES[1] * min(tall / slant, SPAN)
         left = np.maximum(1.0 - place[:, 1] / clouds.height, 0.0)
-        slice_place = np.column_stack(
-            (
-                self.place[0] + place[:, 0] / clouds.size + left * level * self.lit_by[0],
-                self.place[1] + place[:, 2] / clouds.size + left * level * self.lit_by[2],
-                np.full(left.size, self.place[2] + SLICES[1] * tall),
-            )
-        )
+        across = place[:, [0, 2]] / clouds.size + (left * level)[:, None] * self.lit_by[[0, 2]]
+        slice_place = np.insert(across, 2, SLICES[1] * tall, axis=1) + self.place
         side2 = np.maximum(dot(footprints[0], footprints[0]), dot(footprints[1], footprints[1])) / 12.0
         penumbra = PENUMBRA * distance / math.sqrt(slant)
         width = WIDTH * np.sqrt(side2 + penumbra**2) / clouds.size
@@ -207,12 +185,11 @@ class CloudLayer:
         """Transmittance (r,) of columns of noise (r,), which lacks the variance ``lost`` (r,): a normal law by the
         noise, whose mean is one less :attr:`taken`."""
         middle, variance, thickest = self._gap
-        x = (middle - noise) / np.sqrt(variance + lost)
-        result: Floats = thickest + (1.0 - thickest) * 0.5 * special.erfc(-x / math.sqrt(2.0))
+        result: Floats = thickest + (1.0 - thickest) * special.ndtr((middle - noise) / np.sqrt(variance + lost))
         return result
 
     @cached_property
-    def _gap(self) -> tuple[float, float, float]:
+    def _gap(self) -> Vec3:
         """Middle and variance of the edge, where the transmittance falls, and that of the thickest clouds."""
         thickest = math.exp(-self.clouds.thickness)
         at = np.linspace(-8.0, 8.0, 20001)
@@ -220,7 +197,7 @@ class CloudLayer:
         mean = float(rise @ at / rise.sum())
         variance = float(rise @ (at - mean) ** 2 / rise.sum())
         share = (1.0 - self.taken - thickest) / (1.0 - thickest)
-        clear = NormalDist().inv_cdf(min(max(share, 1e-6), 1.0 - 1e-6))
+        clear = float(special.ndtri(min(max(share, 1e-6), 1.0 - 1e-6)))
         return clear * math.sqrt(1.0 + variance), variance, thickest
 
     def base(self, noise: Floats) -> Floats:
@@ -231,7 +208,7 @@ class CloudLayer:
     def _start(self) -> Floats:
         """Noise above which there is cloud, in each slice; (3,)."""
         covered = min(max(self.clouds.cover, 1e-4), 1.0 - 1e-4)
-        return -NormalDist().inv_cdf(covered) - 0.25 * self.clouds.softness + TAPER * SLICES
+        return -float(special.ndtri(covered)) - 0.25 * self.clouds.softness + TAPER * SLICES
 
     def _noise(self, look: Floats, distance: Floats, slant: Floats, width: Floats) -> tuple[Floats, ...]:
         """Noise of the slices (3, r) and toward the lamp (r,), narrowed by the lost variance (r,); how far the slices
@@ -239,12 +216,9 @@ class CloudLayer:
         clouds = self.clouds
         seed = 64 * clouds.seed
         tall = clouds.depth / clouds.size
-        foot = (
-            np.column_stack((look[:, [0, 2]] * (distance / clouds.size)[:, None], np.zeros(distance.size))) + self.place
-        )
-        climb = np.column_stack(
-            (look[:, [0, 2]] * np.minimum(tall / slant, 0.9)[:, None], np.full(distance.size, tall))
-        )
+        level = look[:, [0, 2]]
+        foot = np.insert(level * (distance / clouds.size)[:, None], 2, 0.0, axis=1) + self.place
+        climb = np.insert(level * np.minimum(tall / slant, 0.9)[:, None], 2, tall, axis=1)
         middle = foot + SLICES[1] * climb
         ahead = middle + STEP * self.lit_by[[0, 2, 1]]
         coarse = [octaves(foot + share * climb, width, (0, 1), seed)[0] for share in SLICES]
@@ -252,10 +226,8 @@ class CloudLayer:
         kept = (1.0 - lost) / (1.0 - GAIN * GAIN)
         fine, less = octaves(middle, width, (1, OCTAVES), seed)
         noise = np.stack(coarse) + fine
-        before = (
-            octaves(ahead, width, (0, OCTAVES_AHEAD), seed)[0]
-            + octaves(middle, width, (OCTAVES_AHEAD, OCTAVES), seed)[0]
-        )
+        before = octaves(ahead, width, (0, OCTAVES_AHEAD), seed)[0]
+        before = before + octaves(middle, width, (OCTAVES_AHEAD, OCTAVES), seed)[0]
         lost = np.maximum(lost + less - 1.0, 0.0)
         over, deviation, _ = self.edge
         narrow = deviation / np.sqrt(deviation * deviation + lost)
@@ -324,7 +296,7 @@ class HighClouds:
         broad = fractal(patches, 0.25 * width, 2, 64 * cirrus.seed)
         streak[:, 1] += 0.35 * broad
         fine = fractal(3.0 * streak, 3.0 * width, 5, 64 * cirrus.seed + 8)
-        start = -NormalDist().inv_cdf(min(max(cirrus.cover, 1e-3), 1.0 - 1e-3)) - 1.2
+        start = -special.ndtri(min(max(cirrus.cover, 1e-3), 1.0 - 1e-3)) - 1.2
         density = smoothstep(0.0, 2.4, broad - start) * smoothstep(-1.2, 2.4, fine + 0.5 * broad)
         hidden[at] = seen[at] * (1.0 - np.exp(-cirrus.thickness * density))
         cover[at] = hidden[at] * np.exp(-0.8 * np.minimum(depth(look[:, 1])[:, 0], 60.0))
@@ -333,7 +305,7 @@ class HighClouds:
         return light, cover, hidden
 
 
-def distance_to(look: Floats, high: float) -> tuple[Floats, Floats]:
+def distance_to(look: Floats, high: float) -> Pair:
     """Distance to a layer ``high`` m above the eye along (r, 3), m, and the sine of the slant there; (r,) each."""
     along = EARTH * look[:, 1]
     rest = 2.0 * EARTH * high + high * high
@@ -341,7 +313,7 @@ def distance_to(look: Floats, high: float) -> tuple[Floats, Floats]:
     return distance, (along + distance) / (EARTH + high)
 
 
-def _composite(ends: Floats) -> tuple[Floats, Floats]:
+def _composite(ends: Floats) -> Pair:
     """Nodes and weights of Gauss–Legendre quadrature between each two of ``ends`` (n,)."""
     nodes, weights = np.polynomial.legendre.leggauss(24)
     half = 0.5 * np.diff(ends)[:, None]
@@ -352,19 +324,18 @@ def _composite(ends: Floats) -> tuple[Floats, Floats]:
 @lru_cache(maxsize=1)
 def _lattice() -> Floats:
     """Normal numbers (5, n): points of the additive recurrence by powers of the root of x⁶ = x + 1 (Roberts 2018)."""
-    steps = ROOT ** -np.arange(1.0, 6.0)
-    shares = np.mod(0.5 + np.outer(steps, np.arange(1, LATTICE + 1)), 1.0)
-    normal = [[NormalDist().inv_cdf(float(one)) for one in row] for row in np.clip(shares, 1e-9, 1.0 - 1e-9)]
-    return np.array(normal)
+    shares = np.mod(0.5 + np.outer(ROOT ** -np.arange(1.0, 6.0), np.arange(1, LATTICE + 1)), 1.0)
+    result: Floats = special.ndtri(np.clip(shares, 1e-9, 1.0 - 1e-9))
+    return result
 
 
-def place(clouds: Clouds, time: float, eye: tuple[float, float, float]) -> tuple[float, float, float]:
+def place(clouds: Clouds, time: float, eye: Vec3) -> Vec3:
     """A camera position (m) in the clouds' noise at a time (s), cells."""
     velocity = clouds.wind_speed * math.cos(clouds.downwind), clouds.wind_speed * math.sin(clouds.downwind)
     return noise_place(clouds.size, clouds.change, velocity, time, (eye[0], eye[2]))
 
 
-def streak_place(cirrus: Cirrus, time: float, eye: tuple[float, float, float]) -> tuple[float, float, float, float]:
+def streak_place(cirrus: Cirrus, time: float, eye: Vec3) -> tuple[float, float, float, float]:
     """A camera position (m) in the noise of streaks and of their patches at a time (s), cells."""
     c, s = math.cos(cirrus.downwind), math.sin(cirrus.downwind)
     cells = PERIOD / (2.0 * math.pi)

@@ -8,19 +8,14 @@ from seafoam.scene.light import ToneCurve
 
 def tone(x: Floats, curve: ToneCurve = "filmic") -> Floats:
     """The tone curve of linear light x ≥ 0 (..., 3), in [0, 1]; of the shape of ``x``. ``curve``: ``light.tone``."""
-    if curve == "photographic":
-        return _photographic(x)
-    return np.clip(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0)
-
-
-def _photographic(x: Floats) -> Floats:
-    """Section 7's curve with a long shoulder."""
+    if curve == "filmic":
+        return np.clip(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0)
+    # Photographic: with a long shoulder.
     squares = (x * x).sum(axis=-1, keepdims=True)
     norm = (x**3).sum(axis=-1, keepdims=True) / np.maximum(squares, 1e-12)
     level = _shoulder(norm)
-    hue = np.maximum(1.0 + 1.2 * (x / np.maximum(norm, 1e-6) - 1.0), 0.0)
-    result: Floats = np.clip(level * hue + level * level * (_shoulder(x) - level * hue), 0.0, 1.0)
-    return result
+    hue: Floats = np.maximum(1.0 + 1.2 * (x / np.maximum(norm, 1e-6) - 1.0), 0.0)
+    return np.clip(level * hue + level * level * (_shoulder(x) - level * hue), 0.0, 1.0)
 
 
 def _shoulder(x: Floats) -> Floats:

@@ -14,7 +14,7 @@ from seafoam.ocean.constants import WATER_INDEX
 from seafoam.reference.light import atmosphere
 from seafoam.reference.light.clouds import FORWARD
 from seafoam.reference.shore.soil import Soil
-from seafoam.reference.types import Floats, dot, henyey_greenstein, smoothstep, unit
+from seafoam.reference.types import Floats, Pair, Vec2, Vec3, dot, henyey_greenstein, smoothstep, unit
 from seafoam.scene.foam import FoamScattering
 from seafoam.scene.light import Light
 from seafoam.scene.water import Water
@@ -29,40 +29,33 @@ FLAT_SHARE = 0.04
 SUN_SOLID_ANGLE = 6.8e-5
 DISC_INNER = 0.0045
 DISC_OUTER = 0.0055
-ENTERS = 0.95
-"""Share of the light from above that enters the water."""
+ENTERS = 0.95  # share of the light from above that enters the water
 BACKSCATTER = 0.4
 CREST_PATH = 6.0
-LAKE_COLOUR = np.array([0.98, 0.97, 0.7])
+LAKE_COLOUR: Floats = np.array([0.98, 0.97, 0.7])
 LAKE_STRENGTH = 0.6
 GLITTER_MOST = 1e4
 FOAM_FORWARD = 0.75
 """Asymmetry of the phase function of foam, a lumpy layer of bubbles that scatters the sun's light forward."""
-LUMPS_LEAST = 1e-3
-"""Least mean cosine of lumps."""
+LUMPS_LEAST = 1e-3  # least mean cosine of lumps
 
 
 @dataclass(frozen=True)
 class Air:
     """A light, evaluated for its sun: all that is independent of rays."""
 
-    sun: Floats
-    """S, (3,) unit vector to the sun."""
+    sun: Floats  # S, (3,) unit vector to the sun
     mie: float
-    depth: Floats
-    """τ, (3,) optical depth at the zenith."""
-    sun_irradiance: Floats
-    """E_s, (3,)."""
-    air_light: Floats
-    """E_a, (3,)."""
-    above: atmosphere.LayeredSky | None = None
-    """The layered sky of section 9, if the scene has one."""
+    depth: Floats  # τ, (3,) optical depth at the zenith
+    sun_irradiance: Floats  # E_s, (3,)
+    air_light: Floats  # E_a, (3,)
+    above: atmosphere.LayeredSky | None = None  # the layered sky of section 9, if the scene has one
 
     def sky(self, d: Floats) -> Floats:
         """sky(d) without the disc; (..., 3). Directions below the horizon have the horizon's air mass."""
         return sky(self, d) if self.above is None else self.above.seen(d)
 
-    def mirrored(self, d: Floats, spread: tuple[Floats, Floats]) -> Floats:
+    def mirrored(self, d: Floats, spread: Pair) -> Floats:
         """The sky reflected by water toward directions about d (r, 3), with standard deviations (r,) up and down, and
         aside, rad, which blur only a layered sky; (r, 3)."""
         return sky(self, d) if self.above is None else self.above.mirrored(d, spread)
@@ -75,7 +68,7 @@ class Air:
         return _sky_irradiance(tuple(self.sun.tolist()), self.mie)
 
 
-def air(light: Light, time: float = 0.0, eye: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> Air:
+def air(light: Light, time: float = 0.0, eye: Vec3 = (0.0, 0.0, 0.0)) -> Air:
     """The air under a light at a time (s) around a camera position (m)."""
     plain = _air(atmosphere.to_sun(light), atmosphere.mie_depth(light))
     above = atmosphere.layered_sky(light, time, eye)
@@ -114,12 +107,9 @@ def sky_light(air: Air, up: Floats) -> Floats:
     return air.sky_irradiance * (0.5 + 0.5 * up)[..., None]
 
 
-Share = Floats | float
-"""A share of the sunlight at each of r places (r,), or one of all."""
-
-Mirror = Callable[[Floats, tuple[Floats, Floats]], Floats]
+Share = Floats | float  # a share of the sunlight at each of r places (r,), or one of all
+Mirror = Callable[[Floats, Pair], Floats]
 """Light (r, 3) from directions about (r, 3), of standard deviations (r,) up and down, and aside, rad."""
-
 Glint = Callable[[Floats, Floats, Floats, float], Floats]
 """Reflection of the sun (r, 3) from d, n, cv and σ², the arguments of :func:`glint`."""
 
@@ -153,32 +143,22 @@ def lit_floor(radiance: Floats, path: Floats, depth: Floats) -> Floor:
 class WaterHit:
     """Where r rays meet the water."""
 
-    d: Floats
-    """(r, 3) unit vectors away from the camera."""
-    n: Floats
-    """(r, 3) unit normals with ripples."""
-    height: Floats
-    """(r,) m."""
-    heights: tuple[float, float]
-    """The least and the greatest height of the whole surface, m."""
-    floor: Floor | None = None
-    """None: level, at the depth of the scene's water, or none if it has no depth."""
-    saturation: Floats | None = None
-    """(r,) of foam, whose bubbles make the water milky."""
+    d: Floats  # (r, 3) unit vectors away from the camera
+    n: Floats  # (r, 3) unit normals with ripples
+    height: Floats  # (r,) m
+    heights: Vec2  # the least and the greatest height of the whole surface, m
+    floor: Floor | None = None  # None: level, at the depth of the scene's water, or none if it has no depth
+    saturation: Floats | None = None  # (r,) of foam, whose bubbles make the water milky
 
 
 @dataclass(frozen=True)
 class Illumination:
     """Light that reaches places on the water."""
 
-    sun: Share = 1.0
-    """What all that throws shadows leaves of the sun."""
-    sun_past_foam: Share = 1.0
-    """What foam beside a place leaves too."""
-    mirrored: Mirror | None = None
-    """Light that is reflected; None: the sky's."""
-    glint: Glint | None = None
-    """None: smooth."""
+    sun: Share = 1.0  # what all that throws shadows leaves of the sun
+    sun_past_foam: Share = 1.0  # what foam beside a place leaves too
+    mirrored: Mirror | None = None  # light that is reflected; None: the sky's
+    glint: Glint | None = None  # None: smooth
 
 
 def water(air: Air, body: Water, hit: WaterHit, light: Illumination = Illumination()) -> Floats:
@@ -211,7 +191,7 @@ def lumpy_cosine(c: Floats, roughness: float) -> Floats:
 
 def foam_layer(
     air: Air, scattering: FoamScattering, albedo: float, n: Floats, d: Floats, f: Floats, sun: Share = 1.0
-) -> tuple[Floats, Floats]:
+) -> Pair:
     """Radiance (r, 3) of foam of saturation f (r,) before haze, and its opacity (r,).
 
     n, d: unit normals and view rays (r, 3). ``sun``: what is left of the sunlight.
@@ -348,6 +328,5 @@ def glint(air: Air, d: Floats, n: Floats, cv: Floats, sigma2: float) -> Floats:
 def blinn_phong(air: Air, power: float, perturb: float, d: Floats, n: Floats, cv: Floats, sigma2: float) -> Floats:
     """The lake's highlight: around a half vector moved by the normal's tilt; (r, 3), independent of roughness."""
     h = unit(air.sun - d + perturb * n * np.array([1.0, 0.0, 1.0]))
-    nh = np.clip(dot(n, h), 0.0, 1.0)
-    result: Floats = air.sun_irradiance / math.pi * LAKE_STRENGTH * LAKE_COLOUR * np.power(nh, power)[:, None]
-    return result
+    shine: Floats = np.power(np.clip(dot(n, h), 0.0, 1.0), power)
+    return air.sun_irradiance / math.pi * LAKE_STRENGTH * LAKE_COLOUR * shine[:, None]

@@ -14,14 +14,10 @@ from seafoam.reference.types import Floats, dot, smoothstep
 from seafoam.scene.light import Light, Sparkles
 
 EPOCHS = 65536
-MOST = 0.25
-"""Greatest radius, rad."""
-PIXELS = 0.75
-"""Least radius, in sample spacings at the centre of the picture."""
+MOST = 0.25  # greatest radius, rad
+PIXELS = 0.75  # least radius, in sample spacings at the centre of the picture
 LIGHT_LEAST = 1e-20
-SOFT = 0.25
-SOFT_LEAST = 1e-3
-"""Half the width of the ramp around a probability, over the probability."""
+SOFT, SOFT_LEAST = 0.25, 1e-3  # half the width of the ramp around a probability, over the probability
 
 
 @dataclass(frozen=True)
@@ -29,12 +25,10 @@ class SparkleField:
     """The sparkles of a light at a time."""
 
     sparkles: Sparkles
-    epoch: int
-    turn: float
-    """Number of whole lives since time 0, modulo EPOCHS, and the fraction of the current one."""
-    radius: float
-    side: float
-    """Radius of a sparkle (rad) and size of a cell on the octahedron."""
+    epoch: int  # number of whole lives since time 0, modulo EPOCHS
+    turn: float  # fraction of the current one
+    radius: float  # of a sparkle, rad
+    side: float  # size of a cell on the octahedron
 
     @staticmethod
     def at_time(sparkles: Sparkles, time: float, step: float) -> "SparkleField":
@@ -87,11 +81,10 @@ class SparkleField:
     def broken(self, air: Air, d: Floats, smooth: Floats) -> Floats:
         """The reflection (r, 3) toward −d (r, 3) whose mean over all hashes is ``smooth`` (r, 3)."""
         total = max(float(air.sun_irradiance.sum()), LIGHT_LEAST)
-        w = np.maximum(smooth.sum(axis=1) / total, LIGHT_LEAST)
+        w: Floats = np.maximum(smooth.sum(axis=1) / total, LIGHT_LEAST)
         here = self.side**2 * np.abs(d).sum(axis=1) ** 3
         apart = self.sparkles.share * (1.0 - smoothstep(0.5, 2.0, self.density * w * here))
-        result: Floats = smooth * (1.0 - apart + apart / w * self.light(d, w))[:, None]
-        return result
+        return smooth * (1.0 - apart + apart / w * self.light(d, w))[:, None]
 
 
 def sun(light: Light, air: Air, time: float, step: float) -> Glint:

@@ -6,7 +6,7 @@ from functools import cached_property
 
 import numpy as np
 
-from seafoam.reference.types import Floats
+from seafoam.reference.types import Floats, Pair, Vec2
 from seafoam.scene.camera import Camera
 
 
@@ -14,14 +14,10 @@ from seafoam.scene.camera import Camera
 class View:
     """A camera's position and the three vectors of which rays are composed."""
 
-    eye: Floats
-    """(3,) position, m."""
-    ray_x: Floats
-    """(3,) derivative of a ray by clip X."""
-    ray_y: Floats
-    """(3,) derivative of a ray by clip Y."""
-    ray_z: Floats
-    """(3,) the ray through the centre of the picture."""
+    eye: Floats  # (3,) position, m
+    ray_x: Floats  # (3,) derivative of a ray by clip X
+    ray_y: Floats  # (3,) derivative of a ray by clip Y
+    ray_z: Floats  # (3,) the ray through the centre of the picture
 
 
 @dataclass(frozen=True)
@@ -29,11 +25,9 @@ class SampleGrid:
     """The samples of a camera's picture."""
 
     view: View
-    width: int
-    """Pixels."""
+    width: int  # pixels, as is the height
     height: int
-    samples: int = 1
-    """Along each side of a pixel."""
+    samples: int = 1  # along each side of a pixel
 
     @property
     def eye_y(self) -> float:
@@ -41,7 +35,7 @@ class SampleGrid:
         return float(self.view.eye[1])
 
     @property
-    def origin(self) -> tuple[float, float]:
+    def origin(self) -> Vec2:
         """World coordinates (x, z) of the point below the camera, m."""
         return float(self.view.eye[0]), float(self.view.eye[2])
 
@@ -54,28 +48,20 @@ class SampleGrid:
         return self.samples * self.width
 
     @cached_property
-    def steps(self) -> tuple[Floats, Floats]:
+    def steps(self) -> Pair:
         """Change of a ray from one sample to the next, along a row and along a column; (3,) each."""
         return 2.0 * self.view.ray_x / self.columns, 2.0 * self.view.ray_y / self.rows
 
 
-def basis(yaw: float, pitch: float, roll: float) -> tuple[Floats, Floats, Floats]:
-    """Right, up and forward, (3,) unit vectors, of a camera rotated by yaw, pitch and roll (rad)."""
-    sin_yaw, cos_yaw = math.sin(yaw), math.cos(yaw)
-    sin_pitch, cos_pitch = math.sin(pitch), math.cos(pitch)
+def view(camera: Camera, width: int, height: int) -> View:
+    """The view of a camera on a picture of width × height pixels: rotated by yaw, then pitch, then roll."""
+    sin_yaw, cos_yaw = math.sin(camera.yaw), math.cos(camera.yaw)
+    sin_pitch, cos_pitch = math.sin(camera.pitch), math.cos(camera.pitch)
+    sin_roll, cos_roll = math.sin(camera.roll), math.cos(camera.roll)
     forward = np.array([sin_yaw * cos_pitch, sin_pitch, -cos_yaw * cos_pitch])
     right = np.array([cos_yaw, 0.0, sin_yaw])
     up = np.array([-sin_yaw * sin_pitch, cos_pitch, cos_yaw * sin_pitch])
-    return (
-        right * math.cos(roll) + up * math.sin(roll),
-        up * math.cos(roll) - right * math.sin(roll),
-        forward,
-    )
-
-
-def view(camera: Camera, width: int, height: int) -> View:
-    """The view of a camera on a picture of width × height pixels."""
-    right, up, forward = basis(camera.yaw, camera.pitch, camera.roll)
+    right, up = right * cos_roll + up * sin_roll, up * cos_roll - right * sin_roll
     q = math.tan(camera.fov / 2.0)
     return View(np.array(camera.position, np.float64), q * (width / height) * right, q * up, forward)
 

@@ -11,13 +11,11 @@ from seafoam.reference.foam.coverage import OCTAVES_MOST, Assets, MaskPoints, co
 from seafoam.reference.foam.drift import Copy, copies
 from seafoam.reference.renderer.sources import saturation
 from seafoam.reference.renderer.state import ReferenceState, WaterSamples
-from seafoam.reference.types import Floats, Footprints, Indices, smoothstep
+from seafoam.reference.types import Floats, Footprints, Indices, Pair, Vec2, smoothstep
 from seafoam.scene.foam import DriftSaturation, Foam
 
-LOWEST_SHADE = 0.25
-"""Sine of the sun's elevation below which shadows of foam have constant length."""
-FOAM_SHADE = 0.6
-"""Share of the sun's light that foam blocks."""
+LOWEST_SHADE = 0.25  # sine of the sun's elevation below which shadows of foam have constant length
+FOAM_SHADE = 0.6  # share of the sun's light that foam blocks
 TEXTURED_LOOKS = ("textured", "halftone_textured", "listing")
 
 
@@ -48,12 +46,12 @@ class FoamStage(ReferenceState):
         start, lit = np.broadcast_to(o, d.shape)[seen], self.lighting
         return seen, self.fleet.light(lit.air, lit.open_sun, start, d[seen], hit.subset(seen)), hit.t[seen]
 
-    def _foam(self, samples: WaterSamples) -> tuple[Floats, Floats]:
+    def _foam(self, samples: WaterSamples) -> Pair:
         """Foam amount at r samples, in [0, 3] for the look ``listing``, else in [0, 1], and saturation f; (r,) each."""
         f = saturation(self, self.foam, samples)
         return self._mask_amount(f, samples.x, samples.z, samples.footprints), f
 
-    def _foam_shadow(self, sun: Floats, amount: Floats, f: Floats, samples: WaterSamples) -> tuple[Floats, Floats]:
+    def _foam_shadow(self, sun: Floats, amount: Floats, f: Floats, samples: WaterSamples) -> Pair:
         """Share of the sun's light that foam toward the sun leaves to the water of r samples, and the factor on their
         foam's light; (r,) each."""
         foam = self.foam
@@ -75,8 +73,8 @@ class FoamStage(ReferenceState):
         x: Floats,
         z: Floats,
         footprints: Footprints,
-        offset: tuple[float, float] = (0.0, 0.0),
-        to_rest: tuple[Floats, Floats] | None = None,
+        offset: Vec2 = (0.0, 0.0),
+        to_rest: Pair | None = None,
         octaves: int = OCTAVES_MOST,
     ) -> Floats:
         """Foam amount at r places of the water, or ``offset`` m (x, z) from them, however its mask is moved; (r,).
@@ -107,7 +105,7 @@ class FoamStage(ReferenceState):
         # The converged frame resolves all windrows, so they are not filtered.
         return aging.gathered(self.scene, self.time, self.surface.afloat, s, x, z)
 
-    def _aging(self, s: Floats, f: Floats, rest: tuple[Floats, Floats], footprints: Footprints, octaves: int) -> Floats:
+    def _aging(self, s: Floats, f: Floats, rest: Pair, footprints: Footprints, octaves: int) -> Floats:
         """Foam amount of a coverage s of masks by age, where the water's rest position is ``rest``; (r,)."""
         foam = self.foam
         points = mask_points(*rest, footprints, foam, (0.0, 0.0))

@@ -8,14 +8,13 @@ from seafoam.reference.foam.coverage import Assets
 from seafoam.reference.renderer import camera as cameras
 from seafoam.reference.renderer.shade import SampleShader
 from seafoam.reference.renderer.state import Mode
+from seafoam.reference.spray.births import drops
 from seafoam.reference.spray.splats import splats
-from seafoam.reference.spray.waters import drops
 from seafoam.reference.types import Bools, Floats, Indices
 from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
 
-CHUNK = 32768
-"""Rays shaded at a time, so that their arrays fit in the processor's cache."""
+CHUNK = 32768  # rays shaded at a time, so that their arrays fit in the processor's cache
 JITTER_SEED = 20110
 
 

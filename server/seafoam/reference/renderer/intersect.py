@@ -10,20 +10,17 @@ troughs are cusps; there no crossing from above is missed. Crossings are refined
 """
 
 import math
+from itertools import count
 
 import numpy as np
 
-from seafoam.reference.renderer.relief import ReliefPart
-from seafoam.reference.types import Bools, Floats, Indices, dot
+from seafoam.reference.types import Bools, Floats, Indices, ReliefPart, dot
 
-LEVEL = 1e-9
-"""Rays with |d.y| below this are treated as horizontal: they intersect no horizontal plane."""
-FAR = 1e7
-"""Distance to which rays inside the waves' slab are followed, m."""
+LEVEL = 1e-9  # rays with |d.y| below this are treated as horizontal: they intersect no horizontal plane
+FAR = 1e7  # distance to which rays inside the waves' slab are followed, m
 FINE_STEPS = 1500
 GROWTH = 1.02
-SHAPE_SHARE = 0.25
-"""Step size over the size of the finest feature."""
+SHAPE_SHARE = 0.25  # step size over the size of the finest feature
 REFINEMENTS = 80
 GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
 GOLDEN_STEPS = 40
@@ -104,43 +101,33 @@ class _Search:
     """G along r rays."""
 
     def __init__(self, relief: ReliefPart, eye_y: float, d: Floats) -> None:
-        self.relief = relief
-        self.eye_y = eye_y
-        self.rise = d[:, 1]
-        self.across = d[:, [0, 2]].T
+        self.relief, self.eye_y = relief, eye_y
+        self.d = d.T
         self.level = np.hypot(d[:, 0], d[:, 2])
 
-    def _value(self, s: Floats, across: Floats, rise: Floats) -> Floats:
-        """G at distances s of rays; (r,) m."""
-        x, z = across * s
-        return self.eye_y + rise * s - self.relief.height(x, z)
-
-    def _derivative(self, s: Floats, across: Floats, rise: Floats) -> Floats:
-        h_x, h_z = self.relief.gradient(*(across * s))
-        change: Floats = rise - across[0] * h_x - across[1] * h_z
-        return change
+    def _value(self, s: Floats, x: Floats, y: Floats, z: Floats) -> Floats:
+        """G at distances s along (x, y, z); (r,) m."""
+        return self.eye_y + y * s - self.relief.height(x * s, z * s)
 
     def first(self, low: Floats, high: Floats) -> Floats:
         """First zero of G between the ends of the slab; (r,) m, infinite where there is none."""
-        count = low.size
+        size, rise = low.size, self.d[1]
         # Rounding must not place a camera above all crests below one.
         outside = 1.0 if self.eye_y > self.relief.top else -1.0 if self.eye_y < self.relief.trough else 0.0
-        side = np.full(count, outside)
+        side = np.full(size, outside)
         if outside == 0.0:
-            side = np.where(self._value(low, self.across, self.rise) >= 0.0, 1.0, -1.0)
-        before, after = np.full(count, np.inf), np.full(count, np.inf)
+            side = np.where(self._value(low, *self.d) >= 0.0, 1.0, -1.0)
+        before, after = np.full(size, np.inf), np.full(size, np.inf)
         # Every ray that leaves the slab on the other side has crossed, even if rounding of G there says otherwise.
-        sure = (np.abs(self.rise) >= LEVEL) & (side * self.rise < 0.0) & ((high < FAR) | (outside != 0.0))
+        sure = (np.abs(rise) >= LEVEL) & (side * rise < 0.0) & ((high < FAR) | (outside != 0.0))
         # Rays steeper than any slope have one crossing, between the ends.
-        steep = sure & (side > 0.0) & (-self.rise > self.relief.slope * self.level)
+        steep = sure & (side > 0.0) & (-rise > self.relief.slope * self.level)
         before[steep], after[steep] = low[steep], high[steep]
         dips = self._march(np.flatnonzero(~steep), low, high, side, sure, before, after)
         self._search_dips(dips, side, before, after)
         crossed = np.flatnonzero(np.isfinite(after))
-        result = np.full(count, np.inf)
-        if crossed.size:
-            result[crossed] = self._refine(crossed, before[crossed], after[crossed], side[crossed])
-        return result
+        after[crossed] = self._refine(crossed, before[crossed], after[crossed], side[crossed])
+        return after
 
     def _march(
         self, rays: Indices, low: Floats, high: Floats, side: Floats, sure: Bools, before: Floats, after: Floats
@@ -152,22 +139,20 @@ class _Search:
         dips: list[tuple[Indices, Floats, Floats]] = []
         if rays.size == 0:
             return dips
-        across, rise, level = self.across[:, rays], self.rise[rays], self.level[rays]
-        sign, s, end, certain = side[rays], low[rays], high[rays], sure[rays]
-        g = sign * self._value(s, across, rise)
+        d, level, sign, s, end = (part[..., rays] for part in (self.d, self.level, side, low, high))
+        certain = sure[rays]
+        g = sign * self._value(s, *d)
         s_old, g_old = s, np.full(s.shape, np.inf)
-        closing = self.relief.slope * level - sign * rise
+        closing = self.relief.slope * level - sign * d[1]
         live = np.ones(rays.size, np.bool_)
         fine = SHAPE_SHARE * self.relief.shape / np.maximum(level, 1e-12)
-        steps = 0
-        while True:
-            steps += 1
+        for steps in count(1):
             if steps > FINE_STEPS:
                 fine = fine * GROWTH
             # With infinite slope, or where the gap does not close, the quotient is 0 or undefined.
             safe = np.where(closing > 0.0, g / np.where(closing > 0.0, closing, 1.0), np.inf)
             s_new = np.minimum(s + np.maximum(fine, safe), end)
-            g_new = sign * self._value(s_new, across, rise)
+            g_new = sign * self._value(s_new, *d)
             crossed = live & ((g_new <= 0.0) | (certain & (s_new >= end)))
             where = rays[crossed]
             before[where], after[where] = s[crossed], s_new[crossed]
@@ -176,16 +161,15 @@ class _Search:
             if suspect.any():
                 dips.append((rays[suspect], s_old[suspect], s_new[suspect]))
             live &= ~crossed & (s_new < end)
-            left = int(np.count_nonzero(live))
-            if left == 0:
-                return dips
+            if not live.any():
+                break
             s_old, g_old, s, g = s, g, s_new, g_new
-            if left < 0.75 * live.size:
-                rays, across, rise, level = rays[live], across[:, live], rise[live], level[live]
-                sign, end, closing, fine = sign[live], end[live], closing[live], fine[live]
-                certain = certain[live]
-                s, g, s_old, g_old = s[live], g[live], s_old[live], g_old[live]
-                live = np.ones(left, np.bool_)
+            if np.count_nonzero(live) < 0.75 * live.size:
+                rays, certain, d = rays[live], certain[live], d[:, live]
+                level, sign, end, closing, fine = (part[live] for part in (level, sign, end, closing, fine))
+                s, g, s_old, g_old = (part[live] for part in (s, g, s_old, g_old))
+                live = np.ones(rays.size, np.bool_)
+        return dips
 
     def _search_dips(
         self, dips: list[tuple[Indices, Floats, Floats]], side: Floats, before: Floats, after: Floats
@@ -193,18 +177,16 @@ class _Search:
         """Find the least G of each minimum by golden section; where it is negative, it ends an earlier bracket."""
         if not dips:
             return
-        rays = np.concatenate([dip[0] for dip in dips])
-        start = np.concatenate([dip[1] for dip in dips])
-        a, b = start, np.concatenate([dip[2] for dip in dips])
+        rays, start, b = (np.concatenate(parts) for parts in zip(*dips, strict=True))
         early = start < np.minimum(after[rays], np.finfo(np.float64).max)
-        rays, start, a, b = rays[early], start[early], a[early], b[early]
-        sign, across, rise = side[rays], self.across[:, rays], self.rise[rays]
+        rays, start, a, b = rays[early], start[early], start[early], b[early]
+        sign, d = side[rays], self.d[:, rays]
         for _ in range(GOLDEN_STEPS):
             left, right = b - GOLDEN * (b - a), a + GOLDEN * (b - a)
-            keep_left = sign * self._value(left, across, rise) < sign * self._value(right, across, rise)
+            keep_left = sign * self._value(left, *d) < sign * self._value(right, *d)
             a, b = np.where(keep_left, a, left), np.where(keep_left, right, b)
         middle = 0.5 * (a + b)
-        below = np.flatnonzero(sign * self._value(middle, across, rise) < 0.0)
+        below = np.flatnonzero(sign * self._value(middle, *d) < 0.0)
         # With several minima of one ray the last assignment wins, so the nearest is assigned last.
         for i in below[np.argsort(-middle[below], kind="stable")]:
             if middle[i] < after[rays[i]]:
@@ -214,11 +196,11 @@ class _Search:
         """The zero between a (G·side ≥ 0) and b (G·side ≤ 0): Newton steps, bisection where they leave the bracket."""
         result = np.empty(rays.size)
         place = np.arange(rays.size)
-        across, rise = self.across[:, rays], self.rise[rays]
-        s = 0.5 * (a + b)
-        for _ in range(REFINEMENTS):
-            g = side * self._value(s, across, rise)
-            slope = side * self._derivative(s, across, rise)
+        d, s = self.d[:, rays], 0.5 * (a + b)
+        for _ in range(REFINEMENTS if rays.size else 0):
+            g = side * self._value(s, *d)
+            h_x, h_z = self.relief.gradient(d[0] * s, d[2] * s)
+            slope = side * (d[1] - d[0] * h_x - d[2] * h_z)
             a, b = np.where(g > 0.0, s, a), np.where(g > 0.0, b, s)
             falling = slope < 0.0
             newton = s - g / np.where(falling, slope, 1.0)
@@ -229,6 +211,6 @@ class _Search:
             left = ~done
             if not left.any():
                 break
-            s, a, b, side, place = following[left], a[left], b[left], side[left], place[left]
-            across, rise = across[:, left], rise[left]
+            s, a, b, side = (part[left] for part in (following, a, b, side))
+            d, place = d[:, left], place[left]
         return result

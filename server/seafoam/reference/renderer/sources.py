@@ -14,12 +14,11 @@ from seafoam.reference.foam.drift import drift_saturation
 from seafoam.reference.renderer.state import ReferenceState, WaterSamples
 from seafoam.reference.types import Floats
 from seafoam.reference.types import SurfacePoints as SurfacePoints
-from seafoam.reference.waves.parametric import WaveSet, wave_set
+from seafoam.reference.waves.parametric import wave_set
 from seafoam.reference.waves.sea import whitecap_saturation
 from seafoam.scene import foam as scenes
 
-Slopes = Callable[[Floats, Floats], Floats]
-"""The surface's gradient at (x, z), m from the origin; (2, r)."""
+Slopes = Callable[[Floats, Floats], Floats]  # the surface's gradient at (x, z), m from the origin; (2, r)
 
 
 def height_saturation(H: Floats, base: float, full: float) -> Floats:
@@ -39,30 +38,19 @@ def slope_saturation(slopes: Slopes, x: Floats, z: Floats, gain: float, base: fl
 
 def joined(parts: list[Floats], combine: Literal["max", "product"], cap: float) -> Floats:
     """The greatest or the product of saturations, each and the result capped; one array or more."""
-    result = np.minimum(parts[0], cap)
-    for part in parts[1:]:
-        held = np.minimum(part, cap)
-        result = np.maximum(result, held) if combine == "max" else result * held
-    return np.minimum(result, cap)
+    joint: Callable[..., Floats] = np.max if combine == "max" else np.prod
+    return np.minimum(joint(np.minimum(parts, cap), axis=0), cap)
 
 
-def front_source(
-    source: scenes.FrontSaturation,
-    waves: WaveSet,
-    points: SurfacePoints,
-    eye_y: float,
-    history: front.History = front.STILL,
-) -> Floats:
-    """f of fronts at points; (r,).
-
-    ``waves``: those of the source's constants. With footprints fronts are averaged over what an eye at a height of
-    ``eye_y`` m over (0, 0) sees of them. ``history``: how foam that fronts leave moves with the water.
-    """
+def _front(state: ReferenceState, source: scenes.FrontSaturation, points: SurfacePoints) -> Floats:
+    """f of fronts at points, with footprints averaged over what the camera sees of them; (r,)."""
+    constants, eye_y = front.FRONT_CONSTANTS[source.constants], state.eye_y
+    waves = wave_set(state.scene, state.time, state.surface.afloat, constants.spatial)
     if waves.amplitude.size == 0:
         return np.zeros_like(points.x)
     if source.decay is not None:
+        history = front.History(foam_drift(state.scene), state.surface.orbits)
         return front.decaying_front(source, waves, points, eye_y, history)
-    constants = front.FRONT_CONSTANTS[source.constants]
     sum_of = front.group(waves, points.x, points.z, constants.delta)
     if points.footprints is None:
         f = np.minimum(front.front_saturation(sum_of.X, sum_of.Y, source.intensity, constants.base), points.cap)
@@ -71,13 +59,6 @@ def front_source(
         psi, width = front.phases_under(psi, front.phase_gradient(sum_of), points, eye_y, waves.relief, crest)
         f = front.front_saturation_filtered(psi, width, source.intensity, constants.base)
     return f * front.gate(sum_of.rho, source.group)
-
-
-def _front(state: ReferenceState, source: scenes.FrontSaturation, points: SurfacePoints) -> Floats:
-    history = front.History(foam_drift(state.scene), state.surface.orbits)
-    spatial = front.FRONT_CONSTANTS[source.constants].spatial
-    waves = wave_set(state.scene, state.time, state.surface.afloat, spatial)
-    return front_source(source, waves, points, state.eye_y, history)
 
 
 def _surf(state: ReferenceState, source: scenes.SurfSaturation, points: SurfacePoints) -> Floats:

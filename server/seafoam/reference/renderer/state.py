@@ -13,10 +13,8 @@ from seafoam.reference.foam.coverage import Assets
 from seafoam.reference.light import light, sparkles
 from seafoam.reference.renderer import intersect
 from seafoam.reference.renderer.camera import SampleGrid
-from seafoam.reference.renderer.relief import Relief, ReliefPart
-from seafoam.reference.shore.shadow import land_shadow
-from seafoam.reference.shore.shore import Coast
-from seafoam.reference.types import Floats, Footprints, Sunlight, dot, unit
+from seafoam.reference.shore.shore import Coast, land_shadow
+from seafoam.reference.types import Floats, Footprints, Relief, ReliefPart, Sunlight, Vec2, dot, unit
 from seafoam.reference.water.seafloor import Seabed, ShoreSeabed
 from seafoam.reference.waves.parametric import RippleSet, WaveSet, afloat, gust_field, ripple_set, wave_set
 from seafoam.reference.waves.rings import RingSet, ring_set, touch_set
@@ -31,22 +29,18 @@ Mode = Literal["same-samples", "converged"]
 class Surface:
     """The water at one time around one origin, all that raises and tilts it, and the land."""
 
-    afloat: tuple[float, float]
-    """The origin in the frame of the flowing water, m."""
+    afloat: Vec2  # the origin in the frame of the flowing water, m
     waves: WaveSet
     sea: SeaSurface | None
-    wakes: WakeSet | StoneSet | None
-    """The wakes that leave foam."""
+    wakes: WakeSet | StoneSet | None  # the wakes that leave foam
     coast: Coast | None
-    relief: ReliefPart
-    """The sum of all that raises the water."""
+    relief: ReliefPart  # the sum of all that raises the water
     ripples: RippleSet
     touches: RingSet
-    orbits: bool
-    """Whether waves move foam to and fro."""
+    orbits: bool  # whether waves move foam to and fro
 
     @staticmethod
-    def of(scene: Scene, time: float, origin: tuple[float, float]) -> "Surface":
+    def of(scene: Scene, time: float, origin: Vec2) -> "Surface":
         """The surface of a scene at a time (s) around an origin (x, z) in m."""
         floating = afloat(scene, time, origin)
         waves, sea = wave_set(scene, time, floating), sea_surface(scene, time, floating)
@@ -96,10 +90,8 @@ class Lighting:
     settings: Light
     air: light.Air
     glint: light.Glint
-    open_sun: Sunlight
-    """What land and clouds leave of the sun."""
-    sunlight: Sunlight
-    """What boats leave too."""
+    open_sun: Sunlight  # what land and clouds leave of the sun
+    sunlight: Sunlight  # what boats leave too
 
     @staticmethod
     def of(
@@ -141,20 +133,14 @@ def _product(parts: list[Sunlight]) -> Sunlight:
 class WaterSamples:
     """Where r rays meet the water."""
 
-    d: Floats
-    """(r, 3) unit vectors along the rays."""
-    distance: Floats
-    """(r,) m."""
-    x: Floats
-    """(r,) m from the origin."""
+    d: Floats  # (r, 3) unit vectors along the rays
+    distance: Floats  # (r,) m
+    x: Floats  # (r,) m from the origin
     z: Floats
-    height: Floats
-    """(r,) m."""
+    height: Floats  # (r,) m
     footprints: Footprints
-    normal: Floats
-    """(r, 3) unit vectors, with ripples."""
-    foam_normal: Floats
-    """The same with half of the ripples, which foam damps."""
+    normal: Floats  # (r, 3) unit vectors, with ripples
+    foam_normal: Floats  # the same with half of the ripples, which foam damps
 
 
 class ReferenceState:

@@ -11,24 +11,18 @@ from scipy import ndimage
 from seafoam.ocean.coast.seabed import floor_grid
 from seafoam.ocean.coast.travel import travel_grid
 from seafoam.ocean.constants import GRAVITY
-from seafoam.reference.types import Bools, Floats, Indices, smoothstep
+from seafoam.reference.types import Bools, Floats, Indices, Pair, smoothstep
 from seafoam.reference.waves.parametric import reduced
 from seafoam.scene.shore import Shore, Surf
 from seafoam.textures.shore import shore_profiles
 
-BREAKS = 0.78
-"""Ratio of height to depth at which a wave breaks (McCowan 1894)."""
+BREAKS = 0.78  # ratio of height to depth at which a wave breaks (McCowan 1894)
 LEAST = 0.05
-SWASH = 0.3
-"""Share of its height that a broken wave has on the beach."""
-MAP = 256
-"""Texels along a side of the map."""
-FLOOR = 512
-"""Texels along a side of the height field."""
-NODES = 256
-"""Nodes of a profile."""
-PERIOD = 2.0**18
-"""Side of the square in which a shore repeats, m."""
+SWASH = 0.3  # share of its height that a broken wave has on the beach
+MAP = 256  # texels along a side of the map
+FLOOR = 512  # texels along a side of the height field
+NODES = 256  # nodes of a profile
+PERIOD = 2.0**18  # side of the square in which a shore repeats, m
 MASK = ((83.0, 0.4, 31.0), (57.0, 2.1, 23.0), (119.0, 3.6, 43.0), (71.0, 5.3, 37.0))
 """Wavelength (m), heading (rad) and period (s) of the sines that vary the waves' height; sine i starts at 1.7 i rad."""
 
@@ -87,10 +81,9 @@ class QuadraticSpline:
 
     def value(self, x: Floats, z: Floats) -> Floats:
         """(r, c) at (x, z), m from the centre of the square; outside it the value of the nearest point inside."""
-        result: Floats = self._sums(x, z, ((0, 0),))[0]
-        return result
+        return self._sums(x, z, ((0, 0),))[0, :]
 
-    def all(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
+    def all(self, x: Floats, z: Floats) -> Pair:
         """Value (r, c) and its derivatives along x and z, (2, r, c) per metre. Outside the square derivatives are 0."""
         total, *changes = self._sums(x, z, ((0, 0), (1, 0), (0, 1)))
         inside = np.abs(np.stack((x, z))) <= 0.5 * self.size
@@ -181,18 +174,11 @@ class Profiles:
         y = np.clip(skew, 0.0, 1.0) * (rows - 1)
         row = np.minimum(y.astype(np.intp), rows - 2)
         share = y - row
-        value, slope = np.zeros((2, turn.size)), np.zeros((2, turn.size))
-        for i in range(3):
-            node = (base + i - 1) % nodes
-            for j in range(2):
-                here = self.table[row + j, node]
-                value[j] += weights[i] * here
-                slope[j] += slopes[i] * here
-        mixed: Floats = value[0] + share * (value[1] - value[0])
-        turned: Floats = (slope[0] + share * (slope[1] - slope[0])) * nodes
-        return mixed, turned, (value[1] - value[0]) * (rows - 1)
+        around = (base + np.arange(-1, 2)[:, None]) % nodes
+        here = self.table[row + np.arange(2)[:, None, None], around]
+        value, slope = (weights * here).sum(axis=1), (slopes * here).sum(axis=1)
+        turned = (slope[0] + share * (slope[1] - slope[0])) * nodes
+        return value[0] + share * (value[1] - value[0]), turned, (value[1] - value[0]) * (rows - 1)
 
 
-@lru_cache(maxsize=8)
-def profiles(skew: float, sharpness: float) -> Profiles:
-    return Profiles(skew, sharpness)
+profiles = lru_cache(maxsize=8)(Profiles)

@@ -6,38 +6,38 @@ the grids here are the same, those of the ``reference`` quality.
 """
 
 import math
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 from scipy import ndimage
 
 from seafoam.ocean.constants import WATER_INDEX
 from seafoam.reference.light.light import Floor, plain_floor
-from seafoam.reference.noise import KEY, filtered_step, footprint_variance, patches, value
-from seafoam.reference.renderer.relief import ReliefPart
+from seafoam.reference.noise import filtered_step, footprint_variance, grain, patches
 from seafoam.reference.shore import maps
 from seafoam.reference.shore.soil import Soil, detailed
-from seafoam.reference.types import Floats, Footprints, dot, smoothstep, unit
+from seafoam.reference.types import Floats, Footprints, Pair, ReliefPart, Sunlight, Vec2, dot, smoothstep, unit
 from seafoam.reference.waves.parametric import reduced
 from seafoam.scene.foam import SurfSaturation
 from seafoam.scene.shore import Shore
 
-GRAIN_CELL, GRAIN_OCTAVES, GRAIN_STEP = 9.0, 5, 0.31
-"""Side of the ground's first cells of noise (m), number of octaves, and ratio of one's cells to the one before."""
 SHALLOW = (0.1, 0.6)
 """Depths of the floor at which the look of soaked land starts to give way to that of the plain ground, and has, m."""
 FALL_LEAST = 0.25
 REFRACTION_STEPS = 16
-PLAIN_FILM_ROUGHNESS2 = 0.02
-"""Mean square slope of the film of water on land without detail."""
-DRYING = 4.0, 40.0
-"""Times in which the film of water and the sand dry to 1/e, s."""
+PLAIN_FILM_ROUGHNESS2 = 0.02  # mean square slope of the film of water on land without detail
+DRYING = 4.0, 40.0  # times in which the film of water and the sand dry to 1/e, s
 SAFE_STEPS = 20000
 WEED = np.array([0.08, 0.085, 0.05])
-EDGE = 1e-3, 0.15
-"""Minimum and maximum of the change of depth over a footprint at the water's edge, m."""
+EDGE = 1e-3, 0.15  # minimum and maximum of the change of depth over a footprint at the water's edge, m
 PATCHES = (6.0, True), (1.7, False), (0.5, True)
 """Cells of the noise that tears the surf's foam, m, and whether they are turned."""
+SHADOW_CELLS = 128  # cells along a side of the map of shadows
+SHADOW_STEPS = 256  # steps toward the sun
+SUN_RADIUS = 0.00465  # angular radius of the sun, rad
+STEEPEST, LOWEST_RISE = 1.5, 1e-3  # greatest elevation of a rim (rad) and least slope of its sight
+SHADOW_REACH = 1.5  # end of those steps, in sides of the square
+SHADOW_SOFT = 0.25  # error of an edge's place that softens it, cells
 
 
 def _swing(here: Floats, phase: Floats, turn: Floats) -> Floats:
@@ -49,7 +49,7 @@ def _swing(here: Floats, phase: Floats, turn: Floats) -> Floats:
 class Coast:
     """The shore of a scene at a time, x and z from an origin (m); its sea, with all waves, is a part of the surface."""
 
-    def __init__(self, shore: Shore, time: float, origin: tuple[float, float], open_sea: ReliefPart) -> None:
+    def __init__(self, shore: Shore, time: float, origin: Vec2, open_sea: ReliefPart) -> None:
         self.shore = shore
         self.open_sea = open_sea
         self.offset = tuple(math.remainder(a - b, maps.PERIOD) for a, b in zip(origin, shore.place, strict=True))
@@ -71,11 +71,8 @@ class Coast:
     def _change(self, values: Floats) -> Floats:
         """Greatest derivative of a map's channel around each texel, per metre: an upper bound of its spline's."""
         texel = self.shore.size / maps.MAP
-        both = [
-            ndimage.maximum_filter(np.abs(np.diff(values, axis=axis, append=values.take([-1], axis))), 5)
-            for axis in (0, 1)
-        ]
-        result: Floats = np.hypot(both[0], both[1]) / texel
+        steps = (np.abs(np.diff(values, axis=axis, append=values.take([-1], axis))) for axis in (0, 1))
+        result: Floats = np.hypot(*(ndimage.maximum_filter(step, 5) for step in steps)) / texel
         return result
 
     @cached_property
@@ -104,19 +101,17 @@ class Coast:
         steps = self._change(self.field.texels[..., 0])[ndimage.maximum_filter(height, 5) > 0.0]
         return min(self.open_sea.shape, 0.1 / float(steps.max())) if steps.size else self.open_sea.shape
 
-    def place(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
+    def place(self, x: Floats, z: Floats) -> Pair:
         """(x, z) relative to the centre of the square, m."""
         return x + self.offset[0], z + self.offset[1]
 
-    def within(self, d: Floats, x: Floats | float = 0.0, z: Floats | float = 0.0) -> tuple[Floats, Floats]:
+    def within(self, d: Floats, x: Floats | float = 0.0, z: Floats | float = 0.0) -> Pair:
         """Distances at which unit rays d (r, 3) from (x, z) enter and leave the square, m; (r,), entry > exit for a
         miss."""
         low, high = np.zeros(d.shape[0]), np.full(d.shape[0], np.inf)
         for axis, offset, start in zip((0, 2), self.offset, (x, z), strict=True):
             along = np.where(np.abs(d[:, axis]) < 1e-12, 1e-12, d[:, axis])
-            ends = np.sort(
-                np.stack([(side * self.shore.size - offset - start) / along for side in (-0.5, 0.5)]), axis=0
-            )
+            ends = np.sort([(side * self.shore.size - offset - start) / along for side in (-0.5, 0.5)], axis=0)
             low, high = np.maximum(low, ends[0]), np.minimum(high, ends[1])
         return low, high
 
@@ -217,8 +212,8 @@ class Coast:
         late = since < -0.5
         share = np.maximum(0.5 - np.where(late, since + 1.0, -since) / width, 0.0)
         own, beyond = np.minimum(after(since), 1.0), np.minimum(after(np.where(late, 0.0, -1.0)), 1.0)
-        mixed: Floats = own + share * (beyond - own)
-        return mixed
+        result: Floats = own + share * (beyond - own)
+        return result
 
     def ground(self, q_x: Floats, q_z: Floats) -> tuple[Floats, Floats, Floats, Floats]:
         """Height of the ground (m), its gradient and its tint; (r,) each. Arguments: m from the square's centre."""
@@ -233,31 +228,21 @@ class Coast:
         far = np.zeros_like(x)
         result = np.full_like(x, farthest)
         left = np.arange(x.size)
-        closing = np.maximum(self.steepest * np.hypot(d[:, 0], d[:, 2]) - d[:, 1], 1e-9)
+        steepest = _steepest(self.floor.texels[..., 0], self.shore.size)
+        closing = np.maximum(steepest * np.hypot(d[:, 0], d[:, 2]) - d[:, 1], 1e-9)
         for _ in range(SAFE_STEPS):
             s, ray = far[left], d[left]
             here = self.ground(*self.place(x[left] + s * ray[:, 0], z[left] + s * ray[:, 2]))[0]
             gap = y[left] + s * ray[:, 1] - here
             met = gap <= 1e-9 * (1.0 + s)
             result[left[met]] = s[met]
-            gone = (s > farthest) | ((ray[:, 1] > 0.0) & (y[left] + s * ray[:, 1] > self.highest))
+            gone = (s > farthest) | ((ray[:, 1] > 0.0) & (y[left] + s * ray[:, 1] > self.land.top))
             far[left] = s + gap / closing[left]
             left = left[~met & ~gone]
             if left.size == 0:
                 return result
         result[left] = far[left]
         return np.minimum(result, farthest)
-
-    @cached_property
-    def highest(self) -> float:
-        """Greatest height of the ground, m."""
-        return float(self.floor.texels[..., 0].max())
-
-    @cached_property
-    def steepest(self) -> float:
-        """Upper bound of the ground's slope."""
-        heights, step = self.floor.texels[..., 0], self.floor.size / self.floor.texels.shape[0]
-        return 1.01 * math.hypot(*(float(np.abs(np.diff(heights, axis=axis)).max()) / step for axis in (0, 1)))
 
     def bed(self, x: Floats, z: Floats, H: Floats, d: Floats, n: Floats, footprints: Footprints) -> Floor:
         """The floor along rays d (r, 3) refracted at (x, z), where the water has height H and unit normals n (r, 3)."""
@@ -310,7 +295,7 @@ class Coast:
         normal = unit(np.stack((-g_x, np.ones_like(g_x), -g_z), axis=-1))
         return Soil(normal, self.albedo(q_x, q_z, footprints), by_height[1], PLAIN_FILM_ROUGHNESS2, glints=False)
 
-    def wetness(self, q_x: Floats, q_z: Floats, height: Floats) -> tuple[Floats, Floats]:
+    def wetness(self, q_x: Floats, q_z: Floats, height: Floats) -> Pair:
         """How dark the swash left the ground, and how much of it mirrors; (r,) each."""
         surf, dark = self.shore.surf, self.wet(height)
         if surf.height <= 0.0:
@@ -340,10 +325,9 @@ class Land:
         dry = np.maximum(heights, 0.0)
         self.top = float(dry.max())
         self.trough = 0.0
-        self.slope = 1.01 * math.hypot(*(float(np.abs(np.diff(dry, axis=axis)).max()) / step for axis in (0, 1)))
-        self.curvature = 3.0 * max(
-            float(np.abs(np.diff(heights[1:-1, 1:-1], 2, axis=axis)).max()) / step**2 for axis in (0, 1)
-        )
+        self.slope = _steepest(dry, coast.shore.size)
+        bends = [float(np.abs(np.diff(heights[1:-1, 1:-1], 2, axis=axis)).max()) for axis in (0, 1)]
+        self.curvature = 3.0 * max(bends) / step**2
         self.shape = 2.0 * step
 
     def height(self, x: Floats, z: Floats) -> Floats:
@@ -356,16 +340,49 @@ class Land:
         return np.where(height > 0.0, slope, 0.0)
 
 
-def grain(q_x: Floats, q_z: Floats, footprints: Footprints) -> Floats:
-    """Texture of the ground in [0, 1]: octaves of noise, faded out before they are smaller than footprints; (r,)."""
-    reach = np.sqrt(np.maximum(*(dot(side, side) for side in footprints)))
-    total = np.full(q_x.shape, 0.5)
-    cell = GRAIN_CELL
-    for _ in range(GRAIN_OCTAVES):
-        q_x, q_z = 0.8 * q_x - 0.6 * q_z, 0.6 * q_x + 0.8 * q_z
-        kept = 1.0 - smoothstep(0.15 * cell, 0.6 * cell, reach)
-        seen = np.flatnonzero(kept > 0.0)
-        total[seen] += (value(KEY, q_x[seen] / cell, q_z[seen] / cell) - 0.5) * 0.45 * kept[seen]
-        cell *= GRAIN_STEP
-    result: Floats = np.clip(total, 0.0, 1.0)
-    return result
+def _steepest(heights: Floats, size: float) -> float:
+    """Upper bound of the slope of a map of heights (n, n) of a square of this side, m."""
+    steps = (float(np.abs(np.diff(heights, axis=axis)).max()) for axis in (0, 1))
+    return 1.01 * math.hypot(*steps) * len(heights) / size
+
+
+def land_shadow(coast: Coast, sun: Floats) -> Sunlight:
+    """The share of the sunlight that a coast's land leaves under a sun (3,)."""
+    x, y, z = (float(part) for part in sun)
+    elevation, level = math.atan2(y, math.hypot(x, z)), max(math.hypot(x, z), 1e-6)
+    toward, size = (x / level, z / level), coast.shore.size
+    rises = tuple(
+        max(math.tan(min(elevation + side * SUN_RADIUS, most)), LOWEST_RISE)
+        for side, most in ((1.0, STEEPEST), (-1.0, STEEPEST - 0.01))
+    )
+    seen_from = maps.QuadraticSpline(_shadow_heights(coast.shore.ground, toward, rises), size)
+
+    def sunlight(place: Floats, footprints: Footprints) -> Floats:
+        q = coast.place(place[:, 0], place[:, 2])
+        enters = [
+            np.maximum(-0.5 * size - math.copysign(1.0, u) * part, 0.0) / max(abs(u), 1e-6)
+            for u, part in zip(toward, q, strict=True)
+        ]
+        far = np.maximum(enters[0], enters[1])
+        here, change = seen_from.all(q[0] + far * toward[0], q[1] + far * toward[1])
+        slope = change[..., 1].T
+        soft = 0.5 * sum(np.abs(dot(slope, side)) for side in footprints) + SHADOW_SOFT * rises[1] * size / SHADOW_CELLS
+        low, high = (here[:, i] - far * rise for i, rise in enumerate(rises))
+        return smoothstep(0.0, 1.0, (place[:, 1] - low + soft) / (high - low + 2.0 * soft))
+
+    return sunlight
+
+
+@lru_cache(maxsize=8)
+def _shadow_heights(shore: Shore, toward: Vec2, rises: tuple[float, ...]) -> Floats:
+    """Heights from which the sun's upper and lower rim are seen over the land, (n, n, 2), rows along z, m."""
+    floor = maps.floor_spline(shore)
+    side = shore.size / SHADOW_CELLS
+    centres = (np.arange(SHADOW_CELLS) + 0.5) * side - 0.5 * shore.size
+    x, z = (part.ravel() for part in np.meshgrid(centres, centres, indexing="xy"))
+    highest = np.full((x.size, 2), -np.inf)
+    for s in np.linspace(0.0, 1.0, SHADOW_STEPS):
+        far = side + (SHADOW_REACH * shore.size - side) * s * (0.25 + 0.75 * s)
+        ground = floor.value(x + far * toward[0], z + far * toward[1])[:, 0]
+        highest = np.maximum(highest, ground[:, None] - far * np.array(rises))
+    return highest.reshape(SHADOW_CELLS, SHADOW_CELLS, 2)

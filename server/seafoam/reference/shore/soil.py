@@ -6,15 +6,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from seafoam.reference.noise import chained, filtered_step, share
-from seafoam.reference.types import Floats, Footprints, Indices, dot, smoothstep, unit
+from seafoam.reference.types import Floats, Footprints, Indices, Pair, Vec2, dot, smoothstep, unit
 from seafoam.scene.shore import Shore
 
 KEY = 0x51ED270B
-CELL = 64.0
-"""Side of the first octave's cells, m."""
+CELL = 64.0  # side of the first octave's cells, m
 FINER = 0.31
-STRENGTH = 5.672
-"""Over the standard deviation of the gradient noise."""
+STRENGTH = 5.672  # over the standard deviation of the gradient noise
 OCTAVES = (
     # share of the pattern, then relief's height over its cell on sand, rock and plants
     (0.30, 0.0, 0.03, 0.02),
@@ -25,19 +23,13 @@ OCTAVES = (
     (0.35, 0.022, 0.11, 0.10),
     (0.29, 0.020, 0.08, 0.05),
 )
-CRACKED = 0.0575
-"""Mean of (1 − 5|x|)² where 5|x| < 1, x normal."""
-WIND = np.array([40.0, 17.0])
-"""Wavevector of the sand's ripples, rad/m."""
-DIP = np.array([0.21, -0.13])
-"""Slope of the layers of rock, negative."""
+CRACKED = 0.0575  # mean of (1 − 5|x|)² where 5|x| < 1, x normal
+WIND = np.array([40.0, 17.0])  # wavevector of the sand's ripples, rad/m
+DIP = np.array([0.21, -0.13])  # slope of the layers of rock, negative
 WRACK = np.array([0.08, 0.06, 0.04])
-FILM_ROUGHNESS2 = 0.003
-"""Mean square slope of the film of water on sand."""
-LAYERS = 7.0, 1.7, 0.37
-"""Thickness of the layers of rock, m."""
-SUNKEN = 8.0
-"""How much lower the ground below still water lies for its look, m."""
+FILM_ROUGHNESS2 = 0.003  # mean square slope of the film of water on sand
+LAYERS = 7.0, 1.7, 0.37  # thickness of the layers of rock, m
+SUNKEN = 8.0  # how much lower the ground below still water lies for its look, m
 
 
 @dataclass(frozen=True)
@@ -53,7 +45,7 @@ class Pattern:
     two: float = 0.0
     fine: float = 0.0
     all: float = 0.0
-    grows: tuple[float, float] = (0.0, 1.0)
+    grows: Vec2 = (0.0, 1.0)
 
     def sum(self, noise: "_Noise", start: Floats | float = 0.0) -> Floats:
         """The sum (r,), added to ``start``."""
@@ -72,42 +64,28 @@ class Pattern:
         return filtered_step(*self.grows, self.sum(noise), 0.5 * noise.hidden)
 
 
-SAND_TONE = Pattern(broad=0.06, six=0.05, two=0.05, fine=0.11)
-"""Lightness of sand, about 1."""
-RIPPLE_BEND = Pattern(two=2.2, fine=1.2)
-"""By how much ripples of the wind are off their straight lines, rad."""
-RIPPLED = Pattern(broad=0.5, six=1.0, grows=(-0.6, 1.0))
-"""Where the wind has combed the sand."""
+SAND_TONE = Pattern(broad=0.06, six=0.05, two=0.05, fine=0.11)  # lightness of sand, about 1
+RIPPLE_BEND = Pattern(two=2.2, fine=1.2)  # by how much ripples of the wind are off their straight lines, rad
+RIPPLED = Pattern(broad=0.5, six=1.0, grows=(-0.6, 1.0))  # where the wind has combed the sand
 STRAND_BEND = Pattern(six=0.5, two=0.35)
 """By how much the strand line is off a contour of height, over its width."""
-STRINGS = Pattern(two=0.6, fine=1.8, grows=(0.3, 1.8))
-"""Where wrack lies on the strand line."""
-LAYER_BEND = Pattern(broad=0.9, six=0.35, two=0.12)
-"""By how much layers of rock are off their plane, m."""
-CRACKED_ROCK = Pattern(six=1.0, fine=1.0, grows=(-0.5, 1.2))
-"""Where rock has cracks."""
-CROWNS = Pattern(six=0.5, two=0.7, fine=0.6, grows=(-1.4, 1.6))
-"""Crowns of plants between their shadows."""
-DRY_PLANTS = Pattern(broad=1.0, six=0.4, grows=(-0.4, 1.6))
-"""Where plants are yellow."""
-BARE_EARTH = Pattern(broad=0.8, all=-0.7, grows=(0.9, 1.7))
-"""Earth between plants."""
+STRINGS = Pattern(two=0.6, fine=1.8, grows=(0.3, 1.8))  # where wrack lies on the strand line
+LAYER_BEND = Pattern(broad=0.9, six=0.35, two=0.12)  # by how much layers of rock are off their plane, m
+CRACKED_ROCK = Pattern(six=1.0, fine=1.0, grows=(-0.5, 1.2))  # where rock has cracks
+CROWNS = Pattern(six=0.5, two=0.7, fine=0.6, grows=(-1.4, 1.6))  # crowns of plants between their shadows
+DRY_PLANTS = Pattern(broad=1.0, six=0.4, grows=(-0.4, 1.6))  # where plants are yellow
+BARE_EARTH = Pattern(broad=0.8, all=-0.7, grows=(0.9, 1.7))  # earth between plants
 
 
 @dataclass(frozen=True, eq=False)
 class Soil:
     """What land looks like at places (r,)."""
 
-    normal: Floats
-    """(r, 3) unit vectors, of the relief."""
-    albedo: Floats
-    """(r, 3)."""
-    film: Floats
-    """(r,) share that a film of water mirrors."""
-    roughness2: float
-    """Mean square slope of the film."""
-    glints: bool
-    """Whether the film mirrors the sun."""
+    normal: Floats  # (r, 3) unit vectors, of the relief
+    albedo: Floats  # (r, 3)
+    film: Floats  # (r,) share that a film of water mirrors
+    roughness2: float  # mean square slope of the film
+    glints: bool  # whether the film mirrors the sun
 
 
 def slopes(key: int, x: Floats, z: Floats) -> tuple[Floats, Floats, Floats]:
@@ -116,12 +94,12 @@ def slopes(key: int, x: Floats, z: Floats) -> tuple[Floats, Floats, Floats]:
     u, v = x - i, z - j
     columns, rows = i.astype(np.int64), j.astype(np.int64)
 
-    def word(column: Indices, row: Indices) -> tuple[Floats, Floats]:
+    def word(column: Indices, row: Indices) -> Pair:
         drawn = chained(key, column, row)
         x_part = (drawn & np.uint64(0xFFFF)).astype(np.float64) / 32767.5 - 1.0
         return x_part, (drawn >> np.uint64(16)).astype(np.float64) / 32767.5 - 1.0
 
-    def fade(t: Floats) -> tuple[Floats, Floats]:
+    def fade(t: Floats) -> Pair:
         return t**3 * (t * (6.0 * t - 15.0) + 10.0), 30.0 * t**2 * (1.0 - t) ** 2
 
     (w_u, s_u), (w_v, s_v) = fade(u), fade(v)
@@ -140,14 +118,12 @@ def slopes(key: int, x: Floats, z: Floats) -> tuple[Floats, Floats, Floats]:
 class _Noise:
     """Octaves of noise under footprints: see shore/soil.glsl@soil."""
 
-    bands: Floats
-    """(r, 4): octaves of 64 and 20 m together, of 6 m, of 2 m, and finer ones together."""
+    bands: Floats  # (r, 4): octaves of 64 and 20 m together, of 6 m, of 2 m, and finer ones together
     pattern: Floats
     hidden: Floats
     cracks: Floats
     strings: Floats
-    relief: Floats
-    """(r, 3, 2): slopes on sand, rock and plants."""
+    relief: Floats  # (r, 3, 2): slopes on sand, rock and plants
 
 
 def _noise(q_x: Floats, q_z: Floats, ground: tuple[Floats, Floats, Floats], footprints: Footprints) -> _Noise:
@@ -171,14 +147,7 @@ def _noise(q_x: Floats, q_z: Floats, ground: tuple[Floats, Floats, Floats], foot
     return result
 
 
-def _add_octaves(
-    result: _Noise,
-    place: tuple[Floats, Floats],
-    axes: tuple[Floats, Floats],
-    key: int,
-    weights: tuple[Floats, Floats],
-    footprints: Footprints,
-) -> None:
+def _add_octaves(result: _Noise, place: Pair, axes: Pair, key: int, weights: Pair, footprints: Footprints) -> None:
     """Adds octaves at ``place`` in a plane whose coordinates have the gradients ``axes`` (r, 2) in x and z.
 
     ``weights``: gain of the noise, and share of means, (r,) each.
@@ -212,7 +181,7 @@ def _add_octaves(
         cell *= FINER
 
 
-def _layer(key: int, x: Floats, width: Floats) -> tuple[Floats, Floats]:
+def _layer(key: int, x: Floats, width: Floats) -> Pair:
     """Value noise along a line, mean 0, and its derivative, under a width; (r,)."""
     base = np.floor(x)
     t = x - base
@@ -227,10 +196,10 @@ def _mix(a: Floats, b: Floats, part: Floats) -> Floats:
 
 def detailed(
     shore: Shore,
-    place: tuple[Floats, Floats],
+    place: Pair,
     ground: tuple[Floats, Floats, Floats, Floats],
     footprints: Footprints,
-    wet: tuple[Floats, Floats],
+    wet: Pair,
     *,
     floor: bool = False,
 ) -> Soil:
@@ -277,9 +246,7 @@ def detailed(
     return Soil(normal, np.minimum(albedo, 0.95), film, FILM_ROUGHNESS2, glints=True)
 
 
-def _sand(
-    shore: Shore, place: tuple[Floats, Floats], steep: Floats, noise: _Noise, footprints: Footprints, damp: Floats
-) -> tuple[Floats, Floats]:
+def _sand(shore: Shore, place: Pair, steep: Floats, noise: _Noise, footprints: Footprints, damp: Floats) -> Pair:
     """Reflectance (r, 3) and slopes (r, 2) of dry sand, combed by the wind where it is level and not ``damp`` (r,)."""
     d = shore.detail
     tone = np.maximum(1.0 + d * SAND_TONE.sum(noise), 0.2)
@@ -309,7 +276,7 @@ def _plants(shore: Shore, noise: _Noise) -> Floats:
     return green * (1.0 + d * (0.3 + 1.5 * CROWNS.grown_under(noise) - 1.0))[:, None]
 
 
-def _rock(shore: Shore, noise: _Noise, level: Floats, across: Floats, footprints: Footprints) -> tuple[Floats, Floats]:
+def _rock(shore: Shore, noise: _Noise, level: Floats, across: Floats, footprints: Footprints) -> Pair:
     """Reflectance (r, 3) and slopes (r, 2) of rock; ``level``: height over its layers, ``across``: gradient of that."""
     d = shore.detail
     layer = level + d * LAYER_BEND.sum(noise)

@@ -8,6 +8,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.foam.spray import BATCHES
@@ -16,26 +17,23 @@ from seafoam.reference.light.atmosphere import CONTRAST
 from seafoam.reference.noise import number
 from seafoam.reference.renderer import intersect
 from seafoam.reference.renderer.camera import SampleGrid, View
-from seafoam.reference.renderer.relief import ReliefPart
 from seafoam.reference.renderer.state import Lighting, Surface
 from seafoam.reference.sampling import trilinear
 from seafoam.reference.shore.shore import Coast
 from seafoam.reference.spray.births import COLUMN, SHEET, Drops, on_rocks
-from seafoam.reference.types import Floats, dot, smoothstep, unit
+from seafoam.reference.types import Floats, Pair, ReliefPart, Vec2, dot, smoothstep, unit
 from seafoam.scene.models import Scene
 from seafoam.textures.spray import STRANDS, strand_levels
 
 NEAREST = 0.3
-NARROWEST = 0.75
-"""Half the least width and length, samples."""
+NARROWEST = 0.75  # half the least width and length, samples
 AROUND = 0.06, 0.2
 """Tangents of half the angle of a drop's length from which on it fades, and where it is gone."""
 BEHIND = 0.999
 WINDOW = 0.4
 FINER = 3.7
 BRIGHTEST = 64.0
-ONWARD = 0.8
-"""Mean cosine of the light that drops send on."""
+ONWARD = 0.8  # mean cosine of the light that drops send on
 KINDS = np.array(
     [
         (1.0, GRAVITY, 0.35, 0.35, 0.9, 1.4, 0.15, 2.5, 0.22),
@@ -54,27 +52,19 @@ motion blur (s), greatest length over the radius, and width of the threshold of 
 class Splats:
     """Drops on the picture, as ellipses; (n,) each unless said otherwise."""
 
-    X: Floats
+    X: Floats  # clip positions of their centres
     Y: Floats
-    """Clip positions of their centres."""
-    along: Floats
-    """(n, 2) direction of flight on the picture, y up."""
-    half: Floats
-    """(n, 2) half the length and the width, samples."""
-    depth: Floats
-    """Optical depth of the middle."""
+    along: Floats  # (n, 2) direction of flight on the picture, y up
+    half: Floats  # (n, 2) half the length and the width, samples
+    depth: Floats  # optical depth of the middle
     cover: Floats
     soft: Floats
-    level: Floats
-    """Level of the strands' texture."""
+    level: Floats  # level of the strands' texture
     fine: Floats
-    window: Floats
-    """(n, 3) first place in the texture, and texture along half the length."""
-    scattered: Floats
+    window: Floats  # (n, 3) first place in the texture, and texture along half the length
+    scattered: Floats  # radiance (n, 3), exposed, as is the next
     onward: Floats
-    """Radiance (n, 3), exposed."""
-    sun: Floats
-    """(n, 3) toward the sun: along, across, toward the eye."""
+    sun: Floats  # (n, 3) toward the sun: along, across, toward the eye
 
     def draw_over(self, picture: Floats, X: Floats, Y: Floats) -> None:
         """Draw the drops over samples (H, W, 3), in place. X, Y (H, W): clip positions of the samples."""
@@ -86,11 +76,9 @@ class Splats:
             across = np.array([-along[1], along[0]])
             reach = np.abs(along) * self.half[i, 0] + np.abs(across) * self.half[i, 1] + 1.0
             middle = 0.5 * np.array([self.X[i] + 1.0, 1.0 - self.Y[i]]) * sides
-            if ((middle <= -reach) | (middle >= sides + reach)).any():
-                continue
-            ends = (np.clip(np.floor(middle + s * reach), 0, sides - 1).astype(np.intp) for s in (-1.0, 1.0))
-            (left, top), (right, bottom) = ends
-            here = (slice(top, bottom + 1), slice(left, right + 1))
+            left, top = np.clip(np.floor(middle - reach), 0, sides).astype(np.intp)
+            right, bottom = np.clip(np.floor(middle + reach) + 1.0, 0, sides).astype(np.intp)
+            here = (slice(top, bottom), slice(left, right))
             right_of, above = (X[here] - self.X[i]) * 0.5 * columns, (Y[here] - self.Y[i]) * 0.5 * rows
             a = (right_of * along[0] + above * along[1]) / self.half[i, 0]
             b = (right_of * across[0] + above * across[1]) / self.half[i, 1]
@@ -104,7 +92,7 @@ class Splats:
         cover = 1.0 - np.exp(-thick[wet])
         picture[wet] = picture[wet] * (1.0 - cover)[:, None] + total[wet] * (cover / thick[wet])[:, None]
 
-    def _water(self, i: int, a: Floats, b: Floats, square: Floats) -> tuple[Floats, Floats]:
+    def _water(self, i: int, a: Floats, b: Floats, square: Floats) -> Pair:
         """Optical depth (n,) of a drop at places in it, and its light times that (n, 3)."""
         u, v, stretch = self.window[i]
         by_u, by_v = a * stretch, b * 0.5 * WINDOW
@@ -121,42 +109,18 @@ class Splats:
         return depth, colour * depth[:, None]
 
 
-def flight(
-    birth: Floats, velocity: Floats, age: Floats, tau: Floats, weight: Floats, wind: tuple[float, float]
-) -> Floats:
-    """Positions (n, 3) of drops ``age`` s after their start: ballistics with linear drag, τ and weight (n,) each."""
-    last = _last(tau, weight, wind)
-    return birth + last * age[:, None] + (velocity - last) * (-tau * np.expm1(-age / tau))[:, None]
+def flight(birth: Floats, velocity: Floats, age: Floats, tau: Floats, weight: Floats, wind: Vec2) -> Pair:
+    """Positions (n, 3), m, and velocities (n, 3), m/s, of drops ``age`` s after their start.
+
+    Ballistics with linear drag; its time constants τ and the weights (n,) each.
+    """
+    last = np.stack((np.full_like(tau, wind[0]), -weight * tau, np.full_like(tau, wind[1])), axis=-1)
+    place = birth + last * age[:, None] + (velocity - last) * (-tau * np.expm1(-age / tau))[:, None]
+    return place, last + (velocity - last) * np.exp(-age / tau)[:, None]
 
 
-def speed(velocity: Floats, age: Floats, tau: Floats, weight: Floats, wind: tuple[float, float]) -> Floats:
-    """Velocities (n, 3), m/s."""
-    last = _last(tau, weight, wind)
-    return last + (velocity - last) * np.exp(-age / tau)[:, None]
-
-
-def _last(tau: Floats, weight: Floats, wind: tuple[float, float]) -> Floats:
-    return np.stack((np.full_like(tau, wind[0]), -weight * tau, np.full_like(tau, wind[1])), axis=-1)
-
-
-def falls(kind: Floats, tau: Floats) -> tuple[Floats, Floats]:
-    """Time constants of the drag (s) and accelerations (m/s²) of kinds of drops, (n,) each."""
-    of = KINDS[kind.astype(np.intp)]
-    return of["drag"] * tau, of["weight"]
-
-
-@dataclass(frozen=True, eq=False)
-class _Form:
-    radius: Floats
-    moment: Floats
-    longest: Floats
-    depth: Floats
-    cover: Floats
-    soft: Floats
-
-
-def _form(kind: Floats, age: Floats, life: Floats, vary: Floats, other: Floats) -> _Form:
-    """How drops (n,) have spread and torn at an age."""
+def form(kind: Floats, age: Floats, life: Floats, vary: Floats, other: Floats) -> tuple[Floats, Floats, Floats]:
+    """How drops (n,) have spread and torn at an age: radius over that at birth, optical depth, and cover; (n,) each."""
     index, x = kind.astype(np.intp), np.maximum(age, 0.0) / life
     of = KINDS[index]
     radius = (of["least"] + of["more"] * vary * np.where(kind == SHEET, vary, 1.0)) * (1.0 + of["grows"] * x)
@@ -170,7 +134,7 @@ def _form(kind: Floats, age: Floats, life: Floats, vary: Floats, other: Floats) 
     )
     covers = (0.8 - 0.62 * torn) * (0.6 + 0.4 * other), 0.85, 1.0, 1.1 - 0.8 * spread
     depth, cover = (np.choose(index, np.broadcast_arrays(*each)) for each in (depths, covers))
-    return _Form(radius, of["moment"], of["longest"], depth, cover, of["soft"])
+    return radius, depth, cover
 
 
 def splats(
@@ -184,26 +148,29 @@ def splats(
     seed = drops.word >> np.uint64(8)
     vary = number(seed, 6)
     wind = (spray.wind_speed * math.cos(spray.downwind), spray.wind_speed * math.sin(spray.downwind))
-    tau, weight = falls(drops.kind, spray.drag * (0.6 + 0.8 * vary))
-    away = flight(drops.birth, drops.velocity, drops.age, tau, weight, wind) - np.array([0.0, grid.eye_y, 0.0])
+    of = KINDS[drops.kind.astype(np.intp)]
+    tau = of["drag"] * (spray.drag * (0.6 + 0.8 * vary))
+    place, moving = flight(drops.birth, drops.velocity, drops.age, tau, of["weight"], wind)
+    away = place - np.array([0.0, grid.eye_y, 0.0])
     depth = away @ view.ray_z
     chosen = np.flatnonzero(depth >= NEAREST)
     soft = 0.35 * drops.radius[chosen] + 0.02
     clear, over = _visible(away[chosen], grid.eye_y, soft, surface.relief, surface.coast, fleet)
     chosen, over, clear = chosen[clear > 0.0], over[clear > 0.0], clear[clear > 0.0]
-    drops, seed, away, depth, vary = drops.subset(chosen), seed[chosen], away[chosen], depth[chosen], vary[chosen]
+    drops = drops.subset(chosen)
+    seed, of = seed[chosen], of[chosen]
+    away, moving, depth, vary = (part[chosen] for part in (away, moving, depth, vary))
 
-    moving = speed(drops.velocity, drops.age, tau[chosen], weight[chosen], wind)
-    wait = KINDS[drops.kind.astype(np.intp)]["wait"]
-    form = _form(drops.kind, drops.age - every * number(seed, 8) * wait, drops.life, vary, number(seed, 9))
-    X, Y, along, size = _ellipses(view, (grid.columns, grid.rows), away, moving, drops.radius, form, over)
+    waited = drops.age - every * number(seed, 8) * of["wait"]
+    radius, thick, cover = form(drops.kind, waited, drops.life, vary, number(seed, 9))
+    X, Y, along, size = _ellipses(grid, away, moving, drops.radius * radius, of, over)
     half = np.maximum(size, NARROWEST)
     thin = size.prod(axis=-1) / half.prod(axis=-1)
     sharp = np.log2(0.5 * WINDOW * STRANDS / half[:, 1])
     level = np.clip(sharp, 0.0, 5.0)
     tangent = size[:, 0] * math.sqrt(float(view.ray_y @ view.ray_y)) / (0.5 * grid.rows)
     apart = np.where(drops.kind == COLUMN, 1.0, 1.0 - smoothstep(*AROUND, tangent))
-    hides = 1.0 - np.exp(-form.depth * drops.strength * clear * smoothstep(NEAREST, 1.0, depth) * apart)
+    hides = 1.0 - np.exp(-thick * drops.strength * clear * smoothstep(NEAREST, 1.0, depth) * apart)
     stretch = 0.5 * WINDOW * np.minimum(half[:, 0] / half[:, 1], 2.0)
     scattered, onward, sun = _light(lighting, view, away, drops.velocity, along)
     return Splats(
@@ -212,8 +179,8 @@ def splats(
         along=along,
         half=half,
         depth=-np.log(1.0 - np.minimum(thin * hides, 0.999)),
-        cover=form.cover,
-        soft=form.soft + (1.0 - form.soft) * level / 5.0,
+        cover=cover,
+        soft=of["soft"] + (1.0 - of["soft"]) * level / 5.0,
         level=level,
         fine=1.0 - np.clip((sharp + 2.0) / 2.0, 0.0, 1.0),
         window=np.stack((number(seed, 10), number(seed, 11), stretch), axis=-1),
@@ -255,35 +222,34 @@ def _light(
 
 
 def _ellipses(
-    view: View, sides: tuple[int, int], away: Floats, moving: Floats, born: Floats, form: _Form, over: Floats
+    grid: SampleGrid, away: Floats, moving: Floats, radius: Floats, of: NDArray[np.void], over: Floats
 ) -> tuple[Floats, Floats, Floats, Floats]:
     """Clip positions X and Y of drops at (n, 3), directions on the picture (n, 2), half lengths and widths (n, 2).
 
-    ``sides``: columns and rows, in samples as lengths are; ``born``: radii at birth, ``over``: heights above water, m.
+    ``of``: rows of KINDS; ``over``: heights above water, m. Lengths on the picture are in samples.
     """
-    depth = away @ view.ray_z
-    axes = (view.ray_x, view.ray_y)
+    view, sides = grid.view, (grid.columns, grid.rows)
+    depth, axes = away @ view.ray_z, (view.ray_x, view.ray_y)
     X, Y = (away @ axis / float(axis @ axis) / depth for axis in axes)
     moves = np.stack(
         [
-            (moving @ axis / float(axis @ axis) - clip * (moving @ view.ray_z)) / depth * 0.5 * side * form.moment
+            (moving @ axis / float(axis @ axis) - clip * (moving @ view.ray_z)) / depth * 0.5 * side * of["moment"]
             for axis, clip, side in zip(axes, (X, Y), sides, strict=True)
         ],
         axis=-1,
     )
     scale = 0.5 * sides[1] / (math.sqrt(float(view.ray_y @ view.ray_y)) * depth)
-    radius = born * form.radius
     wide = np.minimum(radius, 0.5 * radius + over) * scale
     moved = np.hypot(moves[:, 0], moves[:, 1])
-    longer = moved * np.minimum(over / np.maximum(np.abs(moving[:, 1]) * form.moment, 1e-3), 1.0)
+    longer = moved * np.minimum(over / np.maximum(np.abs(moving[:, 1]) * of["moment"], 1e-3), 1.0)
     along = np.where((moved > 1e-4)[:, None], moves / np.maximum(moved, 1e-300)[:, None], np.array([0.0, 1.0]))
-    size = np.stack((wide + np.minimum(longer, form.longest * wide), wide), axis=-1)
+    size = np.stack((wide + np.minimum(longer, of["longest"] * wide), wide), axis=-1)
     return X, Y, along, size
 
 
 def _visible(
     away: Floats, eye_y: float, soft: Floats, relief: ReliefPart, coast: Coast | None, fleet: Fleet | None
-) -> tuple[Floats, Floats]:
+) -> Pair:
     """What is seen of drops (n, 3): nothing of those below or behind water or ground, or behind a boat; in [0, 1].
 
     And their heights over both, m.

@@ -16,13 +16,12 @@ from seafoam.reference.light.light import BACKSCATTER, ENTERS, GLITTER_MOST, Air
 from seafoam.reference.noise import chained, share
 from seafoam.reference.sampling import bilinear, spline
 from seafoam.reference.shore.shore import Coast
-from seafoam.reference.types import Floats, Footprints, Sunlight, dot, unit
+from seafoam.reference.types import Floats, Footprints, Pair, Sunlight, Vec2, dot, unit
 from seafoam.reference.waves.parametric import afloat, reduced
 from seafoam.scene.models import Scene
 from seafoam.scene.water import Ripples, Water
 
-MAP = 512
-"""Texels along a side of the caustic map."""
+MAP = 512  # texels along a side of the caustic map
 PHOTONS = 1024
 """Photons along a side of the tile: the map's root mean square error is a thousandth of the mean light."""
 COLOURS = (-0.0033, 0.0, 0.0042)
@@ -35,8 +34,7 @@ JOINT_ALBEDO = 0.72
 TILES_APART = 256
 NARROWEST = 1e-3
 FOAM_THROUGH = 0.5
-FARTHEST = 1e6
-"""Upper limit of distances to the floor, m."""
+FARTHEST = 1e6  # upper limit of distances to the floor, m
 
 
 def refracted(d: Floats, n: Floats, index: float = WATER_INDEX) -> Floats:
@@ -55,7 +53,7 @@ def landing(air_: Air, depth: float, h_x: Floats, h_z: Floats, index: float) -> 
     return ray[..., 0] * path, ray[..., 2] * path, share
 
 
-def tile_slopes(ripples: Ripples, time: float, count: int) -> tuple[Floats, Floats]:
+def tile_slopes(ripples: Ripples, time: float, count: int) -> Pair:
     """Slopes of tiling ripples at the nodes of a tile's grid, (count, count) each, rows along z."""
     drawn = [wave for cascade in ripple_cascades(ripples, True) for wave in cascade]
     nodes = np.arange(count) * (tiles(True)[0] / count)
@@ -113,7 +111,7 @@ def _splat(u: Floats, v: Floats, weight: Floats, texels: int) -> Floats:
 class Seabed:
     """A level floor under a light, at one time around one origin."""
 
-    def __init__(self, scene: Scene, air: Air, time: float, origin: tuple[float, float], sunlight: Sunlight) -> None:
+    def __init__(self, scene: Scene, air: Air, time: float, origin: Vec2, sunlight: Sunlight) -> None:
         water, light = scene.water, scene.light
         assert light is not None
         self.air = air
@@ -166,7 +164,7 @@ class Seabed:
         tile = tiles(True)[0]
         u = (x - self.flat[0] + math.fmod(self.afloat[0], tile)) / tile % 1.0
         v = (z - self.flat[1] + math.fmod(self.afloat[1], tile)) / tile % 1.0
-        return bilinear(self.map, u, v)
+        return np.stack([bilinear(sheet, u, v) for sheet in np.moveaxis(self.map, -1, 0)], axis=-1)
 
     def albedo(self, x: Floats, z: Floats, footprints: Footprints) -> Floats:
         """Reflectance (r, 3): uniform, or of tiles, with the share of joints in the footprint's bounding box."""
@@ -238,9 +236,7 @@ class Seabed:
 class ShoreSeabed(Seabed):
     """The floor of a shore."""
 
-    def __init__(
-        self, scene: Scene, air: Air, time: float, origin: tuple[float, float], sunlight: Sunlight, coast: Coast
-    ) -> None:
+    def __init__(self, scene: Scene, air: Air, time: float, origin: Vec2, sunlight: Sunlight, coast: Coast) -> None:
         super().__init__(scene, air, time, origin, sunlight)
         self.coast = coast
 

@@ -8,33 +8,92 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, reduce
 
 import numpy as np
 from scipy import optimize, special
 
 from seafoam.ocean.constants import GRAVITY
+from seafoam.ocean.waves import groups as wave_groups
 from seafoam.ocean.waves.ripples import ripple_cascades
 from seafoam.ocean.waves.stokes import orbit
 from seafoam.reference.noise import PERIOD, fractal
-from seafoam.reference.types import Floats
-from seafoam.reference.waves.groups import GroupFactor, group_factor
+from seafoam.reference.types import Floats, Vec2, Vec3, smoothstep_slope
 from seafoam.scene.models import Scene
 from seafoam.scene.water import Ripples
 from seafoam.scene.waves import ParametricWave
 
 _TWO_PI = 2 * Fraction("3.14159265358979323846264338327950288419716939937510")
-
 BOUND_SAMPLES = 8192
-CYCLE = np.linspace(0.0, 2.0 * math.pi, BOUND_SAMPLES + 1)
-"""Phases at which bounds of a wave are sampled."""
+CYCLE = np.linspace(0.0, 2.0 * math.pi, BOUND_SAMPLES + 1)  # phases at which bounds of a wave are sampled
 RELIEF_SAMPLES = 256
 """Phases over which slopes are averaged; their number affects K < ½, where the slope is infinite at troughs."""
 GUST_OCTAVES = 3
-STEEPEST = 1e9
-"""Value used for an infinite slope."""
+STEEPEST = 1e9  # value used for an infinite slope
 TROUGH = 1e-4
 """Least |p| in the derivative of waves of exponent below ½, whose slope is infinite at the trough."""
+
+
+@dataclass(frozen=True, eq=False)
+class GroupFactor:
+    """The factor at one time around one origin."""
+
+    corners: Floats  # values of the noise at its corners, in [0, 1]; rows along the second axis
+    along: Vec2
+    """Step of the noise along the way of the groups, (x, z) cells/m; the other is at right angles to it."""
+    contrast: float
+    velocity: Vec2  # (x, z) m/s
+    place: Vec2  # the origin in the noise, cells
+
+    def __call__(self, x: Floats, z: Floats, ago: Floats | float = 0.0) -> Floats:
+        """Factor at (x, z), m from the origin, ``ago`` s before; in [1 − contrast, 1]."""
+        noise = self._noise(x + self.velocity[0] * ago, z + self.velocity[1] * ago)[0]
+        return 1.0 - self.contrast * (1.0 - noise)
+
+    def gradient(self, x: Floats, z: Floats) -> Floats:
+        """Its derivatives, (2, r) 1/m."""
+        _, by_u, by_v = self._noise(x, z)
+        k_x, k_z = self.along
+        return self.contrast * np.stack((k_x * by_u - k_z * by_v, k_z * by_u + k_x * by_v))
+
+    @property
+    def slope(self) -> float:
+        """Greatest derivative along any line, 1/m: that of smoothstep, ³⁄₂ a cell."""
+        return 1.000001 * self.contrast * 1.5 * math.hypot(*self.along)
+
+    @property
+    def curvature(self) -> float:
+        """Greatest second derivative along any line, 1/m²: that of smoothstep, 6 a cell²."""
+        return self.contrast * 6.0 * math.hypot(*self.along) ** 2
+
+    def _noise(self, x: Floats, z: Floats) -> tuple[Floats, Floats, Floats]:
+        """Value noise and its derivatives per cell."""
+        k_x, k_z = self.along
+        u, v = self.place[0] + k_x * x + k_z * z, self.place[1] - k_z * x + k_x * z
+        i, j = np.floor(u), np.floor(v)
+        s, t = u - i, v - j
+        column, row = np.mod(i, wave_groups.PERIOD).astype(np.int64), np.mod(j, wave_groups.PERIOD).astype(np.int64)
+        right, down = (column + 1) % wave_groups.PERIOD, (row + 1) % wave_groups.PERIOD
+        a, b, c, d = (self.corners[m, n] for m in (row, down) for n in (column, right))
+        (s_in, s_rate), (t_in, t_rate) = smoothstep_slope(0.0, 1.0, s), smoothstep_slope(0.0, 1.0, t)
+        top, bottom = a + (b - a) * s_in, c + (d - c) * s_in
+        by_u = s_rate * ((b - a) * (1.0 - t_in) + (d - c) * t_in)
+        return top + (bottom - top) * t_in, by_u, t_rate * (bottom - top)
+
+
+def group_factor(scene: Scene, time: float, origin: Vec2) -> GroupFactor | None:
+    """The factor of the scene's groups at a time (s) around an origin (x, z) in m; None without groups."""
+    groups = scene.wave_groups
+    if groups is None or not wave_groups.in_groups(scene):
+        return None
+    along, velocity = wave_groups.group_cells(scene, groups), wave_groups.group_velocity(scene)
+    moved = [Fraction(start) - Fraction(speed) * Fraction(time) for start, speed in zip(origin, velocity, strict=True)]
+    k_x, k_z = Fraction(along[0]), Fraction(along[1])
+    place = (
+        float((k_x * moved[0] + k_z * moved[1]) % wave_groups.PERIOD),
+        float((k_x * moved[1] - k_z * moved[0]) % wave_groups.PERIOD),
+    )
+    return GroupFactor(wave_groups.group_corners(groups.seed), along, groups.contrast, velocity, place)
 
 
 @dataclass(frozen=True)
@@ -43,27 +102,27 @@ class WaveSet:
 
     amplitude: Floats
     exponent: Floats
-    orbit: Floats
-    """Horizontal amplitude of each wave's orbits at the surface, m."""
-    k: Floats
-    """Wavenumbers, rad/m."""
+    orbit: Floats  # horizontal amplitude of each wave's orbits at the surface, m
+    k: Floats  # wavenumbers, rad/m
     kx: Floats
     kz: Floats
-    omega: Floats
-    """Angular frequencies, rad/s."""
-    phase: Floats
-    """θ at the origin at the given time, in [0, 2π)."""
-    groups: GroupFactor | None = None
-    """Factor of the heights; None: 1."""
+    omega: Floats  # angular frequencies, rad/s
+    phase: Floats  # θ at the origin at the given time, in [0, 2π)
+    groups: GroupFactor | None = None  # factor of the heights; None: 1
 
     @property
     def top(self) -> float:
         """ΣA minus the waves' mean: upper bound of the surface's height, m."""
-        return float(self.amplitude.sum()) - self.level
+        return self._height - self.level
 
     @property
     def trough(self) -> float:
         return -self.level
+
+    @property
+    def _height(self) -> float:
+        """Height of all waves together, m."""
+        return float(self.amplitude.sum())
 
     @cached_property
     def level(self) -> float:
@@ -71,7 +130,7 @@ class WaveSet:
         return sum(A * float(special.beta(K + 0.5, 0.5)) / math.pi for A, K, _ in self._shapes)
 
     @cached_property
-    def _shapes(self) -> list[tuple[float, float, float]]:
+    def _shapes(self) -> list[Vec3]:
         """(A, K, k) of the waves that are not flat."""
         shapes = zip(self.amplitude.tolist(), self.exponent.tolist(), self.k.tolist(), strict=True)
         return [shape for shape in shapes if shape[0] > 0.0]
@@ -93,20 +152,20 @@ class WaveSet:
     @cached_property
     def curvature(self) -> float:
         """Greatest second derivative, rounded up, 1/m, without the infinite one at the cusp of K < 1."""
-        waves = sum(k * k * curvature_bound(A, K) for A, K, k in self._shapes)
+        bends = [k * k * np.abs(np.diff(wave_derivative(CYCLE, A, K))).max() for A, K, k in self._shapes]
+        waves = 1.05 * float(sum(bends)) * BOUND_SAMPLES / (2.0 * math.pi)
         if self.groups is None:
             return waves
         return waves + 2.0 * self._steepest * self.groups.slope + self._height * self.groups.curvature
 
     @cached_property
     def _steepest(self) -> float:
-        """Greatest slope of waves of one height each, rounded up."""
-        return sum(k * slope_bound(A, K) for A, K, k in self._shapes)
-
-    @property
-    def _height(self) -> float:
-        """Height of all waves together, m."""
-        return float(self.amplitude.sum())
+        """Greatest slope of waves of one height each, by sampling, rounded up."""
+        total = 0.0
+        for A, K, k in self._shapes:
+            steepest = float(np.abs(wave_derivative(CYCLE, A, K)).max())
+            total += k * (STEEPEST if K < 0.5 else 1.001 * steepest)
+        return total
 
     @cached_property
     def shape(self) -> float:
@@ -117,9 +176,9 @@ class WaveSet:
         """Phases at (x, z), m from the origin, shape (r,): (n, r) rad, not reduced."""
         return self.phase[:, None] - self.kx[:, None] * x - self.kz[:, None] * z
 
-    def height(self, x: Floats, z: Floats) -> Floats:
-        """Σ y over the waves at (x, z), minus its mean, times the factor of the groups; (r,) m."""
-        return self._grouped(self._even_height(x, z, 0.0), x, z)
+    def height(self, x: Floats, z: Floats, ago: Floats | float = 0.0) -> Floats:
+        """Σ y over the waves at (x, z), ``ago`` s before, minus its mean, times the factor of the groups; (r,) m."""
+        return self._grouped(self._even_height(x, z, ago), x, z, ago)
 
     def gradient(self, x: Floats, z: Floats) -> Floats:
         """(h_x, h_z) of the sum at (x, z); (2, r)."""
@@ -131,10 +190,6 @@ class WaveSet:
             return slope
         return self.groups(x, z) * slope + self._even_height(x, z, 0.0) * self.groups.gradient(x, z)
 
-    def height_before(self, x: Floats, z: Floats, ago: Floats | float) -> Floats:
-        """The height at (x, z) as it was ``ago`` s before; (r,) m."""
-        return self._grouped(self._even_height(x, z, ago), x, z, ago)
-
     def rise(self, x: Floats, z: Floats) -> Floats:
         """Speed at which the surface rises at (x, z); (r,) m/s."""
         total = np.zeros_like(x)
@@ -143,9 +198,8 @@ class WaveSet:
         if self.groups is None:
             return total
         by_x, by_z = self.groups.gradient(x, z)
-        passing = -(self.groups.velocity[0] * by_x + self.groups.velocity[1] * by_z)
-        risen: Floats = self.groups(x, z) * total + self._even_height(x, z, 0.0) * passing
-        return risen
+        passing: Floats = -(self.groups.velocity[0] * by_x + self.groups.velocity[1] * by_z)
+        return self.groups(x, z) * total + self._even_height(x, z, 0.0) * passing
 
     def _even_height(self, x: Floats, z: Floats, ago: Floats | float) -> Floats:
         """The height ``ago`` s before, without groups; (r,) m."""
@@ -193,7 +247,8 @@ def wave_height(theta: Floats, A: float, K: float) -> Floats:
     # (sin θ + 1)/2 is sin²(θ/2 + π/4), which has no cancellation at the trough.
     p = np.sin(0.5 * theta + 0.25 * math.pi)
     u = p * p
-    return A * (_whole_power(u, int(K)) if int(K) == K and K <= 16 else np.power(u, K))
+    # Products are several times faster than np.power.
+    return A * (reduce(np.multiply, [u] * int(K)) if int(K) == K and K <= 16 else np.power(u, K))
 
 
 def wave_derivative(theta: Floats, A: float, K: float) -> Floats:
@@ -206,28 +261,13 @@ def wave_derivative(theta: Floats, A: float, K: float) -> Floats:
     return A * K * np.power(magnitude, 2.0 * K - 1.0) * np.sign(p) * np.cos(half)
 
 
-def slope_bound(A: float, K: float) -> float:
-    """Greatest |dy/dθ| of a wave, by sampling, rounded up; STEEPEST for K < ½."""
-    if K < 0.5:
-        return STEEPEST
-    return 1.001 * float(np.abs(wave_derivative(CYCLE, A, K)).max())
-
-
-def curvature_bound(A: float, K: float) -> float:
-    """Greatest |d²y/dθ²| of a wave, by sampling, rounded up, without the infinite one at the cusp of K < 1."""
-    slopes = wave_derivative(CYCLE, A, K)
-    return 1.05 * float(np.abs(np.diff(slopes)).max()) * BOUND_SAMPLES / (2.0 * math.pi)
-
-
-def reduced(*terms: tuple[float, float], plus: float = 0.0) -> float:
+def reduced(*terms: Vec2, plus: float = 0.0) -> float:
     """Σ ab + plus modulo 2π, exact up to the last rounding; in [0, 2π)."""
     value = sum((Fraction(a) * Fraction(b) for a, b in terms), Fraction(plus))
     return float(value % _TWO_PI)
 
 
-def noise_place(
-    size: float, change: float, velocity: tuple[float, float], time: float, origin: tuple[float, float]
-) -> tuple[float, float, float]:
+def noise_place(size: float, change: float, velocity: Vec2, time: float, origin: Vec2) -> Vec3:
     """An origin (x, z) in m at a time (s) in noise of period ``PERIOD``, with cells of ``size`` m; cells.
 
     The noise drifts with a velocity (m/s), and changes in ``change`` s.
@@ -256,7 +296,7 @@ def wavenumber(wavelength: float, depth: float | None) -> float:
     return float(optimize.brentq(lambda k: k * math.tanh(k * depth) - deep, deep, most, xtol=1e-300, rtol=1e-15))
 
 
-def afloat(scene: Scene, time: float, origin: tuple[float, float]) -> tuple[float, float]:
+def afloat(scene: Scene, time: float, origin: Vec2) -> Vec2:
     """The origin (x, z) in the frame of the flowing water, which is the ground's at time 0; m."""
     if scene.current is None:
         return origin
@@ -267,7 +307,7 @@ def afloat(scene: Scene, time: float, origin: tuple[float, float]) -> tuple[floa
     return x, z
 
 
-def wave_set(scene: Scene, time: float, origin: tuple[float, float], spatial: float = 1.0) -> WaveSet:
+def wave_set(scene: Scene, time: float, origin: Vec2, spatial: float = 1.0) -> WaveSet:
     """The scene's waves at a time (s) around an origin (x, z) in m; ``spatial`` scales the wavenumbers."""
     depth = scene.water.depth
     own = [(wave.amplitude, wave.exponent, wave.direction, orbit(wave, depth)) for wave in scene.waves]
@@ -284,11 +324,7 @@ def wave_set(scene: Scene, time: float, origin: tuple[float, float], spatial: fl
 
 
 def ripple_set(
-    ripples: Ripples | None,
-    time: float,
-    origin: tuple[float, float],
-    repeats: bool = False,
-    gusts: GustField | None = None,
+    ripples: Ripples | None, time: float, origin: Vec2, repeats: bool = False, gusts: GustField | None = None
 ) -> RippleSet:
     """Ripples at a time (s) around an origin (x, z) in m; empty without one."""
     drawn = [] if ripples is None else [ripple for cascade in ripple_cascades(ripples, repeats) for ripple in cascade]
@@ -297,7 +333,7 @@ def ripple_set(
     return RippleSet(slope, kx, kz, np.array(phase, np.float64), gusts)
 
 
-def gust_field(ripples: Ripples | None, time: float, origin: tuple[float, float]) -> GustField | None:
+def gust_field(ripples: Ripples | None, time: float, origin: Vec2) -> GustField | None:
     """Section 9: the gusts over ripples at a time (s) around an origin (x, z) in m; None without any."""
     if ripples is None or ripples.gusts is None:
         return None
@@ -311,15 +347,3 @@ def gust_field(ripples: Ripples | None, time: float, origin: tuple[float, float]
         return 1.0 + gusts.strength * np.clip(0.8 * noise, -1.0, 1.0)
 
     return factor
-
-
-def _whole_power(base: Floats, exponent: int) -> Floats:
-    """base^exponent by repeated squaring, several times faster than np.power."""
-    result = None
-    while exponent:
-        if exponent & 1:
-            result = base if result is None else result * base
-        exponent >>= 1
-        if exponent:
-            base = base * base
-    return np.ones_like(base) if result is None else result

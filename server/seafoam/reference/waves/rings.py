@@ -12,39 +12,29 @@ from functools import cached_property
 import numpy as np
 
 from seafoam.ocean.constants import GRAVITY
-from seafoam.ocean.waves.rings import ring_curvature, ring_slope
-from seafoam.ocean.waves.rings import ring_height as highest
-from seafoam.reference.types import Bools, Floats, smoothstep_slope
+from seafoam.ocean.waves.rings import ring_curvature, ring_height, ring_slope
+from seafoam.reference.types import Floats, Vec2, smoothstep_slope
 from seafoam.reference.waves.parametric import wavenumber
 from seafoam.scene.models import Scene
 from seafoam.scene.waves import Ring
 
-LEAST = 1e-4
-LEAST_SHARE = 1.0 / 256.0
-"""A ring's amplitude is reduced by this, m, or by this share of I₀ if that is more."""
-ROUND = 0.25
-"""Radius of the rounded centre, in wavelengths."""
-BAND = 1.0
-"""Width of front and tail, in wavelengths."""
+LEAST = 1e-4  # a ring's amplitude is reduced by this, m,
+LEAST_SHARE = 1.0 / 256.0  # or by this share of I₀ if that is more
+ROUND = 0.25  # radius of the rounded centre, in wavelengths
+BAND = 1.0  # width of front and tail, in wavelengths
 
 
 @dataclass(frozen=True)
 class OneRing:
     """A ring at one time."""
 
-    amplitude: float
-    """Amplitude I₀e^(−bs) − d, at least 0, m."""
-    k: float
-    """Wavenumber, rad/m."""
-    theta: float
-    """Phase ωs, rad."""
-    front: float
-    """Radius of the front, c s, m."""
-    tail: float
-    """Length of the waves behind the front, m; infinite if they reach the centre."""
-    x: float
+    amplitude: float  # amplitude I₀e^(−bs) − d, at least 0, m
+    k: float  # wavenumber, rad/m
+    theta: float  # phase ωs, rad
+    front: float  # radius of the front, c s, m
+    tail: float  # length of the waves behind the front, m; infinite if they reach the centre
+    x: float  # centre, m from the origin
     z: float
-    """Centre, m from the origin."""
 
     @property
     def length(self) -> float:
@@ -72,29 +62,29 @@ class RingSet:
 
     def height(self, x: Floats, z: Floats) -> Floats:
         """The sum of every η at (x, z), m from the origin; (r,) m."""
-        total = np.zeros_like(x)
-        for ring in self.rings:
-            here = np.flatnonzero(_reached(ring, x, z))
-            total[here] += ring_height(ring, x[here], z[here])
-        return total
+        return self._sums(x, z)[0, :]
 
     def gradient(self, x: Floats, z: Floats) -> Floats:
         """(h_x, h_z) of the sum at (x, z); (2, r)."""
-        slope = np.zeros((2, x.size))
+        return self._sums(x, z)[1:]
+
+    def _sums(self, x: Floats, z: Floats) -> Floats:
+        """The height and its derivatives by x and z; (3, r)."""
+        total = np.zeros((3, x.size))
         for ring in self.rings:
-            here = np.flatnonzero(_reached(ring, x, z))
-            outward, inverse = ring_slope_outward(ring, x[here], z[here])
-            slope[:, here] += outward * np.stack((x[here] - ring.x, z[here] - ring.z)) * inverse
-        return slope
+            reach = ring.front + ROUND * ring.length
+            here = np.flatnonzero((x - ring.x) ** 2 + (z - ring.z) ** 2 <= reach * reach)
+            total[:, here] += ring_wave(ring, x[here], z[here])
+        return total
 
 
-def ring_set(scene: Scene, time: float, origin: tuple[float, float]) -> RingSet:
+def ring_set(scene: Scene, time: float, origin: Vec2) -> RingSet:
     """The scene's active rings at a time (s) around an origin (x, z) in m."""
     states = [one_ring(ring, scene.water.depth, time, origin) for ring in scene.rings]
-    return RingSet(_active(states), top=highest(scene), slope=ring_slope(scene), curvature=ring_curvature(scene))
+    return RingSet(_active(states), top=ring_height(scene), slope=ring_slope(scene), curvature=ring_curvature(scene))
 
 
-def touch_set(scene: Scene, time: float, origin: tuple[float, float]) -> RingSet:
+def touch_set(scene: Scene, time: float, origin: Vec2) -> RingSet:
     """The rings of the scene's touches, carried by its current; they have slopes without height."""
     states = []
     for touch in scene.touches:
@@ -112,7 +102,7 @@ def _active(rings: list[OneRing]) -> tuple[OneRing, ...]:
     return tuple(ring for ring in rings if ring.amplitude > 0.0 and ring.front > 0.0)
 
 
-def one_ring(ring: Ring, depth: float | None, time: float, origin: tuple[float, float]) -> OneRing:
+def one_ring(ring: Ring, depth: float | None, time: float, origin: Vec2) -> OneRing:
     """A ring at a time (s) around an origin."""
     since = Fraction(time) - Fraction(ring.birth)
     age = float(since % Fraction(ring.every)) if ring.every is not None else max(float(since), 0.0)
@@ -125,46 +115,24 @@ def one_ring(ring: Ring, depth: float | None, time: float, origin: tuple[float, 
         theta=omega * age,
         front=omega / k * age,
         tail=math.inf if ring.crests is None else ring.crests * 2.0 * math.pi / k,
-        x=float(Fraction(ring.place[0]) - Fraction(origin[0])),
-        z=float(Fraction(ring.place[1]) - Fraction(origin[1])),
+        x=ring.place[0] - origin[0],
+        z=ring.place[1] - origin[1],
     )
 
 
-def ring_height(ring: OneRing, x: Floats, z: Floats) -> Floats:
-    """η at (x, z); (r,) m."""
-    rho = _rho(ring, x, z)[0]
-    head, tail, _, _ = _windows(ring, rho)
-    return ring.amplitude * np.cos(ring.k * rho - ring.theta) * head * tail
-
-
-def ring_slope_outward(ring: OneRing, x: Floats, z: Floats) -> tuple[Floats, Floats]:
-    """dη/dρ and 1/√(r² + a²): the gradient is their product times the vector from the centre; (r,) each."""
-    rho, far = _rho(ring, x, z)
-    head, tail, head_change, tail_change = _windows(ring, rho)
-    angle = ring.k * rho - ring.theta
-    change = np.cos(angle) * (head_change * tail + head * tail_change) - ring.k * np.sin(angle) * head * tail
-    return ring.amplitude * change, 1.0 / far
-
-
-def _rho(ring: OneRing, x: Floats, z: Floats) -> tuple[Floats, Floats]:
-    """ρ = √(r² + a²) − a, and √(r² + a²)."""
-    soft = ROUND * ring.length
-    square = (x - ring.x) ** 2 + (z - ring.z) ** 2
+def ring_wave(ring: OneRing, x: Floats, z: Floats) -> Floats:
+    """η at (x, z), m, and its derivatives by x and z; (3, r)."""
+    soft, band = ROUND * ring.length, BAND * ring.length
+    from_x, from_z = x - ring.x, z - ring.z
+    square = from_x**2 + from_z**2
+    # ρ = √(r² + a²) − a, without cancellation.
     far = np.sqrt(square + soft * soft)
-    return square / (far + soft), far
-
-
-def _reached(ring: OneRing, x: Floats, z: Floats) -> Bools:
-    """Mask of places with r ≤ front + a, where ρ can be behind the front."""
-    reach = ring.front + ROUND * ring.length
-    return (x - ring.x) ** 2 + (z - ring.z) ** 2 <= reach * reach
-
-
-def _windows(ring: OneRing, rho: Floats) -> tuple[Floats, Floats, Floats, Floats]:
-    """Front and tail windows at ρ, and their derivatives."""
-    band = BAND * ring.length
+    rho = square / (far + soft)
     head, head_change = smoothstep_slope(0.0, band, ring.front - rho)
-    if math.isinf(ring.tail):
-        return head, np.ones_like(rho), -head_change, np.zeros_like(rho)
-    tail, tail_change = smoothstep_slope(0.0, band, rho - (ring.front - ring.tail - 2.0 * band))
-    return head, tail, -head_change, tail_change
+    tail, tail_change = np.ones_like(rho), np.zeros_like(rho)
+    if math.isfinite(ring.tail):
+        tail, tail_change = smoothstep_slope(0.0, band, rho - (ring.front - ring.tail - 2.0 * band))
+    angle = ring.k * rho - ring.theta
+    change = np.cos(angle) * (head * tail_change - head_change * tail) - ring.k * np.sin(angle) * head * tail
+    outward = change / far
+    return ring.amplitude * np.stack((np.cos(angle) * head * tail, outward * from_x, outward * from_z))

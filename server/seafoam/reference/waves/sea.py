@@ -1,25 +1,25 @@
 """Sections 2 and 4: the open sea in float64, by numpy.fft on fine grids, cubic splines and Newton's method."""
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, partial
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import map_coordinates
+from scipy.ndimage import map_coordinates, spline_filter
 
 from seafoam.ocean.foam.whitecaps import AGE_STEP, AGE_STEPS, OLD_TEXELS, WhitecapModel, old_times, whitecap_model
 from seafoam.ocean.waves.cascades import BAND, LEAST_JACOBIAN, LOOP, RAISED, Cascade, cascades
 from seafoam.ocean.waves.stokes import foam_drift
-from seafoam.reference.types import Floats
+from seafoam.reference.types import Floats, Vec2
 from seafoam.scene.foam import WhitecapSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.waves import Sea
 
-TEXELS = 512
-"""Texels along a tile: surface and slopes are bilinear between them, which is part of the model."""
+TEXELS = 512  # texels along a tile: surface and slopes are bilinear between them, which is part of the model
 NEWTON_STEPS = 12
+coefficients = partial(spline_filter, order=3, mode="grid-wrap")
+"""Coefficients of the periodic cubic B-spline through values."""
 
 
 @dataclass(frozen=True)
@@ -43,12 +43,11 @@ class TileSample:
 def amplitudes(cascade: Cascade, time: float) -> NDArray[np.complex128]:
     """h₀ e^{−iωt}, with ωt reduced in whole turns: exact at any time, s."""
     turns = math.fmod(time, LOOP) / LOOP
-    angle = 2.0 * math.pi * np.mod(cascade.turns * turns, 1.0)
-    result: NDArray[np.complex128] = cascade.h0 * np.exp(-1j * angle)
-    return result
+    turned: NDArray[np.complex128] = np.exp(-1j * (2.0 * math.pi * np.mod(cascade.turns * turns, 1.0)))
+    return cascade.h0 * turned
 
 
-def grids(cascade: Cascade, time: float, texels: int, moved: tuple[float, float] = (0.0, 0.0)) -> TileSample:
+def grids(cascade: Cascade, time: float, texels: int, moved: Vec2 = (0.0, 0.0)) -> TileSample:
     """The field at texel corners x = j·size/texels, (texels, texels), row z, shifted by (x, z) m; by inverse FFT."""
     number = np.fft.fftfreq(texels, 1.0 / texels).round().astype(np.int64)
     spectrum = np.zeros((texels, texels), np.complex128)
@@ -71,12 +70,9 @@ class Tile:
     height: Floats
     h_x: Floats
     h_z: Floats
-    fold: Floats
-    """λ div D."""
-    jacobian: Floats
-    """det(1 + λ ∂D/∂x)."""
-    label_x: Floats
-    """Rest position of the water at each corner, texels."""
+    fold: Floats  # λ div D
+    jacobian: Floats  # det(1 + λ ∂D/∂x)
+    label_x: Floats  # rest position of the water at each corner, texels
     label_z: Floats
 
 
@@ -86,7 +82,7 @@ def tile(cascade: Cascade, time: float, wanted: float, texels: int = TEXELS) -> 
     choppiness = cascade.choppiness(wanted)
     scale = choppiness * texels / cascade.size
     p_z, p_x = np.meshgrid(np.arange(texels, dtype=np.float64), np.arange(texels, dtype=np.float64), indexing="ij")
-    splines = {name: coefficients(getattr(field, name)) for name in ("h", "h_x", "h_z", "d_x", "d_z", "xx", "xz", "zz")}
+    splines = {name: coefficients(values) for name, values in vars(field).items()}
 
     def at(name: str, x: Floats, z: Floats) -> Floats:
         result: Floats = map_coordinates(splines[name], (z, x), order=3, mode="grid-wrap", prefilter=False)
@@ -112,19 +108,16 @@ def tile(cascade: Cascade, time: float, wanted: float, texels: int = TEXELS) -> 
     return Tile(cascade.size, height, h_x * kept, h_z * kept, a_xx + a_zz - 2.0, jacobian, x, z)
 
 
-Reading = Callable[[Tile, Floats, Floats, Floats], Floats]
-"""Values of a tile at (x, z), m from the origin."""
-
-
 @dataclass(frozen=True, eq=False)
 class SeaSurface:
     """The open sea at one time around one origin: a part of the relief, with slopes and Jacobians."""
 
     tiles: tuple[Tile, ...]
     cascades: tuple[Cascade, ...]
-    origin: tuple[float, float]
-    earlier: tuple[tuple[Floats, ...], ...]
-    """For each raised tile, λ div D at each earlier time, moved with the water; half the texels."""
+    origin: Vec2
+    earlier: tuple[tuple[Floats, ...], ...] = ()
+    """For each raised tile, λ div D at each earlier time, moved with the water, if the scene has whitecaps; half the
+    texels."""
     old: tuple[Floats, ...] = ()
     """The same for the largest tile at each older time, if the scene's foam lasts."""
 
@@ -167,36 +160,33 @@ class SeaSurface:
         return self.tiles[:RAISED]
 
     def height(self, x: Floats, z: Floats) -> Floats:
-        total = np.zeros_like(x)
-        for tile in self._raised:
-            total += self._at(tile, tile.height, x, z)
-        return total
+        return sum((self.read(1, tile, tile.height, x, z) for tile in self._raised), np.zeros_like(x))
 
     def gradient(self, x: Floats, z: Floats) -> Floats:
-        return self._slopes(self._at, self._raised, x, z)
+        return self._slopes(1, self._raised, x, z)
 
     def shading(self, x: Floats, z: Floats) -> Floats:
         """Gradient of the raised tiles for shading; (2, r)."""
-        return self._slopes(self._smooth, self._raised, x, z)
+        return self._slopes(3, self._raised, x, z)
 
     def detail(self, x: Floats, z: Floats) -> Floats:
         """Gradient of the tiles that change only the normals; (2, r)."""
-        return self._slopes(self._smooth, self.tiles[RAISED:], x, z)
+        return self._slopes(3, self.tiles[RAISED:], x, z)
 
     def folds(self, x: Floats, z: Floats) -> list[Floats]:
         """λ div D now and at each earlier time, summed over the raised tiles; (r,) each."""
-        result = [sum(self._smooth(tile, tile.fold, x, z) for tile in self._raised)]
-        for step in range(AGE_STEPS):
-            parts = zip(self._raised, self.earlier, strict=True)
-            result.append(sum(self._at(tile, then[step], x, z) for tile, then in parts))
-        return [np.asarray(values, np.float64) for values in result]
+        now = 3, [tile.fold for tile in self._raised]
+        return [
+            np.sum([self.read(order, *one, x, z) for one in zip(self._raised, parts, strict=True)], axis=0)
+            for order, parts in (now, *((1, then) for then in zip(*self.earlier, strict=True)))
+        ]
 
     def long_ago(self, model: WhitecapModel, x: Floats, z: Floats) -> Floats:
         """Remaining old foam; (r,), not limited to 1."""
         left = np.zeros_like(self.old[0])
         for share, folded in zip(model.old_shares, self.old, strict=True):
             left += share * np.clip((model.old[0] - folded) / model.old[1], 0.0, 1.0)
-        return self._at(self.tiles[0], left, x, z)
+        return self.read(1, self.tiles[0], left, x, z)
 
     def to_rest(self, x: Floats, z: Floats) -> Floats:
         """Displacement from (x, z) to the rest position of the water there, m; (2, r)."""
@@ -205,48 +195,35 @@ class SeaSurface:
             texels = tile.label_x.shape[0]
             corner = np.arange(0, texels, 2)
             away = tile.label_x[::2, ::2] - corner[None, :], tile.label_z[::2, ::2] - corner[:, None]
-            by += [self._at(tile, tile.size / texels * part, x, z) for part in away]
+            by += [self.read(1, tile, tile.size / texels * part, x, z) for part in away]
         return by
 
-    def _slopes(self, read: Reading, tiles: tuple[Tile, ...], x: Floats, z: Floats) -> Floats:
+    def _slopes(self, order: int, tiles: tuple[Tile, ...], x: Floats, z: Floats) -> Floats:
         slope = np.zeros((2, x.size))
         for tile in tiles:
-            slope += [read(tile, part, x, z) for part in (tile.h_x, tile.h_z)]
+            slope += [self.read(order, tile, part, x, z) for part in (tile.h_x, tile.h_z)]
         return slope
 
-    def _smooth(self, tile: Tile, values: Floats, x: Floats, z: Floats) -> Floats:
-        """The uniform cubic B-spline with ``values`` as coefficients, at (x, z), m from the origin."""
-        scale = values.shape[0] / tile.size
-        u = (math.fmod(self.origin[0], tile.size) + x) * scale
-        v = (math.fmod(self.origin[1], tile.size) + z) * scale
-        result: Floats = map_coordinates(values, (v, u), order=3, mode="grid-wrap", prefilter=False)
-        return result
-
-    def _at(self, tile: Tile, values: Floats, x: Floats, z: Floats) -> Floats:
-        """``values`` of a tile, bilinear, at (x, z), m from the origin."""
-        texels = values.shape[0]
-        scale = texels / tile.size
-        u = x * scale + math.fmod(self.origin[0], tile.size) * scale
-        v = z * scale + math.fmod(self.origin[1], tile.size) * scale
-        i, j = np.floor(u), np.floor(v)
-        s, t = u - i, v - j
-        i0, j0 = i.astype(np.intp) & (texels - 1), j.astype(np.intp) & (texels - 1)
-        i1, j1 = (i0 + 1) & (texels - 1), ((j0 + 1) & (texels - 1)) * texels
-        j0 *= texels
-        flat = values.ravel()
-        near, far = flat[j0 + i0], flat[j1 + i0]
-        near += (flat[j0 + i1] - near) * s
-        far += (flat[j1 + i1] - far) * s
-        result: Floats = near + (far - near) * t
+    def read(self, order: int, tile: Tile, values: Floats, x: Floats, z: Floats) -> Floats:
+        """``values`` of a tile at (x, z), m from the origin: bilinear, or as coefficients of a cubic B-spline."""
+        at = [
+            (math.fmod(start, tile.size) + place) * (values.shape[0] / tile.size)
+            for start, place in zip(self.origin, (x, z), strict=True)
+        ]
+        result: Floats = map_coordinates(values, at[::-1], order=order, mode="grid-wrap", prefilter=False)
         return result
 
 
 @lru_cache(maxsize=1)
-def _drawn(
-    sea: Sea, depth: float | None, time: float, texels: int, drift: tuple[float, float], lasting: bool
-) -> tuple[tuple[Tile, ...], tuple[tuple[Floats, ...], ...], tuple[Floats, ...]]:
-    drawn = cascades(sea, depth)
-    tiles = tuple(tile(cascade, time, sea.choppiness, texels) for cascade in drawn)
+def _tiles(sea: Sea, depth: float | None, time: float, texels: int) -> tuple[Tile, ...]:
+    return tuple(tile(cascade, time, sea.choppiness, texels) for cascade in cascades(sea, depth))
+
+
+@lru_cache(maxsize=1)
+def _history(
+    sea: Sea, depth: float | None, time: float, texels: int, drift: Vec2, lasting: bool
+) -> tuple[tuple[tuple[Floats, ...], ...], tuple[Floats, ...]]:
+    drawn, tiles = cascades(sea, depth), _tiles(sea, depth, time, texels)
 
     def then(cascade: Cascade, now: Tile, size: int, times: list[float]) -> tuple[Floats, ...]:
         """λ div D on ``size``² texels at earlier times, at every second texel, at the rest position of its water."""
@@ -262,18 +239,18 @@ def _drawn(
     ages = [AGE_STEP * step for step in range(1, AGE_STEPS + 1)]
     earlier = tuple(then(cascade, now, texels // 2, ages) for cascade, now in zip(drawn[:RAISED], tiles, strict=False))
     old = then(drawn[0], tiles[0], OLD_TEXELS, old_times(AGE_STEPS, AGE_STEP)) if lasting else ()
-    return tiles, earlier, old
+    return earlier, old
 
 
-def sea_surface(scene: Scene, time: float, origin: tuple[float, float], texels: int = TEXELS) -> SeaSurface | None:
+def sea_surface(scene: Scene, time: float, origin: Vec2, texels: int = TEXELS) -> SeaSurface | None:
     """The scene's sea at a time (s) around an origin (x, z) in m, on tiles of ``texels``²; None without sea or wind."""
     if scene.sea is None or scene.sea.wind_speed <= 0.0:
         return None
     depth = scene.water.depth
     source = None if scene.foam is None else scene.foam.source(WhitecapSaturation)
-    lasting = source is not None and source.lasting
-    tiles, earlier, old = _drawn(scene.sea, depth, time, texels, foam_drift(scene), lasting)
-    return SeaSurface(tiles, cascades(scene.sea, depth), origin, earlier, old)
+    at = scene.sea, depth, time, texels
+    past = () if source is None else _history(*at, foam_drift(scene), source.lasting)
+    return SeaSurface(_tiles(*at), cascades(scene.sea, depth), origin, *past)
 
 
 def whitecap_saturation(
@@ -292,10 +269,3 @@ def whitecap_saturation(
     if model.old_shares:
         total += surface.long_ago(model, x, z)
     return np.minimum(total, 1.0)
-
-
-def coefficients(values: Floats) -> Floats:
-    """Coefficients of the periodic cubic B-spline through ``values``."""
-    texels = values.shape[0]
-    filtered = (2.0 + np.cos(2.0 * math.pi * np.fft.fftfreq(texels))) / 3.0
-    return np.real(np.fft.ifft2(np.fft.fft2(values) / (filtered[:, None] * filtered[None, :])))

@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 
 from seafoam.reference.light import light as sky
 from seafoam.reference.shore import soil as truth
-from seafoam.reference.shore.shadow import land_shadow
+from seafoam.reference.shore.shore import land_shadow
 from seafoam.render.gl.executor import Executor
 from support.report import Report
 from support.scenes import Light, Scene

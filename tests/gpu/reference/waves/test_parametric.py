@@ -11,8 +11,7 @@ from seafoam.effects.effect import Contribution
 from seafoam.effects.waves import parametric, ripples
 from seafoam.effects.waves.parametric import group_bounds, scaled_files, wave_files
 from seafoam.reference import render
-from seafoam.reference.waves.groups import group_factor
-from seafoam.reference.waves.parametric import ripple_set, wave_set
+from seafoam.reference.waves.parametric import group_factor, ripple_set, wave_set
 from seafoam.render.gl.executor import Executor
 from support.exact import EXACT, UNFILTERED
 from support.pictures import linear, rms
