@@ -164,7 +164,7 @@ void main() {
 // Land is looked for at MIRROR_LOOKS places, up to MIRROR_FAR metres away.
 uniform sampler2D u_mirror;
 
-const float MIRROR_ASIDE = 0.45; // of two looks from their mean, over the deviation of those that they stand for
+const float MIRROR_ASIDE = 0.45; // of two looks from their mean, over the deviation up and down of those that no sample resolves
 
 // Light that the map holds toward a place in clip space, and its coverage; way: from the mirrored eye, m, where there is any.
 vec4 mirror_read(vec2 clip, inout float way) {
@@ -223,7 +223,6 @@ vec3 reflected_light(vec3 place, vec3 r, vec3 spread) {
         vec3 hit = normalize(seen) * mirrored;
         way = max(dot(vec3(hit.x, -hit.y - u_eye_height, hit.z) - place, r), 0.01);
     }
-    // Slopes that no sample resolves spread the looks up and down: two stand for them.
     if (spread.z > 1e-4) {
         float level = length(r.xz);
         vec3 aside = MIRROR_ASIDE * min(spread.z, r.y) * vec3(-r.y * r.xz / max(level, 1e-6), level).xzy;
