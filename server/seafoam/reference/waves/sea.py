@@ -43,8 +43,9 @@ class TileSample:
 def amplitudes(cascade: Cascade, time: float) -> NDArray[np.complex128]:
     """h₀ e^{−iωt}, with ωt reduced in whole turns: exact at any time, s."""
     turns = math.fmod(time, LOOP) / LOOP
-    turned: NDArray[np.complex128] = np.exp(-1j * (2.0 * math.pi * np.mod(cascade.turns * turns, 1.0)))
-    return cascade.h0 * turned
+    angle = 2.0 * math.pi * np.mod(cascade.turns * turns, 1.0)
+    result: NDArray[np.complex128] = cascade.h0 * np.exp(-1j * angle)
+    return result
 
 
 def grids(cascade: Cascade, time: float, texels: int, moved: Vec2 = (0.0, 0.0)) -> TileSample:
