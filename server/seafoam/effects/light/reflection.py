@@ -32,6 +32,8 @@ MARGIN = 1.25
 """Width of the map relative to the picture: ripples reflect objects beside it."""
 STEPS = 3
 """Number of reads of the map's distance with which a reflected ray is traced."""
+LAND_SIZE = 128
+"""Least side of a map of land alone, texels; above it half of what is asked for will do."""
 LOOKS = 8
 """Number of points along the reflected ray at which land is searched for, each twice as far as the last."""
 _DARK = "light = vec3(0.0);"
@@ -103,6 +105,8 @@ def planar(scene: Scene, quality: Quality) -> Contribution | None:
         slot = SlotFile("reflection", "reflection/mirror.glsl@traced", needs=met)
         return Contribution(why=f"reflected rays are traced to {objects}", slots=(slot,))
     size = quality.reflection_size
+    if not scene.boats:  # ripples blur what is finer of the land
+        size = min(size, max(size // 2, LAND_SIZE))
     guess: tuple[Piece, ...] = (COURSE, "reflection/mirror.glsl@guess") if scene.boats else (_NO_GUESS,)
     return Contribution(
         why=f"a mirrored camera draws {objects}, {size} texels a side",
