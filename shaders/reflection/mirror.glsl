@@ -216,18 +216,18 @@ vec3 reflected_light(vec3 place, vec3 r, vec3 spread) {
     if (way < 0.0) {
         return sky;
     }
+    vec3 aside = MIRROR_ASIDE * min(spread.z, r.y) / max(length(r.xz), 1e-6) * (vec3(0.0, 1.0, 0.0) - r.y * r);
     vec4 found = vec4(0.0);
-    for (int i = 0; i < MIRROR_STEPS; ++i) {
-        found = mirror_toward(place + way * r, seen, mirrored);
-        // What the map saw there, and how far along r that is.
-        vec3 hit = normalize(seen) * mirrored;
-        way = max(dot(vec3(hit.x, -hit.y - u_eye_height, hit.z) - place, r), 0.01);
-    }
-    if (spread.z > 1e-4) {
-        float level = length(r.xz);
-        vec3 aside = MIRROR_ASIDE * min(spread.z, r.y) * vec3(-r.y * r.xz / max(level, 1e-6), level).xzy;
-        found = 0.5 * (mirror_toward(place + way * normalize(r + aside), seen, mirrored)
-            + mirror_toward(place + way * normalize(r - aside), seen, mirrored));
+    for (int i = 0; i < MIRROR_STEPS + 2; ++i) {
+        vec3 look = i < MIRROR_STEPS ? r : normalize(i > MIRROR_STEPS ? r - aside : r + aside);
+        vec4 there = mirror_toward(place + way * look, seen, mirrored);
+        if (i < MIRROR_STEPS) {
+            // What the map saw there, and how far along r that is.
+            vec3 hit = normalize(seen) * mirrored;
+            way = max(dot(vec3(hit.x, -hit.y - u_eye_height, hit.z) - place, r), 0.01);
+        } else {
+            found += 0.5 * there;
+        }
     }
     return found.rgb + (1.0 - found.a) * sky;
 }
