@@ -194,33 +194,33 @@ def test_changes_against_the_preset(planned: Visit) -> None:
 
 @pytest.mark.parametrize("preset", ["default", "paper-halftone"])
 def test_the_passes_are_those_of_the_plan_and_the_glsl_is_the_drivers_byte_for_byte(
-    planned: Visit, preset: str
+    llvmpipe: Lane, server: str, preset: str
 ) -> None:
     plan = make_plan(load_preset(preset).scene, TIERS["fast"])
-    planned.follow(link(preset=preset, open="plan"))
-    tab(planned, "Passes")
-    sheet = planned.page.locator(".sheet")
-    for when in {one.when for one in plan.passes}:
-        part = sheet.locator(f".kind.{when}")
-        passes = [one for one in plan.passes if one.when == when]
-        assert f"{len(passes)} pass" in part.get_by_role("heading").inner_text()
-        nodes = part.locator(".node .name").all_text_contents()
-        assert len(nodes) == len({one.program for one in passes})
-        part.locator("summary").click()
-        rows = part.locator("tbody tr")
-        assert rows.count() == len(passes)
-        assert rows.first.locator("td").first.inner_text() == passes[0].name
-    # llvmpipe's timers are wrong: the page says so, and shows no number.
-    assert "CPU" in sheet.get_by_text("Time of each pass").inner_text()
-    assert sheet.locator("tbody td:last-child").all_inner_texts() == [""] * len(plan.passes)
-    tab(planned, "GLSL")
-    for name, stage in product(("surface", "present"), ("vertex", "fragment")):
-        sheet.get_by_label("Program").select_option(name)
-        tab(planned, stage)
-        shader = getattr(plan.programs[name], stage)
-        sheet.get_by_text("As the driver has it").get_by_text(shader.sha256[:12]).wait_for()
-        text = planned.page.evaluate("() => document.querySelector('pre.glsl').textContent")
-        assert hashlib.sha256(text.encode()).hexdigest() == shader.sha256
-        files = sheet.locator(".line[data-file]").evaluate_all("(all) => all.map((one) => one.dataset.file)")
-        assert files == [one.path for one in shader.files]
-        assert sheet.locator(".glsl .keyword").count() > 0
+    with visit(llvmpipe, server, link(preset=preset, open="plan"), size=(900, 600)) as made:
+        tab(made, "Passes")
+        sheet = made.page.locator(".sheet")
+        for when in {one.when for one in plan.passes}:
+            part = sheet.locator(f".kind.{when}")
+            passes = [one for one in plan.passes if one.when == when]
+            assert f"{len(passes)} pass" in part.get_by_role("heading").inner_text()
+            nodes = part.locator(".node .name").all_text_contents()
+            assert len(nodes) == len({one.program for one in passes})
+            part.locator("summary").click()
+            rows = part.locator("tbody tr")
+            assert rows.count() == len(passes)
+            assert rows.first.locator("td").first.inner_text() == passes[0].name
+        # llvmpipe's timers are wrong: the page says so, and shows no number.
+        assert "CPU" in sheet.get_by_text("Time of each pass").inner_text()
+        assert sheet.locator("tbody td:last-child").all_inner_texts() == [""] * len(plan.passes)
+        tab(made, "GLSL")
+        for name, stage in product(("surface", "present"), ("vertex", "fragment")):
+            sheet.get_by_label("Program").select_option(name)
+            tab(made, stage)
+            shader = getattr(plan.programs[name], stage)
+            sheet.get_by_text("As the driver has it").get_by_text(shader.sha256[:12]).wait_for()
+            text = made.page.evaluate("() => document.querySelector('pre.glsl').textContent")
+            assert hashlib.sha256(text.encode()).hexdigest() == shader.sha256
+            files = sheet.locator(".line[data-file]").evaluate_all("(all) => all.map((one) => one.dataset.file)")
+            assert files == [one.path for one in shader.files]
+            assert sheet.locator(".glsl .keyword").count() > 0
