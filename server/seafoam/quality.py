@@ -123,7 +123,7 @@ class Quality(Extensible, QualityParameters):
     reflection: Literal["map", "traced"] = "map"
     """Reflection of boats. map: from a planar mirror that is drawn each frame; traced: by rays from the water"""
     reflection_size: int = Field(default=256, ge=32, le=2048)
-    """Side of the planar mirror, texels; without boats at most 128"""
+    """Side of the planar mirror, texels; of land alone in water with ripples at most 128"""
     slope_places: Annotated[Literal[1, 5], BeforeValidator(_no_truth_value)] = 1
     """Points at which the slope for blurred slope foam is read: 5, or 1 with a footprint as wide as the blur"""
     boat_readings: Annotated[Literal[1, 7], BeforeValidator(_no_truth_value)] = 7

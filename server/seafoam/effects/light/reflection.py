@@ -33,7 +33,7 @@ MARGIN = 1.25
 STEPS = 3
 """Number of reads of the map's distance with which a reflected ray is traced."""
 LAND_SIZE = 128
-"""Greatest side of a map of land alone, texels: ripples blur what is finer, and a finer map errs more."""
+"""Greatest side of a map of land alone in water with ripples, texels: they blur what is finer, and it would alias."""
 LOOKS = 8
 """Number of points along the reflected ray at which land is searched for, each twice as far as the last."""
 _DARK = "light = vec3(0.0);"
@@ -104,7 +104,8 @@ def planar(scene: Scene, quality: Quality) -> Contribution | None:
     if quality.reflection == "traced":
         slot = SlotFile("reflection", "reflection/mirror.glsl@traced", needs=met)
         return Contribution(why=f"reflected rays are traced to {objects}", slots=(slot,))
-    size = quality.reflection_size if scene.boats else min(quality.reflection_size, LAND_SIZE)
+    blurred = scene.water.ripples is not None and not scene.boats
+    size = min(quality.reflection_size, LAND_SIZE) if blurred else quality.reflection_size
     guess: tuple[Piece, ...] = (COURSE, "reflection/mirror.glsl@guess") if scene.boats else (_NO_GUESS,)
     return Contribution(
         why=f"a mirrored camera draws {objects}, {size} texels a side",
