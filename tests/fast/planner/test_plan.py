@@ -286,3 +286,8 @@ def test_pixels_are_less_wide_where_rows_have_detail(preset: str, asked: int, dr
     assert make_plan(scene, chosen(pixel_width=asked)).targets["samples"].size == ViewportSize(narrow=drawn)
     several = make_plan(scene, chosen(pixel_width=asked, samples=4))
     assert several == make_plan(scene, chosen(pixel_width=1, samples=4))
+
+
+@pytest.mark.parametrize(("preset", "stride"), [("lake-calm", 1), ("explosion", 2)])
+def test_bounds_of_rings_leave_out_texels_only_where_the_shortest_wave_has_four(preset: str, stride: int) -> None:
+    assert f"bounds_{stride}" in make_plan(load_preset(preset).scene, chosen()).programs

@@ -127,6 +127,7 @@ def contribute(scene: Scene, quality: Quality) -> effect.Contribution | None:
 
 def _map(shown: Sequence[Train], square: _Square, size: int) -> effect.Resources:
     """A map of the rings, ``size`` texels along each side of the square, and its measured bounds."""
+    texel = square.side / size
     place = effect.Resources(
         slots=(
             SlotFile("waves", "waves/rings.glsl@map", prefix="rings"),
@@ -152,8 +153,7 @@ def _map(shown: Sequence[Train], square: _Square, size: int) -> effect.Resources
         drawn("rings", "waves/rings.glsl@map_pass", size, "u_ring_map"),
         # The map's error varies from wave to wave, not within one, so half the resolution is enough for it.
         drawn("rings_grain", "waves/rings.glsl@grain_pass", size // 2, "u_ring_grain"),
-        # A stride of 2 is enough: the shortest wave is four texels long.
-        measured_bounds("rings", size, square.side / size, stride=2),
+        measured_bounds("rings", size, texel, stride=2 if min(of.length for of in shown) >= 4.0 * texel else 1),
     )
 
 
