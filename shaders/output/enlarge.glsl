@@ -2,8 +2,9 @@
 
 // @part enlarged
 // Rows that are shifted against one another: Catmull and Rom's cubic (1974) along them, within the two pixels that it lies between, so
-// that no edge has a rim; and a share of the rows above and below. Of light as it is seen, below 1 however bright: a glint is one bright
-// pixel to its neighbours and not a thousand. A, foam's coverage, alike.
+// that no edge has a rim; and a share of the rows above and below. Lines of pixels four wide hold no shape that a cubic would find. Of
+// light as it is seen, below 1 however bright: a glint is one bright pixel to its neighbours and not a thousand. A, foam's coverage,
+// alike.
 uniform sampler2D u_narrow;
 uniform vec2 u_viewport;
 
@@ -13,25 +14,35 @@ vec4 seen(int column, int row) {
     return vec4(light / (1.0 + max(light.r, max(light.g, light.b))), drawn.a);
 }
 
-vec4 enlarged() {
-    ivec2 size = textureSize(u_narrow, 0);
-    int row = int(gl_FragCoord.y);
-    float middle = gl_FragCoord.x / u_viewport.x * float(size.x) - 0.5;
-    float shift = (row & 1) == 0 ? -ROW_SHIFT : ROW_SHIFT;
-    float x = middle - shift;
+vec4 between(float x, int row) {
     int column = int(floor(x));
     float f = x - floor(x);
     vec4 left = seen(column, row);
     vec4 right = seen(column + 1, row);
+    if (PIXEL_WIDTH > 3.0) {
+        return mix(left, right, f);
+    }
     vec4 weights = f * vec4(-0.5 + f * (1.0 - 0.5 * f), f * (-2.5 + 1.5 * f), 0.5 + f * (2.0 - 1.5 * f), f * (-0.5 + 0.5 * f));
     vec4 sum = weights.x * seen(column - 1, row) + (1.0 + weights.y) * left + weights.z * right + weights.w * seen(column + 2, row);
-    vec4 found = clamp(sum, min(left, right), max(left, right));
-    // The first row has none below, the last none above: that on the other side.
-    int above = row + 1 < size.y ? row + 1 : max(row - 1, 0);
+    return clamp(sum, min(left, right), max(left, right));
+}
+
+// The first row has none below, the last none above: that on the other side.
+vec4 beside(int column, int row) {
+    int above = row + 1 < textureSize(u_narrow, 0).y ? row + 1 : max(row - 1, 0);
     int below = row > 0 ? row - 1 : above;
-    int beside = int(floor(middle + shift + 0.5));
-    vec4 around = 0.5 * (seen(beside, above) + seen(beside, below));
-    found = mix(found, around, ROWS_SHARE * 4.0 * f * (1.0 - f));
+    return 0.5 * (seen(column, above) + seen(column, below));
+}
+
+vec4 enlarged() {
+    int row = int(gl_FragCoord.y);
+    float middle = gl_FragCoord.x / u_viewport.x * float(textureSize(u_narrow, 0).x) - 0.5;
+    float shift = (row & 1) == 0 ? -ROW_SHIFT : ROW_SHIFT;
+    vec4 found = between(middle - shift, row);
+    if (ROWS_SHARE > 0.0) {
+        float f = fract(middle - shift);
+        found = mix(found, beside(int(floor(middle + shift + 0.5)), row), ROWS_SHARE * 4.0 * f * (1.0 - f));
+    }
     return vec4(min(found.rgb / max(1.0 - max(found.r, max(found.g, found.b)), 1e-4), BRIGHTEST), found.a);
 }
 

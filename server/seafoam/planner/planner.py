@@ -5,12 +5,13 @@ from functools import lru_cache
 
 from seafoam.effects import EFFECTS, outside
 from seafoam.effects.effect import PlanError
+from seafoam.effects.light.atmosphere import direct
 from seafoam.effects.registry import CHANGED
 from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.visibility import everywhere
 from seafoam.planner import link
 from seafoam.planner.collect import collect
-from seafoam.planner.frame import Frame, Stage
+from seafoam.planner.frame import Frame, Stage, is_calm
 from seafoam.planner.output import picture
 from seafoam.planner.schedule import with_setup
 from seafoam.quality import Quality
@@ -18,8 +19,6 @@ from seafoam.scene.models import Scene
 
 STEEP = -0.5
 """Pitch of a camera below which it looks down on water, rad: a square is seen half as high as wide."""
-CALM = 0.01
-"""Standard deviation of the ripples' slope below which the mirrored sun is a narrow column, upright in the picture."""
 
 
 @lru_cache(maxsize=128)
@@ -93,17 +92,20 @@ def _steepest_waves(scene: Scene, count: int) -> Scene:
 def _with_pixels_of(scene: Scene, quality: Quality) -> Quality:
     """Return the quality with the width at which pixels of the scene are drawn.
 
-    It is 1 where rows are as fine as columns because the camera looks down, and where more samples per pixel are asked
-    for; half of that asked for, rounded up, with foam that drifts in lines of every direction and on water so calm that
-    it mirrors the sun as a narrow column; at most 3 where boats or surf on rocks, which are drawn at full width, have
-    their mirror and their shadow beside them.
+    It is 1 where more samples per pixel are asked for, and without light, where a sample costs less than what enlarges
+    it; half of that asked for, rounded up, where the camera looks down and sees rows as fine as columns, with foam that
+    drifts in lines of every direction and on calm water; at most 3 where boats or surf on rocks, which are drawn at
+    full width, have their mirror and their shadow beside them; at least 3 where neither sun nor moon shines, so that
+    nothing glitters.
     """
-    ripples = scene.water.ripples
-    width: int = quality.pixel_width
-    if quality.samples > 1 or quality.chosen_samples or scene.camera.pitch < STEEP:
+    asked: int = quality.pixel_width
+    width = asked
+    if quality.samples > 1 or quality.chosen_samples or scene.light is None:
         width = 1
-    elif scene.drift or (scene.light is not None and ripples is not None and ripples.slope < CALM):
-        width = -(-width // 2)
+    elif scene.camera.pitch < STEEP or scene.drift or is_calm(scene):
+        width = -(-asked // 2)
     elif scene.boats or (scene.spray and scene.shore):
-        width = min(width, 3)
-    return quality if width == quality.pixel_width else quality.model_copy(update={"pixel_width": width})
+        width = min(asked, 3)
+    elif asked > 1 and not direct(scene.light).any():
+        width = max(asked, 3)
+    return quality if width == asked else quality.model_copy(update={"pixel_width": width})
