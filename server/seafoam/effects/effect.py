@@ -149,6 +149,8 @@ class Contribution(Resources):
     """Lowest height of the effect's ground, m."""
     refine: int = 0
     """Least number of Newton steps after the march: for what moves along rays where the surface is found late."""
+    depends: tuple[str, ...] = ()
+    """Fields of the scene that the choice of its files depends on, though uniforms follow them."""
     march_factor: int = 1
     """Factor on the number of ray-marching steps: for steep crests, or crests that fill little of the slab between
     lowest and highest water."""

@@ -102,7 +102,7 @@ def _joined(given: Sequence[tuple[str, Contribution]], scene: Scene, left_out: _
         scene=scene,
         effects=tuple(EffectNote(name=name, why=one.why, files=_files(one)) for name, one in given),
         skipped=tuple(left_out.notes.values()),
-        bound_fields=frozenset(left_out.fields),
+        bound_fields=frozenset(left_out.fields).union(*(one.depends for one in every)),
         readers={sampler: name for name, one in given for sampler in one.inputs},
         max_height=summed(one.max_height for one in every),
         min_height=summed(one.min_height for one in every),

@@ -16,7 +16,7 @@ from seafoam.framegraph.passes import State
 from seafoam.framegraph.resources import Target, ViewportSize
 from seafoam.planner import AssemblyError, FramePlan, PlanError, link, make_plan
 from seafoam.planner.glsl import PART, parts_of
-from seafoam.quality import TIERS, Quality
+from seafoam.quality import TIERS, Quality, Tier
 from seafoam.resources import data_dir
 from seafoam.scene.camera import Camera
 from seafoam.scene.foam import (
@@ -74,7 +74,7 @@ def test_what_the_scene_does_not_call_for_is_not_there() -> None:
         assert word not in text
     assert not bare.textures
     assert not bare.effects
-    assert {one.name for one in bare.passes} == {"surface", "sky", "enlarged", "tone"}
+    assert {one.name for one in bare.passes} == {"surface", "sky", "tone"}
 
 
 @pytest.mark.parametrize("look", get_args(Look))
@@ -274,11 +274,18 @@ def test_kinds_of_choice_and_fewer_samples_are_none() -> None:
         ("boat-race", 4, 3),
         ("spray-on-rocks", 4, 3),
         ("storm", 4, 4),
-        ("pool-caustics", 4, 1),
+        ("pool-caustics", 2, 1),
+        ("pool-caustics", 4, 2),
+        ("paper-threshold", 4, 1),
         ("drift-vortices", 4, 2),
         ("lake-calm", 2, 1),
         ("lake-calm", 4, 2),
-        ("lake-sunset", 4, 4),
+        ("lake-sunset", 4, 3),
+        ("open-ocean", 4, 4),
+        ("swell", 1, 1),
+        ("swell", 2, 3),
+        ("swell", 4, 4),
+        ("moonlight", 2, 2),
     ],
 )
 def test_pixels_are_less_wide_where_rows_have_detail(preset: str, asked: int, drawn: int) -> None:
@@ -286,6 +293,51 @@ def test_pixels_are_less_wide_where_rows_have_detail(preset: str, asked: int, dr
     assert make_plan(scene, chosen(pixel_width=asked)).targets["samples"].size == ViewportSize(narrow=drawn)
     several = make_plan(scene, chosen(pixel_width=asked, samples=4))
     assert several == make_plan(scene, chosen(pixel_width=1, samples=4))
+
+
+@pytest.mark.parametrize(
+    ("preset", "width", "share"),
+    [
+        ("default", 2, 0.1),
+        ("default", 4, 0.0),
+        ("lake-calm", 4, 0.0),
+        ("paper-halftone", 2, 0.5),
+        ("paper-wake", 4, 0.5),
+        ("paper-textured", 2, 0.1),
+    ],
+)
+def test_rows_beside_share_by_what_a_sample_can_be(preset: str, width: int, share: float) -> None:
+    plan = make_plan(load_preset(preset).scene, chosen(pixel_width=width))
+    assert f"const float ROWS_SHARE = {share};" in plan.programs["enlarge"].fragment.text
+
+
+@pytest.mark.parametrize(
+    ("preset", "tier", "tiles"),
+    [
+        ("open-ocean", "fast", 4),
+        ("storm", "standard", 4),
+        ("storm", "fast", 3),
+        ("swell", "high", 3),
+        ("explosion", "standard", 2),
+    ],
+)
+def test_tiles_of_a_sea_without_waves_and_hidden_ones_are_not_drawn(preset: str, tier: Tier, tiles: int) -> None:
+    plan = make_plan(load_preset(preset).scene, TIERS[tier])
+    (why,) = (note.why for note in plan.effects if note.name == "sea")
+    assert f": {tiles} tiles by FFT" in why
+
+
+def test_which_tiles_the_roughness_hides_is_not_live() -> None:
+    """A slider of it asks for another plan."""
+    scene = load_preset("storm").scene
+    assert "/water/roughness" not in make_plan(scene, TIERS["fast"]).live
+    assert "/water/roughness" in make_plan(scene, STANDARD).live
+
+
+def test_water_that_mirrors_land_is_found_to_a_tenth_of_a_sample() -> None:
+    for preset, least in (("cubemap-lake", 0.1), ("open-ocean", 0.2)):
+        programs = make_plan(load_preset(preset).scene, TIERS["fast"]).programs.values()
+        assert any(f"const float MARCH_TOLERANCE = {least};" in program.fragment.text for program in programs)
 
 
 @pytest.mark.parametrize(("preset", "stride"), [("lake-calm", 1), ("explosion", 2)])

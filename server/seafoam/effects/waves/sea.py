@@ -33,6 +33,9 @@ from seafoam.textures.sea import FftTwiddles, SeaSpectrum
 
 WHITECAP_WIND = 7.0
 """Wind, m/s, below which whitecaps cover less than 0.3 % (Monahan and O'Muircheartaigh 1980)."""
+HIDDEN = 0.43
+"""Root mean square slope of the finest tiles, in the water's roughness, up to which they are hardly seen at a quarter
+of the width: without them ``fast`` errs 0.6 % more (storm) and 1 % (sunset-sparkles), for 0.87 and 0.85 of the time."""
 CALM_SIZE = 256
 """Maximum number of texels along a tile below that wind, or without whitecaps and with one sample a pixel, if
 footprints filter short waves: with 512, the error against the reference was no smaller (lake-choppy 10.2 instead of 9.7
@@ -223,10 +226,18 @@ def tile_target(quality: Quality, size: int) -> Target:
 
 
 def drawn_tiles(scene: Scene, quality: Quality) -> tuple[Cascade, ...]:
-    """Return the tiles of the scene's sea that are drawn at a quality."""
+    """Return the tiles of the scene's sea that are drawn at a quality: not those without waves.
+
+    At a quarter of the width neither those whose slopes the water's roughness hides (:data:`HIDDEN`).
+    """
     if scene.sea is None or scene.sea.wind_speed <= 0.0:
         return ()
-    return cascades(scene.sea, scene.water.depth)[: quality.sea_tiles]
+    every = cascades(scene.sea, scene.water.depth)[: quality.sea_tiles]
+    hidden = HIDDEN * scene.water.roughness if quality.pixel_width > 3 else 0.0
+    number = len(every)
+    while number > RAISED and summed(tile.mean_square_slope for tile in every[number - 1 :]) <= hidden * hidden:
+        number -= 1
+    return every[:number]
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -250,6 +261,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         ),
         max_height=max_height,
         min_height=-max_height,
+        depends=("/water/roughness",) if quality.pixel_width > 3 else (),
         max_slope=summed(tile.max_slope for tile in raised),
         map_error=summed(tile.map_error(quality.sea_size) + tile.limit * HALF_FLOAT for tile in raised),
         march_factor=2,
