@@ -22,12 +22,12 @@ START_SHARE = 0.25
 ROW_SHIFT = 0.25
 """Shift of the rows of wide pixels, to the left and to the right in turn, in their width: two rows together have a
 sample for every half of it."""
-FOOTPRINT_X = 0.5
-"""Width of the footprint of a wide pixel's sample, in that of the pixel."""
-ROWS_SHARE, ROWS_SHARE_OF_DOTS = 0.1, 0.5
-"""Share of the rows above and below in what is shown in the middle between two drawn pixels, at most: as a rule, and of
-foam that is black or white in each sample. None at a quarter of the width, where it buys 1 to 2 % of the error for 4 %
-of the time, and on calm water, whose glints are rows of their own."""
+FOOTPRINT_X, FOOTPRINT_X_OF_CAUSTICS = 0.5, 0.7
+"""Width of the footprint of a wide pixel's sample, in that of the pixel: as a rule, and over a floor's caustics."""
+ROWS_SHARE, ROWS_SHARE_OF_CAUSTICS, ROWS_SHARE_OF_DOTS = 0.1, 0.2, 0.5
+"""Share of the rows above and below in what is shown in the middle between two drawn pixels, at most: as a rule, over a
+floor's caustics, and of foam that is black or white in each sample. None at a quarter of the width, where it buys 1 to
+2 % of the error for 4 % of the time, and on calm water, whose glints are rows of their own."""
 DOTTED = ("halftone", "halftone_textured", "fading", "listing")
 """Looks of foam that compare the mask sample by sample (docs/formulae.md, section 5)."""
 CALM = 0.01
@@ -53,10 +53,19 @@ def is_calm(scene: Scene) -> bool:
     return scene.light is not None and ripples is not None and ripples.slope < CALM
 
 
-def _rows_share(scene: Scene, width: int) -> float:
+def _rows_share(collection: Collection, width: int) -> float:
+    scene = collection.scene
     if scene.foam is not None and scene.foam.look in DOTTED:
         return ROWS_SHARE_OF_DOTS
-    return 0.0 if width > 3 or is_calm(scene) else ROWS_SHARE
+    if width > 3 or is_calm(scene):
+        return 0.0
+    return ROWS_SHARE_OF_CAUSTICS if collection.fills("caustics") else ROWS_SHARE
+
+
+def _footprint_x(collection: Collection, width: int) -> float:
+    if width == 1:
+        return 1.0
+    return FOOTPRINT_X_OF_CAUSTICS if collection.fills("caustics") else FOOTPRINT_X
 
 
 @dataclass(frozen=True)
@@ -105,8 +114,8 @@ class Frame:
             "SAMPLE_SIDE": self.side,
             "PIXEL_WIDTH": float(quality.pixel_width),
             "ROW_SHIFT": ROW_SHIFT,
-            "ROWS_SHARE": _rows_share(self.scene, quality.pixel_width),
-            "FOOTPRINT_X": FOOTPRINT_X if self.narrow else 1.0,
+            "ROWS_SHARE": _rows_share(collection, quality.pixel_width),
+            "FOOTPRINT_X": _footprint_x(collection, quality.pixel_width),
         }
         self.met = _met_files(collection.slots, self.level)
         """Files of a pass that only finds what rays meet: it has a texture more to spare than others."""

@@ -179,6 +179,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             f"no sunlight returns from a depth of {least:g} m",
             FLOOR_FIELDS,
         ),
+        # Bright lines move along the floor as far as the water is found late.
+        refine=1,
     )
     lit = _photons(tile, colours, rays, texels) if photons else _grid(tile, colours, rays, texels, shifts)
     return contribution.joined(_slope_map(tile, rays), lit)
