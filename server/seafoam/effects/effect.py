@@ -149,6 +149,8 @@ class Contribution(Resources):
     """Lowest height of the effect's ground, m."""
     refine: int = 0
     """Least number of Newton steps after the march: for what moves along rays where the surface is found late."""
+    coarser: float = 1.0
+    """Factor on the tolerance of the march, for what such a step then finds to less than the tolerance."""
     depends: tuple[str, ...] = ()
     """Fields of the scene that the choice of its files depends on, though uniforms follow them."""
     march_factor: int = 1

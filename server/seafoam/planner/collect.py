@@ -38,6 +38,7 @@ class Collection(Resources):
     min_ground: float
     march_factor: int
     refine: int
+    coarser: float
 
     def fills(self, slot: str) -> bool:
         """Whether a file fills the slot."""
@@ -116,6 +117,7 @@ def _joined(given: Sequence[tuple[str, Contribution]], scene: Scene, left_out: _
         min_ground=grounds[-1] if grounds else LOWEST,
         march_factor=max((one.march_factor for one in every), default=1),
         refine=max((one.refine for one in every), default=0),
+        coarser=max((one.coarser for one in every), default=1.0),
     )
 
 

@@ -109,7 +109,7 @@ class Frame:
             "SURFACE_FILTER": quality.surface.filter,
             "REFINE": max(quality.surface.refine, collection.refine),
             "MARCH_STEPS": quality.surface.steps * collection.march_factor,
-            "MARCH_TOLERANCE": quality.surface.tolerance,
+            "MARCH_TOLERANCE": quality.surface.tolerance * collection.coarser,
             "START_SHARE": START_SHARE,
             "SAMPLE_SIDE": self.side,
             "PIXEL_WIDTH": float(quality.pixel_width),

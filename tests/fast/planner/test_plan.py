@@ -16,7 +16,7 @@ from seafoam.framegraph.passes import State
 from seafoam.framegraph.resources import Target, ViewportSize
 from seafoam.planner import AssemblyError, FramePlan, PlanError, link, make_plan
 from seafoam.planner.glsl import PART, parts_of
-from seafoam.quality import TIERS, Quality, Tier
+from seafoam.quality import TIERS, Quality, SurfaceQuality, Tier
 from seafoam.resources import data_dir
 from seafoam.scene.camera import Camera
 from seafoam.scene.foam import (
@@ -334,8 +334,18 @@ def test_which_tiles_the_roughness_hides_is_not_live() -> None:
     assert "/water/roughness" in make_plan(scene, STANDARD).live
 
 
+@pytest.mark.parametrize(
+    ("preset", "asked", "steps", "tolerance"), [("storm", 0, 1, 0.2), ("storm", 2, 2, 0.1), ("swell", 0, 0, 0.1)]
+)
+def test_a_sea_that_breaks_is_refined_after_fewer_steps(preset: str, asked: int, steps: int, tolerance: float) -> None:
+    how = chosen(surface=SurfaceQuality(refine=asked))
+    text = make_plan(load_preset(preset).scene, how).programs["surface"].fragment.text
+    assert f"const int REFINE = {steps};" in text
+    assert f"const float MARCH_TOLERANCE = {tolerance};" in text
+
+
 def test_water_that_mirrors_land_is_found_to_a_tenth_of_a_sample() -> None:
-    for preset, least in (("cubemap-lake", 0.1), ("open-ocean", 0.2)):
+    for preset, least in (("cubemap-lake", 0.1), ("default", 0.2)):
         programs = make_plan(load_preset(preset).scene, TIERS["fast"]).programs.values()
         assert any(f"const float MARCH_TOLERANCE = {least};" in program.fragment.text for program in programs)
 

@@ -249,6 +249,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if not tiles:
         return Contribution.invisible("no wind, so no waves")
     quality = sea_quality(scene, quality)
+    # One Newton step for the march's last ones: 0.82 to 0.86 of the evaluations, and of the error 0.95 (storm) to 1.006
+    # (river). Beside gentle seas what else raises the water is met by fewer steps and errs up to 3 % more.
+    refined = quality.surface.refine == 0 and (sea.wind_speed >= WHITECAP_WIND or scene.shore is not None)
     raised = tiles[:RAISED]
     max_height = summed(tile.limit for tile in raised)
     contribution = Contribution(
@@ -265,6 +268,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         max_slope=summed(tile.max_slope for tile in raised),
         map_error=summed(tile.map_error(quality.sea_size) + tile.limit * HALF_FLOAT for tile in raised),
         march_factor=2,
+        refine=1 if refined else 0,
+        coarser=2.0 if refined else 1.0,
     )
     return contribution.joined(
         _displaced_water(sea, scene.water.depth, tiles, displaced_size(quality)),
