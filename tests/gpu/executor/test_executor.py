@@ -271,7 +271,7 @@ def test_narrow_pixels_change_no_light_in_the_mean(executor: Executor, preset: s
 @pytest.mark.parametrize("preset", ["boat-race", "storm"])
 def test_what_stands_before_the_scenery_is_drawn_at_full_width(executor: Executor, preset: str) -> None:
     """Rays to drops begin where wider tiles of rays begin, and may end elsewhere within the tolerance: one in 100."""
-    scene, exact = load_preset(preset).scene, SurfaceQuality(tolerance=0.02)
+    scene, exact = load_preset(preset).scene, SurfaceQuality(tolerance=0.01)
     qualities = [narrow(width).model_copy(update={"surface": exact}) for width in (1, 2, 3)]
     plans = [make_plan(scene, quality).model_copy(update={"linear": ABOVE}) for quality in qualities]
     above = [draw(executor, plan, scene.camera, time=10.0, size=(96, 54), output="linear") for plan in plans]
