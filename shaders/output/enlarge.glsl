@@ -27,21 +27,19 @@ vec4 between(float x, int row) {
     return clamp(sum, min(left, right), max(left, right));
 }
 
-// The first row has none below, the last none above: that on the other side.
-vec4 beside(int column, int row) {
-    int above = row + 1 < textureSize(u_narrow, 0).y ? row + 1 : max(row - 1, 0);
-    int below = row > 0 ? row - 1 : above;
-    return 0.5 * (seen(column, above) + seen(column, below));
-}
-
 vec4 enlarged() {
+    ivec2 size = textureSize(u_narrow, 0);
     int row = int(gl_FragCoord.y);
-    float middle = gl_FragCoord.x / u_viewport.x * float(textureSize(u_narrow, 0).x) - 0.5;
+    float middle = gl_FragCoord.x / u_viewport.x * float(size.x) - 0.5;
     float shift = (row & 1) == 0 ? -ROW_SHIFT : ROW_SHIFT;
     vec4 found = between(middle - shift, row);
     if (ROWS_SHARE > 0.0) {
+        // The first row has none below, the last none above: that on the other side.
+        int above = row + 1 < size.y ? row + 1 : max(row - 1, 0);
+        int below = row > 0 ? row - 1 : above;
+        int beside = int(floor(middle + shift + 0.5));
         float f = fract(middle - shift);
-        found = mix(found, beside(int(floor(middle + shift + 0.5)), row), ROWS_SHARE * 4.0 * f * (1.0 - f));
+        found = mix(found, 0.5 * (seen(beside, above) + seen(beside, below)), ROWS_SHARE * 4.0 * f * (1.0 - f));
     }
     return vec4(min(found.rgb / max(1.0 - max(found.r, max(found.g, found.b)), 1e-4), BRIGHTEST), found.a);
 }

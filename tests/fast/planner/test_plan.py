@@ -304,6 +304,7 @@ def test_pixels_are_less_wide_where_rows_have_detail(preset: str, asked: int, dr
         ("paper-halftone", 2, 0.5),
         ("paper-wake", 4, 0.5),
         ("paper-textured", 2, 0.1),
+        ("shallows", 2, 0.2),
     ],
 )
 def test_rows_beside_share_by_what_a_sample_can_be(preset: str, width: int, share: float) -> None:
