@@ -53,9 +53,14 @@ def is_calm(scene: Scene) -> bool:
     return scene.light is not None and ripples is not None and ripples.slope < CALM
 
 
+def is_dotted(scene: Scene) -> bool:
+    """Whether each sample of foam is black or white."""
+    return scene.foam is not None and scene.foam.look in DOTTED
+
+
 def _rows_share(collection: Collection, width: int) -> float:
     scene = collection.scene
-    if scene.foam is not None and scene.foam.look in DOTTED:
+    if is_dotted(scene):
         return ROWS_SHARE_OF_DOTS
     if width > 3 or is_calm(scene):
         return 0.0

@@ -286,6 +286,8 @@ def test_kinds_of_choice_and_fewer_samples_are_none() -> None:
         ("swell", 2, 3),
         ("swell", 4, 4),
         ("moonlight", 2, 2),
+        ("paper-wake", 2, 3),
+        ("paper-textured", 2, 2),
     ],
 )
 def test_pixels_are_less_wide_where_rows_have_detail(preset: str, asked: int, drawn: int) -> None:
