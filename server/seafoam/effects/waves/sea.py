@@ -35,7 +35,7 @@ WHITECAP_WIND = 7.0
 """Wind, m/s, below which whitecaps cover less than 0.3 % (Monahan and O'Muircheartaigh 1980)."""
 HIDDEN = 0.43
 """Root mean square slope of the finest tiles, in the water's roughness, up to which they are hardly seen at a quarter
-of the width: without them ``fast`` errs 0.6 % more (storm) and 1 % (sunset-sparkles), for 0.87 and 0.85 of the time."""
+of the width: without them ``fast`` errs 0.6 (storm) to 1 % more, for 0.85 to 0.87 of the time."""
 CALM_SIZE = 256
 """Maximum number of texels along a tile below that wind, or without whitecaps and with one sample a pixel, if
 footprints filter short waves: with 512, the error against the reference was no smaller (lake-choppy 10.2 instead of 9.7
