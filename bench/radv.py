@@ -15,6 +15,8 @@ from unittest.mock import patch
 
 FAMILY = "NAVI23"
 """RDNA 2 as in a Radeon RX 6600, a mid-range desktop GPU."""
+OUTPUTS = 4
+"""Most outputs of a program: those without an attachment would be left out, with all that they take."""
 _ICD_FOLDERS = ("/usr/share/vulkan/icd.d", "/usr/local/share/vulkan/icd.d", "/etc/vulkan/icd.d")
 _EXTENSION = "VK_KHR_pipeline_executable_properties"
 _STAGES = {"Vertex Shader": "vertex", "Fragment Shader": "fragment"}
@@ -143,12 +145,12 @@ class Radv:
         samples = vk.VkPipelineMultisampleStateCreateInfo(rasterizationSamples=1, sampleShadingEnable=0)
         attachment = vk.VkPipelineColorBlendAttachmentState(blendEnable=0, colorWriteMask=0xF)
         blend = vk.VkPipelineColorBlendStateCreateInfo(
-            logicOpEnable=0, pAttachments=[attachment], blendConstants=[0.0, 0.0, 0.0, 0.0]
+            logicOpEnable=0, pAttachments=[attachment] * OUTPUTS, blendConstants=[0.0, 0.0, 0.0, 0.0]
         )
         rendering = vk.VkPipelineRenderingCreateInfo(
             viewMask=0,
-            colorAttachmentCount=1,
-            pColorAttachmentFormats=[vk.VK_FORMAT_R16G16B16A16_SFLOAT],
+            colorAttachmentCount=OUTPUTS,
+            pColorAttachmentFormats=[vk.VK_FORMAT_R16G16B16A16_SFLOAT] * OUTPUTS,
             depthAttachmentFormat=0,
             stencilAttachmentFormat=0,
         )
