@@ -2,12 +2,11 @@
 
 // @part compose
 // What was drawn after surface and sky (premultiplied alpha), laid over them. A stays the water's foam amount.
-uniform sampler2D u_above;
 out vec4 o_color;
 
 void main() {
     vec4 under = beneath();
-    vec4 over = texel_at(u_above, ivec2(gl_FragCoord.xy));
+    vec4 over = above();
     o_color = vec4(min(under.rgb * (1.0 - min(over.a, 1.0)) + over.rgb, BRIGHTEST), under.a);
 }
 
@@ -17,6 +16,22 @@ uniform sampler2D u_beneath;
 
 vec4 beneath() {
     return texel_at(u_beneath, ivec2(gl_FragCoord.xy));
+}
+
+// @part above
+// What stands before surface and sky, at each pixel.
+uniform sampler2D u_above;
+
+vec4 above() {
+    return texel_at(u_above, ivec2(gl_FragCoord.xy));
+}
+
+// @part above_coarse
+// The same where it has fewer pixels.
+uniform sampler2D u_above;
+
+vec4 above() {
+    return textureLod(u_above, gl_FragCoord.xy / u_viewport, 0.0);
 }
 
 // @part resolve

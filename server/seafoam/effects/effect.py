@@ -59,6 +59,8 @@ class PassSpec:
     view: View = "any"
     under: tuple[Piece | SlotRef, ...] = ()
     """Files of the fragment shader for a camera under the water; empty: those of ``fragment`` for it too."""
+    part: int = 1
+    """Of a pass into :data:`ABOVE`: how many pixels may be as wide and as high as one of what it draws."""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "target", self.target or self.program)

@@ -179,7 +179,9 @@ def _draw(added: _Additions, count: int, layers: tuple[tuple[tuple[Redrawn, ...]
             }
             added.passes.append(redrawn.original.model_copy(update=changes))
     if layers[1][0]:
-        compose = ("lib/numbers.glsl", "output/frame.glsl@beneath", "output/frame.glsl@compose")
+        compose = (
+            "lib/numbers.glsl", "output/frame.glsl@beneath", "output/frame.glsl@above", "output/frame.glsl@compose"
+        )  # fmt: skip
         reads = {"u_beneath": _BENEATH, "u_above": _ABOVE, "u_chosen_rows": "chosen rows"}
         name = f"what stands before the water, {count} samples"
         added.add(name, _SAMPLES, compose, reads, rows=True, uniforms=uniforms)

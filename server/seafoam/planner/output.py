@@ -51,11 +51,14 @@ def _composed(frame: Frame, beneath: str, target: str) -> Stage:
     read, under = "u_beneath", Source("output/frame.glsl@beneath")
     if frame.narrow:
         read, under = "u_narrow", Source(_ENLARGED, (("enlarged", "beneath"),))
-    files: list[Piece] = ["lib/numbers.glsl", under, "output/frame.glsl@compose"]
-    size = ViewportSize(scale=frame.side)
+    size, part = ViewportSize(scale=frame.side), min(spec.part for spec in frame.above)
+    over = "output/frame.glsl@above_coarse" if part > 1 else "output/frame.glsl@above"
+    files: list[Piece] = ["lib/numbers.glsl", under, over, "output/frame.glsl@compose"]
     reads = target_inputs({read: beneath, "u_above": ABOVE})
     drawn = fullscreen("what stands before the water", "compose", target, reads)
-    above = Stage(targets={ABOVE: Target(size=size, format="RGBA16F")})
+    coarse = size.model_copy(update={"part": part})
+    veil = Target(size=coarse, format="RGBA16F", filter="linear" if part > 1 else "nearest")
+    above = Stage(targets={ABOVE: veil})
     return above.joined(_alone(frame, drawn, files, Target(size=size, format=frame.quality.target)))
 
 
