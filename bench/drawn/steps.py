@@ -14,7 +14,7 @@ import numpy as np
 from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.shader import Shader
 from seafoam.framegraph.visibility import drawn_passes
-from seafoam.planner.surface import UNDERWATER
+from seafoam.planner.surface import SAMPLES
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
 
@@ -62,13 +62,13 @@ def steps(executor: Executor, plan: FramePlan, *, time: float, camera: Camera, s
 def counting_plan(plan: FramePlan, camera: Camera, size: tuple[int, int]) -> FramePlan:
     """The plan up to its surface's pass, which writes (water, evaluations, 0, 1) for each pixel that it covers."""
     shown = drawn_passes(plan, camera, *size, "screen")
-    # With a shore a separate pass finds the intersections of rays.
+    # With a shore a separate pass finds the intersections of rays, and where samples are kept, that which keeps them.
     names = {plan.passes[index].name for index in shown}
-    name = "what rays meet" if "what rays meet" in names else "surface"
+    name = next(name for name in ("what rays meet", SAMPLES, "surface") if name in names)
     indices = [
         index
         for index, shows in shown.items()
-        if shows and plan.passes[index].name == name and plan.passes[index].program != UNDERWATER
+        if shows and plan.passes[index].name == name and "underwater" not in plan.passes[index].program
     ]
     if len(indices) != 1:
         raise RuntimeError(f"a frame has one pass that finds the surface, not {len(indices)}")
@@ -76,7 +76,7 @@ def counting_plan(plan: FramePlan, camera: Camera, size: tuple[int, int]) -> Fra
     program = plan.programs[surface.program]
     counting = program.model_copy(update={"fragment": counting_shader(program.fragment)})
     # Half floats represent integers only up to 2048.
-    target = plan.targets[surface.target].model_copy(update={"format": "RGBA32F"})
+    target = plan.targets[surface.target].model_copy(update={"format": "RGBA32F", "layers": 1})
     return plan.model_copy(
         update={
             "programs": {**plan.programs, surface.program: counting},
@@ -101,7 +101,7 @@ def counting_shader(shader: Shader) -> Shader:
     counted = _WAVES.sub(rf"\g<head>\n    ++{COUNTER};", text[first.start() :])
     counted = counted.replace(_OPEN, f"++{COUNTER};\n        {_OPEN}")
     text = f"{text[: first.start()]}int {COUNTER} = 0;\n\n{counted}"
-    output = "o_met" if "out vec4 o_met;" in text else "o_color"
+    output = next(name for name in ("o_met", "o_shading", "o_color") if f"out vec4 {name};" in text)
     text += f"""
 void main() {{
     float tau;

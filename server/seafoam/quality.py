@@ -144,8 +144,7 @@ class Quality(Extensible, QualityParameters):
     """Width of a drawn pixel, in pixels of the picture. 2 to 4: water, land and sky are drawn at full height and a part
     of the width, along which water that is seen from near its level has the least detail, and then enlarged. Half of
     it, rounded up, with drifting foam, on calm water and where the camera looks down by more than 0.5 rad; at most 3
-    with boats, mirrored land or surf on rocks; at least 3 without sun or moon and with thresholded foam; 1 with more
-    than one sample per pixel"""
+    with boats, mirrored land or surf on rocks; at least 3 without sun or moon; 1 with more than one sample per pixel"""
     target: Literal["RGBA16F", "RGBA32F"] = "RGBA16F"
     """Floating-point format of the linear frame"""
 

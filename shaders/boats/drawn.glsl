@@ -60,9 +60,11 @@ void main() {
         discard;
     }
     vec3 eye = vec3(0.0, u_eye_height, 0.0);
-    int boat[BOAT_RAYS];
+    int boat[BOAT_RAYS]; // -1: none
+    int part[BOAT_RAYS];
     float way[BOAT_RAYS];
-    BoatHit hits[BOAT_RAYS];
+    vec3 normal[BOAT_RAYS];
+    vec4 paint[BOAT_RAYS];
     bool met = false;
     bool alike = BOAT_ALIKE;
     float farthest = 0.0;
@@ -70,10 +72,14 @@ void main() {
     // how many rays are traced ends a loop, which is the other branch that every driver takes.
     int count = BOAT_SIDE;
     for (int i = 0; i < count; ++i) {
-        boat[i] = trace_boats(eye, normalize(boat_ray(i)), 0.0, 1e5, false, way[i], hits[i]);
+        BoatHit hit;
+        boat[i] = trace_boats(eye, normalize(boat_ray(i)), 0.0, 1e5, false, way[i], hit);
+        part[i] = hit.part;
+        normal[i] = hit.normal;
+        paint[i] = boat[i] < 0 ? vec4(0.0) : boat_paint(boat[i], hit);
         met = met || boat[i] >= 0;
         farthest = boat[i] >= 0 ? max(farthest, way[i]) : farthest;
-        alike = alike && boat[i] == boat[0] && (boat[i] < 0 || hits[i].part == hits[0].part);
+        alike = alike && boat[i] == boat[0] && (boat[i] < 0 || part[i] == part[0]);
         count = i == BOAT_SIDE - 1 && !alike ? BOAT_RAYS : count;
     }
     if (!met) {
@@ -83,35 +89,33 @@ void main() {
     // A little further: the samples' other rays may meet the water before.
     boat_water(middle, 1.02 * farthest / length(middle));
     // And those that meet the same part of the same boat have their own paint and the light of the first of them.
-    int first[BOAT_RAYS];
     float rays[BOAT_RAYS];
-    vec4 paint[BOAT_RAYS];
-    int parts = 0;
+    float shown = 0.0;
     for (int i = 0; i < count; ++i) {
-        if (boat[i] >= 0 && !boat_hidden(boat_ray(i), way[i])) {
-            int k = 0;
-            while (k < parts && (!BOAT_ALIKE || boat[first[k]] != boat[i] || hits[first[k]].part != hits[i].part)) {
-                ++k;
+        rays[i] = 0.0;
+        if (boat[i] >= 0 && boat_hidden(boat_ray(i), way[i])) {
+            boat[i] = -1;
+        }
+        if (boat[i] >= 0) {
+            int first = BOAT_ALIKE ? 0 : i;
+            while (boat[first] != boat[i] || part[first] != part[i]) {
+                ++first;
             }
-            if (k == parts) {
-                first[k] = i;
-                rays[k] = 0.0;
-                paint[k] = vec4(0.0);
-                ++parts;
-            }
-            rays[k] += 1.0;
-            paint[k] += boat_paint(boat[i], hits[i]);
+            paint[first] = first < i ? paint[first] + paint[i] : paint[i];
+            rays[first] += 1.0;
+            shown += 1.0;
         }
     }
-    if (parts == 0) {
+    if (shown == 0.0) {
         discard;
     }
     vec4 sum = vec4(0.0);
-    for (int k = 0; k < parts; ++k) {
-        int i = first[k];
-        vec3 d = normalize(boat_ray(i));
-        vec3 light = exposure() * boat_before(boat_light(boat[i], paint[k] / rays[k], eye, d, way[i], hits[i]), d, way[i]);
-        sum += rays[k] * vec4(min(light, BRIGHTEST), 1.0);
+    for (int i = 0; i < count; ++i) {
+        if (rays[i] > 0.0) {
+            vec3 d = normalize(boat_ray(i));
+            vec3 seen = boat_light(boat[i], paint[i] / rays[i], eye, d, way[i], normal[i], part[i]);
+            sum += rays[i] * vec4(min(exposure() * boat_before(seen, d, way[i]), BRIGHTEST), 1.0);
+        }
     }
     o_color = sum / float(count);
 }
@@ -122,11 +126,11 @@ vec3 boat_in_air(vec3 light, vec3 d, float distance_to_eye) {
     return hazed(light, horizon_light(d), distance_to_eye);
 }
 
-// paint: reflectance, and share of a mirror's light; d: unit vector toward the boat; o + t d is where it was met.
-vec3 boat_light(int i, vec4 paint, vec3 o, vec3 d, float t, BoatHit hit) {
+// paint: reflectance, and share of a mirror's light; d: unit vector toward the boat; o + t d is where it was met, normal: in its frame.
+vec3 boat_light(int i, vec4 paint, vec3 o, vec3 d, float t, vec3 normal, int part) {
     BoatFrame f = boat_frame(i);
-    vec3 n = hit.normal.x * f.ahead + hit.normal.y * f.up + hit.normal.z * f.right;
-    bool sail = hit.part == PART_SAIL;
+    vec3 n = normal.x * f.ahead + normal.y * f.up + normal.z * f.right;
+    bool sail = part == PART_SAIL;
     float facing = dot(n, u_sun_direction);
     float lit = sail ? max(facing, 0.0) + 0.4 * max(-facing, 0.0) : max(facing, 0.0);
     if (lit > 0.0) {
@@ -154,7 +158,7 @@ vec3 boat_in_air(vec3 light, vec3 d, float distance_to_eye) {
     return light;
 }
 
-vec3 boat_light(int i, vec4 paint, vec3 o, vec3 d, float t, BoatHit hit) {
+vec3 boat_light(int i, vec4 paint, vec3 o, vec3 d, float t, vec3 normal, int part) {
     return vec3(0.0);
 }
 

@@ -93,7 +93,7 @@ void cut_plane(vec3 n, float c, vec3 o, vec3 d, inout vec4 enter, inout float le
 
 void take(vec4 enter, vec3 o, vec3 d, int part, inout BoatHit hit) {
     if (enter.w < hit.t) {
-        hit = BoatHit(enter.w, normalize(enter.xyz), o + enter.w * d, part);
+        hit = BoatHit(enter.w, normalize(enter.xyz), hit.at, part);
     }
 }
 
@@ -197,7 +197,7 @@ void hit_sail(vec3 o, vec3 d, vec3 tack, vec3 head, vec3 clew, float roach, floa
     }
     float share = v / max(1.0 - u, 0.05);
     vec3 normal = normalize(n) + 0.5 * (2.0 * min(share, 1.0) - 0.8) * normalize(foot);
-    hit = BoatHit(t, normalize(dot(normal, d) > 0.0 ? -normal : normal), o + t * d, PART_SAIL);
+    hit = BoatHit(t, normalize(dot(normal, d) > 0.0 ? -normal : normal), hit.at, PART_SAIL);
 }
 
 // Nearest hit with t >= least and before hit.t. rig: cosine and sine of the boom's angle.
@@ -320,6 +320,7 @@ int trace_boats(vec3 o, vec3 d, float least, float farthest, bool dry, out float
         BoatHit one = BoatHit((t - nearest) / size, vec3(0.0, 1.0, 0.0), local, PART_HULL);
         float before = one.t;
         hit_boat(local, way, u_boat_rig[i].x > 0.5, u_boat_rig[i].yz, first, one);
+        one.at = local + one.t * way;
         if (one.t < before && !(dry && one.at.y < -1e-4)) {
             found = i;
             t = nearest + one.t * size;

@@ -14,7 +14,7 @@ vec4 cube_texel(int face, ivec2 at) {
 
 // Toward a place of a face, in [-1, 1] along its sides.
 vec3 cube_direction(int face, vec2 at) {
-    float side = face % 2 == 0 ? 1.0 : -1.0;
+    float side = (face & 1) == 0 ? 1.0 : -1.0;
     return face < 2 ? vec3(side, at.x, at.y) : face < 4 ? vec3(at.y, side, at.x) : vec3(at.x, at.y, side);
 }
 

@@ -60,14 +60,13 @@ bool land_along(vec2 q, float height, vec3 r, out float tau, out vec4 ground) {
     return tau < span.y && gap < fine * (0.1 + tau);
 }
 
-// Its light, before exposure, in the air.
-vec3 land_seen(vec2 q, vec3 r, float tau, vec4 ground) {
+// Its light, before exposure, in the air. o: the place as metres from under the eye.
+vec3 land_seen(vec2 q, vec2 o, vec3 r, float tau, vec4 ground) {
     vec3 normal = normalize(vec3(-ground.y, 1.0, -ground.z));
     Footprint fp = Footprint(vec2(AROUND_BLUR * tau, 0.0), vec2(0.0, AROUND_BLUR * tau));
     Soil soil = land_soil(q + tau * r.xz, ground, fp, vec2(1.0, 0.6) * shore_wet(ground.x));
-    vec3 place = vec3(q + tau * r.xz - shore_place(vec2(0.0)), ground.x).xzy;
-    vec3 light = exposure() * land_light(r, normal, soil, sunlit(place, fp));
-    return in_air(light, r, tau) / exposure();
+    vec3 place = vec3(o + tau * r.xz, ground.x).xzy;
+    return hazed(land_light(r, normal, soil, sunlit(place, fp)), horizon_light(r), tau);
 }
 
 // @part land_around
@@ -76,10 +75,10 @@ const float AROUND_HEIGHT = 1.0; // m
 
 vec3 surroundings(vec3 r, vec3 spread) {
     vec2 eye = shore_place(vec2(0.0));
-    float height = max(AROUND_HEIGHT, shore_floor(eye).x + AROUND_HEIGHT);
+    float height = AROUND_HEIGHT + max(shore_floor(eye).x, 0.0);
     float tau;
     vec4 ground;
-    return land_along(eye, height, r, tau, ground) ? land_seen(eye, r, tau, ground) : mirrored_sky(r, spread);
+    return land_along(eye, height, r, tau, ground) ? land_seen(eye, vec2(0.0), r, tau, ground) : mirrored_sky(r, spread);
 }
 
 // @part land_met
@@ -92,7 +91,7 @@ float land_met(vec3 o, vec3 d, out vec3 light) {
     if (!land_along(q, o.y, d, t, ground)) {
         return -1.0;
     }
-    light = land_seen(q, d, t, ground);
+    light = land_seen(q, o.xz, d, t, ground);
     return t;
 }
 
@@ -106,7 +105,7 @@ float boats_met(vec3 o, vec3 d, bool far, out vec3 light) {
     if (i < 0) {
         return -1.0;
     }
-    light = boat_in_air(boat_light(i, boat_paint(i, hit), o, d, t, hit), d, t);
+    light = boat_in_air(boat_light(i, boat_paint(i, hit), o, d, t, hit.normal, hit.part), d, t);
     return t;
 }
 
@@ -207,21 +206,19 @@ vec3 reflected_light(vec3 place, vec3 r, vec3 spread) {
     vec3 seen;
     float mirrored;
     float way = mirror_guess(place, r);
-    // Land may be anywhere: the first point along the ray that has some before it.
-    for (int i = 0; i < MIRROR_LOOKS && way < 0.0; ++i) {
-        float far = MIRROR_FAR * exp2(float(i + 1 - MIRROR_LOOKS));
-        vec4 there = mirror_toward(place + far * r, seen, mirrored);
-        way = there.a > 0.0 && mirrored < 1.01 * length(seen) ? far : way;
-    }
-    if (way < 0.0) {
-        return sky;
-    }
     vec3 aside = MIRROR_ASIDE * min(spread.z, r.y) / max(length(r.xz), 1e-6) * (vec3(0.0, 1.0, 0.0) - r.y * r);
     vec4 found = vec4(0.0);
-    for (int i = 0; i < MIRROR_STEPS + 2; ++i) {
+    // One loop, so that programs hold what reads the map once: looks from -MIRROR_LOOKS on, for land, which may be anywhere, then steps.
+    for (int i = way < 0.0 ? -MIRROR_LOOKS : 0; i < MIRROR_STEPS + 2 && (i < 0 || way > 0.0); ++i) {
+        float far = i < 0 ? MIRROR_FAR * exp2(float(i + 1)) : way;
         vec3 look = i < MIRROR_STEPS ? r : normalize(i > MIRROR_STEPS ? r - aside : r + aside);
-        vec4 there = mirror_toward(place + way * look, seen, mirrored);
-        if (i < MIRROR_STEPS) {
+        vec4 there = mirror_toward(place + far * look, seen, mirrored);
+        if (i < 0) {
+            // The first point along the ray that has some before it.
+            bool before = there.a > 0.0 && mirrored < 1.01 * length(seen);
+            way = before ? far : way;
+            i = before ? -1 : i;
+        } else if (i < MIRROR_STEPS) {
             // What the map saw there, and how far along r that is.
             vec3 hit = normalize(seen) * mirrored;
             way = max(dot(vec3(hit.x, -hit.y - u_eye_height, hit.z) - place, r), 0.01);

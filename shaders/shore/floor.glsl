@@ -62,11 +62,11 @@ void look_through(vec2 p, float height, vec3 d, vec3 normal, float unresolved, F
 // @part shallow
 // The floor under shallow water is the land in detail, soaked, or the water's edge would show as a seam; deeper it is the plain ground.
 vec3 floor_albedo(vec2 at, vec4 ground, Footprint fp) {
-    vec3 plain = ground_albedo(ground, shore_grain(at, fp));
     float deep = smoothstep(0.1, 0.6, -ground.x);
     // Seen as if it lay far lower: plants of the land do not grow there.
     vec4 sunk = vec4(ground.x - 8.0 * smoothstep(0.0, 0.15, -ground.x), ground.yzw);
-    return deep < 1.0 ? mix(land_soil(at, sunk, fp, vec2(1.0)).albedo, plain, deep) : plain;
+    vec3 soaked = deep < 1.0 ? land_soil(at, sunk, fp, vec2(1.0)).albedo : vec3(0.0);
+    return mix(soaked, ground_albedo(ground, shore_grain(at, fp)), deep);
 }
 
 // @part shallow_plain
@@ -75,17 +75,36 @@ vec3 floor_albedo(vec2 at, vec4 ground, Footprint fp) {
     return ground_albedo(ground, shore_grain(at, fp));
 }
 
+// @part soil_found
+// What a sample of land is. amount: of foam on it.
+Soil land_sample(vec2 p, vec4 ground, Footprint fp, out float amount) {
+    vec2 q = shore_place(p);
+    amount = land_foam(p, ground.x, fp);
+    return land_soil(q, ground, fp, land_wet(q, ground.x));
+}
+
+// @part soil_kept
+// The same, found by an earlier pass.
+uniform sampler2DArray u_surface_samples;
+
+Soil land_sample(vec2 p, vec4 ground, Footprint fp, out float amount) {
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    vec4 color = texel_at(u_surface_samples, ivec3(at, 0));
+    vec4 relief = texel_at(u_surface_samples, ivec3(at, 1));
+    amount = relief.w;
+    return Soil(relief.xyz, color.rgb, color.a);
+}
+
 // @part color
 // The ground where a ray meets it: linear light, A = foam amount. d: unit vector along the ray.
 vec4 land_color(vec3 ray, vec3 d, float tau, vec4 ground) {
     vec3 normal = normalize(vec3(-ground.y, 1.0, -ground.z));
     vec2 p = tau * ray.xz;
     Footprint fp = footprint(ray, tau, normal);
-    vec2 q = shore_place(p);
-    Soil soil = land_soil(q, ground, fp, land_wet(q, ground.x));
+    float amount;
+    Soil soil = land_sample(p, ground, fp, amount);
     float sun = shade_sun(vec3(p.x, u_eye_height + tau * ray.y, p.y), fp);
     vec3 light = exposure() * land_light(d, normal, soil, sun);
-    float amount = land_foam(p, ground.x, fp);
     if (amount > 0.0) {
         light = mix(light, exposure() * foam_light(normal), amount);
     }

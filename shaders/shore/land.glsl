@@ -113,6 +113,26 @@ void main() {
     o_color = land_color(ray, normalize(ray), met.r, shore_floor(shore_place(met.r * ray.xz)));
 }
 
+// @part land_samples_pass
+// What the samples of land are, kept for the pass that lights them.
+uniform sampler2D u_met; // tau, and what is there: 2 is land
+layout(location = 0) out vec4 o_albedo; // and film
+layout(location = 1) out vec4 o_normal; // and amount of foam
+
+void main() {
+    vec2 met = texel_at(u_met, ivec2(sample_place())).rg;
+    if (met.g != 2.0) {
+        discard;
+    }
+    vec3 ray = camera_ray(sample_place());
+    vec2 p = met.r * ray.xz;
+    vec4 ground = shore_floor(shore_place(p));
+    float amount;
+    Soil soil = land_sample(p, ground, footprint(ray, met.r, normalize(vec3(-ground.y, 1.0, -ground.z))), amount);
+    o_albedo = vec4(soil.albedo, soil.film);
+    o_normal = vec4(soil.normal, amount);
+}
+
 // @part land_shown_pass
 // Where land shows: its depth alone, so that neither the water nor the sky is shaded there, nor land elsewhere.
 uniform sampler2D u_met; // tau, and what is there: 2 is land

@@ -14,15 +14,13 @@ struct Soil {
 uniform float u_land_detail;  // 0 to 1
 uniform float u_land_strand;  // height of the line of what the sea left, m
 
-const float FILM_ROUGHNESS = 0.003;  // mean square slope of the film of water on wet ground
 const uint SOIL_KEY = 0x51ED270Bu;   // any number would do
 const float SOIL_CELL = 64.0;        // of the first octave, m
 const float SOIL_FINER = 0.31;
 // Of each octave: share of the pattern (squares sum up to 1), and height of the relief over its cell, on sand, rock and plants.
-const float SOIL_SHARE[7] = float[7](0.30, 0.38, 0.45, 0.45, 0.40, 0.35, 0.29);
-const float SOIL_SAND[7] = float[7](0.0, 0.004, 0.008, 0.012, 0.018, 0.022, 0.020);
-const float SOIL_ROCK[7] = float[7](0.03, 0.06, 0.09, 0.11, 0.12, 0.11, 0.08);
-const float SOIL_PLANTS[7] = float[7](0.02, 0.05, 0.10, 0.14, 0.14, 0.10, 0.05);
+const vec4 SOIL_OCTAVES[7] = vec4[7](
+    vec4(0.30, 0.0, 0.03, 0.02), vec4(0.38, 0.004, 0.06, 0.05), vec4(0.45, 0.008, 0.09, 0.10), vec4(0.45, 0.012, 0.11, 0.14),
+    vec4(0.40, 0.018, 0.12, 0.14), vec4(0.35, 0.022, 0.11, 0.10), vec4(0.29, 0.020, 0.08, 0.05));
 // Mean of a crack: (1 - 5 |x|)^2 where positive, of a normal x.
 const float SOIL_CRACKED = 0.0575;
 
@@ -46,31 +44,37 @@ void soil_octaves(vec2 p, vec2 along, vec2 up, uint key, float gain, float share
     // What is a little too fine along the footprint's long side is shown all the same, or grazing views would show nothing.
     float reach = max(area / max(longer, 1e-9), 0.3 * longer);
     vec2 turn = vec2(1.0, 0.0);
-    float cell = SOIL_CELL;
-    for (int i = 0; i < LAND_OCTAVES; ++i) {
-        float kept = 1.0 - smoothstep(0.15, 0.6, reach / cell);
-        float crack = SOIL_CRACKED;
+    float cells = 1.0 / SOIL_CELL;
+    int i = 0;
+    for (; i < LAND_OCTAVES; ++i) {
+        float kept = 1.0 - smoothstep(0.15, 0.6, reach * cells);
+        if (kept <= 0.0) {
+            break;
+        }
+        // Not i itself: compilers would write the loop out as often as the arrays are long.
+        vec4 of = SOIL_OCTAVES[min(i, 6)];
         // Each octave is turned against the last (3-4-5), so that no lattice shows.
         turn = vec2(0.8 * turn.x - 0.6 * turn.y, 0.6 * turn.x + 0.8 * turn.y);
-        if (kept > 0.0) {
-            vec3 noise = noise_slopes(key + uint(i), vec2(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y) / cell);
-            vec2 slope = vec2(turn.x * noise.y + turn.y * noise.z, turn.x * noise.z - turn.y * noise.y);
-            slope = gain * kept * (slope.x * along + slope.y * up);
-            float seen = gain * kept * noise.x;
-            sum.octaves += seen * (i < 2 ? vec4(0.7, 0.0, 0.0, 0.0) : i == 2 ? vec4(0.0, 1.0, 0.0, 0.0) : i == 3 ? vec4(0.0, 0.0, 1.0, 0.0) : vec4(0.0, 0.0, 0.0, 0.6));
-            sum.pattern += SOIL_SHARE[i] * seen;
-            sum.hidden -= share * SOIL_SHARE[i] * SOIL_SHARE[i] * kept * kept;
-            sum.sand += SOIL_SAND[i] * slope;
-            // Ridges are where the noise changes its sign.
-            sum.rock -= SOIL_ROCK[i] * (noise.x * inversesqrt(noise.x * noise.x + 0.04)) * slope;
-            sum.plants += SOIL_PLANTS[i] * slope;
-            float gap = max(1.0 - 5.0 * abs(noise.x), 0.0);
-            crack = mix(SOIL_CRACKED, gap * gap, kept);
-        }
-        sum.cracks += i >= 2 && i <= 4 ? share * crack : 0.0;
-        sum.strings += i >= 5 ? share * crack : 0.0;
-        cell *= SOIL_FINER;
+        vec3 noise = noise_slopes(key + uint(i), vec2(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y) * cells);
+        vec2 slope = vec2(turn.x * noise.y + turn.y * noise.z, turn.x * noise.z - turn.y * noise.y);
+        slope = gain * kept * (slope.x * along + slope.y * up);
+        float seen = gain * kept * noise.x;
+        sum.octaves += seen * vec4(0.7, 1.0, 1.0, 0.6) * vec4(i < 2, i == 2, i == 3, i > 3);
+        sum.pattern += of.x * seen;
+        sum.hidden -= share * of.x * of.x * kept * kept;
+        sum.sand += of.y * slope;
+        // Ridges are where the noise changes its sign.
+        sum.rock -= of.z * (noise.x * inversesqrt(noise.x * noise.x + 0.04)) * slope;
+        sum.plants += of.w * slope;
+        float gap = max(1.0 - 5.0 * abs(noise.x), 0.0);
+        float crack = share * mix(SOIL_CRACKED, gap * gap, kept);
+        sum.cracks += i >= 2 && i <= 4 ? crack : 0.0;
+        sum.strings += i >= 5 ? crack : 0.0;
+        cells *= 1.0 / SOIL_FINER;
     }
+    // Of the others their means.
+    sum.cracks += share * SOIL_CRACKED * float(max(min(LAND_OCTAVES, 5) - max(i, 2), 0));
+    sum.strings += share * SOIL_CRACKED * float(max(LAND_OCTAVES - max(i, 5), 0));
 }
 
 // Noise in the level plane, and on walls in the upright planes along x and z, which would be drawn out otherwise.
@@ -179,8 +183,6 @@ Soil land_soil(vec2 q, vec4 ground, Footprint fp, vec2 wet) {
 
 // @part soil_plain
 // Land without detail: smooth, its colours by height and slope.
-const float FILM_ROUGHNESS = 0.02; // mean square slope of the film of water on wet ground
-
 Soil land_soil(vec2 q, vec4 ground, Footprint fp, vec2 wet) {
     return Soil(normalize(vec3(-ground.y, 1.0, -ground.z)), ground_albedo(ground, shore_grain(q, fp)), wet.y);
 }

@@ -59,14 +59,14 @@ float spray_tile(int tile, int batch, vec2 at) {
     vec2 base = floor(place);
     vec2 t = place - base;
     float finer = float(SPRAY_TEXELS) / float(SEA_SIZE);
-    vec4 corners;
-    for (int i = 0; i < 4; ++i) {
-        corners[i] = spray_corner(tile, batch, finer * (base + vec2(i & 1, i >> 1)));
-    }
     float limit = tile == 0 ? u_spray_limit.x : u_spray_limit.y;
-    corners = clamp(corners, -limit, limit);
-    vec2 rows = mix(corners.xz, corners.yw, t.x);
-    return mix(rows.x, rows.y, t.y);
+    float height = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        vec2 corner = vec2(i & 1, i >> 1);
+        vec2 share = mix(1.0 - t, t, corner);
+        height += share.x * share.y * clamp(spray_corner(tile, batch, finer * (base + corner)), -limit, limit);
+    }
+    return height;
 }
 
 vec2 spray_place(int tile, vec2 p) {
@@ -88,7 +88,11 @@ float sea_breaks(inout vec2 p, int batch) {
 
 // Height, m.
 float sea_then(vec2 p, int batch) {
-    return spray_tile(0, batch, spray_place(0, p)) + spray_tile(1, batch, spray_place(1, p));
+    float height = 0.0;
+    for (int tile = 0; tile < 2; ++tile) {
+        height += spray_tile(tile, batch, spray_place(tile, p));
+    }
+    return height;
 }
 
 // @part times

@@ -7,19 +7,26 @@ uniform float u_surface_trough; // no water is lower, m
 uniform float u_surface_grain;  // what maps may add to the surface between their texels, m
 
 vec3 water_start(vec3 ray, vec3 side, vec3 top) {
-    float sense = u_eye_height < waves(vec2(0.0)).x ? -1.0 : 1.0;
     Pyramid rays = pyramid(ray, side, top);
     vec3 bounds = surface_bounds(ray, rays.aside, 0.0);
-    // The ray that comes toward the surface the fastest.
-    float toward = rays.raised - sense * ray.y;
-    float over = sense > 0.0 ? u_eye_height - bounds.x : u_surface_trough - u_eye_height;
-    float tau = max(pyramid_enters(rays, over, toward), pyramid_free.x);
     vec3 beyond = surface_beyond(ray, rays.aside);
-    for (int i = 0; i < MARCH_STEPS; ++i) {
+    float sense = 1.0;
+    float toward = 0.0;
+    float tau = 0.0;
+    // First under the eye, so that programs hold the waves once: which side of them it is on.
+    for (int i = -1; i < MARCH_STEPS; ++i) {
         if (tau >= rays.reach) {
             break;
         }
         vec3 wave = waves(tau * ray.xz);
+        if (i < 0) {
+            sense = u_eye_height < wave.x ? -1.0 : 1.0;
+            // The ray that comes toward the surface the fastest.
+            toward = rays.raised - sense * ray.y;
+            float over = sense > 0.0 ? u_eye_height - bounds.x : u_surface_trough - u_eye_height;
+            tau = max(pyramid_enters(rays, over, toward), pyramid_free.x);
+            continue;
+        }
         float gap = sense * (u_eye_height + tau * ray.y - wave.x);
         float rate = sense * (ray.y - dot(wave.yz, ray.xz));
         vec2 less = tau < beyond.x ? vec2(0.0) : beyond.yz;

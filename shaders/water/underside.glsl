@@ -90,9 +90,8 @@ vec3 below_bed(vec2 p, float y, vec3 d, float reach, Footprint fp) {
     return bed * exp(-below_extinction() * reach) + below_glow(-y, -d.y, reach);
 }
 
-// Light that comes down along -d through the surface, or is mirrored in it. n: its normal, up; p, y: the place, `so_far` metres
-// from the eye.
-vec3 below_underside(vec3 d, vec3 n, float unresolved, vec2 p, float y, float so_far, Footprint fp) {
+// Light that comes down along -d through the surface, or is mirrored in it. n: its normal, up; mirrored: the light that it mirrors.
+vec3 below_underside(vec3 d, vec3 n, float unresolved, vec3 mirrored) {
     float sigma2 = u_roughness * u_roughness + unresolved;
     float nv = max(dot(n, d), 0.0);
     float cv2 = min(nv * nv + sigma2 * (1.0 - nv * nv), 1.0);
@@ -107,42 +106,56 @@ vec3 below_underside(vec3 d, vec3 n, float unresolved, vec2 p, float y, float so
     vec3 chord = through - u_sun_direction;
     float spread = 0.5 * (INDEX - 1.0) * (INDEX - 1.0) * sigma2;
     vec3 sun = u_sun_irradiance * min(exp(-min(dot(chord, chord) / (2.0 * spread), 80.0)) / (TAU * spread), 1e4);
+    return (1.0 - reflectance) * (sky_light(through) + sun) + reflectance * mirrored;
+}
+
+// d (unit) mirrored downward in a surface with normal n.
+vec3 below_mirrored(vec3 d, vec3 n, float unresolved) {
     vec3 mirrored = reflect(d, n);
-    mirrored.y = -sqrt(max(-mirrored.y, 0.0) * max(-mirrored.y, 0.0) + sigma2);
-    mirrored = normalize(mirrored);
-    // On its way on the footprint grows, and what it took out of the mirror blurs it.
-    float way = bed_reach(p, y, mirrored);
-    float wider = 1.0 + way / max(so_far, 1e-3);
-    float blur = 2.0 * sqrt(unresolved) * way;
-    fp = Footprint(wider * fp.x + vec2(blur, 0.0), wider * fp.y + vec2(0.0, blur));
-    vec3 down = below_bed(p, y, mirrored, way, fp);
-    return (1.0 - reflectance) * (sky_light(through) + sun) + reflectance * down;
+    float down = max(-mirrored.y, 0.0);
+    mirrored.y = -sqrt(down * down + u_roughness * u_roughness + unresolved);
+    return normalize(mirrored);
 }
 
 void main() {
     vec3 ray = camera_ray(sample_place());
     vec3 d = normalize(ray);
     float tau;
-    vec3 wave;
-    bool underside = find_underside(ray, tau, wave);
-    float to_floor = bed_reach(vec2(0.0), u_eye_height, d);
-    if (!underside || to_floor < tau * length(ray)) {
-        Footprint fp = footprint(ray, to_floor / length(ray), vec3(0.0, 1.0, 0.0));
-        vec3 light = exposure() * below_bed(vec2(0.0), u_eye_height, d, to_floor, fp);
-        o_color = vec4(min(light, BRIGHTEST), 0.0);
+    vec4 ground;
+    Sample s;
+    bool wet = first_sample(ray, tau, ground, s) == WATER;
+    float reach = tau * length(ray);
+    // The floor that is seen: straight from the eye, or from the underside, mirrored.
+    vec2 p = vec2(0.0);
+    float y = u_eye_height;
+    vec3 toward = d;
+    float way = bed_reach(p, y, d);
+    Footprint fp = footprint(ray, way / length(ray), vec3(0.0, 1.0, 0.0));
+    bool underside = wet && way >= reach;
+    float unresolved = 0.0;
+    vec3 normal = vec3(0.0, 1.0, 0.0);
+    if (underside) {
+        p = tau * ray.xz;
+        y = s.shading.x;
+        normal = normalize(vec3(-s.shading.y - s.ripple.x, 1.0, -s.shading.z - s.ripple.y));
+        unresolved = s.shading.w + s.ripple.z;
+        toward = below_mirrored(d, normal, unresolved);
+        way = bed_reach(p, y, toward);
+        // On its way on the footprint grows, and what it took out of the mirror blurs it.
+        fp = footprint(ray, tau, vec3(s.slope.x, -1.0, s.slope.y));
+        float wider = 1.0 + way / max(reach, 1e-3);
+        float blur = 2.0 * sqrt(unresolved) * way;
+        fp = Footprint(wider * fp.x + vec2(blur, 0.0), wider * fp.y + vec2(0.0, blur));
+    }
+    vec3 bed = below_bed(p, y, toward, way, fp);
+    if (!underside) {
+        o_color = vec4(min(exposure() * bed, BRIGHTEST), 0.0);
         return;
     }
-    vec2 p = tau * ray.xz;
-    Footprint fp = footprint(ray, tau, vec3(wave.y, -1.0, wave.z));
-    vec4 shading = waves_shading(p, fp);
-    vec3 ripple = detail(p, fp);
-    float amount = foam_amount(saturation(p, shading.x, fp), p, fp);
-    vec3 foam_normal = normalize(vec3(-shading.y - 0.5 * ripple.x, 1.0, -shading.z - 0.5 * ripple.y));
-    vec3 normal = normalize(vec3(-shading.y - ripple.x, 1.0, -shading.z - ripple.y));
-    float reach = tau * length(ray);
-    vec3 water = exposure() * below_underside(d, normal, shading.w + ripple.z, p, shading.x, reach, fp);
+    vec3 foam_normal = normalize(vec3(-s.shading.y - 0.5 * s.ripple.x, 1.0, -s.shading.z - 0.5 * s.ripple.y));
+    vec3 water = exposure() * below_underside(d, normal, unresolved, bed);
     // Foam lets through half of what it sends up.
-    vec3 light = foam_over(water, 0.5 * exposure() * foam_light(foam_normal), amount);
+    vec3 light = foam_over(water, 0.5 * exposure() * foam_light(foam_normal), s.amount);
     light = light * exp(-below_extinction() * reach) + exposure() * below_glow(-u_eye_height, -d.y, reach);
-    o_color = vec4(min(light, BRIGHTEST), min(amount, 1.0));
+    o_color = vec4(min(light, BRIGHTEST), min(s.amount, 1.0));
 }

@@ -65,7 +65,7 @@ _HARD_PLANAR = (
         "a mirror at grazing, eye among crests",
         Scene(light=_MIRROR, boats=(_BOAT,), waves=(ParametricWave(amplitude=0.8, wavelength=7.0, direction=1.2),)),
         guard="reflected rays start where the camera's ray meets the water, not at the still-water level "
-        "(surface/main.glsl)",
+        "(surface/main.glsl@main)",
         camera=Camera(position=(0.0, 0.4, 12.0), pitch=0.0),
         without={"surface/main.glsl": {"vec3(p.x, u_eye_height + tau * ray.y, p.y)": "vec3(p.x, 0.0, p.y)"}},
     ),

@@ -77,7 +77,7 @@ class Target(PlanPart):
     """A render target: passes draw into it, and later passes read it.
 
     ``layers``: more than one make an array of textures, whose layers a pass draws all at once, each by one of its
-    program's outputs: what these have in common is computed once. Without depth and mip levels.
+    program's outputs: what these have in common is computed once. Without mip levels.
     """
 
     size: Annotated[ViewportSize | FixedSize, Field(discriminator="rule")]
@@ -89,8 +89,8 @@ class Target(PlanPart):
 
     @model_validator(mode="after")
     def _layers_are_plain(self) -> Self:
-        if self.layers > 1 and (self.depth or self.filter == MIPMAPPED):
-            raise ValueError("a target with layers has neither depth nor mip levels")
+        if self.layers > 1 and self.filter == MIPMAPPED:
+            raise ValueError("a target with layers has no mip levels")
         return self
 
 

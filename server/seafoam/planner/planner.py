@@ -11,7 +11,7 @@ from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.visibility import everywhere
 from seafoam.planner import link
 from seafoam.planner.collect import collect
-from seafoam.planner.frame import Frame, Stage, is_calm, is_dotted
+from seafoam.planner.frame import Frame, Stage, is_calm
 from seafoam.planner.output import picture
 from seafoam.planner.schedule import with_setup
 from seafoam.quality import Quality
@@ -97,9 +97,8 @@ def _suited(scene: Scene, quality: Quality) -> Quality:
     The width is 1 where more samples per pixel are asked for, and without light, where a sample costs less than what
     enlarges it; half of that asked for, rounded up, where the camera looks down and sees rows as fine as columns, with
     foam that drifts in lines of every direction and on calm water; at most 3 where boats, land in the water's mirror or
-    surf on rocks are beside what is wide; at least 3 where neither sun nor moon shines, so that nothing glitters, and
-    with foam that is black or white in each sample, whose mean is the picture. A mirror of land shows where its water
-    was found, to less than a fifth of a sample.
+    surf on rocks are beside what is wide; at least 3 where neither sun nor moon shines, so that nothing glitters. A
+    mirror of land shows where its water was found, to less than a fifth of a sample.
     """
     asked: int = quality.pixel_width
     light, width, surface = scene.light, asked, quality.surface
@@ -110,7 +109,7 @@ def _suited(scene: Scene, quality: Quality) -> Quality:
         width = -(-asked // 2)
     elif scene.boats or mirrored or (scene.spray and scene.shore):
         width = min(asked, 3)
-    elif asked > 1 and (is_dotted(scene) or not direct(light).any()):
+    elif asked > 1 and not direct(light).any():
         width = max(asked, 3)
     if mirrored and surface.tolerance > MIRRORED:
         surface = surface.model_copy(update={"tolerance": MIRRORED})

@@ -188,11 +188,26 @@ LAND = Slot("land", joined(*_NO_LAND))
 _CLEAN = constant_function("float", "land_foam", "vec2 p, float ground, Footprint fp")
 LAND_FOAM = Slot("land foam", _CLEAN, under="land color")
 """Foam on the land."""
+LAND_SOIL = Slot("land soil")
+"""What a sample of land is."""
+SOIL_KEPT = Slot("soil struct", "shore/soil.glsl@soil_struct"), Slot("soil kept", "shore/floor.glsl@soil_kept")
+"""The same, found by a pass before."""
 LAND_COLOR = Slot("land color")
 """Colour of the land; none without land."""
 FIRST = Slot("first", "surface/met.glsl@first")
 """What a ray meets first, water or land."""
-MAIN = Slot("main", "surface/main.glsl")
+_MAIN = "surface/main.glsl@"
+_SAMPLE, _SAMPLED = Slot("sample", f"{_MAIN}sample"), Slot("sampled", f"{_MAIN}sampled")
+FOUND = (_SAMPLE, _SAMPLED, Slot("found", f"{_MAIN}found"))
+"""A sample of the water, found by the program."""
+FOUND_BELOW = tuple(
+    Slot(f"{part} below", f"{_MAIN}{part}", under="shade") for part in ("sample", "sampled", "found_below")
+)
+KEPT = (_SAMPLE, Slot("kept", f"{_MAIN}kept"))
+"""The same, found by a pass before."""
+SAMPLES_PASS = f"{_MAIN}samples_pass"
+"""File of that pass."""
+MAIN = Slot("main", f"{_MAIN}main")
 BELOW = Slot("below")
 """Main function for a camera under the surface."""
 GLARE = Slot("glare", constant_function("vec3", "with_glare", "vec3 light", "light"))
@@ -203,32 +218,37 @@ SKY_PASS_SLOTS = (*SKY_SLOTS, DISC, MOON_DISC, STARS, SKY_MAIN)
 """Slots of the sky's fragment shader, in source order."""
 _LIT = (*SKY_SLOTS, MIRRORED, OPEN_SUN, SUNLIGHT, BODY, CREST, PLUME, GLITTER, REFLECTION, SHADE)
 """Slots of light on water and land, in source order."""
-_LAND = (LAND, LAND_FOAM, LAND_COLOR)
-ONLY_OVER = (GENTLER, SHORT, BEYOND, APPROACH, FIND, RELIEF, FOAM_LAYER, THROUGH, *_LAND, FIRST, MAIN)
+LIGHT_SLOTS = (OVER, ALBEDO, *_LIT, RELIEF, FOAM_LAYER, CAUSTICS, BED, THROUGH)
+"""Slots of light on water, in source order."""
+_LAND = (LAND, LAND_FOAM, LAND_SOIL, LAND_COLOR)
+ONLY_OVER = (GENTLER, SHORT, BEYOND, APPROACH, FIND, RELIEF, FOAM_LAYER, THROUGH, *_LAND, FIRST, *FOUND, MAIN)
 """Slots that the shader for a camera under the surface leaves out."""
-UNDER_SLOTS = (UNDERSIDE, REACH, UNDER_BED, BELOW)
+UNDER_SLOTS = (UNDERSIDE, REACH, UNDER_BED, *FOUND_BELOW, BELOW)
 """Slots that it has besides."""
 
 
 def _foam_slots(combine: Combine, shore: bool) -> tuple[Slot, ...]:
     carry = (OPEN_CARRY, SHORE_CARRY) if shore else (CARRY,)
-    return (saturation(combine), *carry, LOOK, OVER, ALBEDO)
+    return (saturation(combine), *carry, LOOK)
+
+
+def sample_slots(combine: Combine, shore: bool) -> tuple[Slot, ...]:
+    """Slots of what a sample of the water is, in source order."""
+    waves = (OPEN_WAVES, SHORE) if shore else (WAVES,)
+    return (*waves, DETAIL, *MARCH_SLOTS, FIND, *_foam_slots(combine, shore))
 
 
 def surface_slots(combine: Combine, shore: bool = False) -> tuple[Slot, ...]:
     """Slots of the surface's fragment shader, in source order."""
-    waves = (OPEN_WAVES, SHORE) if shore else (WAVES,)
-    shaded = (*_foam_slots(combine, shore), *_LIT, RELIEF, FOAM_LAYER, CAUSTICS, BED, THROUGH)
-    return (*waves, DETAIL, *MARCH_SLOTS, FIND, *shaded, *_LAND, FIRST, MAIN)
+    return (*sample_slots(combine, shore), *LIGHT_SLOTS, *_LAND, FIRST, *FOUND, MAIN)
 
 
-def land_slots(combine: Combine, foam: bool) -> tuple[Slot, ...]:
-    """Slots of the fragment shader that draws land, in source order.
+def land_slots(combine: Combine, foam: bool) -> tuple[tuple[Slot, ...], tuple[Slot, ...]]:
+    """Slots of what a sample of land is, and of its light, in source order, both after those of the shore.
 
     ``foam``: whether there is foam on it.
     """
-    own = _foam_slots(combine, True) if foam else (OVER, ALBEDO)
-    return (OPEN_WAVES, SHORE, *own, *_LIT, LAND_FOAM, LAND_COLOR)
+    return (*(_foam_slots(combine, True) if foam else ()), LAND_FOAM, LAND_SOIL), (OVER, ALBEDO, *_LIT)
 
 
 def slots_named(name: str, shore: bool = False) -> tuple[Slot, ...]:

@@ -34,7 +34,7 @@ _HARD_GLITTER = (
     HardCase(
         "the brightest path of the sun",
         Scene(light=Light(sun_elevation=0.05, exposure=10.0), water=Water(roughness=0.01, ripples=Ripples(slope=0.05))),
-        guard="glitter is at most 1e4 (light/glitter.glsl@beckmann), the frame at most 65504 (surface/main.glsl)",
+        guard="glitter is at most 1e4 (light/glitter.glsl@beckmann), the frame at most 65504 (surface/main.glsl@main)",
         camera=Camera(position=(0.0, 2.0, 0.0), yaw=math.pi / 2, pitch=-0.05, fov=0.3),
         without={
             **BRIGHTEST,
@@ -97,7 +97,7 @@ _HARD_SPARKLES = (
     HardCase(
         "one sparkle for the whole sun",
         Scene(light=_light(sparkles=Sparkles(size=2e-4, rate=0.3, life=0.3, share=1.0), exposure=10.0), water=_WATER),
-        guard="light is at most 65504 (surface/main.glsl)",
+        guard="light is at most 65504 (surface/main.glsl@main)",
         times=(0.0, 0.13),
         camera=_VIEW.model_copy(update={"fov": 0.02}),
         without=BRIGHTEST,

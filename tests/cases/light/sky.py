@@ -62,7 +62,7 @@ _HARD_LIGHT = (
     HardCase(
         "the brightest disc, ten stops up",
         Scene(light=Light(sun_elevation=0.1, exposure=10.0)),
-        guard="light is at most 65504, the greatest half float (light/sky.glsl@main, surface/main.glsl)",
+        guard="light is at most 65504, the greatest half float (light/sky.glsl@main, surface/main.glsl@main)",
         camera=Camera(position=(0.0, 5.0, 0.0), yaw=math.pi / 2, pitch=0.1, fov=0.1),
         without=BRIGHTEST,
     ),

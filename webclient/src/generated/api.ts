@@ -127,7 +127,7 @@ export interface State {
  * A render target: passes draw into it, and later passes read it.
  *
  * ``layers``: more than one make an array of textures, whose layers a pass draws all at once, each by one of its
- * program's outputs: what these have in common is computed once. Without depth and mip levels.
+ * program's outputs: what these have in common is computed once. Without mip levels.
  */
 export interface Target {
     size: ViewportSize | FixedSize;

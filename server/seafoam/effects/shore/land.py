@@ -49,7 +49,8 @@ def shallow_files(shore: Shore) -> tuple[str | Source, ...]:
 
 
 def soil_consts(shore: Shore, quality: Quality) -> dict[str, Const]:
-    return {"LAND_OCTAVES": quality.land_octaves} if shore.detail > 0.0 else {}
+    octaves: dict[str, Const] = {"LAND_OCTAVES": quality.land_octaves} if shore.detail > 0.0 else {}
+    return {"FILM_ROUGHNESS": 0.003 if shore.detail > 0.0 else 0.02, **octaves}
 
 
 def soil_uniforms(shore: Shore) -> dict[str, Uniform]:

@@ -76,7 +76,7 @@ def _slots(shore: Shore, *, lit: bool) -> tuple[SlotFile, ...]:
     body = () if lit else ("shore/floor.glsl@body",)
     through = ("lib/refraction.glsl", "shore/ground.glsl@ground", *land.shallow_files(shore), *body)
     light = land.LAND_LIGHT[shore.detail > 0.0] if lit else "shore/land.glsl@land_flat"
-    colour = ("shore/ground.glsl@ground", *land.soil_files(shore), *land.wet_files(shore), light)
+    soil = ("shore/ground.glsl@ground", *land.soil_files(shore), *land.wet_files(shore))
     start = ("surface/bounds.glsl@pyramid", "shore/ground.glsl@ground", *MAXIMA)
     floor = ("water/seafloor.glsl@even", "shore/ground.glsl@bed")
     underwater = (
@@ -88,7 +88,8 @@ def _slots(shore: Shore, *, lit: bool) -> tuple[SlotFile, ...]:
         *((SlotFile("body", "shore/floor.glsl@body"),) if lit else ()),
         SlotFile("through", "shore/floor.glsl@through", needs=through),
         SlotFile("land", "shore/waves.glsl@ahead", needs=FIND_LAND),
-        SlotFile("land color", "shore/floor.glsl@color", needs=colour),
+        SlotFile("land soil", "shore/floor.glsl@soil_found", needs=soil),
+        SlotFile("land color", "shore/floor.glsl@color", needs=(light,)),
         SlotFile("beyond", "shore/march.glsl@beyond"),
         SlotFile("approach", "shore/march.glsl@approach", needs=(MARCH_AHEAD,)),
         SlotFile("start", "shore/march.glsl@start", prefix="land", needs=start),

@@ -317,16 +317,14 @@ class Executor:
         color = self._context.texture(size, components, dtype=dtype, alignment=1)
         color.filter = _FILTERS["nearest"]
         color.repeat_x = color.repeat_y = False
-        if layers > 1:
-            array = self._context.texture_array((*size, layers), components, dtype=dtype, alignment=1)
-            framebuffer = self._context.framebuffer([color] * layers)
-            attach_layers(self._context, framebuffer, array)
-            color.release()
-            return framebuffer, array
-        if not depth:
-            return self._context.framebuffer([color]), color
-        buffer = self._context.depth_renderbuffer(size)
-        return self._context.framebuffer([color], buffer), color, buffer
+        buffers = [self._context.depth_renderbuffer(size)] if depth else []
+        framebuffer = self._context.framebuffer([color] * layers, *buffers)
+        if layers == 1:
+            return framebuffer, color, *buffers
+        array = self._context.texture_array((*size, layers), components, dtype=dtype, alignment=1)
+        attach_layers(self._context, framebuffer, array)
+        color.release()
+        return framebuffer, array, *buffers
 
 
 def grid(rows: int, columns: int) -> tuple[NDArray[np.float32], NDArray[np.uint32]]:
