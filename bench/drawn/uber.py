@@ -239,7 +239,7 @@ def _surface(parts: _Parts) -> tuple[list[str], dict[str, Sequence[Piece]]]:
         if slot.name == "find":
             texts += [_text(piece) for piece in _MARCH]
             continue
-        if slot.name == "main":
+        if slot in slots.FOUND or slot.name == "main":
             continue
         filled = {file.slot for file in parts.files.values()}
         if not files and not slot.joins and (slot.default is None or (slot.under and slot.under not in filled)):
@@ -271,7 +271,8 @@ def _surface(parts: _Parts) -> tuple[list[str], dict[str, Sequence[Piece]]]:
             absent = COMBINE if slot.name == "saturation" else "0.0"
             texts += _choice(f"{SWITCH}{prefix}", mine, signatures, absent)
         texts += _saturation(prefixes) if slot.name == "saturation" else [join.glsl(prefixes) for join in slot.joins]
-    return [*texts, read_file("surface/main.glsl")], switches
+    main = [slot.default for slot in (*slots.FOUND, slots.MAIN) if slot.default]
+    return [*texts, *map(_text, main)], switches
 
 
 def _functions(text: str) -> dict[str, Signature]:

@@ -42,7 +42,7 @@ _HARD_CUBEMAP = (
         ),
         guard="the centre of the cube map is at least a metre above the ground (reflection/mirror.glsl@land_around)",
         camera=Camera(position=(0.0, 60.0, 0.0), pitch=-0.5),
-        without={"reflection/mirror.glsl": {"max(AROUND_HEIGHT, shore_floor(eye).x + AROUND_HEIGHT)": "AROUND_HEIGHT"}},
+        without={"reflection/mirror.glsl": {"AROUND_HEIGHT + max(shore_floor(eye).x, 0.0)": "AROUND_HEIGHT"}},
     ),
 )
 

@@ -76,7 +76,7 @@ _HARD_BELOW = (
         _below(),
         guard="the distance to the surface is at least 1 mm (water/underside.glsl@main)",
         camera=Camera(position=(0.0, -1e-7, 0.0), pitch=0.3),
-        without={"water/underside.glsl": {"max(so_far, 1e-3)": "so_far"}},
+        without={"water/underside.glsl": {"max(reach, 1e-3)": "reach"}},
     ),
     HardCase(
         "an eye under the floor",

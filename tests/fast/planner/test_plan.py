@@ -333,6 +333,24 @@ def test_tiles_of_a_sea_without_waves_and_hidden_ones_are_not_drawn(preset: str,
     assert f": {tiles} tiles by FFT" in why
 
 
+@pytest.mark.parametrize(
+    ("preset", "tier", "kept"),
+    [
+        ("storm", "standard", True),
+        ("beach", "fast", True),
+        ("moonlight", "fast", True),
+        ("default", "standard", False),
+        ("swell", "standard", False),
+        ("storm", "high", False),
+    ],
+)
+def test_samples_are_lit_by_another_program_where_one_would_be_large(preset: str, tier: Tier, kept: bool) -> None:
+    plan = make_plan(load_preset(preset).scene, TIERS[tier])
+    assert ("surface samples" in plan.programs) is kept
+    relief = TIERS[tier].model_copy(update={"foam_relief": True})
+    assert "surface samples" not in make_plan(load_preset(preset).scene, relief).programs
+
+
 def test_which_tiles_the_roughness_hides_is_not_live() -> None:
     """A slider of it asks for another plan."""
     scene = load_preset("storm").scene

@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from seafoam.effects.effect import ABOVE
+from seafoam.framegraph.resources import ViewportSize
 from seafoam.framegraph.shader import Shader
-from seafoam.planner import FramePlan, make_plan
+from seafoam.planner import FramePlan, make_plan, surface
 from seafoam.quality import TIERS, Quality, SurfaceQuality
 from seafoam.render.gl.executor import Executor, Output, ShaderError
 from seafoam.render.gl.formats import target_bytes
@@ -268,16 +269,47 @@ def test_narrow_pixels_change_no_light_in_the_mean(executor: Executor, preset: s
     np.testing.assert_allclose(means[1], means[0], rtol=0.02, atol=0.002)
 
 
-@pytest.mark.parametrize("preset", ["boat-race", "storm"])
-def test_what_stands_before_the_scenery_is_drawn_at_full_width(executor: Executor, preset: str) -> None:
+@pytest.mark.parametrize(("preset", "most"), [("boat-race", 3), ("spray-on-rocks", 2)])
+def test_what_stands_before_the_scenery_is_drawn_at_full_width(executor: Executor, preset: str, most: int) -> None:
     """Rays to drops begin where wider tiles of rays begin, and may end elsewhere within the tolerance: one in 100."""
     scene, exact = load_preset(preset).scene, SurfaceQuality(tolerance=0.01)
-    qualities = [narrow(width).model_copy(update={"surface": exact}) for width in (1, 2, 3)]
+    qualities = [narrow(width).model_copy(update={"surface": exact}) for width in range(1, most + 1)]
     plans = [make_plan(scene, quality).model_copy(update={"linear": ABOVE}) for quality in qualities]
     above = [draw(executor, plan, scene.camera, time=10.0, size=(96, 54), output="linear") for plan in plans]
     assert above[0][..., 3].max() > 0.4
     for one in above[1:]:
         assert (np.abs(one - above[0]).max(-1) > 1e-3).mean() < 0.01
+
+
+@pytest.mark.parametrize(("preset", "width"), [("storm", 2), ("spray-on-rocks", 3)])
+def test_spray_beside_wide_pixels_is_half_as_fine_and_hides_as_much(
+    executor: Executor, preset: str, width: int
+) -> None:
+    scene = load_preset(preset).scene
+    plans = [make_plan(scene, narrow(wide)).model_copy(update={"linear": ABOVE}) for wide in (1, width)]
+    assert [plan.targets["spray_thick"].size for plan in plans] == [ViewportSize(), ViewportSize(part=2)]
+    fine, coarse = (draw(executor, plan, scene.camera, time=10.0, size=(192, 108), output="linear") for plan in plans)
+    assert coarse.shape[0] == 54
+    halved = fine.reshape(54, 2, 96, 2, 4).mean((1, 3))
+    assert np.abs(coarse - halved).mean() < 0.02
+    assert abs(coarse[..., 3].mean() / halved[..., 3].mean() - 1.0) < 0.05
+
+
+@pytest.mark.parametrize("height", [None, -1.0])
+def test_samples_that_are_lit_by_another_program_give_the_same_picture(
+    executor: Executor, monkeypatch: pytest.MonkeyPatch, height: float | None
+) -> None:
+    found = load_preset("coastline")
+    camera = found.scene.camera.model_copy(update={} if height is None else {"height": height, "pitch": 0.3})
+    plans = [make_plan(found.scene, TIERS["standard"])]
+    make_plan.cache_clear()
+    monkeypatch.setattr(surface, "_in_two", lambda frame: False)
+    plans.append(make_plan(found.scene, TIERS["standard"]))
+    make_plan.cache_clear()
+    assert [surface.SAMPLES in plan.programs for plan in plans] == [True, False]
+    two, one = (draw(executor, plan, camera, time=found.time, size=(160, 90)).astype(float) for plan in plans)
+    assert one.std() > 10.0
+    assert np.abs(two - one).max() <= 1.0
 
 
 SIZE = (64, 36)
