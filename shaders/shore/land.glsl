@@ -118,6 +118,7 @@ void main() {
 uniform sampler2D u_met; // tau, and what is there: 2 is land
 layout(location = 0) out vec4 o_albedo; // and film
 layout(location = 1) out vec4 o_normal; // and amount of foam
+layout(location = 2) out vec4 o_nothing; // WebGL wants as many as there are layers
 
 void main() {
     vec2 met = texel_at(u_met, ivec2(sample_place())).rg;
@@ -131,16 +132,20 @@ void main() {
     Soil soil = land_sample(p, ground, footprint(ray, met.r, normalize(vec3(-ground.y, 1.0, -ground.z))), amount);
     o_albedo = vec4(soil.albedo, soil.film);
     o_normal = vec4(soil.normal, amount);
+    o_nothing = vec4(0.0);
 }
 
 // @part land_shown_pass
-// Where land shows: its depth alone, so that neither the water nor the sky is shaded there, nor land elsewhere.
+// Where land shows: its depth alone, so that neither the water nor the sky is shaded there, nor land elsewhere. As many outputs as samples
+// have layers.
 uniform sampler2D u_met; // tau, and what is there: 2 is land
-out vec4 o_color;
+layout(location = 0) out vec4 o_color;
+layout(location = 1) out vec4 o_second;
+layout(location = 2) out vec4 o_third;
 
 void main() {
     if (texel_at(u_met, ivec2(sample_place())).g != 2.0) {
         discard;
     }
-    o_color = vec4(0.0);
+    o_color = o_second = o_third = vec4(0.0);
 }

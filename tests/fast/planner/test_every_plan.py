@@ -94,6 +94,15 @@ def test_samples_and_steps_read_texels_by_a_nearest_read(plan: FramePlan) -> Non
             assert filters[kind][key].filter == "nearest", (drawn.name, name)
 
 
+def test_a_program_has_an_output_for_every_layer_that_it_draws(plan: FramePlan) -> None:
+    """WebGL refuses to draw into a layer that the program leaves out."""
+    for drawn in plan.passes:
+        target = plan.targets.get(drawn.target)
+        if target is not None and target.layers > 1:
+            outputs = re.findall(r"layout\(location = (\d)\) out", plan.programs[drawn.program].fragment.text)
+            assert len(set(outputs)) >= target.layers, drawn.name
+
+
 def test_textures_are_described_by_their_addresses_alone(plan: FramePlan) -> None:
     for entry in plan.textures.values():
         spec = spec_of(entry.url)
