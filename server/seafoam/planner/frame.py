@@ -96,8 +96,8 @@ class Stage:
 class Frame:
     """A scene's contributions at a quality: the files that fill the slots of its shaders, and their constants."""
 
-    def __init__(self, collection: Collection, quality: Quality, asked_width: int) -> None:
-        self.scene, self.quality, self.asked_width = collection.scene, quality, asked_width
+    def __init__(self, collection: Collection, quality: Quality) -> None:
+        self.scene, self.quality = collection.scene, quality
         self.side = math.isqrt(quality.samples)
         """Samples along each side of a drawn pixel."""
         self.narrow = quality.pixel_width > 1

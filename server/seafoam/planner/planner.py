@@ -47,7 +47,7 @@ def linked_plan(
     scene = _steepest_waves(scene.settled, quality.waves)
     quality = _suited(scene, quality)
     given = collect((*EFFECTS, *outside()), scene, quality, economy=economy)
-    stage, linear = passes_of(Frame(given, quality, asked.pixel_width))
+    stage, linear = passes_of(Frame(given, quality))
     try:
         for program in stage.programs.values():
             link.refuse_too_many_samplers(program, given.readers)

@@ -22,6 +22,8 @@ SAMPLES, LAND_SAMPLES = "surface samples", "land samples"
 both, which has the first's name."""
 BETWEEN = "surface, between"
 """The program that draws it instead of a mesh for a camera over the water but not over all crests."""
+COARSEST = 0.1
+"""Greatest tolerance of the search with which one program finds samples and another lights them."""
 _LAND_DEPTH = -0.5
 """Clip-space depth of land: before the water."""
 _HORIZON_DEPTH = 0.9999995
@@ -235,10 +237,11 @@ def _in_two(frame: Frame) -> bool:
     """Whether one program for a sample and its light would be large: seas that break, boats or a shore, and light.
 
     On a GPU two programs then need half to three quarters of its registers; on a processor they take 0 to 5 % longer,
-    9 with a shore: not where pixels four wide are asked for, as for what a processor draws in motion. Nor for several
-    samples a pixel, whose kept samples would take too much memory.
+    9 with a shore: not where the search is as coarse as for what a processor draws in motion. Nor for several samples a
+    pixel, whose kept samples would take too much memory.
     """
     scene, quality = frame.scene, frame.quality
     breaks = scene.sea is not None and scene.sea.wind_speed >= WHITECAP_WIND
     alone = quality.samples == 1 and not quality.chosen_samples and not quality.foam_relief
-    return alone and frame.asked_width < 4 and scene.light is not None and (frame.shore or breaks or bool(scene.boats))
+    fine = quality.surface.tolerance <= COARSEST
+    return alone and fine and scene.light is not None and (frame.shore or breaks or bool(scene.boats))
