@@ -85,7 +85,7 @@ class Quality(Extensible, QualityParameters):
     shadow_steps: Literal[32, 64, 128, 256] = 128
     """Steps toward the sun in which the land's shadows are found"""
     cloud_octaves: int = Field(default=6, ge=1, le=8, description="Octaves of the cloud noise; more show finer clouds")
-    cloud_shadow_octaves: Literal[1, 2, 3, 4] = 3
+    cloud_shadow_octaves: Literal[1, 2, 3, 4] = 4
     """Octaves of the cloud noise in the clouds' shadows; more show finer shadows"""
     clouds_mirrored: Literal["map", "exact"] = "map"
     """Clouds that the water mirrors. map: read from a small map that is drawn each frame, where a wind sea or ripples
@@ -107,8 +107,9 @@ class Quality(Extensible, QualityParameters):
     """Maximum time step of the integration along the flow, s"""
     sparkle_cells: Annotated[Literal[1, 4], BeforeValidator(_no_truth_value)] = 4
     """Sparkle cells evaluated per sample: 1 (its own) or 4 (all that can reach it)"""
-    spray_count: Literal[2048, 4096, 8192, 16384] = 8192
-    """Number of spray drops; fewer drops are drawn larger, so that they cover the same area"""
+    spray_count: Literal[2048, 4096, 8192, 16384] = 16384
+    """Number of spray drops, over an open sea half as many where pixels are wide; fewer drops are drawn larger, so that
+    they cover the same area"""
     caustics: Literal["grid", "photons"] = "grid"
     """Caustics. grid: area ratios of a refracted grid (photons where deep water spreads the light far); photons:
     photons counted where they land"""
@@ -131,7 +132,8 @@ class Quality(Extensible, QualityParameters):
     boat_samples: Annotated[Literal[1, 4, 9], BeforeValidator(_no_truth_value)] = 4
     """Rays per sample where boats are, to antialias their edges against water and sky"""
     boat_shadows: bool = Field(default=True, description="Shadows of boats on water, foam and a floor")
-    samples: Literal[1, 4, 9, 16, 25, 36, 49, 64] = Field(default=1, description="Samples per pixel, on a square grid")
+    samples: Literal[1, 4, 9, 16, 25, 36, 49, 64] = 1
+    """Samples per pixel, on a square grid; without light, where they cost little, 49 instead of 25"""
     samples_max: Annotated[Literal[1, 4, 16], BeforeValidator(_no_truth_value)] = 1
     """Maximum number of samples for a pixel that stands out from its neighbours (adaptive sampling); a value not above
     `samples` turns it off"""
@@ -168,12 +170,10 @@ _FINEST: dict[str, Any] = {
     "shore_floor": 512,
     "shore_profile": 256,
     "shadow_steps": 256,
-    "cloud_shadow_octaves": 4,
     "clouds_mirrored": "exact",
     "cube": "exact",
     "slope_places": 5,
     "refraction_steps": 16,
-    "spray_count": 16384,
     "caustics": "photons",
     "caustics_photons": 1024,
     "pixel_width": 1,
@@ -206,7 +206,6 @@ TIERS: dict[Tier, Quality] = {
         refraction_steps=8,
         drift_size=512,
         drift_step=0.25,
-        spray_count=16384,
         caustics_cells=512,
         wake_size=1024,
         reflection_size=512,

@@ -92,13 +92,14 @@ def _steepest_waves(scene: Scene, count: int) -> Scene:
 
 
 def _suited(scene: Scene, quality: Quality) -> Quality:
-    """Return the quality with the width of drawn pixels and the search's tolerance that the scene asks for.
+    """Return the quality with the width of drawn pixels, the search's tolerance and the samples that the scene asks for.
 
     The width is 1 where more samples per pixel are asked for, and without light, where a sample costs less than what
     enlarges it; half of that asked for, rounded up, where the camera looks down and sees rows as fine as columns, with
     foam that drifts in lines of every direction and on calm water; at most 3 where boats, land in the water's mirror or
     surf on rocks are beside what is wide; at least 3 where neither sun nor moon shines, so that nothing glitters. A
-    mirror of land shows where its water was found, to less than a fifth of a sample.
+    mirror of land shows where its water was found, to less than a fifth of a sample. Without light there are edges
+    alone, and a sample costs a hundredth: 25, those of ``reference``, are 49.
     """
     asked: int = quality.pixel_width
     light, width, surface = scene.light, asked, quality.surface
@@ -113,4 +114,5 @@ def _suited(scene: Scene, quality: Quality) -> Quality:
         width = max(asked, 3)
     if mirrored and surface.tolerance > MIRRORED:
         surface = surface.model_copy(update={"tolerance": MIRRORED})
-    return quality.model_copy(update={"pixel_width": width, "surface": surface})
+    samples = 49 if light is None and quality.samples == 25 else quality.samples
+    return quality.model_copy(update={"pixel_width": width, "surface": surface, "samples": samples})
