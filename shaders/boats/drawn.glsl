@@ -39,6 +39,78 @@ void main() {
     gl_Position = vec4(mix(low, high, greaterThan(quad_corner(), vec2(0.0))), FULLSCREEN_DEPTH, 1.0);
 }
 
+// @part met
+// What a ray meets of a boat, in 31 bits: 12 for each side of the octahedron of normals in the boat's frame, 2 for the sunlight (0 behind a
+// boat, 1 behind its sail, 2 none before it), 3 for the part, 2 for the boat. -1: none. Four rays take 8 registers, not 16 and more.
+const int NO_BOAT = -1;
+
+int met_code(int boat, int part, vec3 normal) {
+    vec3 n = normal / (abs(normal.x) + abs(normal.y) + abs(normal.z));
+    vec2 side = n.y < 0.0 ? (1.0 - abs(n.zx)) * mix(vec2(-1.0), vec2(1.0), greaterThanEqual(n.xz, vec2(0.0))) : n.xz;
+    ivec2 q = ivec2(floor(2047.5 * side + 2048.0));
+    return (boat << 3 | part) << 26 | q.y << 12 | q.x;
+}
+
+vec3 met_normal(int code) {
+    vec2 side = (vec2(code & 4095, code >> 12 & 4095) - 2047.5) / 2047.5;
+    vec3 n = vec3(side.x, 1.0 - abs(side.x) - abs(side.y), side.y);
+    n.xz -= max(-n.y, 0.0) * mix(vec2(-1.0), vec2(1.0), greaterThanEqual(n.xz, vec2(0.0)));
+    return normalize(n);
+}
+
+int met_part(int code) {
+    return code >> 26 & 7;
+}
+
+// Its reflectance. place: m from under the eye.
+vec4 met_paint(int code, vec3 place) {
+    int i = code >> 29;
+    BoatFrame f = boat_frame(i);
+    place -= f.at;
+    vec3 at = vec3(dot(place, f.ahead), dot(place, f.up), dot(place, f.right)) / u_boat_form[i].x;
+    return boat_paint(i, BoatHit(0.0, met_normal(code), at, met_part(code)));
+}
+
+// @part meet
+// First boat on the ray o + t d, d a unit vector, and whether it is in the sun. Both rays in one loop, so that a program has one search for
+// boats. known: what an earlier ray met; the same part is as much in the sun.
+int meet_boat(vec3 o, vec3 d, bool dry, int known, out float t) {
+    int code = NO_BOAT;
+    vec3 from = o;
+    vec3 way = d;
+    for (int ray = 0; ray < 2; ++ray) {
+        float far;
+        BoatHit hit;
+        int boat = trace_boats(from, way, 0.0, ray == 0 ? 1e5 : 1e4, ray == 0 && dry, far, hit);
+        if (ray > 0) {
+            code |= (boat < 0 ? 2 : hit.part == PART_SAIL ? 1 : 0) << 24;
+            break;
+        }
+        t = far;
+        code = boat < 0 ? NO_BOAT : met_code(boat, hit.part, hit.normal);
+        bool alike = boat >= 0 && known >> 26 == code >> 26;
+        code = alike ? code | (known & 3 << 24) : code;
+        if (boat < 0 || alike) {
+            break;
+        }
+        vec3 n = boat_normal(boat, hit.normal);
+        float facing = dot(n, u_sun_direction);
+        if (facing <= 0.0 && hit.part != PART_SAIL) {
+            break;
+        }
+        from = boat_side(boat, o + far * d, n, facing);
+        way = u_sun_direction;
+    }
+    return code;
+}
+
+// @part meet_dark
+int meet_boat(vec3 o, vec3 d, bool dry, int known, out float t) {
+    BoatHit hit;
+    int boat = trace_boats(o, d, 0.0, 1e5, dry, t, hit);
+    return boat < 0 ? NO_BOAT : met_code(boat, hit.part, hit.normal);
+}
+
 // @part main
 // A sample of a boat where it stands before water and land: BOAT_SIDE x BOAT_SIDE rays through it. Linear light, premultiplied.
 out vec4 o_color;
@@ -60,61 +132,52 @@ void main() {
         discard;
     }
     vec3 eye = vec3(0.0, u_eye_height, 0.0);
-    int boat[BOAT_RAYS]; // -1: none
-    int part[BOAT_RAYS];
+    int met[BOAT_RAYS];
     float way[BOAT_RAYS];
-    vec3 normal[BOAT_RAYS];
-    vec4 paint[BOAT_RAYS];
-    bool met = false;
-    bool alike = BOAT_ALIKE;
     float farthest = 0.0;
+    bool alike = BOAT_ALIKE;
+    int known = NO_BOAT;
     // BOAT_ALIKE: where those on the diagonal meet one and the same, no upright or level edge is in the sample, and the others would too:
     // how many rays are traced ends a loop, which is the other branch that every driver takes.
     int count = BOAT_SIDE;
     for (int i = 0; i < count; ++i) {
-        BoatHit hit;
-        boat[i] = trace_boats(eye, normalize(boat_ray(i)), 0.0, 1e5, false, way[i], hit);
-        part[i] = hit.part;
-        normal[i] = hit.normal;
-        paint[i] = boat[i] < 0 ? vec4(0.0) : boat_paint(boat[i], hit);
-        met = met || boat[i] >= 0;
-        farthest = boat[i] >= 0 ? max(farthest, way[i]) : farthest;
-        alike = alike && boat[i] == boat[0] && (boat[i] < 0 || part[i] == part[0]);
+        met[i] = meet_boat(eye, normalize(boat_ray(i)), false, BOAT_ALIKE ? known : NO_BOAT, way[i]);
+        farthest = met[i] < 0 ? farthest : max(farthest, way[i]);
+        alike = alike && (i == 0 || met[i] >> 26 == known >> 26);
+        known = met[i];
         count = i == BOAT_SIDE - 1 && !alike ? BOAT_RAYS : count;
     }
-    if (!met) {
+    if (farthest == 0.0) {
         discard;
     }
-    vec3 middle = camera_ray(sample_place());
+    vec3 middle = 0.5 * (boat_ray(0) + boat_ray(BOAT_SIDE - 1));
     // A little further: the samples' other rays may meet the water before.
     boat_water(middle, 1.02 * farthest / length(middle));
-    // And those that meet the same part of the same boat have their own paint and the light of the first of them.
-    float rays[BOAT_RAYS];
     float shown = 0.0;
     for (int i = 0; i < count; ++i) {
-        rays[i] = 0.0;
-        if (boat[i] >= 0 && boat_hidden(boat_ray(i), way[i])) {
-            boat[i] = -1;
-        }
-        if (boat[i] >= 0) {
-            int first = BOAT_ALIKE ? 0 : i;
-            while (boat[first] != boat[i] || part[first] != part[i]) {
-                ++first;
-            }
-            paint[first] = first < i ? paint[first] + paint[i] : paint[i];
-            rays[first] += 1.0;
-            shown += 1.0;
-        }
+        met[i] = met[i] >= 0 && boat_hidden(boat_ray(i), way[i]) ? NO_BOAT : met[i];
+        shown += met[i] < 0 ? 0.0 : 1.0;
     }
     if (shown == 0.0) {
         discard;
     }
+    // Those that meet the same part of the same boat have their own paint and the light of the first of them.
     vec4 sum = vec4(0.0);
     for (int i = 0; i < count; ++i) {
-        if (rays[i] > 0.0) {
+        int own = met[i];
+        vec4 paint = vec4(0.0);
+        float rays = 0.0;
+        for (int j = i; own >= 0 && j < (BOAT_ALIKE ? count : i + 1); ++j) {
+            if (met[j] >> 26 == own >> 26) {
+                paint += met_paint(met[j], eye + way[j] * normalize(boat_ray(j)));
+                rays += 1.0;
+                met[j] = NO_BOAT;
+            }
+        }
+        if (own >= 0) {
             vec3 d = normalize(boat_ray(i));
-            vec3 seen = boat_light(boat[i], paint[i] / rays[i], eye, d, way[i], normal[i], part[i]);
-            sum += rays[i] * vec4(min(exposure() * boat_before(seen, d, way[i]), BRIGHTEST), 1.0);
+            vec3 seen = boat_light(own, paint / rays, eye + way[i] * d, d);
+            sum += rays * vec4(min(exposure() * boat_before(seen, d, way[i]), BRIGHTEST), 1.0);
         }
     }
     o_color = sum / float(count);
@@ -126,23 +189,16 @@ vec3 boat_in_air(vec3 light, vec3 d, float distance_to_eye) {
     return hazed(light, horizon_light(d), distance_to_eye);
 }
 
-// paint: reflectance, and share of a mirror's light; d: unit vector toward the boat; o + t d is where it was met, normal: in its frame.
-vec3 boat_light(int i, vec4 paint, vec3 o, vec3 d, float t, vec3 normal, int part) {
-    BoatFrame f = boat_frame(i);
-    vec3 n = normal.x * f.ahead + normal.y * f.up + normal.z * f.right;
-    bool sail = part == PART_SAIL;
+// paint: reflectance, and share of a mirror's light; d: unit vector toward the place.
+vec3 boat_light(int met, vec4 paint, vec3 place, vec3 d) {
+    int i = met >> 29;
+    vec3 n = boat_normal(i, met_normal(met));
     float facing = dot(n, u_sun_direction);
-    float lit = sail ? max(facing, 0.0) + 0.4 * max(-facing, 0.0) : max(facing, 0.0);
+    float lit = max(facing, 0.0) + (met_part(met) == PART_SAIL ? 0.4 * max(-facing, 0.0) : 0.0);
+    int sun = met >> 24 & 3;
+    lit *= sun == 2 ? 1.0 : sun == 1 ? 0.25 : 0.0;
     if (lit > 0.0) {
-        // Off the surface on the sun's side, so that nothing shades itself.
-        float away = 3e-3 * u_boat_form[i].x;
-        vec3 from = o + t * d + away * (facing < 0.0 ? -n : n);
-        float far;
-        BoatHit other;
-        if (trace_boats(from, u_sun_direction, 0.0, 1e4, false, far, other) >= 0) {
-            lit = other.part == PART_SAIL ? 0.25 * lit : 0.0;
-        }
-        lit *= open_sun(from, Footprint(vec2(0.0), vec2(0.0)));
+        lit *= open_sun(boat_side(i, place, n, facing), Footprint(vec2(0.0), vec2(0.0)));
     }
     // From below comes what water mirrors of the light above.
     vec3 bounced = 0.1 * (u_sky_irradiance + u_sun_irradiance * max(u_sun_direction.y, 0.0)) * (0.5 - 0.5 * n.y);
@@ -158,7 +214,7 @@ vec3 boat_in_air(vec3 light, vec3 d, float distance_to_eye) {
     return light;
 }
 
-vec3 boat_light(int i, vec4 paint, vec3 o, vec3 d, float t, vec3 normal, int part) {
+vec3 boat_light(int met, vec4 paint, vec3 place, vec3 d) {
     return vec3(0.0);
 }
 

@@ -2,7 +2,7 @@
 
 // @part frame
 // A boat's axes as it floats now, and the box that holds it. Metres from the eye's own (x, z).
-uniform sampler2D u_boat_pose;
+uniform sampler2DArray u_boat_pose;
 
 const vec3 BOAT_BOX_MIDDLE = vec3(0.03, 0.5, 0.0); // ahead, up, right; boat lengths
 const vec3 BOAT_BOX_HALF = vec3(0.56, 0.74, 0.5);
@@ -15,15 +15,10 @@ struct BoatFrame {
 };
 
 BoatFrame boat_frame(int i) {
-    vec3 pose = texel_at(u_boat_pose, ivec2(i, 0)).xyz;
-    vec2 place = boat_place(i);
-    vec2 heading = boat_forward(i);
-    vec3 up = normalize(vec3(-pose.y, 1.0, -pose.z));
-    vec3 ahead = vec3(heading.x, 0.0, heading.y);
-    ahead = normalize(ahead - dot(ahead, up) * up);
-    vec3 right = cross(ahead, up);
-    vec2 heel = u_boat_form[i].zw;
-    return BoatFrame(vec3(place.x, pose.x, place.y), ahead, heel.x * up + heel.y * right, heel.x * right - heel.y * up);
+    vec4 pose = texel_at(u_boat_pose, ivec3(i, 0, 0));
+    vec4 ahead = texel_at(u_boat_pose, ivec3(i, 0, 1));
+    vec3 up = texel_at(u_boat_pose, ivec3(i, 0, 2)).xyz;
+    return BoatFrame(vec3(pose.w, pose.x, ahead.w), ahead.xyz, up, cross(ahead.xyz, up));
 }
 
 // @part hull
@@ -294,17 +289,18 @@ bool near_boats(vec3 ray, float aside) {
 int trace_boats(vec3 o, vec3 d, float least, float farthest, bool dry, out float t, out BoatHit hit) {
     int found = -1;
     t = farthest;
+    hit = BoatHit(farthest, vec3(0.0, 1.0, 0.0), vec3(0.0), PART_HULL);
     // Those that the ray can meet first: drivers that take no branch would work through all of them for every ray.
-    int list[BOAT_COUNT];
-    int count = 0;
-    for (int i = 0; i < BOAT_COUNT; ++i) {
+    // Their numbers are the digits of `list`.
+    int list = 0;
+    for (int i = BOAT_COUNT - 1; i >= 0; --i) {
         if (meets_boat(boat_frame(i), u_boat_form[i].x, o, d, 0.0)) {
-            list[count] = i;
-            ++count;
+            list = list << 4 | (i + 1);
         }
     }
-    for (int n = 0; n < count; ++n) {
-        int i = list[n];
+    while (list > 0) {
+        int i = (list & 15) - 1;
+        list >>= 4;
         float size = u_boat_form[i].x;
         BoatFrame f = boat_frame(i);
         vec3 from = o - f.at;
@@ -314,18 +310,29 @@ int trace_boats(vec3 o, vec3 d, float least, float farthest, bool dry, out float
         vec3 local = vec3(dot(start, f.ahead), dot(start, f.up), dot(start, f.right)) / size;
         vec3 way = vec3(dot(d, f.ahead), dot(d, f.up), dot(d, f.right));
         float first = (least - nearest) / size;
-        if (dry && way.y > 1e-6) {
-            first = max(first, -local.y / way.y);
-        }
-        BoatHit one = BoatHit((t - nearest) / size, vec3(0.0, 1.0, 0.0), local, PART_HULL);
-        float before = one.t;
-        hit_boat(local, way, u_boat_rig[i].x > 0.5, u_boat_rig[i].yz, first, one);
-        one.at = local + one.t * way;
-        if (one.t < before && !(dry && one.at.y < -1e-4)) {
+        // What is under the water line counts neither before a ray that rises leaves it, nor after one that falls meets it.
+        float line = -local.y / way.y;
+        float before = (t - nearest) / size;
+        first = dry && way.y > 1e-6 ? max(first, line) : first;
+        before = dry && way.y < -1e-6 ? min(before, line) : before;
+        hit.t = before;
+        hit_boat(local, way, u_boat_rig[i].x > 0.5, u_boat_rig[i].yz, first, hit);
+        if (hit.t < before) {
             found = i;
-            t = nearest + one.t * size;
-            hit = one;
+            t = nearest + hit.t * size;
+            hit.at = local + hit.t * way;
         }
     }
     return found;
+}
+
+// Of a normal in a boat's frame, the world's.
+vec3 boat_normal(int i, vec3 normal) {
+    BoatFrame f = boat_frame(i);
+    return normal.x * f.ahead + normal.y * f.up + normal.z * f.right;
+}
+
+// A place of a boat, off its surface on the sun's side, so that nothing shades itself. facing: cosine between normal and sun.
+vec3 boat_side(int i, vec3 place, vec3 n, float facing) {
+    return place + 3e-3 * u_boat_form[i].x * (facing < 0.0 ? -n : n);
 }

@@ -29,9 +29,12 @@ float boat_support(vec2 p, float draught) {
 }
 
 // @part pass
-// How each boat floats, a texel a boat: height of the water line amidships (m), and the slope of its plane along x and z.
-// The plane goes through the drawn surface at three hull points, each the mean over a disc (Radon's seven points).
-out vec4 o_pose;
+// How each boat floats, a texel a boat: height of the water line amidships (m), the slope of its plane along x and z, and the boat's
+// axes ahead and up; w of the first two: its place. The plane goes through the drawn surface at three hull points, each the mean over a
+// disc (Radon's seven points).
+layout(location = 0) out vec4 o_pose;
+layout(location = 1) out vec4 o_ahead;
+layout(location = 2) out vec4 o_up;
 
 float boat_reading(vec2 p, float reach, float draught) {
     float sum = boat_support(p, draught);
@@ -63,5 +66,11 @@ void main() {
     vec2 slope = along * ahead + across * right;
     // A breaking crest or a step of the ground may stand steeper under the hull: no boat tilts over 45 degrees.
     slope /= max(length(slope), 1.0);
-    o_pose = vec4(0.5 * (port + starboard) + along * BOAT_QUARTER * size, slope, 0.0);
+    o_pose = vec4(0.5 * (port + starboard) + along * BOAT_QUARTER * size, slope, place.x);
+    vec3 upright = normalize(vec3(-slope.x, 1.0, -slope.y));
+    vec3 level = vec3(ahead.x, 0.0, ahead.y);
+    level = normalize(level - dot(level, upright) * upright);
+    vec2 heel = u_boat_form[i].zw;
+    o_ahead = vec4(level, place.y);
+    o_up = vec4(heel.x * upright + heel.y * cross(level, upright), 0.0);
 }

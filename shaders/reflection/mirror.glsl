@@ -99,13 +99,13 @@ float land_met(vec3 o, vec3 d, out vec3 light) {
 // The boat that a ray meets from o along d (unit), m away, and its light; negative: none. far: as a mirror's map sees it.
 float boats_met(vec3 o, vec3 d, bool far, out vec3 light) {
     float t;
-    BoatHit hit;
-    int i = trace_boats(o, d, 0.0, 1e5, far, t, hit);
+    int met = meet_boat(o, d, far, NO_BOAT, t);
+    vec3 place = o + t * d;
     light = vec3(0.0);
-    if (i < 0) {
+    if (met < 0) {
         return -1.0;
     }
-    light = boat_in_air(boat_light(i, boat_paint(i, hit), o, d, t, hit.normal, hit.part), d, t);
+    light = boat_in_air(boat_light(met, met_paint(met, place), place, d), d, t);
     return t;
 }
 

@@ -92,7 +92,7 @@ def _steepest_waves(scene: Scene, count: int) -> Scene:
 
 
 def _suited(scene: Scene, quality: Quality) -> Quality:
-    """Return the quality with the width of drawn pixels, the search's tolerance and the samples that the scene asks for.
+    """Return the quality with the width of drawn pixels, the search's tolerance and the samples that suit the scene.
 
     The width is 1 where more samples per pixel are asked for, and without light, where a sample costs less than what
     enlarges it; half of that asked for, rounded up, where the camera looks down and sees rows as fine as columns, with

@@ -29,7 +29,8 @@ UNDER_SAIL = 0.25
 COURSE = "boats/pose.glsl@course"
 FRAME = "boats/hull.glsl@frame"
 TRACE = (COURSE, "boats/hull.glsl@hull", FRAME, "boats/hull.glsl@trace")
-LIGHT = ("lib/refraction.glsl", *ILLUMINATION, "boats/drawn.glsl@light")
+_MET = "boats/drawn.glsl@met"
+LIGHT = ("lib/refraction.glsl", *ILLUMINATION, _MET, "boats/drawn.glsl@meet", "boats/drawn.glsl@light")
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -57,7 +58,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 def shade_files(scene: Scene) -> tuple[Piece | SlotRef, ...]:
     """Files that shade a boat, in a program without water."""
     if scene.light is None:
-        return SlotRef("sky"), "boats/drawn.glsl@dark"
+        return SlotRef("sky"), _MET, "boats/drawn.glsl@meet_dark", "boats/drawn.glsl@dark"
     return SlotRef("sky"), SlotRef("open sun"), *LIGHT
 
 
@@ -95,7 +96,7 @@ def _pose(scene: Scene) -> Resources:
     """Height and slope of each boat's water line, from the drawn surface around its hull points."""
     support = "boats/pose.glsl@afloat" if scene.shore is None else "boats/pose.glsl@aground"
     files = ("lib/numbers.glsl", SlotRef("waves"), COURSE, support, "boats/pose.glsl@pass")
-    target = Target(size=FixedSize(width=len(scene.boats), height=1), format="RGBA32F")
+    target = Target(size=FixedSize(width=len(scene.boats), height=1), format="RGBA32F", layers=3)
     return drawn_map(PassSpec("how boats float", "boat_pose", files), target, "u_boat_pose")
 
 
