@@ -47,12 +47,12 @@ const int NO_BOAT = -1;
 int met_code(int boat, int part, vec3 normal) {
     vec3 n = normal / (abs(normal.x) + abs(normal.y) + abs(normal.z));
     vec2 side = n.y < 0.0 ? (1.0 - abs(n.zx)) * mix(vec2(-1.0), vec2(1.0), greaterThanEqual(n.xz, vec2(0.0))) : n.xz;
-    ivec2 q = ivec2(floor(2047.5 * side + 2048.0));
+    ivec2 q = ivec2(floor(2047.0 * side + 2047.5));
     return (boat << 3 | part) << 26 | q.y << 12 | q.x;
 }
 
 vec3 met_normal(int code) {
-    vec2 side = (vec2(code & 4095, code >> 12 & 4095) - 2047.5) / 2047.5;
+    vec2 side = vec2(code & 4095, code >> 12 & 4095) / 2047.0 - 1.0;
     vec3 n = vec3(side.x, 1.0 - abs(side.x) - abs(side.y), side.y);
     n.xz -= max(-n.y, 0.0) * mix(vec2(-1.0), vec2(1.0), greaterThanEqual(n.xz, vec2(0.0)));
     return normalize(n);
