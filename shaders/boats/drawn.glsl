@@ -62,13 +62,13 @@ int met_part(int code) {
     return code >> 26 & 7;
 }
 
-// Its reflectance. place: m from under the eye.
+// Its reflectance, and share of a mirror's light. place: m from under the eye.
 vec4 met_paint(int code, vec3 place) {
     int i = code >> 29;
     BoatFrame f = boat_frame(i);
     place -= f.at;
     vec3 at = vec3(dot(place, f.ahead), dot(place, f.up), dot(place, f.right)) / u_boat_form[i].x;
-    return boat_paint(i, BoatHit(0.0, met_normal(code), at, met_part(code)));
+    return boat_albedo(met_part(code), at, met_normal(code), u_boat_rig[i].x > 0.5, u_boat_hull[i], u_boat_sails[i]);
 }
 
 // @part meet
@@ -105,6 +105,7 @@ int meet_boat(vec3 o, vec3 d, bool dry, int known, out float t) {
 }
 
 // @part meet_dark
+// The same without light.
 int meet_boat(vec3 o, vec3 d, bool dry, int known, out float t) {
     BoatHit hit;
     int boat = trace_boats(o, d, 0.0, 1e5, dry, t, hit);

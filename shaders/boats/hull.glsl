@@ -33,7 +33,6 @@ const int PART_SAIL = 4;
 struct BoatHit {
     float t;
     vec3 normal;
-    vec3 at;
     int part;
 };
 
@@ -88,7 +87,7 @@ void cut_plane(vec3 n, float c, vec3 o, vec3 d, inout vec4 enter, inout float le
 
 void take(vec4 enter, vec3 o, vec3 d, int part, inout BoatHit hit) {
     if (enter.w < hit.t) {
-        hit = BoatHit(enter.w, normalize(enter.xyz), hit.at, part);
+        hit = BoatHit(enter.w, normalize(enter.xyz), part);
     }
 }
 
@@ -192,7 +191,7 @@ void hit_sail(vec3 o, vec3 d, vec3 tack, vec3 head, vec3 clew, float roach, floa
     }
     float share = v / max(1.0 - u, 0.05);
     vec3 normal = normalize(n) + 0.5 * (2.0 * min(share, 1.0) - 0.8) * normalize(foot);
-    hit = BoatHit(t, normalize(dot(normal, d) > 0.0 ? -normal : normal), hit.at, PART_SAIL);
+    hit = BoatHit(t, normalize(dot(normal, d) > 0.0 ? -normal : normal), PART_SAIL);
 }
 
 // Nearest hit with t >= least and before hit.t. rig: cosine and sine of the boom's angle.
@@ -215,35 +214,27 @@ void hit_boat(vec3 o, vec3 d, bool motor, vec2 rig, float least, inout BoatHit h
     hit_sail(o, d, vec3(0.47, 0.14, 0.0), vec3(0.085, 0.95, 0.0), vec3(0.1, 0.18, 0.22 * rig.y), -0.06, least, hit);
 }
 
-// Reflectance; gloss: share of a mirror's light.
-vec3 boat_albedo(BoatHit hit, bool motor, vec3 paint, vec3 sails, out float gloss) {
-    vec3 at = hit.at;
-    gloss = 0.5;
-    if (hit.part == PART_HULL) {
-        if (at.y < 0.0) {
-            return vec3(0.16, 0.03, 0.02);
-        }
+// Reflectance of a part of a boat, and its share of a mirror's light; normal: in the boat's frame, as is the place.
+vec4 boat_albedo(int part, vec3 at, vec3 normal, bool motor, vec3 paint, vec3 sails) {
+    if (part == PART_HULL) {
         bool strip = at.y < 0.012 || hull_sheer(motor, at.x) - at.y < 0.013;
-        return strip ? vec3(0.75, 0.74, 0.7) : paint;
+        return vec4(at.y < 0.0 ? vec3(0.16, 0.03, 0.02) : strip ? vec3(0.75, 0.74, 0.7) : paint, 0.5);
     }
-    if (hit.part == PART_DECK) {
-        gloss = 0.1;
-        return motor ? vec3(0.16, 0.19, 0.17) : vec3(0.42, 0.3, 0.17);
+    if (part == PART_DECK) {
+        return vec4(motor ? vec3(0.16, 0.19, 0.17) : vec3(0.42, 0.3, 0.17), 0.1);
     }
-    if (hit.part == PART_HOUSE) {
+    if (part == PART_HOUSE) {
         bool glass;
         if (motor) {
             bool pillar = abs(abs(at.z) - 0.028) < 0.004 || abs(at.x - 0.06) < 0.006
                 || (abs(at.z) > 0.062 && (at.x > 0.12 || at.x < -0.012));
-            glass = at.y > 0.25 && at.y < 0.315 && at.x > -0.017 && !pillar && hit.normal.y < 0.5;
+            glass = at.y > 0.25 && at.y < 0.315 && at.x > -0.017 && !pillar && normal.y < 0.5;
         } else {
-            glass = at.y > 0.1 && at.y < 0.122 && abs(fract(11.0 * at.x) - 0.5) < 0.3 && at.x > -0.16 && at.x < 0.11 && hit.normal.y < 0.7;
+            glass = at.y > 0.1 && at.y < 0.122 && abs(fract(11.0 * at.x) - 0.5) < 0.3 && at.x > -0.16 && at.x < 0.11 && normal.y < 0.7;
         }
-        gloss = glass ? 1.0 : 0.3;
-        return glass ? vec3(0.012, 0.014, 0.016) : motor ? sails : vec3(0.72, 0.71, 0.68);
+        return glass ? vec4(0.012, 0.014, 0.016, 1.0) : vec4(motor ? sails : vec3(0.72, 0.71, 0.68), 0.3);
     }
-    gloss = hit.part == PART_SAIL ? 0.0 : 0.3;
-    return hit.part == PART_SAIL ? sails : motor ? vec3(0.55, 0.2, 0.05) : vec3(0.5, 0.5, 0.48);
+    return part == PART_SAIL ? vec4(sails, 0.0) : vec4(motor ? vec3(0.55, 0.2, 0.05) : vec3(0.5, 0.5, 0.48), 0.3);
 }
 
 // @part trace
@@ -251,13 +242,6 @@ vec3 boat_albedo(BoatHit hit, bool motor, vec3 paint, vec3 sails, out float glos
 uniform vec3 u_boat_rig[BOAT_COUNT];   // 1 for a motor boat, cosine and sine of the boom's angle
 uniform vec3 u_boat_hull[BOAT_COUNT];  // reflectance
 uniform vec3 u_boat_sails[BOAT_COUNT];
-
-// Reflectance of what was met of a boat, and its share of a mirror's light.
-vec4 boat_paint(int i, BoatHit hit) {
-    float gloss;
-    vec3 albedo = boat_albedo(hit, u_boat_rig[i].x > 0.5, u_boat_hull[i], u_boat_sails[i], gloss);
-    return vec4(albedo, gloss);
-}
 
 // Whether a ray o + t d with t >= 0, d a unit vector, meets the box that holds a boat, which is `spread` wider for every length of way.
 bool meets_boat(BoatFrame f, float size, vec3 o, vec3 d, float spread) {
@@ -289,7 +273,7 @@ bool near_boats(vec3 ray, float aside) {
 int trace_boats(vec3 o, vec3 d, float least, float farthest, bool dry, out float t, out BoatHit hit) {
     int found = -1;
     t = farthest;
-    hit = BoatHit(farthest, vec3(0.0, 1.0, 0.0), vec3(0.0), PART_HULL);
+    hit = BoatHit(farthest, vec3(0.0, 1.0, 0.0), PART_HULL);
     // Those that the ray can meet first: drivers that take no branch would work through all of them for every ray.
     // Their numbers are the digits of `list`.
     int list = 0;
@@ -320,7 +304,6 @@ int trace_boats(vec3 o, vec3 d, float least, float farthest, bool dry, out float
         if (hit.t < before) {
             found = i;
             t = nearest + hit.t * size;
-            hit.at = local + hit.t * way;
         }
     }
     return found;
