@@ -1,6 +1,7 @@
-"""Motion: flicker, changes between frames other than smooth motion, of a second at 60 Hz under a slow camera.
+"""Motion: flicker, changes between frames other than smooth motion, of a second at 60 Hz under a slow camera, and of
+ten seconds at 30 Hz from every preset's own camera.
 
-One sample a pixel against 64.
+One sample a pixel against 64, and tiers for motion against 16.
 """
 
 import math
@@ -14,11 +15,11 @@ from bench.report import Column, Table
 from bench.watch import Watch
 from seafoam.accuracy.metrics import LEVEL, Picture, displayed, tone_curve
 from seafoam.planner import make_plan
-from seafoam.quality import TIERS
+from seafoam.quality import TIERS, Quality
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
 from seafoam.scene.light import ToneCurve
-from seafoam.scene.presets import load_preset
+from seafoam.scene.presets import load_preset, preset_names
 
 PRESETS = ("default", "open-ocean", "storm", "beach", "drift-vortices")
 SIZE = (160, 90)
@@ -28,6 +29,9 @@ FRAMES = 61
 SPEED = 0.3
 """Speed of the camera along its heading, m/s."""
 SAMPLES = (1, 64)
+LONG_SIZE, LONG_RATE, LONG_SAMPLES = (320, 180), 30.0, 16
+STARTS = tuple(0.5 * i for i in range(20))
+"""Times at which three frames follow one another, from the preset's own, s."""
 MOST = 2.0
 """Target: maximum flicker of one sample over that of 64."""
 LUMA = (0.2126, 0.7152, 0.0722)
@@ -81,8 +85,44 @@ def moved(camera: Camera, way: float) -> Camera:
     return camera.model_copy(update={"position": (x + way * math.sin(camera.yaw), y, z - way * math.cos(camera.yaw))})
 
 
+def long_flicker(executor: Executor, name: str, quality: Quality) -> float:
+    """Flicker of ten seconds of a preset, levels: the root mean square of that of three frames at each start."""
+    preset = load_preset(name)
+    plan, curve, squares = make_plan(preset.scene, quality), tone_curve(preset.scene), []
+    for start in STARTS:
+        times = [preset.time + start + i / LONG_RATE for i in range(3)]
+        width, height = LONG_SIZE
+        shape = {"camera": preset.scene.camera, "width": width, "height": height, "output": "linear"}
+        squares.append(flicker([shown(executor.render(plan, time=at, **shape).pixels, curve) for at in times]) ** 2)
+    return math.sqrt(sum(squares) / len(squares))
+
+
+def _long(executor: Executor, watch: Watch) -> Table:
+    rows: list[tuple[object, ...]] = []
+    for name in preset_names():
+        with watch.step(f"{name}, ten seconds"):
+            many = TIERS["standard"].model_copy(update={"samples": LONG_SAMPLES})
+            one, fast, truth = (long_flicker(executor, name, q) for q in (TIERS["standard"], TIERS["fast"], many))
+            rows.append((name, truth, one, one / max(truth, 0.05), fast, fast / max(truth, 0.05)))
+    two = "{:.2f}".format
+    return Table(
+        "Motion of ten seconds",
+        f"{LONG_SIZE[0]} x {LONG_SIZE[1]}, {len(STARTS)} times three frames at {LONG_RATE:g} Hz, the preset's own "
+        f"camera. Flicker of the picture as above, levels, and over that of {LONG_SAMPLES} samples, of 0.05 at least.",
+        (
+            Column("preset", "preset"),
+            Column("many", f"{LONG_SAMPLES} samples", two),
+            Column("standard", "standard", two),
+            Column("standard_ratio", "ratio", two),
+            Column("fast", "fast", two),
+            Column("fast_ratio", "ratio", two),
+        ),
+        rows,
+    )
+
+
 def measure(executor: Executor, watch: Watch, presets: Sequence[str] = PRESETS) -> list[Table]:
-    """Draw every preset's clip with one and with many samples, and tabulate their flicker."""
+    """Draw every preset's clip with one and with many samples, and tabulate their flicker; then that of ten seconds."""
     rows: list[tuple[object, ...]] = []
     for name in presets:
         with watch.step(f"{name}, motion"):
@@ -105,7 +145,7 @@ def measure(executor: Executor, watch: Watch, presets: Sequence[str] = PRESETS) 
         ),
         rows,
     )
-    return [table]
+    return [table, _long(executor, watch)]
 
 
 def _row(executor: Executor, name: str) -> tuple[object, ...]:

@@ -132,7 +132,17 @@ uniform vec3 u_sun_disc; // radiance
 
 vec3 sun_disc(vec3 d) {
     vec3 chord = d - u_sun_direction;
-    return u_sun_disc * (1.0 - smoothstep(2.025e-5, 3.025e-5, dot(chord, chord)));
+    float square = dot(chord, chord);
+    if (PIXEL_WIDTH == 1.0) {
+        return u_sun_disc * (1.0 - smoothstep(2.025e-5, 3.025e-5, square));
+    }
+    // Of a wide pixel, which is enlarged by what an eye sees of it, the share that the disc covers: to an eye, not of the light.
+    float aside = dot(chord, normalize(u_ray_x));
+    float reach = sqrt(max(2.9e-5 - square + aside * aside, 0.0));
+    float half_pixel = length(u_ray_x) * dot(d, u_ray_z) / u_viewport.x;
+    float share = clamp((min(aside + half_pixel, reach) - max(aside - half_pixel, -reach)) / (2.0 * half_pixel), 0.0, 1.0);
+    float brightest = exposure() * max(u_sun_disc.r, max(u_sun_disc.g, u_sun_disc.b));
+    return u_sun_disc * share / (1.0 + brightest * (1.0 - share));
 }
 
 // @part whole

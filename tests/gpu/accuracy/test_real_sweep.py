@@ -12,7 +12,7 @@ from seafoam.accuracy.cache import Store
 from seafoam.accuracy.metrics import tone_curve
 from seafoam.accuracy.sweep import Rig, Subject, SweepSettings, make_sweep
 from seafoam.planner import make_plan
-from seafoam.quality import TIERS
+from seafoam.quality import TIERS, Tier
 from seafoam.render.gl.executor import Executor
 from seafoam.render.service.jobs import measure
 from support.pictures import draw
@@ -53,9 +53,9 @@ def test_displayed_pictures_are_what_the_screen_gets(executor: Executor, curve: 
 Frames = list[NDArray[np.float64]]
 
 
-def clip(executor: Executor, scene: Scene, time: float, samples: int) -> tuple[Frames, Frames]:
+def clip(executor: Executor, scene: Scene, time: float, samples: int, tier: Tier = "standard") -> tuple[Frames, Frames]:
     """Foam and luma of a fifth of a second at 60 Hz, the camera 0.3 m/s forward."""
-    plan = make_plan(scene, TIERS["standard"].model_copy(update={"samples": samples}))
+    plan = make_plan(scene, TIERS[tier].model_copy(update={"samples": samples}))
     curve = tone_curve(scene)
     foams, pictures = [], []
     for i in range(12):
@@ -83,6 +83,8 @@ def test_default_flickers_no_more_than_twice_its_motion(executor: Executor, repo
         )
     assert max(ratios["filtered"]) <= MOST
     assert min(ratios["halftone"]) > MOST
+    fast, often = clip(executor, preset.scene, preset.time, 1, "fast"), clip(executor, preset.scene, preset.time, 64)
+    assert max(map(excess, fast, often)) <= MOST
 
 
 def test_foam_at_the_waters_edge_flickers_no_more_than_twice_its_motion(executor: Executor, report: Report) -> None:
