@@ -134,14 +134,6 @@ _HARD_SHORE = (
         unseen="llvmpipe's max(NaN, x) is x, which is what the guard gives",
     ),
     HardCase(
-        "smooth land",
-        _scene_shore(detail=0.0),
-        guard="none needed: without detail neither octaves nor a film of water are in the program "
-        "(effects/shore/land.py)",
-        camera=_VIEW_SHORE,
-        unseen="not needed: neither octaves nor a film of water are in the program",
-    ),
-    HardCase(
         "eye inside a hill",
         _scene_shore(),
         guard="the distance to land is at least 0 (shore/march.glsl@march)",

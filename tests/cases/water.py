@@ -37,14 +37,6 @@ _HARD_WATER = (
         camera=Camera(position=(0.0, 6.0, 0.0), pitch=0.0),
         without={"surface/march.glsl": {"u_eye_height * ray.y >= 0.0": "false"}},
     ),
-    HardCase(
-        "water as rough as it gets, a hundred kilometres up",
-        Scene(water=Water(roughness=0.5, ripples=Ripples(slope=0.6))),
-        guard="the unresolved slope variance, which is added to the roughness, is never negative "
-        "(waves/ripples.glsl@bands)",
-        camera=Camera(position=(0.0, 1e5, 0.0), pitch=-0.3, fov=2.6),
-        unseen="not needed: what footprints leave of a band is in [0, 1]",
-    ),
 )
 
 _BEACH_BELOW = Shore(size=160.0, radius=25.0, depth=6.0, slope=0.1, smoothing=3.0)
@@ -138,16 +130,6 @@ _HARD_SEAFLOOR = (
             }
         },
         missed_by=guards("light", "light_at_grazing_incidence_comes_from_the_floor_as_along_the_water"),
-    ),
-    HardCase(
-        "the clearest water over a white floor",
-        Scene(
-            water=Water(
-                depth=0.05, absorption_length=(1000.0, 1000.0, 1000.0), scattering=0.0, floor_albedo=(1.0, 1.0, 1.0)
-            )
-        ),
-        guard="the absorption length is finite (scene/water.py), so the extinction is not 0 (light/shade.glsl@lit)",
-        unseen="the schema alone keeps absorption over 0; nothing in the program does",
     ),
 )
 

@@ -98,21 +98,6 @@ _HARD = (
         without={"foam/look.glsl": {"max(2.0 * fade, 1e-30)": "(2.0 * fade)", "max(part, 1e-30)": "part"}},
     ),
     HardCase(
-        "four octaves, a hair below all",
-        Scene(
-            foam=Foam(
-                saturation=(HeightSaturation(base=-0.99993896484375, full=6.103515625e-05),),
-                look="filtered",
-                mask="lace",
-                octaves=4,
-            )
-        ),
-        guard="no further octave where the amount is already 0 or 1 (foam/look.glsl@filtered)",
-        camera=Camera(position=(0.37, 0.3, -0.21), yaw=1.0, pitch=-0.3),
-        unseen="not needed: the steps of 1/256 at both ends keep 0 and 1 as they are in any further octave; the guard "
-        "only saves the work",
-    ),
-    HardCase(
         "four octaves, ten thousand kilometres away",
         Scene(
             foam=Foam(
@@ -286,20 +271,7 @@ _INVISIBLE_AERATION = (
     ),
 )
 
-_HARD_AERATION = (
-    HardCase(
-        "milk in water as dark and as clear as it gets",
-        Scene(
-            foam=_FOAM_AERATION,
-            water=Water(
-                aeration=10.0, plume_depth=20.0, scattering=0.0, absorption_length=(0.01, 1000.0, 0.01), depth=0.05
-            ),
-        ),
-        guard="reflected light at least 0 (water/body.glsl@bubbles)",
-        unseen="not needed: bubbles scatter back at least what the water of their layer does: deep (1 - passed) more; "
-        "by rounding none of 2 million random waters was negative",
-    ),
-)
+_HARD_AERATION = ()
 
 CASES = {
     "foam look": Cases(invisible=_INVISIBLE, hard=_HARD),

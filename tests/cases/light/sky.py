@@ -5,7 +5,6 @@ import math
 from support.cases import Cases, HardCase
 from support.hard.mutations import BRIGHTEST, IN_FLOAT32, guards
 from support.scenes import (
-    Boat,
     Camera,
     Cirrus,
     Clouds,
@@ -16,7 +15,6 @@ from support.scenes import (
     ParametricWave,
     Ripples,
     Scene,
-    Shore,
     Sky,
     Water,
 )
@@ -72,13 +70,6 @@ _HARD_LIGHT = (
         guard="the air's light is at least 0.002 (effects/light/atmosphere.py)",
         without={"effects/light/atmosphere.py": {"NIGHT = 0.002": "NIGHT = 0.0"}},
         missed_by=guards("light", "no_night_is_black_in_half_floats"),
-    ),
-    HardCase(
-        "sun setting through 0 degrees under a layered sky",
-        Scene(light=Light(sun_elevation=0.0, exposure=-1.0, sky=Sky(haze=20.0)), water=Water(ripples=Ripples())),
-        guard="an offset of 0.02 in the haze's air mass (light/sky.glsl@layered)",
-        camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 2, pitch=0.0),
-        unseen="not needed: the sky's glow is a polynomial there",
     ),
     HardCase(
         "no lamp at all: the sun down, the moon not yet counted",
@@ -149,13 +140,6 @@ _HARD_CLOUDS = (
         },
     ),
     HardCase(
-        "lamp overhead",
-        Scene(light=Light(sun_elevation=math.pi / 2, exposure=-2.5, sky=Sky(clouds=Clouds(cover=0.7)))),
-        guard="the lamp's horizontal direction is divided by at least 1e-6 (light/clouds.glsl@layer)",
-        camera=Camera(position=(0.0, 3.0, 0.0), pitch=0.5),
-        unseen="not needed: the azimuth of a lamp overhead is a unit vector in float64, whatever its heading",
-    ),
-    HardCase(
         "rain all around, looked up to from below",
         Scene(
             light=Light(
@@ -199,20 +183,6 @@ _HARD_CLOUD_SHADOW = (
         without=IN_FLOAT32,
     ),
     HardCase(
-        "shadows of clouds under a sun that touches the horizon",
-        _scene(1e-3),
-        guard="the way to the clouds is that over a round earth (effects/light/clouds.py)",
-        camera=Camera(position=(0.0, 30.0, 0.0), pitch=-0.2),
-        unseen="such a sun has next to no light",
-    ),
-    HardCase(
-        "shadows of clouds that leave next to no light",
-        _scene(0.5, cover=1.0, thickness=50.0, softness=0.05),
-        guard="a column's transmittance is divided by at least 1e-4 (effects/light/clouds.py)",
-        camera=Camera(position=(0.0, 30.0, 0.0), pitch=-0.2),
-        unseen="not needed: the thickest overcast leaves more",
-    ),
-    HardCase(
         "shadows of clouds out to the horizon",
         _scene(0.5, size=50.0, height=200.0, softness=0.05),
         guard="noise finer than a footprint is replaced by its mean (light/clouds.glsl@shadow)",
@@ -229,18 +199,6 @@ _HARD_CLOUD_SHADOW = (
                 "float under = 1.0 - smoothstep(0.5, 0.9, u_eye_height / u_cloud_shape.x)": "float under = 1.0"
             }
         },
-    ),
-    HardCase(
-        "shadows of clouds, of a hill and of a boat on each other",
-        _scene(0.3).model_copy(
-            update={
-                "boats": (Boat(centre=(-38.0, 0.0), radius=14.0, speed=0.0, length=9.0),),
-                "shore": Shore(kind="island", size=160.0, radius=25.0, depth=6.0, height=14.0, slope=0.3, shadows=True),
-            }
-        ),
-        guard="none needed: the shares of the sun multiply, and none is above its greatest (planner/slots.py)",
-        camera=Camera(position=(-60.0, 9.0, -20.0), yaw=0.3, pitch=-0.15, fov=math.pi / 3),
-        unseen="not needed: no factor is above 1",
     ),
 )
 

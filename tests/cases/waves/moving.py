@@ -19,7 +19,6 @@ from support.scenes import (
     SlopeSaturation,
     Stone,
     Touch,
-    WakeSaturation,
     Water,
 )
 
@@ -235,13 +234,6 @@ _HARD_RIPPLES = (
         without={"light/shade.glsl": {"float cv = sqrt(nv * nv + sigma2 * aside2)": "float cv = nv"}},
         missed_by=guards("waves", "no_facet_that_faces_away_glitters"),
     ),
-    HardCase(
-        "ripples a million to a pixel",
-        Scene(water=Water(ripples=Ripples(slope=0.6))),
-        guard="exponents are limited to 75 (waves/ripples.glsl@bands)",
-        camera=Camera(position=(0.0, 1e5, 0.0), pitch=-0.5, fov=2.6),
-        unseen="not needed: exp of a large negative number is 0, as is what is left of a ripple",
-    ),
 )
 
 _WAVES = (
@@ -284,15 +276,6 @@ _HARD_STANDING = (
         guard="waves only where the square root in their phase exceeds 0 (boats/wake.glsl@pattern)",
         camera=_ABOVE,
         without={"boats/wake.glsl": {"at.x <= 0.0 || square <= 0.0": "at.x <= 0.0"}},
-    ),
-    HardCase(
-        "white water at a stone's middle, and far down the current",
-        _FLOWS_STANDING.model_copy(
-            update={"foam": Foam(saturation=(WakeSaturation(amount=4.0, life=60.0, bow=4.0),), look="textured")}
-        ),
-        guard="exponents at most 80 (foam/saturation/surf.glsl@stones)",
-        camera=_ABOVE,
-        unseen="not needed: exp of a large negative number is 0, and so is the foam there",
     ),
 )
 
