@@ -26,8 +26,8 @@ FOOTPRINT_X, FOOTPRINT_X_OF_CAUSTICS = 0.5, 0.7
 """Width of the footprint of a wide pixel's sample, in that of the pixel: as a rule, and over a floor's caustics."""
 ROWS_SHARE, ROWS_SHARE_OF_CAUSTICS, ROWS_SHARE_OF_DOTS = 0.1, 0.2, 0.5
 """Share of the rows above and below in what is shown in the middle between two drawn pixels, at most: as a rule, over a
-floor's caustics, and of foam that is black or white in each sample, where two of them differ. None at a quarter of the width, where it buys 1 to
-2 % of the error for 4 % of the time, and on calm water, whose glints are rows of their own."""
+floor's caustics, and between two samples of which one is foam, black or white. None at a quarter of the width, where it
+buys 1 to 2 % of the error for 4 % of the time, and on calm water, whose glints are rows of their own."""
 DOTTED = ("halftone", "halftone_textured", "fading", "listing")
 """Looks of foam that compare the mask sample by sample (docs/formulae.md, section 5)."""
 CALM = 0.01
