@@ -11,7 +11,7 @@ from pathlib import Path
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
-from bench import compiler, document, machine
+from bench import compiler, document, machine, start
 from bench.drawn import adaptive, budget, economy, effects, foam, frames, motion, passes
 from bench.drawn.passes import Frame
 from bench.report import Table, lines
@@ -21,11 +21,11 @@ from seafoam.render.gl.executor import Executor
 from seafoam.scene.presets import preset_names
 
 USUAL = ("frames", "economy", "effects", "foam", "budget", "yardstick", "passes")
-LONG = ("motion", "adaptive", "load", "engines", "streams", "soak")
+LONG = ("motion", "adaptive", "load", "engines", "streams", "soak", "start")
 """Sections that are measured only where they are named: they take longer than all others together."""
 DRAWN = (*USUAL, "motion", "adaptive", "load")
 SERVED = ("yardstick", "http", "page", "engines")
-SECTIONS = (*DRAWN, "compiler", "http", "page", "engines", "streams", "soak")
+SECTIONS = (*DRAWN, "compiler", "http", "page", "engines", "streams", "soak", "start")
 QUICK = 0.2
 
 
@@ -69,6 +69,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
                 run.add("streams", streams.measure(watch))
             if "soak" in asked.only:
                 run.add("soak", load.soak(watch))
+            if "start" in asked.only:
+                run.add("start", start.measure(asked.presets, watch))
         except Exception:
             # Results up to the failure are still printed.
             failure = traceback.format_exc()
@@ -102,7 +104,7 @@ def _asked(arguments: Sequence[str] | None) -> argparse.Namespace:
         type=_presets,
         default=preset_names(),
         metavar="A,B",
-        help="of yardstick, passes, adaptive and compiler: only these presets",
+        help="of yardstick, passes, adaptive, compiler and start: only these presets",
     )
     parser.add_argument("--docs", action="store_true", help="write the figures into the pages of docs")
     parser.add_argument(

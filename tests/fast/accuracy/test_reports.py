@@ -9,10 +9,11 @@ from pathlib import Path
 from statistics import median
 from typing import Any
 
+import numpy as np
 import pytest
 
 from seafoam.accuracy.points import points_of
-from seafoam.accuracy.timing import beating
+from seafoam.accuracy.timing import TOLD, beating
 from seafoam.quality import TIERS
 from seafoam.reference import scene_sha256
 from seafoam.render.service.jobs import plan_hash
@@ -89,6 +90,21 @@ def test_tiers_lie_on_the_front(report: Report) -> None:
     report.add("Tiers on the front", unbeaten=f"{unbeaten}", of=f"{whole}", span=f"{median(spans):.0f}")
     assert unbeaten >= UNBEATEN
     assert median(spans) >= SPAN
+
+
+def test_fast_errs_no_more_than_a_plainly_upscaled_tier_of_its_cost() -> None:
+    """By the page's fronts, at 480 x 270, but for paper-threshold: of black and white texels any blur errs less."""
+    kept = json.loads((DOCS.parent / "webclient/public/fronts.json").read_text(encoding="utf-8"))
+    scales, pixels, beaten = kept["scales"][::-1], 480 * 270 / 1e6, {}
+    for name, tiers in kept["presets"].items():
+        fast, *others = tiers
+        assert fast["tier"] == "fast"
+        for other in others:
+            share = (fast["fixed"] + fast["pixels"] * pixels - other["fixed"]) / (other["pixels"] * pixels)
+            if share > scales[0] ** 2:
+                error = np.interp(min(share, 1.0) ** 0.5, scales, other["errors"][::-1])
+                beaten[name] = min(error / fast["errors"][0], beaten.get(name, np.inf))
+    assert {name for name, ratio in beaten.items() if ratio < 1.0 / TOLD} == {"paper-threshold"}, beaten
 
 
 @pytest.fixture
