@@ -84,7 +84,7 @@ FUNCTIONS = (
     Guarded(
         "rays abeam",
         ("boats/hull.glsl@hull",),
-        "for (int i = 0; i < 2; ++i) {\n    BoatHit hit = BoatHit(10.0, vec3(0.0), vec3(0.0), PART_HULL);\n"
+        "for (int i = 0; i < 2; ++i) {\n    BoatHit hit = BoatHit(10.0, vec3(0.0), PART_HULL);\n"
         "    hit_hull(vec3(x.z, x[i], -5.0), x.yyw, false, 0.0, hit);\n    y[i] = hit.t;\n}",
         (0.2, -0.0, -0.12, 1.0),
         (10.0, 4.8963),

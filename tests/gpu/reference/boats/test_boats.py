@@ -136,7 +136,7 @@ def test_hulls_equal_their_float64_form(probe: Probe, report: Report, kind: str)
     """Where rays meet a boat, with which normal, and what part of it."""
     boat = Boat(kind=kind, boom=0.5)
     body = (
-        "BoatHit hit = BoatHit(1e9, vec3(0.0), vec3(0.0), PART_HULL);\n"
+        "BoatHit hit = BoatHit(1e9, vec3(0.0), PART_HULL);\n"
         f"hit_boat(u_eye, x.xyz, {str(kind == 'motor').lower()}, u_rig, 0.0, hit);\n"
         "y = vec4(min(hit.t, 1e3), hit.normal.xy, float(hit.part));"
     )
