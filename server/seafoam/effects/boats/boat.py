@@ -93,7 +93,7 @@ def _direction(angle: float) -> tuple[float, float]:
 
 
 def _pose(scene: Scene) -> Resources:
-    """Height and slope of each boat's water line, from the drawn surface around its hull points."""
+    """Height and slope of each boat's water line, from the drawn surface around its hull points, and its axes."""
     support = "boats/pose.glsl@afloat" if scene.shore is None else "boats/pose.glsl@aground"
     files = ("lib/numbers.glsl", SlotRef("waves"), COURSE, support, "boats/pose.glsl@pass")
     target = Target(size=FixedSize(width=len(scene.boats), height=1), format="RGBA32F", layers=3)
