@@ -69,47 +69,50 @@ uvec4 quarters(uint a, uint b, uint c, uint d, uint e) {
     );
 }
 
-vec2 entry(int i) {
-    return 2097152.0 * texelFetch(u_mask_quantiles, ivec2(i, 0), 0).rg;
+// Entry i of the table and the next.
+uvec2 entries(int i) {
+    return uvec2(2097152.0 * texelFetch(u_mask_quantiles, ivec2(i, 0), 0).rg);
 }
 
-uvec4 entries(ivec4 i) {
-    return uvec4(entry(i.x).x, entry(i.y).x, entry(i.z).x, entry(i.w).x);
+// The place of four thresholds in the table: how many entries behind the first are at most as great, and the two about each.
+struct Place {
+    uvec4 below;
+    uvec4 low;
+    uvec4 high;
+};
+
+// Entries come in their order.
+void pass(inout Place place, uvec4 threshold, uint entry) {
+    uvec4 passed = uvec4(lessThanEqual(uvec4(entry), threshold));
+    place.below += passed;
+    place.low = max(place.low, entry * passed);
+    place.high = min(place.high, entry | (0u - passed));
 }
 
-uvec4 entries_behind(ivec4 i) {
-    return uvec4(entry(i.x).y, entry(i.y).y, entry(i.z).y, entry(i.w).y);
+// floor(1024 a / b), a up to b: drivers divide whole numbers one by one, in long code.
+uvec4 ratio(uvec4 a, uvec4 b) {
+    uvec4 near = uvec4(1024.0 * vec4(a) / vec4(b));
+    ivec4 rest = ivec4(1024u * a - near * b);
+    return near + uvec4(greaterThanEqual(rest, ivec4(b))) - uvec4(lessThan(rest, ivec4(0)));
 }
 
-// Of four sums the shares of the plane below those thresholds, 1/16384.
-uvec4 evens(uvec4 sum) {
-    uvec4 threshold = (sum + 576u) / 1152u;
-    ivec4 below = ivec4(0);
-    ivec4 above = ivec4(QUANTILES - 1);
-    // A loop of a known number of rounds would be unrolled for each sum, and take drivers minutes to translate.
-    while (any(greaterThan(above - below, ivec4(1)))) {
-        ivec4 middle = (below + above) / 2;
-        ivec4 right = ivec4(lessThanEqual(entries(middle), threshold));
-        below += right * (middle - below);
-        above -= (1 - right) * (above - middle);
-    }
-    uvec4 low = entries(below);
-    uvec4 width = max(entries_behind(below) - low, 1u);
-    uvec4 part = clamp(threshold, low, low + width) - low;
-    uvec4 place = uvec4(below) * 1024u + part * 1024u / width;
-    uvec4 end = min(place, 65536u - place);
+// The shares of the plane below four thresholds, 1/16384.
+uvec4 evens(Place place, uvec4 threshold) {
+    uvec4 width = max(place.high - place.low, 1u);
+    uvec4 part = clamp(threshold, place.low, place.low + width) - place.low;
+    uvec4 even = 1024u * place.below + ratio(part, width);
+    uvec4 end = min(even, 65536u - even);
     uvec4 share = (end * end + 65536u) >> 17u;
-    uvec4 late = uvec4(greaterThan(place, uvec4(32768u)));
+    uvec4 late = uvec4(greaterThan(even, uvec4(32768u)));
     return min(share + late * (16384u - 2u * share), 16383u);
 }
 
-uint sum_of(uvec4 x) {
-    return x.x + x.y + x.z + x.w;
+uint greatest(uvec4 x) {
+    return max(max(x.x, x.y), max(x.z, x.w));
 }
 
-uint squares(uvec4 x, uint centre) {
-    ivec4 off = ivec4(x) - int(centre);
-    return sum_of(uvec4(off * off));
+int sum_of(ivec4 x) {
+    return x.x + x.y + x.z + x.w;
 }
 
 void main() {
@@ -122,14 +125,38 @@ void main() {
         );
         rows[j] = (rows[j] + 256u) >> 9u;
     }
-    uvec4 one = evens(27u * rows[0] + 1223u * rows[1] + 1697u * rows[2] + 125u * rows[3]);
-    uvec4 two = evens(rows[0] + 725u * rows[1] + 2003u * rows[2] + 343u * rows[3]);
-    uvec4 three = evens(343u * rows[1] + 2003u * rows[2] + 725u * rows[3] + rows[4]);
-    uvec4 four = evens(125u * rows[1] + 1697u * rows[2] + 1223u * rows[3] + 27u * rows[4]);
-    uint total = sum_of(one + two + three + four);
-    uint centre = (total + 8u) >> 4u;
-    uint variance = squares(one, centre) + squares(two, centre) + squares(three, centre) + squares(four, centre);
-    o_moments = uvec2((total + 2u) >> 2u, variance);
+    uvec4 one = (27u * rows[0] + 1223u * rows[1] + 1697u * rows[2] + 125u * rows[3] + 576u) / 1152u;
+    uvec4 two = (rows[0] + 725u * rows[1] + 2003u * rows[2] + 343u * rows[3] + 576u) / 1152u;
+    uvec4 three = (343u * rows[1] + 2003u * rows[2] + 725u * rows[3] + rows[4] + 576u) / 1152u;
+    uvec4 four = (125u * rows[1] + 1697u * rows[2] + 1223u * rows[3] + 27u * rows[4] + 576u) / 1152u;
+    // Of all sixteen about 8192: their sum, and the sum of their squares.
+    int total = 0;
+    int squared = 0;
+    for (int part = 0; part < 2; ++part) {
+        uvec4 a = part == 0 ? one : three;
+        uvec4 b = part == 0 ? two : four;
+        uint last = max(greatest(a), greatest(b));
+        Place of_a = Place(uvec4(0u), uvec4(entries(0).x), uvec4(entries(QUANTILES - 2).y));
+        Place of_b = of_a;
+        for (int i = 1; i < QUANTILES - 1; i += 2) {
+            uvec2 pair = entries(i);
+            // The last entry is never passed.
+            pair.y = i < QUANTILES - 2 ? pair.y : 0xffffffffu;
+            pass(of_a, a, pair.x);
+            pass(of_b, b, pair.x);
+            pass(of_a, a, pair.y);
+            pass(of_b, b, pair.y);
+            if (pair.y > last) {
+                break;
+            }
+        }
+        ivec4 even_a = ivec4(evens(of_a, a)) - 8192;
+        ivec4 even_b = ivec4(evens(of_b, b)) - 8192;
+        total += sum_of(even_a + even_b);
+        squared += sum_of(even_a * even_a + even_b * even_b);
+    }
+    int centre = (total + 8) >> 4;
+    o_moments = uvec2((total + 16 * 8192 + 2) >> 2, squared - 2 * centre * total + 16 * centre * centre);
 }
 
 // @part halve

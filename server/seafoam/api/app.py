@@ -1,6 +1,7 @@
 """Assembles the application: routers, errors, limits and the render pool."""
 
 import asyncio
+import os
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager, suppress
 from functools import partial
@@ -65,13 +66,16 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
     """
     settings = settings or Settings()
     factory = renderer or partial(Executor, settings.device_index)
+    # A worker with a core beside its own compiles on both.
+    beside = settings.workers < (os.cpu_count() or 1)
+    workers_factory = renderer or partial(Executor, settings.device_index, assisted=beside)
     pool = RenderPool(
         workers=settings.workers,
         queue=settings.queue,
         deadline=settings.deadline,
         recycle=settings.recycle,
         check_seconds=settings.canary,
-        factory=factory,
+        factory=workers_factory,
     )
     disk = DiskCache((settings.cache or cache_dir()) / "frames", settings.cache_size) if settings.cache_size else None
     frame_cache = FrameCache(pool, disk, settings.cache_memory)

@@ -39,7 +39,7 @@ def render_to_file(preset: str, output: Path, size: str | None, options: Mapping
     except ApiError as error:
         raise CommandError(f"--{error}") from error
     try:
-        executor = gl.Executor()
+        executor = gl.Executor(assisted=True)
         job, reason = _with_quality(executor, parameters, loaded, job)
         frame = jobs.render_frame(executor, job)
         renderer = executor.info["renderer"]
@@ -122,7 +122,7 @@ def draw_again(source: Path, output: Path | None) -> tuple[bool, list[str]]:
     job = recipe.job
     try:
         IN_PROCESS.check(job.width, job.height, job.quality.samples_drawn)
-        executor = gl.Executor()
+        executor = gl.Executor(assisted=True)
         picture = jobs.draw_frame(executor, job)
     except FrameTooLargeError as error:
         raise CommandError(f"--again: {error}") from error

@@ -63,7 +63,7 @@ class Embedded(PictureSource):
 
     def _drawn(self, job: FrameJob) -> bytes:
         if self._executor is None:
-            self._executor = Executor()
+            self._executor = Executor(assisted=True)
         try:
             return render_frame(self._executor, job).content
         except PlanError as error:

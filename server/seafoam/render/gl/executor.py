@@ -4,9 +4,10 @@ Constraints: one context per process, used by one thread only (GL calls from ano
 zeros), and every object is released explicitly (moderngl's garbage-collected release fails on released objects).
 """
 
+import os
 import threading
 import time as clock
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any, cast
@@ -21,6 +22,7 @@ from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.resources import MIPMAPPED, Target, Texture, TextureInput
 from seafoam.framegraph.shader import Program, declared_uniforms
 from seafoam.framegraph.visibility import drawn_passes, passes_into, reads
+from seafoam.render.gl.compilers import COLD_SECONDS, Claims, CompileRequest, SecondCompiler, received
 from seafoam.render.gl.context import NoRendererError, attach_layers, create_context
 from seafoam.render.gl.formats import FORMAT_BYTES, READ, TARGET_FORMATS, TEXTURE_FORMATS, Cache, Output, target_bytes
 from seafoam.scene.camera import Camera
@@ -98,10 +100,15 @@ class _Linked:
 
 
 class Executor:
-    """Draws plans. Owns the process's GL context; raises :class:`NoRendererError` if there is none."""
+    """Draws plans. Owns the process's GL context; raises :class:`NoRendererError` if there is none.
 
-    def __init__(self, device_index: int | None = None) -> None:
+    ``assisted``: a software renderer, which compiles on one core, shares the work with a second process where there are
+    two.
+    """
+
+    def __init__(self, device_index: int | None = None, *, assisted: bool = False) -> None:
         self._thread = threading.get_ident()
+        self._device = device_index
         self._context = create_context(device_index)
         # Bound while others are released, since moderngl binds the last framebuffer again when it creates an object.
         self._resting = self._context.framebuffer([self._context.texture((1, 1), 4)])
@@ -111,6 +118,7 @@ class Executor:
         # llvmpipe compiles two variants of a program for an opaque state, and one for a blended state. So blending is
         # always enabled there; the factors (1, 0) make it opaque.
         self._always_blends = "llvmpipe" in self.info["renderer"]
+        self._assisted = assisted and "llvmpipe" in self.info["renderer"] and (os.cpu_count() or 1) > 1
         self._programs = Cache(_PROGRAMS_KEPT)
         self._textures = Cache(_TEXTURES_KEPT)
         self._targets = Cache(_TARGETS_KEPT)
@@ -126,18 +134,18 @@ class Executor:
         """
         self._own_thread()
         start = clock.perf_counter()
-        shown, dtype, kind = READ[output]
-        target_name = {"linear": plan.linear, "samples": "samples"}.get(output, "screen")
+        _, dtype, kind = READ[output]
+        target_name = _shown(plan, output)
         drawn = drawn_passes(plan, camera, width, height, target_name)
+        if self._assisted:
+            self._compile_in_two(CompileRequest(plan, camera, width, height, output, self._device), drawn)
         setup = {step.target for step in plan.passes if step.when == "setup"}
         framebuffers = {
             name: self._target(name, target, width, height)
             for name, target in plan.targets.items()
             if name not in setup
         }
-        framebuffers["screen"] = self._targets.get(
-            ("screen", width, height, shown), lambda: self._framebuffer((width, height), shown, depth=False)
-        )
+        framebuffers["screen"] = self._screen(width, height, output)
         framebuffers |= self._set_up(plan, drawn, camera)
         frame = FrameState(time, camera, width, height, width, height, 0)
         # All frame passes are drawn, since plans share their targets and may have overwritten those of earlier frames.
@@ -167,6 +175,40 @@ class Executor:
             cache.trim()
         timings = {"render": finished - start, "read": clock.perf_counter() - finished}
         return RenderedPixels(np.ascontiguousarray(pixels), timings)
+
+    def compile_frame(self, request: CompileRequest, passes: Iterable[int], claims: Claims) -> int:
+        """Compile the programs of those passes that no other process has claimed, and return how many there are."""
+        self._own_thread()
+        plan, size = request.plan, (request.width, request.height)
+        into = {name: self._target(name, target, *size) for name, target in plan.targets.items()}
+        into["screen"] = self._screen(*size, request.output)
+        for name, target in plan.targets.items():
+            if target.filter == MIPMAPPED:
+                # Drivers compile another program for a texture without levels.
+                into[name][1].build_mipmaps()
+        frame = FrameState(0.0, request.camera, *size, *size, 0)
+        compiled = 0
+        for index in claims.claimed(passes):
+            framebuffer = into[plan.passes[index].target][0]
+            # A driver compiles also for what draws no pixel.
+            framebuffer.scissor = (0, 0, 0, 0)
+            self._draw(plan, index, into, frame)
+            framebuffer.scissor = None
+            compiled += 1
+        return compiled
+
+    def _compile_in_two(self, request: CompileRequest, drawn: Mapping[int, bool]) -> None:
+        """Compile what a frame draws for the first time in two processes, unless the driver has kept it."""
+        plan = request.plan
+        programs = {i: plan.programs[plan.passes[i].program] for i in longest_first(plan, drawn)}
+        passes = [i for i, program in programs.items() if _key(program) not in self._programs]
+        if not passes:
+            return
+        with SecondCompiler(request) as second:
+            began = clock.thread_time()
+            self._program(programs[passes[0]])
+            if clock.thread_time() - began > COLD_SECONDS:
+                second.wait_for(self.compile_frame(request, passes, second.claims))
 
     def compile(self, program: Program) -> None:
         """Compile a program, or raise :class:`ShaderError`."""
@@ -273,7 +315,7 @@ class Executor:
                 raise ShaderError(f"{error}\n{_listing(model)}") from error
             return _Linked(self._context, program)
 
-        return cast(_Linked, self._programs.get((model.vertex.sha256, model.fragment.sha256), make))
+        return cast(_Linked, self._programs.get(_key(model), make))
 
     def _texture(self, name: str, model: Texture) -> moderngl.Texture:
         def make() -> moderngl.Texture:
@@ -296,6 +338,12 @@ class Executor:
             return created
 
         return cast(moderngl.Texture, self._textures.get((model.sha256, model.filter, model.wrap), make))
+
+    def _screen(self, width: int, height: int, output: Output) -> tuple[Any, ...]:
+        shown = READ[output][0]
+        key = "screen", width, height, shown
+        make = partial(self._framebuffer, (width, height), shown, depth=False)
+        return cast(tuple[Any, ...], self._targets.get(key, make))
 
     def _target(self, name: str, target: Target, width: int = 0, height: int = 0) -> tuple[Any, ...]:
         size = target.size.of_picture(width, height)
@@ -325,6 +373,35 @@ class Executor:
         attach_layers(self._context, framebuffer, array)
         color.release()
         return framebuffer, array, *buffers
+
+
+def compile_beside() -> None:
+    """The work of the process that a :class:`seafoam.render.gl.compilers.SecondCompiler` starts."""
+    request, claims = received()
+    target = _shown(request.plan, request.output)
+    drawn = drawn_passes(request.plan, request.camera, request.width, request.height, target)
+    Executor(request.device).compile_frame(request, longest_first(request.plan, drawn), claims)
+
+
+def longest_first(plan: FramePlan, drawn: Mapping[int, bool]) -> list[int]:
+    """Return a visible pass for each program and way of drawing with it; those with the longest source first."""
+    ways: dict[tuple[Any, ...], int] = {}
+    for index, visible in drawn.items():
+        step = plan.passes[index]
+        target = plan.targets.get(step.target)
+        form = (target.format, target.layers, target.depth) if target else None
+        if visible:
+            ways.setdefault((step.program, step.state.model_copy(update={"clear": False}), form), index)
+    return sorted(ways.values(), key=lambda index: -len(plan.programs[plan.passes[index].program].fragment.text))
+
+
+def _key(program: Program) -> tuple[str, str]:
+    return program.vertex.sha256, program.fragment.sha256
+
+
+def _shown(plan: FramePlan, output: Output) -> str:
+    """Return the target whose pixels are read."""
+    return {"linear": plan.linear, "samples": "samples"}.get(output, "screen")
 
 
 def grid(rows: int, columns: int) -> tuple[NDArray[np.float32], NDArray[np.uint32]]:
