@@ -235,6 +235,26 @@ class Effect:
     without: Callable[[Scene], Scene] | None = None
 
 
+def part_effect(name: str, draw: Callable[..., Contribution | None], part: str, **declared: Any) -> Effect:
+    """Return the effect of a part of the scene: active where the scene has it.
+
+    ``part``: JSON pointer of the part or field, which is absent if it, or a part on the way to it, is null, empty or 0.
+    ``draw``: its contribution; it is given the scene, each part on the way, this one, and the quality. ``declared``:
+    fields of the effect; its ``fields`` are further pointers.
+    """
+
+    @wraps(draw)
+    def contribute(scene: Scene, quality: Quality) -> Contribution | None:
+        parts: list[Any] = [scene]
+        for step in part.split("/")[1:]:
+            parts.append(getattr(parts[-1], step))
+            if not parts[-1]:
+                return None
+        return draw(*parts, quality)
+
+    return Effect(name, contribute, (part, *declared.pop("fields", ())), **declared)
+
+
 def foam_effect(
     name: str, draw: Callable[[Scene, Foam, Any, Quality], Contribution], source: SaturationSource, **declared: Any
 ) -> Effect:

@@ -5,14 +5,13 @@ from dataclasses import dataclass
 from typing import TypeVar
 
 from seafoam.effects.boats.boat import COURSE
-from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, Resources, drawn_map
+from seafoam.effects.effect import Bound, Contribution, PassSpec, QualityParameter, Resources, drawn_map, part_effect
 from seafoam.effects.shader import Inline, Piece, SlotFile, Source
 from seafoam.effects.waves.measured import BLOCK
 from seafoam.framegraph.resources import FixedSize, Target, target_inputs
 from seafoam.framegraph.rules import Uniform, constants, number, rounded, significant
 from seafoam.ocean.waves.wakes import NEAR, Wake, joint_height, joint_slope, wakes
 from seafoam.quality import Quality
-from seafoam.scene.models import Scene
 from seafoam.sums import summed
 
 T = TypeVar("T")
@@ -60,11 +59,6 @@ class WakeKind:
 
 _BOUNDS = ("boats/wake_bounds.glsl@declared", "boats/wake_bounds.glsl@measured")
 BOATS = WakeKind("wake", "wakes", "wakes", "no boat moves, or none makes waves", WAY, *_BOUNDS)
-
-
-def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the scene has boats."""
-    return wakes_of(BOATS, wakes(scene.boats), quality) if scene.boats else None
 
 
 def wakes_of(kind: WakeKind, patterns: Sequence[Wake], quality: Quality) -> Contribution:
@@ -134,9 +128,10 @@ def _map(kind: WakeKind, count: int, size: int) -> Resources:
     )
 
 
-EFFECT = Effect(
+EFFECT = part_effect(
     "wakes",
-    contribute,
+    lambda scene, boats, quality: wakes_of(BOATS, wakes(boats), quality),
+    "/boats",
     fields=("/boats/wake",),
     parameters=(
         QualityParameter("/wake", "wakes", ("map", "exact"), "geometry"),

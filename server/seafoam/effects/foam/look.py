@@ -6,22 +6,14 @@ docs/formulae.md, section 5.
 import math
 from dataclasses import dataclass
 
+from seafoam.effects import shader
 from seafoam.effects.bounds import foam_limit, greatest_saturation
-from seafoam.effects.effect import Bound, Contribution, Effect, PlanError, QualityParameter, Resources, TextureUse
+from seafoam.effects.effect import Bound, Contribution, PlanError, QualityParameter, Resources, TextureUse, part_effect
 from seafoam.effects.foam import drift
 from seafoam.effects.foam.mask_atlas import atlas_of
 from seafoam.effects.foam.sources import surf_limit
 from seafoam.effects.registry import saturation_fields
-from seafoam.effects.shader import (
-    HASH,
-    NOISE_CELLS,
-    PERLIN_2,
-    Piece,
-    SlotFile,
-    Source,
-    constant_function,
-    drifting_phases,
-)
+from seafoam.effects.shader import HASH, PERLIN_2, Piece, SlotFile, Source, constant_function, drifting_phases
 from seafoam.framegraph.resources import TextureInput
 from seafoam.framegraph.rules import Uniform, Wrap, array, number, vector
 from seafoam.masks.catalogue import Mask, drawn_mask
@@ -65,14 +57,13 @@ def ageing_look(look: str, life: FoamLife) -> tuple[str, tuple[Piece, ...]]:
     return "foam/living.glsl@living", (*rows, "foam/shading.glsl@cover", young)
 
 
-def living(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the foam has ``life`` and the filtered look."""
-    life = foam_life(scene)
-    if life is None:
+def _living(scene: Scene, foam: Foam, life: FoamLife, quality: Quality) -> Contribution | None:
+    """Of the filtered look alone."""
+    if foam_life(scene) is None:
         return None
     slots = [SlotFile("carry", "foam/carry.glsl@still", prefix="still")]
     if scene.shore is not None:
-        surf = None if scene.foam is None else scene.foam.source(SurfSaturation)
+        surf = foam.source(SurfSaturation)
         breaks = surf is not None and surf_limit(surf, scene) > 0.0
         carry = "foam/carry.glsl@surf" if breaks else "foam/carry.glsl@shore"
         slots.append(SlotFile("shore carry", carry if life.carried else _AT_REST))
@@ -83,7 +74,7 @@ def living(scene: Scene, quality: Quality) -> Contribution | None:
         across = 1.0 / life.windrow_spacing
         rows = ((c * across / WINDROW_LENGTH, s * across / WINDROW_LENGTH), (-s * across, c * across))
         uniforms = {
-            "u_windrow_phase": drifting_phases(rows, drift, 2.0 * math.pi / NOISE_CELLS),
+            "u_windrow_phase": drifting_phases(rows, drift, 2.0 * math.pi / shader.NOISE_CELLS),
             "u_windrow_matrix": vector((*rows[0], *rows[1])),
             "u_windrows": number(life.row_strength, "/foam/life/windrows"),
         }
@@ -98,11 +89,7 @@ def living(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the scene has foam."""
-    foam = scene.foam
-    if foam is None:
-        return None
+def _draw(scene: Scene, foam: Foam, quality: Quality) -> Contribution:
     masks = _masks(foam)
     parts: list[_Part] = []
     if masks:
@@ -297,11 +284,11 @@ def _bound(foam: Foam, scene: Scene) -> Bound | None:
     return None
 
 
-LIVING = Effect("foam that lives", living, fields=("/foam/life",), afloat=("u_windrow_phase",))
-EFFECT = Effect(
+LIVING = part_effect("foam that lives", _living, "/foam/life", afloat=("u_windrow_phase",))
+EFFECT = part_effect(
     "foam look",
-    contribute,
-    fields=("/foam",),
+    _draw,
+    "/foam",
     afloat=("u_mask_offset", "u_mask_phase", "u_cell_offset", "u_cell_index", "u_foam_offset", "u_foam_second_offset"),
     parameters=(
         QualityParameter("/mask", "format of the mask's thresholds", ("u8", "half", "u16"), "precision"),

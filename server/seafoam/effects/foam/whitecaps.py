@@ -3,15 +3,8 @@
 import math
 from dataclasses import replace
 
-from seafoam.effects.effect import (
-    Contribution,
-    PassSpec,
-    QualityParameter,
-    Resources,
-    SaturationSource,
-    drawn_map,
-    foam_effect,
-)
+from seafoam.effects import effect
+from seafoam.effects.effect import Contribution, PassSpec, QualityParameter, Resources, drawn_map
 from seafoam.effects.shader import Const, SlotFile
 from seafoam.effects.waves import sea as waves
 from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target
@@ -163,10 +156,10 @@ def fold_limit(source: WhitecapSaturation, scene: Scene) -> float:
     return 1.0 if scene.sea is not None and scene.sea.wind_speed > 0.0 else 0.0
 
 
-EFFECT = foam_effect(
+EFFECT = effect.foam_effect(
     "whitecaps",
     draw,
-    SaturationSource(WhitecapSaturation, fold_limit),
+    effect.SaturationSource(WhitecapSaturation, fold_limit),
     parameters=(
         QualityParameter("/age_steps", "earlier times of folds", (0, 4, 8), "geometry"),
         QualityParameter("/age_step", "interval between folds, s", (0.17, 0.35, 0.7), "geometry"),

@@ -2,7 +2,7 @@
 
 import math
 
-from seafoam.effects.effect import Bound, Contribution, Effect
+from seafoam.effects.effect import Bound, Contribution, part_effect
 from seafoam.effects.light import atmosphere
 from seafoam.effects.light.light import brightest_sun, sun_disc
 from seafoam.effects.shader import SlotFile
@@ -34,11 +34,7 @@ def brightest_glint(scene: Scene) -> float:
     return brightest * max(1.0 / (math.pi * sigma**3), 1.0 / 6.8e-5)
 
 
-def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the scene has a light."""
-    light = scene.light
-    if light is None:
-        return None
+def _draw(scene: Scene, light: Light, quality: Quality) -> Contribution:
     path, needs, uniforms = smooth_glint(light)
     return Contribution(
         why="glitter of the moon" if atmosphere.moon_is_lamp(light) else "glitter of the sun",
@@ -48,6 +44,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-EFFECT = Effect(
-    "sun glitter", contribute, fields=("/light/specular", "/light/specular_power", "/light/specular_perturb")
+EFFECT = part_effect(
+    "sun glitter", _draw, "/light", fields=("/light/specular", "/light/specular_power", "/light/specular_perturb")
 )

@@ -5,7 +5,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from seafoam.effects.effect import Contribution, Effect
+from seafoam.effects.effect import Contribution, part_effect
 from seafoam.effects.light import atmosphere, overcast
 from seafoam.effects.light.atmosphere import ASYMMETRY, RAYLEIGH, SUN_POWER, air_mass, lamp, mie_depth
 from seafoam.effects.shader import SlotFile, Source
@@ -134,11 +134,7 @@ def sky_irradiance(light: Light) -> Floats:
     return _rgb(math.pi * (rings * (1.0 - np.exp(-parts["depth"] * _view_air_mass(y)))).mean(axis=0))
 
 
-def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the scene has a light."""
-    light = scene.light
-    if light is None:
-        return None
+def _draw(scene: Scene, light: Light, quality: Quality) -> Contribution:
     if light.sky is None:
         sky: tuple[SlotFile, ...] = (SlotFile("sky", "light/sky.glsl@analytic", needs=("light/sky.glsl@exposure",)),)
         air = {f"u_air_{name}": vector(rounded(value)) for name, value in air_parts(light).items()}
@@ -172,4 +168,4 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-EFFECT = Effect("sun and sky", contribute, fields=("/light", "/light/day", "/light/sky"))
+EFFECT = part_effect("sun and sky", _draw, "/light", fields=("/light/day", "/light/sky"))

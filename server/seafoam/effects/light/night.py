@@ -4,13 +4,14 @@ import math
 
 import numpy as np
 
-from seafoam.effects.effect import Bound, Contribution, Effect
+from seafoam.effects.effect import Bound, Contribution, part_effect
 from seafoam.effects.light import atmosphere
 from seafoam.effects.light.light import glow_source, glow_uniforms
 from seafoam.effects.shader import HASH, PERLIN_2, SlotFile
 from seafoam.framegraph.rules import number, rounded, significant, vector
 from seafoam.ocean.arrays import smooth
 from seafoam.quality import Quality
+from seafoam.scene.light import Light, Moon, Sky
 from seafoam.scene.models import Scene
 from seafoam.sums import summed
 
@@ -18,12 +19,7 @@ STAR_POWER = 1.0
 """Brightness of the brightest stars at night."""
 
 
-def moon(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the sky has a moon."""
-    light = scene.light
-    if light is None or light.sky is None or light.sky.moon is None:
-        return None
-    model = light.sky.moon
+def _moon(scene: Scene, light: Light, sky: Sky, model: Moon, quality: Quality) -> Contribution:
     toward = atmosphere.moon(light)
     assert toward is not None
     sun = atmosphere.sun(light)
@@ -54,22 +50,18 @@ def moon(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-def stars(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the sky has stars."""
-    light = scene.light
-    if light is None or light.sky is None or light.sky.stars == 0.0:
-        return None
+def _stars(scene: Scene, light: Light, sky: Sky, brightness: float, quality: Quality) -> Contribution:
     dark = smooth(0.05, 0.2, -atmosphere.sun(light)[1])
     return Contribution(
         why="stars",
         slots=(SlotFile("stars", "light/night.glsl@stars", needs=("lib/texels.glsl@cube_face", HASH)),),
         uniforms={
             "u_star_path": vector(rounded(atmosphere.RAYLEIGH + atmosphere.mie_depth(light))),
-            "u_star_brightness": number(significant(STAR_POWER * light.sky.stars * dark)),
+            "u_star_brightness": number(significant(STAR_POWER * brightness * dark)),
         },
         bound=Bound.zero_if(dark == 0.0, "the sun is above the horizon"),
     )
 
 
-MOON = Effect("moon", moon, fields=("/light/sky/moon",))
-STARS = Effect("stars", stars, fields=("/light/sky/stars",))
+MOON = part_effect("moon", _moon, "/light/sky/moon")
+STARS = part_effect("stars", _stars, "/light/sky/stars")

@@ -2,12 +2,12 @@
 
 import math
 
-from seafoam.effects.effect import Bound, Contribution, Effect, QualityParameter
+from seafoam.effects.effect import Bound, Contribution, QualityParameter, part_effect
 from seafoam.effects.light.glitter import brightest_glint, smooth_glint
 from seafoam.effects.shader import HASH, SlotFile, Source
 from seafoam.framegraph.rules import Loop, array, number, significant
 from seafoam.quality import Quality
-from seafoam.scene.light import Sparkles
+from seafoam.scene.light import Light, Sparkles
 from seafoam.scene.models import Scene
 
 EPOCHS = 65536
@@ -20,12 +20,7 @@ def density(sparkles: Sparkles) -> float:
     return math.pi * sparkles.rate * _SQUARE_DEGREES * sparkles.life
 
 
-def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the light has sparkles."""
-    light = scene.light
-    if light is None or light.sparkles is None:
-        return None
-    sparkles = light.sparkles
+def _draw(scene: Scene, light: Light, sparkles: Sparkles, quality: Quality) -> Contribution:
     radius = 0.5 * sparkles.size
     # Up to four sparkles overlap, each with up to 1.9 times its mean brightness in the middle of its life.
     peak = 4.0 * 1.9 / (math.pi / 3.0 * radius * radius * density(sparkles))
@@ -51,9 +46,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-EFFECT = Effect(
+EFFECT = part_effect(
     "sparkles",
-    contribute,
-    fields=("/light/sparkles",),
+    _draw,
+    "/light/sparkles",
     parameters=(QualityParameter("/sparkle_cells", "sparkle cells per sample", (1, 4), "geometry"),),
 )

@@ -2,7 +2,7 @@
 
 import math
 
-from seafoam.effects.effect import Bound, Contribution, Effect, QualityParameter
+from seafoam.effects.effect import Bound, Contribution, QualityParameter, part_effect
 from seafoam.effects.light.atmosphere import lamp
 from seafoam.effects.light.light import sun_irradiance
 from seafoam.effects.shader import SLOPES, Const, SlotFile, Source
@@ -69,10 +69,9 @@ def throws(scene: Scene) -> bool:
     return scene.shore is not None and scene.shore.shadows and scene.light is not None and _lit(scene.light)
 
 
-def shadows(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the scene has a light, and a shore with ``shadows``."""
-    shore, light = scene.shore, scene.light
-    if shore is None or light is None or not shore.shadows:
+def _shadows(scene: Scene, shore: Shore, drawn: bool, quality: Quality) -> Contribution | None:
+    light = scene.light
+    if light is None:
         return None
     ground = ("shore/ground.glsl@place", "shore/ground.glsl@square", "shore/ground.glsl@spline")
     needs = (*ground, "shore/land.glsl@land_maxima")
@@ -106,10 +105,10 @@ def _unshadowed(scene: Scene) -> Scene:
     return scene.model_copy(update={"shore": scene.shore.model_copy(update={"shadows": False})})
 
 
-SHADOWS = Effect(
+SHADOWS = part_effect(
     "shadows of land",
-    shadows,
-    fields=("/shore/shadows",),
+    _shadows,
+    "/shore/shadows",
     parameters=(
         QualityParameter("/shadow_steps", "steps toward the sun over the land", (32, 64, 128, 256), "geometry"),
     ),

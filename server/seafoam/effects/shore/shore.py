@@ -3,7 +3,7 @@
 import math
 
 from seafoam.effects.bounds import FLOOR_FIELDS, floor_limit, max_displacement
-from seafoam.effects.effect import Bound, Contribution, Effect, QualityParameter, TextureUse
+from seafoam.effects.effect import Bound, Contribution, QualityParameter, TextureUse, part_effect
 from seafoam.effects.shader import MARCH_AHEAD, VALUE_NOISE, Const, SlotFile
 from seafoam.effects.shore import land
 from seafoam.effects.shore.limits import Limits, limits, rounded_up
@@ -27,11 +27,7 @@ LAND_CELLS, LAND_COARSEST, LAND_ROUNDS = 128, 4, 64
 """Cells along a side of the finest (texels, if fewer) and coarsest level of the land's maxima; cells read per ray."""
 
 
-def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the scene has a shore."""
-    shore = scene.shore
-    if shore is None:
-        return None
+def _draw(scene: Scene, shore: Shore, quality: Quality) -> Contribution:
     surf, bounds = shore.surf, limits(shore, quality)
     steepest, curvature = _steepest(scene, bounds)
     cells = min(LAND_CELLS, quality.shore_floor)
@@ -164,10 +160,11 @@ def _bound(scene: Scene, shore: Shore, top: float) -> Bound | None:
     return Bound(floor_limit(scene, scene.light, -top), why, FLOOR_FIELDS)
 
 
-EFFECT = Effect(
+EFFECT = part_effect(
     "shore",
-    contribute,
-    fields=("/shore", "/shore/surf"),
+    _draw,
+    "/shore",
+    fields=("/shore/surf",),
     parameters=(
         QualityParameter("/shore_map", "texels of the distance map", (64, 128, 256, 512), "geometry"),
         QualityParameter("/shore_floor", "texels of the height field", (64, 128, 256, 512), "geometry"),

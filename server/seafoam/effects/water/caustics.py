@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from seafoam.effects.bounds import FLOOR_FIELDS, floor_limit, min_surface_height
-from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, Resources, drawn_map
+from seafoam.effects.effect import Bound, Contribution, PassSpec, QualityParameter, Resources, drawn_map, part_effect
 from seafoam.effects.light.atmosphere import lamp
 from seafoam.effects.shader import SlotFile
 from seafoam.effects.waves.ripples import ripple_phases
@@ -18,7 +18,7 @@ from seafoam.ocean.arrays import Floats
 from seafoam.ocean.constants import WATER_INDEX
 from seafoam.ocean.waves.ripples import Ripple, ripple_cascades, tiles
 from seafoam.quality import Quality
-from seafoam.scene.light import Light
+from seafoam.scene.light import Caustics, Light
 from seafoam.scene.models import Scene
 from seafoam.scene.water import Ripples
 from seafoam.sums import summed
@@ -148,14 +148,12 @@ def _smoothing(shifts: list[tuple[float, float]]) -> _Smoothing:
     return _Smoothing(-places[0], len(places), *axes)
 
 
-def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the light has caustics and there are ripples over a level floor."""
-    light, water = scene.light, scene.water
-    if light is None or light.caustics is None or scene.shore is not None:
+def _draw(scene: Scene, light: Light, caustics: Caustics, quality: Quality) -> Contribution | None:
+    """Of ripples over a level floor."""
+    water = scene.water
+    if water.depth is None or water.ripples is None or scene.shore is not None:
         return None
-    if water.depth is None or water.ripples is None:
-        return None
-    tile = _Tile(light, water.ripples, water.depth, light.caustics.dispersion, tiles(True)[0])
+    tile = _Tile(light, water.ripples, water.depth, caustics.dispersion, tiles(True)[0])
     photons = quality.caustics == "photons" or tile.spread > MAX_SPREAD
     rays = quality.caustics_photons if photons else quality.caustics_cells
     texels = quality.caustics_size
@@ -288,10 +286,10 @@ def _map_pass(shader: str, lights: Mapping[str, str], weights: dict[str, Uniform
     return PassSpec("caustics: map", "caustic_map", (shader,), target="caustics", read=lights, uniforms=weights)
 
 
-EFFECT = Effect(
+EFFECT = part_effect(
     "caustics",
-    contribute,
-    fields=("/light/caustics",),
+    _draw,
+    "/light/caustics",
     afloat=("u_caustic_place",),
     parameters=(
         QualityParameter("/caustics", "caustics", ("grid", "photons"), "geometry"),
