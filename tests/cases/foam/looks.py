@@ -133,9 +133,7 @@ _HARD = (
         ),
         guard="base of the power at least 1/256, below that linear to 0 (foam/shading.glsl@cover)",
         camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
-        without={
-            "foam/shading.glsl": {"vec2(max(left, 1.0 / 256.0), smoothstep(0.0, 1.0 / 256.0, left))": "vec2(left, 1.0)"}
-        },
+        without={"foam/shading.glsl": {"(max(left, 1.0 / 256.0), smoothstep(0.0, 1.0 / 256.0, left))": "(left, 1.0)"}},
         missed_by=guards("foam", "functions_are_guarded[covers next to whole]"),
     ),
     HardCase(
