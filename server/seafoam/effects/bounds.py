@@ -55,7 +55,6 @@ def _amplitude(scene: Scene) -> float:
 
 
 def greatest_saturation(foam: Foam, scene: Scene) -> float:
-    """Return the greatest saturation of all sources combined."""
     limits = saturation_limits(scene)
     if foam.combine == "max":
         return max(limits)

@@ -278,7 +278,6 @@ class AssemblyError(RuntimeError):
 
 
 def _united(*mappings: Mapping[str, T]) -> dict[str, T]:
-    """Return the entries of all mappings. Raises :class:`AssemblyError` if two have a key with different values."""
     result: dict[str, T] = {}
     for mapping in mappings:
         repeated = {key for key in result.keys() & mapping.keys() if result[key] != mapping[key]}

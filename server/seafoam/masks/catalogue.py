@@ -149,7 +149,6 @@ class Mask:
 
     @property
     def quantile(self) -> tuple[float, ...]:
-        """Its quantile table for magnification."""
         return self.tables.quantile.entries
 
     @cached_property

@@ -172,7 +172,6 @@ class Frame:
         return fullscreen(name, program, target, inputs).model_copy(update={"eye": eye, "state": state})
 
     def effect_programs(self) -> dict[str, Program]:
-        """Return the programs of all passes that effects add."""
         programs: dict[str, Program] = {}
         for spec in self.collection.passes:
             programs[spec.program] = self.program(spec.fragment, spec.vertex, over=True if spec.under else None)
@@ -181,7 +180,6 @@ class Frame:
         return programs
 
     def effect_passes(self, stage: str) -> list[Pass]:
-        """Return the passes that effects add in a stage."""
         return [drawn for spec in self.collection.passes if spec.stage == stage for drawn in self.passes_of(spec)]
 
     @property
@@ -210,12 +208,10 @@ class Frame:
 
 
 def underwater(program: str) -> str:
-    """Return the name of the program that replaces another for a camera under the water."""
     return f"{program}, underwater"
 
 
 def fullscreen(name: str, program: str, target: str, inputs: Mapping[str, Input]) -> Pass:
-    """Return a pass over the whole target."""
     return Pass(name=name, when="frame", program=program, target=target, mesh=Fullscreen(), inputs=dict(inputs))
 
 
@@ -243,7 +239,6 @@ def from_under(drawn: Pass, level: bool) -> list[Pass]:
 
 
 def find(intersection: str) -> SlotFile:
-    """Return the file that intersects rays with the surface."""
     return SlotFile("find", intersection, needs=(MARCH_AHEAD,) if intersection == MARCHED else ())
 
 

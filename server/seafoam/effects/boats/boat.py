@@ -53,7 +53,6 @@ def _draw(scene: Scene, boats: tuple[Boat, ...], quality: Quality) -> Contributi
 
 
 def shade_files(scene: Scene) -> tuple[Piece | SlotRef, ...]:
-    """Files that shade a boat, in a program without water."""
     if scene.light is None:
         return SlotRef("sky"), _MET, "boats/drawn.glsl@meet_dark", "boats/drawn.glsl@dark"
     return SlotRef("sky"), SlotRef("open sun"), *LIGHT
@@ -85,7 +84,6 @@ def _courses(boats: tuple[Boat, ...]) -> Uniform:
 
 
 def _direction(angle: float) -> tuple[float, float]:
-    """Cosine and sine of an angle, rad."""
     return significant(math.cos(angle)), significant(math.sin(angle))
 
 
@@ -98,7 +96,6 @@ def _pose(scene: Scene) -> Resources:
 
 
 def _picture_pass(scene: Scene) -> PassSpec:
-    """The boats, traced per sample and blended over water, land and sky."""
     no_land = constant_function("bool", "boat_behind_land", "vec3 ray, float farthest", "false")
     common: tuple[Piece | SlotRef, ...] = (
         *(*COMMON, PLACE, SlotRef("waves"), SlotRef("find"), *TRACE),

@@ -62,7 +62,6 @@ BOATS = WakeKind("wake", "wakes", "wakes", "no boat moves, or none makes waves",
 
 
 def wakes_of(kind: WakeKind, patterns: Sequence[Wake], quality: Quality) -> Contribution:
-    """The waves of at least one wake."""
     mapped = quality.wake == "map"
     height = joint_height(patterns)
     map_error = significant(summed(wake.map_error(wake.length / quality.wake_size) for wake in patterns))
@@ -110,7 +109,6 @@ def _form_uniforms(patterns: Sequence[Wake]) -> dict[str, Uniform]:
 
 
 def _map(kind: WakeKind, count: int, size: int) -> Resources:
-    """The wakes' map, ``size`` texels long and half as wide per wake, and its bounds."""
     name, form = kind.name, kind.file("boats/wake.glsl@form")
     blocks = FixedSize(width=size // BLOCK, height=size // 2 // BLOCK * count)
     of_map = ("lib/numbers.glsl", form, _PATTERN, kind.file("boats/wake.glsl@map_pass"))

@@ -44,7 +44,6 @@ _FLOW_MAP = ("lib/texels.glsl@bilinear", "foam/drift.glsl@flow_map")
 
 
 def draw(scene: Scene, foam: Foam, source: DriftSaturation, quality: Quality) -> effect.Contribution:
-    """Foam of a saturation with source ``drift``."""
     if scene.drift is None:
         return effect.Contribution.invisible("the scene has no drift")
     amount = f"{foam.pointer(source)}/amount"
@@ -150,7 +149,6 @@ class _Advection:
         return {**targets, "drift_way": way, "drift_still": parts, "drift_older": parts}
 
     def passes(self) -> tuple[effect.PassSpec, ...]:
-        """The passes that draw the map, in order."""
         files, means = (
             (*_NUMBERS, "foam/drift.glsl@flow", "foam/drift_passes.glsl@flow"),
             ("foam/drift_passes.glsl@coarse",),

@@ -27,8 +27,6 @@ _SEED = 64 * 91
 
 @dataclass(frozen=True)
 class _Constants:
-    """Constants of the published text or of its listing."""
-
     delta: float
     """Phase offset, rad."""
     turn: float
@@ -41,7 +39,6 @@ _CONSTANTS = {"text": _Constants(math.pi / 2.0, 2.0 * math.pi, 1.0), "listing": 
 
 
 def draw(scene: Scene, foam: Foam, front: FrontSaturation, quality: Quality) -> Contribution:
-    """Foam of a saturation with source ``front``."""
     if not scene.waves:
         return Contribution.invisible("no wave, so no front")
     out_of_reach = "the group's threshold is above the greatest possible sum of the waves"

@@ -149,7 +149,6 @@ def _turned(foam: Foam) -> tuple[float, float]:
 
 
 def _cells(scene: Scene, foam: Foam) -> bool:
-    """Whether the mask is rotated in each cell of a lattice."""
     return foam.look != "textured" and foam.cells and foam_life(scene) is None
 
 
@@ -170,7 +169,6 @@ def _mask_place(scene: Scene, foam: Foam, mask: Mask) -> _Part:
 
 
 def _cell_uniforms(foam: Foam) -> dict[str, Uniform]:
-    """The camera's place on the lattice of cells: whole cells and the fraction separately."""
     c, s = _turned(foam)
     # From tiles to steps along two sides of the lattice's triangles.
     first = (c + s / math.sqrt(3.0), s - c / math.sqrt(3.0))
@@ -191,7 +189,6 @@ def _exact_mask(foam: Foam, quality: Quality) -> _Part:
 
 
 def _filtered_mask(scene: Scene, foam: Foam, masks: list[tuple[str, Mask]], quality: Quality) -> _Part:
-    """The thresholds under a footprint, from the atlas of all masks."""
     octaves = min(foam.octaves, quality.foam_octaves)
     tables: MaskTable = "ramps" if octaves > 1 else "quantiles"
     mask = masks[0][1]
@@ -220,7 +217,6 @@ def _textured(foam: Foam) -> bool:
 
 
 def _texture(foam: Foam, quality: Quality) -> _Part:
-    """The foam texture, laid once or twice at two scales."""
     file, uniforms = "foam/mask.glsl@texture", _texture_place("", foam.texture_tile)
     if foam.texture_second is not None:
         file, uniforms = "foam/mask.glsl@texture_pair", uniforms | _texture_place("_second", foam.texture_second)
@@ -272,7 +268,6 @@ def _why(scene: Scene, foam: Foam, quality: Quality) -> str:
 
 
 def _bound(foam: Foam, scene: Scene) -> Bound | None:
-    """Upper bound of foam's change to a pixel: its amount, as white over black."""
     most = greatest_saturation(foam, scene)
     fields = saturation_fields(scene)
     if most == 0.0:

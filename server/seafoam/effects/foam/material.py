@@ -54,7 +54,6 @@ def _scattering(scene: Scene, foam: Foam, layer: FoamScattering, quality: Qualit
 
 
 def _aeration(scene: Scene, water: Water, aeration: float, quality: Quality) -> Contribution | None:
-    """Under foam and light."""
     foam = scene.foam
     if foam is None or scene.light is None:
         return None
@@ -77,7 +76,6 @@ def _aeration(scene: Scene, water: Water, aeration: float, quality: Quality) -> 
 
 
 def _bound(foam: Foam, scene: Scene, why: str) -> Bound:
-    """Bound of what changes foam and the water under it."""
     covered = greatest_saturation(foam, scene) > 0.0
     return Bound(body_limit(scene) + foam_limit(foam, scene) if covered else 0.0, why, saturation_fields(scene))
 

@@ -53,7 +53,6 @@ def visible_heights(scene: Scene) -> tuple[float, float, list[tuple[float, float
 
 
 def draw_height(scene: Scene, foam: Foam, height: HeightSaturation, quality: Quality) -> Contribution:
-    """Foam of a saturation with source ``height``."""
     pointer = foam.pointer(height)
     file = "foam/saturation/height.glsl@filtered" if foam.look == "filtered" else "foam/saturation/height.glsl@plain"
     consts: dict[str, Const] = {}
@@ -94,7 +93,6 @@ def height_limit(height: HeightSaturation, scene: Scene) -> float:
 
 
 def draw_slope(scene: Scene, foam: Foam, slope: SlopeSaturation, quality: Quality) -> Contribution:
-    """Foam of a saturation with source ``slope``."""
     # Without slope filtering a wider footprint has no effect.
     blurred = _WIDENED if quality.slope_places == 1 and quality.surface.filter else "foam/saturation/slope.glsl@blurred"
     file = blurred if slope.blur > 0.0 else "foam/saturation/slope.glsl@plain"
@@ -123,7 +121,6 @@ def slope_limit(slope: SlopeSaturation, scene: Scene) -> float:
 
 
 def draw_surf(scene: Scene, foam: Foam, surf: SurfSaturation, quality: Quality) -> Contribution:
-    """Foam of a saturation with source ``surf``."""
     pointer = foam.pointer(surf)
     if scene.shore is None:
         return Contribution.invisible("there is no shore to break on")

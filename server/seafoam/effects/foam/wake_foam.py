@@ -22,7 +22,6 @@ _STILL = "no boat moves, and no stone stands in a current"
 
 
 def draw(scene: Scene, foam: Foam, wake: WakeSaturation, quality: Quality) -> Contribution:
-    """Foam of a saturation with source ``wake``."""
     if wake_limit(wake, scene) == 0.0:
         return Contribution.invisible(_STILL)
     filtered = foam.look == "filtered"

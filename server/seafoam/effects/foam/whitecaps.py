@@ -28,7 +28,6 @@ _TIMES = {
 
 
 def draw(scene: Scene, foam: Foam, source: WhitecapSaturation, quality: Quality) -> Contribution:
-    """Foam of a saturation with source ``whitecap``."""
     raised = waves.drawn_tiles(scene, quality)[:RAISED]
     if scene.sea is None or not raised:
         return Contribution.invisible("no sea whose waves could break")
@@ -152,7 +151,6 @@ def _time_uniforms(
 
 
 def fold_limit(source: WhitecapSaturation, scene: Scene) -> float:
-    """Return the greatest fold saturation: 0 without wind."""
     return 1.0 if scene.sea is not None and scene.sea.wind_speed > 0.0 else 0.0
 
 

@@ -37,7 +37,6 @@ def glow_source(lamp: str) -> Source:
 
 
 def glow_uniforms(lamp: str, toward: Direction, glow: skylight.Glow) -> dict[str, Uniform]:
-    """Return the uniforms of :func:`glow_source`."""
     level = math.hypot(toward[0], toward[2])
     azimuth = (toward[0] / level, toward[2] / level) if level > 0.0 else (1.0, 0.0)
     series = {
@@ -71,7 +70,6 @@ def _view_air_mass(y: Floats | float) -> Floats | float:
 
 
 def _rgb(values: Floats) -> Floats:
-    """Colours (3,) as plans have them."""
     return read_only(np.array(rounded(values)))
 
 

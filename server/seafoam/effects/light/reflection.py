@@ -43,7 +43,6 @@ _NO_GUESS = constant_function("float", "mirror_guess", "vec3 place, vec3 r", "-1
 
 
 def lit_land(shore: Shore) -> tuple[str, ...]:
-    """Files that light the land along any ray."""
     look = (*soil_files(shore), LAND_LIGHT[shore.detail > 0.0])
     return (*ILLUMINATION, "lib/refraction.glsl", *look, "reflection/mirror.glsl@land")
 

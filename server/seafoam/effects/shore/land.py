@@ -36,7 +36,6 @@ def soil_files(shore: Shore) -> tuple[str, ...]:
 
 
 def wet_files(shore: Shore) -> tuple[str, ...]:
-    """Files of the wetness that the swash leaves on land."""
     swash = shore.detail > 0.0 and shore.surf.height > 0.0
     return ("shore/soil.glsl@wet",) if swash else ("shore/soil.glsl@wet_still",)
 
@@ -65,7 +64,6 @@ def soil_uniforms(shore: Shore) -> dict[str, Uniform]:
 
 
 def throws(scene: Scene) -> bool:
-    """Whether the land's shadows are drawn."""
     return scene.shore is not None and scene.shore.shadows and scene.light is not None and _lit(scene.light)
 
 

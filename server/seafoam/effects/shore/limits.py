@@ -120,7 +120,6 @@ def _wave_fields(shore: Shore, floor: Floats, map_texels: int) -> _WaveFields:
 
 
 def _phase_gradient(shore: Shore, distance: Floats, map_texels: int) -> Floats:
-    """Gradient of the waves' phase, (texels, texels, 2) periods/m."""
     texel, surf = shore.size / map_texels, shore.surf
     if surf.refraction:
         return 1.05 * _gradient(travel_grid(shore, map_texels)[..., 0], texel)

@@ -196,7 +196,6 @@ def _earlier_water(
 
 
 def _earlier(scene: Scene) -> tuple[list[Piece | SlotRef], Resources]:
-    """Files of the single waves and rings of an earlier time, and their uniforms."""
     raised = _raised(scene)
     files: list[Piece | SlotRef] = [*(earlier_wave_files(scene) if raised else ("spray/births.glsl@fronts_none",))]
     files += ["waves/rings.glsl@ring", "spray/births.glsl@rings_then"] if scene.rings else [_NO_RINGS]

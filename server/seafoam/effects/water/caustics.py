@@ -257,7 +257,6 @@ def _grid(
 
 
 def _targets(lights: Iterable[str], light_size: int, texels: int) -> dict[str, Target]:
-    """The targets in which light is added up, and the map."""
     light = Target(size=FixedSize.square(light_size), format="RGBA16F")
     finished = Target(size=FixedSize.square(texels), format="RGBA16F", filter="linear_mipmap_linear", wrap="repeat")
     return {**dict.fromkeys(lights, light), "caustics": finished}

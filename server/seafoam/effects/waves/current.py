@@ -79,7 +79,6 @@ def _standing(scene: Scene, current: Current, stones: tuple[Stone, ...], quality
 
 
 def places(current: Current) -> Resources:
-    """Uniforms of the stones' places."""
     stones = current.stones
     courses: list[Rule] = []
     for stone in stones:

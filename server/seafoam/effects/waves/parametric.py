@@ -89,7 +89,6 @@ def front_files(scene: Scene) -> tuple[Piece, ...]:
 
 
 def group_bounds(scene: Scene) -> GroupBounds:
-    """Upper bounds of the factor."""
     groups = scene.wave_groups
     if groups is None or not in_groups(scene):
         return GroupBounds()

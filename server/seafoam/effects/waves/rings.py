@@ -73,7 +73,6 @@ class _Square:
 
 
 def _square_around(shown: Sequence[Train]) -> _Square:
-    """The square that all rings stay in."""
     low, high = (
         tuple(pick(t.ring.place[i] + sign * t.reach for t in shown) for i in (0, 1))
         for pick, sign in ((min, -1.0), (max, 1.0))

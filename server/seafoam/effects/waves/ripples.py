@@ -71,7 +71,6 @@ def _draw(scene: Scene, water: Water, ripples: Ripples, quality: Quality) -> Con
 
 
 def _slopes(file: str, ripples: Ripples) -> Resources:
-    """The slot file of the slopes, with gusts if the wind has any."""
     gusts = ripples.gusts
     if gusts is None or gusts.strength == 0.0:
         return Resources(slots=(SlotFile("detail", file, prefix="ripples", needs=("waves/ripples.glsl@bands",)),))

@@ -45,7 +45,6 @@ class Ripple:
 
 
 def tiles(repeats: bool) -> tuple[float, float]:
-    """Sides of the two tiles, m."""
     return REPEATING_TILES if repeats else TILES
 
 
