@@ -5,8 +5,8 @@ Effects describe what a plan needs. They draw nothing, and import neither the pl
 
 from seafoam.effects.boats import boat, wake
 from seafoam.effects.effect import Effect
-from seafoam.effects.foam import drift, front, look, material, sources, wake_foam, whitecaps
-from seafoam.effects.light import clouds, glare, glitter, light, night, reflection, sparkles
+from seafoam.effects.foam import drift, front, look, material, sources, whitecaps
+from seafoam.effects.light import clouds, glare, glitter, light, night, reflection
 from seafoam.effects.registry import declare, load, outside, register, unregister
 from seafoam.effects.shore import land, shore
 from seafoam.effects.spray import spray
@@ -32,8 +32,8 @@ EFFECTS: tuple[Effect, ...] = (
     night.MOON,
     night.STARS,
     glare.EFFECT,
-    glitter.EFFECT,
-    sparkles.EFFECT,
+    glitter.GLITTER,
+    glitter.SPARKLES,
     water.EFFECT,
     water.FLOOR,
     caustics.EFFECT,
@@ -47,7 +47,7 @@ EFFECTS: tuple[Effect, ...] = (
     material.AERATION,
     material.RELIEF,
     material.SCATTERING,
-    wake_foam.EFFECT,
+    sources.WAKE,
     boat.EFFECT,
     spray.EFFECT,
     boat.SHADOWS,

@@ -8,13 +8,13 @@ import pytest
 from numpy.typing import NDArray
 from scipy.ndimage import label
 
+from seafoam.effects.water.water import bed_sun
 from seafoam.ocean.arrays import smoothstep
 from seafoam.ocean.basics.dispersion import wavenumber
-from seafoam.ocean.basics.refraction import refracted_cosine
 from seafoam.ocean.basics.spectrum import frequency_spectrum, peak_frequency
 from seafoam.ocean.coast.rocks import rocks
 from seafoam.ocean.coast.seabed import floor_grid
-from seafoam.ocean.constants import GRAVITY
+from seafoam.ocean.constants import GRAVITY, WATER_INDEX
 from seafoam.ocean.foam.spray import (
     CELLS,
     SEA_TEXELS,
@@ -35,6 +35,7 @@ from seafoam.ocean.waves.wakes import wakes
 from seafoam.reference.waves.parametric import group_factor
 from seafoam.scene.boats import Boat
 from seafoam.scene.foam import WhitecapSaturation
+from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore
 from seafoam.scene.spray import Spray
@@ -117,11 +118,10 @@ def test_stokes_drift_is_that_of_a_sine() -> None:
     assert z == pytest.approx(0.0, abs=1e-12)
 
 
-def test_refraction_obeys_snell() -> None:
-    assert refracted_cosine(1.0) == 1.0
-    for angle in (0.2, 0.8, 1.4):
-        inside = math.acos(refracted_cosine(math.cos(angle), 1.5))
-        assert math.sin(angle) == pytest.approx(1.5 * math.sin(inside), rel=1e-12)
+def test_refraction_of_the_sun_obeys_snell() -> None:
+    for elevation in (0.1, 0.8, 1.5):
+        (rule,) = bed_sun(Light(sun_elevation=elevation))["u_bed_sun"].rules
+        assert math.cos(elevation) == pytest.approx(WATER_INDEX * math.sin(math.acos(rule.value[0])), rel=1e-6)
 
 
 def test_the_seabed_ends_at_its_depth_and_steps_without_a_kink() -> None:

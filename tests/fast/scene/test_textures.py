@@ -24,12 +24,10 @@ from seafoam.scene.waves import Sea
 from seafoam.textures.foam import FoamTexture
 from seafoam.textures.front import FrontIntegral
 from seafoam.textures.masks import MaskTexture
-from seafoam.textures.parts import lower_part, upper_part
 from seafoam.textures.sea import FftTwiddles, SeaSpectrum
-from seafoam.textures.shore import ShoreFloor, ShoreProfiles
+from seafoam.textures.shore import ShoreFloor, ShoreProfiles, SprayRocks
 from seafoam.textures.spec import _JSON, _PATH, TextureSpec, UnknownTextureError
-from seafoam.textures.spray import SprayRocks
-from seafoam.textures.store import spec_of, texture, url_of
+from seafoam.textures.store import lower_part, spec_of, texture, upper_part, url_of
 
 PATH = re.compile(r"^/api/textures/[A-Za-z0-9\-._~!$&'()*+,;=:@/]+$")
 """Characters of a path that need no escapes (RFC 3986)."""
@@ -103,7 +101,7 @@ def test_an_address_is_read_back_as_the_texture_it_was_written_from(spec: Textur
 def test_another_process_makes_the_same_bytes() -> None:
     plan = make_plan(load_preset("spray-on-rocks").scene, TIERS["fast"])
     urls = [one.url for one in plan.textures.values()]
-    program = "import sys; from seafoam.textures.store import spec_of, texture\n"
+    program = "import sys; from seafoam.textures.store import spec_of, texture\n", lower_part, upper_part
     program += "for url in sys.argv[1:]: print(texture(spec_of(url)).sha256)"
     answer = subprocess.run([sys.executable, "-c", program, *urls], capture_output=True, text=True, check=True)
     assert answer.stdout.split() == [one.sha256 for one in plan.textures.values()]

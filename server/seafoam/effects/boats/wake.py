@@ -5,9 +5,9 @@ from dataclasses import dataclass
 from typing import TypeVar
 
 from seafoam.effects.boats.boat import COURSE
+from seafoam.effects.bounds import BLOCK
 from seafoam.effects.effect import Bound, Contribution, PassSpec, QualityParameter, Resources, drawn_map, part_effect
 from seafoam.effects.shader import Inline, Piece, SlotFile, Source
-from seafoam.effects.waves.measured import BLOCK
 from seafoam.framegraph.resources import FixedSize, Target, target_inputs
 from seafoam.framegraph.rules import Uniform, constants, number, rounded, significant
 from seafoam.ocean.waves.wakes import NEAR, Wake, joint_height, joint_slope, wakes

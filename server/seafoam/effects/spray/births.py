@@ -27,7 +27,7 @@ from seafoam.scene.shore import Shore
 from seafoam.scene.spray import Spray
 from seafoam.scene.waves import ParametricWave, Sea
 from seafoam.sums import summed
-from seafoam.textures.spray import SprayRocks
+from seafoam.textures.shore import SprayRocks
 
 DELAY = 1.5
 """Longest time between the arrival of a crest and the start of a drop, s."""

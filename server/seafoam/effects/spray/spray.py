@@ -14,7 +14,7 @@ from seafoam.framegraph.rules import Viewport, array, number, rounded, significa
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.spray import DROPS, Spray
-from seafoam.textures.spray import STRANDS, SprayStrands
+from seafoam.textures.foam import STRANDS, SprayStrands
 
 COLUMNS = 128
 """Drops in a row of their table."""

@@ -10,7 +10,7 @@ from seafoam.effects.effect import Bound, Contribution, part_effect
 from seafoam.effects.light.atmosphere import lamp_angles
 from seafoam.effects.shader import VALUE_NOISE, SlotFile
 from seafoam.framegraph.rules import Uniform, array, in_tile, number, significant, vector
-from seafoam.ocean.basics.refraction import refracted_cosine
+from seafoam.ocean.constants import WATER_INDEX
 from seafoam.ocean.waves.cascades import cascades, slope_heading
 from seafoam.quality import Quality
 from seafoam.scene.light import Light
@@ -100,9 +100,9 @@ def _floor_slots(water: Water, refracted: bool) -> tuple[SlotFile, ...]:
 
 
 def bed_sun(light: Light) -> dict[str, Uniform]:
-    """Cosine between the refracted sunlight and the vertical."""
+    """Cosine between the refracted sunlight and the vertical, by Snell's law."""
     height = math.sin(lamp_angles(light)[1])
-    return {"u_bed_sun": number(significant(refracted_cosine(height)))}
+    return {"u_bed_sun": number(significant(math.sqrt(1.0 - (1.0 - height * height) / WATER_INDEX**2)))}
 
 
 def _crest_light(scene: Scene, light: Light, quality: Quality) -> Contribution:

@@ -8,9 +8,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from seafoam.effects import effect
-from seafoam.effects.bounds import waves_bound
+from seafoam.effects.bounds import measured_bounds, waves_bound
 from seafoam.effects.shader import Const, SlotFile
-from seafoam.effects.waves.measured import measured_bounds
 from seafoam.framegraph import rules
 from seafoam.framegraph.resources import FixedSize, Target, target_inputs
 from seafoam.framegraph.rules import Clamp, Constant, Rule, Term, Uniform, array, constants, number, significant

@@ -8,10 +8,9 @@ from itertools import cycle, islice
 from typing import Literal
 
 from seafoam.effects import effect
-from seafoam.effects.bounds import max_surface_height, min_surface_height, waves_bound
+from seafoam.effects.bounds import max_surface_height, measured_bounds, min_surface_height, waves_bound
 from seafoam.effects.effect import Contribution, PassSpec, QualityParameter, Resources, TextureUse, drawn_map
 from seafoam.effects.shader import Const, Inline, Piece, SlotFile
-from seafoam.effects.waves.measured import measured_bounds
 from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, TextureInput, target_inputs
 from seafoam.framegraph.rules import Loop, Phase, Uniform, array, constants, in_tile, number, significant, vector
 from seafoam.ocean.waves.cascades import BAND, LEAST_JACOBIAN, LOOP, RAISED, Cascade, cascades
