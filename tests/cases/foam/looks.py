@@ -269,11 +269,9 @@ _INVISIBLE_AERATION = (
     ),
 )
 
-_HARD_AERATION = ()
-
 CASES = {
     "foam look": Cases(invisible=_INVISIBLE, hard=_HARD),
     "foam relief": Cases(invisible=_INVISIBLE_RELIEF, hard=_HARD_RELIEF),
     "foam scattering": Cases(invisible=_INVISIBLE_SCATTERING, hard=_HARD_SCATTERING, variants=_VARIANTS_SCATTERING),
-    "milky water": Cases(invisible=_INVISIBLE_AERATION, hard=_HARD_AERATION),
+    "milky water": Cases(invisible=_INVISIBLE_AERATION),
 }

@@ -302,13 +302,6 @@ _HARD_LIVING = (
         without=IN_FLOAT32,
     ),
     HardCase(
-        "foam of any age, ten thousand kilometres away",
-        Scene(waves=(ParametricWave(amplitude=0.2, wavelength=6.0),), foam=_FOAM_LIVING),
-        guard="camera position in the windrows' noise reduced in float64 (effects/foam/look.py)",
-        camera=Camera(position=(9.99e6, 1.4, -9.99e6), yaw=1.0, pitch=-0.3),
-        without=IN_FLOAT32,
-    ),
-    HardCase(
         "foam next to none and next to whole, of all ages",
         Scene(
             waves=(ParametricWave(amplitude=1.0, wavelength=6.0, exponent=2.0),),

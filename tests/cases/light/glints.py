@@ -88,14 +88,6 @@ _HARD_SPARKLES = (
         without=IN_FLOAT32,
     ),
     HardCase(
-        "one sparkle for the whole sun",
-        Scene(light=_light(sparkles=Sparkles(size=2e-4, rate=0.3, life=0.3, share=1.0), exposure=10.0), water=_WATER),
-        guard="light is at most 65504 (surface/main.glsl@main)",
-        times=(0.0, 0.13),
-        camera=_VIEW.model_copy(update={"fov": 0.02}),
-        without=BRIGHTEST,
-    ),
-    HardCase(
         "sparkles so many that they run together",
         Scene(light=_light(sparkles=Sparkles(size=0.02, rate=10000.0, life=10.0)), water=_WATER),
         guard="where nearly every cell contains a sparkle, the glint is smooth (light/glitter.glsl@sparkles)",
@@ -135,8 +127,6 @@ _VARIANTS = tuple(
 )
 """In place of either glint."""
 
-_HARD_GLARE = ()
-
 _INVISIBLE_SUBSURFACE = (
     Scene(),
     Scene(waves=(ParametricWave(),), water=Water(translucency=0.0)),
@@ -158,7 +148,6 @@ CASES = {
     "sun glitter": Cases(invisible=_INVISIBLE_GLITTER, hard=_HARD_GLITTER),
     "sparkles": Cases(invisible=_INVISIBLE_SPARKLES, hard=_HARD_SPARKLES, variants=_VARIANTS),
     "glare": Cases(
-        hard=_HARD_GLARE,
         always_visible="any share that is not 0 spreads some light",
         variants=(Scene(light=Light(glare=0.1)), Scene(light=Light(tone="photographic"))),
     ),

@@ -3,7 +3,7 @@
 import math
 
 from support.cases import Bounds, Cases, HardCase
-from support.hard.mutations import PLACE, TIME, TIME_AND_PLACE, guards
+from support.hard.mutations import TIME, TIME_AND_PLACE, guards
 from support.scenes import (
     Camera,
     Foam,
@@ -56,14 +56,6 @@ _HARD_PARAMETRIC = (
         times=(-1e9, 0.0, 1e9, 1e9 + 1e-6),
         camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
         without=TIME,
-    ),
-    HardCase(
-        "ten thousand kilometres from the origin",
-        Scene(waves=(ParametricWave(amplitude=0.005, wavelength=0.05), ParametricWave()), foam=Foam(look="halftone")),
-        guard="positions are relative to the camera, whose own position is reduced in float64 "
-        "(framegraph/evaluation.py)",
-        camera=Camera(position=(1e7, 3.0, -1e7), pitch=-math.pi / 2),
-        without=PLACE,
     ),
     HardCase(
         "opposite waves that cancel",
@@ -249,13 +241,6 @@ _HARD_SEA = (
                 "(_modulo(state.time + rule.offset, rule.period),)": "(state.time + rule.offset,)"
             }
         },
-    ),
-    HardCase(
-        "the open sea ten thousand kilometres away",
-        Scene(sea=Sea(wind=8.0, model="gerstner")),
-        guard="the camera's position in each tile is reduced in float64 (framegraph/evaluation.py)",
-        camera=Camera(position=(-1e7, 9.0, 1e7), yaw=1.0, pitch=-0.3),
-        without=PLACE,
     ),
     HardCase(
         "a hurricane that has blown over a hundred metres",
