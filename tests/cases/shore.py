@@ -1,7 +1,5 @@
 """Test scenes of shores and shadows of land: hard cases, and scenes that name them but in which they are invisible."""
 
-import math
-
 from support.cases import Cases, HardCase
 from support.hard.mutations import IN_FLOAT32, guards, reference
 from support.scenes import Camera, Foam, Light, Ripples, Scene, Shore, Surf, SurfSaturation, Water
@@ -94,19 +92,6 @@ _HARD_SHORE = (
         missed_by=guards("ground", "functions_are_guarded[way through ripples that face the eye]"),
     ),
     HardCase(
-        "straight down on the water's edge",
-        _scene_shore(),
-        guard="horizontal part of the ray at least 1e-9 (shore/march.glsl@march)",
-        camera=Camera(position=(-1.0, 30.0, 0.0), pitch=-math.pi / 2, fov=0.5),
-        without={
-            "shore/ground.glsl": {
-                "abs(way.x) < 1e-9 ? 1e-9 : way.x": "way.x",
-                "abs(way.y) < 1e-9 ? 1e-9 : way.y": "way.y",
-            }
-        },
-        missed_by=guards("ground", "functions_are_guarded[span along the square's edge]"),
-    ),
-    HardCase(
         "a shore ten thousand kilometres away, after thirty years",
         _scene_shore(place=(-9999900.0, 9999900.0)),
         guard="position and time reduced in float64 (framegraph/evaluation.py)",
@@ -141,21 +126,6 @@ _HARD_SHORE = (
             }
         },
         missed_by=guards("ground", "functions_are_guarded[span from inside]"),
-    ),
-    HardCase(
-        "eye under water",
-        _scene_shore(),
-        guard="a search interval with its end before its start has no intersection (shore/land.glsl@find_land)",
-        camera=Camera(position=(-30.0, -1.0, 0.0), yaw=1.4, pitch=0.1),
-        apart="the reference looks for the surface from below, the march takes the eye's own place",
-        without={
-            "shore/land.glsl": {
-                "if (enter >= leave)": "if (false)",
-                "tau < leave && gap < -fine * tau": "gap < -fine * tau",
-                "if (tau >= leave || gap >= fine * tau)": "if (gap >= fine * tau)",
-            }
-        },
-        missed_by=guards("ground", "functions_are_guarded[search that ends before it starts]"),
     ),
 )
 
@@ -206,14 +176,6 @@ _HARD_SHADOW = (
         camera=Camera(position=(-120.0, 9.0, -40.0), yaw=0.3, pitch=-0.1),
         without={"shore/sunlit.glsl": {"float way = max(enters.x, enters.y)": "float way = 0.0"}},
         missed_by=guards("ground", "shadows_of_land_end[0.05-2000.0]"),
-    ),
-    HardCase(
-        "shadow along an axis of the square",
-        _scene_shadow(0.1, 0.0),
-        guard="level part of the sun's direction along an axis at least 1e-6 (shore/sunlit.glsl@sunlit)",
-        camera=Camera(position=(-120.0, 9.0, -40.0), yaw=0.3, pitch=-0.1),
-        without={"shore/sunlit.glsl": {"max(abs(u_land_sun.xy), 1e-6)": "abs(u_land_sun.xy)"}},
-        missed_by=guards("ground", "functions_are_guarded[sun along an axis, beside the square]"),
     ),
 )
 

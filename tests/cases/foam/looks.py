@@ -50,15 +50,6 @@ _HARD = (
         missed_by=guards("foam", "foam_closes_before_its_saturation_is_whole"),
     ),
     HardCase(
-        "thresholds next to 0 and to 1",
-        Scene(
-            foam=Foam(saturation=(HeightSaturation(base=-1.52587890625e-05, full=0.9999847412109375),), look="halftone")
-        ),
-        guard="thresholds in the middle of their ranks, (rank + 1/2)/N (foam/mask.glsl@texel_u16)",
-        without={"foam/mask.glsl": {"+ 0.5) / 65536.0": ") / 65536.0"}},
-        missed_by=guards("foam", "functions_are_guarded[the lowest threshold of a mask]"),
-    ),
-    HardCase(
         "a mask at a thousandth of a texel a pixel",
         Scene(foam=Foam(saturation=(HeightSaturation(base=-0.5, full=0.5),), look="filtered", mask_tile=1000.0)),
         guard="half width of the edge at least 5e-4, in thresholds (foam/look.glsl@filtered)",
@@ -125,18 +116,6 @@ _HARD = (
         missed_by=reference("foam/slope_and_cells", "frames_with_cells_and_two_textures_equal_float64[filtered]"),
     ),
     HardCase(
-        "a mask turned in each cell, a hair below all",
-        Scene(
-            waves=(ParametricWave(amplitude=1e-3, wavelength=3.0),),
-            foam=Foam(saturation=(HeightSaturation(base=-0.9995, full=0.0005),), cells=True, mask_tile=1.5),
-            light=None,
-        ),
-        guard="base of the power at least 1/256, below that linear to 0 (foam/shading.glsl@cover)",
-        camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
-        without={"foam/shading.glsl": {"(max(left, 1.0 / 256.0), smoothstep(0.0, 1.0 / 256.0, left))": "(left, 1.0)"}},
-        missed_by=guards("foam", "functions_are_guarded[covers next to whole]"),
-    ),
-    HardCase(
         "a mask turned in each cell, its thresholds hard",
         Scene(
             foam=Foam(
@@ -173,13 +152,6 @@ _HARD = (
         # The share of foam is rounded where it is nearly 1, and the light under it is 65504.
         bounds=Bounds(mean=8.0, share=0.15),
         without={"foam/look.glsl": {"share = clamp(share, 0.0, 1.0);": ""}},
-    ),
-    HardCase(
-        "a foam texture far under a texel",
-        Scene(foam=Foam(saturation=(HeightSaturation(base=-1.0, full=1.0),), look="textured", texture_tile=1000.0)),
-        guard="footprint at least 1e-6 texels before the logarithm (foam/mask.glsl@texture)",
-        camera=Camera(position=(0.37, 1e-3, -0.21), pitch=-0.3),
-        unseen="llvmpipe's logarithm of 0, which GLSL leaves undefined, is -infinity, and the level is held at 0",
     ),
 )
 
@@ -257,8 +229,6 @@ _VARIANTS_SCATTERING = (
     Scene(foam=_foam_scattering(FoamScattering()), light=Light()),
     Scene(foam=_foam_scattering(FoamScattering()).model_copy(update={"thickness": 0.1}), light=Light()),
 )
-
-_FOAM_AERATION = Foam(saturation=(HeightSaturation(base=-0.4, full=0.6),))
 
 _INVISIBLE_AERATION = (
     Scene(waves=(ParametricWave(amplitude=0.5),), foam=Foam(), water=Water(aeration=1e-6)),

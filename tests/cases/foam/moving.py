@@ -60,38 +60,6 @@ _HARD_FRONT = (
         missed_by="tests/gpu/numerics/test_hard_cases.py::test_front_at_its_pole_and_beyond_the_schemas_c[0.25]",
     ),
     HardCase(
-        "no phase at all: waves in antiphase",
-        Scene(
-            waves=(ParametricWave(amplitude=0.0), ParametricWave(amplitude=0.0, phase=math.pi)),
-            foam=Foam(look="textured"),
-        ),
-        guard="exponent 0 where it would be 0/0 (foam/saturation/front.glsl@profile)",
-        camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
-        apart="the phase of a sum that is 0 is rounding",
-        coarse_apart="what is drawn is rounding",
-        without={
-            "foam/saturation/front.glsl": {
-                "rho > 0.0 ? signal.y / (rho - signal.x) : 0.0": "signal.y / (rho - signal.x)"
-            }
-        },
-        missed_by=guards("foam", "functions_are_guarded[a front of no phase]"),
-    ),
-    HardCase(
-        "filtered, where the phase turns endlessly fast",
-        Scene(waves=(ParametricWave(amplitude=0.0), ParametricWave(amplitude=0.0, phase=math.pi)), foam=Foam()),
-        guard="rho² at least 1e-4 in the phase's gradient, phase width at most 1e4 rad "
-        "(foam/saturation/front.glsl@filtered)",
-        apart="the phase of a sum that is 0 is rounding",
-        coarse_apart="what is drawn is rounding",
-        without={
-            "foam/saturation/front.glsl": {
-                "max(dot(signal, signal), 1e-4)": "dot(signal, signal)",
-                "clamp(width, 1e-5, 1e4)": "max(width, 1e-5)",
-            }
-        },
-        missed_by=guards("foam", "functions_are_guarded[a front whose phase turns endlessly fast]"),
-    ),
-    HardCase(
         "patches anywhere, at any time",
         Scene(
             waves=(ParametricWave(amplitude=0.3), ParametricWave(amplitude=0.3, direction=0.5)),

@@ -13,13 +13,6 @@ _INVISIBLE_GLITTER = (Scene(light=_DOWN), Scene(light=Light(sun_elevation=-math.
 
 _HARD_GLITTER = (
     HardCase(
-        "into the sun on the horizon",
-        Scene(light=Light(sun_elevation=0.0, exposure=10.0), water=Water(roughness=0.01)),
-        guard="the half vector h is divided by at least 1e-6 (light/glitter.glsl@beckmann)",
-        camera=Camera(position=(0.0, 1.0, 0.0), yaw=math.pi / 2, pitch=0.0, fov=0.01),
-        unseen="llvmpipe's max(NaN, x) is x",
-    ),
-    HardCase(
         "facets seen edge-on",
         Scene(
             waves=(ParametricWave(amplitude=2.0, wavelength=3.0, exponent=8.0),),

@@ -36,20 +36,6 @@ _HARD_PARAMETRIC = (
         missed_by=guards("waves", "functions_are_guarded[the slope of a cusp in its trough]"),
     ),
     HardCase(
-        "0^K, K 100, and kinks, K 0.5 and 0.7",
-        Scene(
-            waves=tuple(
-                ParametricWave(amplitude=0.3, wavelength=4.0 + k / 50.0, exponent=k, direction=0.06 * k)
-                for k in (0.5, 0.7, 100.0)
-            ),
-            foam=Foam(look="textured"),
-        ),
-        guard="powers are taken of |p| = sqrt(u), which is at least 1e-30; height and slope come from one power "
-        "(waves/parametric.glsl)",
-        without={"waves/parametric.glsl": {"max(q, exponent < 0.5 ? 1e-4 : 1e-30)": "q"}},
-        missed_by=guards("waves", "functions_are_guarded[a kink in its trough]"),
-    ),
-    HardCase(
         "any time, waves of 5 cm",
         Scene(waves=(ParametricWave(amplitude=0.005, wavelength=0.05), ParametricWave()), foam=Foam(look="halftone")),
         guard="phases are reduced in float64 (framegraph/evaluation.py)",
@@ -166,17 +152,6 @@ _HARD_PARAMETRIC = (
             }
         },
         missed_by=guards("waves", "functions_are_guarded[no step behind the eye]"),
-    ),
-    HardCase(
-        "eye far below the water",
-        Scene(waves=(ParametricWave(),), foam=Foam(), water=Water(ripples=Ripples())),
-        guard="the distance at which the ray leaves the slab of the waves is never negative (surface/march.glsl@march)",
-        camera=Camera(position=(0.0, -1000.0, 0.0), pitch=0.4),
-        apart="the reference looks for the surface from below, the march takes the eye's own place",
-        without={
-            "surface/march.glsl": {"max(u_eye_height - u_surface_trough, 0.0)": "(u_eye_height - u_surface_trough)"}
-        },
-        missed_by=guards("waves", "functions_are_guarded[a march from far below]"),
     ),
 )
 
