@@ -13,20 +13,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from pydantic import BaseModel, Field
 
-from seafoam.masks import prefilter
+from seafoam.masks import families, prefilter
 from seafoam.masks.construct.make import build, estimated_seconds
-from seafoam.masks.families import (
-    FAMILY_SUMMARIES,
-    FAMILY_TITLES,
-    GENERATOR,
-    LICENSE,
-    SIZES,
-    VALUE_RULE,
-    Family,
-    MaskSpec,
-    Method,
-    parse_parameters,
-)
+from seafoam.masks.families import Family, MaskSpec, Method, parse_parameters
 from seafoam.masks.formats import decode_ranks
 from seafoam.masks.judge.morphology import MaskMorphology, measure_morphology
 from seafoam.masks.judge.spectrum import MaskSpectrum, measure_spectrum
@@ -181,10 +170,11 @@ def describe(name: str, made: MaskSpec, method: Method, ranks: Ranks) -> MaskInf
     family = made.family
     lace = family == "lace"
     own = f", aspect {made.aspect:g}, age {made.age:g}" if lace else ""
+    length = "spacing" if family == "bubble" else "sigma"
     return MaskInfo(
         name=name,
-        title=f"{FAMILY_TITLES[family]}, {'spacing' if family == 'bubble' else 'sigma'} {made.sigma:g} texels{own}",
-        summary=FAMILY_SUMMARIES[family],
+        title=f"{families.FAMILY_TITLES[family]}, {length} {made.sigma:g} texels{own}",
+        summary=families.FAMILY_SUMMARIES[family],
         family=family,
         parameters=MaskParameters(
             sigma=made.sigma,
@@ -195,10 +185,10 @@ def describe(name: str, made: MaskSpec, method: Method, ranks: Ranks) -> MaskInf
             age=made.age if lace else None,
             method=method if family == "vac" else None,
         ),
-        generator=GENERATOR,
+        generator=families.GENERATOR,
         sha256=rank_sha256(ranks),
-        value_rule=VALUE_RULE,
-        license=LICENSE,
+        value_rule=families.VALUE_RULE,
+        license=families.LICENSE,
     )
 
 
@@ -250,8 +240,8 @@ def mask_by_name(name: str) -> Mask:
 
 def drawn_mask(name: str) -> Mask:
     """As :func:`mask_by_name`, of the masks that scenes can draw: square, a power of two up to 512 texels a side."""
-    if ":" in name and (asked := parse_parameters(name)).size not in map(str, SIZES):
-        sizes = ", ".join(map(str, SIZES))
+    if ":" in name and (asked := parse_parameters(name)).size not in map(str, families.SIZES):
+        sizes = ", ".join(map(str, families.SIZES))
         raise ValueError(f"size {asked.size} is not one of {sizes} texels, which a scene can draw")
     return mask_by_name(name)
 

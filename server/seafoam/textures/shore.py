@@ -55,7 +55,9 @@ class ShoreProfiles(TextureSpec):
     sharpness: float = Field(ge=0.0, le=0.15)
 
     def image(self) -> Image:
-        return Image("RG32F", (with_next_row(shore_profiles(self.nodes, self.skew, self.sharpness)).astype("<f4"),))
+        table = shore_profiles(self.nodes, self.skew, self.sharpness)
+        # For one fetch of both; the last row is repeated.
+        return Image("RG32F", (np.stack([table, np.concatenate([table[1:], table[-1:]])], axis=-1).astype("<f4"),))
 
 
 class SprayRocks(TextureSpec):
@@ -71,11 +73,6 @@ class SprayRocks(TextureSpec):
         if len(places) == 0:
             raise ValueError("shore: has no rocks as steep as that")
         return Image("RGBA32F", (places.astype("<f4")[None],))
-
-
-def with_next_row(table: NDArray[np.float32]) -> NDArray[np.float32]:
-    """(rows, nodes, 2): each entry with that of the next row, for one fetch of both; the last row is repeated."""
-    return np.stack([table, np.concatenate([table[1:], table[-1:]])], axis=-1)
 
 
 @lru_cache(maxsize=16)

@@ -75,7 +75,7 @@ def births(scene: Scene, quality: Quality, spray: Spray) -> Births | str:
 def fastest_rise(scene: Scene) -> float:
     """Upper bound of the speed at which parametric waves raise the surface, m/s: all of them at once, in one place."""
     rises = (angular_frequency(wave) * wave.amplitude * max_profile_slope(wave.exponent) for wave in scene.waves)
-    travel = math.hypot(*group_velocity(scene)) * group_bounds(scene).slope
+    travel = math.hypot(*group_velocity(scene)) * group_bounds(scene)[0]
     return summed(rises) + parametric_wave_height(scene) * travel
 
 

@@ -118,20 +118,9 @@ def _bspline(x: float) -> float:
     return (4.0 - 6.0 * a * a + 3.0 * a**3) / 6.0 if a < 1.0 else max(2.0 - a, 0.0) ** 3 / 6.0
 
 
-@dataclass(frozen=True)
-class _Smoothing:
-    """A smoothing kernel of ``taps`` half texels along each side, starting ``before`` the texel's first."""
-
-    before: int
-    taps: int
-    across: Uniform
-    """Weights of each colour along the rows."""
-    along: Uniform
-    """And along the columns."""
-
-
-def _smoothing(shifts: list[tuple[float, float]]) -> _Smoothing:
-    """B-spline smoothing, shifted for each colour by ``shifts`` half texels.
+def _smoothing(shifts: list[tuple[float, float]]) -> tuple[int, int, Uniform, Uniform]:
+    """B-spline smoothing, shifted for each colour by ``shifts`` half texels: its start, half texels before a texel's
+    first, its number of these, and each colour's weights along rows and along columns.
 
     The spline is cut off at 7/4 texels; the weights there, at most 0.26 % in all, are distributed over the others.
     """
@@ -145,7 +134,7 @@ def _smoothing(shifts: list[tuple[float, float]]) -> _Smoothing:
             weights = [_bspline(x) if abs(x) < 1.75 else 0.0 for x in distances]
             columns.append([significant(weight / summed(weights)) for weight in weights])
         axes.append(constants("vec3", zip(*columns, strict=True)))
-    return _Smoothing(-places[0], len(places), *axes)
+    return -places[0], len(places), axes[0], axes[1]
 
 
 def _draw(scene: Scene, light: Light, caustics: Caustics, quality: Quality) -> Contribution | None:
@@ -223,8 +212,8 @@ def _grid(
 
     ``shifts``: of the colours in a single grid.
     """
-    smoothing = _smoothing(shifts or 3 * [(0.0, 0.0)])
-    rim = max(RIM, smoothing.before, smoothing.taps - smoothing.before - 2)
+    before, taps, across, along = _smoothing(shifts or 3 * [(0.0, 0.0)])
+    rim = max(RIM, before, taps - before - 2)
     margin, size = tile.margin(cells), 2 * texels + 2 * rim
     passes: list[PassSpec] = []
     for name, difference in colours.items():
@@ -233,14 +222,13 @@ def _grid(
         mesh = Grid(rows=cells + 2 * margin, columns=cells + 2 * margin)
         uniforms = {**light.uniforms, "u_caustic_channels": channels}
         passes.append(replace(light, mesh=mesh, clear=not passes, uniforms=uniforms))
-    across, along = {"u_caustic_across": smoothing.across}, {"u_caustic_along": smoothing.along}
     read, files = {"u_caustic_light": "caustic_light"}, ("water/caustics.glsl@smooth_rows",)
     return Resources(
         consts={
             "CAUSTIC_CELLS": cells,
             "CAUSTIC_MARGIN": margin,
-            "CAUSTIC_BEFORE": smoothing.before,
-            "CAUSTIC_TAPS": smoothing.taps,
+            "CAUSTIC_BEFORE": before,
+            "CAUSTIC_TAPS": taps,
             "CAUSTIC_RIM": rim,
         },
         # Twice the resolution: a triangle brightens only texels whose centres it covers.
@@ -250,8 +238,10 @@ def _grid(
         },
         passes=(
             *passes,
-            PassSpec("caustics: rows", "caustic_rows", files, read, across),
-            _map_pass("water/caustics.glsl@smooth_columns", {"u_caustic_rows": "caustic_rows"}, along),
+            PassSpec("caustics: rows", "caustic_rows", files, read, {"u_caustic_across": across}),
+            _map_pass(
+                "water/caustics.glsl@smooth_columns", {"u_caustic_rows": "caustic_rows"}, {"u_caustic_along": along}
+            ),
         ),
     )
 

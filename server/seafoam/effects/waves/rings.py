@@ -5,7 +5,6 @@ docs/formulae.md, section 2.
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
 from seafoam.effects import effect
 from seafoam.effects.bounds import measured_bounds, waves_bound
@@ -62,13 +61,8 @@ def ring_uniforms(scene: Scene, name: str) -> dict[str, Uniform]:
     return {key.replace("u_ring", name): uniform for key, uniform in _ring_uniforms(_shown(scene)).items()}
 
 
-@dataclass(frozen=True)
-class _Square:
-    """A level square: its corner of least x and z, and its side, m."""
-
-    x: float
-    z: float
-    side: float
+_Square = tuple[float, float, float]
+"""A level square: its corner of least x and z, and its side, m."""
 
 
 def _square_around(shown: Sequence[Train]) -> _Square:
@@ -78,17 +72,17 @@ def _square_around(shown: Sequence[Train]) -> _Square:
     )
     # The 2 % leave a margin of a texel of still water at any size, so that clamped reads beyond the map are still.
     side = math.ceil(1.02 * max(high[0] - low[0], high[1] - low[1], 1.0))
-    return _Square(math.floor(0.5 * (low[0] + high[0] - side)), math.floor(0.5 * (low[1] + high[1] - side)), side)
+    return math.floor(0.5 * (low[0] + high[0] - side)), math.floor(0.5 * (low[1] + high[1] - side)), side
 
 
 def _draw(scene: Scene, rings: tuple[model.Ring, ...], quality: Quality) -> effect.Contribution:
     shown = _shown(scene)
     square = _square_around(shown)
-    texel = square.side / quality.rings_size
+    texel = square[2] / quality.rings_size
     summed = quality.rings == "exact" or texel * _MIN_TEXELS > min(train.length for train in shown)
     height, max_slope = ring_height(scene), ring_slope(scene)
     unseen = effect.Bound.zero_if(height == 0.0, f"no ring is higher than {model.DEAD:g} m at any time")
-    how = "summed at each sample" if summed else f"drawn into a map of {square.side:g} m in each frame"
+    how = "summed at each sample" if summed else f"drawn into a map of {square[2]:g} m in each frame"
     contribution = effect.Contribution(
         why=f"{len(shown)} ring{'s' if len(shown) > 1 else ''}, {how}",
         consts={"RING_COUNT": len(shown), "RING_BLOCK": min(len(shown), 32), **RING_CONSTS},
@@ -110,28 +104,29 @@ def _draw(scene: Scene, rings: tuple[model.Ring, ...], quality: Quality) -> effe
 
 def _map(shown: Sequence[Train], square: _Square, size: int) -> effect.Resources:
     """A map of the rings, ``size`` texels along each side of the square, and its measured bounds."""
-    texel = square.side / size
+    corner_x, corner_z, side = square
+    texel = side / size
     place = effect.Resources(
         slots=(
             SlotFile("waves", "waves/rings.glsl@map", prefix="rings"),
             SlotFile("bounds", "waves/rings.glsl@bounds", prefix="rings"),
         ),
         uniforms={
-            "u_ring_corner": array("vec2", rules.to_camera(square.x, square.z), 1),
-            "u_ring_side": number(square.side),
+            "u_ring_corner": array("vec2", rules.to_camera(corner_x, corner_z), 1),
+            "u_ring_side": number(side),
         },
         inputs=target_inputs({"u_ring_bounds": "rings_bounds"}),
     )
 
     def to_corner(x: float, z: float) -> tuple[Constant, Constant]:
-        return Constant(value=(square.x - x,)), Constant(value=(square.z - z,))
+        return Constant(value=(corner_x - x,)), Constant(value=(corner_z - z,))
 
     def drawn(target: str, file: str, texels: int, sampler: str) -> effect.Resources:
         spec = effect.PassSpec(
-            f"{target.replace('_', ', ')}, {square.side:g} m map",
+            f"{target.replace('_', ', ')}, {side:g} m map",
             target,
             ("lib/numbers.glsl", "waves/rings.glsl@ring", "waves/rings.glsl@reaching", file),
-            uniforms={**_ring_uniforms(shown, to_corner), "u_ring_texel": number(square.side / texels)},
+            uniforms={**_ring_uniforms(shown, to_corner), "u_ring_texel": number(side / texels)},
         )
         return effect.drawn_map(spec, Target(size=FixedSize.square(texels), format="RGBA16F", filter="linear"), sampler)
 
