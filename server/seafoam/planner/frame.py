@@ -67,12 +67,6 @@ def _rows_share(collection: Collection, width: int) -> float:
     return ROWS_SHARE_OF_CAUSTICS if collection.fills("caustics") else ROWS_SHARE
 
 
-def _footprint_x(collection: Collection, width: int) -> float:
-    if width == 1:
-        return 1.0
-    return FOOTPRINT_X_OF_CAUSTICS if collection.fills("caustics") else FOOTPRINT_X
-
-
 @dataclass(frozen=True)
 class Stage:
     """Passes in drawing order, and the programs, targets and uniforms that they need."""
@@ -109,6 +103,7 @@ class Frame:
         if not self.level or self.shore:
             collection = collection.joined(_starts(self.sampled, measured=collection.fills("bounds")))
         self.collection = collection
+        footprint = FOOTPRINT_X_OF_CAUSTICS if collection.fills("caustics") else FOOTPRINT_X
         self.consts: dict[str, Const] = {
             **collection.consts,
             "SURFACE_FILTER": quality.surface.filter,
@@ -121,7 +116,7 @@ class Frame:
             "ROW_SHIFT": ROW_SHIFT,
             "ROWS_SHARE": _rows_share(collection, quality.pixel_width),
             "DOTTED": is_dotted(collection.scene),
-            "FOOTPRINT_X": _footprint_x(collection, quality.pixel_width),
+            "FOOTPRINT_X": footprint if self.narrow else 1.0,
         }
         self.met = _met_files(collection.slots, self.level)
         """Files of a pass that only finds what rays meet: it has a texture more to spare than others."""

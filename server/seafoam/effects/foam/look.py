@@ -50,13 +50,6 @@ _LOOKS = {
 _NO_TEXTURE = constant_function("float", "foam_texture", "vec2 p, Footprint fp", "1.0")
 
 
-def ageing_look(look: str, life: FoamLife) -> tuple[str, tuple[Piece, ...]]:
-    """The file that replaces a look's file for foam with a history, and the files that it needs."""
-    rows: tuple[Piece, ...] = (*PERLIN_2, "foam/living.glsl@windrows") if life.row_strength > 0.0 else (_NO_WINDROWS,)
-    young = Source(look, (("foam_amount", "young_amount"),))
-    return "foam/living.glsl@living", (*rows, "foam/shading.glsl@cover", young)
-
-
 def _living(scene: Scene, foam: Foam, life: FoamLife, quality: Quality) -> Contribution | None:
     """Of the filtered look alone."""
     if foam_life(scene) is None:
@@ -95,7 +88,14 @@ def _draw(scene: Scene, foam: Foam, quality: Quality) -> Contribution:
     if masks:
         parts.append(_mask_place(scene, foam, masks[0][1]))
     if masks and foam.look != "filtered":
-        parts.append(_exact_mask(foam, quality))
+        ranks = MaskTexture(masks=(foam.mask,), table=_MASK_TABLES[quality.mask])
+        parts.append(
+            _Part(
+                needs=(_MASK_TEXELS[quality.mask], "foam/mask.glsl@exact"),
+                inputs={"u_mask_ranks": TextureInput(texture="mask_ranks")},
+                textures={"mask_ranks": TextureUse(ranks)},
+            )
+        )
     if _textured(foam):
         parts.append(_texture(foam, quality))
     elif foam.look == "filtered":
@@ -180,14 +180,6 @@ def _cell_uniforms(foam: Foam) -> dict[str, Uniform]:
     }
 
 
-def _exact_mask(foam: Foam, quality: Quality) -> _Part:
-    return _Part(
-        needs=(_MASK_TEXELS[quality.mask], "foam/mask.glsl@exact"),
-        inputs={"u_mask_ranks": TextureInput(texture="mask_ranks")},
-        textures={"mask_ranks": TextureUse(MaskTexture(masks=(foam.mask,), table=_MASK_TABLES[quality.mask]))},
-    )
-
-
 def _filtered_mask(scene: Scene, foam: Foam, masks: list[tuple[str, Mask]], quality: Quality) -> _Part:
     octaves = min(foam.octaves, quality.foam_octaves)
     tables: MaskTable = "ramps" if octaves > 1 else "quantiles"
@@ -252,8 +244,9 @@ def _look_file(scene: Scene, foam: Foam, quality: Quality) -> tuple[str, tuple[P
         look, own = drift.advected_look(look, quality)
         needs += own
     if life is not None:
-        look, own = ageing_look(look, life)
-        needs += own
+        needs += (*PERLIN_2, "foam/living.glsl@windrows") if life.row_strength > 0.0 else (_NO_WINDROWS,)
+        needs += ("foam/shading.glsl@cover", Source(look, (("foam_amount", "young_amount"),)))
+        look = "foam/living.glsl@living"
     return look, needs
 
 
