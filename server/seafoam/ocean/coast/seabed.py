@@ -123,8 +123,8 @@ def _value_noise(x: Floats, z: Floats, seed: int) -> Floats:
     along, down = np.arange(a.min(), a.max() + 2), np.arange(b.min(), b.max() + 2)
     corners = chance(seed, along[None, :], down[:, None])
     a, b = a - along[0], b - down[0]
-    near = corners[b, a] * (1.0 - u) + corners[b, a + 1] * u
-    far = corners[b + 1, a] * (1.0 - u) + corners[b + 1, a + 1] * u
+    near: Floats = corners[b, a] * (1.0 - u) + corners[b, a + 1] * u
+    far: Floats = corners[b + 1, a] * (1.0 - u) + corners[b + 1, a + 1] * u
     return near * (1.0 - v) + far * v
 
 
