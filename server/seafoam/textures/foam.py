@@ -7,6 +7,7 @@ from typing import ClassVar, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from seafoam.masks.torus import rank
 from seafoam.ocean.arrays import read_only
 from seafoam.textures.spec import Image, TextureSpec, halved
 
@@ -106,10 +107,7 @@ def spray_strands() -> NDArray[np.float64]:
     for columns, rows, weight, seed in ((3, 9, 0.5, 2), (6, 21, 0.3, 3)):
         total += weight * np.abs(2.0 * _noise(u, bent, columns, rows, seed) - 1.0)
     total += 0.22 * _noise(u, bent, 14, 18, 4) + 0.16 * _noise(u, bent, 29, 37, 5) + 0.25 * _noise(u, v, 2, 3, 6)
-    order = np.argsort(total, axis=None, kind="stable")
-    ranks = np.empty(order.size)
-    ranks[order] = np.arange(order.size) / order.size
-    return np.floor(ranks.reshape(total.shape) * _STEPS) / _STEPS
+    return np.floor(rank(total) / total.size * _STEPS) / _STEPS
 
 
 def _noise(u: NDArray[np.float64], v: NDArray[np.float64], columns: int, rows: int, seed: int) -> NDArray[np.float64]:

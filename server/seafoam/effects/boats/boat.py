@@ -145,14 +145,12 @@ EFFECT = effect.part_effect(
     "boats",
     _draw,
     "/boats",
-    parameters=(
-        QualityParameter("/boat_samples", "rays per sample at boats", (1, 4, 9), "filtering"),
-        QualityParameter("/boat_readings", "heights read around each hull point", (1, 7), "geometry"),
-    ),
+    QualityParameter("/boat_samples", "rays per sample at boats", (1, 4, 9), "filtering"),
+    QualityParameter("/boat_readings", "heights read around each hull point", (1, 7), "geometry"),
 )
 SHADOWS = effect.part_effect(
     "boat shadows",
     _shadows,
     "/boats",
-    parameters=(QualityParameter("/boat_shadows", "shadows of boats on the water", (False, True), "geometry"),),
+    QualityParameter("/boat_shadows", "shadows of boats on the water", (False, True), "geometry"),
 )

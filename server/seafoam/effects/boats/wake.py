@@ -130,9 +130,7 @@ EFFECT = part_effect(
     "wakes",
     lambda scene, boats, quality: wakes_of(BOATS, wakes(boats), quality),
     "/boats",
+    QualityParameter("/wake", "wakes", ("map", "exact"), "geometry"),
+    QualityParameter("/wake_size", "texels of the wake map", (128, 256, 512, 1024), "geometry"),
     fields=("/boats/wake",),
-    parameters=(
-        QualityParameter("/wake", "wakes", ("map", "exact"), "geometry"),
-        QualityParameter("/wake_size", "texels of the wake map", (128, 256, 512, 1024), "geometry"),
-    ),
 )

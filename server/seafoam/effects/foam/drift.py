@@ -252,15 +252,11 @@ EFFECT = effect.foam_effect(
     "drifting foam",
     draw,
     effect.SaturationSource(DriftSaturation, drift_limit, ("amount",)),
-    fields=("/drift", "/drift/vortices"),
-    parameters=(
-        effect.QualityParameter("/drift", "drift", ("forward", "backward", "exact"), "geometry"),
-        effect.QualityParameter("/drift_size", "texels of the drift maps", (64, 128, 256, 512), "geometry"),
-        effect.QualityParameter(
-            "/drift_window", "maximum age of drifting foam, s", (6.0, 12.0, 24.0, 120.0), "geometry"
-        ),
-        effect.QualityParameter(
-            "/drift_step", "maximum time step along the flow, s", (4.0, 2.0, 1.0, 0.5, 0.25), "geometry"
-        ),
+    effect.QualityParameter("/drift", "drift", ("forward", "backward", "exact"), "geometry"),
+    effect.QualityParameter("/drift_size", "texels of the drift maps", (64, 128, 256, 512), "geometry"),
+    effect.QualityParameter("/drift_window", "maximum age of drifting foam, s", (6.0, 12.0, 24.0, 120.0), "geometry"),
+    effect.QualityParameter(
+        "/drift_step", "maximum time step along the flow, s", (4.0, 2.0, 1.0, 0.5, 0.25), "geometry"
     ),
+    fields=("/drift", "/drift/vortices"),
 )

@@ -277,11 +277,9 @@ EFFECT = part_effect(
     "foam look",
     _draw,
     "/foam",
+    QualityParameter("/mask", "format of the mask's thresholds", ("u8", "half", "u16"), "precision"),
+    QualityParameter("/foam_taps", "mask texels averaged under minification", (4, 16), "filtering"),
+    QualityParameter("/foam_texture", "filter of the foam texture", ("sampler", "texels"), "precision"),
+    QualityParameter("/foam_octaves", "maximum octaves of the mask", (1, 2, 3, 4), "filtering"),
     afloat=("u_mask_offset", "u_mask_phase", "u_cell_offset", "u_cell_index", "u_foam_offset", "u_foam_second_offset"),
-    parameters=(
-        QualityParameter("/mask", "format of the mask's thresholds", ("u8", "half", "u16"), "precision"),
-        QualityParameter("/foam_taps", "mask texels averaged under minification", (4, 16), "filtering"),
-        QualityParameter("/foam_texture", "filter of the foam texture", ("sampler", "texels"), "precision"),
-        QualityParameter("/foam_octaves", "maximum octaves of the mask", (1, 2, 3, 4), "filtering"),
-    ),
 )

@@ -84,7 +84,7 @@ RELIEF = part_effect(
     "foam relief",
     _relief,
     "/foam/thickness",
-    parameters=(QualityParameter("/foam_relief", "shading by foam thickness", (False, True), "geometry"),),
+    QualityParameter("/foam_relief", "shading by foam thickness", (False, True), "geometry"),
 )
 SCATTERING = part_effect("foam scattering", _scattering, "/foam/scattering")
 AERATION = part_effect("milky water", _aeration, "/water/aeration", fields=("/water/plume_depth",))

@@ -228,7 +228,7 @@ SLOPE = foam_effect(
     "slope foam",
     draw_slope,
     SaturationSource(SlopeSaturation, slope_limit, ("base", "gain")),
-    parameters=(QualityParameter("/slope_places", "points of the blurred slope", (1, 5), "filtering"),),
+    QualityParameter("/slope_places", "points of the blurred slope", (1, 5), "filtering"),
 )
 SURF = foam_effect("surf foam", draw_surf, SaturationSource(SurfSaturation, surf_limit))
 WAKE = foam_effect("wake foam", draw_wake, SaturationSource(WakeSaturation, wake_limit))

@@ -158,8 +158,6 @@ EFFECT = effect.foam_effect(
     "whitecaps",
     draw,
     effect.SaturationSource(WhitecapSaturation, fold_limit),
-    parameters=(
-        QualityParameter("/age_steps", "earlier times of folds", (0, 4, 8), "geometry"),
-        QualityParameter("/age_step", "interval between folds, s", (0.17, 0.35, 0.7), "geometry"),
-    ),
+    QualityParameter("/age_steps", "earlier times of folds", (0, 4, 8), "geometry"),
+    QualityParameter("/age_step", "interval between folds, s", (0.17, 0.35, 0.7), "geometry"),
 )

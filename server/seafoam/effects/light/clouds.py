@@ -139,15 +139,13 @@ EFFECT = part_effect(
     "clouds",
     _draw,
     "/light/sky/clouds",
-    parameters=(
-        QualityParameter("/cloud_octaves", "octaves of the cloud noise", (2, 3, 4, 5, 6), "geometry"),
-        QualityParameter("/clouds_mirrored", "clouds that the water mirrors", ("map", "exact"), "filtering"),
-    ),
+    QualityParameter("/cloud_octaves", "octaves of the cloud noise", (2, 3, 4, 5, 6), "geometry"),
+    QualityParameter("/clouds_mirrored", "clouds that the water mirrors", ("map", "exact"), "filtering"),
     without=_clear,
 )
 SHADOWS = part_effect(
     "shadows of clouds",
     _shadows,
     "/light/sky/clouds/shadows",
-    parameters=(QualityParameter("/cloud_shadow_octaves", "octaves of the clouds' shadows", (1, 2, 3, 4), "geometry"),),
+    QualityParameter("/cloud_shadow_octaves", "octaves of the clouds' shadows", (1, 2, 3, 4), "geometry"),
 )

@@ -89,5 +89,5 @@ SPARKLES = part_effect(
     "sparkles",
     _sparkles,
     "/light/sparkles",
-    parameters=(QualityParameter("/sparkle_cells", "sparkle cells per sample", (1, 4), "geometry"),),
+    QualityParameter("/sparkle_cells", "sparkle cells per sample", (1, 4), "geometry"),
 )

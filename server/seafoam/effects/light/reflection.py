@@ -128,17 +128,13 @@ CUBEMAP = part_effect(
     "cube map",
     _cubemap,
     "/light/reflection",
-    parameters=(
-        QualityParameter("/cube", "reflected surroundings", ("map", "exact"), "geometry"),
-        QualityParameter("/cube_size", "texels of a face of the cube map", (32, 64, 128, 256, 512), "geometry"),
-    ),
+    QualityParameter("/cube", "reflected surroundings", ("map", "exact"), "geometry"),
+    QualityParameter("/cube_size", "texels of a face of the cube map", (32, 64, 128, 256, 512), "geometry"),
 )
 PLANAR = part_effect(
     "planar reflection",
     _planar,
     "/light/reflection",
-    parameters=(
-        QualityParameter("/reflection", "planar mirror", ("map", "traced"), "filtering"),
-        QualityParameter("/reflection_size", "texels of the planar mirror", (128, 256, 512, 1024), "filtering"),
-    ),
+    QualityParameter("/reflection", "planar mirror", ("map", "traced"), "filtering"),
+    QualityParameter("/reflection_size", "texels of the planar mirror", (128, 256, 512, 1024), "filtering"),
 )

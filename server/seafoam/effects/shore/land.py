@@ -107,8 +107,6 @@ SHADOWS = part_effect(
     "shadows of land",
     _shadows,
     "/shore/shadows",
-    parameters=(
-        QualityParameter("/shadow_steps", "steps toward the sun over the land", (32, 64, 128, 256), "geometry"),
-    ),
+    QualityParameter("/shadow_steps", "steps toward the sun over the land", (32, 64, 128, 256), "geometry"),
     without=_unshadowed,
 )

@@ -164,13 +164,11 @@ EFFECT = part_effect(
     "shore",
     _draw,
     "/shore",
+    QualityParameter("/shore_map", "texels of the distance map", (64, 128, 256, 512), "geometry"),
+    QualityParameter("/shore_floor", "texels of the height field", (64, 128, 256, 512), "geometry"),
+    QualityParameter("/land_octaves", "octaves of the land's detail", (3, 4, 5, 6, 7), "geometry"),
+    QualityParameter("/refraction_steps", "steps of the refracted ray", (1, 2, 4, 8, 16), "geometry"),
+    QualityParameter("/shore_profile", "nodes of the wave profile table", (32, 64, 128, 256), "geometry"),
     fields=("/shore/surf",),
-    parameters=(
-        QualityParameter("/shore_map", "texels of the distance map", (64, 128, 256, 512), "geometry"),
-        QualityParameter("/shore_floor", "texels of the height field", (64, 128, 256, 512), "geometry"),
-        QualityParameter("/land_octaves", "octaves of the land's detail", (3, 4, 5, 6, 7), "geometry"),
-        QualityParameter("/refraction_steps", "steps of the refracted ray", (1, 2, 4, 8, 16), "geometry"),
-        QualityParameter("/shore_profile", "nodes of the wave profile table", (32, 64, 128, 256), "geometry"),
-    ),
     without=lambda scene: scene.model_copy(update={"shore": None}),
 )

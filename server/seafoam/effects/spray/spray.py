@@ -155,6 +155,6 @@ EFFECT = part_effect(
     "spray",
     _draw,
     "/spray",
+    QualityParameter("/spray_count", "spray drops", (2048, 4096, 8192, 16384), "geometry"),
     fields=("/spray/bursts",),
-    parameters=(QualityParameter("/spray_count", "spray drops", (2048, 4096, 8192, 16384), "geometry"),),
 )

@@ -279,11 +279,9 @@ EFFECT = part_effect(
     "caustics",
     _draw,
     "/light/caustics",
+    QualityParameter("/caustics", "caustics", ("grid", "photons"), "geometry"),
+    QualityParameter("/caustics_size", "texels of the caustic map", (128, 256, 512, 1024), "filtering"),
+    QualityParameter("/caustics_cells", "cells of the refracted grid", (64, 128, 256, 512), "geometry"),
+    QualityParameter("/caustics_photons", "photons per side", (128, 256, 512, 1024), "geometry"),
     afloat=("u_caustic_place",),
-    parameters=(
-        QualityParameter("/caustics", "caustics", ("grid", "photons"), "geometry"),
-        QualityParameter("/caustics_size", "texels of the caustic map", (128, 256, 512, 1024), "filtering"),
-        QualityParameter("/caustics_cells", "cells of the refracted grid", (64, 128, 256, 512), "geometry"),
-        QualityParameter("/caustics_photons", "photons per side", (128, 256, 512, 1024), "geometry"),
-    ),
 )

@@ -191,9 +191,7 @@ EFFECT = effect.part_effect(
     "rings",
     _draw,
     "/rings",
-    parameters=(
-        effect.QualityParameter("/rings", "rings", ("map", "exact"), "geometry"),
-        effect.QualityParameter("/rings_size", "texels of the ring map", (256, 512, 1024, 2048), "geometry"),
-    ),
+    effect.QualityParameter("/rings", "rings", ("map", "exact"), "geometry"),
+    effect.QualityParameter("/rings_size", "texels of the ring map", (256, 512, 1024, 2048), "geometry"),
 )
 TOUCHES = effect.part_effect("touch", _touches, "/touches", afloat=("u_touch",))

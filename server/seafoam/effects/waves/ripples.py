@@ -125,10 +125,8 @@ EFFECT = part_effect(
     "ripples",
     _draw,
     "/water/ripples",
+    QualityParameter("/ripples", "ripples", ("tile", "exact"), "geometry"),
+    QualityParameter("/ripples_size", "texels of the ripple tile", (64, 128, 256, 512), "geometry"),
     fields=("/water/ripples/gusts",),
     afloat=("u_ripples_offset", "u_ripples_phase"),
-    parameters=(
-        QualityParameter("/ripples", "ripples", ("tile", "exact"), "geometry"),
-        QualityParameter("/ripples_size", "texels of the ripple tile", (64, 128, 256, 512), "geometry"),
-    ),
 )

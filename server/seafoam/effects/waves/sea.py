@@ -391,11 +391,9 @@ EFFECT = effect.part_effect(
     "sea",
     _draw,
     "/sea",
+    QualityParameter("/sea_size", "texels of a sea tile", (64, 128, 256, 512), "geometry"),
+    QualityParameter("/sea_tiles", "sea tiles", (2, 3, 4), "geometry"),
+    QualityParameter("/sea_digits", "number format of the sea tiles", ("half", "float"), "precision"),
     afloat=tuple(f"u_sea_offset_{index}" for index in range(4)),
-    parameters=(
-        QualityParameter("/sea_size", "texels of a sea tile", (64, 128, 256, 512), "geometry"),
-        QualityParameter("/sea_tiles", "sea tiles", (2, 3, 4), "geometry"),
-        QualityParameter("/sea_digits", "number format of the sea tiles", ("half", "float"), "precision"),
-    ),
     without=lambda scene: scene.model_copy(update={"sea": None}),
 )
