@@ -2,20 +2,10 @@
 
 import math
 
+from seafoam.scene.foam import Foam, FoamLife, FoamScattering, FrontSaturation, HeightSaturation
 from support.cases import Bounds, Cases, HardCase
 from support.hard.mutations import IN_FLOAT32, guards, reference
-from support.scenes import (
-    Camera,
-    Foam,
-    FoamLife,
-    FoamScattering,
-    FrontSaturation,
-    HeightSaturation,
-    Light,
-    ParametricWave,
-    Scene,
-    Water,
-)
+from support.scenes import Camera, Light, ParametricWave, Scene, Water
 
 _INVISIBLE = (
     Scene(

@@ -2,22 +2,10 @@
 
 import math
 
+from seafoam.scene.foam import Drift, DriftSaturation, Foam, FoamLife, FrontSaturation, HeightSaturation, Vortex
 from support.cases import Cases, HardCase
 from support.hard.mutations import IN_FLOAT32, guards, reference
-from support.scenes import (
-    Camera,
-    Drift,
-    DriftSaturation,
-    Foam,
-    FoamLife,
-    FrontSaturation,
-    HeightSaturation,
-    Light,
-    ParametricWave,
-    Scene,
-    Shore,
-    Vortex,
-)
+from support.scenes import Camera, Light, ParametricWave, Scene, Shore
 
 _INVISIBLE_FRONT = (
     Scene(foam=Foam()),

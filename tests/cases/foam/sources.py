@@ -2,26 +2,19 @@
 
 import math
 
-from support.cases import Cases, HardCase
-from support.hard.mutations import guards, reference
-from support.scenes import (
-    Boat,
-    Camera,
+from seafoam.scene.foam import (
     Foam,
     FrontSaturation,
     HeightSaturation,
-    Light,
-    ParametricWave,
-    Ring,
-    Scene,
-    Sea,
-    Shore,
     SlopeSaturation,
-    Surf,
     SurfSaturation,
     WakeSaturation,
     WhitecapSaturation,
 )
+from seafoam.scene.waves import ParametricWave, Ring, Sea
+from support.cases import Cases, HardCase
+from support.hard.mutations import guards, reference
+from support.scenes import Boat, Camera, Light, Scene, Shore, Surf
 
 _INVISIBLE_HEIGHT = (
     Scene(

@@ -2,22 +2,10 @@
 
 import math
 
+from seafoam.scene.light import Cirrus, Clouds, Light, Moon, Sky
 from support.cases import Cases, HardCase
 from support.hard.mutations import BRIGHTEST, IN_FLOAT32, guards
-from support.scenes import (
-    Camera,
-    Cirrus,
-    Clouds,
-    Foam,
-    HeightSaturation,
-    Light,
-    Moon,
-    ParametricWave,
-    Ripples,
-    Scene,
-    Sky,
-    Water,
-)
+from support.scenes import Camera, Foam, HeightSaturation, ParametricWave, Ripples, Scene, Water
 
 _HARD_LIGHT = (
     HardCase(

@@ -2,25 +2,11 @@
 
 import math
 
+from seafoam.scene.water import Current, Ripples, Stone, Water
+from seafoam.scene.waves import TOUCHES_MOST, ParametricWave, Ring, Sea, Touch
 from support.cases import Cases, HardCase
 from support.hard.mutations import PLACE, TIME, TIME_AND_PLACE, guards
-from support.scenes import (
-    TOUCHES_MOST,
-    Camera,
-    Current,
-    Foam,
-    Gusts,
-    HeightSaturation,
-    ParametricWave,
-    Ring,
-    Ripples,
-    Scene,
-    Sea,
-    SlopeSaturation,
-    Stone,
-    Touch,
-    Water,
-)
+from support.scenes import Camera, Foam, Gusts, HeightSaturation, Scene, SlopeSaturation
 
 _VIEW = Camera(position=(0.0, 3.2, 0.0), pitch=-0.35)
 

@@ -2,23 +2,11 @@
 
 import math
 
+from seafoam.scene.foam import Foam, FoamLife, FrontSaturation, SlopeSaturation, WhitecapSaturation
+from seafoam.scene.waves import ParametricWave, Sea, WaveGroups
 from support.cases import Bounds, Cases, HardCase
 from support.hard.mutations import TIME, TIME_AND_PLACE, guards
-from support.scenes import (
-    Camera,
-    Foam,
-    FoamLife,
-    FrontSaturation,
-    ParametricWave,
-    Ripples,
-    Scene,
-    Sea,
-    SlopeSaturation,
-    Spray,
-    Water,
-    WaveGroups,
-    WhitecapSaturation,
-)
+from support.scenes import Camera, Ripples, Scene, Spray, Water
 
 _INVISIBLE_PARAMETRIC = (
     Scene(waves=(ParametricWave(amplitude=1e-6, wavelength=10.0),), water=Water(translucency=0.0)),

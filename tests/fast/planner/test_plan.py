@@ -18,23 +18,10 @@ from seafoam.planner import AssemblyError, FramePlan, PlanError, link, make_plan
 from seafoam.planner.glsl import PART, parts_of
 from seafoam.quality import TIERS, Quality, SurfaceQuality, Tier
 from seafoam.resources import data_dir
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import (
-    Drift,
-    DriftSaturation,
-    Foam,
-    FrontSaturation,
-    HeightSaturation,
-    Look,
-    SurfSaturation,
-    WhitecapSaturation,
-)
+from seafoam.scene.foam import Drift, DriftSaturation, FrontSaturation, HeightSaturation, Look, SurfSaturation
 from seafoam.scene.light import Clouds, Light, Sky, Wind
-from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
-from seafoam.scene.shore import Shore
-from seafoam.scene.water import Ripples, Water
-from seafoam.scene.waves import ParametricWave, Ring, Sea
+from support.scenes import Camera, Foam, ParametricWave, Ring, Ripples, Scene, Sea, Shore, Water, WhitecapSaturation
 from support.sweep import spread
 
 STANDARD = TIERS["standard"]
