@@ -219,7 +219,7 @@ def test_kinds_of_choice_and_fewer_samples_are_none() -> None:
         assert {f"surface, {count} samples" for count in kinds} <= names
         assert ("contrast" in names) == bool(kinds)
     # Without light a sample costs less than its choice.
-    unlit = make_plan(load_preset("paper-halftone").scene, chosen(samples_max=16))
+    unlit = make_plan(load_preset("paper-threshold").scene, chosen(samples_max=16))
     assert "contrast" not in {one.name for one in unlit.passes}
 
 
