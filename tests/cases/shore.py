@@ -30,15 +30,6 @@ _HARD_SHORE = (
         unseen="Mesa takes a constant 0 over anything for 0, which the guard gives",
     ),
     HardCase(
-        "all land",
-        _scene_shore(level=90.0),
-        guard="gradients divided by at least 1e-6; distance to the coast at most the side of the square "
-        "(shore/maps.glsl@map, shore/maps.glsl@distance)",
-        camera=Camera(position=(-42.0, 107.0, 9.0), yaw=1.4, pitch=-0.3),
-        without={"shore/maps.glsl": {"other.x < 0.0 ? u_viewport.x : length(other - at) -": "length(other - at) -"}},
-        missed_by=reference("shore/shore", "distances_are_scipys"),
-    ),
-    HardCase(
         "all water, a bank two metres down",
         _scene_shore(kind="island", height=0.0, level=-2.0),
         guard="distance to the coast at most the side of the square (shore/maps.glsl@distance)",
@@ -74,14 +65,6 @@ _HARD_SHORE = (
         camera=Camera(position=(-42.0, 9.0, 9.0), yaw=1.4, pitch=-0.25),
         without={"textures/shore.py": {"np.fft.irfft(np.fft.rfft(top) * spread, fine)": "top"}},
         missed_by=guards("ground", "fronts_are_no_steeper_than_a_smoothed_step"),
-    ),
-    HardCase(
-        "the clearest water",
-        _scene_shore(water=Water(absorption_length=(1000.0, 1000.0, 1000.0), scattering=0.0)),
-        guard="absorption is never 0 (scene/water.py)",
-        camera=_VIEW_SHORE,
-        without={"scene/water.py": {"Field(ge=0.01, le=1000.0)": "Field(ge=0.01, le=1e38)"}},
-        missed_by=guards("ground", "water_at_the_ends_of_its_fields[absorption_length-maximum]"),
     ),
     HardCase(
         "ripples that face away",

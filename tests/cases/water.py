@@ -17,15 +17,6 @@ _HARD_WATER = (
         without={"surface/march.glsl": {"u_eye_height * ray.y >= 0.0": "ray.y >= 0.0"}},
     ),
     HardCase(
-        "no scattering, no roughness to speak of",
-        Scene(water=Water(scattering=0.0, roughness=0.01, absorption_length=(0.01, 1000.0, 0.01))),
-        guard="the roughness is at least 0.01 (scene/water.py), which keeps the cosine of incidence above 0 "
-        "(light/shade.glsl@lit)",
-        camera=Camera(position=(0.0, 0.5, 0.0), pitch=0.0),
-        without={"scene/water.py": {": float = Field(default=0.05, ge=0.01": ": float = Field(default=0.05, ge=0.0"}},
-        missed_by=guards("ground", "water_at_the_ends_of_its_fields[roughness-minimum]"),
-    ),
-    HardCase(
         "the horizon exactly in the middle",
         Scene(),
         guard="rays that do not point downward miss (surface/march.glsl@plane, surface/march.glsl@march); lengths and "
