@@ -101,7 +101,7 @@ def test_an_address_is_read_back_as_the_texture_it_was_written_from(spec: Textur
 def test_another_process_makes_the_same_bytes() -> None:
     plan = make_plan(load_preset("spray-on-rocks").scene, TIERS["fast"])
     urls = [one.url for one in plan.textures.values()]
-    program = "import sys; from seafoam.textures.store import spec_of, texture\n", lower_part, upper_part
+    program = "import sys; from seafoam.textures.store import spec_of, texture\n"
     program += "for url in sys.argv[1:]: print(texture(spec_of(url)).sha256)"
     answer = subprocess.run([sys.executable, "-c", program, *urls], capture_output=True, text=True, check=True)
     assert answer.stdout.split() == [one.sha256 for one in plan.textures.values()]
