@@ -28,8 +28,6 @@ ROWS_SHARE, ROWS_SHARE_OF_CAUSTICS, ROWS_SHARE_OF_DOTS = 0.1, 0.2, 0.5
 """Share of the rows above and below in what is shown in the middle between two drawn pixels, at most: as a rule, over a
 floor's caustics, and between two samples of which one is foam, black or white. None at a quarter of the width, where it
 buys 1 to 2 % of the error for 4 % of the time, and on calm water, whose glints are rows of their own."""
-DOTTED = ("halftone", "halftone_textured", "fading", "listing")
-"""Looks of foam that compare the mask sample by sample (docs/formulae.md, section 5)."""
 CALM = 0.01
 """Standard deviation of the ripples' slope below which the mirrored sun is a narrow column, upright in the picture."""
 START_TILE, WIDE_TILE = 4, 16
@@ -54,8 +52,8 @@ def is_calm(scene: Scene) -> bool:
 
 
 def is_dotted(scene: Scene) -> bool:
-    """Whether each sample of foam is black or white."""
-    return scene.foam is not None and scene.foam.look in DOTTED
+    """Whether each sample of foam is black or white: of looks that compare the mask sample by sample."""
+    return scene.foam is not None and scene.foam.look in ("halftone", "halftone_textured", "fading", "listing")
 
 
 def _rows_share(collection: Collection, width: int) -> float:

@@ -9,7 +9,7 @@ from seafoam.effects.bounds import BLOCK
 from seafoam.effects.effect import Bound, Contribution, PassSpec, QualityParameter, Resources, drawn_map, part_effect
 from seafoam.effects.shader import Inline, Piece, SlotFile, Source
 from seafoam.framegraph.resources import FixedSize, Target, target_inputs
-from seafoam.framegraph.rules import Uniform, constants, number, rounded, significant
+from seafoam.framegraph.rules import constants, number, rounded, significant
 from seafoam.ocean.waves.wakes import NEAR, Wake, joint_height, joint_slope, wakes
 from seafoam.quality import Quality
 from seafoam.sums import summed
@@ -65,11 +65,14 @@ def wakes_of(kind: WakeKind, patterns: Sequence[Wake], quality: Quality) -> Cont
     mapped = quality.wake == "map"
     height = joint_height(patterns)
     map_error = significant(summed(wake.map_error(wake.length / quality.wake_size) for wake in patterns))
+    # Wavenumber (rad/m), amplitude (m; 0: none), length (m), cut-off (rad/m); and the maker.
+    forms = [(significant(of.k), of.boat.wake * of.shows, *rounded((of.length, of.shortest))) for of in patterns]
+    makers = [(of.boat.length, of.boat.radius) for of in patterns]
     contribution = Contribution(
         why=f"{kind.title} up to {height:.2g} m high",
         slots=_slots(kind, mapped=mapped),
         consts={"WAKE_SIZE": quality.wake_size, "WAKE_ASIDE": ASIDE, "WAKE_NEAR": NEAR, "WAKE_AWAY": AWAY},
-        uniforms=kind.renamed(_form_uniforms(patterns)),
+        uniforms=kind.renamed({"u_wake": constants("vec4", forms), "u_wake_boat": constants("vec2", makers)}),
         bound=Bound.zero_if(height == 0.0, kind.still),
         max_height=height,
         min_height=-height,
@@ -97,15 +100,6 @@ def _slots(kind: WakeKind, *, mapped: bool) -> tuple[SlotFile, ...]:
         SlotFile("bounds", bounds, prefix=kind.prefix, needs=kind.bounds_need),
         *(gentler if mapped and kind.gentler else ()),
     )
-
-
-def _form_uniforms(patterns: Sequence[Wake]) -> dict[str, Uniform]:
-    """Of each wake: wavenumber (rad/m), amplitude (m; 0: none), length (m), cut-off (rad/m); and its maker."""
-    forms = [
-        (significant(of.k), of.boat.wake if of.shows else 0.0, *rounded((of.length, of.shortest))) for of in patterns
-    ]
-    boats = [(wake.boat.length, wake.boat.radius) for wake in patterns]
-    return {"u_wake": constants("vec4", forms), "u_wake_boat": constants("vec2", boats)}
 
 
 def _map(kind: WakeKind, count: int, size: int) -> Resources:

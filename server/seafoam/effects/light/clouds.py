@@ -18,18 +18,13 @@ MAP_SIDE = 32
 LEAST_SLOPE = 0.05
 """Root mean square slope of ripples from which the water mirrors clouds from the map: it turns a mirrored look by twice
 as much, some two texels."""
-_MIRRORED = Resources(
-    slots=(SlotFile("mirrored", "light/sky.glsl@mirrored_map"),), consts={"CLOUDS_SIDE": MAP_SIDE}
+_SKY = (*COMMON, SlotRef("sky"), "light/sky.glsl@mirrored_pass")
+_MIRRORED = drawn_map(
+    PassSpec("clouds that the water mirrors", "clouds_mirrored", _SKY),
+    Target(size=FixedSize.square(MAP_SIDE), format="RGBA16F", filter=MIPMAPPED),
+    "u_clouds_mirrored",
 ).joined(
-    drawn_map(
-        PassSpec(
-            "clouds that the water mirrors",
-            "clouds_mirrored",
-            (*COMMON, SlotRef("sky"), "light/sky.glsl@mirrored_pass"),
-        ),
-        Target(size=FixedSize.square(MAP_SIDE), format="RGBA16F", filter=MIPMAPPED),
-        "u_clouds_mirrored",
-    )
+    Resources(slots=(SlotFile("mirrored", "light/sky.glsl@mirrored_map"),), consts={"CLOUDS_SIDE": MAP_SIDE}),
 )
 _STREAKS = ((True, 1.0 / 8.0), (False, 1.0), (True, 0.125), (False, 0.25))
 """Axes of the noise of streaks and of their patches: along the streaks or across, and cells per size."""

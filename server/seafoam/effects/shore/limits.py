@@ -139,9 +139,8 @@ def _coast_distance(shore: Shore, heights: Floats) -> Floats:
     dry = heights >= 0.0
     if dry.all() or not dry.any():
         return np.full_like(heights, (-1.0 if dry.all() else 1.0) * shore.size)
-    distance: Floats = (
-        np.where(dry, 0.5 - ndimage.distance_transform_edt(dry), ndimage.distance_transform_edt(~dry) - 0.5) * texel
-    )
+    inside, outside = ndimage.distance_transform_edt(dry), ndimage.distance_transform_edt(~dry)
+    distance: Floats = np.where(dry, 0.5 - inside, outside - 0.5) * texel
     return distance
 
 
