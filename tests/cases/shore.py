@@ -134,18 +134,18 @@ _HARD_SHADOW = (
     HardCase(
         "shadow of an island under a sun that touches the horizon",
         _scene_shadow(0.004),
-        guard="sights of the sun's rims rise by at least a thousandth (effects/shore/land.py)",
+        guard="sights of the sun's rims rise by at least a thousandth (effects/shore/shore.py)",
         camera=_VIEW_SHADOW,
-        without={"effects/shore/land.py": {"max(math.tan(lower), LOWEST_RISE)": "math.tan(lower)"}},
+        without={"effects/shore/shore.py": {"max(math.tan(lower), LOWEST_RISE)": "math.tan(lower)"}},
         missed_by=guards("ground", "shadows_of_land_end[0.004-20000.0]"),
     ),
     HardCase(
         "shadow of an island under a sun in the zenith",
         _scene_shadow(1.5707963),
-        guard="level part of the sun's direction at least 1e-6, its rims at most 1.5 rad high (effects/shore/land.py)",
+        guard="level part of the sun's direction at least 1e-6, its rims at most 1.5 rad high (effects/shore/shore.py)",
         camera=_VIEW_SHADOW,
         without={
-            "effects/shore/land.py": {
+            "effects/shore/shore.py": {
                 "max(math.hypot(x, z), 1e-6)": "math.hypot(x, z)",
                 "min(elevation + SUN_RADIUS, 1.5)": "elevation + SUN_RADIUS",
                 "min(elevation - SUN_RADIUS, 1.49)": "elevation - SUN_RADIUS",

@@ -8,7 +8,7 @@ from seafoam.effects.effect import Effect
 from seafoam.effects.foam import drift, front, look, material, sources, whitecaps
 from seafoam.effects.light import clouds, glare, glitter, light, night, reflection
 from seafoam.effects.registry import declare, load, outside, register, unregister
-from seafoam.effects.shore import land, shore
+from seafoam.effects.shore import shore
 from seafoam.effects.spray import spray
 from seafoam.effects.water import caustics, water
 from seafoam.effects.waves import current, parametric, rings, ripples, sea
@@ -39,7 +39,7 @@ EFFECTS: tuple[Effect, ...] = (
     caustics.EFFECT,
     water.UNDERSIDE,
     shore.EFFECT,
-    land.SHADOWS,
+    shore.SHADOWS,
     sources.SURF,
     reflection.CUBEMAP,
     drift.EFFECT,

@@ -2,7 +2,7 @@
 
 import hashlib
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property, lru_cache
 from pathlib import Path
@@ -10,7 +10,7 @@ from threading import Lock
 from types import MappingProxyType
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 from pydantic import BaseModel, Field
 
 from seafoam.masks import families, prefilter
@@ -100,12 +100,6 @@ class Thresholds:
     ramps: NDArray[np.float64]
     """Of the ramp of an octave, see :func:`prefilter.ramp_tables`."""
 
-    @staticmethod
-    def measure(quantile: ArrayLike, spans: Sequence[prefilter.Level]) -> "Thresholds":
-        """The tables of a mask with this quantile table and these spans."""
-        quantiles = np.vstack((np.asarray(quantile, np.float64)[None], prefilter.span_quantiles(spans)))
-        return Thresholds(read_only(quantiles), read_only(prefilter.ramp_tables(quantile, spans)))
-
     def to_bytes(self) -> bytes:
         """A ``.tables`` file: the rows of both, float64, little-endian."""
         return np.vstack((self.quantiles, self.ramps)).astype("<f8").tobytes()
@@ -153,7 +147,10 @@ class Mask:
     @cached_property
     def filtering(self) -> Thresholds:
         """Its tables for shaders: the known ones, else computed now."""
-        return self.baked or Thresholds.measure(self.quantile, self.spans)
+        if self.baked:
+            return self.baked
+        quantiles = np.vstack((np.asarray(self.quantile)[None], prefilter.span_quantiles(self.spans)))
+        return Thresholds(read_only(quantiles), read_only(prefilter.ramp_tables(self.quantile, self.spans)))
 
     def sidecar(self) -> dict[str, object]:
         """Metadata of a download, as plain JSON values."""

@@ -16,11 +16,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from seafoam.textures.foam import FoamTexture, SprayStrands
-from seafoam.textures.front import FrontIntegral
 from seafoam.textures.masks import MaskTexture
-from seafoam.textures.sea import FftTwiddles, SeaSpectrum
 from seafoam.textures.shore import ShoreFloor, ShoreProfiles, ShoreTravel, SprayRocks
 from seafoam.textures.spec import Format, TextureSpec, UnknownTextureError
+from seafoam.textures.waves import FftTwiddles, FrontIntegral, SeaSpectrum
 
 PREFIX = "/api/textures/"
 """What an address begins with in a plan."""

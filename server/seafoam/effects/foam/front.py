@@ -16,7 +16,7 @@ from seafoam.quality import Quality
 from seafoam.scene.foam import Foam, FrontSaturation
 from seafoam.scene.models import Scene
 from seafoam.sums import summed
-from seafoam.textures.front import FRONT_NODES, FrontIntegral, front_fading, front_full
+from seafoam.textures.waves import FRONT_NODES, FrontIntegral, front_fading, front_full
 
 PATCH_CHANGE = 25.0
 """Time in which the patches of a front change, s."""

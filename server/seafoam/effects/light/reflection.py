@@ -6,8 +6,8 @@ from seafoam.effects.boats.boat import COURSE, LIGHT, TRACE
 from seafoam.effects.effect import Bound, Contribution, PassSpec, QualityParameter, drawn_map, part_effect
 from seafoam.effects.light.light import ILLUMINATION, air_light, sky_irradiance, sun_irradiance
 from seafoam.effects.shader import COMMON, VALUE_NOISE, Piece, SlotFile, SlotRef, constant_function
-from seafoam.effects.shore.land import LAND_LIGHT, soil_files
 from seafoam.effects.shore.maps import MAXIMA
+from seafoam.effects.shore.shore import LAND_LIGHT, soil_files
 from seafoam.framegraph.resources import FixedSize, Target
 from seafoam.quality import Quality
 from seafoam.scene.light import Light

@@ -20,7 +20,7 @@ from seafoam.scene.foam import WhitecapSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.waves import Sea
 from seafoam.sums import summed
-from seafoam.textures.sea import FftTwiddles, SeaSpectrum
+from seafoam.textures.waves import FftTwiddles, SeaSpectrum
 
 WHITECAP_WIND = 7.0
 """Wind, m/s, below which whitecaps cover less than 0.3 % (Monahan and O'Muircheartaigh 1980)."""
