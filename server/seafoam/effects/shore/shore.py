@@ -9,7 +9,7 @@ from seafoam.effects.bounds import FLOOR_FIELDS, floor_limit, max_displacement
 from seafoam.effects.effect import Bound, Contribution, QualityParameter, TextureUse, part_effect
 from seafoam.effects.light.atmosphere import lamp
 from seafoam.effects.light.light import sun_irradiance
-from seafoam.effects.shader import MARCH_AHEAD, SLOPES, VALUE_NOISE, Const, SlotFile, Source
+from seafoam.effects.shader import MARCH_AHEAD, SLOPES, VALUE_NOISE, Const, SlotFile
 from seafoam.effects.shore.limits import Limits, limits, rounded_up
 from seafoam.effects.shore.maps import FIND_LAND, GROUND, MARCH_GROUND, MAXIMA, blur_deviation, map_passes, map_targets
 from seafoam.effects.water.water import bed_sun
@@ -50,13 +50,6 @@ def soil_files(shore: Shore) -> tuple[str, ...]:
     return (*SLOPES, "shore/soil.glsl@soil_struct", "shore/soil.glsl@soil")
 
 
-def shallow_files(shore: Shore) -> tuple[str | Source, ...]:
-    """Files of the floor's colour; shore/ground.glsl@ground comes before them."""
-    if shore.detail <= 0.0:
-        return ("shore/floor.glsl@shallow_plain",)
-    return (*soil_files(shore), "shore/floor.glsl@shallow")
-
-
 def soil_uniforms(shore: Shore) -> dict[str, Uniform]:
     if shore.detail <= 0.0:
         return {}
@@ -66,10 +59,6 @@ def soil_uniforms(shore: Shore) -> dict[str, Uniform]:
         "u_land_strand": number(significant(0.4 * shore.surf.height + 0.12)),
         "u_land_dries": vector((significant(FILM_DRIES / period), significant(SAND_DRIES / period))),
     }
-
-
-def throws(scene: Scene) -> bool:
-    return scene.shore is not None and scene.shore.shadows and scene.light is not None and _lit(scene.light)
 
 
 def _shadows(scene: Scene, shore: Shore, drawn: bool, quality: Quality) -> Contribution | None:
@@ -112,6 +101,7 @@ def _draw(scene: Scene, shore: Shore, quality: Quality) -> Contribution:
     surf, bounds = shore.surf, limits(shore, quality)
     steepest, curvature = _steepest(scene, bounds)
     cells = min(LAND_CELLS, quality.shore_floor)
+    thrown = shore.shadows and scene.light is not None and _lit(scene.light)
     # The travel time of a swell that the depth refracts.
     travel = {"shore_travel": TextureUse(ShoreTravel(shore=shore, texels=quality.shore_map), wrap="clamp_to_edge")}
     profiles = ShoreProfiles(nodes=quality.shore_profile, skew=surf.skew, sharpness=surf.sharpness)
@@ -135,7 +125,7 @@ def _draw(scene: Scene, shore: Shore, quality: Quality) -> Contribution:
             "shore_profiles": TextureUse(profiles),
         },
         targets=map_targets(quality, cells),
-        passes=map_passes(shore, quality, SUNLIT_FROM if throws(scene) else NO_SHADOWS),
+        passes=map_passes(shore, quality, SUNLIT_FROM if thrown else NO_SHADOWS),
         min_ground=-shore.deep,
         bound=_bound(scene, shore, bounds.land_top),
         max_height=surf.height,
@@ -151,7 +141,9 @@ def _slots(shore: Shore, *, lit: bool) -> tuple[SlotFile, ...]:
     waves = ("shore/ground.glsl@place", *GROUND, *VALUE_NOISE, "shore/waves.glsl@field")
     # Water without light takes its colour by the same file, but does not fill the slot of the water's body.
     body = () if lit else ("shore/floor.glsl@body",)
-    through = ("lib/refraction.glsl", "shore/ground.glsl@ground", *shallow_files(shore), *body)
+    plain, detailed = ("shore/floor.glsl@shallow_plain",), (*soil_files(shore), "shore/floor.glsl@shallow")
+    shallow = detailed if shore.detail > 0.0 else plain
+    through = ("lib/refraction.glsl", "shore/ground.glsl@ground", *shallow, *body)
     light = LAND_LIGHT[shore.detail > 0.0] if lit else "shore/land.glsl@land_flat"
     wet = "shore/soil.glsl@wet" if shore.detail > 0.0 and shore.surf.height > 0.0 else "shore/soil.glsl@wet_still"
     soil = ("shore/ground.glsl@ground", *soil_files(shore), wet)
