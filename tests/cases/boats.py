@@ -3,7 +3,7 @@
 import math
 
 from support.cases import Cases, HardCase
-from support.hard.mutations import TIME, TIME_AND_PLACE, guards
+from support.hard.mutations import TIME_AND_PLACE, guards
 from support.scenes import Boat, Camera, Foam, Light, ParametricWave, Scene, Shore, SlopeSaturation, Surf, Water
 
 _NEAR = Boat(centre=(0.0, -14.0), radius=15.0, bearing=1.6, speed=0.0)
@@ -64,21 +64,6 @@ _HARD_BOAT = (
     ),
 )
 
-_HARD_SHADOWS = (
-    HardCase(
-        "shadow of a boat under a low sun over a floor",
-        Scene(
-            boats=(Boat(centre=(-13.4, -18.1), radius=14.0, bearing=0.3, speed=0.0, length=9.0),),
-            light=Light(sun_elevation=0.25, sun_azimuth=0.6, exposure=-2.0),
-            water=Water(depth=1.5, floor_tile=1.0, scattering=0.05, absorption_length=(4.0, 20.0, 30.0)),
-        ),
-        guard="quadratic coefficients of at least 1e-7 in rays to the sun (boats/hull.glsl@hull)",
-        camera=Camera(position=(0.0, 3.0, 0.0), pitch=-0.2),
-        without={"boats/hull.glsl": {"a = max(a, 1e-7);": ""}},
-        missed_by=guards("waves", "functions_are_guarded[rays abeam]"),
-    ),
-)
-
 _FAST = Boat(centre=(0.0, -30.0), radius=30.0, bearing=1.2, speed=4.0, wake=0.3)
 
 _ABOVE = Camera(position=(0.0, 30.0, -20.0), pitch=-math.pi / 2)
@@ -111,18 +96,10 @@ _HARD_WAKE = (
         },
         missed_by=guards("waves", "wakes_at_the_centre_and_on_the_course"),
     ),
-    HardCase(
-        "a wake from thirty years ago",
-        Scene(boats=(_FAST,)),
-        guard="the bearing on the course reduced in float64 (framegraph/evaluation.py)",
-        times=(-1e9, 1e9),
-        camera=_ABOVE,
-        without=TIME,
-    ),
 )
 
 CASES = {
     "boats": Cases(always_visible="a boat stands over the water and before it", hard=_HARD_BOAT),
-    "boat shadows": Cases(always_visible="a boat takes the sun from the water beside it", hard=_HARD_SHADOWS),
+    "boat shadows": Cases(always_visible="a boat takes the sun from the water beside it"),
     "wakes": Cases(invisible=_INVISIBLE, hard=_HARD_WAKE),
 }

@@ -5,10 +5,10 @@ Effects describe what a plan needs. They draw nothing, and import neither the pl
 
 from seafoam.effects.boats import boat, wake
 from seafoam.effects.effect import Effect
-from seafoam.effects.foam import drift, front, look, material, sources, wake_foam, whitecaps
-from seafoam.effects.light import clouds, glare, glitter, light, night, reflection, sparkles
+from seafoam.effects.foam import drift, front, look, material, sources, whitecaps
+from seafoam.effects.light import clouds, glare, glitter, light, reflection
 from seafoam.effects.registry import declare, load, outside, register, unregister
-from seafoam.effects.shore import land, shore
+from seafoam.effects.shore import shore
 from seafoam.effects.spray import spray
 from seafoam.effects.water import caustics, water
 from seafoam.effects.waves import current, parametric, rings, ripples, sea
@@ -29,17 +29,17 @@ EFFECTS: tuple[Effect, ...] = (
     clouds.CIRRUS,
     clouds.EFFECT,
     clouds.SHADOWS,
-    night.MOON,
-    night.STARS,
+    light.MOON,
+    light.STARS,
     glare.EFFECT,
-    glitter.EFFECT,
-    sparkles.EFFECT,
+    glitter.GLITTER,
+    glitter.SPARKLES,
     water.EFFECT,
     water.FLOOR,
     caustics.EFFECT,
     water.UNDERSIDE,
     shore.EFFECT,
-    land.SHADOWS,
+    shore.SHADOWS,
     sources.SURF,
     reflection.CUBEMAP,
     drift.EFFECT,
@@ -47,7 +47,7 @@ EFFECTS: tuple[Effect, ...] = (
     material.AERATION,
     material.RELIEF,
     material.SCATTERING,
-    wake_foam.EFFECT,
+    sources.WAKE,
     boat.EFFECT,
     spray.EFFECT,
     boat.SHADOWS,

@@ -1,11 +1,16 @@
-"""Upper bounds of parts of a scene at any place and time, from which the effects' bounds are derived."""
+"""Upper bounds of parts of a scene at any place and time, from which the effects' bounds are derived; and passes that
+measure those of waves in a map in each frame, docs/formulae.md, section 3.
+"""
 
 import math
 
-from seafoam.effects.effect import Bound
+from seafoam.effects.effect import Bound, PassSpec, Resources, drawn_map
 from seafoam.effects.light.atmosphere import lamp_angles
 from seafoam.effects.light.light import brightest_sun, sky_irradiance
 from seafoam.effects.registry import saturation_limits
+from seafoam.effects.shader import Inline
+from seafoam.framegraph.resources import FixedSize, Target
+from seafoam.framegraph.rules import number
 from seafoam.ocean.basics.dispersion import paper_level
 from seafoam.ocean.waves.cascades import RAISED, cascades
 from seafoam.ocean.waves.rings import ring_height
@@ -23,6 +28,8 @@ FORWARD_PEAK = (1.0 + FOAM_ASYMMETRY) / (4.0 * math.pi * (1.0 - FOAM_ASYMMETRY) 
 """Greatest value of that phase function, straight ahead, 1/sr."""
 FLOOR_FIELDS = ("/light/exposure", "/water/absorption_length", "/water/scattering")
 """Fields that :func:`floor_limit` depends on and that can change without a new plan."""
+BLOCK = 16
+"""Side of the blocks whose maxima are found first, texels."""
 
 
 def parametric_wave_height(scene: Scene) -> float:
@@ -55,7 +62,6 @@ def _amplitude(scene: Scene) -> float:
 
 
 def greatest_saturation(foam: Foam, scene: Scene) -> float:
-    """Return the greatest saturation of all sources combined."""
     limits = saturation_limits(scene)
     if foam.combine == "max":
         return max(limits)
@@ -140,3 +146,22 @@ def foam_limit(foam: Foam, scene: Scene) -> float:
 def _brightest_irradiance(light: Light) -> float:
     """Exposed irradiance of overhead sun and whole sky, the brightest channel."""
     return float(max(brightest_sun(light) + sky_irradiance(light))) * math.exp2(light.exposure)
+
+
+def measured_bounds(source: str, size: int, texel: float, stride: int = 1) -> Resources:
+    """Targets and passes of a map's bounds. ``SOURCE_bounds`` holds height (m), slope and second derivative (1/m).
+
+    ``source``: a target of ``size``² texels of ``texel`` m that holds height and the slopes along x and z; ``size`` is
+    a multiple of :data:`BLOCK`. ``stride``: only every so many texels along each side are read; the shortest wave must
+    be at least four times as long.
+    """
+    blocks, bounds = f"{source}_blocks", f"{source}_bounds"
+    sizes = Inline(f"const int BOUNDS_BLOCK = {BLOCK};\nconst int BOUNDS_STRIDE = {stride};\n")
+    files, texels = (sizes, "surface/bounds.glsl@pass"), {"u_bounded_texel": number(texel)}
+    name = f"{source}, greatest of blocks"
+    of_blocks = PassSpec(name, f"bounds_{stride}", files, {"u_bounded": source}, texels, target=blocks)
+    join = ("surface/bounds.glsl@join",)
+    of_all = PassSpec(f"{source}, greatest of all", "bounds_join", join, {"u_blocks": blocks}, target=bounds)
+    return drawn_map(of_blocks, Target(size=FixedSize.square(-(-size // BLOCK)), format="RGBA16F")).joined(
+        drawn_map(of_all, Target(size=FixedSize.square(1), format="RGBA16F"))
+    )

@@ -235,8 +235,34 @@ class Effect:
     without: Callable[[Scene], Scene] | None = None
 
 
+def part_effect(
+    name: str, draw: Callable[..., Contribution | None], part: str, *parameters: QualityParameter, **declared: Any
+) -> Effect:
+    """Return the effect of a part of the scene: active where the scene has it.
+
+    ``part``: JSON pointer of the part or field, which is absent if it, or a part on the way to it, is null, empty or 0.
+    ``draw``: its contribution; it is given the scene, each part on the way, this one, and the quality. ``declared``:
+    more of the effect's fields; ``fields`` are further pointers.
+    """
+
+    @wraps(draw)
+    def contribute(scene: Scene, quality: Quality) -> Contribution | None:
+        parts: list[Any] = [scene]
+        for step in part.split("/")[1:]:
+            parts.append(getattr(parts[-1], step))
+            if not parts[-1]:
+                return None
+        return draw(*parts, quality)
+
+    return Effect(name, contribute, (part, *declared.pop("fields", ())), parameters, **declared)
+
+
 def foam_effect(
-    name: str, draw: Callable[[Scene, Foam, Any, Quality], Contribution], source: SaturationSource, **declared: Any
+    name: str,
+    draw: Callable[[Scene, Foam, Any, Quality], Contribution],
+    source: SaturationSource,
+    *parameters: QualityParameter,
+    **declared: Any,
 ) -> Effect:
     """Return the effect that draws a source of foam saturation: active if the scene's foam has one of its model.
 
@@ -250,7 +276,7 @@ def foam_effect(
         given = next((part for part in scene.foam.saturation if isinstance(part, source.model)), None)
         return None if given is None else draw(scene, scene.foam, given, quality)
 
-    return Effect(name, contribute, saturation=source, **declared)
+    return Effect(name, contribute, parameters=parameters, saturation=source, **declared)
 
 
 class AssemblyError(RuntimeError):
@@ -258,7 +284,6 @@ class AssemblyError(RuntimeError):
 
 
 def _united(*mappings: Mapping[str, T]) -> dict[str, T]:
-    """Return the entries of all mappings. Raises :class:`AssemblyError` if two have a key with different values."""
     result: dict[str, T] = {}
     for mapping in mappings:
         repeated = {key for key in result.keys() & mapping.keys() if result[key] != mapping[key]}

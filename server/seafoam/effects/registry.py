@@ -23,7 +23,6 @@ CHANGED: list[Callable[[], None]] = []
 
 
 def outside() -> tuple[Effect, ...]:
-    """Return the effects outside the package, in order of registration."""
     return tuple(_outside.values())
 
 
@@ -82,7 +81,6 @@ def saturation_fields(scene: Scene) -> tuple[str, ...]:
 
 
 def _sources(scene: Scene) -> dict[str, BaseModel]:
-    """The sources of foam saturation of a scene, by JSON pointer."""
     given = () if scene.foam is None else scene.foam.saturation
     outside = {f"/extensions/{name}": part for name, part in scene.extensions if type(part) in _saturations}
     return {**{f"/foam/saturation/{i}": source for i, source in enumerate(given)}, **outside}

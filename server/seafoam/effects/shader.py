@@ -93,7 +93,6 @@ def constant_function(returns: str, name: str, parameters: str, value: str = "",
 
 
 def joined(*pieces: Inline) -> Inline:
-    """Return inline GLSL with an empty line between its pieces."""
     return Inline("\n".join(piece.text for piece in pieces))
 
 

@@ -35,7 +35,6 @@ def evaluate(uniform: Uniform, state: FrameState) -> NDArray[np.float32]:
 
 
 def evaluate_rule(rule: Rule, state: FrameState) -> tuple[float, ...]:
-    """Return the values of one rule, float64."""
     match rule:
         case Constant():
             return rule.value

@@ -52,5 +52,4 @@ class FramePlan(PlanPart):
 
     @property
     def sha256(self) -> str:
-        """SHA-256 of the plan's bytes."""
         return hashlib.sha256(self.canonical_json()).hexdigest()

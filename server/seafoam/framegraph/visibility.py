@@ -24,7 +24,6 @@ def eye_of(plan: FramePlan, camera: Camera) -> Eye:
 
 
 def applies_to(drawn: Pass, eye: Eye) -> bool:
-    """Whether a pass is drawn for this camera height."""
     return drawn.eye == "any" or eye in drawn.eye
 
 
@@ -60,7 +59,6 @@ def passes_into(passes: Mapping[int, Pass], targets: Iterable[str]) -> dict[int,
 
 
 def reads(drawn: Pass) -> set[str]:
-    """Return the targets that a pass reads."""
     return {source.target for source in drawn.inputs.values() if isinstance(source, TargetInput)}
 
 

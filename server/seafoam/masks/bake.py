@@ -117,7 +117,6 @@ def _bake(mask: ShippedMask, size: int, kept: bytes | None, progress: Progress =
 
 
 def main() -> None:
-    """The command."""
     parser = argparse.ArgumentParser(description="Bake the shipped masks and their catalogue.")
     parser.add_argument("--out", type=Path, default=Path("masks"), help="directory to write to")
     names = [mask.name for mask in SHIPPED]

@@ -2,7 +2,7 @@
 
 import hashlib
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property, lru_cache
 from pathlib import Path
@@ -10,23 +10,12 @@ from threading import Lock
 from types import MappingProxyType
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 from pydantic import BaseModel, Field
 
-from seafoam.masks import prefilter
+from seafoam.masks import families, prefilter
 from seafoam.masks.construct.make import build, estimated_seconds
-from seafoam.masks.families import (
-    FAMILY_SUMMARIES,
-    FAMILY_TITLES,
-    GENERATOR,
-    LICENSE,
-    SIZES,
-    VALUE_RULE,
-    Family,
-    MaskSpec,
-    Method,
-    parse_parameters,
-)
+from seafoam.masks.families import Family, MaskSpec, Method, parse_parameters
 from seafoam.masks.formats import decode_ranks
 from seafoam.masks.judge.morphology import MaskMorphology, measure_morphology
 from seafoam.masks.judge.spectrum import MaskSpectrum, measure_spectrum
@@ -111,12 +100,6 @@ class Thresholds:
     ramps: NDArray[np.float64]
     """Of the ramp of an octave, see :func:`prefilter.ramp_tables`."""
 
-    @staticmethod
-    def measure(quantile: ArrayLike, spans: Sequence[prefilter.Level]) -> "Thresholds":
-        """The tables of a mask with this quantile table and these spans."""
-        quantiles = np.vstack((np.asarray(quantile, np.float64)[None], prefilter.span_quantiles(spans)))
-        return Thresholds(read_only(quantiles), read_only(prefilter.ramp_tables(quantile, spans)))
-
     def to_bytes(self) -> bytes:
         """A ``.tables`` file: the rows of both, float64, little-endian."""
         return np.vstack((self.quantiles, self.ramps)).astype("<f8").tobytes()
@@ -149,7 +132,6 @@ class Mask:
 
     @property
     def quantile(self) -> tuple[float, ...]:
-        """Its quantile table for magnification."""
         return self.tables.quantile.entries
 
     @cached_property
@@ -165,7 +147,10 @@ class Mask:
     @cached_property
     def filtering(self) -> Thresholds:
         """Its tables for shaders: the known ones, else computed now."""
-        return self.baked or Thresholds.measure(self.quantile, self.spans)
+        if self.baked:
+            return self.baked
+        quantiles = np.vstack((np.asarray(self.quantile)[None], prefilter.span_quantiles(self.spans)))
+        return Thresholds(read_only(quantiles), read_only(prefilter.ramp_tables(self.quantile, self.spans)))
 
     def sidecar(self) -> dict[str, object]:
         """Metadata of a download, as plain JSON values."""
@@ -182,10 +167,11 @@ def describe(name: str, made: MaskSpec, method: Method, ranks: Ranks) -> MaskInf
     family = made.family
     lace = family == "lace"
     own = f", aspect {made.aspect:g}, age {made.age:g}" if lace else ""
+    length = "spacing" if family == "bubble" else "sigma"
     return MaskInfo(
         name=name,
-        title=f"{FAMILY_TITLES[family]}, {'spacing' if family == 'bubble' else 'sigma'} {made.sigma:g} texels{own}",
-        summary=FAMILY_SUMMARIES[family],
+        title=f"{families.FAMILY_TITLES[family]}, {length} {made.sigma:g} texels{own}",
+        summary=families.FAMILY_SUMMARIES[family],
         family=family,
         parameters=MaskParameters(
             sigma=made.sigma,
@@ -196,10 +182,10 @@ def describe(name: str, made: MaskSpec, method: Method, ranks: Ranks) -> MaskInf
             age=made.age if lace else None,
             method=method if family == "vac" else None,
         ),
-        generator=GENERATOR,
+        generator=families.GENERATOR,
         sha256=rank_sha256(ranks),
-        value_rule=VALUE_RULE,
-        license=LICENSE,
+        value_rule=families.VALUE_RULE,
+        license=families.LICENSE,
     )
 
 
@@ -251,8 +237,8 @@ def mask_by_name(name: str) -> Mask:
 
 def drawn_mask(name: str) -> Mask:
     """As :func:`mask_by_name`, of the masks that scenes can draw: square, a power of two up to 512 texels a side."""
-    if ":" in name and (asked := parse_parameters(name)).size not in map(str, SIZES):
-        sizes = ", ".join(map(str, SIZES))
+    if ":" in name and (asked := parse_parameters(name)).size not in map(str, families.SIZES):
+        sizes = ", ".join(map(str, families.SIZES))
         raise ValueError(f"size {asked.size} is not one of {sizes} texels, which a scene can draw")
     return mask_by_name(name)
 

@@ -39,13 +39,6 @@ def thresholds(ranks: Ranks) -> Field:
     return (ranks + 0.5) / ranks.size
 
 
-def _halved(level: Field) -> Field:
-    """Means of two by two texels; half the rows and columns."""
-    rows, columns = level.shape
-    halved: Field = level.reshape(rows // 2, 2, columns // 2, 2).mean(axis=(1, 3))
-    return halved
-
-
 def footprint_deviations(ranks: Ranks) -> list[float]:
     """sigma_l: root mean square, over a level's boxes, of the standard deviation of u inside a box of 2^l texels.
 
@@ -57,9 +50,10 @@ def footprint_deviations(ranks: Ranks) -> list[float]:
     deviations = []
     while True:
         deviations.append(float(np.sqrt(max(second - float((mean * mean).mean()), 0.0))))
-        if mean.shape[0] % 2 or mean.shape[1] % 2:
+        rows, columns = mean.shape
+        if rows % 2 or columns % 2:
             return deviations
-        mean = _halved(mean)
+        mean = mean.reshape(rows // 2, 2, columns // 2, 2).mean(axis=(1, 3))
 
 
 def bspline_weights(f: float) -> tuple[float, float, float, float]:

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 from seafoam.effects.effect import AssemblyError, Contribution, Effect, Resources
 from seafoam.effects.shader import SlotFile, path_of
@@ -15,12 +16,15 @@ NEGLIGIBLE = 0.5 / 255.0
 """Half a level of exposed linear light: effects that change all pixels by less are left out."""
 LOWEST = -100.0
 """Lowest camera height without a floor, m: nothing more is visible below."""
+_SUMMED, _GREATEST = ("max_height", "min_height", "max_slope", "map_error"), ("march_factor", "refine", "coarser")
+"""Numbers of contributions that add up, and those of which the greatest counts."""
 
 
 @dataclass(frozen=True, kw_only=True)
-class Collection(Resources):
-    """The resources of all effects of a scene, and bounds of its surface."""
+class Collection(Contribution):
+    """The contributions of all effects of a scene, as one."""
 
+    why: str = ""
     scene: Scene
     """Without the parts of effects that are left out."""
     effects: tuple[EffectNote, ...]
@@ -29,16 +33,9 @@ class Collection(Resources):
     """Live fields that the bounds of effects left out depend on."""
     readers: dict[str, str]
     """Sampler -> name of the effect that adds it."""
-    max_height: float
-    min_height: float
-    max_slope: float
-    map_error: float
     bounds: tuple[float, float, float]
     """Upper bounds of height, slope and curvature of the effects that do not measure their own."""
     min_ground: float
-    march_factor: int
-    refine: int
-    coarser: float
 
     def fills(self, slot: str) -> bool:
         """Whether a file fills the slot."""
@@ -98,26 +95,22 @@ def _joined(given: Sequence[tuple[str, Contribution]], scene: Scene, left_out: _
     every = [one for _, one in given]
     bounded = [one for one in every if not any(file.slot == "bounds" for file in one.slots)]
     grounds = [one.min_ground for one in every if one.min_ground is not None]
+    numbers: dict[str, Any] = {name: summed(getattr(one, name) for one in every) for name in _SUMMED}
+    numbers |= {name: max(getattr(one, name) for one in (Contribution(why=""), *every)) for name in _GREATEST}
     return Collection(
+        **numbers,
         **vars(replace(joined, slots=tuple(slots))),
         scene=scene,
         effects=tuple(EffectNote(name=name, why=one.why, files=_files(one)) for name, one in given),
         skipped=tuple(left_out.notes.values()),
         bound_fields=frozenset(left_out.fields).union(*(one.depends for one in every)),
         readers={sampler: name for name, one in given for sampler in one.inputs},
-        max_height=summed(one.max_height for one in every),
-        min_height=summed(one.min_height for one in every),
-        max_slope=summed(one.max_slope for one in every),
-        map_error=summed(one.map_error for one in every),
         bounds=(
             summed(one.max_height for one in bounded),
             summed(one.max_slope for one in bounded),
             summed(one.max_curvature for one in bounded),
         ),
         min_ground=grounds[-1] if grounds else LOWEST,
-        march_factor=max((one.march_factor for one in every), default=1),
-        refine=max((one.refine for one in every), default=0),
-        coarser=max((one.coarser for one in every), default=1.0),
     )
 
 

@@ -28,8 +28,6 @@ ROWS_SHARE, ROWS_SHARE_OF_CAUSTICS, ROWS_SHARE_OF_DOTS = 0.1, 0.2, 0.5
 """Share of the rows above and below in what is shown in the middle between two drawn pixels, at most: as a rule, over a
 floor's caustics, and between two samples of which one is foam, black or white. None at a quarter of the width, where it
 buys 1 to 2 % of the error for 4 % of the time, and on calm water, whose glints are rows of their own."""
-DOTTED = ("halftone", "halftone_textured", "fading", "listing")
-"""Looks of foam that compare the mask sample by sample (docs/formulae.md, section 5)."""
 CALM = 0.01
 """Standard deviation of the ripples' slope below which the mirrored sun is a narrow column, upright in the picture."""
 START_TILE, WIDE_TILE = 4, 16
@@ -54,8 +52,8 @@ def is_calm(scene: Scene) -> bool:
 
 
 def is_dotted(scene: Scene) -> bool:
-    """Whether each sample of foam is black or white."""
-    return scene.foam is not None and scene.foam.look in DOTTED
+    """Whether each sample of foam is black or white: of looks that compare the mask sample by sample."""
+    return scene.foam is not None and scene.foam.look in ("halftone", "halftone_textured", "fading", "listing")
 
 
 def _rows_share(collection: Collection, width: int) -> float:
@@ -65,12 +63,6 @@ def _rows_share(collection: Collection, width: int) -> float:
     if width > 3 or is_calm(scene):
         return 0.0
     return ROWS_SHARE_OF_CAUSTICS if collection.fills("caustics") else ROWS_SHARE
-
-
-def _footprint_x(collection: Collection, width: int) -> float:
-    if width == 1:
-        return 1.0
-    return FOOTPRINT_X_OF_CAUSTICS if collection.fills("caustics") else FOOTPRINT_X
 
 
 @dataclass(frozen=True)
@@ -109,6 +101,7 @@ class Frame:
         if not self.level or self.shore:
             collection = collection.joined(_starts(self.sampled, measured=collection.fills("bounds")))
         self.collection = collection
+        footprint = FOOTPRINT_X_OF_CAUSTICS if collection.fills("caustics") else FOOTPRINT_X
         self.consts: dict[str, Const] = {
             **collection.consts,
             "SURFACE_FILTER": quality.surface.filter,
@@ -121,7 +114,7 @@ class Frame:
             "ROW_SHIFT": ROW_SHIFT,
             "ROWS_SHARE": _rows_share(collection, quality.pixel_width),
             "DOTTED": is_dotted(collection.scene),
-            "FOOTPRINT_X": _footprint_x(collection, quality.pixel_width),
+            "FOOTPRINT_X": footprint if self.narrow else 1.0,
         }
         self.met = _met_files(collection.slots, self.level)
         """Files of a pass that only finds what rays meet: it has a texture more to spare than others."""
@@ -172,7 +165,6 @@ class Frame:
         return fullscreen(name, program, target, inputs).model_copy(update={"eye": eye, "state": state})
 
     def effect_programs(self) -> dict[str, Program]:
-        """Return the programs of all passes that effects add."""
         programs: dict[str, Program] = {}
         for spec in self.collection.passes:
             programs[spec.program] = self.program(spec.fragment, spec.vertex, over=True if spec.under else None)
@@ -181,7 +173,6 @@ class Frame:
         return programs
 
     def effect_passes(self, stage: str) -> list[Pass]:
-        """Return the passes that effects add in a stage."""
         return [drawn for spec in self.collection.passes if spec.stage == stage for drawn in self.passes_of(spec)]
 
     @property
@@ -210,12 +201,10 @@ class Frame:
 
 
 def underwater(program: str) -> str:
-    """Return the name of the program that replaces another for a camera under the water."""
     return f"{program}, underwater"
 
 
 def fullscreen(name: str, program: str, target: str, inputs: Mapping[str, Input]) -> Pass:
-    """Return a pass over the whole target."""
     return Pass(name=name, when="frame", program=program, target=target, mesh=Fullscreen(), inputs=dict(inputs))
 
 
@@ -243,7 +232,6 @@ def from_under(drawn: Pass, level: bool) -> list[Pass]:
 
 
 def find(intersection: str) -> SlotFile:
-    """Return the file that intersects rays with the surface."""
     return SlotFile("find", intersection, needs=(MARCH_AHEAD,) if intersection == MARCHED else ())
 
 

@@ -33,7 +33,6 @@ def camera_uniforms(given: Collection) -> dict[str, Uniform]:
 
 
 def texture_entry(use: TextureUse) -> Texture:
-    """Return the plan's entry for a texture of the store."""
     data = texture(use.source)
     return Texture(
         url=url_of(use.source),
@@ -66,7 +65,6 @@ def with_inputs(drawn: Pass, programs: Mapping[str, Program], uniforms: Mapping[
 
 
 def declared_in(uniforms: Mapping[str, Uniform], programs: Mapping[str, Program]) -> dict[str, Uniform]:
-    """Return the uniforms that at least one program declares."""
     declared: set[str] = set()
     for program in programs.values():
         declared |= declared_uniforms(program.vertex).keys() | declared_uniforms(program.fragment).keys()

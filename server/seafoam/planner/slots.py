@@ -30,11 +30,9 @@ class Join:
 
     @property
     def arguments(self) -> str:
-        """The names of the parameters."""
         return ", ".join(parameter.split()[-1] for parameter in self.parameters.split(","))
 
     def glsl(self, prefixes: Sequence[str]) -> str:
-        """Return the function's source."""
         calls = [f"{prefix}_{self.suffix}({self.arguments})" for prefix in prefixes]
         if not calls:
             value = f"{self.returns}({self.none})"

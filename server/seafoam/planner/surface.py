@@ -47,7 +47,6 @@ class Scenery:
         """Whether a pass finds the water's samples and another lights them."""
 
     def stage(self) -> Stage:
-        """Return what draws the scenery."""
         size, targets = self.frame.sampled, {}
         if self.frame.shore:
             targets["met"] = Target(size=size, format="RGBA32F")
@@ -201,7 +200,6 @@ class Scenery:
         return fullscreen(SKY, SKY, self.target, {}).model_copy(update={"view": view, "state": State(depth=True)})
 
     def _surfaces(self) -> list[Pass]:
-        """Passes that draw the surface, for all camera heights."""
         frame, cells = self.frame, self.frame.quality.surface.cells
         own = Pass(
             name=SURFACE,
@@ -227,7 +225,6 @@ class Scenery:
         return [*over, *from_under(low, frame.level)]
 
     def _samples_pass(self, lit: Pass) -> Pass:
-        """Return the pass that finds the samples that another lights."""
         program = underwater(SAMPLES) if lit.program == UNDERWATER else SAMPLES
         state = lit.state if self.frame.shore else State()
         return lit.model_copy(update={"name": SAMPLES, "program": program, "target": SAMPLES, "state": state})

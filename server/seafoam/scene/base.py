@@ -105,7 +105,8 @@ def non_defaults(part: BaseModel) -> dict[str, Any]:
     found: dict[str, Any] = {}
     for name, value in part:
         field = type(part).model_fields.get(name)
-        if field is None or _tells_apart(field) or value != field.get_default(call_default_factory=True):
+        tells_apart = field and get_origin(field.annotation) is Literal and len(get_args(field.annotation)) == 1
+        if field is None or tells_apart or value != field.get_default(call_default_factory=True):
             found[name] = _non_defaults(value)
     return found
 
@@ -114,7 +115,3 @@ def _non_defaults(value: Any) -> Any:
     if isinstance(value, BaseModel):
         return non_defaults(value)
     return [_non_defaults(one) for one in value] if isinstance(value, tuple) else value
-
-
-def _tells_apart(field: FieldInfo) -> bool:
-    return get_origin(field.annotation) is Literal and len(get_args(field.annotation)) == 1

@@ -37,7 +37,6 @@ def _documents() -> dict[str, dict[str, Any]]:
 
 
 def preset_names() -> tuple[str, ...]:
-    """Return the names of all presets, in menu order."""
     return tuple(_documents())
 
 

@@ -1,4 +1,4 @@
-"""Textures of shores: the floor's heights, and the table of shore-wave profiles. docs/formulae.md, section 8."""
+"""Textures of shores: heights, a swell's way, profiles of waves, rocks. docs/formulae.md, sections 8 and 13."""
 
 from functools import lru_cache
 from typing import Annotated, ClassVar, Literal
@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import AfterValidator, Field
 
+from seafoam.ocean.coast.rocks import rocks
 from seafoam.ocean.coast.seabed import floor_grid
 from seafoam.ocean.coast.travel import travel_grid
 from seafoam.scene.shore import Shore
@@ -54,12 +55,24 @@ class ShoreProfiles(TextureSpec):
     sharpness: float = Field(ge=0.0, le=0.15)
 
     def image(self) -> Image:
-        return Image("RG32F", (with_next_row(shore_profiles(self.nodes, self.skew, self.sharpness)).astype("<f4"),))
+        table = shore_profiles(self.nodes, self.skew, self.sharpness)
+        # For one fetch of both; the last row is repeated.
+        return Image("RG32F", (np.stack([table, np.concatenate([table[1:], table[-1:]])], axis=-1).astype("<f4"),))
 
 
-def with_next_row(table: NDArray[np.float32]) -> NDArray[np.float32]:
-    """(rows, nodes, 2): each entry with that of the next row, for one fetch of both; the last row is repeated."""
-    return np.stack([table, np.concatenate([table[1:], table[-1:]])], axis=-1)
+class SprayRocks(TextureSpec):
+    """Places on a shore's rocks, RGBA32F (1, ROCKS), see :func:`seafoam.ocean.coast.rocks.rocks`."""
+
+    kind: ClassVar[str] = "spray-rocks"
+    shore: Ground
+    steep: float = Field(ge=0.0, le=2.0)
+
+    def image(self) -> Image:
+        """Return the places as a row. Raises ``ValueError`` where there are none."""
+        places = rocks(self.shore, self.steep)
+        if len(places) == 0:
+            raise ValueError("shore: has no rocks as steep as that")
+        return Image("RGBA32F", (places.astype("<f4")[None],))
 
 
 @lru_cache(maxsize=16)

@@ -2,20 +2,10 @@
 
 import math
 
+from seafoam.scene.foam import Foam, FoamLife, FoamScattering, FrontSaturation, HeightSaturation
 from support.cases import Bounds, Cases, HardCase
 from support.hard.mutations import IN_FLOAT32, guards, reference
-from support.scenes import (
-    Camera,
-    Foam,
-    FoamLife,
-    FoamScattering,
-    FrontSaturation,
-    HeightSaturation,
-    Light,
-    ParametricWave,
-    Scene,
-    Water,
-)
+from support.scenes import Camera, Light, ParametricWave, Scene, Water
 
 _INVISIBLE = (
     Scene(
@@ -48,15 +38,6 @@ _HARD = (
         guard="amount 0 at saturation 0 and 1 at 1, by a step of 1/256 at each end (foam/look.glsl@filtered)",
         without={"foam/look.glsl": {"1.0 - (1.0 - covered) * smoothstep(0.0, 1.0 / 256.0, 1.0 - s)": "covered"}},
         missed_by=guards("foam", "foam_closes_before_its_saturation_is_whole"),
-    ),
-    HardCase(
-        "thresholds next to 0 and to 1",
-        Scene(
-            foam=Foam(saturation=(HeightSaturation(base=-1.52587890625e-05, full=0.9999847412109375),), look="halftone")
-        ),
-        guard="thresholds in the middle of their ranks, (rank + 1/2)/N (foam/mask.glsl@texel_u16)",
-        without={"foam/mask.glsl": {"+ 0.5) / 65536.0": ") / 65536.0"}},
-        missed_by=guards("foam", "functions_are_guarded[the lowest threshold of a mask]"),
     ),
     HardCase(
         "a mask at a thousandth of a texel a pixel",
@@ -125,20 +106,6 @@ _HARD = (
         missed_by=reference("foam/slope_and_cells", "frames_with_cells_and_two_textures_equal_float64[filtered]"),
     ),
     HardCase(
-        "a mask turned in each cell, a hair below all",
-        Scene(
-            waves=(ParametricWave(amplitude=1e-3, wavelength=3.0),),
-            foam=Foam(saturation=(HeightSaturation(base=-0.9995, full=0.0005),), cells=True, mask_tile=1.5),
-            light=None,
-        ),
-        guard="base of the power at least 1/256, below that linear to 0 (foam/shading.glsl@cover)",
-        camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
-        without={
-            "foam/shading.glsl": {"vec2(max(left, 1.0 / 256.0), smoothstep(0.0, 1.0 / 256.0, left))": "vec2(left, 1.0)"}
-        },
-        missed_by=guards("foam", "functions_are_guarded[covers next to whole]"),
-    ),
-    HardCase(
         "a mask turned in each cell, its thresholds hard",
         Scene(
             foam=Foam(
@@ -175,13 +142,6 @@ _HARD = (
         # The share of foam is rounded where it is nearly 1, and the light under it is 65504.
         bounds=Bounds(mean=8.0, share=0.15),
         without={"foam/look.glsl": {"share = clamp(share, 0.0, 1.0);": ""}},
-    ),
-    HardCase(
-        "a foam texture far under a texel",
-        Scene(foam=Foam(saturation=(HeightSaturation(base=-1.0, full=1.0),), look="textured", texture_tile=1000.0)),
-        guard="footprint at least 1e-6 texels before the logarithm (foam/mask.glsl@texture)",
-        camera=Camera(position=(0.37, 1e-3, -0.21), pitch=-0.3),
-        unseen="llvmpipe's logarithm of 0, which GLSL leaves undefined, is -infinity, and the level is held at 0",
     ),
 )
 
@@ -260,8 +220,6 @@ _VARIANTS_SCATTERING = (
     Scene(foam=_foam_scattering(FoamScattering()).model_copy(update={"thickness": 0.1}), light=Light()),
 )
 
-_FOAM_AERATION = Foam(saturation=(HeightSaturation(base=-0.4, full=0.6),))
-
 _INVISIBLE_AERATION = (
     Scene(waves=(ParametricWave(amplitude=0.5),), foam=Foam(), water=Water(aeration=1e-6)),
     Scene(
@@ -271,11 +229,9 @@ _INVISIBLE_AERATION = (
     ),
 )
 
-_HARD_AERATION = ()
-
 CASES = {
     "foam look": Cases(invisible=_INVISIBLE, hard=_HARD),
     "foam relief": Cases(invisible=_INVISIBLE_RELIEF, hard=_HARD_RELIEF),
     "foam scattering": Cases(invisible=_INVISIBLE_SCATTERING, hard=_HARD_SCATTERING, variants=_VARIANTS_SCATTERING),
-    "milky water": Cases(invisible=_INVISIBLE_AERATION, hard=_HARD_AERATION),
+    "milky water": Cases(invisible=_INVISIBLE_AERATION),
 }

@@ -2,26 +2,19 @@
 
 import math
 
-from support.cases import Bounds, Cases, HardCase
-from support.hard.mutations import guards, reference
-from support.scenes import (
-    Boat,
-    Camera,
+from seafoam.scene.foam import (
     Foam,
     FrontSaturation,
     HeightSaturation,
-    Light,
-    ParametricWave,
-    Ring,
-    Scene,
-    Sea,
-    Shore,
     SlopeSaturation,
-    Surf,
     SurfSaturation,
     WakeSaturation,
     WhitecapSaturation,
 )
+from seafoam.scene.waves import ParametricWave, Ring, Sea
+from support.cases import Cases, HardCase
+from support.hard.mutations import guards, reference
+from support.scenes import Boat, Camera, Light, Scene, Shore, Surf
 
 _INVISIBLE_HEIGHT = (
     Scene(
@@ -31,25 +24,6 @@ _INVISIBLE_HEIGHT = (
 )
 
 _HARD_HEIGHT = (
-    HardCase(
-        "foam over a millimetre, a hundred metres up",
-        Scene(
-            waves=(
-                ParametricWave(amplitude=50.0, wavelength=400.0),
-                ParametricWave(amplitude=50.0, wavelength=400.0),
-                ParametricWave(amplitude=1.0, wavelength=300.0),
-            ),
-            foam=Foam(saturation=(HeightSaturation(base=100.0, full=100.001),), look="halftone"),
-        ),
-        guard="divisor at least 1e-3 m (foam/saturation/height.glsl@plain)",
-        camera=Camera(position=(0.0, 140.0, 0.0), pitch=-0.4),
-        without={
-            "foam/saturation/height.glsl": {
-                "max(u_height_full - u_height_base, 1e-3), 0.0": "(u_height_full - u_height_base), 0.0"
-            }
-        },
-        missed_by=guards("foam", "functions_are_guarded[foam over no height at all]"),
-    ),
     HardCase(
         "heights that the eye sees, from between the crests and along them",
         Scene(
@@ -136,18 +110,6 @@ _HARD_SURF = (
         without={"foam/saturation/surf.glsl": {", 1e-3, 0.15)": ", 0.0, 0.15)"}},
         missed_by=guards("foam", "functions_are_guarded[surf on level ground under level water]"),
     ),
-    HardCase(
-        "foam where no way leads to the shore",
-        Scene(
-            light=_LIGHT,
-            shore=_BEACH.model_copy(update={"kind": "islands", "radius": 12.0, "smoothing": 0.0}),
-            foam=_FOAM_SURF,
-        ),
-        guard="the gradient toward the shore divided by a length of at least 1e-6 (foam/saturation/surf.glsl@surf)",
-        camera=_VIEW,
-        without={"shore/waves.glsl": {"max(length(out_to_sea), 1e-6)": "length(out_to_sea)"}},
-        missed_by=guards("foam", "functions_are_guarded[surf that no way leads from]"),
-    ),
 )
 
 _FOAM_WAKE_FOAM = Foam(saturation=(WakeSaturation(),), mask="clump")
@@ -160,20 +122,6 @@ _INVISIBLE_WAKE_FOAM = (
 )
 
 _HARD_WAKE_FOAM = (
-    HardCase(
-        "foam at the centre of a boat's circle",
-        Scene(
-            boats=(_BOAT.model_copy(update={"radius": 13.5, "speed": 20.0}),),
-            foam=Foam(saturation=(WakeSaturation(amount=4.0, life=60.0, bow=4.0),), look="halftone"),
-        ),
-        guard="distance from the centre at least a tenth of the radius, exponents at most 80 (boats/wake.glsl@way, "
-        "foam/saturation/wake.glsl@wake)",
-        camera=Camera(position=(0.0, 20.0, -30.0), pitch=-math.pi / 2),
-        # An arc tangent that is off by 3e-6 moves the end of the wake, and bubbles at their threshold with it.
-        bounds=Bounds(mean=1.0, share=0.01),
-        without={"boats/wake.glsl": {"max(length(from), 0.1 * radius)": "length(from)"}},
-        missed_by=guards("foam", "functions_are_guarded[the centre of a boat's circle]"),
-    ),
     HardCase(
         "white water along a heeled hull, from its keel line to far abeam",
         Scene(
@@ -214,11 +162,7 @@ _HARD_WHITECAPS = (
         "(ocean/foam/whitecaps.py)",
         camera=Camera(position=(0.37, 90.0, -0.21), yaw=1.0, pitch=-0.3),
         times=(1e9,),
-        without={
-            "foam/saturation/whitecap.glsl": {
-                "u_whitecap_variance.z, 1.0)), 1.0)": "u_whitecap_variance.z, 1.0)), 1e30)"
-            }
-        },
+        without={"foam/saturation/whitecap.glsl": {".z, 1.0)), 1.0)": ".z, 1.0)), 1e30)"}},
         missed_by=guards("foam", "functions_are_guarded[whitecaps of nine times]"),
     ),
     HardCase(

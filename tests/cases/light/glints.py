@@ -13,13 +13,6 @@ _INVISIBLE_GLITTER = (Scene(light=_DOWN), Scene(light=Light(sun_elevation=-math.
 
 _HARD_GLITTER = (
     HardCase(
-        "into the sun on the horizon",
-        Scene(light=Light(sun_elevation=0.0, exposure=10.0), water=Water(roughness=0.01)),
-        guard="the half vector h is divided by at least 1e-6 (light/glitter.glsl@beckmann)",
-        camera=Camera(position=(0.0, 1.0, 0.0), yaw=math.pi / 2, pitch=0.0, fov=0.01),
-        unseen="llvmpipe's max(NaN, x) is x",
-    ),
-    HardCase(
         "facets seen edge-on",
         Scene(
             waves=(ParametricWave(amplitude=2.0, wavelength=3.0, exponent=8.0),),
@@ -88,14 +81,6 @@ _HARD_SPARKLES = (
         without=IN_FLOAT32,
     ),
     HardCase(
-        "one sparkle for the whole sun",
-        Scene(light=_light(sparkles=Sparkles(size=2e-4, rate=0.3, life=0.3, share=1.0), exposure=10.0), water=_WATER),
-        guard="light is at most 65504 (surface/main.glsl@main)",
-        times=(0.0, 0.13),
-        camera=_VIEW.model_copy(update={"fov": 0.02}),
-        without=BRIGHTEST,
-    ),
-    HardCase(
         "sparkles so many that they run together",
         Scene(light=_light(sparkles=Sparkles(size=0.02, rate=10000.0, life=10.0)), water=_WATER),
         guard="where nearly every cell contains a sparkle, the glint is smooth (light/glitter.glsl@sparkles)",
@@ -135,8 +120,6 @@ _VARIANTS = tuple(
 )
 """In place of either glint."""
 
-_HARD_GLARE = ()
-
 _INVISIBLE_SUBSURFACE = (
     Scene(),
     Scene(waves=(ParametricWave(),), water=Water(translucency=0.0)),
@@ -149,13 +132,7 @@ _HARD_SUBSURFACE = (
         "no crest at all",
         Scene(waves=(ParametricWave(amplitude=0.0),), water=Water(translucency=2.0), light=Light(sun_elevation=0.1)),
         guard="1/height counts as 0 if the water is level (effects/water/water.py)",
-        without={
-            "effects/water/water.py": {
-                "number(1.0 / (highest - lowest) if highest - lowest > 1e-37 else 0.0)": (
-                    "number(1.0 / (highest - lowest))"
-                )
-            }
-        },
+        without={"effects/water/water.py": {"- lowest) if highest - lowest > 1e-37 else 0.0)": "- lowest))"}},
         error="ZeroDivisionError",
     ),
 )
@@ -164,7 +141,6 @@ CASES = {
     "sun glitter": Cases(invisible=_INVISIBLE_GLITTER, hard=_HARD_GLITTER),
     "sparkles": Cases(invisible=_INVISIBLE_SPARKLES, hard=_HARD_SPARKLES, variants=_VARIANTS),
     "glare": Cases(
-        hard=_HARD_GLARE,
         always_visible="any share that is not 0 spreads some light",
         variants=(Scene(light=Light(glare=0.1)), Scene(light=Light(tone="photographic"))),
     ),

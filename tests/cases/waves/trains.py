@@ -2,23 +2,11 @@
 
 import math
 
+from seafoam.scene.foam import Foam, FoamLife, FrontSaturation, SlopeSaturation, WhitecapSaturation
+from seafoam.scene.waves import ParametricWave, Sea, WaveGroups
 from support.cases import Bounds, Cases, HardCase
-from support.hard.mutations import PLACE, TIME, TIME_AND_PLACE, guards
-from support.scenes import (
-    Camera,
-    Foam,
-    FoamLife,
-    FrontSaturation,
-    ParametricWave,
-    Ripples,
-    Scene,
-    Sea,
-    SlopeSaturation,
-    Spray,
-    Water,
-    WaveGroups,
-    WhitecapSaturation,
-)
+from support.hard.mutations import TIME, TIME_AND_PLACE, guards
+from support.scenes import Camera, Ripples, Scene, Spray, Water
 
 _INVISIBLE_PARAMETRIC = (
     Scene(waves=(ParametricWave(amplitude=1e-6, wavelength=10.0),), water=Water(translucency=0.0)),
@@ -36,34 +24,12 @@ _HARD_PARAMETRIC = (
         missed_by=guards("waves", "functions_are_guarded[the slope of a cusp in its trough]"),
     ),
     HardCase(
-        "0^K, K 100, and kinks, K 0.5 and 0.7",
-        Scene(
-            waves=tuple(
-                ParametricWave(amplitude=0.3, wavelength=4.0 + k / 50.0, exponent=k, direction=0.06 * k)
-                for k in (0.5, 0.7, 100.0)
-            ),
-            foam=Foam(look="textured"),
-        ),
-        guard="powers are taken of |p| = sqrt(u), which is at least 1e-30; height and slope come from one power "
-        "(waves/parametric.glsl)",
-        without={"waves/parametric.glsl": {"max(q, exponent < 0.5 ? 1e-4 : 1e-30)": "q"}},
-        missed_by=guards("waves", "functions_are_guarded[a kink in its trough]"),
-    ),
-    HardCase(
         "any time, waves of 5 cm",
         Scene(waves=(ParametricWave(amplitude=0.005, wavelength=0.05), ParametricWave()), foam=Foam(look="halftone")),
         guard="phases are reduced in float64 (framegraph/evaluation.py)",
         times=(-1e9, 0.0, 1e9, 1e9 + 1e-6),
         camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
         without=TIME,
-    ),
-    HardCase(
-        "ten thousand kilometres from the origin",
-        Scene(waves=(ParametricWave(amplitude=0.005, wavelength=0.05), ParametricWave()), foam=Foam(look="halftone")),
-        guard="positions are relative to the camera, whose own position is reduced in float64 "
-        "(framegraph/evaluation.py)",
-        camera=Camera(position=(1e7, 3.0, -1e7), pitch=-math.pi / 2),
-        without=PLACE,
     ),
     HardCase(
         "opposite waves that cancel",
@@ -175,17 +141,6 @@ _HARD_PARAMETRIC = (
         },
         missed_by=guards("waves", "functions_are_guarded[no step behind the eye]"),
     ),
-    HardCase(
-        "eye far below the water",
-        Scene(waves=(ParametricWave(),), foam=Foam(), water=Water(ripples=Ripples())),
-        guard="the distance at which the ray leaves the slab of the waves is never negative (surface/march.glsl@march)",
-        camera=Camera(position=(0.0, -1000.0, 0.0), pitch=0.4),
-        apart="the reference looks for the surface from below, the march takes the eye's own place",
-        without={
-            "surface/march.glsl": {"max(u_eye_height - u_surface_trough, 0.0)": "(u_eye_height - u_surface_trough)"}
-        },
-        missed_by=guards("waves", "functions_are_guarded[a march from far below]"),
-    ),
 )
 
 _IN_GROUPS = (
@@ -249,13 +204,6 @@ _HARD_SEA = (
                 "(_modulo(state.time + rule.offset, rule.period),)": "(state.time + rule.offset,)"
             }
         },
-    ),
-    HardCase(
-        "the open sea ten thousand kilometres away",
-        Scene(sea=Sea(wind=8.0, model="gerstner")),
-        guard="the camera's position in each tile is reduced in float64 (framegraph/evaluation.py)",
-        camera=Camera(position=(-1e7, 9.0, 1e7), yaw=1.0, pitch=-0.3),
-        without=PLACE,
     ),
     HardCase(
         "a hurricane that has blown over a hundred metres",

@@ -41,12 +41,6 @@ def test_voids_are_as_round_on_a_narrow_tile():
     assert spectrum.mean_anisotropy(1 / 4) < 1.0
 
 
-def test_the_largest_tile():
-    ranks = make_mask("clump", size=1024, seed=1)
-    assert ranks.shape == (1024, 1024)
-    assert is_permutation(ranks)
-
-
 @pytest.mark.parametrize("family", FAMILIES)
 @pytest.mark.parametrize("size", SIZES)
 def test_the_ends_of_the_sigma_range_are_buildable(family, size):
@@ -190,11 +184,6 @@ def test_holes_grow_as_foam_thins_as_recorded(name):
     assert measured.at(0.3).largest_piece > 0.9
     mask = load_mask(name)
     assert measure_morphology(mask.ranks) == mask.tables.morphology
-
-
-def test_discs_do_not_hold_together():
-    for name in ("mix", "bubble"):
-        assert load_mask(name).tables.morphology.at(0.3).largest_piece < 0.1
 
 
 def test_streaks_run_along_x_and_old_lace_is_patchier():

@@ -143,22 +143,6 @@ def test_whole_numbers_say_what_endless_digits_do(name):
         assert (off > 0.0).mean() < 0.006
 
 
-@pytest.mark.parametrize("name", ["vac-1.5", "bubble"])
-def test_whole_numbers_fit_32_bits(name):
-    """What GLSL holds on the way: the least room is 1/16."""
-    mask = load_mask(name)
-    doubled = 2 * 65535 + 1
-    rows = (doubled * prefilter.SPLINE_SCALE + 256) >> 9
-    assert rows * prefilter.SPLINE_SCALE + 576 < 1 << 32
-    parts = prefilter._spline_quarters(mask.ranks)
-    assert max(int(part.max()) for part in parts) < 1 << prefilter.ENTRY_BITS
-    even = np.stack([prefilter._even(part, mask.quantile) for part in parts])
-    assert even.min() >= 0
-    assert even.max() <= 16383
-    # At the most, where half of the thresholds are 0 and half 1: 16 (2^13)^2, of which 3 and 4 times are taken.
-    assert 4 * 16 * 8192**2 <= 1 << 32
-
-
 def test_a_fetch_of_the_atlas_gets_four_texels_of_a_level():
     mask = load_mask("vac-6")
     image = prefilter.atlas(mask.ranks, mask.spans)

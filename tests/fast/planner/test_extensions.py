@@ -8,7 +8,6 @@ from operator import getitem
 from typing import Any, get_args
 
 import pytest
-from bench.drawn import isolation
 from bench.drawn.isolation import Switch, running, switch
 from pydantic import BaseModel, Field, ValidationError
 
@@ -276,10 +275,6 @@ def test_what_a_bound_leaves_out_leaves_a_note_alone(monkeypatch: pytest.MonkeyP
                 assert _but_for_notes(lean.canonical_json()) == _but_for_notes(other), effect.name
                 compared += 1
     assert compared > 5
-
-
-def test_fields_that_are_not_scenes_do_not_stop_the_search() -> None:
-    assert isolation.switch(EFFECTS[0], Scene(), SHADED) is not None
 
 
 def _but_for_notes(plan: bytes) -> Any:

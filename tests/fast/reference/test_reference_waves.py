@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from seafoam.effects.foam.wake_foam import wake_limit
+from seafoam.effects.foam.sources import wake_limit
 from seafoam.ocean.waves.wakes import Wake
 from seafoam.reference.boats import floating
 from seafoam.reference.boats import wake as wakes_of

@@ -17,8 +17,8 @@ from seafoam.scene.foam import Foam, WhitecapSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 from seafoam.scene.waves import Sea
-from seafoam.textures.sea import SeaSpectrum
 from seafoam.textures.store import texture
+from seafoam.textures.waves import SeaSpectrum
 from support.report import Report
 from support.scenes.seas import SEAS
 from support.sweep import REST

@@ -8,22 +8,14 @@ import pytest
 from numpy.typing import NDArray
 from scipy.ndimage import label
 
+from seafoam.effects.water.water import bed_sun
 from seafoam.ocean.arrays import smoothstep
 from seafoam.ocean.basics.dispersion import wavenumber
-from seafoam.ocean.basics.refraction import refracted_cosine
 from seafoam.ocean.basics.spectrum import frequency_spectrum, peak_frequency
 from seafoam.ocean.coast.rocks import rocks
 from seafoam.ocean.coast.seabed import floor_grid
-from seafoam.ocean.constants import GRAVITY
-from seafoam.ocean.foam.spray import (
-    CELLS,
-    SEA_TEXELS,
-    cell_sides,
-    crest_strength,
-    crest_velocity,
-    fold_limits,
-    torn_share,
-)
+from seafoam.ocean.constants import GRAVITY, WATER_INDEX
+from seafoam.ocean.foam import spray
 from seafoam.ocean.foam.whitecaps import whitecap_model, whitecaps
 from seafoam.ocean.sky import air, skylight
 from seafoam.ocean.waves import stokes
@@ -35,6 +27,7 @@ from seafoam.ocean.waves.wakes import wakes
 from seafoam.reference.waves.parametric import group_factor
 from seafoam.scene.boats import Boat
 from seafoam.scene.foam import WhitecapSaturation
+from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore
 from seafoam.scene.spray import Spray
@@ -117,11 +110,10 @@ def test_stokes_drift_is_that_of_a_sine() -> None:
     assert z == pytest.approx(0.0, abs=1e-12)
 
 
-def test_refraction_obeys_snell() -> None:
-    assert refracted_cosine(1.0) == 1.0
-    for angle in (0.2, 0.8, 1.4):
-        inside = math.acos(refracted_cosine(math.cos(angle), 1.5))
-        assert math.sin(angle) == pytest.approx(1.5 * math.sin(inside), rel=1e-12)
+def test_refraction_of_the_sun_obeys_snell() -> None:
+    for elevation in (0.1, 0.8, 1.5):
+        (rule,) = bed_sun(Light(sun_elevation=elevation))["u_bed_sun"].rules
+        assert math.cos(elevation) == pytest.approx(WATER_INDEX * math.sin(math.acos(rule.value[0])), rel=1e-6)
 
 
 def test_the_seabed_ends_at_its_depth_and_steps_without_a_kink() -> None:
@@ -152,25 +144,25 @@ def test_rocks_of_spray_lie_on_the_coast() -> None:
 
 
 def test_spray_of_open_water_follows_wind_and_whitecaps() -> None:
-    sides = cell_sides(Spray(reach=80.0))
+    sides = spray.cell_sides(Spray(reach=80.0))
     assert all(b == 2.0 * a for a, b in pairwise(sides))
     # A grid is three times as wide as the distance at which it has its full share, half of the reach for the last.
-    assert sides[-1] * CELLS == pytest.approx(3.0 * 40.0)
+    assert sides[-1] * spray.CELLS == pytest.approx(3.0 * 40.0)
     sea = Sea(wind=20.0, fetch=1e7, wind_direction=0.5)
-    x, z = crest_velocity(sea)
+    x, z = spray.crest_velocity(sea)
     # A fully developed sea (Pierson and Moskowitz 1964): its peak runs at the wind's speed over 0.855.
     assert math.hypot(x, z) == pytest.approx(0.5 * 20.0 / 0.855)
     assert math.atan2(z, x) == pytest.approx(0.5)
-    assert crest_velocity(Sea(wind=0.0)) == (0.0, 0.0)
-    shares = [torn_share(Sea(wind=wind), Spray(spindrift=0.6)) for wind in (15.0, 18.0, 21.0)]
+    assert spray.crest_velocity(Sea(wind=0.0)) == (0.0, 0.0)
+    shares = [spray.torn_share(Sea(wind=wind), Spray(spindrift=0.6)) for wind in (15.0, 18.0, 21.0)]
     assert shares == pytest.approx([0.0, 0.3, 0.6])
-    strengths = [crest_strength(Sea(wind=wind)) for wind in (6.0, 13.0, 20.0)]
+    strengths = [spray.crest_strength(Sea(wind=wind)) for wind in (6.0, 13.0, 20.0)]
     assert strengths == pytest.approx([0.0, 0.5, 1.0])
-    limits, twice = (fold_limits(sea, Spray(crests=rate), None) for rate in (1.0, 2.0))
+    limits, twice = (spray.fold_limits(sea, Spray(crests=rate), None) for rate in (1.0, 2.0))
     assert twice == pytest.approx((limits[0], 0.5 * limits[1]))
-    model = whitecap_model(sea, WhitecapSaturation(), None, 0, 0.0, SEA_TEXELS)
+    model = whitecap_model(sea, WhitecapSaturation(), None, 0, 0.0, spray.SEA_TEXELS)
     assert limits == model.now
-    assert fold_limits(sea, Spray(crests=0.0), None) is None
+    assert spray.fold_limits(sea, Spray(crests=0.0), None) is None
 
 
 @pytest.mark.parametrize(("depth", "share"), [(None, 0.5), (500.0, 0.5), (0.1, 1.0)])

@@ -58,15 +58,6 @@ def test_every_number_has_a_description_and_a_range() -> None:
             assert not numeric or node.get("description"), f"{name}.{field} has no description"
 
 
-def test_presets_have_words_and_a_size() -> None:
-    assert preset_names()[0] == "default"
-    for name in preset_names():
-        preset = load_preset(name)
-        assert preset.title
-        assert preset.summary.endswith(".")
-        assert min(preset.size) >= 16
-
-
 def test_ripples_tile_and_have_the_slope_asked_for() -> None:
     ripples = Ripples(slope=0.2, seed=9)
     cascades = ripple_cascades(ripples)

@@ -22,14 +22,11 @@ from seafoam.scene.presets import load_preset
 from seafoam.scene.shore import Shore, Surf
 from seafoam.scene.waves import Sea
 from seafoam.textures.foam import FoamTexture
-from seafoam.textures.front import FrontIntegral
 from seafoam.textures.masks import MaskTexture
-from seafoam.textures.parts import lower_part, upper_part
-from seafoam.textures.sea import FftTwiddles, SeaSpectrum
-from seafoam.textures.shore import ShoreFloor, ShoreProfiles
+from seafoam.textures.shore import ShoreFloor, ShoreProfiles, SprayRocks
 from seafoam.textures.spec import _JSON, _PATH, TextureSpec, UnknownTextureError
-from seafoam.textures.spray import SprayRocks
-from seafoam.textures.store import spec_of, texture, url_of
+from seafoam.textures.store import lower_part, spec_of, texture, upper_part, url_of
+from seafoam.textures.waves import FftTwiddles, FrontIntegral, SeaSpectrum
 
 PATH = re.compile(r"^/api/textures/[A-Za-z0-9\-._~!$&'()*+,;=:@/]+$")
 """Characters of a path that need no escapes (RFC 3986)."""

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from seafoam.effects.spray.spray import contribute
+from seafoam.effects.spray.spray import EFFECT
 from seafoam.ocean.coast.rocks import ROCKS, rocks
 from seafoam.ocean.foam.spray import BATCHES, cell_sides, fold_limits
 from seafoam.planner import make_plan
@@ -305,7 +305,7 @@ def test_a_sea_without_single_waves_throws_drops_where_it_folds(executor: Execut
         folds = sea.folds(batch[:, 0], batch[:, 2])[0]
         assert np.mean(folds < limits[0]) >= 0.95
     calm = STORM.model_copy(update={"sea": STORM.sea.model_copy(update={"wind": 0.0})})
-    assert contribute(calm, TIERS["standard"]).bound is not None  # type: ignore[union-attr]
+    assert EFFECT.contribute(calm, TIERS["standard"]).bound is not None  # type: ignore[union-attr]
 
 
 def test_no_drop_is_left_at_rest(executor: Executor, report: Report) -> None:

@@ -2,7 +2,7 @@
 import type { FramePlan, Texture } from "../generated/api";
 import type { LoadBytes, RoughTextures } from "./executor";
 
-/** As the server cuts them (textures/parts.py). */
+/** As the server cuts them (textures/store.py). */
 const UPPER_BITS = 6;
 const LOWER_BITS = 16 - UPPER_BITS;
 

@@ -11,8 +11,7 @@ from seafoam.api.context import InContext
 from seafoam.api.http.answers import IMMUTABLE, NOT_MODIFIED, REVALIDATE, content, not_modified, problems
 from seafoam.api.http.parameters import Parameters
 from seafoam.api.http.problems import BadRequestError, FieldProblem, NotFoundError
-from seafoam.textures.parts import TexturePart
-from seafoam.textures.store import TextureData, spec_at, texture
+from seafoam.textures.store import TextureData, TexturePart, spec_at, texture
 
 router = APIRouter(prefix="/api", tags=["textures"], default_response_class=Response)
 

@@ -2,8 +2,9 @@
 
 import math
 
+from seafoam.effects import effect
 from seafoam.effects.bounds import body_limit, max_displacement
-from seafoam.effects.effect import ABOVE, Bound, Contribution, Effect, PassSpec, QualityParameter, Resources, drawn_map
+from seafoam.effects.effect import ABOVE, Bound, Contribution, PassSpec, QualityParameter, Resources, drawn_map
 from seafoam.effects.light.light import ILLUMINATION
 from seafoam.effects.shader import COMMON, PLACE, Const, Piece, SlotFile, SlotRef, constant_function
 from seafoam.effects.shore.maps import FIND_LAND
@@ -33,11 +34,7 @@ _MET = "boats/drawn.glsl@met"
 LIGHT = ("lib/refraction.glsl", *ILLUMINATION, _MET, "boats/drawn.glsl@meet", "boats/drawn.glsl@light")
 
 
-def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the scene has boats."""
-    boats = scene.boats
-    if not boats:
-        return None
+def _draw(scene: Scene, boats: tuple[Boat, ...], quality: Quality) -> Contribution:
     rigs = [(1.0 if boat.kind == "motor" else 0.0, *_direction(boat.boom)) for boat in boats]
     motors = len([boat for boat in boats if boat.kind == "motor"])
     kinds = [f"{n} {name}" for n, name in ((len(boats) - motors, "under sail"), (motors, "under power")) if n]
@@ -56,7 +53,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 
 
 def shade_files(scene: Scene) -> tuple[Piece | SlotRef, ...]:
-    """Files that shade a boat, in a program without water."""
     if scene.light is None:
         return SlotRef("sky"), _MET, "boats/drawn.glsl@meet_dark", "boats/drawn.glsl@dark"
     return SlotRef("sky"), SlotRef("open sun"), *LIGHT
@@ -88,7 +84,6 @@ def _courses(boats: tuple[Boat, ...]) -> Uniform:
 
 
 def _direction(angle: float) -> tuple[float, float]:
-    """Cosine and sine of an angle, rad."""
     return significant(math.cos(angle)), significant(math.sin(angle))
 
 
@@ -101,7 +96,6 @@ def _pose(scene: Scene) -> Resources:
 
 
 def _picture_pass(scene: Scene) -> PassSpec:
-    """The boats, traced per sample and blended over water, land and sky."""
     no_land = constant_function("bool", "boat_behind_land", "vec3 ray, float farthest", "false")
     common: tuple[Piece | SlotRef, ...] = (
         *(*COMMON, PLACE, SlotRef("waves"), SlotRef("find"), *TRACE),
@@ -136,9 +130,8 @@ def _bounding_sphere(boat: Boat, swing: float) -> BoundingSphere:
     return BoundingSphere(centre=(x, 0.0, z), radius=significant(1.001 * (course + 1.3 * boat.length + swing) + 0.1))
 
 
-def shadows(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if there are boats and light, at qualities with ``boat_shadows``."""
-    if not scene.boats or scene.light is None or not quality.boat_shadows:
+def _shadows(scene: Scene, boats: tuple[Boat, ...], quality: Quality) -> Contribution | None:
+    if scene.light is None or not quality.boat_shadows:
         return None
     return Contribution(
         why="rays to the sun from the water around boats",
@@ -148,18 +141,16 @@ def shadows(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-EFFECT = Effect(
+EFFECT = effect.part_effect(
     "boats",
-    contribute,
-    fields=("/boats",),
-    parameters=(
-        QualityParameter("/boat_samples", "rays per sample at boats", (1, 4, 9), "filtering"),
-        QualityParameter("/boat_readings", "heights read around each hull point", (1, 7), "geometry"),
-    ),
+    _draw,
+    "/boats",
+    QualityParameter("/boat_samples", "rays per sample at boats", (1, 4, 9), "filtering"),
+    QualityParameter("/boat_readings", "heights read around each hull point", (1, 7), "geometry"),
 )
-SHADOWS = Effect(
+SHADOWS = effect.part_effect(
     "boat shadows",
-    shadows,
-    fields=("/boats",),
-    parameters=(QualityParameter("/boat_shadows", "shadows of boats on the water", (False, True), "geometry"),),
+    _shadows,
+    "/boats",
+    QualityParameter("/boat_shadows", "shadows of boats on the water", (False, True), "geometry"),
 )

@@ -5,14 +5,13 @@ from dataclasses import dataclass
 from typing import TypeVar
 
 from seafoam.effects.boats.boat import COURSE
-from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, Resources, drawn_map
+from seafoam.effects.bounds import BLOCK
+from seafoam.effects.effect import Bound, Contribution, PassSpec, QualityParameter, Resources, drawn_map, part_effect
 from seafoam.effects.shader import Inline, Piece, SlotFile, Source
-from seafoam.effects.waves.measured import BLOCK
 from seafoam.framegraph.resources import FixedSize, Target, target_inputs
-from seafoam.framegraph.rules import Uniform, constants, number, rounded, significant
+from seafoam.framegraph.rules import constants, number, rounded, significant
 from seafoam.ocean.waves.wakes import NEAR, Wake, joint_height, joint_slope, wakes
 from seafoam.quality import Quality
-from seafoam.scene.models import Scene
 from seafoam.sums import summed
 
 T = TypeVar("T")
@@ -62,21 +61,18 @@ _BOUNDS = ("boats/wake_bounds.glsl@declared", "boats/wake_bounds.glsl@measured")
 BOATS = WakeKind("wake", "wakes", "wakes", "no boat moves, or none makes waves", WAY, *_BOUNDS)
 
 
-def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the scene has boats."""
-    return wakes_of(BOATS, wakes(scene.boats), quality) if scene.boats else None
-
-
 def wakes_of(kind: WakeKind, patterns: Sequence[Wake], quality: Quality) -> Contribution:
-    """The waves of at least one wake."""
     mapped = quality.wake == "map"
     height = joint_height(patterns)
     map_error = significant(summed(wake.map_error(wake.length / quality.wake_size) for wake in patterns))
+    # Wavenumber (rad/m), amplitude (m; 0: none), length (m), cut-off (rad/m); and the maker.
+    forms = [(significant(of.k), of.boat.wake * of.shows, *rounded((of.length, of.shortest))) for of in patterns]
+    makers = [(of.boat.length, of.boat.radius) for of in patterns]
     contribution = Contribution(
         why=f"{kind.title} up to {height:.2g} m high",
         slots=_slots(kind, mapped=mapped),
         consts={"WAKE_SIZE": quality.wake_size, "WAKE_ASIDE": ASIDE, "WAKE_NEAR": NEAR, "WAKE_AWAY": AWAY},
-        uniforms=kind.renamed(_form_uniforms(patterns)),
+        uniforms=kind.renamed({"u_wake": constants("vec4", forms), "u_wake_boat": constants("vec2", makers)}),
         bound=Bound.zero_if(height == 0.0, kind.still),
         max_height=height,
         min_height=-height,
@@ -106,17 +102,7 @@ def _slots(kind: WakeKind, *, mapped: bool) -> tuple[SlotFile, ...]:
     )
 
 
-def _form_uniforms(patterns: Sequence[Wake]) -> dict[str, Uniform]:
-    """Of each wake: wavenumber (rad/m), amplitude (m; 0: none), length (m), cut-off (rad/m); and its maker."""
-    forms = [
-        (significant(of.k), of.boat.wake if of.shows else 0.0, *rounded((of.length, of.shortest))) for of in patterns
-    ]
-    boats = [(wake.boat.length, wake.boat.radius) for wake in patterns]
-    return {"u_wake": constants("vec4", forms), "u_wake_boat": constants("vec2", boats)}
-
-
 def _map(kind: WakeKind, count: int, size: int) -> Resources:
-    """The wakes' map, ``size`` texels long and half as wide per wake, and its bounds."""
     name, form = kind.name, kind.file("boats/wake.glsl@form")
     blocks = FixedSize(width=size // BLOCK, height=size // 2 // BLOCK * count)
     of_map = ("lib/numbers.glsl", form, _PATTERN, kind.file("boats/wake.glsl@map_pass"))
@@ -134,12 +120,11 @@ def _map(kind: WakeKind, count: int, size: int) -> Resources:
     )
 
 
-EFFECT = Effect(
+EFFECT = part_effect(
     "wakes",
-    contribute,
+    lambda scene, boats, quality: wakes_of(BOATS, wakes(boats), quality),
+    "/boats",
+    QualityParameter("/wake", "wakes", ("map", "exact"), "geometry"),
+    QualityParameter("/wake_size", "texels of the wake map", (128, 256, 512, 1024), "geometry"),
     fields=("/boats/wake",),
-    parameters=(
-        QualityParameter("/wake", "wakes", ("map", "exact"), "geometry"),
-        QualityParameter("/wake_size", "texels of the wake map", (128, 256, 512, 1024), "geometry"),
-    ),
 )

@@ -44,7 +44,6 @@ _FLOW_MAP = ("lib/texels.glsl@bilinear", "foam/drift.glsl@flow_map")
 
 
 def draw(scene: Scene, foam: Foam, source: DriftSaturation, quality: Quality) -> effect.Contribution:
-    """Foam of a saturation with source ``drift``."""
     if scene.drift is None:
         return effect.Contribution.invisible("the scene has no drift")
     amount = f"{foam.pointer(source)}/amount"
@@ -150,25 +149,21 @@ class _Advection:
         return {**targets, "drift_way": way, "drift_still": parts, "drift_older": parts}
 
     def passes(self) -> tuple[effect.PassSpec, ...]:
-        """The passes that draw the map, in order."""
         files, means = (
             (*_NUMBERS, "foam/drift.glsl@flow", "foam/drift_passes.glsl@flow"),
-            ("foam/drift_passes.glsl@coarse",),
+            "foam/drift_passes.glsl@coarse",
         )
         return (
             effect.PassSpec("flow of drift", "drift_flow", files, {}, {**self.square, **self.flow, **self.texel}),
             *(self._forward() if self.forward else self._backward()),
-            effect.PassSpec("drift, means", "drift_coarse", means, {"u_drift_map": "drift"}),
+            effect.PassSpec("drift, means", "drift_coarse", (means,), {"u_drift_map": "drift"}),
         )
 
     def _backward(self) -> tuple[effect.PassSpec, ...]:
         """Every texel traced back along the flow to where its water was when each generation appeared."""
         square, clock, texel, spec = self.square, self.clock, self.texel, effect.PassSpec
         flow = {"u_drift_flow": "drift_flow"}
-        parts, both = (
-            {**flow, "u_drift_still": "drift_still"},
-            {"u_drift_way": "drift_way", "u_drift_older": "drift_older"},
-        )
+        parts = {**flow, "u_drift_still": "drift_still"}
         way = (*_NUMBERS, "foam/drift.glsl@clock", *_FLOW_MAP, "foam/drift.glsl@ago", "foam/drift.glsl@rest")
         youngest = (*way, "foam/drift_passes.glsl@way")
         patches = (*way, *VALUE_NOISE, "foam/drift.glsl@patches", "foam/drift_passes.glsl@backward")
@@ -180,7 +175,13 @@ class _Advection:
             spec("drift, parts of a generation back", "drift_still", back, flow, {**square, **texel}),
             spec("drift, two generations further back", "drift_still_older", further, parts, square, "drift_older"),
             spec("drift, ways of the youngest", "drift_way", youngest, parts, {**square, **clock, **texel}),
-            spec("drift, followed back", "drift", patches, {**flow, **both}, all_uniforms),
+            spec(
+                "drift, followed back",
+                "drift",
+                patches,
+                {**flow, "u_drift_way": "drift_way", "u_drift_older": "drift_older"},
+                all_uniforms,
+            ),
         )
 
     def _forward(self) -> tuple[effect.PassSpec, ...]:
@@ -254,15 +255,11 @@ EFFECT = effect.foam_effect(
     "drifting foam",
     draw,
     effect.SaturationSource(DriftSaturation, drift_limit, ("amount",)),
-    fields=("/drift", "/drift/vortices"),
-    parameters=(
-        effect.QualityParameter("/drift", "drift", ("forward", "backward", "exact"), "geometry"),
-        effect.QualityParameter("/drift_size", "texels of the drift maps", (64, 128, 256, 512), "geometry"),
-        effect.QualityParameter(
-            "/drift_window", "maximum age of drifting foam, s", (6.0, 12.0, 24.0, 120.0), "geometry"
-        ),
-        effect.QualityParameter(
-            "/drift_step", "maximum time step along the flow, s", (4.0, 2.0, 1.0, 0.5, 0.25), "geometry"
-        ),
+    effect.QualityParameter("/drift", "drift", ("forward", "backward", "exact"), "geometry"),
+    effect.QualityParameter("/drift_size", "texels of the drift maps", (64, 128, 256, 512), "geometry"),
+    effect.QualityParameter("/drift_window", "maximum age of drifting foam, s", (6.0, 12.0, 24.0, 120.0), "geometry"),
+    effect.QualityParameter(
+        "/drift_step", "maximum time step along the flow, s", (4.0, 2.0, 1.0, 0.5, 0.25), "geometry"
     ),
+    fields=("/drift", "/drift/vortices"),
 )

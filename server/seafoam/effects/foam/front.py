@@ -1,7 +1,7 @@
 """Foam saturation from the wave's front (Yingst, Alford and Parberry 2011). docs/formulae.md, section 4."""
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from seafoam.effects.bounds import SATURATION_CAP, parametric_wave_height
 from seafoam.effects.effect import Bound, Contribution, SaturationSource, TextureUse, foam_effect
@@ -16,7 +16,7 @@ from seafoam.quality import Quality
 from seafoam.scene.foam import Foam, FrontSaturation
 from seafoam.scene.models import Scene
 from seafoam.sums import summed
-from seafoam.textures.front import FRONT_NODES, FrontIntegral, front_fading, front_full
+from seafoam.textures.waves import FRONT_NODES, FrontIntegral, front_fading, front_full
 
 PATCH_CHANGE = 25.0
 """Time in which the patches of a front change, s."""
@@ -25,23 +25,12 @@ LEAST_RATE = 1e-3
 _SEED = 64 * 91
 
 
-@dataclass(frozen=True)
-class _Constants:
-    """Constants of the published text or of its listing."""
-
-    delta: float
-    """Phase offset, rad."""
-    turn: float
-    """The number in place of 2π in the wavenumbers."""
-    log_base: float
-    """Natural logarithm of the base of the profile."""
-
-
-_CONSTANTS = {"text": _Constants(math.pi / 2.0, 2.0 * math.pi, 1.0), "listing": _Constants(1.07, 6.28, math.log(2.718))}
+_CONSTANTS = {"text": (math.pi / 2.0, 2.0 * math.pi, 1.0), "listing": (1.07, 6.28, math.log(2.718))}
+"""Of the published text and of its listing: the offset of the phase, rad; the number in place of 2π in the wavenumbers;
+the natural logarithm of the base of the profile."""
 
 
 def draw(scene: Scene, foam: Foam, front: FrontSaturation, quality: Quality) -> Contribution:
-    """Foam of a saturation with source ``front``."""
     if not scene.waves:
         return Contribution.invisible("no wave, so no front")
     out_of_reach = "the group's threshold is above the greatest possible sum of the waves"
@@ -57,7 +46,6 @@ def draw(scene: Scene, foam: Foam, front: FrontSaturation, quality: Quality) -> 
 
 
 def _present(scene: Scene, front: FrontSaturation, intensity_field: str) -> Contribution:
-    constants = _CONSTANTS[front.constants]
     own: dict[str, Const] = {} if shares_phase(scene) else {"FRONT_COUNT": len(scene.waves)}
     return Contribution(
         why=f"front saturation of {_waves(scene)}, constants of the {front.constants}",
@@ -66,8 +54,8 @@ def _present(scene: Scene, front: FrontSaturation, intensity_field: str) -> Cont
         ),
         consts={**own, "FRONT_GATED": _gated(front)},
         uniforms={
-            **_phase_uniforms(scene, constants),
-            "u_front_log_base": number(constants.log_base),
+            **_phase_uniforms(scene, front.constants),
+            "u_front_log_base": number(_CONSTANTS[front.constants][2]),
             "u_front_group": _group(front),
             "u_front_intensity": number(front.intensity, intensity_field),
         },
@@ -80,8 +68,8 @@ def _present_files(scene: Scene) -> tuple[Piece, ...]:
 
 def _averaged(scene: Scene, front: FrontSaturation, present: Contribution) -> Contribution:
     """``present`` averaged over footprints by a table of its integral."""
-    constants = _CONSTANTS[front.constants]
-    integral = FrontIntegral(intensity=front.intensity, log_base=constants.log_base)
+    delta, turn, log_base = _CONSTANTS[front.constants]
+    integral = FrontIntegral(intensity=front.intensity, log_base=log_base)
     needs = (*_present_files(scene), "foam/saturation/front.glsl@seen")
     return replace(
         present,
@@ -89,16 +77,16 @@ def _averaged(scene: Scene, front: FrontSaturation, present: Contribution) -> Co
         slots=(SlotFile("saturation", "foam/saturation/front.glsl@filtered", prefix="front", needs=needs),),
         consts={
             **present.consts,
-            "FRONT_CREST": 2.0 * constants.delta - math.pi / 2.0,
+            "FRONT_CREST": 2.0 * delta - math.pi / 2.0,
             "FRONT_NODES": FRONT_NODES,
-            "FRONT_FULL": front_full(front.intensity, constants.log_base),
-            "FRONT_FADING": front_fading(front.intensity, constants.log_base),
+            "FRONT_FULL": front_full(front.intensity, log_base),
+            "FRONT_FADING": front_fading(front.intensity, log_base),
         },
         uniforms={
             **present.uniforms,
             # The table contains the intensity too, so the uniform cannot change alone.
             "u_front_intensity": number(front.intensity),
-            "u_front_relief": number(significant(_relief(scene, constants.turn / (2.0 * math.pi)))),
+            "u_front_relief": number(significant(_relief(scene, turn / (2.0 * math.pi)))),
         },
         inputs={"u_front_integral": TextureInput(texture="front_integral")},
         textures={"front_integral": TextureUse(integral, wrap="clamp_to_edge")},
@@ -109,7 +97,7 @@ def _decaying(scene: Scene, front: FrontSaturation, decay: float, *, filtered: b
     """Foam that remains where fronts have left it, and decays to 1/e in ``decay`` s."""
     shared = shares_phase(scene)
     waves, mean_rate = _past_waves(scene, shared)
-    uniforms = _phase_uniforms(scene, _CONSTANTS["text"])
+    uniforms = _phase_uniforms(scene, "text")
     orbits: tuple[Piece, ...] = ("foam/saturation/front.glsl@way_none",)
     if follows_orbits(scene) and shared:
         orbits = ("foam/saturation/front.glsl@way_shared",)
@@ -176,16 +164,17 @@ def _group(front: FrontSaturation) -> Uniform:
     return vector((front.group[0], max(front.group[1], front.group[0] + 1e-4)))
 
 
-def _phase_uniforms(scene: Scene, of: _Constants) -> dict[str, Uniform]:
+def _phase_uniforms(scene: Scene, published: str) -> dict[str, Uniform]:
     """What determines the phase of the waves' sum: all if the front has phases of its own, else one factor."""
     if shares_phase(scene):
         return {"u_front_share": number(significant(1.0 / parametric_wave_height(scene)))}
+    delta, turn, _ = _CONSTANTS[published]
     waves: list[tuple[float, ...]] = []
     phases: list[Phase] = []
     for wave, weight in zip(scene.waves, _weights(scene), strict=True):
-        kx, kz = (of.turn / (2.0 * math.pi) * k for k in wavevector(wave, scene.water.depth))
+        kx, kz = (turn / (2.0 * math.pi) * k for k in wavevector(wave, scene.water.depth))
         waves.append((kx, kz, weight, 0.0))
-        offset = wave.phase + (2.0 * of.delta - math.pi)
+        offset = wave.phase + (2.0 * delta - math.pi)
         phases.append(Phase(offset=offset, rate=angular_frequency(wave), k=(-kx, -kz)))
     return {"u_front_wave": constants("vec4", waves), "u_front_phase": array("float", phases, len(waves))}
 

@@ -6,22 +6,14 @@ docs/formulae.md, section 5.
 import math
 from dataclasses import dataclass
 
+from seafoam.effects import shader
 from seafoam.effects.bounds import foam_limit, greatest_saturation
-from seafoam.effects.effect import Bound, Contribution, Effect, PlanError, QualityParameter, Resources, TextureUse
+from seafoam.effects.effect import Bound, Contribution, PlanError, QualityParameter, Resources, TextureUse, part_effect
 from seafoam.effects.foam import drift
 from seafoam.effects.foam.mask_atlas import atlas_of
 from seafoam.effects.foam.sources import surf_limit
 from seafoam.effects.registry import saturation_fields
-from seafoam.effects.shader import (
-    HASH,
-    NOISE_CELLS,
-    PERLIN_2,
-    Piece,
-    SlotFile,
-    Source,
-    constant_function,
-    drifting_phases,
-)
+from seafoam.effects.shader import HASH, PERLIN_2, Piece, SlotFile, Source, constant_function, drifting_phases
 from seafoam.framegraph.resources import TextureInput
 from seafoam.framegraph.rules import Uniform, Wrap, array, number, vector
 from seafoam.masks.catalogue import Mask, drawn_mask
@@ -58,21 +50,13 @@ _LOOKS = {
 _NO_TEXTURE = constant_function("float", "foam_texture", "vec2 p, Footprint fp", "1.0")
 
 
-def ageing_look(look: str, life: FoamLife) -> tuple[str, tuple[Piece, ...]]:
-    """The file that replaces a look's file for foam with a history, and the files that it needs."""
-    rows: tuple[Piece, ...] = (*PERLIN_2, "foam/living.glsl@windrows") if life.row_strength > 0.0 else (_NO_WINDROWS,)
-    young = Source(look, (("foam_amount", "young_amount"),))
-    return "foam/living.glsl@living", (*rows, "foam/shading.glsl@cover", young)
-
-
-def living(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the foam has ``life`` and the filtered look."""
-    life = foam_life(scene)
-    if life is None:
+def _living(scene: Scene, foam: Foam, life: FoamLife, quality: Quality) -> Contribution | None:
+    """Of the filtered look alone."""
+    if foam_life(scene) is None:
         return None
     slots = [SlotFile("carry", "foam/carry.glsl@still", prefix="still")]
     if scene.shore is not None:
-        surf = None if scene.foam is None else scene.foam.source(SurfSaturation)
+        surf = foam.source(SurfSaturation)
         breaks = surf is not None and surf_limit(surf, scene) > 0.0
         carry = "foam/carry.glsl@surf" if breaks else "foam/carry.glsl@shore"
         slots.append(SlotFile("shore carry", carry if life.carried else _AT_REST))
@@ -83,7 +67,7 @@ def living(scene: Scene, quality: Quality) -> Contribution | None:
         across = 1.0 / life.windrow_spacing
         rows = ((c * across / WINDROW_LENGTH, s * across / WINDROW_LENGTH), (-s * across, c * across))
         uniforms = {
-            "u_windrow_phase": drifting_phases(rows, drift, 2.0 * math.pi / NOISE_CELLS),
+            "u_windrow_phase": drifting_phases(rows, drift, 2.0 * math.pi / shader.NOISE_CELLS),
             "u_windrow_matrix": vector((*rows[0], *rows[1])),
             "u_windrows": number(life.row_strength, "/foam/life/windrows"),
         }
@@ -98,17 +82,20 @@ def living(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the scene has foam."""
-    foam = scene.foam
-    if foam is None:
-        return None
+def _draw(scene: Scene, foam: Foam, quality: Quality) -> Contribution:
     masks = _masks(foam)
     parts: list[_Part] = []
     if masks:
         parts.append(_mask_place(scene, foam, masks[0][1]))
     if masks and foam.look != "filtered":
-        parts.append(_exact_mask(foam, quality))
+        ranks = MaskTexture(masks=(foam.mask,), table=_MASK_TABLES[quality.mask])
+        parts.append(
+            _Part(
+                needs=(_MASK_TEXELS[quality.mask], "foam/mask.glsl@exact"),
+                inputs={"u_mask_ranks": TextureInput(texture="mask_ranks")},
+                textures={"mask_ranks": TextureUse(ranks)},
+            )
+        )
     if _textured(foam):
         parts.append(_texture(foam, quality))
     elif foam.look == "filtered":
@@ -162,7 +149,6 @@ def _turned(foam: Foam) -> tuple[float, float]:
 
 
 def _cells(scene: Scene, foam: Foam) -> bool:
-    """Whether the mask is rotated in each cell of a lattice."""
     return foam.look != "textured" and foam.cells and foam_life(scene) is None
 
 
@@ -183,7 +169,6 @@ def _mask_place(scene: Scene, foam: Foam, mask: Mask) -> _Part:
 
 
 def _cell_uniforms(foam: Foam) -> dict[str, Uniform]:
-    """The camera's place on the lattice of cells: whole cells and the fraction separately."""
     c, s = _turned(foam)
     # From tiles to steps along two sides of the lattice's triangles.
     first = (c + s / math.sqrt(3.0), s - c / math.sqrt(3.0))
@@ -195,16 +180,7 @@ def _cell_uniforms(foam: Foam) -> dict[str, Uniform]:
     }
 
 
-def _exact_mask(foam: Foam, quality: Quality) -> _Part:
-    return _Part(
-        needs=(_MASK_TEXELS[quality.mask], "foam/mask.glsl@exact"),
-        inputs={"u_mask_ranks": TextureInput(texture="mask_ranks")},
-        textures={"mask_ranks": TextureUse(MaskTexture(masks=(foam.mask,), table=_MASK_TABLES[quality.mask]))},
-    )
-
-
 def _filtered_mask(scene: Scene, foam: Foam, masks: list[tuple[str, Mask]], quality: Quality) -> _Part:
-    """The thresholds under a footprint, from the atlas of all masks."""
     octaves = min(foam.octaves, quality.foam_octaves)
     tables: MaskTable = "ramps" if octaves > 1 else "quantiles"
     mask = masks[0][1]
@@ -233,7 +209,6 @@ def _textured(foam: Foam) -> bool:
 
 
 def _texture(foam: Foam, quality: Quality) -> _Part:
-    """The foam texture, laid once or twice at two scales."""
     file, uniforms = "foam/mask.glsl@texture", _texture_place("", foam.texture_tile)
     if foam.texture_second is not None:
         file, uniforms = "foam/mask.glsl@texture_pair", uniforms | _texture_place("_second", foam.texture_second)
@@ -269,8 +244,9 @@ def _look_file(scene: Scene, foam: Foam, quality: Quality) -> tuple[str, tuple[P
         look, own = drift.advected_look(look, quality)
         needs += own
     if life is not None:
-        look, own = ageing_look(look, life)
-        needs += own
+        needs += (*PERLIN_2, "foam/living.glsl@windrows") if life.row_strength > 0.0 else (_NO_WINDROWS,)
+        needs += ("foam/shading.glsl@cover", Source(look, (("foam_amount", "young_amount"),)))
+        look = "foam/living.glsl@living"
     return look, needs
 
 
@@ -285,7 +261,6 @@ def _why(scene: Scene, foam: Foam, quality: Quality) -> str:
 
 
 def _bound(foam: Foam, scene: Scene) -> Bound | None:
-    """Upper bound of foam's change to a pixel: its amount, as white over black."""
     most = greatest_saturation(foam, scene)
     fields = saturation_fields(scene)
     if most == 0.0:
@@ -297,16 +272,14 @@ def _bound(foam: Foam, scene: Scene) -> Bound | None:
     return None
 
 
-LIVING = Effect("foam that lives", living, fields=("/foam/life",), afloat=("u_windrow_phase",))
-EFFECT = Effect(
+LIVING = part_effect("foam that lives", _living, "/foam/life", afloat=("u_windrow_phase",))
+EFFECT = part_effect(
     "foam look",
-    contribute,
-    fields=("/foam",),
+    _draw,
+    "/foam",
+    QualityParameter("/mask", "format of the mask's thresholds", ("u8", "half", "u16"), "precision"),
+    QualityParameter("/foam_taps", "mask texels averaged under minification", (4, 16), "filtering"),
+    QualityParameter("/foam_texture", "filter of the foam texture", ("sampler", "texels"), "precision"),
+    QualityParameter("/foam_octaves", "maximum octaves of the mask", (1, 2, 3, 4), "filtering"),
     afloat=("u_mask_offset", "u_mask_phase", "u_cell_offset", "u_cell_index", "u_foam_offset", "u_foam_second_offset"),
-    parameters=(
-        QualityParameter("/mask", "format of the mask's thresholds", ("u8", "half", "u16"), "precision"),
-        QualityParameter("/foam_taps", "mask texels averaged under minification", (4, 16), "filtering"),
-        QualityParameter("/foam_texture", "filter of the foam texture", ("sampler", "texels"), "precision"),
-        QualityParameter("/foam_octaves", "maximum octaves of the mask", (1, 2, 3, 4), "filtering"),
-    ),
 )

@@ -3,23 +3,22 @@
 import math
 
 from seafoam.effects.bounds import FOAM_ASYMMETRY, body_limit, foam_limit, greatest_saturation
-from seafoam.effects.effect import Bound, Contribution, Effect, QualityParameter
+from seafoam.effects.effect import Bound, Contribution, QualityParameter, part_effect
 from seafoam.effects.registry import saturation_fields
 from seafoam.effects.shader import SlotFile
 from seafoam.framegraph.rules import number, significant
 from seafoam.ocean.waves.stokes import foam_life
 from seafoam.quality import Quality
-from seafoam.scene.foam import Foam
+from seafoam.scene.foam import Foam, FoamScattering
 from seafoam.scene.models import Scene
+from seafoam.scene.water import Water
 
 SHADE = 0.6
 """Share of the sun's light that foam blocks; the rest passes through it."""
 
 
-def relief(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if foam has a thickness and there is light, at qualities with ``foam_relief``."""
-    foam = scene.foam
-    if foam is None or scene.light is None or foam.thickness == 0.0 or not quality.foam_relief:
+def _relief(scene: Scene, foam: Foam, thickness: float, quality: Quality) -> Contribution | None:
+    if scene.light is None or not quality.foam_relief:
         return None
     beside = "foam/shading.glsl@beside"
     if foam.look == "filtered" and foam_life(scene) is not None:
@@ -27,20 +26,17 @@ def relief(scene: Scene, quality: Quality) -> Contribution | None:
     elif foam.look == "filtered":
         beside = "foam/shading.glsl@beside_filtered"
     return Contribution(
-        why=f"foam {foam.thickness:g} m thick casts shadows",
+        why=f"foam {thickness:g} m thick casts shadows",
         slots=(SlotFile("relief", "foam/shading.glsl@relief", needs=(beside,)),),
         consts={"FOAM_SHADE": SHADE},
-        uniforms={"u_foam_thickness": number(foam.thickness, "/foam/thickness")},
+        uniforms={"u_foam_thickness": number(thickness, "/foam/thickness")},
         bound=_bound(foam, scene, "no foam that could cast a shadow"),
     )
 
 
-def scattering(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if foam has a scattering layer and there is light."""
-    foam = scene.foam
-    if foam is None or scene.light is None or foam.scattering is None:
+def _scattering(scene: Scene, foam: Foam, layer: FoamScattering, quality: Quality) -> Contribution | None:
+    if scene.light is None:
         return None
-    layer = foam.scattering
     return Contribution(
         why=f"foam of an optical depth of {layer.optical_depth:g}",
         slots=(SlotFile("foam layer", "foam/shading.glsl@scattering"),),
@@ -57,14 +53,13 @@ def scattering(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-def aeration(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the scene has aeration, foam and light."""
-    water, foam = scene.water, scene.foam
-    if foam is None or scene.light is None or water.aeration == 0.0:
+def _aeration(scene: Scene, water: Water, aeration: float, quality: Quality) -> Contribution | None:
+    foam = scene.foam
+    if foam is None or scene.light is None:
         return None
     most = min(greatest_saturation(foam, scene), 1.0)
     # Light crosses the layer twice, on a path of at most three times its depth: refracted rays are never flatter.
-    whitened = 1.0 - math.exp(-3.0 * water.aeration * water.plume_depth * most)
+    whitened = 1.0 - math.exp(-3.0 * aeration * water.plume_depth * most)
     why = "almost no bubbles, no foam above them, or no light on them"
     fields = ("/light/exposure", "/water/aeration", "/water/plume_depth", *saturation_fields(scene))
     bound = Bound(whitened * body_limit(scene), why, fields)
@@ -72,7 +67,7 @@ def aeration(scene: Scene, quality: Quality) -> Contribution | None:
         why=f"bubbles down to {water.plume_depth:g} m under foam",
         slots=(SlotFile("plume", "water/body.glsl@bubbles", needs=("light/shade.glsl@optics", "lib/refraction.glsl")),),
         uniforms={
-            "u_aeration": number(water.aeration, "/water/aeration"),
+            "u_aeration": number(aeration, "/water/aeration"),
             "u_plume_depth": number(water.plume_depth, "/water/plume_depth"),
         },
         # Caustics make a floor brighter than the bound of uniform light.
@@ -81,16 +76,15 @@ def aeration(scene: Scene, quality: Quality) -> Contribution | None:
 
 
 def _bound(foam: Foam, scene: Scene, why: str) -> Bound:
-    """Bound of what changes foam and the water under it."""
     covered = greatest_saturation(foam, scene) > 0.0
     return Bound(body_limit(scene) + foam_limit(foam, scene) if covered else 0.0, why, saturation_fields(scene))
 
 
-RELIEF = Effect(
+RELIEF = part_effect(
     "foam relief",
-    relief,
-    fields=("/foam/thickness",),
-    parameters=(QualityParameter("/foam_relief", "shading by foam thickness", (False, True), "geometry"),),
+    _relief,
+    "/foam/thickness",
+    QualityParameter("/foam_relief", "shading by foam thickness", (False, True), "geometry"),
 )
-SCATTERING = Effect("foam scattering", scattering, fields=("/foam/scattering",))
-AERATION = Effect("milky water", aeration, fields=("/water/aeration", "/water/plume_depth"))
+SCATTERING = part_effect("foam scattering", _scattering, "/foam/scattering")
+AERATION = part_effect("milky water", _aeration, "/water/aeration", fields=("/water/plume_depth",))

@@ -1,17 +1,24 @@
-"""Foam by height (Kryachko 2005), by slope (GPU ocean, 2007), and of the surf. docs/formulae.md, sections 4 and 8."""
+"""Foam by height (Kryachko 2005), by slope (GPU ocean, 2007), of the surf, behind boats and stones in a current.
+
+docs/formulae.md, sections 4, 8, 15 and 16.
+"""
 
 import math
 
 import numpy as np
 
+from seafoam.effects.boats.boat import HULLS
+from seafoam.effects.boats.wake import WAY
 from seafoam.effects.bounds import SATURATION_CAP, max_surface_height
 from seafoam.effects.effect import Bound, Contribution, QualityParameter, SaturationSource, foam_effect
-from seafoam.effects.shader import Const, SlotFile
+from seafoam.effects.shader import VALUE_NOISE, Const, SlotFile
+from seafoam.effects.waves import current
 from seafoam.effects.waves.parametric import max_profile_slope
 from seafoam.framegraph.rules import Uniform, constants, number, rounded, significant, vector
 from seafoam.ocean.basics.dispersion import paper_level, wavevector
+from seafoam.ocean.waves.wakes import LEAST_SPEED, Wake, stone_wakes
 from seafoam.quality import Quality
-from seafoam.scene.foam import Foam, HeightSaturation, SlopeSaturation, SurfSaturation
+from seafoam.scene.foam import Foam, HeightSaturation, SlopeSaturation, SurfSaturation, WakeSaturation
 from seafoam.scene.models import Scene
 from seafoam.sums import summed
 
@@ -22,6 +29,12 @@ _LENGTHS, _PLACES = 61, 384
 WIDENED = 1.5
 """Side of the box that approximates the five points of a blur, in units of the blur: the best fit on choppy lakes."""
 _WIDENED = "foam/saturation/slope.glsl@widened"
+_TORN = {False: "foam/saturation/wake.glsl@torn_exact", True: "foam/saturation/wake.glsl@torn"}
+"""By whether the look is filtered."""
+HULL_SPEED = 1.25
+"""Speed over the square root of the length, √m/s, at which the bow's foam reaches its full amount."""
+_CONTACT, _NO_CONTACT = "foam/saturation/wake.glsl@contact", "foam/saturation/wake.glsl@contact_none"
+_STILL = "no boat moves, and no stone stands in a current"
 
 
 def visible_heights(scene: Scene) -> tuple[float, float, list[tuple[float, float]]]:
@@ -53,7 +66,6 @@ def visible_heights(scene: Scene) -> tuple[float, float, list[tuple[float, float
 
 
 def draw_height(scene: Scene, foam: Foam, height: HeightSaturation, quality: Quality) -> Contribution:
-    """Foam of a saturation with source ``height``."""
     pointer = foam.pointer(height)
     file = "foam/saturation/height.glsl@filtered" if foam.look == "filtered" else "foam/saturation/height.glsl@plain"
     consts: dict[str, Const] = {}
@@ -94,7 +106,6 @@ def height_limit(height: HeightSaturation, scene: Scene) -> float:
 
 
 def draw_slope(scene: Scene, foam: Foam, slope: SlopeSaturation, quality: Quality) -> Contribution:
-    """Foam of a saturation with source ``slope``."""
     # Without slope filtering a wider footprint has no effect.
     blurred = _WIDENED if quality.slope_places == 1 and quality.surface.filter else "foam/saturation/slope.glsl@blurred"
     file = blurred if slope.blur > 0.0 else "foam/saturation/slope.glsl@plain"
@@ -123,15 +134,13 @@ def slope_limit(slope: SlopeSaturation, scene: Scene) -> float:
 
 
 def draw_surf(scene: Scene, foam: Foam, surf: SurfSaturation, quality: Quality) -> Contribution:
-    """Foam of a saturation with source ``surf``."""
     pointer = foam.pointer(surf)
     if scene.shore is None:
         return Contribution.invisible("there is no shore to break on")
     height = scene.shore.surf.height
     filtered = foam.look == "filtered"
-    torn = "foam/saturation/wake.glsl@torn" if filtered else "foam/saturation/wake.glsl@torn_exact"
     front = "foam/saturation/surf.glsl@front_filtered" if filtered else "foam/saturation/surf.glsl@front"
-    needs = (torn, "foam/saturation/surf.glsl@patches", "foam/saturation/surf.glsl@swept", front)
+    needs = (_TORN[filtered], "foam/saturation/surf.glsl@patches", "foam/saturation/surf.glsl@swept", front)
     return Contribution(
         why=f"foam of the surf, {surf.life:g} periods to 1/e",
         slots=(
@@ -161,11 +170,65 @@ def surf_limit(surf: SurfSaturation, scene: Scene) -> float:
     return min(2.4 * surf.amount + 2.0 * surf.veil, SATURATION_CAP)
 
 
+def draw_wake(scene: Scene, foam: Foam, wake: WakeSaturation, quality: Quality) -> Contribution:
+    if wake_limit(wake, scene) == 0.0:
+        return Contribution.invisible(_STILL)
+    filtered = foam.look == "filtered"
+    consts: dict[str, Const] = {"WAKE_CAP": 1.0 if filtered else SATURATION_CAP}
+    amounts: list[tuple[float, ...]] = []
+    if scene.current is not None and _stones(scene):
+        # As of boats, each stone a hull of its breadth.
+        speed = scene.current.speed
+        for stone in scene.current.stones:
+            share = min(speed / (HULL_SPEED * math.sqrt(4.0 * stone.radius)), 1.0)
+            amounts.append((*rounded((wake.amount * share, wake.life * speed, wake.bow * share)), 0.0))
+        files = (*VALUE_NOISE, _TORN[filtered], *current.WAY)
+        slot = SlotFile("saturation", "foam/saturation/surf.glsl@stones", prefix="stones", needs=files)
+        why = f"foam behind stones, {wake.life:g} s to 1/e"
+        uniforms = {"u_stone_foam": constants("vec4", amounts)}
+        behind = Contribution(why=why, slots=(slot,), consts=consts, uniforms=uniforms)
+        return behind.joined(current.places(scene.current))
+    for boat in scene.boats:
+        moves = boat.speed >= LEAST_SPEED
+        share = min(boat.speed / (HULL_SPEED * math.sqrt(boat.length)), 1.0)
+        amounts.append(
+            (
+                wake.amount if moves else 0.0,
+                significant(wake.life * max(boat.speed, LEAST_SPEED)),
+                significant(wake.bow * share * share) if moves else 0.0,
+                significant(wake.contact * share) if moves else 0.0,
+            )
+        )
+    needs = (*VALUE_NOISE, _TORN[filtered], *WAY, _CONTACT if wake.contact else _NO_CONTACT)
+    hulls = {"u_contact_hull": constants("vec3", (HULLS[boat.kind] for boat in scene.boats))}
+    return Contribution(
+        why=f"foam behind boats, {wake.life:g} s to 1/e",
+        slots=(SlotFile("saturation", "foam/saturation/wake.glsl@wake", prefix="wake", needs=needs),),
+        consts=consts,
+        uniforms={"u_wake_foam": constants("vec4", amounts), **(hulls if wake.contact else {})},
+    )
+
+
+def _stones(scene: Scene) -> tuple[Wake, ...]:
+    """The wakes of the stones that white water stands at. Boats are at anchor where there are any."""
+    return tuple(wake for wake in stone_wakes(scene.current) if wake.boat.speed >= LEAST_SPEED)
+
+
+def wake_limit(wake: WakeSaturation, scene: Scene) -> float:
+    """Return the greatest wake saturation: 0 if no boat moves, and no stone stands in a current."""
+    if _stones(scene):
+        return min(len(_stones(scene)) * (1.2 * wake.amount + 1.3 * wake.bow), SATURATION_CAP)
+    if not any(boat.speed >= LEAST_SPEED for boat in scene.boats):
+        return 0.0
+    return min(len(scene.boats) * (1.2 * (wake.amount + wake.contact) + 1.7 * wake.bow), SATURATION_CAP)
+
+
 HEIGHT = foam_effect("height foam", draw_height, SaturationSource(HeightSaturation, height_limit, ("base", "full")))
 SLOPE = foam_effect(
     "slope foam",
     draw_slope,
     SaturationSource(SlopeSaturation, slope_limit, ("base", "gain")),
-    parameters=(QualityParameter("/slope_places", "points of the blurred slope", (1, 5), "filtering"),),
+    QualityParameter("/slope_places", "points of the blurred slope", (1, 5), "filtering"),
 )
 SURF = foam_effect("surf foam", draw_surf, SaturationSource(SurfSaturation, surf_limit))
+WAKE = foam_effect("wake foam", draw_wake, SaturationSource(WakeSaturation, wake_limit))

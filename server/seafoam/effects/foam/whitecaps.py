@@ -3,15 +3,8 @@
 import math
 from dataclasses import replace
 
-from seafoam.effects.effect import (
-    Contribution,
-    PassSpec,
-    QualityParameter,
-    Resources,
-    SaturationSource,
-    drawn_map,
-    foam_effect,
-)
+from seafoam.effects import effect
+from seafoam.effects.effect import Contribution, PassSpec, QualityParameter, Resources, drawn_map
 from seafoam.effects.shader import Const, SlotFile
 from seafoam.effects.waves import sea as waves
 from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target
@@ -35,7 +28,6 @@ _TIMES = {
 
 
 def draw(scene: Scene, foam: Foam, source: WhitecapSaturation, quality: Quality) -> Contribution:
-    """Foam of a saturation with source ``whitecap``."""
     raised = waves.drawn_tiles(scene, quality)[:RAISED]
     if scene.sea is None or not raised:
         return Contribution.invisible("no sea whose waves could break")
@@ -159,16 +151,13 @@ def _time_uniforms(
 
 
 def fold_limit(source: WhitecapSaturation, scene: Scene) -> float:
-    """Return the greatest fold saturation: 0 without wind."""
     return 1.0 if scene.sea is not None and scene.sea.wind_speed > 0.0 else 0.0
 
 
-EFFECT = foam_effect(
+EFFECT = effect.foam_effect(
     "whitecaps",
     draw,
-    SaturationSource(WhitecapSaturation, fold_limit),
-    parameters=(
-        QualityParameter("/age_steps", "earlier times of folds", (0, 4, 8), "geometry"),
-        QualityParameter("/age_step", "interval between folds, s", (0.17, 0.35, 0.7), "geometry"),
-    ),
+    effect.SaturationSource(WhitecapSaturation, fold_limit),
+    QualityParameter("/age_steps", "earlier times of folds", (0, 4, 8), "geometry"),
+    QualityParameter("/age_step", "interval between folds, s", (0.17, 0.35, 0.7), "geometry"),
 )

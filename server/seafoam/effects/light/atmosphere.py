@@ -48,12 +48,10 @@ def path(light: Light, height: float) -> Floats:
 
 
 def sun(light: Light) -> Direction:
-    """Unit vector toward the sun."""
     return direction(*light.sun)
 
 
 def moon(light: Light) -> Direction | None:
-    """Unit vector toward the moon, if there is one."""
     if light.sky is None or light.sky.moon is None:
         return None
     return direction(light.sky.moon.azimuth, light.sky.moon.elevation)
@@ -91,7 +89,6 @@ def lamp_angles(light: Light) -> tuple[float, float]:
 
 
 def lamp(light: Light) -> Direction:
-    """Return the unit vector toward the lamp, sun or moon."""
     return direction(*lamp_angles(light))
 
 

@@ -2,7 +2,7 @@
 
 import math
 
-from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, Resources, drawn_map
+from seafoam.effects.effect import Bound, Contribution, PassSpec, QualityParameter, Resources, drawn_map, part_effect
 from seafoam.effects.light import atmosphere, overcast
 from seafoam.effects.light.atmosphere import lamp
 from seafoam.effects.light.light import sun_irradiance
@@ -10,7 +10,7 @@ from seafoam.effects.shader import COMMON, NOISE_CELLS, PERLIN_2, PERLIN_3, Slot
 from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target
 from seafoam.framegraph.rules import Phase, array, number, rounded, vector
 from seafoam.quality import Quality
-from seafoam.scene.light import Cirrus, Clouds, Light
+from seafoam.scene.light import Cirrus, Clouds, Light, Sky
 from seafoam.scene.models import Scene
 
 MAP_SIDE = 32
@@ -18,18 +18,13 @@ MAP_SIDE = 32
 LEAST_SLOPE = 0.05
 """Root mean square slope of ripples from which the water mirrors clouds from the map: it turns a mirrored look by twice
 as much, some two texels."""
-_MIRRORED = Resources(
-    slots=(SlotFile("mirrored", "light/sky.glsl@mirrored_map"),), consts={"CLOUDS_SIDE": MAP_SIDE}
+_SKY = (*COMMON, SlotRef("sky"), "light/sky.glsl@mirrored_pass")
+_MIRRORED = drawn_map(
+    PassSpec("clouds that the water mirrors", "clouds_mirrored", _SKY),
+    Target(size=FixedSize.square(MAP_SIDE), format="RGBA16F", filter=MIPMAPPED),
+    "u_clouds_mirrored",
 ).joined(
-    drawn_map(
-        PassSpec(
-            "clouds that the water mirrors",
-            "clouds_mirrored",
-            (*COMMON, SlotRef("sky"), "light/sky.glsl@mirrored_pass"),
-        ),
-        Target(size=FixedSize.square(MAP_SIDE), format="RGBA16F", filter=MIPMAPPED),
-        "u_clouds_mirrored",
-    )
+    Resources(slots=(SlotFile("mirrored", "light/sky.glsl@mirrored_map"),), consts={"CLOUDS_SIDE": MAP_SIDE}),
 )
 _STREAKS = ((True, 1.0 / 8.0), (False, 1.0), (True, 0.125), (False, 0.25))
 """Axes of the noise of streaks and of their patches: along the streaks or across, and cells per size."""
@@ -42,12 +37,7 @@ PENUMBRA = 0.00233
 """Standard deviation of directions over the sun's disc, rad."""
 
 
-def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the sky has clouds."""
-    light = scene.light
-    if light is None or light.sky is None or light.sky.clouds is None:
-        return None
-    clouds = light.sky.clouds
+def _draw(scene: Scene, light: Light, sky: Sky, clouds: Clouds, quality: Quality) -> Contribution:
     mean, parted = overcast.cloud_means(light, clouds)
     shape = clouds.height, clouds.size, overcast.cloud_start(clouds), clouds.thickness
     rain = (SlotFile("rain", "light/clouds.glsl@rain"),) if clouds.rain > 0.0 else ()
@@ -79,12 +69,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     return contribution.joined(_MIRRORED) if mapped else contribution
 
 
-def cirrus(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the sky has high clouds."""
-    light = scene.light
-    if light is None or light.sky is None or light.sky.cirrus is None:
-        return None
-    high = light.sky.cirrus
+def _cirrus(scene: Scene, light: Light, sky: Sky, high: Cirrus, quality: Quality) -> Contribution:
     heading = (math.cos(high.downwind), math.sin(high.downwind))
     return Contribution(
         why=f"high clouds over {100 * high.cover:.0f} % of the sky",
@@ -114,12 +99,7 @@ def _clear(scene: Scene) -> Scene:
     return scene.model_copy(update={"light": scene.light.model_copy(update={"sky": sky})})
 
 
-def shadows(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the clouds have ``shadows``."""
-    light = scene.light
-    if light is None or light.sky is None or light.sky.clouds is None or light.sky.clouds.shadows == 0.0:
-        return None
-    clouds = light.sky.clouds
+def _shadows(scene: Scene, light: Light, sky: Sky, clouds: Clouds, strength: float, quality: Quality) -> Contribution:
     if clouds.cover * clouds.thickness == 0.0:
         return Contribution.invisible("there are no clouds")
     passed = max(1.0 - overcast.cloud_mean(clouds), overcast.LEAST_PASSED)
@@ -131,7 +111,7 @@ def shadows(scene: Scene, quality: Quality) -> Contribution | None:
         uniforms={
             "u_cloud_sunward": vector(rounded(sunward(light, clouds))),
             "u_cloud_gap": vector(rounded(overcast.cloud_gap(clouds))),
-            "u_cloud_shade": vector(rounded((clouds.shadows, passed))),
+            "u_cloud_shade": vector(rounded((strength, passed))),
         },
         bound=Bound.zero_if(max(sun_irradiance(light)) == 0.0, "no lamp is above the horizon"),
     )
@@ -149,20 +129,18 @@ def sunward(light: Light, clouds: Clouds) -> tuple[float, float, float, float]:
     return level * x, level * z, MIDDLE * tall, PENUMBRA * way / (clouds.size * math.sqrt(slant))
 
 
-CIRRUS = Effect("high clouds", cirrus, fields=("/light/sky/cirrus",))
-EFFECT = Effect(
+CIRRUS = part_effect("high clouds", _cirrus, "/light/sky/cirrus")
+EFFECT = part_effect(
     "clouds",
-    contribute,
-    fields=("/light/sky/clouds",),
-    parameters=(
-        QualityParameter("/cloud_octaves", "octaves of the cloud noise", (2, 3, 4, 5, 6), "geometry"),
-        QualityParameter("/clouds_mirrored", "clouds that the water mirrors", ("map", "exact"), "filtering"),
-    ),
+    _draw,
+    "/light/sky/clouds",
+    QualityParameter("/cloud_octaves", "octaves of the cloud noise", (2, 3, 4, 5, 6), "geometry"),
+    QualityParameter("/clouds_mirrored", "clouds that the water mirrors", ("map", "exact"), "filtering"),
     without=_clear,
 )
-SHADOWS = Effect(
+SHADOWS = part_effect(
     "shadows of clouds",
-    shadows,
-    fields=("/light/sky/clouds/shadows",),
-    parameters=(QualityParameter("/cloud_shadow_octaves", "octaves of the clouds' shadows", (1, 2, 3, 4), "geometry"),),
+    _shadows,
+    "/light/sky/clouds/shadows",
+    QualityParameter("/cloud_shadow_octaves", "octaves of the clouds' shadows", (1, 2, 3, 4), "geometry"),
 )

@@ -6,11 +6,12 @@ It is part of the display, as the tone curve is: linear frames are without it.
 import itertools
 from dataclasses import replace
 
-from seafoam.effects.effect import FINISHED, Contribution, Effect, PassSpec
+from seafoam.effects.effect import FINISHED, Contribution, PassSpec, part_effect
 from seafoam.effects.shader import SlotFile
 from seafoam.framegraph.resources import Target, TargetInput, ViewportSize
 from seafoam.framegraph.rules import number
 from seafoam.quality import Quality
+from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 
 LEVELS = 6
@@ -18,11 +19,7 @@ LEVELS = 6
 _TAPS = "output/glare.glsl@taps"
 
 
-def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the light has a glare."""
-    light = scene.light
-    if light is None or light.glare == 0.0:
-        return None
+def _draw(scene: Scene, light: Light, share: float, quality: Quality) -> Contribution:
     sizes = [4 << k for k in range(LEVELS)]
     names = [f"glare {size}" for size in sizes]
     pairs = list(itertools.pairwise(names))
@@ -36,10 +33,10 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         ),
     )
     return Contribution(
-        why=f"{100 * light.glare:.0f} % of the light spreads",
+        why=f"{100 * share:.0f} % of the light spreads",
         slots=(SlotFile("glare", "output/glare.glsl@spread"),),
         consts={"GLARE_LEVELS": LEVELS},
-        uniforms={"u_glare_share": number(light.glare)},
+        uniforms={"u_glare_share": number(share)},
         inputs={"u_glare": TargetInput(target=names[0])},
         targets={
             name: Target(size=ViewportSize(part=size), format="RGBA16F", filter="linear")
@@ -49,4 +46,4 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-EFFECT = Effect("glare", contribute, fields=("/light/glare",))
+EFFECT = part_effect("glare", _draw, "/light/glare")

@@ -1,15 +1,22 @@
-"""The glitter of sun or moon on the water, and the sun's disc in the sky. docs/formulae.md, section 6."""
+"""The glitter of sun or moon on the water, and the sun's disc in the sky; sparkles in its place (GPU ocean, 2007).
+
+docs/formulae.md, sections 6 and 12.
+"""
 
 import math
 
-from seafoam.effects.effect import Bound, Contribution, Effect
+from seafoam.effects.effect import Bound, Contribution, QualityParameter, part_effect
 from seafoam.effects.light import atmosphere
 from seafoam.effects.light.light import brightest_sun, sun_disc
-from seafoam.effects.shader import SlotFile
-from seafoam.framegraph.rules import Uniform, number, rounded, vector
+from seafoam.effects.shader import HASH, SlotFile, Source
+from seafoam.framegraph.rules import Loop, Uniform, array, number, rounded, significant, vector
 from seafoam.quality import Quality
-from seafoam.scene.light import Light
+from seafoam.scene.light import Light, Sparkles
 from seafoam.scene.models import Scene
+
+EPOCHS = 65536
+"""Period of the sparkles, in lifetimes: five hours at the default."""
+_SQUARE_DEGREES = (180.0 / math.pi) ** 2
 
 
 def smooth_glint(light: Light) -> tuple[str, tuple[str, ...], dict[str, Uniform]]:
@@ -34,11 +41,7 @@ def brightest_glint(scene: Scene) -> float:
     return brightest * max(1.0 / (math.pi * sigma**3), 1.0 / 6.8e-5)
 
 
-def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the scene has a light."""
-    light = scene.light
-    if light is None:
-        return None
+def _draw(scene: Scene, light: Light, quality: Quality) -> Contribution:
     path, needs, uniforms = smooth_glint(light)
     return Contribution(
         why="glitter of the moon" if atmosphere.moon_is_lamp(light) else "glitter of the sun",
@@ -48,6 +51,43 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-EFFECT = Effect(
-    "sun glitter", contribute, fields=("/light/specular", "/light/specular_power", "/light/specular_perturb")
+def density(sparkles: Sparkles) -> float:
+    """Return simultaneous sparkles per steradian where the glint's radiance is the sun's irradiance / sr."""
+    return math.pi * sparkles.rate * _SQUARE_DEGREES * sparkles.life
+
+
+def _sparkles(scene: Scene, light: Light, sparkles: Sparkles, quality: Quality) -> Contribution:
+    radius = 0.5 * sparkles.size
+    # Up to four sparkles overlap, each with up to 1.9 times its mean brightness in the middle of its life.
+    peak = 4.0 * 1.9 / (math.pi / 3.0 * radius * radius * density(sparkles))
+    path, needs, uniforms = smooth_glint(light)
+    smooth = Source(path, (("glitter_light", "smooth_glitter"),))
+    return Contribution(
+        why=f"sparkles of {1e3 * sparkles.size:g} mrad that last {sparkles.life:g} s",
+        slots=(SlotFile("glitter", "light/glitter.glsl@sparkles", needs=(*needs, HASH, smooth), instead=True),),
+        consts={"SPARKLE_CELLS": quality.sparkle_cells},
+        uniforms={
+            **uniforms,
+            "u_sparkle_radius": number(significant(radius)),
+            "u_sparkle_density": number(significant(density(sparkles))),
+            "u_sparkle_share": number(sparkles.share, "/light/sparkles/share"),
+            "u_sparkle_life": number(sparkles.life),
+            "u_sparkle_time": array("float", [Loop(period=sparkles.life), Loop(period=sparkles.life * EPOCHS)], 2),
+        },
+        bound=Bound(
+            brightest_glint(scene) * max(peak, 1.0),
+            "the lamp is below the horizon",
+            ("/light/exposure", "/water/roughness"),
+        ),
+    )
+
+
+GLITTER = part_effect(
+    "sun glitter", _draw, "/light", fields=("/light/specular", "/light/specular_power", "/light/specular_perturb")
+)
+SPARKLES = part_effect(
+    "sparkles",
+    _sparkles,
+    "/light/sparkles",
+    QualityParameter("/sparkle_cells", "sparkle cells per sample", (1, 4), "geometry"),
 )

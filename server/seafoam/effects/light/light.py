@@ -1,20 +1,21 @@
-"""Sun, sky and haze. docs/formulae.md, sections 6 and 9."""
+"""Sun, moon and stars, sky and haze. docs/formulae.md, sections 6 and 9."""
 
 import math
 from functools import lru_cache
 
 import numpy as np
 
-from seafoam.effects.effect import Contribution, Effect
+from seafoam.effects.effect import Bound, Contribution, part_effect
 from seafoam.effects.light import atmosphere, overcast
 from seafoam.effects.light.atmosphere import ASYMMETRY, RAYLEIGH, SUN_POWER, air_mass, lamp, mie_depth
-from seafoam.effects.shader import SlotFile, Source
+from seafoam.effects.shader import HASH, PERLIN_2, SlotFile, Source
 from seafoam.framegraph.rules import Constant, Uniform, array, number, rounded, significant, vector
-from seafoam.ocean.arrays import Floats, read_only
+from seafoam.ocean.arrays import Floats, read_only, smooth
 from seafoam.ocean.sky import skylight
 from seafoam.quality import Quality
-from seafoam.scene.light import Direction, Light
+from seafoam.scene.light import Direction, Light, Moon, Sky
 from seafoam.scene.models import Scene
+from seafoam.sums import summed
 
 _SERIES = tuple(f"{part}{tint}{rim}" for rim in ("", "_rim") for part in ("even", "haze") for tint in ("", "_tint"))
 _UNIFORMS = ("lamp", "level", *_SERIES)
@@ -27,6 +28,8 @@ _MAX_DISC = 3000.0
 """Radiance at which the disc is clamped, well within the range of half floats."""
 _NODES = 96
 """Steps of the sky's integral in elevation and azimuth."""
+STAR_POWER = 1.0
+"""Brightness of the brightest stars at night."""
 
 
 def glow_source(lamp: str) -> Source:
@@ -37,7 +40,6 @@ def glow_source(lamp: str) -> Source:
 
 
 def glow_uniforms(lamp: str, toward: Direction, glow: skylight.Glow) -> dict[str, Uniform]:
-    """Return the uniforms of :func:`glow_source`."""
     level = math.hypot(toward[0], toward[2])
     azimuth = (toward[0] / level, toward[2] / level) if level > 0.0 else (1.0, 0.0)
     series = {
@@ -71,7 +73,6 @@ def _view_air_mass(y: Floats | float) -> Floats | float:
 
 
 def _rgb(values: Floats) -> Floats:
-    """Colours (3,) as plans have them."""
     return read_only(np.array(rounded(values)))
 
 
@@ -134,11 +135,7 @@ def sky_irradiance(light: Light) -> Floats:
     return _rgb(math.pi * (rings * (1.0 - np.exp(-parts["depth"] * _view_air_mass(y)))).mean(axis=0))
 
 
-def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the scene has a light."""
-    light = scene.light
-    if light is None:
-        return None
+def _draw(scene: Scene, light: Light, quality: Quality) -> Contribution:
     if light.sky is None:
         sky: tuple[SlotFile, ...] = (SlotFile("sky", "light/sky.glsl@analytic", needs=("light/sky.glsl@exposure",)),)
         air = {f"u_air_{name}": vector(rounded(value)) for name, value in air_parts(light).items()}
@@ -172,4 +169,50 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-EFFECT = Effect("sun and sky", contribute, fields=("/light", "/light/day", "/light/sky"))
+def _moon(scene: Scene, light: Light, sky: Sky, model: Moon, quality: Quality) -> Contribution:
+    toward = atmosphere.moon(light)
+    assert toward is not None
+    sun = atmosphere.sun(light)
+    right = (-math.sin(model.azimuth), 0.0, math.cos(model.azimuth))
+    rise, level = math.sin(model.elevation), math.cos(model.elevation)
+    up = (-rise * math.cos(model.azimuth), level, -rise * math.sin(model.azimuth))
+    radius = atmosphere.MOON_RADIUS * model.size
+    face = atmosphere.MOON_FACE * atmosphere.MOON_POWER * model.brightness * atmosphere.MOON_TINT
+    axes = (right, up, tuple(-value for value in toward))
+    glows = atmosphere.glows(light)
+    lit = 100.0 * math.sqrt(atmosphere.moon_phase(light))
+    return Contribution(
+        why=f"moon {math.degrees(model.elevation):.0f}° above the horizon, {lit:.0f} % illuminated",
+        slots=(
+            *((SlotFile("moon", glow_source("moon")),) if "moon" in glows else ()),
+            SlotFile("moon disc", "light/night.glsl@moon_disc", needs=PERLIN_2),
+        ),
+        uniforms={
+            "u_moon_direction": vector(rounded(toward)),
+            **(glow_uniforms("moon", *glows["moon"]) if "moon" in glows else {}),
+            "u_moon_right": vector(rounded(right)),
+            "u_moon_up": vector(rounded(up)),
+            "u_moon_radius": number(significant(radius)),
+            "u_moon_sun": vector(rounded(summed(a * b for a, b in zip(sun, axis, strict=True)) for axis in axes)),
+            "u_moon_radiance": vector(rounded(face * np.exp(-0.5 * atmosphere.path(light, toward[1])))),
+        },
+        bound=Bound.zero_if(toward[1] < -max(0.02, 2.0 * radius), "the moon is below the horizon"),
+    )
+
+
+def _stars(scene: Scene, light: Light, sky: Sky, brightness: float, quality: Quality) -> Contribution:
+    dark = smooth(0.05, 0.2, -atmosphere.sun(light)[1])
+    return Contribution(
+        why="stars",
+        slots=(SlotFile("stars", "light/night.glsl@stars", needs=("lib/texels.glsl@cube_face", HASH)),),
+        uniforms={
+            "u_star_path": vector(rounded(atmosphere.RAYLEIGH + atmosphere.mie_depth(light))),
+            "u_star_brightness": number(significant(STAR_POWER * brightness * dark)),
+        },
+        bound=Bound.zero_if(dark == 0.0, "the sun is above the horizon"),
+    )
+
+
+EFFECT = part_effect("sun and sky", _draw, "/light", fields=("/light/day", "/light/sky"))
+MOON = part_effect("moon", _moon, "/light/sky/moon")
+STARS = part_effect("stars", _stars, "/light/sky/stars")

@@ -131,7 +131,6 @@ def cloud_means(light: Light, clouds: Clouds) -> Floats:
 
 
 def _overcast(light: Light, clouds: Clouds) -> Floats:
-    """(3,) mean radiance of clouds."""
     sunny, forward, grey = cloud_means(light, clouds).mean(axis=0)
     lamp, sky = cloud_light(light, clouds.height), cloud_sky(light)
     result: Floats = (sunny + forward / (4.0 * math.pi)) * lamp + grey * sky

@@ -3,11 +3,11 @@
 import math
 
 from seafoam.effects.boats.boat import COURSE, LIGHT, TRACE
-from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, drawn_map
+from seafoam.effects.effect import Bound, Contribution, PassSpec, QualityParameter, drawn_map, part_effect
 from seafoam.effects.light.light import ILLUMINATION, air_light, sky_irradiance, sun_irradiance
 from seafoam.effects.shader import COMMON, VALUE_NOISE, Piece, SlotFile, SlotRef, constant_function
-from seafoam.effects.shore.land import LAND_LIGHT, soil_files
 from seafoam.effects.shore.maps import MAXIMA
+from seafoam.effects.shore.shore import LAND_LIGHT, soil_files
 from seafoam.framegraph.resources import FixedSize, Target
 from seafoam.quality import Quality
 from seafoam.scene.light import Light
@@ -43,15 +43,12 @@ _NO_GUESS = constant_function("float", "mirror_guess", "vec3 place, vec3 r", "-1
 
 
 def lit_land(shore: Shore) -> tuple[str, ...]:
-    """Files that light the land along any ray."""
     look = (*soil_files(shore), LAND_LIGHT[shore.detail > 0.0])
     return (*ILLUMINATION, "lib/refraction.glsl", *look, "reflection/mirror.glsl@land")
 
 
-def cubemap(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the light's ``reflection`` is "cubemap"."""
-    light = scene.light
-    if light is None or light.reflection != "cubemap":
+def _cubemap(scene: Scene, light: Light, reflection: str, quality: Quality) -> Contribution | None:
+    if reflection != "cubemap":
         return None
     shore = scene.shore
     scenery: tuple[str, ...] = ("reflection/mirror.glsl@open",)
@@ -89,9 +86,8 @@ def _bound(scene: Scene, light: Light) -> Bound | None:
     return Bound(factor * max(land, brightest), "there is no light to reflect", ("/light/exposure",))
 
 
-def planar(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the light's ``reflection`` is "planar"."""
-    if scene.light is None or scene.light.reflection != "planar":
+def _planar(scene: Scene, light: Light, reflection: str, quality: Quality) -> Contribution | None:
+    if reflection != "planar":
         return None
     if not scene.boats and scene.shore is None:
         return Contribution.invisible("no boat or land is above the water")
@@ -128,21 +124,17 @@ def planar(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-CUBEMAP = Effect(
+CUBEMAP = part_effect(
     "cube map",
-    cubemap,
-    fields=("/light/reflection",),
-    parameters=(
-        QualityParameter("/cube", "reflected surroundings", ("map", "exact"), "geometry"),
-        QualityParameter("/cube_size", "texels of a face of the cube map", (32, 64, 128, 256, 512), "geometry"),
-    ),
+    _cubemap,
+    "/light/reflection",
+    QualityParameter("/cube", "reflected surroundings", ("map", "exact"), "geometry"),
+    QualityParameter("/cube_size", "texels of a face of the cube map", (32, 64, 128, 256, 512), "geometry"),
 )
-PLANAR = Effect(
+PLANAR = part_effect(
     "planar reflection",
-    planar,
-    fields=("/light/reflection",),
-    parameters=(
-        QualityParameter("/reflection", "planar mirror", ("map", "traced"), "filtering"),
-        QualityParameter("/reflection_size", "texels of the planar mirror", (128, 256, 512, 1024), "filtering"),
-    ),
+    _planar,
+    "/light/reflection",
+    QualityParameter("/reflection", "planar mirror", ("map", "traced"), "filtering"),
+    QualityParameter("/reflection_size", "texels of the planar mirror", (128, 256, 512, 1024), "filtering"),
 )

@@ -120,7 +120,6 @@ def _wave_fields(shore: Shore, floor: Floats, map_texels: int) -> _WaveFields:
 
 
 def _phase_gradient(shore: Shore, distance: Floats, map_texels: int) -> Floats:
-    """Gradient of the waves' phase, (texels, texels, 2) periods/m."""
     texel, surf = shore.size / map_texels, shore.surf
     if surf.refraction:
         return 1.05 * _gradient(travel_grid(shore, map_texels)[..., 0], texel)
@@ -140,9 +139,8 @@ def _coast_distance(shore: Shore, heights: Floats) -> Floats:
     dry = heights >= 0.0
     if dry.all() or not dry.any():
         return np.full_like(heights, (-1.0 if dry.all() else 1.0) * shore.size)
-    distance: Floats = (
-        np.where(dry, 0.5 - ndimage.distance_transform_edt(dry), ndimage.distance_transform_edt(~dry) - 0.5) * texel
-    )
+    inside, outside = ndimage.distance_transform_edt(dry), ndimage.distance_transform_edt(~dry)
+    distance: Floats = np.where(dry, 0.5 - inside, outside - 0.5) * texel
     return distance
 
 

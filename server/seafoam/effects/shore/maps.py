@@ -95,7 +95,6 @@ def _flood_passes(texels: int) -> tuple[list[PassSpec], str]:
 
 
 def _blur_passes(shore: Shore, texels: int) -> list[PassSpec]:
-    """Gaussian smoothing of distance and depth, along x and along z."""
     deviation = number(significant(blur_deviation(shore, texels)))
     sides = (("x", (1.0, 0.0), "shore_rough", "shore_half"), ("z", (0.0, 1.0), "shore_half", "shore_smooth"))
     passes = []
@@ -130,7 +129,6 @@ def _wave_pass(shore: Shore) -> PassSpec:
 
 
 def mask_uniforms() -> dict[str, Uniform]:
-    """Wavevectors and phases of :data:`MASK_WAVES`."""
     vectors: list[Rule] = []
     phases: list[Rule] = []
     for i, (length, heading, period) in enumerate(MASK_WAVES):

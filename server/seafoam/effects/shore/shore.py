@@ -1,21 +1,26 @@
-"""A shore: sea floor, land, surf, and water coloured along the ray through it. docs/formulae.md, section 8."""
+"""A shore: sea floor, land with its soil and shadows, surf, and water coloured along the ray through it.
+
+docs/formulae.md, section 8.
+"""
 
 import math
 
 from seafoam.effects.bounds import FLOOR_FIELDS, floor_limit, max_displacement
-from seafoam.effects.effect import Bound, Contribution, Effect, QualityParameter, TextureUse
-from seafoam.effects.shader import MARCH_AHEAD, VALUE_NOISE, Const, SlotFile
-from seafoam.effects.shore import land
+from seafoam.effects.effect import Bound, Contribution, QualityParameter, TextureUse, part_effect
+from seafoam.effects.light.atmosphere import lamp
+from seafoam.effects.light.light import sun_irradiance
+from seafoam.effects.shader import MARCH_AHEAD, SLOPES, VALUE_NOISE, Const, SlotFile
 from seafoam.effects.shore.limits import Limits, limits, rounded_up
 from seafoam.effects.shore.maps import FIND_LAND, GROUND, MARCH_GROUND, MAXIMA, blur_deviation, map_passes, map_targets
 from seafoam.effects.water.water import bed_sun
 from seafoam.effects.waves.parametric import max_profile_slope
-from seafoam.framegraph.resources import TextureInput, target_inputs
-from seafoam.framegraph.rules import Phase, Uniform, array, constants, number, significant, vector
+from seafoam.framegraph.resources import TargetInput, TextureInput, target_inputs
+from seafoam.framegraph.rules import Phase, Uniform, array, constants, number, rounded, significant, vector
 from seafoam.ocean.basics.dispersion import wavevector
 from seafoam.ocean.waves.cascades import RAISED, cascades
 from seafoam.ocean.waves.rings import ring_slope
 from seafoam.quality import Quality
+from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore
 from seafoam.sums import summed
@@ -25,26 +30,88 @@ PERIOD = 2.0**18
 """Side of the square in which the shore repeats, m: farther than any camera sees."""
 LAND_CELLS, LAND_COARSEST, LAND_ROUNDS = 128, 4, 64
 """Cells along a side of the finest (texels, if fewer) and coarsest level of the land's maxima; cells read per ray."""
+LAND_LIGHT = {False: "shore/land.glsl@land_lit", True: "shore/land.glsl@land_film"}
+"""The file that lights land, by whether it has detail."""
+FILM_DRIES, SAND_DRIES = 4.0, 40.0
+"""Times in which the film of water on sand and the sand dry to 1/e, s."""
+SUN_RADIUS = 0.00465
+"""Angular radius of the sun and of the moon, rad."""
+LOWEST_RISE = 1e-3
+"""Least slope of a sight of the sun's rim."""
+SUNLIT_FROM = (*GROUND, "shore/sunlit.glsl@sunlit_from")
+"""Files of the heights from which the sun is seen over the land."""
+NO_SHADOWS = ("shore/sunlit.glsl@sunlit_from_none",)
 
 
-def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the scene has a shore."""
-    shore = scene.shore
-    if shore is None:
+def soil_files(shore: Shore) -> tuple[str, ...]:
+    """Files of the land's material; the noise library and shore/ground.glsl@ground come before them."""
+    if shore.detail <= 0.0:
+        return ("shore/soil.glsl@soil_struct", "shore/soil.glsl@soil_plain")
+    return (*SLOPES, "shore/soil.glsl@soil_struct", "shore/soil.glsl@soil")
+
+
+def soil_uniforms(shore: Shore) -> dict[str, Uniform]:
+    if shore.detail <= 0.0:
+        return {}
+    period = shore.surf.period
+    return {
+        "u_land_detail": number(shore.detail),
+        "u_land_strand": number(significant(0.4 * shore.surf.height + 0.12)),
+        "u_land_dries": vector((significant(FILM_DRIES / period), significant(SAND_DRIES / period))),
+    }
+
+
+def _shadows(scene: Scene, shore: Shore, drawn: bool, quality: Quality) -> Contribution | None:
+    light = scene.light
+    if light is None:
         return None
+    ground = ("shore/ground.glsl@place", "shore/ground.glsl@square", "shore/ground.glsl@spline")
+    needs = (*ground, "shore/land.glsl@land_maxima")
+    return Contribution(
+        why="how much of the sun is seen over the land",
+        slots=(SlotFile("open sun", "shore/sunlit.glsl@sunlit", prefix="land", needs=needs),),
+        consts={"SHADOW_STEPS": quality.shadow_steps},
+        uniforms={"u_land_sun": vector(rounded(sights(light)))},
+        inputs={"u_land_maxima": TargetInput(target="land_maxima")},
+        bound=Bound.zero_if(not _lit(light), "the sun is below the horizon")
+        or Bound.zero_if(limits(shore, quality).land_top <= -0.6 * shore.deep, "no land is above the water"),
+    )
+
+
+def sights(light: Light) -> tuple[float, float, float, float]:
+    """Level unit vector toward the sun, (x, z), and the slopes of the sights of its upper and lower rim."""
+    x, y, z = lamp(light)
+    elevation = math.atan2(y, math.hypot(x, z))
+    level = max(math.hypot(x, z), 1e-6)
+    upper = min(elevation + SUN_RADIUS, 1.5)
+    lower = min(elevation - SUN_RADIUS, 1.49)
+    return x / level, z / level, max(math.tan(upper), LOWEST_RISE), max(math.tan(lower), LOWEST_RISE)
+
+
+def _lit(light: Light) -> bool:
+    return bool(sun_irradiance(light).any())
+
+
+def _unshadowed(scene: Scene) -> Scene:
+    assert scene.shore is not None
+    return scene.model_copy(update={"shore": scene.shore.model_copy(update={"shadows": False})})
+
+
+def _draw(scene: Scene, shore: Shore, quality: Quality) -> Contribution:
     surf, bounds = shore.surf, limits(shore, quality)
     steepest, curvature = _steepest(scene, bounds)
     cells = min(LAND_CELLS, quality.shore_floor)
+    thrown = shore.shadows and scene.light is not None and _lit(scene.light)
     # The travel time of a swell that the depth refracts.
     travel = {"shore_travel": TextureUse(ShoreTravel(shore=shore, texels=quality.shore_map), wrap="clamp_to_edge")}
     profiles = ShoreProfiles(nodes=quality.shore_profile, skew=surf.skew, sharpness=surf.sharpness)
     return Contribution(
         why=f"{shore.kind}, {shore.size:g} m square" + (f", waves of {surf.height:g} m" if surf.height > 0.0 else ""),
         slots=_slots(shore, lit=scene.light is not None),
-        consts={**_consts(shore, quality, cells), **land.soil_consts(shore, quality)},
+        consts=_consts(shore, quality, cells),
         uniforms={
             **_uniforms(shore, bounds, steepest, curvature),
-            **land.soil_uniforms(shore),
+            **soil_uniforms(shore),
             **({} if scene.light is None else bed_sun(scene.light)),
         },
         inputs={
@@ -58,7 +125,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "shore_profiles": TextureUse(profiles),
         },
         targets=map_targets(quality, cells),
-        passes=map_passes(shore, quality, land.SUNLIT_FROM if land.throws(scene) else land.NO_SHADOWS),
+        passes=map_passes(shore, quality, SUNLIT_FROM if thrown else NO_SHADOWS),
         min_ground=-shore.deep,
         bound=_bound(scene, shore, bounds.land_top),
         max_height=surf.height,
@@ -74,9 +141,12 @@ def _slots(shore: Shore, *, lit: bool) -> tuple[SlotFile, ...]:
     waves = ("shore/ground.glsl@place", *GROUND, *VALUE_NOISE, "shore/waves.glsl@field")
     # Water without light takes its colour by the same file, but does not fill the slot of the water's body.
     body = () if lit else ("shore/floor.glsl@body",)
-    through = ("lib/refraction.glsl", "shore/ground.glsl@ground", *land.shallow_files(shore), *body)
-    light = land.LAND_LIGHT[shore.detail > 0.0] if lit else "shore/land.glsl@land_flat"
-    soil = ("shore/ground.glsl@ground", *land.soil_files(shore), *land.wet_files(shore))
+    plain, detailed = ("shore/floor.glsl@shallow_plain",), (*soil_files(shore), "shore/floor.glsl@shallow")
+    shallow = detailed if shore.detail > 0.0 else plain
+    through = ("lib/refraction.glsl", "shore/ground.glsl@ground", *shallow, *body)
+    light = LAND_LIGHT[shore.detail > 0.0] if lit else "shore/land.glsl@land_flat"
+    wet = "shore/soil.glsl@wet" if shore.detail > 0.0 and shore.surf.height > 0.0 else "shore/soil.glsl@wet_still"
+    soil = ("shore/ground.glsl@ground", *soil_files(shore), wet)
     start = ("surface/bounds.glsl@pyramid", "shore/ground.glsl@ground", *MAXIMA)
     floor = ("water/seafloor.glsl@even", "shore/ground.glsl@bed")
     underwater = (
@@ -110,6 +180,8 @@ def _consts(shore: Shore, quality: Quality, cells: int) -> dict[str, Const]:
         "LAND_CELLS": cells,
         "LAND_COARSEST": LAND_COARSEST,
         "LAND_ROUNDS": LAND_ROUNDS,
+        "LAND_OCTAVES": quality.land_octaves,
+        "FILM_ROUGHNESS": 0.003 if shore.detail > 0.0 else 0.02,
     }
 
 
@@ -164,16 +236,22 @@ def _bound(scene: Scene, shore: Shore, top: float) -> Bound | None:
     return Bound(floor_limit(scene, scene.light, -top), why, FLOOR_FIELDS)
 
 
-EFFECT = Effect(
+EFFECT = part_effect(
     "shore",
-    contribute,
-    fields=("/shore", "/shore/surf"),
-    parameters=(
-        QualityParameter("/shore_map", "texels of the distance map", (64, 128, 256, 512), "geometry"),
-        QualityParameter("/shore_floor", "texels of the height field", (64, 128, 256, 512), "geometry"),
-        QualityParameter("/land_octaves", "octaves of the land's detail", (3, 4, 5, 6, 7), "geometry"),
-        QualityParameter("/refraction_steps", "steps of the refracted ray", (1, 2, 4, 8, 16), "geometry"),
-        QualityParameter("/shore_profile", "nodes of the wave profile table", (32, 64, 128, 256), "geometry"),
-    ),
+    _draw,
+    "/shore",
+    QualityParameter("/shore_map", "texels of the distance map", (64, 128, 256, 512), "geometry"),
+    QualityParameter("/shore_floor", "texels of the height field", (64, 128, 256, 512), "geometry"),
+    QualityParameter("/land_octaves", "octaves of the land's detail", (3, 4, 5, 6, 7), "geometry"),
+    QualityParameter("/refraction_steps", "steps of the refracted ray", (1, 2, 4, 8, 16), "geometry"),
+    QualityParameter("/shore_profile", "nodes of the wave profile table", (32, 64, 128, 256), "geometry"),
+    fields=("/shore/surf",),
     without=lambda scene: scene.model_copy(update={"shore": None}),
+)
+SHADOWS = part_effect(
+    "shadows of land",
+    _shadows,
+    "/shore/shadows",
+    QualityParameter("/shadow_steps", "steps toward the sun over the land", (32, 64, 128, 256), "geometry"),
+    without=_unshadowed,
 )

@@ -27,7 +27,7 @@ from seafoam.scene.shore import Shore
 from seafoam.scene.spray import Spray
 from seafoam.scene.waves import ParametricWave, Sea
 from seafoam.sums import summed
-from seafoam.textures.spray import SprayRocks
+from seafoam.textures.shore import SprayRocks
 
 DELAY = 1.5
 """Longest time between the arrival of a crest and the start of a drop, s."""
@@ -75,7 +75,7 @@ def births(scene: Scene, quality: Quality, spray: Spray) -> Births | str:
 def fastest_rise(scene: Scene) -> float:
     """Upper bound of the speed at which parametric waves raise the surface, m/s: all of them at once, in one place."""
     rises = (angular_frequency(wave) * wave.amplitude * max_profile_slope(wave.exponent) for wave in scene.waves)
-    travel = math.hypot(*group_velocity(scene)) * group_bounds(scene).slope
+    travel = math.hypot(*group_velocity(scene)) * group_bounds(scene)[0]
     return summed(rises) + parametric_wave_height(scene) * travel
 
 
@@ -196,7 +196,6 @@ def _earlier_water(
 
 
 def _earlier(scene: Scene) -> tuple[list[Piece | SlotRef], Resources]:
-    """Files of the single waves and rings of an earlier time, and their uniforms."""
     raised = _raised(scene)
     files: list[Piece | SlotRef] = [*(earlier_wave_files(scene) if raised else ("spray/births.glsl@fronts_none",))]
     files += ["waves/rings.glsl@ring", "spray/births.glsl@rings_then"] if scene.rings else [_NO_RINGS]

@@ -3,7 +3,7 @@
 import math
 
 from seafoam.effects.boats.boat import TRACE
-from seafoam.effects.effect import ABOVE, Contribution, Effect, PassSpec, QualityParameter, Resources, TextureUse
+from seafoam.effects.effect import ABOVE, Contribution, PassSpec, QualityParameter, Resources, TextureUse, part_effect
 from seafoam.effects.light.light import ILLUMINATION
 from seafoam.effects.shader import COMMON, HASH, PLACE, Inline, Piece, SlotRef, Source
 from seafoam.effects.shore.maps import FIND_LAND
@@ -13,8 +13,8 @@ from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Input, Target, Ta
 from seafoam.framegraph.rules import Viewport, array, number, rounded, significant, vector
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
-from seafoam.scene.spray import DROPS
-from seafoam.textures.spray import STRANDS, SprayStrands
+from seafoam.scene.spray import DROPS, Spray
+from seafoam.textures.foam import STRANDS, SprayStrands
 
 COLUMNS = 128
 """Drops in a row of their table."""
@@ -28,11 +28,7 @@ _TABLE: tuple[Piece | SlotRef, ...] = (HASH, "spray/drawn.glsl@flight", "spray/b
 _BIRTHS: dict[str, Input] = {"u_spray_births": TargetInput(target="spray_births")}
 
 
-def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the scene has spray."""
-    spray = scene.spray
-    if spray is None:
-        return None
+def _draw(scene: Scene, spray: Spray, quality: Quality) -> Contribution:
     quality = _suited(scene, quality)
     found = births(scene, quality, spray)
     if isinstance(found, str):
@@ -155,9 +151,10 @@ def _water_pass(scene: Scene, quality: Quality) -> PassSpec:
     )
 
 
-EFFECT = Effect(
+EFFECT = part_effect(
     "spray",
-    contribute,
-    fields=("/spray", "/spray/bursts"),
-    parameters=(QualityParameter("/spray_count", "spray drops", (2048, 4096, 8192, 16384), "geometry"),),
+    _draw,
+    "/spray",
+    QualityParameter("/spray_count", "spray drops", (2048, 4096, 8192, 16384), "geometry"),
+    fields=("/spray/bursts",),
 )

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from seafoam.effects.bounds import FLOOR_FIELDS, floor_limit, min_surface_height
-from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, Resources, drawn_map
+from seafoam.effects.effect import Bound, Contribution, PassSpec, QualityParameter, Resources, drawn_map, part_effect
 from seafoam.effects.light.atmosphere import lamp
 from seafoam.effects.shader import SlotFile
 from seafoam.effects.waves.ripples import ripple_phases
@@ -18,7 +18,7 @@ from seafoam.ocean.arrays import Floats
 from seafoam.ocean.constants import WATER_INDEX
 from seafoam.ocean.waves.ripples import Ripple, ripple_cascades, tiles
 from seafoam.quality import Quality
-from seafoam.scene.light import Light
+from seafoam.scene.light import Caustics, Light
 from seafoam.scene.models import Scene
 from seafoam.scene.water import Ripples
 from seafoam.sums import summed
@@ -118,20 +118,9 @@ def _bspline(x: float) -> float:
     return (4.0 - 6.0 * a * a + 3.0 * a**3) / 6.0 if a < 1.0 else max(2.0 - a, 0.0) ** 3 / 6.0
 
 
-@dataclass(frozen=True)
-class _Smoothing:
-    """A smoothing kernel of ``taps`` half texels along each side, starting ``before`` the texel's first."""
-
-    before: int
-    taps: int
-    across: Uniform
-    """Weights of each colour along the rows."""
-    along: Uniform
-    """And along the columns."""
-
-
-def _smoothing(shifts: list[tuple[float, float]]) -> _Smoothing:
-    """B-spline smoothing, shifted for each colour by ``shifts`` half texels.
+def _smoothing(shifts: list[tuple[float, float]]) -> tuple[int, int, Uniform, Uniform]:
+    """B-spline smoothing, shifted for each colour by ``shifts`` half texels: its start, half texels before a texel's
+    first, its number of these, and each colour's weights along rows and along columns.
 
     The spline is cut off at 7/4 texels; the weights there, at most 0.26 % in all, are distributed over the others.
     """
@@ -145,17 +134,15 @@ def _smoothing(shifts: list[tuple[float, float]]) -> _Smoothing:
             weights = [_bspline(x) if abs(x) < 1.75 else 0.0 for x in distances]
             columns.append([significant(weight / summed(weights)) for weight in weights])
         axes.append(constants("vec3", zip(*columns, strict=True)))
-    return _Smoothing(-places[0], len(places), *axes)
+    return -places[0], len(places), axes[0], axes[1]
 
 
-def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the light has caustics and there are ripples over a level floor."""
-    light, water = scene.light, scene.water
-    if light is None or light.caustics is None or scene.shore is not None:
+def _draw(scene: Scene, light: Light, caustics: Caustics, quality: Quality) -> Contribution | None:
+    """Of ripples over a level floor."""
+    water = scene.water
+    if water.depth is None or water.ripples is None or scene.shore is not None:
         return None
-    if water.depth is None or water.ripples is None:
-        return None
-    tile = _Tile(light, water.ripples, water.depth, light.caustics.dispersion, tiles(True)[0])
+    tile = _Tile(light, water.ripples, water.depth, caustics.dispersion, tiles(True)[0])
     photons = quality.caustics == "photons" or tile.spread > MAX_SPREAD
     rays = quality.caustics_photons if photons else quality.caustics_cells
     texels = quality.caustics_size
@@ -225,8 +212,8 @@ def _grid(
 
     ``shifts``: of the colours in a single grid.
     """
-    smoothing = _smoothing(shifts or 3 * [(0.0, 0.0)])
-    rim = max(RIM, smoothing.before, smoothing.taps - smoothing.before - 2)
+    before, taps, across, along = _smoothing(shifts or 3 * [(0.0, 0.0)])
+    rim = max(RIM, before, taps - before - 2)
     margin, size = tile.margin(cells), 2 * texels + 2 * rim
     passes: list[PassSpec] = []
     for name, difference in colours.items():
@@ -235,14 +222,13 @@ def _grid(
         mesh = Grid(rows=cells + 2 * margin, columns=cells + 2 * margin)
         uniforms = {**light.uniforms, "u_caustic_channels": channels}
         passes.append(replace(light, mesh=mesh, clear=not passes, uniforms=uniforms))
-    across, along = {"u_caustic_across": smoothing.across}, {"u_caustic_along": smoothing.along}
     read, files = {"u_caustic_light": "caustic_light"}, ("water/caustics.glsl@smooth_rows",)
     return Resources(
         consts={
             "CAUSTIC_CELLS": cells,
             "CAUSTIC_MARGIN": margin,
-            "CAUSTIC_BEFORE": smoothing.before,
-            "CAUSTIC_TAPS": smoothing.taps,
+            "CAUSTIC_BEFORE": before,
+            "CAUSTIC_TAPS": taps,
             "CAUSTIC_RIM": rim,
         },
         # Twice the resolution: a triangle brightens only texels whose centres it covers.
@@ -252,14 +238,15 @@ def _grid(
         },
         passes=(
             *passes,
-            PassSpec("caustics: rows", "caustic_rows", files, read, across),
-            _map_pass("water/caustics.glsl@smooth_columns", {"u_caustic_rows": "caustic_rows"}, along),
+            PassSpec("caustics: rows", "caustic_rows", files, read, {"u_caustic_across": across}),
+            _map_pass(
+                "water/caustics.glsl@smooth_columns", {"u_caustic_rows": "caustic_rows"}, {"u_caustic_along": along}
+            ),
         ),
     )
 
 
 def _targets(lights: Iterable[str], light_size: int, texels: int) -> dict[str, Target]:
-    """The targets in which light is added up, and the map."""
     light = Target(size=FixedSize.square(light_size), format="RGBA16F")
     finished = Target(size=FixedSize.square(texels), format="RGBA16F", filter="linear_mipmap_linear", wrap="repeat")
     return {**dict.fromkeys(lights, light), "caustics": finished}
@@ -288,15 +275,13 @@ def _map_pass(shader: str, lights: Mapping[str, str], weights: dict[str, Uniform
     return PassSpec("caustics: map", "caustic_map", (shader,), target="caustics", read=lights, uniforms=weights)
 
 
-EFFECT = Effect(
+EFFECT = part_effect(
     "caustics",
-    contribute,
-    fields=("/light/caustics",),
+    _draw,
+    "/light/caustics",
+    QualityParameter("/caustics", "caustics", ("grid", "photons"), "geometry"),
+    QualityParameter("/caustics_size", "texels of the caustic map", (128, 256, 512, 1024), "filtering"),
+    QualityParameter("/caustics_cells", "cells of the refracted grid", (64, 128, 256, 512), "geometry"),
+    QualityParameter("/caustics_photons", "photons per side", (128, 256, 512, 1024), "geometry"),
     afloat=("u_caustic_place",),
-    parameters=(
-        QualityParameter("/caustics", "caustics", ("grid", "photons"), "geometry"),
-        QualityParameter("/caustics_size", "texels of the caustic map", (128, 256, 512, 1024), "filtering"),
-        QualityParameter("/caustics_cells", "cells of the refracted grid", (64, 128, 256, 512), "geometry"),
-        QualityParameter("/caustics_photons", "photons per side", (128, 256, 512, 1024), "geometry"),
-    ),
 )

@@ -6,11 +6,11 @@ docs/formulae.md, sections 6 and 11.
 import math
 
 from seafoam.effects.bounds import FLOOR_FIELDS, crest_limit, floor_limit, max_surface_height, min_surface_height
-from seafoam.effects.effect import Bound, Contribution, Effect
+from seafoam.effects.effect import Bound, Contribution, part_effect
 from seafoam.effects.light.atmosphere import lamp_angles
 from seafoam.effects.shader import VALUE_NOISE, SlotFile
 from seafoam.framegraph.rules import Uniform, array, in_tile, number, significant, vector
-from seafoam.ocean.basics.refraction import refracted_cosine
+from seafoam.ocean.constants import WATER_INDEX
 from seafoam.ocean.waves.cascades import cascades, slope_heading
 from seafoam.quality import Quality
 from seafoam.scene.light import Light
@@ -30,10 +30,7 @@ def _slope_heading(scene: Scene) -> tuple[float, float]:
     return round(along, 4) + 0.0, round(aside, 4) + 0.0
 
 
-def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the scene has a light."""
-    if scene.light is None:
-        return None
+def _draw(scene: Scene, light: Light, quality: Quality) -> Contribution:
     water = scene.water
     uniforms: dict[str, Uniform] = {
         "u_absorption_length": vector(water.absorption_length, "/water/absorption_length"),
@@ -44,9 +41,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     return Contribution(why="the water absorbs and scatters light", uniforms=uniforms)
 
 
-def underside(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the scene allows views from below (``water.view_below``) and has light or foam."""
-    if not scene.water.view_below or (scene.light is None and scene.foam is None):
+def _underside(scene: Scene, water: Water, allowed: bool, quality: Quality) -> Contribution | None:
+    if scene.light is None and scene.foam is None:
         return None
     shows, file = "shows its foam", SlotFile("below", "water/underside.glsl@flat")
     if scene.light is not None:
@@ -55,27 +51,27 @@ def underside(scene: Scene, quality: Quality) -> Contribution | None:
     return Contribution(why=f"from below, the surface {shows}", slots=(file,))
 
 
-def floor(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the water has a depth and the scene a light; a shore has its own floor."""
-    water, light = scene.water, scene.light
-    if water.depth is None or light is None or scene.shore is not None:
+def _floor(scene: Scene, water: Water, depth: float, quality: Quality) -> Contribution | None:
+    """A shore has its own floor."""
+    light = scene.light
+    if light is None or scene.shore is not None:
         return None
     # Floor and deep water differ by less than the radiance of a white floor.
-    min_depth = max(water.depth + min_surface_height(scene), 0.0)
+    min_depth = max(depth + min_surface_height(scene), 0.0)
     refracted = light.caustics is not None or water.floor_tile is not None
     tiles: dict[str, Uniform] = {}
     if side := water.floor_tile:
         tiles = {"u_floor_tile": number(side), "u_floor_tile_place": array("vec2", in_tile(side, period=256.0), 1)}
     return Contribution(
-        why=f"a floor {water.depth:g} m under still water" + (", seen along the refracted ray" if refracted else ""),
+        why=f"a floor {depth:g} m under still water" + (", seen along the refracted ray" if refracted else ""),
         slots=_floor_slots(water, refracted),
         uniforms={
             "u_floor_albedo": vector(water.floor_albedo, "/water/floor_albedo"),
-            "u_floor_depth": number(water.depth),
+            "u_floor_depth": number(depth),
             **bed_sun(light),
             **tiles,
         },
-        min_ground=-water.depth,
+        min_ground=-depth,
         bound=Bound(
             floor_limit(scene, light, min_depth), f"no light returns from a depth of {min_depth:g} m", FLOOR_FIELDS
         ),
@@ -104,15 +100,12 @@ def _floor_slots(water: Water, refracted: bool) -> tuple[SlotFile, ...]:
 
 
 def bed_sun(light: Light) -> dict[str, Uniform]:
-    """Cosine between the refracted sunlight and the vertical."""
+    """Cosine between the refracted sunlight and the vertical, by Snell's law."""
     height = math.sin(lamp_angles(light)[1])
-    return {"u_bed_sun": number(significant(refracted_cosine(height)))}
+    return {"u_bed_sun": number(significant(math.sqrt(1.0 - (1.0 - height * height) / WATER_INDEX**2)))}
 
 
-def crest_light(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the scene has a light."""
-    if scene.light is None:
-        return None
+def _crest_light(scene: Scene, light: Light, quality: Quality) -> Contribution:
     highest, lowest = max_surface_height(scene), min_surface_height(scene)
     return Contribution(
         why=f"crests of up to {highest:g} m transmit sunlight",
@@ -130,7 +123,7 @@ def crest_light(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-EFFECT = Effect("water body", contribute, fields=("/water",))
-UNDERSIDE = Effect("view from below", underside, fields=("/water/view_below",))
-FLOOR = Effect("floor", floor, fields=("/water/depth", "/water/floor_albedo", "/water/floor_tile"))
-CREST_LIGHT = Effect("crest light", crest_light, fields=("/water/translucency",))
+EFFECT = part_effect("water body", _draw, "/light", fields=("/water",))
+UNDERSIDE = part_effect("view from below", _underside, "/water/view_below")
+FLOOR = part_effect("floor", _floor, "/water/depth", fields=("/water/floor_albedo", "/water/floor_tile"))
+CREST_LIGHT = part_effect("crest light", _crest_light, "/light", fields=("/water/translucency",))

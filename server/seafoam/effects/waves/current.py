@@ -4,13 +4,13 @@ import math
 
 from seafoam.effects.boats.wake import WakeKind, wakes_of
 from seafoam.effects.bounds import min_surface_height
-from seafoam.effects.effect import Contribution, Effect, PlanError, Resources
+from seafoam.effects.effect import Contribution, PlanError, Resources, part_effect
 from seafoam.framegraph.rules import Constant, Rule, array, constants, number, significant, to_camera, vector
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.waves.wakes import stone_wakes
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
-from seafoam.scene.water import Current
+from seafoam.scene.water import Current, Stone
 
 FASTEST = 0.7
 """Greatest Froude number of the depth: up to it the waves are within 4 % of those in deep water."""
@@ -45,11 +45,8 @@ STONES = WakeKind(
 )
 
 
-def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the scene has a current. The planner moves what effects declare as afloat."""
-    current = scene.current
-    if current is None:
-        return None
+def _draw(scene: Scene, current: Current, quality: Quality) -> Contribution:
+    """The planner moves what effects declare as afloat."""
     if current.velocity == (0.0, 0.0):
         return Contribution.invisible("the water rests")
     _refuse(scene)
@@ -70,11 +67,7 @@ def _refuse(scene: Scene) -> None:
             raise PlanError(pointer, f"{pointer.rsplit('/', 1)[-1]} cannot be combined with a current")
 
 
-def standing_waves(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if stones stand in a current."""
-    current = scene.current
-    if current is None or not current.stones:
-        return None
+def _standing(scene: Scene, current: Current, stones: tuple[Stone, ...], quality: Quality) -> Contribution:
     depth = scene.water.depth
     if depth is not None and current.speed > FASTEST * math.sqrt(GRAVITY * depth):
         most = FASTEST * math.sqrt(GRAVITY * depth)
@@ -86,7 +79,6 @@ def standing_waves(scene: Scene, quality: Quality) -> Contribution | None:
 
 
 def places(current: Current) -> Resources:
-    """Uniforms of the stones' places."""
     stones = current.stones
     courses: list[Rule] = []
     for stone in stones:
@@ -106,5 +98,5 @@ def places(current: Current) -> Resources:
     )
 
 
-EFFECT = Effect("current", contribute, fields=("/current",))
-STANDING_WAVES = Effect("standing waves", standing_waves, fields=("/current/stones",))
+EFFECT = part_effect("current", _draw, "/current")
+STANDING_WAVES = part_effect("standing waves", _standing, "/current/stones")

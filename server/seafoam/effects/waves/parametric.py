@@ -1,7 +1,6 @@
 """Parametric waves (Van Drasek et al. 2010, in Yingst et al. 2011), and their groups. docs/formulae.md, section 2."""
 
 import math
-from dataclasses import dataclass
 
 from seafoam.effects.bounds import parametric_wave_height, waves_bound
 from seafoam.effects.effect import UNBOUNDED, Contribution, Effect, QualityParameter, Resources
@@ -38,14 +37,6 @@ _MIN_SHARED_HEIGHT = 1e-30
 """Height of the waves, m, below which fronts compute their own phases: 1/height would overflow."""
 _MAX_DOUBLED_EXPONENT = 33
 """Greatest 2K for which the shader computes the power as a product."""
-
-
-@dataclass(frozen=True)
-class GroupBounds:
-    """Upper bounds of the factor's change along any line: ``slope``, 1/m; ``curvature``, 1/m²."""
-
-    slope: float = 0.0
-    curvature: float = 0.0
 
 
 def group_part(scene: Scene) -> Resources:
@@ -88,13 +79,13 @@ def front_files(scene: Scene) -> tuple[Piece, ...]:
     return (*FACTOR, "waves/groups.glsl@front") if in_groups(scene) else (_NO_GROUPS,)
 
 
-def group_bounds(scene: Scene) -> GroupBounds:
-    """Upper bounds of the factor."""
+def group_bounds(scene: Scene) -> tuple[float, float]:
+    """Return upper bounds of the factor's slope and second derivative along any line, 1/m and 1/m²."""
     groups = scene.wave_groups
     if groups is None or not in_groups(scene):
-        return GroupBounds()
+        return 0.0, 0.0
     step = 1.000001 * math.hypot(*group_cells(scene, groups))
-    return GroupBounds(groups.contrast * SLOPE * step, groups.contrast * CURVATURE * step * step)
+    return groups.contrast * SLOPE * step, groups.contrast * CURVATURE * step * step
 
 
 def _profile_slope(exponent: float, s: float, c: float) -> float:
@@ -176,10 +167,10 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         *orbit_needs, path = ("foam/carry.glsl@parametric_shared",) if shared else own
         orbits = (SlotFile("carry", path, prefix="parametric", needs=tuple(orbit_needs)),)
     *needs, path = wave_files(scene)
-    height, groups = parametric_wave_height(scene), group_bounds(scene)
+    height, (group_slope, group_curvature) = parametric_wave_height(scene), group_bounds(scene)
     # Of the product of the waves, which are at most their height from still water, and their factor.
-    max_curvature += 2.0 * max_slope * groups.slope + height * groups.curvature
-    max_slope += height * groups.slope
+    max_curvature += 2.0 * max_slope * group_slope + height * group_curvature
+    max_slope += height * group_slope
     contribution = Contribution(
         why=f"{len(waves)} parametric wave{'s' if len(waves) > 1 else ''} with height"
         f"{', in groups' if in_groups(scene) else ''}",

@@ -5,27 +5,13 @@ docs/formulae.md, section 2.
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
 from seafoam.effects import effect
-from seafoam.effects.bounds import waves_bound
+from seafoam.effects.bounds import measured_bounds, waves_bound
 from seafoam.effects.shader import Const, SlotFile
-from seafoam.effects.waves.measured import measured_bounds
+from seafoam.framegraph import rules
 from seafoam.framegraph.resources import FixedSize, Target, target_inputs
-from seafoam.framegraph.rules import (
-    FAR,
-    Clamp,
-    Constant,
-    Loop,
-    Rule,
-    Term,
-    Uniform,
-    array,
-    constants,
-    number,
-    significant,
-    to_camera,
-)
+from seafoam.framegraph.rules import Clamp, Constant, Rule, Term, Uniform, array, constants, number, significant
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.waves.rings import FRONT, SOFT, Train, ring_curvature, ring_height, ring_slope, trains
 from seafoam.quality import Quality
@@ -48,7 +34,7 @@ _TOUCH_LIFE = significant(math.log(1.0 / model.DEAD_SHARE) / model.TOUCH_DECAY +
 
 def _age(ring: model.Ring) -> Rule:
     if ring.every is not None:
-        return Loop(period=ring.every, offset=-ring.birth)
+        return rules.Loop(period=ring.every, offset=-ring.birth)
     # The amplitude is 0 from the end of the ring's life on, so the age can be clamped a second later.
     return Clamp(offset=-ring.birth, rate=1.0, low=0.0, high=significant(ring.life + 1.0))
 
@@ -59,7 +45,7 @@ def _shown(scene: Scene) -> tuple[Train, ...]:
 
 
 def _ring_uniforms(
-    shown: Sequence[Train], origin_from: Callable[[float, float], tuple[Rule, Rule]] = to_camera
+    shown: Sequence[Train], origin_from: Callable[[float, float], tuple[Rule, Rule]] = rules.to_camera
 ) -> dict[str, Uniform]:
     """State and shape of each ring. ``origin_from``: the vector from a centre to the origin of the shader's p, m."""
     state: list[Rule] = []
@@ -75,37 +61,28 @@ def ring_uniforms(scene: Scene, name: str) -> dict[str, Uniform]:
     return {key.replace("u_ring", name): uniform for key, uniform in _ring_uniforms(_shown(scene)).items()}
 
 
-@dataclass(frozen=True)
-class _Square:
-    """A level square: its corner of least x and z, and its side, m."""
-
-    x: float
-    z: float
-    side: float
+_Square = tuple[float, float, float]
+"""A level square: its corner of least x and z, and its side, m."""
 
 
 def _square_around(shown: Sequence[Train]) -> _Square:
-    """The square that all rings stay in."""
     low, high = (
         tuple(pick(t.ring.place[i] + sign * t.reach for t in shown) for i in (0, 1))
         for pick, sign in ((min, -1.0), (max, 1.0))
     )
     # The 2 % leave a margin of a texel of still water at any size, so that clamped reads beyond the map are still.
     side = math.ceil(1.02 * max(high[0] - low[0], high[1] - low[1], 1.0))
-    return _Square(math.floor(0.5 * (low[0] + high[0] - side)), math.floor(0.5 * (low[1] + high[1] - side)), side)
+    return math.floor(0.5 * (low[0] + high[0] - side)), math.floor(0.5 * (low[1] + high[1] - side)), side
 
 
-def contribute(scene: Scene, quality: Quality) -> effect.Contribution | None:
-    """Active if the scene has rings."""
-    if not scene.rings:
-        return None
+def _draw(scene: Scene, rings: tuple[model.Ring, ...], quality: Quality) -> effect.Contribution:
     shown = _shown(scene)
     square = _square_around(shown)
-    texel = square.side / quality.rings_size
+    texel = square[2] / quality.rings_size
     summed = quality.rings == "exact" or texel * _MIN_TEXELS > min(train.length for train in shown)
     height, max_slope = ring_height(scene), ring_slope(scene)
     unseen = effect.Bound.zero_if(height == 0.0, f"no ring is higher than {model.DEAD:g} m at any time")
-    how = "summed at each sample" if summed else f"drawn into a map of {square.side:g} m in each frame"
+    how = "summed at each sample" if summed else f"drawn into a map of {square[2]:g} m in each frame"
     contribution = effect.Contribution(
         why=f"{len(shown)} ring{'s' if len(shown) > 1 else ''}, {how}",
         consts={"RING_COUNT": len(shown), "RING_BLOCK": min(len(shown), 32), **RING_CONSTS},
@@ -127,25 +104,29 @@ def contribute(scene: Scene, quality: Quality) -> effect.Contribution | None:
 
 def _map(shown: Sequence[Train], square: _Square, size: int) -> effect.Resources:
     """A map of the rings, ``size`` texels along each side of the square, and its measured bounds."""
-    texel = square.side / size
+    corner_x, corner_z, side = square
+    texel = side / size
     place = effect.Resources(
         slots=(
             SlotFile("waves", "waves/rings.glsl@map", prefix="rings"),
             SlotFile("bounds", "waves/rings.glsl@bounds", prefix="rings"),
         ),
-        uniforms={"u_ring_corner": array("vec2", to_camera(square.x, square.z), 1), "u_ring_side": number(square.side)},
+        uniforms={
+            "u_ring_corner": array("vec2", rules.to_camera(corner_x, corner_z), 1),
+            "u_ring_side": number(side),
+        },
         inputs=target_inputs({"u_ring_bounds": "rings_bounds"}),
     )
 
     def to_corner(x: float, z: float) -> tuple[Constant, Constant]:
-        return Constant(value=(square.x - x,)), Constant(value=(square.z - z,))
+        return Constant(value=(corner_x - x,)), Constant(value=(corner_z - z,))
 
     def drawn(target: str, file: str, texels: int, sampler: str) -> effect.Resources:
         spec = effect.PassSpec(
-            f"{target.replace('_', ', ')}, {square.side:g} m map",
+            f"{target.replace('_', ', ')}, {side:g} m map",
             target,
             ("lib/numbers.glsl", "waves/rings.glsl@ring", "waves/rings.glsl@reaching", file),
-            uniforms={**_ring_uniforms(shown, to_corner), "u_ring_texel": number(square.side / texels)},
+            uniforms={**_ring_uniforms(shown, to_corner), "u_ring_texel": number(side / texels)},
         )
         return effect.drawn_map(spec, Target(size=FixedSize.square(texels), format="RGBA16F", filter="linear"), sampler)
 
@@ -157,15 +138,12 @@ def _map(shown: Sequence[Train], square: _Square, size: int) -> effect.Resources
     )
 
 
-def touches(scene: Scene, quality: Quality) -> effect.Contribution | None:
-    """Active if the scene has touches."""
-    if not scene.touches:
-        return None
-    strongest = max(touch.strength for touch in scene.touches)
+def _touches(scene: Scene, touches: tuple[model.Touch, ...], quality: Quality) -> effect.Contribution:
+    strongest = max(touch.strength for touch in touches)
     velocity = (0.0, 0.0) if scene.current is None else scene.current.velocity
     absent = model.Touch(place=(0.0, 0.0), strength=0.0)
-    given = (*scene.touches, *(model.TOUCHES_MOST - len(scene.touches)) * (absent,))
-    rules = [rule for i, touch in enumerate(given) for rule in _touch_rules(f"/touches/{i}", touch, velocity)]
+    given = (*touches, *(model.TOUCHES_MOST - len(touches)) * (absent,))
+    each = [rule for i, touch in enumerate(given) for rule in _touch_rules(f"/touches/{i}", touch, velocity)]
     return effect.Contribution(
         # The list can change within the plan, so nothing here tells how long it is.
         why=f"up to {model.TOUCHES_MOST} touches of the water, summed at each sample",
@@ -179,7 +157,7 @@ def touches(scene: Scene, quality: Quality) -> effect.Contribution | None:
             "TOUCH_LENGTH": model.TOUCH_LENGTH,
             **RING_CONSTS,
         },
-        uniforms={"u_touch": array("vec4", rules, model.TOUCHES_MOST)},
+        uniforms={"u_touch": array("vec4", each, model.TOUCHES_MOST)},
         # Rings of touches have slopes but no height, so only shading shows them.
         bound=effect.Bound.zero_if(
             scene.light is None, "the scene has no light, and touches show by the water's shading alone"
@@ -194,7 +172,7 @@ def _touch_rules(pointer: str, touch: model.Touch, velocity: tuple[float, float]
     The centre moves with the current from the time of the touch on: -place + velocity * time is the part of the vector
     that does not change, and the planner adds the part that does.
     """
-    rules: list[Rule] = []
+    made: list[Rule] = []
     for axis, along in enumerate(((1.0, 0.0), (0.0, 1.0))):
         terms = [Term(field=f"{pointer}/place/{axis}", factor=-1.0)]
         values = [touch.place[axis]]
@@ -202,20 +180,18 @@ def _touch_rules(pointer: str, touch: model.Touch, velocity: tuple[float, float]
             terms.append(Term(field=f"{pointer}/time", factor=velocity[axis]))
             values.append(touch.time)
         offset = summed(term.factor * value for term, value in zip(terms, values, strict=True))
-        rules.append(Clamp(offset=offset, k=along, low=-FAR, high=FAR, terms=tuple(terms)))
+        made.append(Clamp(offset=offset, k=along, low=-rules.FAR, high=rules.FAR, terms=tuple(terms)))
     age = (Term(field=f"{pointer}/time", factor=-1.0),)
-    rules.append(Clamp(offset=-1.0 * touch.time, rate=1.0, low=0.0, high=_TOUCH_LIFE, terms=age))
-    rules.append(Constant(value=(touch.strength,), field=f"{pointer}/strength", absent=(0.0,)))
-    return rules
+    made.append(Clamp(offset=-1.0 * touch.time, rate=1.0, low=0.0, high=_TOUCH_LIFE, terms=age))
+    made.append(Constant(value=(touch.strength,), field=f"{pointer}/strength", absent=(0.0,)))
+    return made
 
 
-EFFECT = effect.Effect(
+EFFECT = effect.part_effect(
     "rings",
-    contribute,
-    fields=("/rings",),
-    parameters=(
-        effect.QualityParameter("/rings", "rings", ("map", "exact"), "geometry"),
-        effect.QualityParameter("/rings_size", "texels of the ring map", (256, 512, 1024, 2048), "geometry"),
-    ),
+    _draw,
+    "/rings",
+    effect.QualityParameter("/rings", "rings", ("map", "exact"), "geometry"),
+    effect.QualityParameter("/rings_size", "texels of the ring map", (256, 512, 1024, 2048), "geometry"),
 )
-TOUCHES = effect.Effect("touch", touches, fields=("/touches",), afloat=("u_touch",))
+TOUCHES = effect.part_effect("touch", _touches, "/touches", afloat=("u_touch",))

@@ -4,14 +4,14 @@ import math
 from collections.abc import Sequence
 
 from seafoam.effects.bounds import slope_sensitivity
-from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, Resources, drawn_map
+from seafoam.effects.effect import Bound, Contribution, PassSpec, QualityParameter, Resources, drawn_map, part_effect
 from seafoam.effects.shader import PERLIN_3, SlotFile, Source, drifting_noise
 from seafoam.framegraph.resources import FixedSize, Target
 from seafoam.framegraph.rules import Phase, Uniform, Wrap, array, constants, in_tile, number, rounded, significant
 from seafoam.ocean.waves.ripples import BANDS, SHIFTS, TURN, WAVES_PER_TILE, Ripple, ripple_cascades, tiles
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
-from seafoam.scene.water import Ripples
+from seafoam.scene.water import Ripples, Water
 from seafoam.sums import summed
 
 _PER_BAND = WAVES_PER_TILE // BANDS
@@ -46,11 +46,7 @@ def _bands(cascades: tuple[tuple[Ripple, ...], ...]) -> Uniform:
     return constants("vec2", map(rounded, values))
 
 
-def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the water has wind ripples (``water.ripples``)."""
-    ripples = scene.water.ripples
-    if ripples is None:
-        return None
+def _draw(scene: Scene, water: Water, ripples: Ripples, quality: Quality) -> Contribution:
     repeats = scene.light is not None and scene.light.caustics is not None
     cascades, sides = ripple_cascades(ripples, repeats), tiles(repeats)
     count, copies = WAVES_PER_TILE * len(cascades), len(cascades) // _TILES
@@ -75,7 +71,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 
 
 def _slopes(file: str, ripples: Ripples) -> Resources:
-    """The slot file of the slopes, with gusts if the wind has any."""
     gusts = ripples.gusts
     if gusts is None or gusts.strength == 0.0:
         return Resources(slots=(SlotFile("detail", file, prefix="ripples", needs=("waves/ripples.glsl@bands",)),))
@@ -126,13 +121,12 @@ def _bound(scene: Scene, ripples: Ripples) -> Bound | None:
     return Bound(slope_sensitivity(scene) * max_slope, f"the greatest slope is {max_slope:.1g}", fields)
 
 
-EFFECT = Effect(
+EFFECT = part_effect(
     "ripples",
-    contribute,
-    fields=("/water/ripples", "/water/ripples/gusts"),
+    _draw,
+    "/water/ripples",
+    QualityParameter("/ripples", "ripples", ("tile", "exact"), "geometry"),
+    QualityParameter("/ripples_size", "texels of the ripple tile", (64, 128, 256, 512), "geometry"),
+    fields=("/water/ripples/gusts",),
     afloat=("u_ripples_offset", "u_ripples_phase"),
-    parameters=(
-        QualityParameter("/ripples", "ripples", ("tile", "exact"), "geometry"),
-        QualityParameter("/ripples_size", "texels of the ripple tile", (64, 128, 256, 512), "geometry"),
-    ),
 )

@@ -7,19 +7,10 @@ from dataclasses import dataclass, field, replace
 from itertools import cycle, islice
 from typing import Literal
 
-from seafoam.effects.bounds import max_surface_height, min_surface_height, waves_bound
-from seafoam.effects.effect import (
-    HALF_FLOAT,
-    Contribution,
-    Effect,
-    PassSpec,
-    QualityParameter,
-    Resources,
-    TextureUse,
-    drawn_map,
-)
+from seafoam.effects import effect
+from seafoam.effects.bounds import max_surface_height, measured_bounds, min_surface_height, waves_bound
+from seafoam.effects.effect import Contribution, PassSpec, QualityParameter, Resources, TextureUse, drawn_map
 from seafoam.effects.shader import Const, Inline, Piece, SlotFile
-from seafoam.effects.waves.measured import measured_bounds
 from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, TextureInput, target_inputs
 from seafoam.framegraph.rules import Loop, Phase, Uniform, array, constants, in_tile, number, significant, vector
 from seafoam.ocean.waves.cascades import BAND, LEAST_JACOBIAN, LOOP, RAISED, Cascade, cascades
@@ -29,7 +20,7 @@ from seafoam.scene.foam import WhitecapSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.waves import Sea
 from seafoam.sums import summed
-from seafoam.textures.sea import FftTwiddles, SeaSpectrum
+from seafoam.textures.waves import FftTwiddles, SeaSpectrum
 
 WHITECAP_WIND = 7.0
 """Wind, m/s, below which whitecaps cover less than 0.3 % (Monahan and O'Muircheartaigh 1980)."""
@@ -240,11 +231,7 @@ def drawn_tiles(scene: Scene, quality: Quality) -> tuple[Cascade, ...]:
     return every[:number]
 
 
-def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the scene has a sea."""
-    sea = scene.sea
-    if sea is None:
-        return None
+def _draw(scene: Scene, sea: Sea, quality: Quality) -> Contribution:
     tiles = drawn_tiles(scene, quality)
     if not tiles:
         return Contribution.invisible("no wind, so no waves")
@@ -266,7 +253,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         min_height=-max_height,
         depends=("/water/roughness",) if quality.pixel_width > 3 else (),
         max_slope=summed(tile.max_slope for tile in raised),
-        map_error=summed(tile.map_error(quality.sea_size) + tile.limit * HALF_FLOAT for tile in raised),
+        map_error=summed(tile.map_error(quality.sea_size) + tile.limit * effect.HALF_FLOAT for tile in raised),
         march_factor=2,
         refine=1 if refined else 0,
         coarser=2.0 if refined else 1.0,
@@ -400,15 +387,13 @@ def _orbits(sea: Sea, raised: Sequence[Cascade], quality: Quality) -> Resources:
     return drawn_map(drawn, target, "u_sea_orbits").joined(carry)
 
 
-EFFECT = Effect(
+EFFECT = effect.part_effect(
     "sea",
-    contribute,
-    fields=("/sea",),
+    _draw,
+    "/sea",
+    QualityParameter("/sea_size", "texels of a sea tile", (64, 128, 256, 512), "geometry"),
+    QualityParameter("/sea_tiles", "sea tiles", (2, 3, 4), "geometry"),
+    QualityParameter("/sea_digits", "number format of the sea tiles", ("half", "float"), "precision"),
     afloat=tuple(f"u_sea_offset_{index}" for index in range(4)),
-    parameters=(
-        QualityParameter("/sea_size", "texels of a sea tile", (64, 128, 256, 512), "geometry"),
-        QualityParameter("/sea_tiles", "sea tiles", (2, 3, 4), "geometry"),
-        QualityParameter("/sea_digits", "number format of the sea tiles", ("half", "float"), "precision"),
-    ),
     without=lambda scene: scene.model_copy(update={"sea": None}),
 )

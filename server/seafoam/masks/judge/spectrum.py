@@ -116,7 +116,10 @@ def measure_spectrum(ranks: Ranks, *, greys: tuple[float, ...] = GREY_LEVELS) ->
         ones = round(grey * ranks.size)
         if not 0 < ones < ranks.size:
             raise ValueError(f"grey {grey!r} gives an empty or full pattern on {ranks.size} texels")
-        raps, anisotropy = _ring_statistics(_power(ranks < ones, ones / ranks.size), ring, count)
+        share = ones / ranks.size
+        amplitude = np.fft.rfft2((ranks < ones) - share)
+        power = (amplitude.real**2 + amplitude.imag**2) / (ranks.size * share * (1.0 - share))
+        raps, anisotropy = _ring_statistics(power, ring, count)
         principal = math.sqrt(min(grey, 1.0 - grey))
         spectra.append(GreySpectrum(grey=grey, principal_frequency=principal, raps=raps, anisotropy=anisotropy))
     frequency = np.arange(1, count.size) / min(ranks.shape)
@@ -135,13 +138,6 @@ def _rings(shape: Shape) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
     count = np.bincount(ring.ravel())
     count[0] = 0
     return ring, count
-
-
-def _power(pattern: NDArray[np.bool_], grey: float) -> Plane:
-    """Power on ``rfft2`` bins; (rows, columns//2+1)."""
-    amplitude = np.fft.rfft2(pattern - grey)
-    power: Plane = amplitude.real**2 + amplitude.imag**2
-    return power / (pattern.size * grey * (1.0 - grey))
 
 
 def _ring_statistics(power: Plane, ring: NDArray[np.intp], count: NDArray[np.intp]) -> tuple[Plane, Plane]:

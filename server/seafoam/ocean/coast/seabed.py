@@ -5,7 +5,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from seafoam.ocean.arrays import Floats, Integers, read_only, smoothstep
+from seafoam.ocean.arrays import Floats, read_only, smoothstep
 from seafoam.ocean.basics.hash import chance
 from seafoam.scene.shore import STEPS, Shore, decoded_image
 
@@ -120,18 +120,12 @@ def _value_noise(x: Floats, z: Floats, seed: int) -> Floats:
     u = u * u * u * (u * (6.0 * u - 15.0) + 10.0)
     v = v * v * v * (v * (6.0 * v - 15.0) + 10.0)
     a, b = i.astype(np.int64), j.astype(np.int64)
-    corners, a, b = _corners(a, b, seed)
-    near = corners[b, a] * (1.0 - u) + corners[b, a + 1] * u
-    far = corners[b + 1, a] * (1.0 - u) + corners[b + 1, a + 1] * u
+    along, down = np.arange(a.min(), a.max() + 2), np.arange(b.min(), b.max() + 2)
+    corners = chance(seed, along[None, :], down[:, None])
+    a, b = a - along[0], b - down[0]
+    near: Floats = corners[b, a] * (1.0 - u) + corners[b, a + 1] * u
+    far: Floats = corners[b + 1, a] * (1.0 - u) + corners[b + 1, a + 1] * u
     return near * (1.0 - v) + far * v
-
-
-def _corners(a: Integers, b: Integers, seed: int) -> tuple[Floats, Integers, Integers]:
-    """Random numbers at the corners of all cells from the least to the greatest, and the cells' places among them."""
-    first_a, first_b = a.min(), b.min()
-    along = np.arange(first_a, a.max() + 2)
-    down = np.arange(first_b, b.max() + 2)
-    return chance(seed, along[None, :], down[:, None]), a - first_a, b - first_b
 
 
 def _fbm(x: Floats, z: Floats, cell: float, seed: int, octaves: int) -> Floats:

@@ -202,10 +202,6 @@ class Atmosphere:
         result: Floats = np.log(np.maximum(second / (1.0 - ratio), 1e-12))
         return result
 
-    def _more(self, radius: Floats, cosine: Floats) -> Floats:
-        x = np.clip(np.sqrt(np.maximum(radius - EARTH, 0.0) / (TOP - EARTH)) * 14.0, 0.0, 13.0)
-        return _read(self._further, x, (np.sign(cosine) * np.sqrt(np.abs(cosine)) + 1.0) * 16.0)
-
     def sky(self, up: Floats, gamma: Floats, sun: float, steps: int = 40) -> tuple[Floats, Floats]:
         """Radiance toward heights ``up`` (...,) of unit directions in [0, 1] at cosines ``gamma`` (...,) from the sun.
 
@@ -224,7 +220,9 @@ class Atmosphere:
             rayleigh, mie, lost = self._scattering(_densities(there - EARTH))
             half = np.exp(-0.5 * lost * step[..., None])
             clear = clear * half
-            arrives, more = self.transmittance(there, local), self._more(there, local)
+            arrives = self.transmittance(there, local)
+            x = np.clip(np.sqrt(np.maximum(there - EARTH, 0.0) / (TOP - EARTH)) * 14.0, 0.0, 13.0)
+            more = _read(self._further, x, (np.sign(local) * np.sqrt(np.abs(local)) + 1.0) * 16.0)
             smooth += clear * step[..., None] * (rayleigh * phase * arrives + (rayleigh + mie) * more)
             hazy += clear * step[..., None] * mie * arrives
             clear = clear * half

@@ -190,7 +190,7 @@ def _fft(sea: Sea, depth: float | None, number: int, size: float, low: float) ->
     return Cascade(size, h0, np.where(covered, _turns(k, depth), 0))
 
 
-def _gerstner(sea: Sea, depth: float | None, sizes: tuple[float, float]) -> tuple[Cascade, Cascade]:
+def _gerstner(sea: Sea, depth: float | None, sizes: tuple[float, float]) -> tuple[Cascade, ...]:
     """Return waves on the tiles' integer wavevectors, one per equal step of log k, with that step's energy.
 
     They alternate between the two tiles, which have no common period, so that no pattern repeats.
@@ -224,8 +224,7 @@ def _gerstner(sea: Sea, depth: float | None, sizes: tuple[float, float]) -> tupl
         total = float(np.trapezoid(density, omega))
         # The waves are scaled to the significant height of the whole spectrum.
         tiles = [h0 * (math.sqrt(total / drawn) if drawn > 0.0 else 0.0) for h0 in tiles]
-    first, second = (
-        Cascade(size, h0, np.where(h0 != 0.0, _turns(_wavevectors(size)[2], depth), 0))
-        for size, h0 in zip(sizes, tiles, strict=True)
+    turns = (
+        np.where(h0 != 0.0, _turns(_wavevectors(size)[2], depth), 0) for size, h0 in zip(sizes, tiles, strict=True)
     )
-    return first, second
+    return tuple(map(Cascade, sizes, tiles, turns))

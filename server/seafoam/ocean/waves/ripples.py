@@ -45,13 +45,7 @@ class Ripple:
 
 
 def tiles(repeats: bool) -> tuple[float, float]:
-    """Sides of the two tiles, m."""
     return REPEATING_TILES if repeats else TILES
-
-
-def has_copies(ripples: Ripples, repeats: bool) -> bool:
-    """Whether each tile is read a second time, turned by :data:`TURN`."""
-    return not repeats and ripples.spread >= LEAST_SPREAD
 
 
 def _copy(wave: Ripple, shift: tuple[float, float], side: float) -> Ripple:
@@ -66,7 +60,7 @@ def ripple_cascades(ripples: Ripples, repeats: bool = False) -> tuple[tuple[Ripp
 
     Mean square slopes add up to ``ripples.slope``².
     """
-    copied = has_copies(ripples, repeats)
+    copied = not repeats and ripples.spread >= LEAST_SPREAD
     # Both copies' mean directions and their spread make up what is asked for.
     half = 0.5 * math.atan2(TURN[1], TURN[0]) if copied else 0.0
     mean, spread = ripples.downwind - half, math.sqrt(ripples.spread**2 - half**2)

@@ -23,7 +23,7 @@ from seafoam.reference.shore.shore import Coast
 from seafoam.reference.spray.births import COLUMN, SHEET, Drops, on_rocks
 from seafoam.reference.types import Floats, Pair, ReliefPart, Vec2, dot, smoothstep, unit
 from seafoam.scene.models import Scene
-from seafoam.textures.spray import STRANDS, strand_levels
+from seafoam.textures.foam import STRANDS, strand_levels
 
 NEAREST = 0.3
 NARROWEST = 0.75  # half the least width and length, samples

@@ -15,7 +15,7 @@ from seafoam.ocean.basics.dispersion import wavevector
 from seafoam.reference.foam import front
 from seafoam.reference.renderer.sources import height_saturation
 from seafoam.reference.waves import parametric as waves
-from seafoam.textures.front import FRONT_NODES, FrontIntegral, front_fading, front_full
+from seafoam.textures.waves import FRONT_NODES, FrontIntegral, front_fading, front_full
 from support.probe import Probe, grid_of
 from support.scenes import Foam, HeightSaturation, ParametricWave, Scene
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from seafoam.effects.light.sparkles import density
+from seafoam.effects.light.glitter import density
 from seafoam.effects.shader import Inline
 from seafoam.reference.light import light as reference_light
 from seafoam.reference.light.sparkles import EPOCHS, SparkleField
