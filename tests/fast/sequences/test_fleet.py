@@ -110,36 +110,30 @@ def joined(address: str) -> DaskWorkers:
     raise AssertionError("the cluster did not start")
 
 
-def test_a_scheduler_that_comes_back_is_asked_again(tmp_path: Path) -> None:
-    port = free_port()
-    with ExitStack() as second, ExitStack() as first:
-        scheduler = first.enter_context(cluster(port))
-
-        def tell(progress: Progress) -> None:
-            if progress.done == 40 and scheduler.poll() is None:
-                first.close()
-                second.enter_context(cluster(port))
-
-        with joined(f"tcp://127.0.0.1:{port}") as workers:
-            made_as_here(spec(100), tmp_path, workers, tell)
-        assert scheduler.poll() is not None
-
-
-def test_a_scheduler_that_stays_away_ends_the_sequence_and_keeps_its_frames(
+def test_a_scheduler_that_comes_back_is_asked_again_and_one_that_stays_away_ends_the_sequence(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    monkeypatch.setattr("seafoam.processes.CONNECT_SECONDS", 1.0)
-    monkeypatch.setattr("seafoam.sequences.fleet.RETURN_SECONDS", 1.0)
-    output = Output(tmp_path / "fleet", "frames")
-    port = free_port()
-    with cluster(port) as scheduler, joined(f"tcp://127.0.0.1:{port}") as workers:
+    port, output = free_port(), Output(tmp_path / "away", "frames")
+    with ExitStack() as second, ExitStack() as first:
+        schedulers = [first.enter_context(cluster(port))]
 
-        def tell(progress: Progress) -> None:
+        def come_back(progress: Progress) -> None:
+            if progress.done == 40 and len(schedulers) == 1:
+                first.close()
+                schedulers.append(second.enter_context(cluster(port)))
+
+        def stay_away(progress: Progress) -> None:
             if progress.done == 20:
-                scheduler.kill()
+                schedulers[-1].kill()
 
-        with pytest.raises(SequenceError, match="went away and did not return"):
-            make_sequence(spec(100), output, workers, tell=tell)
+        with joined(f"tcp://127.0.0.1:{port}") as workers:
+            made_as_here(spec(100), tmp_path, workers, come_back)
+            assert len(schedulers) == 2
+            monkeypatch.setattr("seafoam.processes.CONNECT_SECONDS", 1.0)
+            monkeypatch.setattr("seafoam.sequences.fleet.RETURN_SECONDS", 1.0)
+            with pytest.raises(SequenceError, match="went away and did not return"):
+                make_sequence(spec(100), output, workers, tell=stay_away)
+    # Its frames are kept.
     assert make_sequence(spec(100), output, InProcess(FakeRenderer())) >= 20
 
 

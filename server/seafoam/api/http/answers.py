@@ -3,7 +3,7 @@
 The document lacks without help: the problem schema, limits of settings.
 """
 
-from collections.abc import AsyncIterator, Mapping
+from collections.abc import AsyncIterator, Awaitable, Callable, Mapping, Sequence
 from http import HTTPStatus
 from importlib.metadata import version
 from typing import Any
@@ -24,16 +24,26 @@ REVALIDATE = "public, no-cache"
 NO_STORE = "no-store"
 
 
-def tag_of(*parts: Any) -> str:
-    """Return a strong entity tag of JSON values and this package's version."""
-    return f'"{key_of(VERSION, *parts)}"'
-
-
 def not_modified(request: Request, tag: str, headers: Mapping[str, str]) -> Response | None:
     """Return a 304 with the headers of a full response if the client's copy is current, else None."""
     sent = request.headers.get("if-none-match", "")
     current = sent.strip() == "*" or tag in (part.strip().removeprefix("W/") for part in sent.split(","))
     return Response(status_code=304, headers={"ETag": tag, **headers}) if current else None
+
+
+async def kept(
+    request: Request, identity: Sequence[Any], make: Callable[[], Awaitable[bytes]], media_type: str, **headers: str
+) -> Response:
+    """Answer with what is made, or with 304 before it is made.
+
+    identity: JSON values that it depends on, beside this package's version and the last step of the request's path.
+    headers: other than those of caches.
+    """
+    tag = f'"{key_of(VERSION, *identity, request.url.path.rpartition("/")[2])}"'
+    headers = {"Cache-Control": REVALIDATE, **headers}
+    if current := not_modified(request, tag, headers):
+        return current
+    return Response(await make(), headers={"ETag": tag, **headers}, media_type=media_type)
 
 
 def event(name: str, data: str) -> str:
