@@ -11,7 +11,6 @@ from functools import partial
 from types import SimpleNamespace
 
 import numpy as np
-import OpenEXR
 import pytest
 from PIL import Image
 
@@ -46,17 +45,12 @@ class Recorder(FakeRenderer):
         return super().render(plan, **asked)
 
 
-@pytest.mark.parametrize(("name", "format"), [("a.png", "PNG"), ("a.WEBP", "WEBP"), ("a.npy", None), ("a.exr", None)])
-def test_render_writes_the_format_of_the_extension(seafoam, tmp_path, name, format):
-    code, _, err = seafoam("render", "default", "-o", tmp_path / name, "--size", "48x27")
-    assert code == 0, err
-    if name == "a.exr":
-        channels = OpenEXR.File(str(tmp_path / name)).channels()
-        assert channels["RGB"].pixels.shape == (27, 48, 3)
-    elif format is None:
-        assert np.load(tmp_path / name).shape == (27, 48, 4)
-    else:
-        assert picture(tmp_path / name).format == format
+def test_render_writes_the_format_of_the_extension(seafoam, tmp_path):
+    """Of those with a recipe: test_again.py."""
+    for name in ("a.WEBP", "a.npy"):
+        assert seafoam("render", "default", "-o", tmp_path / name, "--size", "48x27")[0] == 0
+    assert picture(tmp_path / "a.WEBP").format == "WEBP"
+    assert np.load(tmp_path / "a.npy").shape == (27, 48, 4)
 
 
 def test_render_passes_on_what_is_given(seafoam, monkeypatch, tmp_path):

@@ -3,7 +3,7 @@
 import io
 import json
 import re
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
 from urllib.parse import urljoin
 
@@ -164,24 +164,18 @@ def test_no_visitor_waits_behind_a_queued_thumbnail():
     names = preset_names()[:4]
     with serving() as client, ThreadPoolExecutor(len(names) + 2) as threads:
         assert frame(client).status_code == 200
-        pool = client.app.state.context.pool
-        order: list[str] = []
-
-        def ask(name: str, url: str) -> int:
-            status = client.get(url).status_code
-            order.append(name)
-            return status
-
-        with busy(client):
-            urls = {name: f"/api/presets/{name}/thumbnail.webp?width=16" for name in names}
-            thumbnails = [threads.submit(ask, *each) for each in urls.items()]
+        with busy(client) as pool:
+            urls = [f"/api/presets/{name}/thumbnail.webp?width=16" for name in names]
+            answers = [threads.submit(client.get, url) for url in urls]
             client.portal.call(eventually, lambda: pool.waiting_background == len(names))
             assert pool.waiting == 0
-            visitor = threads.submit(ask, "visitor", "/api/frames/default.png?width=9&height=9")
+            answers.append(threads.submit(client.get, "/api/frames/default.png?width=9&height=9"))
             client.portal.call(eventually, lambda: pool.waiting == 1)
-        assert visitor.result() == 200
-        assert [thumbnail.result() for thumbnail in thumbnails] == [200] * len(names)
-        assert order[0] == "visitor"
+            order: list[Future] = []
+            for each in answers:
+                each.add_done_callback(order.append)
+        assert {each.result().status_code for each in answers} == {200}
+        assert order[0] is answers[-1]
         assert "seafoam_background_waiting 0.0" in client.get("/metrics").text
 
 

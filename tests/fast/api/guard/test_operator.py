@@ -1,6 +1,7 @@
 """What an operator sees of a server: settings, how it stops, what it leaves on disk, the files of scripts/deploy."""
 
 import json
+import os
 import re
 import shlex
 import shutil
@@ -18,6 +19,7 @@ from pydantic import ValidationError
 
 from seafoam.api.guard.access_control import READABLE_ELSEWHERE
 from seafoam.api.settings import Settings
+from seafoam.cli.listening import keep_programs
 from seafoam.render.service.pool import BACKGROUND_SECONDS
 from support.api_fakes import HANG
 from support.command import run
@@ -57,8 +59,9 @@ def test_the_driver_keeps_its_programs_where_the_server_keeps_its_frames(
     with served(tmp_path, SEAFOAM_CACHE=str(cache)) as (_, process):
         assert f"MESA_SHADER_CACHE_DIR={cache / 'mesa'}" in environments(process.pid)
         assert (cache / "mesa").is_dir()
-    with served(tmp_path, SEAFOAM_CACHE=str(cache), MESA_SHADER_CACHE_DIR="/elsewhere") as (_, process):
-        assert "MESA_SHADER_CACHE_DIR=/elsewhere" in environments(process.pid)
+    monkeypatch.setenv("MESA_SHADER_CACHE_DIR", "/elsewhere")
+    keep_programs(cache)
+    assert os.environ["MESA_SHADER_CACHE_DIR"] == "/elsewhere"
 
 
 def environments(parent: int) -> set[str]:
