@@ -46,12 +46,7 @@ async def kept(
     return Response(await make(), headers={"ETag": tag, **headers}, media_type=media_type)
 
 
-def event(name: str, data: str) -> str:
-    """Return a server-sent event. data: one line."""
-    return f"event: {name}\ndata: {data}\n\n"
-
-
-def events_of(events: AsyncIterator[str]) -> Response:
+def events_of(events: AsyncIterator[bytes]) -> Response:
     """Return an answer of server-sent events, each sent at once."""
     headers = {"Cache-Control": NO_STORE, "X-Accel-Buffering": "no"}
     return StreamingResponse(events, headers=headers, media_type="text/event-stream")

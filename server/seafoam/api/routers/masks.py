@@ -9,6 +9,7 @@ from functools import lru_cache, partial
 from typing import Annotated, Literal, NamedTuple
 
 from fastapi import APIRouter, Depends, Path, Query, Request
+from fastapi.sse import format_sse_event
 from pydantic import Field
 from starlette.responses import Response, StreamingResponse
 
@@ -148,12 +149,12 @@ class _Making:
             raise asyncio.CancelledError
         self._share = share
 
-    async def events(self, task: asyncio.Task[Mask]) -> AsyncIterator[str]:
+    async def events(self, task: asyncio.Task[Mask]) -> AsyncIterator[bytes]:
         try:
             while not task.done():
-                yield answers.event("progress", f"{self._share:.3f}")
+                yield format_sse_event(event="progress", data_str=f"{self._share:.3f}")
                 await asyncio.wait({task}, timeout=_EVENT_SECONDS)
-            yield answers.event("done", json.dumps(task.result().entry.model_dump()))
+            yield format_sse_event(event="done", data_str=json.dumps(task.result().entry.model_dump()))
         finally:
             self._followed = False
             task.cancel()

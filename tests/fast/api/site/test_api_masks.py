@@ -106,7 +106,7 @@ async def test_a_mask_that_nobody_follows_ends_early():
     made = []
     making = masks._Making(asked)
     events = making.events(asyncio.create_task(asyncio.to_thread(lambda: made.append(making.run()))))
-    assert "progress" in await anext(events)
+    assert b"progress" in await anext(events)
     await events.aclose()
     assert made == []
     assert not is_kept(asked)
