@@ -69,8 +69,7 @@ def test_a_custom_mask_differs_by_seed(client):
 
 def test_a_mask_of_every_family_and_of_any_width_and_height(client):
     for family in ("vac", "blur", "clump", "bubble", "mix"):
-        info = client.get("/api/masks/custom", params={"family": family, "size": 64}).json()
-        assert (info["family"], info["parameters"]["width"], info["parameters"]["height"]) == (family, 64, 64)
+        assert client.get("/api/masks/custom", params={"family": family, "size": 64}).json()["family"] == family
     params = {"family": "vac", "sigma": 2, "width": 96, "height": 40, "seed": 5}
     assert client.get("/api/masks/custom", params=params).json()["name"] == "vac-2-96x40-5"
     assert picture(client.get("/api/masks/custom/data.png", params=params)).size == (96, 40)

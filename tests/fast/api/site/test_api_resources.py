@@ -58,16 +58,14 @@ def test_overrides_and_single_knobs_change_the_plan(client):
     assert other.json()["samples"] == 4
 
 
-def test_every_texture_of_every_preset_is_there(client):
-    plans = [client.get(f"/api/plans/{name}").json() for name in preset_names()]
-    textures = {one["url"]: one for plan in plans for one in plan["textures"].values()}
-    assert textures
-    for url, described in textures.items():
-        response = client.get(url, headers={"Accept-Encoding": "identity"})
-        assert response.status_code == 200, url
-        assert hashlib.sha256(response.content).hexdigest() == described["sha256"]
-        assert response.headers["Cache-Control"] == "public, no-cache"
-        assert response.headers["ETag"] == f'"{described["sha256"]}"'
+def test_every_texture_of_a_plan_is_there(client):
+    """Those of every preset: test_every_plan.py, without a server."""
+    for name in ("default", "storm", "coastline"):
+        for described in client.get(f"/api/plans/{name}").json()["textures"].values():
+            response = client.get(described["url"], headers={"Accept-Encoding": "identity"})
+            assert hashlib.sha256(response.content).hexdigest() == described["sha256"]
+            assert response.headers["Cache-Control"] == "public, no-cache"
+            assert response.headers["ETag"] == f'"{described["sha256"]}"'
 
 
 def test_a_texture_is_kept_for_ever_by_its_hash_and_what_is_in_parts_is_as_well(client):
