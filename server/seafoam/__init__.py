@@ -27,7 +27,7 @@ if TYPE_CHECKING:
         preset,
         presets,
     )
-    from seafoam.library.errors import InvalidRequestError, ServerError
+    from seafoam.library.request import InvalidRequestError, ServerError
     from seafoam.notebook import Water
     from seafoam.quality import EXACT, Quality
     from seafoam.render.gl.context import NoRendererError
@@ -49,11 +49,11 @@ if _find_spec("anywidget") is None:
 _ELSEWHERE = {
     "EXACT": "seafoam.quality",
     "Camera": "seafoam.scene.camera",
-    "InvalidRequestError": "seafoam.library.errors",
+    "InvalidRequestError": "seafoam.library.request",
     "NoRendererError": "seafoam.render.gl.context",
     "Quality": "seafoam.quality",
     "Scene": "seafoam.scene.models",
-    "ServerError": "seafoam.library.errors",
+    "ServerError": "seafoam.library.request",
     "Water": "seafoam.notebook",
 }
 

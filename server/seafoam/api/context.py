@@ -6,7 +6,7 @@ Threads make plans and masks. Sweeps and sequences run on the render pool, seque
 import asyncio
 import math
 from collections import deque
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from concurrent.futures import Future
 from typing import Annotated, ParamSpec, TypeVar
 
@@ -33,7 +33,7 @@ from seafoam.render.service.pool import RenderPool
 from seafoam.render.service.queues import Ticket
 from seafoam.scene.models import Scene
 from seafoam.sequences.service import SequenceService
-from seafoam.sequences.spec import DrawnFrames, SequenceError, Unit
+from seafoam.sequences.spec import DrawnFrames, SequenceError, Units
 
 LONGEST_WAIT = 15
 """Maximum delay between requests for a running measurement, s."""
@@ -77,7 +77,7 @@ class PoolWorkers:
     def info(self) -> Mapping[str, str]:
         return _ready(self._pool)
 
-    def draw(self, units: Iterable[Unit]) -> DrawnFrames:
+    def draw(self, units: Units) -> DrawnFrames:
         """Draw frames, as many at a time as there are workers."""
         running: deque[tuple[int, Future[bytes]]] = deque()
         try:
@@ -105,7 +105,6 @@ class PoolWorkers:
 
 P = ParamSpec("P")
 T = TypeVar("T")
-
 RETRY_SECONDS = 5
 
 

@@ -133,10 +133,6 @@ PAGES = {
 class WebClient(StaticFiles):
     """Serves the built web client, or a text that says how to build it."""
 
-    def __init__(self, directory: Path) -> None:
-        super().__init__(directory=directory, html=True, check_dir=False)
-        self.folder = directory
-
     async def check_config(self) -> None:
         """Accept a missing build."""
 
@@ -145,11 +141,12 @@ class WebClient(StaticFiles):
 
         Files under ``assets`` carry their hash in their name, so they never change.
         """
-        if path in PAGES and not (self.folder / PAGES[path]).is_file():
+        folder = data_dir("webclient")
+        if path in PAGES and not (folder / PAGES[path]).is_file():
             return PlainTextResponse(NOT_BUILT, headers={"Cache-Control": NO_STORE})
         # Browsers ask for it beside answers that are no page.
         path = "icon.svg" if path == "favicon.ico" else path
-        packed = os.path.isfile(self.folder / f"{path}.br")  # False, too, for a name that no file can have
+        packed = os.path.isfile(folder / f"{path}.br")  # False, too, for a name that no file can have
         chosen = f"{path}.br" if packed and Headers(scope=scope).get("accept-encoding", "").startswith("br") else path
         response = await super().get_response(chosen, scope)
         if packed:
@@ -170,7 +167,7 @@ def install(app: FastAPI) -> None:
         app.add_api_route(path, page, include_in_schema=False)
     # The stills' type, which Python 3.11 knows only where the system tells it.
     mimetypes.add_type("image/avif", ".avif")
-    app.router.default = WebClient(data_dir("webclient"))
+    app.router.default = WebClient(directory=data_dir("webclient"), html=True, check_dir=False)
 
 
 async def _operations(request: Request) -> Response:

@@ -12,13 +12,12 @@ import sys
 import webbrowser
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Annotated, Any, NoReturn
+from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
 import typer
 from typer.core import TyperCommand
 from typer.exceptions import TyperException
 
-from seafoam.cli import options
 from seafoam.cli.masks import masks
 from seafoam.cli.support import (
     UNABLE,
@@ -35,6 +34,9 @@ from seafoam.cli.support import (
 from seafoam.extras import UnableError, require
 from seafoam.processes import SCHEDULER
 
+if TYPE_CHECKING:
+    from seafoam.api.settings import Settings
+
 app = typer.Typer(
     help="Real-time water with halftoned foam.",
     no_args_is_help=True,
@@ -47,9 +49,21 @@ OPEN_CONNECTIONS = 256
 """Connections beyond which the server answers 503 at once: a page uses a dozen; the render queue has its own limit."""
 
 
+# Options of commands that draw frames; absent ones are the preset's.
+Preset = Annotated[str, typer.Argument(help="Name of a preset; `seafoam presets` lists them.")]
+PresetName = Annotated[str | None, typer.Argument(help="Name of a preset; `seafoam presets` lists them.")]
+Size = Annotated[str | None, typer.Option(help="WIDTHxHEIGHT in pixels (default: the preset's).")]
+TierName = Annotated[str, typer.Option(help="fast, standard, high or reference.")]
+LookName = Annotated[str | None, typer.Option(help="Foam look (default: the preset's).")]
+MaskName = Annotated[
+    str | None,
+    typer.Option(help="Foam mask: a shipped one, or family:sigma:size:seed[:aspect:age] (default: the preset's)."),
+]
+
+
 @app.command()
 def sequence(
-    preset: options.Preset,
+    preset: Preset,
     output: Annotated[
         Path, typer.Option("--output", "-o", help="Directory for frames, or a .mp4, .webp (lossless) or .zip file.")
     ],
@@ -58,10 +72,10 @@ def sequence(
     fps: Annotated[
         str, typer.Option(help="Frames per second, such as 29.97 or 30000/1001, which are the same.")
     ] = "24",
-    size: options.Size = None,
-    quality: options.TierName = "standard",
-    look: options.LookName = None,
-    mask: options.MaskName = None,
+    size: Size = None,
+    quality: TierName = "standard",
+    look: LookName = None,
+    mask: MaskName = None,
     codec: Annotated[str, typer.Option(help="Of a .mp4 file: h264 or av1.")] = "h264",
     workers: Annotated[
         int, typer.Option(min=1, max=256, help="Processes on this machine; several need the extra cluster.")
@@ -97,20 +111,14 @@ def serve(
 ) -> None:
     """Serve the web client and the API. Environment variables set what the options do not."""
     import uvicorn
-    from pydantic import ValidationError
 
     from seafoam.accuracy.cache import cache_dir
     from seafoam.api.app import create_app
-    from seafoam.api.settings import Settings
     from seafoam.api.watch import logs
     from seafoam.cli.listening import keep_programs, listen, share_one_arena
 
     share_one_arena()
-    given: dict[str, Any] = {name: value for name, value in (("host", host), ("port", port)) if value is not None}
-    try:
-        settings = Settings(**given).served
-    except ValidationError as error:
-        refuse(error, Settings, lambda field: f"--{field}" if field in given else f"SEAFOAM_{field.upper()}")
+    settings = _settings({name: value for name, value in (("host", host), ("port", port)) if value is not None}).served
     keep_programs((settings.cache or cache_dir()) / "mesa")
     application = create_app(settings)
     listening, address = listen(settings.host, settings.port)
@@ -135,24 +143,46 @@ def serve(
 
 @app.command()
 def render(
-    preset: options.PresetName = None,
-    output: options.Picture = None,
-    again: options.Again = None,
-    time: options.Time = None,
-    size: options.Size = None,
-    quality: options.QualityName = None,
-    budget_ms: options.Budget = None,
-    look: options.LookName = None,
-    mask: options.MaskName = None,
-    x: options.X = None,
-    y: options.Y = None,
-    z: options.Z = None,
-    yaw: options.Yaw = None,
-    pitch: options.Pitch = None,
-    roll: options.Roll = None,
-    fov: options.Fov = None,
-    dither: options.Dither = None,
-    precision: options.Numbers = None,
+    preset: PresetName = None,
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", help="Output file; the extension selects the format.")
+    ] = None,
+    again: Annotated[
+        Path | None,
+        typer.Option(help="Draw this picture from its recipe, and say what differs. Exit code 0: the same bytes."),
+    ] = None,
+    time: Annotated[float | None, typer.Option(help="Time, s (default: the preset's).")] = None,
+    size: Size = None,
+    quality: Annotated[
+        str | None,
+        typer.Option(
+            help="fast, standard, high, reference, or auto: the most exact that fits --budget-ms (default: standard)."
+        ),
+    ] = None,
+    budget_ms: Annotated[
+        float | None,
+        typer.Option(help="With auto: maximum frame time, ms. The first use measures, which takes minutes."),
+    ] = None,
+    look: LookName = None,
+    mask: MaskName = None,
+    x: Annotated[
+        float | None,
+        typer.Option(help="Camera position along +x, m (default: the preset's, as for all camera options)."),
+    ] = None,
+    y: Annotated[float | None, typer.Option(help="Camera height above still water, m.")] = None,
+    z: Annotated[float | None, typer.Option(help="Camera position along +z, m.")] = None,
+    yaw: Annotated[float | None, typer.Option(help="Camera yaw, rad from -z toward +x.")] = None,
+    pitch: Annotated[float | None, typer.Option(help="Camera pitch, rad; positive looks up.")] = None,
+    roll: Annotated[float | None, typer.Option(help="Camera roll about the view axis, rad.")] = None,
+    fov: Annotated[float | None, typer.Option(help="Vertical field of view, rad.")] = None,
+    dither: Annotated[
+        bool | None,
+        typer.Option(
+            "--dither/--no-dither",
+            help="Of .png and .webp: dither 8 bits from 16, or round as the page does (default: dither).",
+        ),
+    ] = None,
+    precision: Annotated[str | None, typer.Option(help="Of .exr: half or float (default: half).")] = None,
 ) -> None:
     """Render a frame to a .png, .webp (lossless), .exr (linear) or .npy (linear float32) file, without a server."""
     given: dict[str, Any] = {
@@ -174,7 +204,7 @@ def render(
 
 @app.command()
 def accuracy(
-    preset: options.PresetName = None,
+    preset: PresetName = None,
     every: Annotated[
         bool, typer.Option("--all", help="Measure every preset; -o, --json, --csv and --html name directories.")
     ] = False,
@@ -232,8 +262,8 @@ def presets() -> None:
 
 @app.command()
 def plan(
-    preset: options.Preset,
-    quality: options.TierName = "standard",
+    preset: Preset,
+    quality: TierName = "standard",
     program: Annotated[
         str | None, typer.Option(help="Print this program's shader, with the names of its files, such as surface.")
     ] = None,
@@ -301,14 +331,7 @@ def sign(address: Annotated[str, typer.Argument(help="Path of the API with its q
 
     It is below SEAFOAM_ROOT_PATH, if that is set; the signature is that of the address, which the proxy passes on.
     """
-    from pydantic import ValidationError
-
-    from seafoam.api.settings import Settings
-
-    try:
-        settings = Settings()
-    except ValidationError as error:
-        refuse(error, Settings, lambda field: f"SEAFOAM_{field.upper()}")
+    settings = _settings({})
     signing = settings.access.signing
     if signing is None:
         raise CommandError("SEAFOAM_SIGNING_KEY and SEAFOAM_SIGNING_SALT: required, in hexadecimal digits")
@@ -354,6 +377,17 @@ def _draw_again(picture: Path, output: Path | None, others: Mapping[str, Any]) -
         say(line)
     if not same:
         raise typer.Exit(UNABLE)
+
+
+def _settings(options: Mapping[str, Any]) -> "Settings":
+    from pydantic import ValidationError
+
+    from seafoam.api.settings import Settings
+
+    try:
+        return Settings(**options)
+    except ValidationError as error:
+        refuse(error, Settings, lambda field: f"--{field}" if field in options else f"SEAFOAM_{field.upper()}")
 
 
 def _require_preset(name: str) -> None:

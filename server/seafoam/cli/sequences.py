@@ -9,8 +9,7 @@ from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
 from seafoam.cli.support import UNABLE, CommandError, option_of
-from seafoam.library.errors import InvalidRequestError
-from seafoam.library.request import PictureRequest
+from seafoam.library.request import InvalidRequestError, PictureRequest
 from seafoam.planner import PlanError
 from seafoam.render.gl import executor as gl
 from seafoam.sequences import making
@@ -75,7 +74,7 @@ def make(
             def tell(progress: making.Progress) -> None:
                 bar.update(task, completed=progress.done, total=progress.total, description=progress.stage)
 
-            made = making.make_sequence(spec, output, workers, tell=tell, again=again)
+            there = making.make_sequence(spec, output, workers, tell=tell, again=again)
             renderer = workers.info["renderer"]
     except PlanError as error:
         raise CommandError(f"scene{error.pointer}: {error.message}") from error
@@ -90,5 +89,5 @@ def make(
     except OSError as error:
         raise CommandError(f"--output: cannot write {output.path}: {error.strerror}", UNABLE) from error
     job = spec.job
-    found = f", {made.found} of them were there" if made.found else ""
+    found = f", {there} of them were there" if there else ""
     return f"{output.path}: {spec.count} frames of {job.width} × {job.height} at {spec.fps} a second{found}; {renderer}"

@@ -3,7 +3,6 @@
 import json
 import re
 import time
-from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
 from http import HTTPStatus
 from typing import Any
@@ -11,7 +10,7 @@ from urllib.error import HTTPError, URLError
 from urllib.parse import quote, urlencode, urlsplit
 from urllib.request import Request, urlopen
 
-from seafoam.library.errors import InvalidRequestError, ServerError
+from seafoam.library.request import InvalidRequestError, ServerError
 from seafoam.library.source import MaskRequest, PictureSource
 from seafoam.render.service.jobs import FrameJob
 
@@ -32,9 +31,7 @@ class Connection(PictureSource):
     limits of size hold.
     """
 
-    def __init__(
-        self, url: str, *, key: str | None = None, timeout: float = 60.0, sleep: Callable[[float], None] = time.sleep
-    ) -> None:
+    def __init__(self, url: str, *, key: str | None = None, timeout: float = 60.0) -> None:
         try:
             parts = urlsplit(url)
             host = (parts.hostname or "").encode("idna").decode()
@@ -49,7 +46,6 @@ class Connection(PictureSource):
         self.url = url.rstrip("/")
         self._headers = {} if key is None else {"Authorization": f"Bearer {key}"}
         self._timeout = timeout
-        self._sleep = sleep
         self._threads = ThreadPoolExecutor(REQUESTS, "seafoam-connection")
 
     def close(self) -> None:
@@ -78,7 +74,7 @@ class Connection(PictureSource):
                 if error.code not in _LATER or attempt == ATTEMPTS:
                     kind = InvalidRequestError if error.code in _REFUSED else None
                     raise (kind(problem) if kind else ServerError(problem, error.code)) from None
-                self._sleep(_wait(error, attempt))
+                time.sleep(_wait(error, attempt))
             except (URLError, TimeoutError, ConnectionError) as error:
                 why = getattr(error, "reason", error)
                 raise ServerError(f"{self.url} does not answer: {why}") from error

@@ -5,7 +5,7 @@ import threading
 from concurrent.futures import Future, ThreadPoolExecutor
 
 from seafoam.effects.effect import PlanError
-from seafoam.library.errors import InvalidRequestError
+from seafoam.library.request import InvalidRequestError
 from seafoam.library.source import MaskRequest, PictureSource
 from seafoam.masks.catalogue import load_catalogue, load_mask
 from seafoam.masks.construct.make import make_mask

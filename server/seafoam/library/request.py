@@ -1,4 +1,4 @@
-"""What callers may give for a frame, checked and completed into a job."""
+"""What callers may give for a frame, checked and completed into a job; and the errors of the interface for Python."""
 
 import inspect
 import math
@@ -9,7 +9,6 @@ from typing import Any, Concatenate, ParamSpec, TypeVar, cast, get_args
 
 from pydantic import BaseModel, ValidationError
 
-from seafoam.library.errors import InvalidRequestError
 from seafoam.quality import TIERS, Quality, Tier
 from seafoam.render.encode import FRAME_FORMATS, FrameFormat
 from seafoam.render.service.errors import IN_PROCESS, FrameTooLargeError
@@ -23,6 +22,18 @@ P = ParamSpec("P")
 Q = TypeVar("Q")
 R = TypeVar("R")
 S = TypeVar("S")
+
+
+class InvalidRequestError(ValueError):
+    """A value is not allowed; the text names it and what is."""
+
+
+class ServerError(RuntimeError):
+    """A server did not answer, or answered with an error. ``status``: of HTTP; 0 without an answer."""
+
+    def __init__(self, detail: str, status: int = 0) -> None:
+        super().__init__(detail)
+        self.status = status
 
 
 def named(function: Callable[P, R], called: str = "") -> Callable[P, R]:

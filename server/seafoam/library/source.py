@@ -38,9 +38,8 @@ class MaskRequest:
 class PictureSource(ABC):
     """Draws frames and makes masks. Every method can be called from any thread; a source is a context manager.
 
-    Methods raise ``TypeError`` for a keyword that they do not have, :class:`seafoam.library.errors.InvalidRequestError`
-    for what is not allowed, and what their source raises: :class:`seafoam.render.gl.context.NoRendererError` here,
-    :class:`seafoam.library.errors.ServerError` there.
+    Methods raise ``TypeError`` for a keyword that they do not have, :class:`seafoam.InvalidRequestError` for what is
+    not allowed, and what their source raises: :class:`seafoam.NoRendererError` or :class:`seafoam.ServerError`.
     """
 
     @asking(PictureRequest)

@@ -1,4 +1,7 @@
-"""``Water``: the live water in a notebook, its scene shared with Python both ways."""
+"""``Water``: the live water in a notebook, its scene shared with Python both ways, and what its page asks of Python.
+
+All of it travels over the notebook's own connection, so a notebook on another machine needs no server and no open port.
+"""
 
 from collections.abc import Callable, Mapping
 from functools import partial
@@ -8,12 +11,18 @@ from typing import Any
 import anywidget
 import traitlets
 from PIL.Image import Image
+from pydantic.json_schema import models_json_schema
 
 from seafoam.library import frame, request
-from seafoam.library.errors import InvalidRequestError
-from seafoam.notebook.answers import answer
+from seafoam.library.request import InvalidRequestError, quality_of, scene_of
+from seafoam.masks.catalogue import load_catalogue
+from seafoam.planner import PlanError, make_plan
+from seafoam.quality import TIERS, Quality
 from seafoam.render.service.jobs import described
 from seafoam.resources import data_dir
+from seafoam.scene.models import Scene
+from seafoam.textures.spec import UnknownTextureError
+from seafoam.textures.store import spec_of, texture
 
 CLIENT = "notebook/seafoam-widget.js"
 """The widget's page, in the built web client."""
@@ -55,13 +64,13 @@ class WaterWidget(anywidget.AnyWidget):
 
     _esm = _client()
 
-    scene = _CheckedTrait(lambda _, value: request.scene_of(value)).tag(sync=True, to_json=_to_json)
+    scene = _CheckedTrait(lambda _, value: scene_of(value)).tag(sync=True, to_json=_to_json)
     """The scene, a :class:`seafoam.Scene`; also takes a preset's name or the fields as JSON has them."""
     camera = _CheckedTrait(lambda water, value: request.camera_of(value, water.scene.camera)).tag(
         sync=True, echo_update=False, to_json=_to_json
     )
     """The camera, a :class:`seafoam.Camera`; also takes the fields that differ from the scene's."""
-    quality = _CheckedTrait(lambda _, value: described(request.quality_of(value)), "standard").tag(sync=True)
+    quality = _CheckedTrait(lambda _, value: described(quality_of(value)), "standard").tag(sync=True)
     """A tier's name, or the fields that differ from tier standard."""
     time = traitlets.Float(0.0, min=-request.TIME_LIMIT, max=request.TIME_LIMIT).tag(sync=True, echo_update=False)
     """Time of the picture, s. While it plays, the page reports it twice a second."""
@@ -117,3 +126,59 @@ class WaterWidget(anywidget.AnyWidget):
             self.send({"id": content["id"], "error": str(error)})
             return
         self.send({"id": content["id"], "value": value}, parts)
+
+
+Answer = tuple[Any, list[bytes]]
+"""A JSON value, and binary parts."""
+
+
+def answer(asked: Mapping[str, Any]) -> Answer:
+    """Answer a request of the page: its ``kind``, and the fields of that kind.
+
+    ``plan``: ``scene`` and ``quality`` as JSON; ``texture``: ``url`` as in a plan; ``schema``; ``choices``: ``url`` as
+    in the schema. Raises :class:`seafoam.library.request.InvalidRequestError`.
+    """
+    kind = asked.get("kind")
+    if kind not in _ANSWERS:
+        raise InvalidRequestError(f"kind: must be one of {', '.join(_ANSWERS)}, not {kind!r}")
+    try:
+        return _ANSWERS[kind](asked)
+    except KeyError as error:
+        raise InvalidRequestError(f"{kind}: {error.args[0]!r} is missing") from error
+
+
+def schema() -> dict[str, Any]:
+    """Return the JSON schemas of scene and quality as ``GET /api/schema`` does."""
+    _, document = models_json_schema(
+        [(Scene, "validation"), (Quality, "validation")], ref_template="#/components/schemas/{model}"
+    )
+    return {"tiers": list(TIERS), "components": {"schemas": document["$defs"]}}
+
+
+def _plan(asked: Mapping[str, Any]) -> Answer:
+    try:
+        plan = make_plan(scene_of(asked["scene"]), quality_of(asked["quality"]))
+    except PlanError as error:
+        raise InvalidRequestError(f"scene{error.pointer}: {error.message}") from error
+    return plan.model_dump(mode="json"), []
+
+
+def _texture(asked: Mapping[str, Any]) -> Answer:
+    try:
+        return None, [texture(spec_of(asked["url"])).data]
+    except UnknownTextureError as error:
+        raise InvalidRequestError(f"url: there is no texture {asked['url']!r:.200}") from error
+
+
+def _choices(asked: Mapping[str, Any]) -> Answer:
+    if asked["url"] != "/api/masks":
+        raise InvalidRequestError(f"url: there is no list {asked['url']!r:.200}")
+    return [{"name": name, "title": entry.title} for name, entry in load_catalogue().items()], []
+
+
+_ANSWERS: dict[str, Callable[[Mapping[str, Any]], Answer]] = {
+    "plan": _plan,
+    "texture": _texture,
+    "schema": lambda _: (schema(), []),
+    "choices": _choices,
+}

@@ -9,7 +9,7 @@ alone, so the bytes are the same wherever it is drawn.
 import os
 import threading
 import time
-from collections.abc import Callable, Generator, Iterable, Iterator, Mapping
+from collections.abc import Callable, Generator, Iterator, Mapping
 from concurrent.futures import CancelledError
 from contextlib import ExitStack
 from functools import partial
@@ -21,7 +21,7 @@ from seafoam import processes
 from seafoam.extras import require
 from seafoam.render.gl.executor import Executor
 from seafoam.render.service.jobs import FrameJob, Renderer, render_frame
-from seafoam.sequences.spec import DrawnFrames, MixedFleetError, SequenceError, Unit, Units
+from seafoam.sequences.spec import DrawnFrames, MixedFleetError, SequenceError, Units
 
 if TYPE_CHECKING:
     from distributed import Client
@@ -35,6 +35,7 @@ RETURN_POLL = 0.5
 POLL_SECONDS = 1.0
 """How long a frame is waited for before the scheduler is looked at again, s."""
 _mine = threading.local()
+_Unit = tuple[int, FrameJob]
 
 
 class DaskWorkers(ExitStack):
@@ -71,13 +72,13 @@ class DaskWorkers(ExitStack):
             self._rejoin()
             waiting = chain(lost, waiting)
 
-    def _draw_while_connected(self, waiting: Iterator[Unit]) -> Generator[tuple[int, bytes], None, list[Unit]]:
+    def _draw_while_connected(self, waiting: Iterator[_Unit]) -> Generator[tuple[int, bytes], None, list[_Unit]]:
         """Draw until nothing is left; return the frames that were lost with the connection to the scheduler."""
         finished: Queue[Any] = Queue()
-        running: dict[Any, Unit] = {}
-        lost: list[Unit] = []
+        running: dict[Any, _Unit] = {}
+        lost: list[_Unit] = []
 
-        def submit(units: Iterable[Unit]) -> None:
+        def submit(units: Units) -> None:
             for unit in units:
                 future = self.client.submit(partial(_drawn, self._factory), unit[1], pure=False)
                 running[future] = unit

@@ -52,9 +52,8 @@ def write_video(
     """Write an MP4 file of frames, which are PNG files. path: absolute, since FFmpeg takes ``a:b`` for protocol ``a``.
     ``drawn``: called after each; what it raises ends the work.
 
-    Raises :class:`OutputError` as :func:`check_video` does, :class:`SequenceError` if the encoder fails.
+    Raises :class:`SequenceError` if the encoder fails; what it cannot have is :func:`check_video`'s to refuse.
     """
-    check_video(width, height, codec)
     import av
 
     encoder, options = _ENCODERS[codec]

@@ -72,12 +72,10 @@ class SequenceFolder:
 
     def finished(self, count: int) -> set[int]:
         """Return which of the first ``count`` frames are there with the hash that was noted. Reads them all."""
-        hashes = self._hashes()
-        return {
-            index
-            for index, noted in hashes.items()
-            if index < count and (file := self.frame(index)).is_file() and _sha256(file.read_bytes()) == noted
+        noted = {
+            index: sha256 for index, sha256 in self._hashes().items() if index < count and self.frame(index).is_file()
         }
+        return {index for index, sha256 in noted.items() if _sha256(self.frame(index).read_bytes()) == sha256}
 
     def clear(self) -> None:
         """Remove what this class has written, and the directory if nothing else is in it."""
@@ -144,14 +142,6 @@ class Progress:
     eta_s: float | None
 
 
-@dataclass(frozen=True, slots=True)
-class Made:
-    """A finished sequence: frames drawn now, and frames that were there."""
-
-    drawn: int
-    found: int
-
-
 Tell = Callable[[Progress], None]
 
 
@@ -184,8 +174,9 @@ def make_sequence(
     tell: Tell = lambda _: None,
     stopped: Callable[[], bool] = lambda: False,
     again: bool = False,
-) -> Made:
-    """Make a sequence; what an earlier call left is verified by its hashes and not drawn again.
+) -> int:
+    """Make a sequence; what an earlier call left is verified by its hashes and not drawn again. Return how many frames
+    were there.
 
     tell: called after every frame. stopped: asked after every frame. again: draw every frame again. Raises
     :class:`seafoam.sequences.spec.SequenceError`, MissingExtraError without PyAV for ``mp4``, what the workers raise,
@@ -210,7 +201,7 @@ def make_sequence(
     except BlockingIOError:
         name = output.path.name
         raise SequenceError(f"another process is writing {name}: wait for it, or choose another name") from None
-    return Made(len(missing), len(found))
+    return len(found)
 
 
 def check_output(spec: SequenceSpec, output: Output) -> None:
@@ -224,14 +215,13 @@ def check_output(spec: SequenceSpec, output: Output) -> None:
 
 def _write_file(spec: SequenceSpec, output: Output, folder: SequenceFolder, meter: _Meter) -> None:
     frames = [folder.frame(index) for index in range(spec.count)]
+    size = spec.job.width, spec.job.height
     with files.whole(output.path, alone=True) as part:
         if output.kind == "mp4":
-            job = spec.job
-            write_video(part, frames, job.width, job.height, spec.fps, output.codec, meter.step)
+            write_video(part, frames, *size, spec.fps, output.codec, meter.step)
         elif output.kind == "webp":
             with part.open("w+b") as file:
-                stills = _stills(frames, meter)
-                write_animation(file, stills, spec.job.width, spec.job.height, durations_of(spec.count, spec.fps))
+                write_animation(file, _stills(frames, meter), *size, durations_of(spec.count, spec.fps))
         else:  # the same frames give the same bytes
             with zipfile.ZipFile(part, "w", zipfile.ZIP_STORED) as archive:
                 for path in frames:

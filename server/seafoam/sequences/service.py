@@ -104,8 +104,7 @@ class SequenceService:
                 return known
             if name in self._tasks and self._tasks[name].removed:
                 raise BackgroundFullError("the same sequence is still being cancelled")
-            unfinished = sum(task.status.status not in FINISHED for task in self._tasks.values())
-            if unfinished >= self._most_waiting:
+            if (unfinished := len(self._unfinished())) >= self._most_waiting:
                 raise BackgroundFullError(f"{unfinished} sequences are already waiting")
             status = SequenceStatus(id=name, status="queued", frames=spec.count)
             self._tasks[name] = _SequenceTask(spec, output, status)
@@ -193,11 +192,14 @@ class SequenceService:
 
     def _forget_oldest(self) -> None:
         """Keep the latest of what no unfinished sequence needs: files, and frames of what failed or was interrupted."""
-        needed = {name for name, task in self._tasks.items() if task.status.status not in FINISHED}
-        folders = [path for path in self._directory.iterdir() if _NAME.fullmatch(path.name) and path.name not in needed]
-        folders.sort(key=lambda path: path.stat().st_mtime_ns)
-        for path in folders[: max(0, len(folders) - self._kept)]:
+        folders = [path for path in self._directory.iterdir() if _NAME.fullmatch(path.name)]
+        unneeded = [path for path in folders if path.name not in self._unfinished()]
+        unneeded.sort(key=lambda path: path.stat().st_mtime_ns)
+        for path in unneeded[: max(0, len(unneeded) - self._kept)]:
             self._remove(path.name)
+
+    def _unfinished(self) -> set[str]:
+        return {name for name, task in self._tasks.items() if task.status.status not in FINISHED}
 
     def _remove(self, name: str) -> None:
         self._tasks.pop(name, None)

@@ -55,7 +55,7 @@ _ROUNDING = 1e-6
 
 @dataclass(frozen=True, slots=True)
 class SequenceSpec:
-    """Frames at ``start + i / fps`` before ``stop``, s; at least one.
+    """Frames at ``job.time + i / fps`` before ``stop``, s; at least one.
 
     job: scene, quality, camera, size; its time is the start, its format ``png``.
     """
@@ -65,17 +65,12 @@ class SequenceSpec:
     fps: Fraction
 
     @property
-    def start(self) -> float:
-        """Time of the first frame, s."""
-        return self.job.time
-
-    @property
     def count(self) -> int:
-        return frame_count(self.start, self.stop, self.fps)
+        return max(1, math.ceil((self.stop - self.job.time) * float(self.fps) - _ROUNDING))
 
     def frame(self, index: int) -> FrameJob:
         """Return the job of a frame, whose time is not summed up, so that it is exact in long sequences."""
-        return replace(self.job, time=self.start + float(index / self.fps))
+        return replace(self.job, time=self.job.time + float(index / self.fps))
 
     def identity(self, info: Mapping[str, str]) -> dict[str, Any]:
         """Return all that the bytes of frame i depend on, as JSON values; not the stop, so a sequence can be continued.
@@ -92,7 +87,7 @@ class SequenceSpec:
             "camera": job.camera.model_dump(mode="json"),
             "width": job.width,
             "height": job.height,
-            "start": self.start,
+            "start": job.time,
             "fps": float(self.fps) if float(self.fps) == self.fps else str(self.fps),
             "renderer": renderer_of(info),
             "seafoam": version("seafoam"),
@@ -140,16 +135,8 @@ def sequence_of(job: FrameJob, stop: float, fps: float | str) -> SequenceSpec:
     return SequenceSpec(job, stop, rate)
 
 
-def frame_count(start: float, stop: float, fps: Fraction) -> int:
-    """Return the number of frames from ``start`` to before ``stop`` (s), at least one."""
-    return max(1, math.ceil((stop - start) * float(fps) - _ROUNDING))
-
-
-Unit = tuple[int, FrameJob]
-"""A unit of work: the number of a frame, and all that its bytes depend on."""
-
-
-Units = Iterable[Unit]
+Units = Iterable[tuple[int, FrameJob]]
+"""Units of work: the number of a frame, and all that its bytes depend on."""
 DrawnFrames = Generator[tuple[int, bytes], None, None]
 """Encoded frames with their numbers."""
 

@@ -1,8 +1,11 @@
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from typing import Any
 
 import pytest
+import schemathesis
 from starlette.testclient import TestClient
 
+from seafoam.api.app import create_app
 from support.api_fakes import no_renderer
 from support.serving import serving
 
@@ -20,3 +23,10 @@ def without_gl() -> Iterator[TestClient]:
     with serving(no_renderer) as running:
         running.get("/api/frames/default.png")  # waits until it is known
         yield running
+
+
+@pytest.fixture(scope="package")
+def described() -> Callable[[str, Any], None]:
+    """Checks that the OpenAPI document has the answer of a GET: its status, media type, headers and content."""
+    schema = schemathesis.openapi.from_dict(create_app().openapi())
+    return lambda path, response: schema[path]["GET"].validate_response(response)

@@ -4,13 +4,13 @@ import io
 import json
 import logging
 import os
+import re
 import signal
 import time
 from functools import partial
 from types import SimpleNamespace
 
 import numpy as np
-import OpenEXR
 import pytest
 from PIL import Image
 
@@ -45,17 +45,12 @@ class Recorder(FakeRenderer):
         return super().render(plan, **asked)
 
 
-@pytest.mark.parametrize(("name", "format"), [("a.png", "PNG"), ("a.WEBP", "WEBP"), ("a.npy", None), ("a.exr", None)])
-def test_render_writes_the_format_of_the_extension(seafoam, tmp_path, name, format):
-    code, _, err = seafoam("render", "default", "-o", tmp_path / name, "--size", "48x27")
-    assert code == 0, err
-    if name == "a.exr":
-        channels = OpenEXR.File(str(tmp_path / name)).channels()
-        assert channels["RGB"].pixels.shape == (27, 48, 3)
-    elif format is None:
-        assert np.load(tmp_path / name).shape == (27, 48, 4)
-    else:
-        assert picture(tmp_path / name).format == format
+def test_render_writes_the_format_of_the_extension(seafoam, tmp_path):
+    """Of those with a recipe: test_again.py."""
+    for name in ("a.WEBP", "a.npy"):
+        assert seafoam("render", "default", "-o", tmp_path / name, "--size", "48x27")[0] == 0
+    assert picture(tmp_path / "a.WEBP").format == "WEBP"
+    assert np.load(tmp_path / "a.npy").shape == (27, 48, 4)
 
 
 def test_render_passes_on_what_is_given(seafoam, monkeypatch, tmp_path):
@@ -75,46 +70,31 @@ def test_render_passes_on_what_is_given(seafoam, monkeypatch, tmp_path):
     assert asked["camera"] == preset.scene.camera
 
 
-def test_the_help_and_the_openapi_document_are_printed(seafoam):
+def test_the_help_the_openapi_document_presets_and_masks_are_printed(seafoam):
     code, out, err = seafoam()
-    assert code == 2
-    assert "render" in out
-    assert err == ""
-    code, out, _ = seafoam("openapi")
-    assert code == 0
-    assert "/api/frames/{preset}.{format}" in json.loads(out)["paths"]
-
-
-def test_presets_and_masks_are_listed(seafoam):
-    code, out, _ = seafoam("presets")
-    assert code == 0
-    for name in preset_names():
-        assert name in out
-    code, out, _ = seafoam("masks", "list")
-    assert code == 0
-    assert load_mask("vac-24").entry.sha256[:12] in out
+    assert (code, "render" in out, err) == (2, True, "")
+    for command, told in (
+        (("openapi",), ["/api/frames/{preset}.{format}"]),
+        (("presets",), preset_names()),
+        (("masks", "list"), [load_mask("vac-24").entry.sha256[:12]]),
+    ):
+        code, out, _ = seafoam(*command)
+        assert (code, [name for name in told if name not in out]) == (0, [])
 
 
 def test_masks_are_made_in_every_format_and_spectra_written_as_json_or_a_plot(seafoam, tmp_path):
     ranks = make_mask("clump", sigma=2.0, size=64, seed=7)
+    make = ("masks", "make", "--family", "clump", "--sigma", "2", "--seed", "7")
     for name in ("a.png", "a.npy", "a.u16", "a.dds"):
-        code, out, _ = seafoam(
-            "masks", "make", "--family", "clump", "--sigma", "2", "--size", "64", "--seed", "7", "-o", tmp_path / name
-        )
-        assert code == 0
-        assert "64 × 64" in out
+        code, out, _ = seafoam(*make, "--size", "64", "-o", tmp_path / name)
+        assert (code, "64 × 64" in out) == (0, True)
     assert (tmp_path / "a.u16").read_bytes() == to_u16(ranks)
     assert picture(tmp_path / "a.png").mode == "I;16"
-    code, out, _ = seafoam("masks", "make", "--family", "clump", "--size", "96x40", "-o", tmp_path / "c.png")
-    assert (code, picture(tmp_path / "c.png").size) == (0, (96, 40))
-    assert "96 × 40" in out
-    seafoam("masks", "make", "--family", "clump", "--size", "64", "--bits", "8", "-o", tmp_path / "b.png")
-    assert picture(tmp_path / "b.png").mode == "L"
+    assert "96 × 40" in seafoam(*make, "--size", "96x40", "--bits", "8", "-o", tmp_path / "c.png")[1]
+    assert (picture(tmp_path / "c.png").size, picture(tmp_path / "c.png").mode) == ((96, 40), "L")
     code, out, _ = seafoam("masks", "spectrum", "vac-6", "--json")
-    assert code == 0
     assert json.loads(out) == load_mask("vac-6").tables.spectrum.model_dump(mode="json")
-    code, _, _ = seafoam("masks", "spectrum", "blur:2:64:0", "-o", tmp_path / "a.png")
-    assert code == 0
+    assert seafoam("masks", "spectrum", "blur:2:64:0", "-o", tmp_path / "a.png")[0] == 0
     assert picture(tmp_path / "a.png").format == "PNG"
 
 
@@ -135,10 +115,6 @@ def test_a_plan_lists_its_passes_and_prints_a_program_with_the_names_of_its_file
     assert "// ---- vertex/vertex.glsl@falling" in out
 
 
-def good_probe():
-    return {"vendor": "A", "renderer": "B", "version": "C"}
-
-
 def bad_probe():
     raise NoRendererError("no OpenGL context: none; install a driver")
 
@@ -148,7 +124,8 @@ def dying_probe():
 
 
 def test_doctor_looks_at_everything_and_says_what_is_missing():
-    findings = {finding.what: finding for finding in doctor.examine(good_probe)}
+    good = partial(dict, vendor="A", renderer="B", version="C")
+    findings = {finding.what: finding for finding in doctor.examine(good)}
     assert {"Python", "OpenGL", "GLSL ES 3.00", "Masks", "Web client", "Node.js", "Chromium"} <= set(findings)
     assert "hardware" in findings["OpenGL"].detail
     assert all(finding.remedy for finding in findings.values() if finding.state != "good")
@@ -158,10 +135,8 @@ def test_doctor_looks_at_everything_and_says_what_is_missing():
     ):
         found = doctor.examine(probe)
         (gl,) = (finding for finding in found if finding.what == "OpenGL")
-        assert gl.state == "missing"
-        assert detail in gl.detail
-        assert remedy in gl.remedy
-        assert not doctor.able_to_render(found)
+        assert (gl.state, doctor.able_to_render(found)) == ("missing", False)
+        assert (detail in gl.detail, remedy in gl.remedy) == (True, True)
 
 
 @pytest.mark.parametrize(
@@ -185,9 +160,7 @@ def test_doctor_exits_by_whether_frames_can_be_rendered(seafoam, monkeypatch):
         found = Finding("Thing", state, "as it is", remedy)
         monkeypatch.setattr(doctor, "examine", lambda found=found: [found])
         left, out, _ = seafoam("doctor")
-        assert left == code
-        assert "as it is" in out
-        assert remedy in out
+        assert (left, "as it is" in out, remedy in out) == (code, True, True)
 
 
 def test_health_checks_and_frames_of_streams_are_not_logged():
@@ -217,22 +190,14 @@ SMALL = ("--size", "32x18", "--rounds", "2", "--samples", "2")
 def test_accuracy_writes_every_form(rigged, tmp_path):
     files = {"-o": "a.png", "--json": "a.json", "--csv": "a.csv", "--html": "a.html"}
     options = [part for option, name in files.items() for part in (option, tmp_path / name)]
-    code, out, err = rigged("accuracy", "default", *SMALL, *options)
+    code, out, err = rigged("accuracy", "default", *SMALL, "--timer", "processor", *options)
     assert code == 0, err
-    assert "samples=4" in out
-    assert "× the time buys" in out
+    assert ("samples=4" in out, "× the time buys" in out) == (True, True)
     found = json.loads((tmp_path / "a.json").read_text())
-    assert found["preset"] == "default"
+    assert (found["preset"], found["timing"]["timer"]) == ("default", "processor")
     assert (tmp_path / "a.png").read_bytes().startswith(b"\x89PNG")
     assert (tmp_path / "a.csv").read_text().startswith("id,")
     assert "seafoam accuracy default --size 32x18" in (tmp_path / "a.html").read_text()
-
-
-def test_accuracy_says_by_which_clock_it_timed(rigged, tmp_path):
-    for clock in ("wall", "processor"):
-        code, _, err = rigged("accuracy", "paper-threshold", *SMALL, "--timer", clock, "--json", tmp_path / "a.json")
-        assert code == 0, err
-        assert json.loads((tmp_path / "a.json").read_text())["timing"]["timer"] == clock
 
 
 @pytest.mark.parametrize(("clock", "seconds"), [("wall", 0.5), ("processor", 2.0)])
@@ -256,8 +221,7 @@ def test_render_picks_a_quality_for_a_budget(rigged, tmp_path):
     asked = ("--size", "32x18", "--quality", "auto", "--budget-ms", "4")
     code, out, err = rigged("render", "paper-threshold", "-o", tmp_path / "a.png", *asked)
     assert code == 0, err
-    assert "predicted" in out.splitlines()[-1]
-    assert "of 4 ms at 32 x 18" in out.splitlines()[-1]
+    assert re.search("predicted.* of 4 ms at 32 x 18", out.splitlines()[-1])
 
 
 SHORT = ("sequence", "paper-halftone", "--stop", "0.25", "--start", "0", "--size", "24x16", "--quality", "fast", "-o")
@@ -278,8 +242,7 @@ def test_it_goes_on(seafoam, tmp_path):
     assert "5 of them were there" in seafoam(*run)[1]
     code, _, err = seafoam(*run, "--fps", "30")
     assert code == 2
-    assert "differs in fps" in err
-    assert "--again" in err
+    assert re.search("differs in fps.*--again", err)
     assert seafoam(*run, "--fps", "30", "--again")[0] == 0
 
 
@@ -294,6 +257,5 @@ def test_interrupted(seafoam, tmp_path, monkeypatch):
     with monkeypatch.context() as patched:
         patched.setattr(FakeRenderer, "render", interrupted)
         code, _, err = seafoam(*SHORT, tmp_path / "run")
-    assert code == 130
-    assert "goes on" in err
+    assert (code, "goes on" in err) == (130, True)
     assert "3 of them were there" in seafoam(*SHORT, tmp_path / "run")[1]

@@ -5,7 +5,7 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
@@ -50,8 +50,14 @@ def scheduler(fleet: DaskWorkers) -> str:
     return fleet.client.scheduler.address
 
 
-def frames(path: Path) -> dict[str, bytes]:
-    return {each.name: each.read_bytes() for each in path.glob("frame-*.png")}
+def made_as_here(of: SequenceSpec, folder: Path, workers: DaskWorkers, tell: Callable[[Progress], None]) -> Output:
+    """All frames of a sequence are drawn by workers, with the bytes that this process gives them."""
+    here, there = (Output(folder / name, "frames") for name in ("here", "there"))
+    make_sequence(of, here, InProcess(FakeRenderer()))
+    assert make_sequence(of, there, workers, tell=tell) == 0
+    pictures = [{each.name: each.read_bytes() for each in one.path.glob("frame-*.png")} for one in (here, there)]
+    assert pictures[0] == pictures[1]
+    return there
 
 
 def pids(fleet: DaskWorkers) -> list[int]:
@@ -59,8 +65,6 @@ def pids(fleet: DaskWorkers) -> list[int]:
 
 
 def test_a_lost_worker_loses_no_frame(fleet: DaskWorkers, tmp_path: Path) -> None:
-    local, output = Output(tmp_path / "local", "frames"), Output(tmp_path / "fleet", "frames")
-    make_sequence(spec(300), local, InProcess(FakeRenderer()))
     first, second = pids(fleet)
     assert os.getpid() not in (first, second)
 
@@ -68,12 +72,10 @@ def test_a_lost_worker_loses_no_frame(fleet: DaskWorkers, tmp_path: Path) -> Non
         if progress.done == 150:
             os.kill(first, signal.SIGKILL)
 
-    made = make_sequence(spec(300), output, fleet, tell=tell)
-    assert made.drawn == 300
+    output = made_as_here(spec(300), tmp_path, fleet, tell)
     assert first not in pids(fleet)
-    assert frames(output.path) == frames(local.path)
     # The other's renderer has the same name, so a local run finds all of them.
-    assert make_sequence(spec(300), output, InProcess(FakeRenderer())).found == 300
+    assert make_sequence(spec(300), output, InProcess(FakeRenderer())) == 300
 
 
 @contextmanager
@@ -108,41 +110,31 @@ def joined(address: str) -> DaskWorkers:
     raise AssertionError("the cluster did not start")
 
 
-def test_a_scheduler_that_comes_back_is_asked_again(tmp_path: Path) -> None:
-    local, output = Output(tmp_path / "local", "frames"), Output(tmp_path / "fleet", "frames")
-    make_sequence(spec(100), local, InProcess(FakeRenderer()))
-    port = free_port()
-    with ExitStack() as second, ExitStack() as first:
-        scheduler = first.enter_context(cluster(port))
-
-        def tell(progress: Progress) -> None:
-            if progress.done == 40 and scheduler.poll() is None:
-                first.close()
-                second.enter_context(cluster(port))
-
-        with joined(f"tcp://127.0.0.1:{port}") as workers:
-            made = make_sequence(spec(100), output, workers, tell=tell)
-        assert scheduler.poll() is not None
-    assert made.drawn == 100
-    assert frames(output.path) == frames(local.path)
-
-
-def test_a_scheduler_that_stays_away_ends_the_sequence_and_keeps_its_frames(
+def test_a_scheduler_that_comes_back_is_asked_again_and_one_that_stays_away_ends_the_sequence(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    monkeypatch.setattr("seafoam.processes.CONNECT_SECONDS", 1.0)
-    monkeypatch.setattr("seafoam.sequences.fleet.RETURN_SECONDS", 1.0)
-    output = Output(tmp_path / "fleet", "frames")
-    port = free_port()
-    with cluster(port) as scheduler, joined(f"tcp://127.0.0.1:{port}") as workers:
+    port, output = free_port(), Output(tmp_path / "away", "frames")
+    with ExitStack() as second, ExitStack() as first:
+        schedulers = [first.enter_context(cluster(port))]
 
-        def tell(progress: Progress) -> None:
+        def come_back(progress: Progress) -> None:
+            if progress.done == 40 and len(schedulers) == 1:
+                first.close()
+                schedulers.append(second.enter_context(cluster(port)))
+
+        def stay_away(progress: Progress) -> None:
             if progress.done == 20:
-                scheduler.kill()
+                schedulers[-1].kill()
 
-        with pytest.raises(SequenceError, match="went away and did not return"):
-            make_sequence(spec(100), output, workers, tell=tell)
-    assert make_sequence(spec(100), output, InProcess(FakeRenderer())).found >= 20
+        with joined(f"tcp://127.0.0.1:{port}") as workers:
+            made_as_here(spec(100), tmp_path, workers, come_back)
+            assert len(schedulers) == 2
+            monkeypatch.setattr("seafoam.processes.CONNECT_SECONDS", 1.0)
+            monkeypatch.setattr("seafoam.sequences.fleet.RETURN_SECONDS", 1.0)
+            with pytest.raises(SequenceError, match="went away and did not return"):
+                make_sequence(spec(100), output, workers, tell=stay_away)
+    # Its frames are kept.
+    assert make_sequence(spec(100), output, InProcess(FakeRenderer())) >= 20
 
 
 def test_what_a_worker_raises_ends_the_sequence(fleet: DaskWorkers, tmp_path: Path) -> None:

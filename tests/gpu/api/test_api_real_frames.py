@@ -33,12 +33,10 @@ def real() -> Iterator[TestClient]:
 
 def test_the_same_request_gives_the_same_bytes_also_after_a_restart(real):
     query = {"width": 96, "height": 54, "time": 4.0}
-    first, second = frame(real, **query), frame(real, **query)
-    assert first.content == second.content
+    answers = [frame(real, **query), frame(real, **query)]
     with serving(None, deadline=60.0) as restarted:
-        again = frame(restarted, **query)
-    assert again.content == first.content
-    assert again.headers["ETag"] == first.headers["ETag"]
+        answers.append(frame(restarted, **query))
+    assert len({(answer.content, answer.headers["ETag"]) for answer in answers}) == 1
 
 
 def test_a_dithered_picture_is_the_exact_one_within_a_level_and_in_the_mean(real):
@@ -63,7 +61,6 @@ def test_open_exr_holds_what_npy_holds(real):
 
 def test_the_renderer_is_told(real):
     ready = real.get("/readyz").json()
-    assert ready["status"] == "ready"
     assert frame(real).headers["Seafoam-Renderer"] == ready["renderer"]["renderer"]
     assert "Mesa" in ready["renderer"]["version"] or ready["renderer"]["version"][0].isdigit()
 

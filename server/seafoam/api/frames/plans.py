@@ -66,7 +66,7 @@ class PlanIndex:
         if self.find(plan) is None:
             source = PlanSource(scene=scene, quality=quality)
             if self._disk is not None:
-                self._disk.put(_key(plan), source.model_dump_json().encode())
+                self._disk.put(f"{plan}-plan", source.model_dump_json().encode())
             self._held.put(plan, source)
 
     def find(self, plan: str) -> PlanSource | None:
@@ -79,17 +79,13 @@ class PlanIndex:
         return stored
 
     def _read(self, plan: str) -> PlanSource | None:
-        content = None if self._disk is None else self._disk.get(_key(plan))
+        content = None if self._disk is None else self._disk.get(f"{plan}-plan")
         try:
             source = PlanSource.model_validate_json(content or b"")
             # Another version of the program may make another plan of the same scene, or none.
             return source if plan_hash(source.scene, source.quality) == plan else None
         except (ValueError, PlanError):
             return None
-
-
-def _key(plan: str) -> str:
-    return f"{plan}-plan"
 
 
 ADDRESS_KEPT = 1024

@@ -10,7 +10,7 @@ from contextlib import asynccontextmanager
 from dataclasses import dataclass, field
 
 from seafoam.quality import Quality
-from seafoam.render.service.queues import PrioritySemaphore, Ticket
+from seafoam.render.service.queues import Ticket
 from seafoam.scene.models import Scene
 
 LEASE_SECONDS = 3.0
@@ -49,7 +49,7 @@ class Stream:
     """In order of arrival: as many as there are places, and one more where the frames of all places are being drawn."""
     late: int = 0
     """Frames that missed their deadline since the last that came."""
-    _places: PrioritySemaphore = field(default_factory=lambda: PrioritySemaphore(FRAMES_AT_ONCE))
+    _places: asyncio.Semaphore = field(default_factory=lambda: asyncio.Semaphore(FRAMES_AT_ONCE))
 
     @asynccontextmanager
     async def place(self, ticket: Ticket, waits: Callable[[Ticket], bool]) -> AsyncIterator[None]:
@@ -69,12 +69,9 @@ class Stream:
         own = _StreamFrame(ticket, task)
         self.frames.append(own)
         try:
-            await self._places.acquire()
-            own.placed = True
-            try:
+            async with self._places:
+                own.placed = True
                 yield
-            finally:
-                self._places.release()
         finally:
             self.frames = [frame for frame in self.frames if frame is not own]
 

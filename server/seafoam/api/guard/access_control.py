@@ -43,15 +43,12 @@ class Standing:
 class TokenBuckets:
     """Buckets of ``burst`` tokens that refill with ``rate`` tokens a second; a request takes one.
 
-    clients: number of buckets kept. clock: seconds that never go back.
+    clock: seconds that never go back.
     """
 
-    def __init__(
-        self, rate: float, burst: int, *, clients: int = CLIENTS_KEPT, clock: Callable[[], float] = time.monotonic
-    ) -> None:
+    def __init__(self, rate: float, burst: int, clock: Callable[[], float] = time.monotonic) -> None:
         self.rate = rate
         self.burst = burst
-        self._clients = clients
         self._clock = clock
         self._full_at: OrderedDict[str, float] = OrderedDict()
 
@@ -69,7 +66,7 @@ class TokenBuckets:
             return Standing(False, 0, math.ceil((1.0 - tokens) / self.rate))
         self._full_at[client] = full_at + 1.0 / self.rate
         self._full_at.move_to_end(client)
-        if len(self._full_at) > self._clients:
+        if len(self._full_at) > CLIENTS_KEPT:
             self._full_at.popitem(last=False)
         return Standing(True, int(tokens - 1.0 + 1e-6), math.ceil(full_at + 1.0 / self.rate - now))
 

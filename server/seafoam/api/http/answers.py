@@ -3,7 +3,7 @@
 The document lacks without help: the problem schema, limits of settings.
 """
 
-from collections.abc import AsyncIterator, Mapping
+from collections.abc import AsyncIterator, Awaitable, Callable, Mapping, Sequence
 from http import HTTPStatus
 from importlib.metadata import version
 from typing import Any
@@ -24,11 +24,6 @@ REVALIDATE = "public, no-cache"
 NO_STORE = "no-store"
 
 
-def tag_of(*parts: Any) -> str:
-    """Return a strong entity tag of JSON values and this package's version."""
-    return f'"{key_of(VERSION, *parts)}"'
-
-
 def not_modified(request: Request, tag: str, headers: Mapping[str, str]) -> Response | None:
     """Return a 304 with the headers of a full response if the client's copy is current, else None."""
     sent = request.headers.get("if-none-match", "")
@@ -36,12 +31,22 @@ def not_modified(request: Request, tag: str, headers: Mapping[str, str]) -> Resp
     return Response(status_code=304, headers={"ETag": tag, **headers}) if current else None
 
 
-def event(name: str, data: str) -> str:
-    """Return a server-sent event. data: one line."""
-    return f"event: {name}\ndata: {data}\n\n"
+async def kept(
+    request: Request, identity: Sequence[Any], make: Callable[[], Awaitable[bytes]], media_type: str, **headers: str
+) -> Response:
+    """Answer with what is made, or with 304 before it is made.
+
+    identity: JSON values that it depends on, beside this package's version and the last step of the request's path.
+    headers: other than those of caches.
+    """
+    tag = f'"{key_of(VERSION, *identity, request.url.path.rpartition("/")[2])}"'
+    headers = {"Cache-Control": REVALIDATE, **headers}
+    if current := not_modified(request, tag, headers):
+        return current
+    return Response(await make(), headers={"ETag": tag, **headers}, media_type=media_type)
 
 
-def events_of(events: AsyncIterator[str]) -> Response:
+def events_of(events: AsyncIterator[bytes]) -> Response:
     """Return an answer of server-sent events, each sent at once."""
     headers = {"Cache-Control": NO_STORE, "X-Accel-Buffering": "no"}
     return StreamingResponse(events, headers=headers, media_type="text/event-stream")

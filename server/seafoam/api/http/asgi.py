@@ -32,14 +32,16 @@ def altering(send: Send, alter: Callable[[int, MutableHeaders], None]) -> Send:
 
 
 class CountingSend:
-    """A ``send`` that notes the status of an answer, 500 until it begins, and the bytes of its body."""
+    """A ``send`` that notes whether an answer has begun, its status, 500 until then, and the bytes of its body."""
 
     def __init__(self, send: Send) -> None:
+        self.begun = False
         self.status = 500
         self.bytes = 0
         self._send = send
 
     async def __call__(self, message: Message) -> None:
+        self.begun = True
         if message["type"] == "http.response.start":
             self.status = message["status"]
         elif message["type"] == "http.response.body":

@@ -122,14 +122,6 @@ def install(app: FastAPI) -> None:
     app.add_exception_handler(Exception, unexpected)
 
 
-def field_errors(error: RequestValidationError, openapi: Schema, operation: Schema) -> list[FieldProblem]:
-    """Return the fields that validation rejected, each with its allowed values from the operation's schema."""
-    items = error.errors()
-    # A list with a bad item also counts as too short, which says nothing new.
-    telling = [item for item in items if item["type"] != "too_short" or item["input"] in ([], {}, "")]
-    return [_field_error(dict(item), error.body, openapi, operation) for item in telling or items]
-
-
 def pointer_of(location: Sequence[str | int], value: Any, missing: bool) -> tuple[str | int, ...]:
     """Convert a pydantic location to a path into ``value``, without the names of union members."""
     path: list[str | int] = []
@@ -200,7 +192,10 @@ async def _invalid(request: Request, error: Exception) -> JSONResponse:
     openapi = request.app.openapi()
     route = request.scope["route"]
     operation = openapi["paths"].get(route.path_format, {}).get(request.method.lower(), {})
-    errors = field_errors(error, openapi, operation)
+    items = error.errors()
+    # A list with a bad item also counts as too short, which says nothing new.
+    telling = [item for item in items if item["type"] != "too_short" or item["input"] in ([], {}, "")]
+    errors = [_field_error(dict(item), error.body, openapi, operation) for item in telling or items]
     detail = "; ".join(item.detail for item in errors)
     return problem(request.url.path, _INVALID, detail, errors=errors)
 

@@ -9,7 +9,7 @@ from starlette.datastructures import Headers, MutableHeaders
 from starlette.exceptions import HTTPException
 from starlette.types import Message, Receive, Scope, Send
 
-from seafoam.api.http.asgi import HttpMiddleware, altering
+from seafoam.api.http.asgi import CountingSend, HttpMiddleware, altering
 from seafoam.api.http.errors import RANGE_PROBLEM, ProblemType, problem
 from seafoam.api.http.problems import FieldProblem
 
@@ -106,17 +106,11 @@ class AnswerWhenStopped(HttpMiddleware):
     """
 
     async def _handle(self, scope: Scope, receive: Receive, send: Send) -> None:
-        begun = False
-
-        async def noting(message: Message) -> None:
-            nonlocal begun
-            begun = True
-            await send(message)
-
+        sent = CountingSend(send)
         try:
-            await self.app(scope, receive, noting)
+            await self.app(scope, receive, sent)
         except asyncio.CancelledError:
-            if begun:
+            if sent.begun:
                 return
             detail, headers = "the server stopped before the answer was made", {"Retry-After": str(RESTART_SECONDS)}
             await problem(scope["path"], _STOPPING, detail, headers=headers)(scope, receive, send)
@@ -143,10 +137,8 @@ def accepted(fields: Sequence[str]) -> list[str]:
     other = weights.get("*", 0.0)
     least = weights.get("identity", other)
     liked = [coding for coding in OFFERED if weights.get(coding, other) > 0.0]
-    return sorted(
-        (coding for coding in liked if weights.get(coding, other) >= least),
-        key=lambda coding: -weights.get(coding, other),
-    )
+    preferred = (coding for coding in liked if weights.get(coding, other) >= least)
+    return sorted(preferred, key=lambda coding: -weights.get(coding, other))
 
 
 def _is_range(text: str) -> bool:

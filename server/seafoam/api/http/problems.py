@@ -4,6 +4,7 @@
 """
 
 from collections.abc import Mapping, Sequence
+from functools import reduce
 from typing import Any
 
 from pydantic import Field
@@ -108,17 +109,9 @@ def describe_allowed(allowed: Mapping[str, Any]) -> str:
     return ", ".join(words) or str(allowed.get("type", ""))
 
 
-def _resolve(schema: Schema, root: Schema) -> Schema:
-    while "$ref" in schema:
-        target: Any = root
-        for part in schema["$ref"].removeprefix("#/").split("/"):
-            target = target[part]
-        schema = target
-    return schema
-
-
 def _alternatives(schema: Schema, root: Schema) -> list[Schema]:
-    schema = _resolve(schema, root)
+    while "$ref" in schema:
+        schema = reduce(lambda target, part: target[part], schema["$ref"].removeprefix("#/").split("/"), root)
     nested = [*schema.get("anyOf", ()), *schema.get("oneOf", ())]
     if not nested:
         return [schema]

@@ -1,7 +1,7 @@
 """``/api/accuracy``: what accuracy costs in time, measured on this server."""
 
 from collections.abc import Callable
-from typing import Any
+from functools import partial
 
 from fastapi import APIRouter, Request
 from starlette.responses import JSONResponse, Response
@@ -37,14 +37,6 @@ def _subject(preset: str) -> Subject:
     return Subject.of_preset(find_preset(preset).name)
 
 
-def _kept(request: Request, data: bytes, media: str, *identity: Any) -> Response:
-    tag = answers.tag_of(*identity, request.url.path.rpartition("/")[2])
-    headers = {"Cache-Control": answers.REVALIDATE}
-    return answers.not_modified(request, tag, headers) or Response(
-        data, headers={"ETag": tag, **headers}, media_type=media
-    )
-
-
 async def _shown(
     preset: str, request: Request, context: Context, render: Callable[[Sweep], bytes], media: str
 ) -> Response:
@@ -52,7 +44,8 @@ async def _shown(
     sweep = await context.measured(_subject(preset))
     if isinstance(sweep, Running):
         return _wait(sweep)
-    return _kept(request, await context.plans.run(render, sweep), media, sweep.model_dump(mode="json"))
+    identity = (sweep.model_dump(mode="json"),)
+    return await answers.kept(request, identity, partial(context.plans.run, render, sweep), media)
 
 
 def _plot(sweep: Sweep) -> bytes:
@@ -95,9 +88,10 @@ async def get_truth(preset: PresetName, _: NoParameters, request: Request, conte
     found = await context.plans.run(context.sweeps.truth, subject)
     if isinstance(found, Running):
         return _wait(found)
-    data = await context.plans.run(encode, found, "npy")
     info = truth_info(subject, context.sweeps.settings)
-    return _kept(request, data, "application/x-npy", info.model_dump(), subject.scene.model_dump(mode="json"))
+    identity = (info.model_dump(), subject.scene.model_dump(mode="json"))
+    make = partial(context.plans.run, encode, found, "npy")
+    return await answers.kept(request, identity, make, "application/x-npy")
 
 
 @router.get("/accuracy/{preset}/points", response_class=JSONResponse, responses=answers.problems(404, 422, 501, 503))

@@ -5,7 +5,7 @@ import time
 from typing import Literal
 
 from fastapi import APIRouter
-from prometheus_client import CONTENT_TYPE_LATEST
+from prometheus_client import CONTENT_TYPE_LATEST, generate_latest
 from pydantic import BaseModel, Field
 from starlette.responses import JSONResponse, Response
 
@@ -92,6 +92,5 @@ async def get_readiness(_: NoParameters, context: InContext) -> Response:
 )
 async def get_metrics(_: NoParameters, context: InContext) -> Response:
     """Get counters and durations for Prometheus."""
-    return Response(
-        context.metrics.exposition(), headers={"Cache-Control": NO_STORE, "Content-Type": CONTENT_TYPE_LATEST}
-    )
+    headers = {"Cache-Control": NO_STORE, "Content-Type": CONTENT_TYPE_LATEST}
+    return Response(generate_latest(context.metrics.registry), headers=headers)

@@ -5,10 +5,11 @@ import json
 import math
 from collections.abc import AsyncIterator, Awaitable, Callable
 from dataclasses import dataclass
-from functools import lru_cache
-from typing import Annotated, Literal
+from functools import lru_cache, partial
+from typing import Annotated, Literal, NamedTuple
 
 from fastapi import APIRouter, Depends, Path, Query, Request
+from fastapi.sse import format_sse_event
 from pydantic import Field
 from starlette.responses import Response, StreamingResponse
 
@@ -43,8 +44,6 @@ ENCODERS: dict[MaskFormat, tuple[str, Callable[[Ranks], bytes]]] = {
     "u16": ("application/octet-stream", formats.to_u16),
     "dds": ("image/vnd-ms.dds", formats.to_dds),
 }
-BACKGROUND_SECONDS = 900.0
-"""Expected construction time above which masks are refused in the background, s: more than any takes."""
 SIGMA_STEPS = 200
 """Number of steps of sigma that are tried to find those that are fast enough."""
 
@@ -120,8 +119,8 @@ def check_custom(query: CustomMask, *, slow: bool = False) -> MaskSpec:
             raise BadRequestError(*refused)
     made = families.check_parameters(query.family, query.sigma, (width, height), query.seed, query.aspect, query.age)
     seconds = estimated_seconds(made.family, made.sigma, (width, height))
-    limit = BACKGROUND_SECONDS if slow else ON_REQUEST_SECONDS
-    if seconds > limit and not catalogue.is_kept(made):
+    limit = ON_REQUEST_SECONDS
+    if seconds > limit and not slow and not catalogue.is_kept(made):
         steps = (least + (greatest - least) * step / SIGMA_STEPS for step in range(SIGMA_STEPS + 1))
         quick = [sigma for sigma in steps if estimated_seconds(made.family, sigma, (width, height)) <= limit]
         bounds = {"minimum": round(quick[0], 2), "maximum": round(quick[-1], 2)} if quick else None
@@ -150,12 +149,12 @@ class _Making:
             raise asyncio.CancelledError
         self._share = share
 
-    async def events(self, task: asyncio.Task[Mask]) -> AsyncIterator[str]:
+    async def events(self, task: asyncio.Task[Mask]) -> AsyncIterator[bytes]:
         try:
             while not task.done():
-                yield answers.event("progress", f"{self._share:.3f}")
+                yield format_sse_event(event="progress", data_str=f"{self._share:.3f}")
                 await asyncio.wait({task}, timeout=_EVENT_SECONDS)
-            yield answers.event("done", json.dumps(task.result().entry.model_dump()))
+            yield format_sse_event(event="done", data_str=json.dumps(task.result().entry.model_dump()))
         finally:
             self._followed = False
             task.cancel()
@@ -185,19 +184,9 @@ class _MaskAnswer:
     async def answer(self, encode: Callable[[Mask], bytes], media_type: str, file: str = "") -> Response:
         """Return the mask as bytes, or 304 before they are encoded. file: end of the name to save it under."""
         mask = await self.context.masks.run(self.find)
-        headers = {"Cache-Control": answers.REVALIDATE}
-        if file:
-            headers["Content-Disposition"] = f'inline; filename="{mask.entry.name}{file}"'
-        tag = answers.tag_of(mask.entry.model_dump(), self.request.url.path.rpartition("/")[2])
-        if current := answers.not_modified(self.request, tag, headers):
-            return current
-        data = await self.context.masks.run(encode, mask)
-        return Response(data, headers={"ETag": tag, **headers}, media_type=media_type)
-
-    async def answer_data(self, format: MaskFormat) -> Response:
-        """Return the mask's ranks in a format."""
-        media_type, encoder = ENCODERS[format]
-        return await self.answer(lambda mask: encoder(mask.ranks), media_type, f".{format}")
+        headers = {"Content-Disposition": f'inline; filename="{mask.entry.name}{file}"'} if file else {}
+        make = partial(self.context.masks.run, encode, mask)
+        return await answers.kept(self.request, [mask.entry.model_dump()], make, media_type, **headers)
 
 
 def _custom_mask(query: Annotated[CustomMask, Query()], request: Request, context: InContext) -> _MaskAnswer:
@@ -212,10 +201,10 @@ Custom = Annotated[_MaskAnswer, Depends(_custom_mask)]
 Shipped = Annotated[_MaskAnswer, Depends(_shipped_mask)]
 
 
-@dataclass(frozen=True, slots=True)
-class _MaskPart:
+class _MaskPart(NamedTuple):
     """What a mask has below its address beside its data. title: of a kind of mask. file: end of a saved file's name."""
 
+    below: str
     name: str
     title: str
     description: str
@@ -224,46 +213,51 @@ class _MaskPart:
     problems: tuple[int, ...] = ()
 
 
-_PARTS = {
-    "data8.png": _MaskPart(
-        "get_data8",
-        "Get a {} mask in 8 bits.",
-        "8-bit greyscale PNG of floor(rank 256/N)",
-        lambda mask: formats.to_png8(mask.ranks),
-        "-8bit.png",
+_PARTS = (
+    _MaskPart(
+        "data8.png", "data8", "Get a {} mask in 8 bits.", "8-bit greyscale PNG of floor(rank 256/N)",
+        lambda mask: formats.to_png8(mask.ranks), "-8bit.png",
     ),
-    "sidecar": _MaskPart(
-        "get_sidecar",
-        "Get the metadata of a {} mask.",
+    _MaskPart(
+        "sidecar", "sidecar", "Get the metadata of a {} mask.",
         "Metadata: construction parameters, hash, filtering tables and spectrum",
-        lambda mask: json.dumps(mask.sidecar()).encode(),
-        ".json",
+        lambda mask: json.dumps(mask.sidecar()).encode(), ".json",
     ),
-    "spectrum": _MaskPart(
-        "get_spectrum",
-        "Get the measured spectrum of a {} mask.",
+    _MaskPart(
+        "spectrum", "spectrum", "Get the measured spectrum of a {} mask.",
         "Radially averaged power spectrum and anisotropy by grey level",
         lambda mask: json.dumps(mask.tables.spectrum.model_dump()).encode(),
     ),
-    "shapes": _MaskPart(
-        "get_shapes",
-        "Get the measured foam shapes of a {} mask.",
+    _MaskPart(
+        "shapes", "shapes", "Get the measured foam shapes of a {} mask.",
         "Connected components, holes and chord lengths of the foam by saturation; lengths in texels",
         lambda mask: json.dumps(mask.tables.morphology.model_dump()).encode(),
     ),
-    "spectrum.png": _MaskPart(
-        "get_plot",
-        "Get the measured spectrum of a {} mask as a plot.",
-        "Plot of the radially averaged power spectrum and the anisotropy",
-        _plot,
-        "-spectrum.png",
-        (501,),
+    _MaskPart(
+        "spectrum.png", "plot", "Get the measured spectrum of a {} mask as a plot.",
+        "Plot of the radially averaged power spectrum and the anisotropy", _plot, "-spectrum.png", (501,),
     ),
-}
+)  # fmt: skip
+
+
+# After the mask's own, whose parameters come first.
+def _format(format: MaskFormatPath) -> MaskFormat:
+    return format
 
 
 def _serve_parts(path: str, kind: str, find: Callable[..., _MaskAnswer], responses: answers.Responses) -> None:
-    """Add the routes of :data:`_PARTS` below the address of a kind of mask. find: a dependency."""
+    """Add the routes of data and of :data:`_PARTS` below the address of a kind of mask. find: a dependency."""
+    prefix = "get_" if kind == "shipped" else "get_custom_"
+
+    async def data(
+        mask: Annotated[_MaskAnswer, Depends(find)], format: Annotated[MaskFormat, Depends(_format)]
+    ) -> Response:
+        media_type, encoder = ENCODERS[format]
+        return await mask.answer(lambda mask: encoder(mask.ranks), media_type, f".{format}")
+
+    said = f"Get the data of a {kind} mask."
+    add = partial(router.add_api_route, response_class=Response)
+    add(f"{path}/data.{{format}}", data, name=f"{prefix}data", description=said, responses=_DATA | responses)
 
     def answering(part: _MaskPart, media_type: str) -> Callable[..., Awaitable[Response]]:
         async def answer(mask: Annotated[_MaskAnswer, Depends(find)]) -> Response:
@@ -271,17 +265,16 @@ def _serve_parts(path: str, kind: str, find: Callable[..., _MaskAnswer], respons
 
         return answer
 
-    for below, part in _PARTS.items():
-        plain = not below.endswith(".png")
+    for part in _PARTS:
+        plain = not part.below.endswith(".png")
         media_type, body = ("application/json", {}) if plain else ("image/png", {"schema": answers.BINARY})
         described: answers.Responses = {200: {"description": part.description, "content": {media_type: body}}}
-        router.add_api_route(
-            f"{path}/{below}",
+        add(
+            f"{path}/{part.below}",
             answering(part, media_type),
-            name=part.name if kind == "shipped" else part.name.replace("get_", "get_custom_"),
+            name=f"{prefix}{part.name}",
             description=part.title.format(kind),
             responses=described | responses | answers.problems(*part.problems),
-            response_class=Response,
         )
 
 
@@ -312,12 +305,6 @@ async def get_custom_events(query: Annotated[CustomMask, Query()], context: InCo
     return answers.events_of(making.events(task))
 
 
-@router.get("/masks/custom/data.{format}", responses=_DATA | _CUSTOM, response_class=Response)
-async def get_custom_data(format: MaskFormatPath, mask: Custom) -> Response:
-    """Get the data of a custom mask."""
-    return await mask.answer_data(format)
-
-
 _serve_parts("/masks/custom", "custom", _custom_mask, _CUSTOM)
 
 
@@ -327,14 +314,6 @@ _serve_parts("/masks/custom", "custom", _custom_mask, _CUSTOM)
 async def get_mask(mask: Shipped) -> Response:
     """Get the description of a shipped mask: size, family, sigma, seed, hash and construction."""
     return await mask.answer(_info, "application/json")
-
-
-@router.get("/masks/{mask}/data.{format}", responses=_DATA | _SHIPPED, response_class=Response)
-async def get_data(
-    mask: MaskName, format: MaskFormatPath, _: NoParameters, request: Request, context: InContext
-) -> Response:
-    """Get the data of a shipped mask."""
-    return await _shipped_mask(mask, _, request, context).answer_data(format)
 
 
 _serve_parts("/masks/{mask}", "shipped", _shipped_mask, _SHIPPED)

@@ -99,7 +99,6 @@ async def get_quality(_: NoParameters) -> QualityTiers:
     return QualityTiers(tiers=TIERS, parameters=Quality.model_json_schema(), measured=measured)
 
 
-ROOTS = ("Scene", "Quality")
 _REFERENCE = re.compile(r'"#/components/schemas/(\w+)"')
 
 
@@ -118,7 +117,7 @@ def reduced(document: dict[str, Any]) -> dict[str, Any]:
     """
     schemas = document["components"]["schemas"]
     found: dict[str, Any] = {}
-    names = [name for name in ROOTS if name in schemas]
+    names = ["Scene", "Quality"]
     while names:
         name = names.pop()
         if name not in found:

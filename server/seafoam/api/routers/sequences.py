@@ -5,6 +5,7 @@ from collections.abc import AsyncIterator
 from typing import Annotated, Literal
 
 from fastapi import APIRouter, Path, Request
+from fastapi.sse import format_sse_event
 from pydantic import Discriminator, Field, Tag
 from starlette.responses import FileResponse, JSONResponse, Response, StreamingResponse
 from starlette.staticfiles import NotModifiedResponse, StaticFiles
@@ -150,9 +151,9 @@ def _spec(body: SequenceRequest, context: Context) -> SequenceSpec:
     return spec
 
 
-async def _events(first: SequenceStatus, context: Context) -> AsyncIterator[str]:
+async def _events(first: SequenceStatus, context: Context) -> AsyncIterator[bytes]:
     told, quiet = first, 0
-    yield answers.event("status", first.model_dump_json())
+    yield format_sse_event(event="status", data_str=first.model_dump_json())
     while told.status not in FINISHED:
         await asyncio.sleep(_EVENT_SECONDS)
         try:
@@ -162,6 +163,6 @@ async def _events(first: SequenceStatus, context: Context) -> AsyncIterator[str]
         quiet = quiet + 1 if now == told else 0
         if now != told:
             told = now
-            yield answers.event("status", now.model_dump_json())
+            yield format_sse_event(event="status", data_str=now.model_dump_json())
         elif quiet % _QUIET_LOOKS == 0:
-            yield ": still there\n\n"
+            yield format_sse_event(comment="still there")

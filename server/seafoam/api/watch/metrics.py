@@ -9,7 +9,7 @@ from importlib.metadata import version
 from typing import TYPE_CHECKING, get_args
 
 from fastapi.telemetry import TelemetryConfig
-from prometheus_client import CollectorRegistry, Counter, Gauge, Histogram, generate_latest
+from prometheus_client import CollectorRegistry, Counter, Gauge, Histogram
 from prometheus_client.core import CounterMetricFamily
 from prometheus_client.registry import Collector
 from starlette.types import Receive, Scope, Send
@@ -28,10 +28,12 @@ if TYPE_CHECKING:
 _SECONDS = (0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0)
 
 
-class Metrics:
+class Metrics(Collector):
     """Metrics with the prefix ``seafoam_``; durations in seconds."""
 
     def __init__(self, pool: RenderPool, frames: FrameCache) -> None:
+        self._pool = pool
+        self._frames = frames
         self.registry = CollectorRegistry()
         counter = partial(Counter, registry=self.registry)
         gauge = partial(Gauge, registry=self.registry)
@@ -55,26 +57,15 @@ class Metrics:
         state = gauge("seafoam_renderer_state", states, ("state",))
         for name in get_args(State):
             state.labels(name).set_function(lambda name=name: float(pool.state == name))  # type: ignore[misc]
-        self.registry.register(_Counts(pool, frames))
+        self.registry.register(self)
 
     def count_frame(self, frame: EncodedFrame, format: str) -> None:
         self.frames.labels(format).inc()
         for stage, seconds in frame.timings.items():
             self.stages.labels(stage).observe(seconds)
 
-    def exposition(self) -> bytes:
-        """Return all metrics in Prometheus text format."""
-        return generate_latest(self.registry)
-
-
-class _Counts(Collector):
-    """Counters that pool and caches keep themselves."""
-
-    def __init__(self, pool: RenderPool, frames: FrameCache) -> None:
-        self._pool = pool
-        self._frames = frames
-
     def collect(self) -> Iterator[CounterMetricFamily]:
+        """Yield the counters that pool and caches keep themselves."""
         restarts = CounterMetricFamily("seafoam_worker_restarts", "Render workers replaced", labels=("reason",))
         for reason in ("deadline", "crash", "recycled"):
             restarts.add_metric((reason,), self._pool.restarts[reason])

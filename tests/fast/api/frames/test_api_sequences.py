@@ -49,10 +49,9 @@ def start(client: TestClient, **changes: Any) -> dict[str, Any]:
 
 def events(client: TestClient, name: str) -> list[dict[str, Any]]:
     """All events until the sequence ends."""
-    with client.stream("GET", f"/api/sequences/{name}/events") as response:
-        assert response.headers["content-type"].startswith("text/event-stream")
-        text = "".join(response.iter_text())
-    parts = [part for part in text.split("\n\n") if part and not part.startswith(":")]
+    response = client.get(f"/api/sequences/{name}/events")
+    assert response.headers["content-type"].startswith("text/event-stream")
+    parts = [part for part in response.text.split("\n\n") if part and not part.startswith(":")]
     assert all(part.startswith("event: status\ndata: ") for part in parts)
     return [json.loads(part.split("data: ", 1)[1]) for part in parts]
 
@@ -63,15 +62,16 @@ def client(tmp_path_factory: pytest.TempPathFactory) -> Iterator[TestClient]:
         yield running
 
 
-def test_from_the_request_to_the_file(client: TestClient) -> None:
+def test_from_the_request_to_the_file(client: TestClient, described: Any) -> None:
     begun = start(client)
     assert begun["frames"] == 6
     assert begun["status"] in ("queued", "running")
     told = events(client, begun["id"])
     assert told[-1]["status"] == "done"
     assert [each["progress"] for each in told] == sorted(each["progress"] for each in told)
-    status = client.get(f"/api/sequences/{begun['id']}").json()
-    assert status == told[-1]
+    response = client.get(f"/api/sequences/{begun['id']}")
+    described("/api/sequences/{sequence}", response)
+    assert (status := response.json()) == told[-1]
     assert (status["progress"], status["drawn"], status["eta_s"]) == (1.0, 6, None)
     file = client.get(f"/api/sequences/{begun['id']}/file")
     assert file.headers["content-type"] == "application/zip"
@@ -142,10 +142,8 @@ def test_a_bounded_number_waits_and_each_can_be_cancelled(tmp_path: Path) -> Non
 
 def test_the_oldest_files_make_room(tmp_path: Path) -> None:
     with serving(cache=tmp_path, sequences_kept=2) as client:
-        names = []
-        for stop in (0.1, 0.2, 0.3):
-            names.append(start(client, stop=stop)["id"])
-            events(client, names[-1])
+        names = [start(client, stop=stop)["id"] for stop in (0.1, 0.2, 0.3)]
+        assert all(events(client, name) for name in names)
         assert [client.get(f"/api/sequences/{name}").status_code for name in names] == [404, 200, 200]
         assert {each.name for each in (tmp_path / "sequences").iterdir()} == set(names[1:])
 

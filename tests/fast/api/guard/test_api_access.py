@@ -2,13 +2,12 @@
 
 import base64
 import re
-from html.parser import HTMLParser
 
 import pytest
 from starlette.testclient import TestClient
 
-from seafoam.api.guard.access_control import TokenBuckets, bucket_of
-from seafoam.api.guard.keys import Access, Signing, api_keys_of
+from seafoam.api.guard.access_control import Standing, TokenBuckets, bucket_of
+from seafoam.api.guard.keys import Signing, api_keys_of
 from seafoam.api.settings import Settings
 from support.command import run
 from support.serving import Clock, answering, problem
@@ -32,12 +31,7 @@ def signing() -> Signing:
     return Signing.of(SIGNING["signing_key"], SIGNING["signing_salt"])
 
 
-def basic(key: str) -> str:
-    return "Basic " + base64.b64encode(f"anyone:{key}".encode()).decode()
-
-
-def bearer(key: str) -> str:
-    return f"Bearer {key}"
+BEARER = {"Authorization": f"Bearer {KEY}"}
 
 
 def test_signatures_are_imgproxys() -> None:
@@ -50,14 +44,13 @@ def test_the_api_asks_for_a_key_and_pages_and_health_checks_do_not(restricted: T
         assert restricted.get(url).status_code == 200, url
     for url in ("/api/quality", MASK, "/api/nothing", "/api/schema"):
         response = restricted.get(url)
-        told = problem(response, 401)
+        assert problem(response, 401)["type"] == "urn:seafoam:problem:unauthorized"
         assert {each.split()[0] for each in response.headers["WWW-Authenticate"].split(", ")} >= {"Basic", "Bearer"}
-        assert told["type"] == "urn:seafoam:problem:unauthorized"
-        assert "Bearer" in told["detail"]
 
 
 def test_a_key_opens_the_api_and_another_does_not(restricted: TestClient) -> None:
-    keys = [bearer(KEY), bearer(OTHER), basic(KEY), f"bearer {KEY}"]
+    basic = "Basic " + base64.b64encode(f"anyone:{KEY}".encode()).decode()
+    keys = [f"Bearer {KEY}", f"Bearer {OTHER}", basic, f"bearer {KEY}"]
     others = [
         "", "Bearer", "Bearer ", f"Bearer {KEY}x", f"Bearer {KEY[:-1]}", f"Digest {KEY}", KEY, "Bearer alice",
         "Basic !!!", "Basic /w==", f"Basic {base64.b64encode(KEY.encode()).decode()}",
@@ -70,9 +63,8 @@ def test_a_key_opens_the_api_and_another_does_not(restricted: TestClient) -> Non
 def test_an_answer_to_a_key_is_given_behind_the_gate_and_not_for_shared_caches(
     restricted: TestClient, signing: Signing
 ) -> None:
-    assert restricted.get(MASK, headers={"Authorization": bearer(KEY)}).headers["Cache-Control"].startswith("private")
-    # From memory too.
-    assert restricted.get(MASK, headers={"Authorization": bearer(KEY)}).headers["Cache-Control"].startswith("private")
+    for _ in range(2):  # from memory too
+        assert restricted.get(MASK, headers=BEARER).headers["Cache-Control"].startswith("private")
     assert restricted.get(MASK).status_code == 401
     assert restricted.get(signing.link(MASK)).headers["Cache-Control"].startswith("public")
     names = [each.cls.__name__ for each in answering().app.user_middleware]
@@ -82,43 +74,31 @@ def test_an_answer_to_a_key_is_given_behind_the_gate_and_not_for_shared_caches(
 def test_a_signed_link_is_its_own_permission_to_read(restricted: TestClient, signing: Signing) -> None:
     link = signing.link(MASK)
     response = restricted.get(link)
-    assert response.status_code == 200
-    assert response.headers["Content-Type"] == "image/png"
+    assert (response.status_code, response.headers["Content-Type"]) == (200, "image/png")
     assert restricted.head(link).status_code == 200
     assert restricted.get(link, headers={"If-None-Match": response.headers["ETag"]}).status_code == 304
     assert restricted.get(signing.link(MASK.replace("custom", "c%75stom"))).content == response.content
     response = restricted.post(signing.link("/api/frames"), json={})
-    assert response.status_code == 405
-    assert response.headers["Allow"] == "GET, HEAD"
+    assert (response.status_code, response.headers["Allow"]) == (405, "GET, HEAD")
 
 
 def test_an_altered_link_is_refused(restricted: TestClient, signing: Signing) -> None:
     link = signing.link(MASK)
     signature = link.split("/")[2]
-    altered = [
-        link.replace("seed=7", "seed=8"),
-        link.replace("data.png", "data.npy"),
-        link + "&seed=7",
-        link.split("?")[0],
-        link.replace("masks", "m%61sks"),
-        link.replace(signature, signature[:-1]),
-        link.replace(signature, "x" * len(signature)),
-        link.replace(signature, "é"),
-        f"/signed/{signature}",
-        "/signed/",
-        f"/signed/{signature}/docs",
-        "/signed" + MASK,
-    ]
+    spelt = ("seed=7", "seed=8"), ("data.png", "data.npy"), ("masks", "m%61sks"), (link[link.index("?") :], "")
+    altered = [link.replace(*change) for change in spelt] + [f"{link}&seed=7"]
+    altered += [link.replace(signature, other) for other in (signature[:-1], "x" * len(signature), "é")]
+    altered += [f"/signed/{signature}", "/signed/", f"/signed/{signature}/docs", f"/signed{MASK}"]
     for each in altered:
         assert problem(restricted.get(each), 403)["type"] == "urn:seafoam:problem:bad-signature", each
 
 
 def test_with_signing_alone_every_other_request_is_refused_and_without_settings_none(signing: Signing) -> None:
     client = answering(**SIGNING)
-    assert client.get("/api/quality", headers={"Authorization": bearer(KEY)}).status_code == 401
+    assert client.get("/api/quality", headers=BEARER).status_code == 401
     assert client.get(signing.link("/api/quality")).status_code == 200
     client = answering()
-    assert client.get(MASK, headers={"Authorization": bearer(KEY)}).headers["Cache-Control"].startswith("public")
+    assert client.get(MASK, headers=BEARER).headers["Cache-Control"].startswith("public")
     assert client.get(signing.link("/api/quality")).status_code == 404
 
 
@@ -132,10 +112,8 @@ def test_keys_must_have_names_and_length(text: str) -> None:
 
 
 def test_secrets_are_not_shown() -> None:
-    settings = Settings(api_keys=f"alice:{KEY}", **SIGNING)
-    assert KEY not in repr(settings)
-    assert SIGNING["signing_key"] not in repr(settings)
-    assert isinstance(settings.access, Access)
+    shown = repr(Settings(api_keys=f"alice:{KEY}", **SIGNING))
+    assert [secret for secret in (KEY, *SIGNING.values()) if secret in shown] == []
 
 
 def test_the_command_signs_what_the_server_accepts(restricted: TestClient, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -160,18 +138,15 @@ def of(client: TestClient, address: str) -> TestClient:
 
 def test_a_bucket_holds_its_burst_and_refills_as_a_refused_client_is_told() -> None:
     clock = Clock()
-    buckets = TokenBuckets(2.0, 5, clock=clock)
+    buckets = TokenBuckets(2.0, 5, clock)
     assert [buckets.take("a").left for _ in range(5)] == [4, 3, 2, 1, 0]
-    refused = buckets.take("a")
-    assert not refused.allowed
-    assert refused.seconds == 1
-    clock.now += 0.49
-    assert not buckets.take("a").allowed
-    clock.now += 0.01
-    assert buckets.take("a").allowed
+    assert buckets.take("a") == Standing(False, 0, 1)
+    for seconds, allowed in ((0.49, False), (0.01, True)):
+        clock.now += seconds
+        assert buckets.take("a").allowed is allowed
     clock.now += 60.0
     assert buckets.take("a").left == 4
-    buckets = TokenBuckets(0.3, 2, clock=clock)
+    buckets = TokenBuckets(0.3, 2, clock)
     for _ in range(2):
         buckets.take("a")
     clock.now += buckets.take("a").seconds
@@ -181,7 +156,7 @@ def test_a_bucket_holds_its_burst_and_refills_as_a_refused_client_is_told() -> N
 @pytest.mark.parametrize(("rate", "burst"), [(0.1, 1), (3.0, 7), (250.0, 20)])
 def test_no_window_holds_more_than_burst_and_rate_allow(rate: float, burst: int) -> None:
     clock = Clock()
-    buckets = TokenBuckets(rate, burst, clock=clock)
+    buckets = TokenBuckets(rate, burst, clock)
     step = 0.1 / rate
     allowed = 0
     for _ in range(1000):
@@ -190,8 +165,9 @@ def test_no_window_holds_more_than_burst_and_rate_allow(rate: float, burst: int)
     assert burst + 99 - 1 <= allowed <= burst + 100
 
 
-def test_the_memory_is_bounded_and_the_busy_are_remembered() -> None:
-    buckets = TokenBuckets(1.0, 2, clients=100, clock=Clock())
+def test_the_memory_is_bounded_and_the_busy_are_remembered(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("seafoam.api.guard.access_control.CLIENTS_KEPT", 100)
+    buckets = TokenBuckets(1.0, 2, Clock())
     for number in range(1000):
         buckets.take(f"client {number}")
         buckets.take("busy")
@@ -207,36 +183,26 @@ def test_an_ipv6_network_is_one_client() -> None:
 
 def test_beyond_its_rate_a_client_is_told_when_to_come_back() -> None:
     client = answering(rate=0.5, rate_burst=2)
-    first = client.get(URL)
-    assert first.status_code == 200
-    assert first.headers["RateLimit-Policy"] == '"api";q=2;w=4'
+    first, _, refused = (client.get(URL) for _ in range(3))
+    assert (first.status_code, first.headers["RateLimit-Policy"]) == (200, '"api";q=2;w=4')
     assert first.headers["RateLimit"] == '"api";r=1;t=2'
-    client.get(URL)
-    refused = client.get(URL)
-    told = problem(refused, 429)
+    assert "2 requests at once and 0.5 a second" in problem(refused, 429)["detail"]
     assert (refused.headers["Retry-After"], refused.headers["RateLimit"]) == ("2", '"api";r=0;t=2')
-    assert told["type"] == "urn:seafoam:problem:rate-exceeded"
-    assert "2 requests at once and 0.5 a second" in told["detail"]
 
 
 def test_pages_and_health_checks_have_no_rate_and_without_the_setting_nothing_has() -> None:
     client = answering(rate=0.001, rate_burst=1)
-    for url in ("/", "/docs", "/healthz", "/icon.svg") * 3:
-        response = client.get(url)
-        assert response.status_code == 200
-        assert "RateLimit" not in response.headers
-    client = answering()
-    responses = [client.get("/api/nothing") for _ in range(30)]
-    assert {each.status_code for each in responses} == {404}
+    responses = [client.get(url) for url in ("/", "/docs", "/healthz", "/icon.svg") * 3]
+    responses += [answering().get(URL)]
+    assert {each.status_code for each in responses} == {200}
     assert not any("RateLimit" in each.headers for each in responses)
 
 
 def test_each_client_has_a_rate_of_its_own() -> None:
     client = answering(rate=0.001, rate_burst=1, api_keys=f"alice:{KEY}")
-    key = {"Authorization": f"Bearer {KEY}"}
-    assert of(client, "10.0.0.1").get(URL, headers=key).status_code == 200
     # A key is one client at every address.
-    assert of(client, "10.0.0.2").get(URL, headers=key).status_code == 429
+    for address, status in (("10.0.0.1", 200), ("10.0.0.2", 429)):
+        assert of(client, address).get(URL, headers=BEARER).status_code == status
     # Guesses at keys are counted too.
     assert [of(client, "10.0.0.3").get(URL).status_code for _ in range(2)] == [401, 429]
     assert of(client, "10.0.0.4").get(URL).status_code == 401
@@ -245,51 +211,29 @@ def test_each_client_has_a_rate_of_its_own() -> None:
 def test_only_a_trusted_proxy_says_who_the_client_is() -> None:
     client = answering(rate=0.001, rate_burst=1, trusted_proxies="10.0.0.0/8, ::1")
 
-    def status(peer: str, forwarded: str) -> int:
-        return of(client, peer).get(URL, headers={"X-Forwarded-For": forwarded}).status_code
-
-    assert status("10.1.2.3", "203.0.113.1") == 200
-    assert status("10.1.2.3", "203.0.113.2") == 200
-    assert status("10.1.2.3", "203.0.113.1") == 429
-    # The last that the proxy did not trust counts, whatever a client puts before it.
-    assert status("10.1.2.3", "198.51.100.7, 203.0.113.2") == 429
-    assert status("192.0.2.1", "203.0.113.3") == 200
-    assert status("192.0.2.1", "203.0.113.4") == 429
-
-
-POLICED = ("/", "/docs")
+    for peer, forwarded, status in (
+        ("10.1.2.3", "203.0.113.1", 200),
+        ("10.1.2.3", "203.0.113.2", 200),
+        ("10.1.2.3", "203.0.113.1", 429),
+        # The last that the proxy did not trust counts, whatever a client puts before it.
+        ("10.1.2.3", "198.51.100.7, 203.0.113.2", 429),
+        ("192.0.2.1", "203.0.113.3", 200),
+        ("192.0.2.1", "203.0.113.4", 429),
+    ):
+        assert of(client, peer).get(URL, headers={"X-Forwarded-For": forwarded}).status_code == status
 
 
-class Inline(HTMLParser):
-    """Collects what a policy without ``unsafe-inline`` would block."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.found: list[str] = []
-        self.scripts = 0
-
-    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        names = dict(attrs)
-        self.scripts += tag == "script"
-        if (tag == "script" and "src" not in names) or tag == "style":
-            self.found.append(tag)
-        self.found += [name for name in names if name == "style" or name.startswith("on")]
-
-
-@pytest.mark.parametrize("url", POLICED)
+@pytest.mark.parametrize("url", ["/", "/docs"])
 def test_a_page_runs_and_loads_nothing_but_files_of_the_server(client: TestClient, url: str) -> None:
     response = client.get(url)
     policy = dict(rule.split(" ", 1) for rule in response.headers["Content-Security-Policy"].split("; "))
-    assert policy["default-src"] == "'none'"
-    for kind in ("script-src", "style-src", "connect-src", "font-src", "worker-src", "base-uri"):
-        assert policy[kind] == "'self'", kind
-    assert policy["img-src"].split() == ["'self'", "blob:", "data:"]
-    assert policy["frame-ancestors"] == "'self'"
+    own = ("script-src", "style-src", "connect-src", "font-src", "worker-src", "base-uri", "frame-ancestors")
+    expected = {"default-src": "'none'", "img-src": "'self' blob: data:", **dict.fromkeys(own, "'self'")}
+    assert policy.items() >= expected.items()
     assert not re.search(r"unsafe|https?:|\*", response.headers["Content-Security-Policy"])
-    page = Inline()
-    page.feed(response.text)
-    assert page.scripts >= 2
-    assert page.found == []
+    # What a policy without unsafe-inline would block.
+    inline = re.findall(r"<script(?![^>]*\ssrc=)|<style|<\w[^>]*\s(?:style|on\w+)=", response.text)
+    assert (response.text.count("<script") >= 2, inline) == (True, [])
     others = {
         "X-Content-Type-Options": "nosniff",
         "X-Frame-Options": "SAMEORIGIN",

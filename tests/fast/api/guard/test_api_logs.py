@@ -5,16 +5,12 @@ import io
 import json
 import logging
 import re
-import threading
 from collections.abc import Callable, Iterator
-from http.server import BaseHTTPRequestHandler, HTTPServer
 from itertools import pairwise
 from types import SimpleNamespace
 from typing import get_args
 
 import pytest
-from opentelemetry.proto.collector.trace.v1.trace_service_pb2 import ExportTraceServiceRequest
-from opentelemetry.sdk.trace import ReadableSpan
 from opentelemetry.sdk.trace.export.in_memory_span_exporter import InMemorySpanExporter
 from starlette.responses import Response
 from starlette.testclient import TestClient
@@ -51,22 +47,16 @@ def asked() -> TestClient:
     return answering(log_format="json")
 
 
-def test_each_request_has_an_id_also_where_an_error_is_unexpected(
+def test_a_sane_id_is_kept_also_where_an_error_is_unexpected_and_another_replaced(
     asked: TestClient, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    one, other = (asked.get("/healthz").headers["X-Request-ID"] for _ in range(2))
-    assert re.fullmatch("[0-9a-f]{32}", one)
-    assert one != other
     monkeypatch.setattr("seafoam.api.routers.presets.every_parameter", lambda: 1 / 0)
-    response = asked.get("/api/quality", headers={"X-Request-ID": "one"})
-    assert response.status_code == 500
-    assert response.headers["X-Request-ID"] == response.json()["request_id"] == "one"
-
-
-def test_a_sane_id_is_kept_and_another_replaced(asked: TestClient) -> None:
     for sent in ("abc", "01J8-X_y.z:1", "a" * 128):
-        response = asked.get("/api/presets/none", headers={"X-Request-ID": sent})
-        assert response.headers["X-Request-ID"] == response.json()["request_id"] == sent
+        for url, status in (("/api/presets/none", 404), ("/api/quality", 500)):
+            response = asked.get(url, headers={"X-Request-ID": sent})
+            assert (response.status_code, response.json()["request_id"]) == (status, sent)
+            assert response.headers["X-Request-ID"] == sent
+    assert len({asked.get("/healthz").headers["X-Request-ID"] for _ in range(2)}) == 2
     for sent in ("", " ", "a b", "a" * 129, '{"a":1}', "é".encode(), b"\xff", "a,b", "-a", "<b>"):
         response = asked.get("/healthz", headers={"X-Request-ID": sent})
         assert re.fullmatch("[0-9a-f]{32}", response.headers["X-Request-ID"]), sent
@@ -75,9 +65,8 @@ def test_a_sane_id_is_kept_and_another_replaced(asked: TestClient) -> None:
 def test_a_line_for_each_request_but_for_probes(asked: TestClient, logged: Logged) -> None:
     response = asked.get("/api/presets/none?x=1", headers={"X-Request-ID": "one"})
     asked.head("/api/quality")
-    asked.get("/learn/")
-    asked.get("/healthz")
-    asked.get("/readyz")
+    for url in ("/learn/", "/healthz", "/readyz"):
+        asked.get(url)
     first, second, third = logged()
     assert re.fullmatch(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d\.\d{3}\+00:00", str(first.pop("time")))
     assert 0.0 < float(str(first.pop("duration_ms"))) < 60_000.0
@@ -115,8 +104,7 @@ def test_an_exception_is_part_of_its_line() -> None:
     except ValueError as error:
         record = logging.LogRecord("x", logging.ERROR, "", 0, "failed: %s", ("it",), (type(error), error, None))
     line = json.loads(logs.JsonLines().format(record))
-    assert line["message"] == "failed: it"
-    assert line["level"] == "error"
+    assert (line["message"], line["level"]) == ("failed: it", "error")
     assert "ValueError: two\nlines" in line["exception"]
 
 
@@ -135,24 +123,18 @@ ENDPOINT = {"OTEL_EXPORTER_OTLP_ENDPOINT": "http://127.0.0.1:4318"}
 PARENT = "00-0af7651916cd43dd8448eb211c80319c-b7ad6b7169203331-01"
 
 
-class Recorded:
-    """Traces that stay here."""
-
-    def __init__(self) -> None:
-        self.exporter = InMemorySpanExporter()
-        self.traces = Traces(self.exporter)
-
-    def spans(self) -> list[ReadableSpan]:
-        self.traces._provider.force_flush()
-        return list(self.exporter.get_finished_spans())
+@pytest.fixture
+def exporter() -> InMemorySpanExporter:
+    return InMemorySpanExporter()
 
 
 @pytest.fixture
-def recorded(monkeypatch: pytest.MonkeyPatch) -> Iterator[Recorded]:
-    made = Recorded()
-    monkeypatch.setattr("seafoam.api.app.configured_traces", lambda: made.traces)
+def traces(monkeypatch: pytest.MonkeyPatch, exporter: InMemorySpanExporter) -> Iterator[Traces]:
+    """Whose spans stay here."""
+    made = Traces(exporter)
+    monkeypatch.setattr("seafoam.api.app.configured_traces", lambda: made)
     yield made
-    made.traces.close()
+    made.close()
 
 
 def test_the_standard_variables_switch_it_on_and_what_is_not_supported_is_refused() -> None:
@@ -181,26 +163,25 @@ def test_nothing_is_imported_where_nothing_asks_for_it() -> None:
 
 
 def test_a_span_for_each_request_of_which_an_unexpected_error_is_one(
-    recorded: Recorded, monkeypatch: pytest.MonkeyPatch
+    traces: Traces, exporter: InMemorySpanExporter, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     client = answering()
     client.get("/api/presets/none", headers={"traceparent": PARENT})
     client.head("/api/quality")
-    client.get("/healthz")
-    client.get("/api/streams/x/frame.jpg")
+    for untraced in ("/healthz", "/api/streams/x/frame.jpg"):
+        client.get(untraced)
     monkeypatch.setattr("seafoam.api.routers.presets.every_parameter", lambda: 1 / 0)
     client.get("/api/quality")
-    first, second, failed = recorded.spans()
+    traces._provider.force_flush()
+    first, second, failed = exporter.get_finished_spans()
     assert first.name == "GET /api/presets/{preset}"
     assert first.attributes.items() >= {"http.response.status_code": 404, "url.path": "/api/presets/none"}.items()
     assert f"{first.parent.trace_id:032x}" == PARENT.split("-")[1]
-    assert first.status.is_unset
-    assert second.name == "HEAD /api/quality"
-    assert second.parent is None
+    assert (first.status.is_unset, second.name, second.parent) == (True, "HEAD /api/quality", None)
     assert (failed.status.is_ok, failed.status.is_unset) == (False, False)
 
 
-def test_a_drawn_frames_stages_are_spans_within_its_request(recorded: Recorded) -> None:
+def test_a_drawn_frames_stages_are_spans_within_its_request(traces: Traces, exporter: InMemorySpanExporter) -> None:
     timings = {"queue": 0.5, "plan": 0.001, "render": 0.02, "read": 0.001, "encode": 0.004}
 
     async def draw(*_: object, **__: object) -> EncodedFrame:
@@ -210,15 +191,13 @@ def test_a_drawn_frames_stages_are_spans_within_its_request(recorded: Recorded) 
         await asyncio.Event().wait()
 
     for origin in get_args(Origin):
-        frames = SimpleNamespace(frame=draw, at_hand=lambda key: None)
-        context = SimpleNamespace(
-            frames=frames, traces=recorded.traces, metrics=SimpleNamespace(count_frame=lambda *_: None)
-        )
-        job = SimpleNamespace(format="png")
+        metrics = SimpleNamespace(count_frame=lambda *_: None)
+        context = SimpleNamespace(frames=SimpleNamespace(frame=draw), traces=traces, metrics=metrics)
         request = SimpleNamespace(method="POST", receive=leave)
-        with recorded.traces._tracer.start_as_current_span(origin):
-            asyncio.run(answer(ResolvedFrame(job, "", {}, None), request, context))
-    spans = recorded.spans()
+        with traces._tracer.start_as_current_span(origin):
+            asyncio.run(answer(ResolvedFrame(SimpleNamespace(format="png"), "", {}, None), request, context))
+    traces._provider.force_flush()
+    spans = exporter.get_finished_spans()
     parent = next(each for each in spans if each.name == "drawn")
     stages = [each for each in spans if each.name not in get_args(Origin)]
     assert [each.name for each in stages] == list(timings)
@@ -229,34 +208,12 @@ def test_a_drawn_frames_stages_are_spans_within_its_request(recorded: Recorded) 
         assert each.end_time - each.start_time == pytest.approx(1e9 * timings[each.name], abs=1)
 
 
-def test_spans_reach_a_collector(monkeypatch: pytest.MonkeyPatch) -> None:
-    received = []
-
-    class Collector(BaseHTTPRequestHandler):
-        def do_POST(self) -> None:
-            received.append((self.path, self.rfile.read(int(self.headers["Content-Length"]))))
-            self.send_response(200)
-            self.send_header("Content-Length", "0")
-            self.end_headers()
-
-        def log_message(self, *_: object) -> None:
-            """Say nothing."""
-
-    with HTTPServer(("127.0.0.1", 0), Collector) as server:
-        thread = threading.Thread(target=server.serve_forever)
-        thread.start()
-        monkeypatch.setenv("OTEL_EXPORTER_OTLP_ENDPOINT", f"http://127.0.0.1:{server.server_port}")
-        monkeypatch.setenv("OTEL_SERVICE_NAME", "sea")
+def test_spans_go_where_the_variables_say_and_name_the_service(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv(*next(iter(ENDPOINT.items())))
+    for own, name in (("", "seafoam"), ("sea", "sea")):
+        monkeypatch.setenv("OTEL_SERVICE_NAME", own)
         made = metrics.traces()
-        assert made is not None
-        made.stages({"render": 0.25})
+        assert made._provider.resource.attributes["service.name"] == name
+        (processor,) = made._provider._active_span_processor._span_processors
+        assert processor.span_exporter._endpoint == f"{ENDPOINT['OTEL_EXPORTER_OTLP_ENDPOINT']}/v1/traces"
         made.close()
-        server.shutdown()
-        thread.join()
-    ((path, body),) = received
-    assert path == "/v1/traces"
-    sent = ExportTraceServiceRequest.FromString(body).resource_spans[0]
-    assert {each.key: each.value.string_value for each in sent.resource.attributes}["service.name"] == "sea"
-    (span,) = sent.scope_spans[0].spans
-    assert span.name == "render"
-    assert span.end_time_unix_nano - span.start_time_unix_nano == 250_000_000

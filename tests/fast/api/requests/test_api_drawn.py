@@ -1,4 +1,4 @@
-"""Requests drawn at random over every route that the application has: no 500, no traceback, no wrong negotiation."""
+"""Requests drawn at random over every route: no 500, no traceback, no wrong negotiation, what is described alone."""
 
 import json
 import logging
@@ -10,6 +10,7 @@ from urllib.parse import quote
 
 import hypothesis
 import pytest
+import schemathesis
 from fastapi.routing import iter_route_contexts
 from hypothesis import strategies as st
 from starlette.testclient import TestClient
@@ -26,6 +27,7 @@ MARGIN = 500
 ELSEWHERE = "https://elsewhere.test"
 APP = create_app(Settings(), renderer=FakeRenderer)
 PATHS = APP.openapi()["paths"]
+DESCRIBED = schemathesis.openapi.from_dict(APP.openapi())
 ROUTES = sorted(
     {
         ("GET" if method == "HEAD" else method, str(route.path))
@@ -145,6 +147,13 @@ def check_origin(response: Any, origin: str | None, route: tuple[str, str], aske
         assert allowed is None, asked
 
 
+def check_description(response: Any, route: tuple[str, str], address: str) -> None:
+    """What a good address answers has a status, media type, headers and content that its operation describes."""
+    method, path = route[0], route[1].replace(":path}", "}")
+    if path in PATHS and address.partition("?")[0] == re.sub(r"\{(\w+)\}", lambda found: GOOD.get(found[1], "?"), path):
+        DESCRIBED[path][method].validate_response(response)
+
+
 def check_copy(client: TestClient, address: str, headers: list[tuple[str, str]], response: Any) -> None:
     """A copy is known by its tag, in a list over two lines."""
     tag = response.headers.get("etag")
@@ -193,6 +202,7 @@ def test_no_request_breaks_a_route(
         check_origin(response, others.get("Origin"), route, asked)
         if verb == method:
             check_coding(response, codings, asked)
+            check_description(response, route, url)
         if verb == method == "GET":
             check_copy(client, url, headers, response)
 

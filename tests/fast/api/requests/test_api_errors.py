@@ -29,56 +29,31 @@ SIDE, TIME, FOV, PLACE = between(1, 4096), between(-1e9, 1e9), between(0.01, 2.6
 QUALITIES = one_of("fast", "standard", "high", "reference", "auto")
 FORMATS = one_of("png", "webp", "exr", "npy")
 PARAMETERS = [
-    (f"{FRAME}?width=0", "width", SIDE),
-    (f"{FRAME}?width=4097", "width", SIDE),
-    (f"{FRAME}?height=-3", "height", SIDE),
-    (f"{FRAME}?width=1.5", "width", SIDE),
-    (f"{FRAME}?width=", "width", SIDE),
-    (f"{FRAME}?width=1e3", "width", SIDE),
-    (f"{FRAME}?time=1000000001", "time", TIME),
-    (f"{FRAME}?time=nan", "time", TIME),
-    (f"{FRAME}?time=-inf", "time", TIME),
-    (f"{FRAME}?time=soon", "time", TIME),
-    (f"{FRAME}?quality=best", "quality", QUALITIES),
-    (f"{FRAME}?x=1e8", "x", PLACE),
-    (f"{FRAME}?y=-2000", "y", between(-1000.0, 1e5)),
-    (f"{FRAME}?fov=3", "fov", FOV),
+    (f"{FRAME}?width=0", "width", SIDE), (f"{FRAME}?width=4097", "width", SIDE), (f"{FRAME}?width=1.5", "width", SIDE),
+    (f"{FRAME}?time=1000000001", "time", TIME), (f"{FRAME}?time=nan", "time", TIME),
+    (f"{FRAME}?time=soon", "time", TIME), (f"{FRAME}?quality=best", "quality", QUALITIES),
+    (f"{FRAME}?y=-2000", "y", between(-1000.0, 1e5)), (f"{FRAME}?fov=3", "fov", FOV),
     (f"{FRAME}?dither=maybe", "dither", {"type": "boolean"}),
-    (f"{FRAME}?precision=double", "precision", one_of("half", "float")),
-    (f"{FRAME}?mask=zzz", "mask", None),
-    (f"{FRAME}?mask=vac:99:64:1", "mask", None),
+    (f"{FRAME}?precision=double", "precision", one_of("half", "float")), (f"{FRAME}?mask=zzz", "mask", None),
     (f"{FRAME}?mask=clump:2:1024:1", "mask", "32, 64, 128, 256, 512 texels"),
-    ("/api/plans/default?mask=zzz", "mask", None),
-    ("/api/frames/default.gif", "format", FORMATS),
+    ("/api/plans/default?mask=zzz", "mask", None), ("/api/frames/default.gif", "format", FORMATS),
     ("/api/presets/default/thumbnail.png?width=2000", "width", between(16, 640)),
-    (f"{CUSTOM}?family=vac&size=31", "size", between(32, 1024)),
     (f"{CUSTOM}?family=vac&size=64&sigma=9", "sigma", between(0.5, 8.0)),
-    (f"{CUSTOM}?family=bubble&size=64&sigma=1", "sigma", between(2.0, 8.0)),
     (f"{CUSTOM}?family=veil", "family", one_of("vac", "blur", "clump", "bubble", "mix", "lace")),
     (f"{CUSTOM}?family=lace&sigma=3", "sigma", between(4.0, 24.0)),
     (f"{CUSTOM}?family=lace&age=1.5", "age", between(0.0, 1.0)),
     (f"{CUSTOM}?family=vac&aspect=2", "aspect", one_of(1.0)),
     (f"{CUSTOM}?family=vac&seed=-1", "seed", between(0, 2**32 - 1)),
-    (f"/api/plans/{'0' * 63}/frames/1.png?{VIEW}", "plan", None),
-    (f"/api/plans/{'Z' * 64}/frames/1.png?{VIEW}", "plan", None),
-    (f"{PLANNED}/2e9.png?{VIEW}", "time", TIME),
-    (f"{PLANNED}/nan.png?{VIEW}", "time", TIME),
-    (f"{PLANNED}/noon.png?{VIEW}", "time", TIME),
-    (f"{PLANNED}/1.gif?{VIEW}", "format", FORMATS),
-    (f"{PLANNED}/1.png?width=8&height=8&{WHERE}", "fov", FOV),
-    (f"{STREAMED}?time=1&width=0&height=8&{WHERE}&fov=1", "width", SIDE),
-    (f"{STREAMED}?time=1&width=8&height=x&{WHERE}&fov=1", "height", SIDE),
-    (f"{STREAMED}?time=nan&{VIEW}", "time", TIME),
-    (f"{STREAMED}?time=2e9&{VIEW}", "time", TIME),
-    (f"{STREAMED}?time=1&width=8&height=8&{WHERE}&fov=3", "fov", FOV),
+    (f"/api/plans/{'0' * 63}/frames/1.png?{VIEW}", "plan", None), (f"{PLANNED}/2e9.png?{VIEW}", "time", TIME),
+    (f"{PLANNED}/noon.png?{VIEW}", "time", TIME), (f"{PLANNED}/1.png?width=8&height=8&{WHERE}", "fov", FOV),
+    (f"{STREAMED}?time=1&width=0&height=8&{WHERE}&fov=1", "width", SIDE), (f"{STREAMED}?time=2e9&{VIEW}", "time", TIME),
     (f"{STREAMED}?time=1&width=8&height=8&{WHERE.replace('x=0', 'x=1e8')}&fov=1", "x", PLACE),
     (f"{STREAMED}?time=1&width=8&height=8&{WHERE}", "fov", FOV),
     (f"{STREAMED}?time=1&{VIEW}&format=png", "format", "pitch"),
     *((f"{url}?widht=3", "widht", None) for url in ("/api/presets", "/healthz", "/metrics", "/api/masks/vac-6")),
-    (f"{FRAME}?widht=3", "widht", "width"),
-    ("/api/plans/default?widht=3", "widht", None),
+    (f"{FRAME}?widht=3", "widht", "width"), ("/api/plans/default?widht=3", "widht", None),
     (f"{FRAME}?width=8&width=9", "width", None),
-]
+]  # fmt: skip
 FRAMES, SEQUENCES, EXPORT = "/api/frames", "/api/sequences", "/api/export"
 BASES = {
     "/api/plans": {"scene": {}},
@@ -89,38 +64,21 @@ BASES = {
 }
 """A body that is taken, by path."""
 MEMBERS = [
-    (FRAMES, {"width": 0}, "/width", SIDE),
-    (FRAMES, {"width": 5000}, "/width", SIDE),
-    (FRAMES, {"width": "64"}, "/width", SIDE),
-    (FRAMES, {"width": True}, "/width", SIDE),
-    (FRAMES, {"time": 2e9}, "/time", TIME),
-    (FRAMES, {"time": None}, "/time", TIME),
-    (FRAMES, {"format": "gif"}, "/format", FORMATS),
-    (FRAMES, {"precision": "double"}, "/precision", one_of("half", "float")),
-    (FRAMES, {"preset": "atlantis"}, "/preset", "default"),
-    (FRAMES, {"quality": "best"}, "/quality", QUALITIES),
+    (FRAMES, {"width": 0}, "/width", SIDE), (FRAMES, {"width": "64"}, "/width", SIDE),
+    (FRAMES, {"width": True}, "/width", SIDE), (FRAMES, {"time": 2e9}, "/time", TIME),
+    (FRAMES, {"preset": "atlantis"}, "/preset", "default"), (FRAMES, {"quality": "best"}, "/quality", QUALITIES),
     (FRAMES, {"quality": {"samples": 5}}, "/quality/samples", one_of(1, 4, 9, 16, 25, 36, 49, 64)),
-    (FRAMES, {"quality": {"samples_max": 9}}, "/quality/samples_max", one_of(1, 4, 16)),
     (FRAMES, {"quality": {"samples_max": True}}, "/quality/samples_max", one_of(1, 4, 16)),
     (FRAMES, {"quality": {"samples_budget": 4.0}}, "/quality/samples_budget", between(0.1, 3.0)),
-    (FRAMES, {"quality": {"samples_threshold": 0}}, "/quality/samples_threshold", between(0.001, 1.0)),
-    (FRAMES, {"quality": {"surface": {"cells": 7}}}, "/quality/surface/cells", between(8, 1024)),
     (FRAMES, {"scene": {"waves": [{"amplitude": 99}]}}, "/scene/waves/0/amplitude", between(0.0, 50.0)),
-    (FRAMES, {"scene": {"light": {"turbidity": 0}}}, "/scene/light/turbidity", between(1.0, 10.0)),
     (
-        FRAMES,
-        {"scene": {"foam": {"saturation": [{"source": "front"}, {"source": "height", "base": 999}]}}},
-        "/scene/foam/saturation/1/base",
-        between(-100.0, 100.0),
+        FRAMES, {"scene": {"foam": {"saturation": [{"source": "front"}, {"source": "height", "base": 999}]}}},
+        "/scene/foam/saturation/1/base", between(-100.0, 100.0),
     ),
-    (FRAMES, {"camera": {"position": [0, 1, 2e7]}}, "/camera/position/2", PLACE),
     *(
         (FRAMES, {"scene": {"touches": [touch]}}, f"/scene/touches/0/{place}", allowed)
         for touch, place, allowed in (
-            ({"strength": 0.6}, "strength", between(0.0, 0.5)),
-            ({"strength": -0.1}, "strength", between(0.0, 0.5)),
-            ({"place": [0.0, 2e7]}, "place/1", PLACE),
-            ({"time": "soon"}, "time", TIME),
+            ({"strength": 0.6}, "strength", between(0.0, 0.5)), ({"place": [0.0, 2e7]}, "place/1", PLACE),
             ({"radius": 1.0}, "radius", "strength"),
         )
     ),
@@ -129,36 +87,21 @@ MEMBERS = [
     ("/api/plans", {"scene": {"waves": [{"wavelength": 0.0}]}}, "/scene/waves/0/wavelength", None),
     ("/api/plans", {"scene": {"foam": {"saturation": []}}}, "/scene/foam/saturation", None),
     ("/api/plans", {"scene": {"foam": {"look": "dotted"}}}, "/scene/foam/look", "filtered"),
-    ("/api/plans", {"scene": {"foam": {"mask": "../etc"}}}, "/scene/foam/mask", None),
-    ("/api/plans", {"scene": {"light": {"sun_elevation": 2.0}}}, "/scene/light/sun_elevation", None),
     ("/api/plans", {"scene": {"camera": {"position": [1, 2]}}}, "/scene/camera/position/2", None),
     ("/api/plans", {"scene": {"foam": {"mask": "zzz"}}}, "/scene/foam/mask", None),
     ("/api/plans", {"scene": {"extensions": {"windrows": {}}}}, "/scene/extensions/windrows", None),
     ("/api/streams", {"scene": {"water": {"roughness": -1}}}, "/scene/water/roughness", None),
-    (SEQUENCES, {"stop": 0.0}, "/stop", "above the start"),
-    (SEQUENCES, {"start": 9.0}, "/stop", "above the start"),
-    (SEQUENCES, {"stop": 2e9}, "/stop", "1000000000"),
+    (SEQUENCES, {"stop": 0.0}, "/stop", "above the start"), (SEQUENCES, {"stop": 2e9}, "/stop", "1000000000"),
     (SEQUENCES, {"stop": 1000.0}, "/stop", "24,000 frames exceed the limit of 3,600"),
-    (SEQUENCES, {"fps": 0.0}, "/fps", "0.001"),
-    (SEQUENCES, {"fps": "30000 / 1001"}, "/fps", "[0-9]"),
-    (SEQUENCES, {"fps": "1/0"}, "/fps", "30000/1001"),
-    (SEQUENCES, {"fps": None}, "/fps", "number"),
+    (SEQUENCES, {"fps": 0.0}, "/fps", "0.001"), (SEQUENCES, {"fps": "30000 / 1001"}, "/fps", "[0-9]"),
+    (SEQUENCES, {"fps": "1/0"}, "/fps", "30000/1001"), (SEQUENCES, {"fps": None}, "/fps", "number"),
     (SEQUENCES, {"width": 25, "format": "mp4"}, "/width", "even"),
-    (SEQUENCES, {"height": 17, "format": "mp4"}, "/height", "even"),
     (SEQUENCES, {"height": 62, "width": 64, "format": "mp4", "codec": "av1"}, "/height", "at least 64"),
     (SEQUENCES, {"width": 9000}, "/width", "1 to 4096"),
-    (SEQUENCES, {"format": "gif"}, "/format", "mp4"),
-    (SEQUENCES, {"codec": "vp9"}, "/codec", "h264"),
     (SEQUENCES, {"scene": {"foam": {"mask": "zzz"}}}, "/scene/foam/mask", "zzz"),
-    (SEQUENCES, {"preset": "atlantis"}, "/preset", "atlantis"),
-    (SEQUENCES, {"fsp": 3}, "/fsp", "fsp"),
-    (EXPORT, {"time": 1e10}, "/time", TIME),
-    (EXPORT, {"width": 0}, "/width", SIDE),
-    (EXPORT, {"preset": "atlantis"}, "/preset", "default"),
-    (EXPORT, {"preset": "../secret"}, "/preset", "default"),
-    (EXPORT, {"quality": "best"}, "/quality", "fast"),
-    (EXPORT, {"unknown": 1}, "/unknown", "scene"),
-]
+    (SEQUENCES, {"fsp": 3}, "/fsp", "fsp"), (EXPORT, {"time": 1e10}, "/time", TIME),
+    (EXPORT, {"preset": "atlantis"}, "/preset", "default"), (EXPORT, {"unknown": 1}, "/unknown", "scene"),
+]  # fmt: skip
 
 
 def check(error, allowed):
@@ -207,11 +150,9 @@ def test_a_body_that_is_no_object_of_finite_numbers_of_another_kind_or_too_large
     ("url", "parameter"),
     [
         *((url, None) for url in ("/api/nope", "/nope", "/assets/none.js")),
-        *(
-            (f"/api/textures/{name}", None)
-            for name in ("nope", "mask/nope/ranks", "mask/vac-6/nope", "mask/vac:1/ranks")
-        ),
-        *((f"/api/textures/{name}", None) for name in ("front-integral/x/y", "../x", "%00", "mask/clump:2:96:1/atlas")),
+        *((f"/api/textures/{name}", None) for name in ("nope", "mask/nope/ranks", "mask/vac-6/nope", "../x")),
+        *((f"/api/textures/{name}", None) for name in ("nope", "mask/nope/ranks", "mask/vac-6/nope", "%00", "../x")),
+        *((f"/api/textures/{name}", None) for name in ("front-integral/x/y", "mask/clump:2:96:1/atlas")),
         *((url, "preset") for url in ("/api/presets/nope", "/api/plans/nope", "/api/frames/nope.png")),
         *((f"/api/accuracy/nope{path}", "preset") for path in ("", ".csv", ".png", "/points", "/truth.npy")),
         *((f"/api/masks/{name}", "mask") for name in ("nope", "nope/data.png", "vac:3:64:1")),
@@ -276,11 +217,6 @@ def windrows(monkeypatch):
     unregister(effect)
 
 
-def plan(client, scene, quality=None):
-    body = {"scene": scene} if quality is None else {"scene": scene, "quality": quality}
-    return client.post("/api/plans", json=body)
-
-
 def test_a_registered_extension_is_described_and_checked(windrows):
     scene = {"foam": {}, "extensions": {"windrows": {"spacing": 20.0}}}
     with serving() as client:
@@ -289,7 +225,8 @@ def test_a_registered_extension_is_described_and_checked(windrows):
         model, _ = schemas["SceneExtensions"]["properties"]["windrows"]["anyOf"]
         assert model["properties"]["spacing"]["maximum"] == 500.0
         assert "filter" in str(schemas["QualityExtensions"])
-        response = plan(client, scene, {"extensions": {"windrows": {"filter": False}}})
+        quality = {"extensions": {"windrows": {"filter": False}}}
+        response = client.post("/api/plans", json={"scene": scene, "quality": quality})
         assert response.status_code == 200
         made = response.json()
         assert "windrows" in {note["name"] for note in made["effects"]}
@@ -298,5 +235,6 @@ def test_a_registered_extension_is_described_and_checked(windrows):
             ({"windrows": {"spacing": 1e9}}, "windrows/spacing", {"minimum": 2.0, "maximum": 500.0}),
             ({"windrow": {}}, "windrow", {"members": ["windrows"]}),
         ):
-            (error,) = problem(plan(client, {"foam": {}, "extensions": wrong}), 422)["errors"]
+            refused = client.post("/api/plans", json={"scene": {"foam": {}, "extensions": wrong}})
+            (error,) = problem(refused, 422)["errors"]
             assert (error["pointer"], error["allowed"]) == (f"/scene/extensions/{pointer}", allowed)
