@@ -44,6 +44,8 @@ ENCODERS: dict[MaskFormat, tuple[str, Callable[[Ranks], bytes]]] = {
     "u16": ("application/octet-stream", formats.to_u16),
     "dds": ("image/vnd-ms.dds", formats.to_dds),
 }
+BACKGROUND_SECONDS = 900.0
+"""Expected construction time above which masks are refused in the background, s: more than any takes."""
 SIGMA_STEPS = 200
 """Number of steps of sigma that are tried to find those that are fast enough."""
 
@@ -119,8 +121,8 @@ def check_custom(query: CustomMask, *, slow: bool = False) -> MaskSpec:
             raise BadRequestError(*refused)
     made = families.check_parameters(query.family, query.sigma, (width, height), query.seed, query.aspect, query.age)
     seconds = estimated_seconds(made.family, made.sigma, (width, height))
-    limit = ON_REQUEST_SECONDS
-    if seconds > limit and not slow and not catalogue.is_kept(made):
+    limit = BACKGROUND_SECONDS if slow else ON_REQUEST_SECONDS
+    if seconds > limit and not catalogue.is_kept(made):
         steps = (least + (greatest - least) * step / SIGMA_STEPS for step in range(SIGMA_STEPS + 1))
         quick = [sigma for sigma in steps if estimated_seconds(made.family, sigma, (width, height)) <= limit]
         bounds = {"minimum": round(quick[0], 2), "maximum": round(quick[-1], 2)} if quick else None
