@@ -2,22 +2,19 @@
 
 import math
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from references.bake import load_truth
 from seafoam.planner import make_plan
-from seafoam.reference import load_truth
-from seafoam.reference.bake import truth_file
 from seafoam.reference.renderer import camera as cameras
 from seafoam.render.gl.executor import Executor
 from support.exact import UNFILTERED
 from support.pictures import colours, draw, rmse
 from support.scenes import load_preset
 
-REFERENCES = Path(__file__).parents[1] / "references"
 HARD = ("halftone", "fading", "halftone_textured", "listing")
 """Looks of foam that is there or not, so that samples of it can flip."""
 NEAR = 0.5
@@ -56,7 +53,7 @@ class Parity:
 def parity(executor: Executor, preset: str, time: float) -> Parity:
     """Draw a preset without maps and filters, from the samples that its stored frame has, and compare."""
     scene = load_preset(preset).scene
-    truth = load_truth(truth_file(REFERENCES, f"{preset}.same.{time:.1f}"))
+    truth = load_truth(f"{preset}.same.{time:.1f}")
     want = colours(truth.rgb)
     size = (want.shape[1], want.shape[0])
     samples = draw(executor, make_plan(scene, UNFILTERED), scene.camera, time=time, size=size, output="samples")

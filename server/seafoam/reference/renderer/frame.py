@@ -1,5 +1,7 @@
 """A frame of a scene: rays through pixels, the surface under them, foam, light, and the average."""
 
+import hashlib
+import json
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,6 +13,7 @@ from seafoam.reference.renderer.state import Mode
 from seafoam.reference.spray.births import drops
 from seafoam.reference.spray.splats import splats
 from seafoam.reference.types import Bools, Floats, Indices
+from seafoam.scene.base import non_defaults
 from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
 
@@ -30,10 +33,15 @@ class ReferenceFrame:
     """(H·n, W·n), foam amount of each sample, at most 1."""
     hit: Bools
     """(H·n, W·n), whether a sample met the surface."""
-    depression: Floats
-    """(H, W), angle of each pixel's middle ray below the horizon, rad."""
-    samples: int
-    """n, samples along each side of a pixel."""
+
+
+def scene_sha256(scene: Scene) -> str:
+    """SHA-256, in hexadecimal, of the settled scene's :func:`~seafoam.scene.base.non_defaults`, as canonical JSON.
+
+    A new field of the schema changes none, a changed default does.
+    """
+    text = json.dumps(non_defaults(scene.settled), sort_keys=True, separators=(",", ":"), allow_nan=False)
+    return hashlib.sha256(text.encode()).hexdigest()
 
 
 def render(
@@ -82,8 +90,6 @@ def render(
         alpha=amount.mean(axis=(1, 3)),
         amount=amount.reshape(grid_shape),
         hit=hit.reshape(grid_shape),
-        depression=cameras.depression(view, width, height),
-        samples=samples,
     )
 
 

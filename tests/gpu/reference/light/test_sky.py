@@ -2,19 +2,18 @@
 
 import math
 from itertools import pairwise, product
-from pathlib import Path
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from references.bake import load_truth, same_size
 from seafoam.effects.light.atmosphere import lamp
 from seafoam.effects.light.light import sky_irradiance, sun_irradiance
 from seafoam.effects.light.overcast import gap_light
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.reference import load_truth, noise
-from seafoam.reference.bake import same_size, truth_file
+from seafoam.reference import noise
 from seafoam.reference.light import atmosphere
 from seafoam.reference.light import light as reference_light
 from seafoam.render.gl.executor import Executor
@@ -25,7 +24,6 @@ from support.report import Report
 from support.scenes import Camera, Clouds, Day, Light, Moon, Scene, Sky, load_preset, sun_angles
 from support.sweep import REST
 
-REFERENCES = Path(__file__).parents[3] / "references"
 HASH = "lib/noise.glsl@hash"
 
 
@@ -175,7 +173,7 @@ def test_a_cube_s_faces_meet_without_a_seam(probe: Probe, size: int) -> None:
 def test_the_lake_in_the_cube_map_nears_the_truth(executor: Executor, report: Report) -> None:
     """The baked frame of ray-traced surroundings, against cube maps of rising size: hills and clouds on the water."""
     scene = load_preset("cubemap-lake").scene
-    truth = load_truth(truth_file(REFERENCES, "cubemap-lake.same.2.7"))
+    truth = load_truth("cubemap-lake.same.2.7")
     errors = []
     for size in (32, 64, 128, 256):
         quality = UNFILTERED.model_copy(update={"cube": "map", "cube_size": size})
