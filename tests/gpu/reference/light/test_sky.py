@@ -11,8 +11,6 @@ from references.bake import load_truth, same_size
 from seafoam.effects.light.atmosphere import lamp
 from seafoam.effects.light.light import sky_irradiance, sun_irradiance
 from seafoam.effects.light.overcast import gap_light
-from seafoam.planner import make_plan
-from seafoam.quality import TIERS
 from seafoam.reference import noise
 from seafoam.reference.light import atmosphere
 from seafoam.reference.light import light as reference_light
@@ -184,17 +182,6 @@ def test_the_lake_in_the_cube_map_nears_the_truth(executor: Executor, report: Re
         finest=(errors[-1], 1.2),
     )
     assert all(finer < coarser for coarser, finer in pairwise(errors))
-
-
-def test_at_night_the_moon_is_the_lamp() -> None:
-    sky = Sky(moon=Moon(azimuth=1.0, elevation=0.5))
-    by_day, by_night = Light(sun_elevation=0.3, sky=sky), Light(sun_elevation=-0.5, sky=sky)
-    assert lamp(by_day)[1] == pytest.approx(math.sin(0.3))
-    assert lamp(by_night)[1] == pytest.approx(math.sin(0.5))
-    names = {note.name for note in make_plan(Scene(light=by_night), TIERS["standard"]).effects}
-    assert "sun glitter" in names
-    new_moon = Light(sun_elevation=-0.5, sun_azimuth=1.0, sky=Sky(moon=Moon(azimuth=1.0, elevation=-0.45)))
-    assert "sun glitter" not in {note.name for note in make_plan(Scene(light=new_moon), TIERS["standard"]).effects}
 
 
 EYE = (120.0, 10.0, -340.0)
