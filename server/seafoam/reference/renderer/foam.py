@@ -114,16 +114,10 @@ class FoamStage(ReferenceState):
         t = self._texture(*rest, footprints)
         free = np.ones_like(s)
         masks = (self.images, *self.images.older)
-        for part in aging.shares(len(masks), s, np.clip(f, 0.0, 1.0)):
-            own = np.flatnonzero(part.weight > 0.0)
+        for mask, (weight, share) in zip(masks, aging.shares(len(masks), s, np.clip(f, 0.0, 1.0)), strict=True):
+            own = np.flatnonzero(weight > 0.0)
             covered = coverage(
-                foam,
-                masks[part.mask],
-                part.s[own],
-                points.subset(own),
-                filtering=self.filtering,
-                shares=True,
-                octaves=octaves,
+                foam, mask, share[own], points.subset(own), filtering=self.filtering, shares=True, octaves=octaves
             )
             free[own] *= 1.0 - looks.thinned(covered, t[own], foam.texture)
         return 1.0 - free
