@@ -192,10 +192,8 @@ class _Decay:
 
 
 class _Fronts:
-    """The gates of past fronts, in water that rests at (x, z) and drifts.
-
-    ``since``: phase since the last front, rad in [0, 2π]. ``more``: what patches add to the sum of the waves, (r,).
-    """
+    """The gates of past fronts, in water that rests at (x, z) and drifts. ``since``: phase since the last front, rad in
+    [0, 2π]. ``more``: what patches add to the sum of the waves, (r,)."""
 
     def __init__(self, waves: WaveSet, x: Floats, z: Floats, drift: Vec2, group: Vec2, more: Floats) -> None:
         self.place, self.drift, self.groups = (x, z), drift, waves.groups

@@ -59,9 +59,7 @@ class SampleShader(FoamStage):
     def _water(self, samples: WaterSamples) -> Pair:
         """Colour (r, 3) and foam amount (r,) of samples of the water."""
         foam, lighting = self.scene.foam, self.lighting
-        a, f = np.zeros_like(samples.x), None
-        if foam is not None and self.assets is not None:
-            a, f = self._foam(samples)
+        a, f = self._foam(samples)
         amount = np.minimum(a, 1.0)
         if lighting is None:
             return np.repeat(amount[:, None], 3, axis=1), amount
@@ -132,7 +130,7 @@ class SampleShader(FoamStage):
         if self.seabed is None or self.lighting is None:
             # Without light: white foam, black water.
             up = np.isfinite(distance)
-            if up.any() and self.scene.foam is not None and self.assets is not None:
+            if up.any():
                 a, _ = self._foam(self.water_samples(D[up], d[up], distance[up], side=-1.0))
                 amount[up] = np.minimum(a, 1.0)
             return np.repeat(amount[:, None], 3, axis=1), amount
@@ -155,13 +153,12 @@ class SampleShader(FoamStage):
         """Colour (r, 3), not exposed, and foam amount (r,) of the surface that rays D meet from below."""
         foam, samples = self.scene.foam, self.water_samples(D, d, distance, side=-1.0)
         place = samples.x, samples.z, samples.height
-        radiance, amount = bed.underside(*place, d, samples.normal, distance, samples.footprints), np.zeros(len(d))
-        if foam is not None and self.assets is not None:
-            a, _ = self._foam(samples)
+        radiance = bed.underside(*place, d, samples.normal, distance, samples.footprints)
+        a, _ = self._foam(samples)
+        if foam is not None:
             white = FOAM_THROUGH * light.foam(bed.air, foam.albedo, samples.foam_normal)
             radiance = self._blend(radiance, white, a)
-            amount = np.minimum(a, 1.0)
-        return self._through_water(bed, radiance, d, distance), amount
+        return self._through_water(bed, radiance, d, distance), np.minimum(a, 1.0)
 
     def _through_water(self, bed: Seabed, radiance: Floats, d: Floats, distance: Floats) -> Floats:
         """Radiance (r, 3) that reaches the camera along rays d (r, 3) through (r,) m of water."""
@@ -176,9 +173,7 @@ class SampleShader(FoamStage):
 
     def _mirror(self, lighting: Lighting, place: Floats, r: Floats, spread: Pair) -> Floats:
         """Radiance that arrives from directions r (r, 3) at places (r, 3) on the water: sky, and what occludes it.
-
-        ``spread``: standard deviations (r,) of the directions about r from which the sky's light comes, rad.
-        """
+        ``spread``: standard deviations (r,) of the directions about r from which the sky's light comes, rad."""
         coast, reflection = self.surface.coast, lighting.settings.reflection
         if reflection == "cubemap" and coast is not None:
             return self._around(lighting, coast, r, spread)

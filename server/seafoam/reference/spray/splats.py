@@ -140,7 +140,6 @@ def form(kind: Floats, age: Floats, life: Floats, vary: Floats, other: Floats) -
 def splats(
     scene: Scene, drops: Drops, grid: SampleGrid, surface: Surface, fleet: Fleet | None, lighting: Lighting | None
 ) -> Splats:
-    """The drops on a picture."""
     spray = scene.spray
     assert spray is not None
     # Drops of waves come in batches, each of which begins at a time of its own; those at rocks do not.
@@ -193,11 +192,9 @@ def splats(
 def _light(
     lighting: Lighting | None, grid: SampleGrid, away: Floats, thrown: Floats, along: Floats
 ) -> tuple[Floats, Floats, Floats]:
-    """Of drops at (n, 3), m from the camera, thrown with velocities (n, 3) and flying along (n, 2) on the picture.
-
-    The light that they scatter all round, that of the sun that they send on nearly as it came, and the direction to
-    the sun: along, across, and toward the eye; (n, 3) each.
-    """
+    """Of drops at (n, 3), m from the camera, thrown with velocities (n, 3) and flying along (n, 2) on the picture. The
+    light that they scatter all round, that of the sun that they send on nearly as it came, and the direction to the
+    sun: along, across, and toward the eye; (n, 3) each."""
     if lighting is None:
         return np.ones_like(away), np.zeros_like(away), np.zeros_like(away)
     air, none = lighting.air, np.zeros((len(away), 2))
@@ -225,9 +222,7 @@ def _ellipses(
     grid: SampleGrid, away: Floats, moving: Floats, radius: Floats, of: NDArray[np.void], over: Floats
 ) -> tuple[Floats, Floats, Floats, Floats]:
     """Clip positions X and Y of drops at (n, 3), directions on the picture (n, 2), half lengths and widths (n, 2).
-
-    ``of``: rows of KINDS; ``over``: heights above water, m. Lengths on the picture are in samples.
-    """
+    ``of``: rows of KINDS; ``over``: heights above water, m. Lengths on the picture are in samples."""
     sides, axes, depth = (grid.columns, grid.rows), (grid.ray_x, grid.ray_y), away @ grid.ray_z
     X, Y = (away @ axis / float(axis @ axis) / depth for axis in axes)
     moves = np.stack(
@@ -249,10 +244,8 @@ def _ellipses(
 def _visible(
     away: Floats, eye_y: float, soft: Floats, relief: ReliefPart, coast: Coast | None, fleet: Fleet | None
 ) -> Pair:
-    """What is seen of drops (n, 3): nothing of those below or behind water or ground, or behind a boat; in [0, 1].
-
-    And their heights over both, m.
-    """
+    """What is seen of drops (n, 3): nothing of those below or behind water or ground, or behind a boat; in [0, 1]. And
+    their heights over both, m."""
     x, z = away[:, 0], away[:, 2]
     ground = relief.height(x, z)
     if coast is not None:
