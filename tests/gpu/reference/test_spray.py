@@ -77,9 +77,8 @@ def test_flight_equals_its_closed_form(probe: Probe, report: Report, weight: flo
         uniforms={"u_spray_wind": WIND},
     )[:, :3]
     worst = float(np.abs(got - flown(values, weight)).max())
-    report.add("Drops on the GPU against their closed form, m", weight=f"{weight:g}", worst=f"{worst:.1e}")
     # Gravity and drag each carry a drop a hundred metres in float32, and differ by a few.
-    assert worst <= 1e-3
+    report.within("Drops on the GPU against their closed form, m", weight=weight, worst=(worst, 1e-3))
 
 
 def test_the_closed_form_solves_the_equation_of_motion() -> None:
@@ -176,9 +175,8 @@ def test_drops_start_on_the_drawn_surface(
         batch = place[place[:, 3] == age]
         height = surface(scene, time - float(age), batch[:, 0], batch[:, 2])
         worst = max(worst, float(np.abs(height - batch[:, 1]).max()))
-    report.add("Births of drops against the float64 surface", scene=name, born=str(born.sum()), worst=f"{worst:.1e} m")
     assert born.sum() > 100
-    assert worst <= 0.01
+    report.within("Births of drops against the float64 surface, m", scene=name, born=born.sum(), worst=(worst, 0.01))
 
 
 @pytest.mark.parametrize("groups", [None, WaveGroups(size=9.0)], ids=["one height", "groups"])
@@ -201,11 +199,8 @@ def test_drops_start_on_the_surf_at_rocks(executor: Executor, report: Report, gr
         then = 17.0 - float(age)
         coast = Coast(ROCK, then, eye, Relief((wave_set(rocky, then, eye), ring_set(rocky, then, eye))))
         worst = max(worst, abs(float(coast.height(np.array([x]), np.array([z]))[0]) - height))
-    report.add(
-        "Births of drops against the float64 surface", scene="rocks", born=str(born.size), worst=f"{worst:.1e} m"
-    )
     assert born.size > 1000
-    assert worst <= 0.01
+    report.within("Births of drops against the float64 surface, m", scene="rocks", born=born.size, worst=(worst, 0.01))
     assert len(rocks(Shore(slope=0.05, roughness=0.0), 0.5)) == 0
 
 
@@ -321,9 +316,7 @@ def test_spray_flickers_no_more_than_twice_what_many_samples_do(executor: Execut
             ]
             layers.append(pictures[0] - pictures[1])
         added[samples] = float(np.mean([np.abs(b - a).mean() for a, b in pairwise(layers)]))
-    ratio = added[1] / added[64]
-    report.add("Flicker of spray under a slow camera, one sample over 64", ratio=f"{ratio:.2f}")
-    assert ratio <= 2.0
+    report.within("Flicker of spray under a slow camera, one sample over 64", ratio=(added[1] / added[64], 2.0))
 
 
 def test_fewer_drops_cover_as_much(executor: Executor, report: Report) -> None:
