@@ -127,7 +127,7 @@ wheel: setup
 bake: setup
 	$(BIN)/python -m seafoam.masks.bake
 	$(BIN)/python tests/golden/make.py
-	$(BIN)/python -m seafoam.reference.bake
+	$(BIN)/python tests/references/bake.py
 
 docs: setup-test
 	$(BIN)/seafoam openapi > $(WEB)/openapi.json

@@ -15,16 +15,15 @@ from statistics import median
 
 from bench.drawn.frames import STEP
 from bench.gpu.timers import PassTimer, distrust, loads, plausible
+from references.bake import TIMES, truth_is_current
 from seafoam.framegraph.plan import FramePlan
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Tier
-from seafoam.reference import truth_is_current
-from seafoam.reference.bake import TIMES, truth_file
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.presets import load_preset
 from seafoam.textures.store import spec_of, texture
 from support.exact import UNFILTERED
-from support.parity import REFERENCES, Parity, faults, parity
+from support.parity import Parity, faults, parity
 
 Size = tuple[int, int]
 PARITY = "parity"
@@ -218,7 +217,7 @@ def _prepare(plan: FramePlan) -> None:
 
 def _judge(task: Judge) -> Judged:
     scene = load_preset(task.preset).scene
-    if not truth_is_current(truth_file(REFERENCES, f"{task.preset}.same.{task.time:.1f}"), scene):
+    if not truth_is_current(f"{task.preset}.same.{task.time:.1f}", scene):
         raise StaleTruthError("the stored frame shows an earlier form of the preset")
     _prepare(make_plan(scene, UNFILTERED))
     with _alone():

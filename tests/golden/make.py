@@ -246,15 +246,15 @@ FARTHEST = 2000.0
 
 def picked(camera: Camera, width: int, height: int, x: float, y: float) -> dict[str, float] | None:
     """Where the ray of a point of the picture meets y = 0, m, and its distance; None where it does not, or far away."""
-    view = cameras.view(camera, width, height)
-    ray = cameras.rays(view, np.array(2.0 * x / width - 1.0), np.array(1.0 - 2.0 * y / height))
-    if ray[1] == 0.0 or -view.eye[1] / ray[1] <= 0.0:
+    grid = cameras.sample_grid(camera, width, height)
+    ray = grid.rays(np.array(2.0 * x / width - 1.0), np.array(1.0 - 2.0 * y / height))
+    if ray[1] == 0.0 or -grid.eye[1] / ray[1] <= 0.0:
         return None
-    way = -view.eye[1] / ray[1] * ray
+    way = -grid.eye[1] / ray[1] * ray
     distance = float(np.linalg.norm(way))
     if distance > FARTHEST:
         return None
-    return {"x": float(view.eye[0] + way[0]), "z": float(view.eye[2] + way[2]), "distance": distance}
+    return {"x": float(grid.eye[0] + way[0]), "z": float(grid.eye[2] + way[2]), "distance": distance}
 
 
 def picks() -> Vectors:

@@ -2,22 +2,19 @@
 
 import math
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from references.bake import load_truth
 from seafoam.planner import make_plan
-from seafoam.reference import load_truth
-from seafoam.reference.bake import truth_file
-from seafoam.reference.renderer import camera as cameras
+from seafoam.reference.renderer.camera import sample_grid
 from seafoam.render.gl.executor import Executor
 from support.exact import UNFILTERED
 from support.pictures import colours, draw, rmse
-from support.scenes import load_preset
+from support.scenes import Camera, load_preset
 
-REFERENCES = Path(__file__).parents[1] / "references"
 HARD = ("halftone", "fading", "halftone_textured", "listing")
 """Looks of foam that is there or not, so that samples of it can flip."""
 NEAR = 0.5
@@ -56,13 +53,13 @@ class Parity:
 def parity(executor: Executor, preset: str, time: float) -> Parity:
     """Draw a preset without maps and filters, from the samples that its stored frame has, and compare."""
     scene = load_preset(preset).scene
-    truth = load_truth(truth_file(REFERENCES, f"{preset}.same.{time:.1f}"))
+    truth = load_truth(f"{preset}.same.{time:.1f}")
     want = colours(truth.rgb)
     size = (want.shape[1], want.shape[0])
     samples = draw(executor, make_plan(scene, UNFILTERED), scene.camera, time=time, size=size, output="samples")
     linear = mean_of(samples, size)
     got = colours(linear)
-    below = cameras.depression(cameras.view(scene.camera, *size), *size) > np.radians(1.0)
+    below = depression(scene.camera, size) > np.radians(1.0)
     height, width = truth.alpha.shape
     cells = (linear[..., 3] - truth.alpha)[: height // 8 * 8, : width // 8 * 8].reshape(height // 8, 8, width // 8, 8)
     return Parity(
@@ -73,6 +70,13 @@ def parity(executor: Executor, preset: str, time: float) -> Parity:
         tone=float(np.abs(cells.mean(axis=(1, 3))).mean()),
         hard=scene.foam is not None and scene.foam.look in HARD,
     )
+
+
+def depression(camera: Camera, size: tuple[int, int]) -> NDArray[np.float64]:
+    """Angle of each pixel's middle ray below the horizon, (height, width) rad, row 0 at the top."""
+    X, Y = (2.0 * (np.arange(count) + 0.5) / count - 1.0 for count in size)
+    D = sample_grid(camera, *size).rays(*np.meshgrid(X, -Y))
+    return np.arctan2(-D[..., 1], np.hypot(D[..., 0], D[..., 2]))
 
 
 def without_the_worst(

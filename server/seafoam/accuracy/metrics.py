@@ -41,20 +41,14 @@ def tone_curve(scene: Scene) -> ToneCurve | None:
 
 
 def displayed(picture: Picture, curve: ToneCurve | None) -> NDArray[np.float32]:
-    """Return the displayed picture, without glare: tone-mapped sRGB, (height, width, 3) in [0, 1].
-
-    curve: see :func:`tone_curve`.
-    """
+    """Return the displayed picture, by a :func:`tone_curve` and without glare: sRGB, (height, width, 3) in [0, 1]."""
     light = np.maximum(picture[..., :3].astype(np.float64), 0.0)
     shown = srgb(np.minimum(light, 1.0) if curve is None else tone(light, curve))
     return np.ascontiguousarray(np.clip(shown, 0.0, 1.0), np.float32)
 
 
 def flip(picture: Picture, truth: Picture, curve: ToneCurve | None) -> float:
-    """Return the mean FLIP (LDR, 67 pixels per degree) of the displayed pictures, 0 to 1.
-
-    curve: see :func:`tone_curve`.
-    """
+    """Return the mean FLIP (LDR, 67 pixels per degree) of the pictures displayed by a :func:`tone_curve`, 0 to 1."""
     import flip_evaluator
 
     _, mean, _ = flip_evaluator.evaluate(displayed(truth, curve), displayed(picture, curve), "LDR", applyMagma=False)
@@ -83,10 +77,7 @@ def popping(frames: Sequence[Picture]) -> float | None:
 
 
 def errors(frames: Sequence[Picture], truth: Picture, curve: ToneCurve | None) -> Errors:
-    """Return all metrics.
-
-    frames: a short sequence whose first frame is at the reference picture's time; curve: see :func:`tone_curve`.
-    """
+    """Return all metrics of a short sequence whose first frame is at the reference picture's time."""
     compared = frames[0], truth
     light = {"rmse": rmse(*compared), "max": greatest(*compared), "flip": flip(*compared, curve)}
     return Errors(**light, coverage=coverage(*compared), flipped=flipped(*compared), popping=popping(frames))

@@ -56,7 +56,6 @@ def all_parameters(scene: Scene) -> tuple[tuple[str, QualityParameter], ...]:
 
 
 def value_at(quality: Quality, pointer: str) -> Any:
-    """Return the value at a JSON pointer."""
     value: Any = quality
     for member in pointer.split("/")[1:]:
         value = value.part(member) if isinstance(value, Extensions) else getattr(value, member)
@@ -129,5 +128,4 @@ def _settings(scene: Scene) -> Iterator[tuple[ParameterChoice, Quality, str]]:
 
 
 def shown(value: ParameterValue) -> str:
-    """Return the value of a setting as JSON without quotes."""
     return value if isinstance(value, str) else json.dumps(value)

@@ -24,7 +24,6 @@ HEADINGS = (
 
 
 def csv_of(sweep: Sweep) -> str:
-    """Return a header and one line per point."""
     buffer = io.StringIO()
     writer = csv.writer(buffer, lineterminator="\n")
     writer.writerow(COLUMNS)
@@ -77,7 +76,6 @@ def _cells(causes: Causes) -> tuple[str, ...]:
 
 
 def milliseconds(value: float) -> str:
-    """Format to about three digits."""
     return f"{value:.0f}" if value >= 100 else f"{value:.1f}" if value >= 10 else f"{value:.2f}"
 
 
@@ -114,7 +112,6 @@ def page(sweep: Sweep, command: str) -> str:
 
 
 def _standing(sweep: Sweep, point: MeasuredPoint) -> str:
-    """Describe a tier relative to all other points."""
     if not point.beaten_by:
         return f"{point.id}: no measured point is as exact and faster by a tenth"
     better = [sweep.point(id) for id in point.beaten_by[:3]]

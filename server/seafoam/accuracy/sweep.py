@@ -99,7 +99,6 @@ class Rig:
 
     @property
     def machine(self) -> model.Machine:
-        """The machine, as recorded in sweeps."""
         return model.Machine(**self.info, processor=model.processor(), cores=os.cpu_count() or 1, threads=self.threads)
 
 
@@ -151,8 +150,6 @@ def make_sweep(
 
 
 class _Sweeping:
-    """One run through all points."""
-
     def __init__(self, subject: Subject, settings: SweepSettings, rig: Rig, watcher: Watcher) -> None:
         self.subject = subject
         self.settings = settings
@@ -285,7 +282,6 @@ class _Sweeping:
         return model.Causes(**falls, rest=without["rest"])
 
     def _picture(self, plan: str, quality: Quality, stage: str) -> Picture:
-        """Return the linear picture at the subject's own time; each plan is drawn once."""
         if plan not in self.drawn:
             draw = Draw(self.settings.width, self.settings.height, "linear", keep=True)
             (drawn,) = self._draw(quality, 0, (draw,), stage, COMPILE_WEIGHT + quality.samples)

@@ -45,7 +45,6 @@ class TruthSpec:
 
     @property
     def file(self) -> str:
-        """Name under which the picture is stored."""
         versions = [version("seafoam"), np.__version__]
         at = json.dumps(self.time)
         return key_of(scene_sha256(self.scene), at, self.width, self.height, self.samples_along, versions) + ".npy"
@@ -90,7 +89,6 @@ def make_truth(store: Store, spec: TruthSpec, watcher: Watcher | None = None) ->
 
 
 def _converged_elsewhere(spec: TruthSpec, watcher: Watcher) -> Truth:
-    """Return the picture, computed in a spawned process."""
     pool = ProcessPool(max_workers=1, context=multiprocessing.get_context("spawn"))
     try:
         coarse = replace(spec, samples_along=max(1, spec.samples_along // 4))
@@ -134,7 +132,6 @@ def _politely(spec: TruthSpec) -> tuple[Truth, float]:
 
 
 def _converged(spec: TruthSpec) -> tuple[Truth, float]:
-    """Return the picture and the seconds it took."""
     began = time.perf_counter()
     along = spec.samples_along
     frame = render(spec.scene, time=spec.time, width=spec.width, height=spec.height, samples=along, mode="converged")

@@ -6,8 +6,7 @@ Arrays are float64 unless said otherwise. Lengths are in metres, angles in radia
 """
 
 from seafoam.reference.foam.coverage import Assets
-from seafoam.reference.renderer.frame import ReferenceFrame, render
+from seafoam.reference.renderer.frame import ReferenceFrame, render, scene_sha256
 from seafoam.reference.renderer.state import Mode
-from seafoam.reference.truth import Truth, load_truth, scene_sha256, truth_is_current
 
-__all__ = ["Assets", "Mode", "ReferenceFrame", "Truth", "load_truth", "render", "scene_sha256", "truth_is_current"]
+__all__ = ["Assets", "Mode", "ReferenceFrame", "render", "scene_sha256"]

@@ -26,9 +26,9 @@ from bench.served.water_page import Frames
 from bench.served.yardstick import GROUPS, MEASURED, Measured
 from PIL import Image
 
+from references.bake import TIMES
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.reference.bake import TIMES
 from seafoam.render.gl.executor import NoRendererError
 from seafoam.scene.presets import load_preset, preset_names
 from support.parity import Parity

@@ -71,8 +71,6 @@ class Wakes:
 
 @dataclass(frozen=True)
 class WakeSet(Wakes):
-    """The wakes of a scene's boats."""
-
     boats: tuple[Boat, ...]
     courses: tuple[Course, ...]
 
@@ -203,8 +201,6 @@ def wake_set(scene: Scene, time: float, origin: Vec2) -> WakeSet:
 
 @dataclass(frozen=True)
 class StoneSet(Wakes):
-    """The standing waves of a current's stones."""
-
     current: Current
     origin: Vec2
 

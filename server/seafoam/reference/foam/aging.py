@@ -1,14 +1,13 @@
 """Section 5: foam with a history, in float64: its drift, its windrows, and its masks by age."""
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 
 from seafoam.ocean.waves.stokes import foam_drift, foam_life
 from seafoam.reference.foam.cells import part
 from seafoam.reference.noise import PERIOD, perlin
-from seafoam.reference.types import Floats, Vec2, smoothstep
+from seafoam.reference.types import Floats, Pair, Vec2, smoothstep
 from seafoam.reference.waves.parametric import reduced
 from seafoam.scene.models import Scene
 
@@ -16,15 +15,6 @@ AGE = 0.8  # age between one mask and the next, in e-folds of the saturation
 ROW_LENGTH = 8.0
 RIDGE = 7.781
 ROW_SEED = 1938
-
-
-@dataclass(frozen=True, eq=False)
-class Share:
-    """Coverage by one mask."""
-
-    mask: int  # index of the mask; 0 is the foam's own
-    weight: Floats  # (r,); 0 where this mask has no foam
-    s: Floats  # share of the plane; (r,)
 
 
 def gathered(scene: Scene, time: float, origin: Vec2, s: Floats, x: Floats, z: Floats) -> Floats:
@@ -44,17 +34,20 @@ def gathered(scene: Scene, time: float, origin: Vec2, s: Floats, x: Floats, z: F
     return s + life.row_strength * ridge * s * (1.0 - s)
 
 
-def shares(masks: int, s: Floats, f: Floats) -> list[Share]:
-    """How the coverage s (r,) of foam of saturation f (r,) in [0, 1] is divided among masks by its age."""
+def shares(masks: int, s: Floats, f: Floats) -> list[Pair]:
+    """How the coverage s (r,) of foam of saturation f (r,) in [0, 1] is divided among masks by its age.
+
+    Of each mask, the foam's own first, the weight, 0 where it has no foam, and the share of the plane; (r,) each.
+    """
     if masks == 1:
-        return [Share(0, np.ones_like(s), s)]
+        return [(np.ones_like(s), s)]
     age = np.clip(-np.log(np.maximum(f, 1e-6)) / AGE, 0.0, masks - 1.0)
     young = np.minimum(np.floor(age), masks - 2.0)
     older = smoothstep(0.35, 0.65, age - young)
     result = []
     for mask in range(masks):
         weight = np.where(young == mask, 1.0 - older, np.where(young + 1.0 == mask, older, 0.0))
-        result.append(Share(mask, weight, part(s, weight)))
+        result.append((weight, part(s, weight)))
     return result
 
 

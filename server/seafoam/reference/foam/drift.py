@@ -81,7 +81,6 @@ def angular_velocity(square: Floats, radius: float, speed: float) -> Floats:
 
 
 def flow_of(scene: Scene) -> Flow:
-    """The flow of a scene that has a drift."""
     drift = scene.drift
     assert drift is not None
     x, z = drift.place

@@ -27,17 +27,6 @@ PATCH_OCTAVES, PATCH_SEED, PATCH_CHANGE = 3, 64 * 91, 25.0
 
 
 @dataclass(frozen=True)
-class History:
-    """How the water moves foam after it has appeared."""
-
-    drift: Vec2  # (x, z) m/s
-    orbits: bool  # whether the waves' orbits move it to and fro
-
-
-STILL = History((0.0, 0.0), False)
-
-
-@dataclass(frozen=True)
 class FrontConstants:
     """δ (rad), the base E and the factor of the wavenumbers."""
 
@@ -203,10 +192,8 @@ class _Decay:
 
 
 class _Fronts:
-    """The gates of past fronts, in water that rests at (x, z) and drifts.
-
-    ``since``: phase since the last front, rad in [0, 2π]. ``more``: what patches add to the sum of the waves, (r,).
-    """
+    """The gates of past fronts, in water that rests at (x, z) and drifts. ``since``: phase since the last front, rad in
+    [0, 2π]. ``more``: what patches add to the sum of the waves, (r,)."""
 
     def __init__(self, waves: WaveSet, x: Floats, z: Floats, drift: Vec2, group: Vec2, more: Floats) -> None:
         self.place, self.drift, self.groups = (x, z), drift, waves.groups
@@ -251,20 +238,21 @@ def front_patches(source: FrontSaturation, drift: Vec2, points: SurfacePoints, x
 
 
 def decaying_front(
-    source: FrontSaturation, waves: WaveSet, points: SurfacePoints, eye_y: float, history: History
+    source: FrontSaturation, waves: WaveSet, points: SurfacePoints, eye_y: float, drift: Vec2, orbits: bool
 ) -> Floats:
     """Foam that the last three fronts left on the water now at points, each gated as it was; (r,) in [0, 1].
 
-    With footprints averaged over what a camera at a height of ``eye_y`` m sees, else at the points.
+    With footprints averaged over what a camera at a height of ``eye_y`` m sees, else at the points. ``drift``: of the
+    water, m/s; ``orbits``: whether those of the waves move foam to and fro.
     """
     assert source.decay is not None
     x, z = points.x, points.z
     sum_of = group(waves, x, z, 0.5 * math.pi)
     gradient = phase_gradient(sum_of)
-    by_x, by_z = waves.to_rest(x, z) if history.orbits else np.zeros((2, x.size))
+    by_x, by_z = waves.to_rest(x, z) if orbits else np.zeros((2, x.size))
     rest_x, rest_z = x + by_x, z + by_z
-    more = front_patches(source, history.drift, points, rest_x, rest_z)
-    fronts = _Fronts(waves, rest_x, rest_z, history.drift, source.group, more)
+    more = front_patches(source, drift, points, rest_x, rest_z)
+    fronts = _Fronts(waves, rest_x, rest_z, drift, source.group, more)
     life = fronts.mean_rate * source.decay
     decaying = _Decay(2.0 * math.atan2(1.0, math.log(source.intensity)), life)
     # The phase at the rest position, to first order.

@@ -236,10 +236,8 @@ class CloudLayer:
         return mean + (noise - mean) * narrow, mean[1] + (before - mean[1]) * narrow, lost, parted, 1.0 - kept
 
     def _column(self, noise: Floats, ahead: Floats | None = None) -> tuple[Floats, Floats, Floats, Floats]:
-        """Opacity of a column of cloud, and its radiance per lamp, haze's scattering and sky; (r,).
-
-        ``noise``: of the slices (3, r), or of all of them (r,). ``ahead``: toward the lamp (r,); absent: the same.
-        """
+        """Opacity of a column of cloud, and its radiance per lamp, haze's scattering and sky; (r,). ``noise``: of the
+        slices (3, r), or of all of them (r,). ``ahead``: toward the lamp (r,); absent: the same."""
         soft, thick, start = self.clouds.softness, self.clouds.thickness, self._start[:, None]
         noise = np.broadcast_to(noise, (3, noise.shape[-1]))
         toward = noise[1] if ahead is None else ahead

@@ -141,7 +141,7 @@ def lit_floor(radiance: Floats, path: Floats, depth: Floats) -> Floor:
 
 @dataclass(frozen=True, eq=False)
 class WaterHit:
-    """Where r rays meet the water."""
+    """Where r rays meet the water, and the light that reaches these places."""
 
     d: Floats  # (r, 3) unit vectors away from the camera
     n: Floats  # (r, 3) unit normals with ripples
@@ -149,33 +149,27 @@ class WaterHit:
     heights: Vec2  # the least and the greatest height of the whole surface, m
     floor: Floor | None = None  # None: level, at the depth of the scene's water, or none if it has no depth
     saturation: Floats | None = None  # (r,) of foam, whose bubbles make the water milky
-
-
-@dataclass(frozen=True)
-class Illumination:
-    """Light that reaches places on the water."""
-
     sun: Share = 1.0  # what all that throws shadows leaves of the sun
     sun_past_foam: Share = 1.0  # what foam beside a place leaves too
     mirrored: Mirror | None = None  # light that is reflected; None: the sky's
     glint: Glint | None = None  # None: smooth
 
 
-def water(air: Air, body: Water, hit: WaterHit, light: Illumination = Illumination()) -> Floats:
+def water(air: Air, body: Water, hit: WaterHit) -> Floats:
     """Radiance of the water toward the camera, before haze; (r, 3)."""
     d, n, sigma2 = hit.d, hit.n, body.roughness**2
     nv = np.maximum(-dot(n, d), 0.0)
     cv = np.sqrt(nv * nv + sigma2 * (1.0 - nv * nv))
     mirror = fresnel(cv)[:, None]
-    entering = ENTERS * (_direct(air, n, light.sun_past_foam) + sky_light(air, n[:, 1]))
+    entering = ENTERS * (_direct(air, n, hit.sun_past_foam) + sky_light(air, n[:, 1]))
     within = _body(body, entering, cv, hit)
     if hit.saturation is not None and body.aeration > 0.0:
         within = _aerated(body, entering, cv, within, hit.saturation)
-    sun = _column(light.sun)
+    sun = _column(hit.sun)
     inner = (1.0 - mirror) * (within + sun * _crest(air, body, hit))
     # A slope turns the reflected ray by twice its angle; across the plane of incidence less, as the look is flatter.
     spread = np.full(cv.shape, math.sqrt(2.0 * sigma2)), math.sqrt(2.0 * sigma2) * cv
-    mirrored, glitter = light.mirrored or air.mirrored, light.glint or partial(glint, air)
+    mirrored, glitter = hit.mirrored or air.mirrored, hit.glint or partial(glint, air)
     return inner + mirror * mirrored(_reflected(d, n, sigma2), spread) + sun * glitter(d, n, cv, sigma2)
 
 

@@ -22,8 +22,6 @@ SOFT, SOFT_LEAST = 0.25, 1e-3  # half the width of the ramp around a probability
 
 @dataclass(frozen=True)
 class SparkleField:
-    """The sparkles of a light at a time."""
-
     sparkles: Sparkles
     epoch: int  # number of whole lives since time 0, modulo EPOCHS
     turn: float  # fraction of the current one

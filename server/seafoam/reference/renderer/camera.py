@@ -11,33 +11,26 @@ from seafoam.scene.camera import Camera
 
 
 @dataclass(frozen=True)
-class View:
-    """A camera's position and the three vectors of which rays are composed."""
+class SampleGrid:
+    """The samples of a camera's picture, and the vectors of which their rays are composed."""
 
     eye: Floats  # (3,) position, m
     ray_x: Floats  # (3,) derivative of a ray by clip X
     ray_y: Floats  # (3,) derivative of a ray by clip Y
     ray_z: Floats  # (3,) the ray through the centre of the picture
-
-
-@dataclass(frozen=True)
-class SampleGrid:
-    """The samples of a camera's picture."""
-
-    view: View
     width: int  # pixels, as is the height
     height: int
-    samples: int = 1  # along each side of a pixel
+    samples: int  # along each side of a pixel
 
     @property
     def eye_y(self) -> float:
         """Height of the camera, m."""
-        return float(self.view.eye[1])
+        return float(self.eye[1])
 
     @property
     def origin(self) -> Vec2:
         """World coordinates (x, z) of the point below the camera, m."""
-        return float(self.view.eye[0]), float(self.view.eye[2])
+        return float(self.eye[0]), float(self.eye[2])
 
     @property
     def rows(self) -> int:
@@ -50,11 +43,15 @@ class SampleGrid:
     @cached_property
     def steps(self) -> Pair:
         """Change of a ray from one sample to the next, along a row and along a column; (3,) each."""
-        return 2.0 * self.view.ray_x / self.columns, 2.0 * self.view.ray_y / self.rows
+        return 2.0 * self.ray_x / self.columns, 2.0 * self.ray_y / self.rows
+
+    def rays(self, X: Floats, Y: Floats) -> Floats:
+        """D = ray_z + X ray_x + Y ray_y at clip positions in [−1, 1]; (..., 3), not normalised, never zero."""
+        return self.ray_z + X[..., None] * self.ray_x + Y[..., None] * self.ray_y
 
 
-def view(camera: Camera, width: int, height: int) -> View:
-    """The view of a camera on a picture of width × height pixels: rotated by yaw, then pitch, then roll."""
+def sample_grid(camera: Camera, width: int, height: int, samples: int = 1) -> SampleGrid:
+    """The samples of a camera's picture of width × height pixels: rotated by yaw, then pitch, then roll."""
     sin_yaw, cos_yaw = math.sin(camera.yaw), math.cos(camera.yaw)
     sin_pitch, cos_pitch = math.sin(camera.pitch), math.cos(camera.pitch)
     sin_roll, cos_roll = math.sin(camera.roll), math.cos(camera.roll)
@@ -63,17 +60,5 @@ def view(camera: Camera, width: int, height: int) -> View:
     up = np.array([-sin_yaw * sin_pitch, cos_pitch, cos_yaw * sin_pitch])
     right, up = right * cos_roll + up * sin_roll, up * cos_roll - right * sin_roll
     q = math.tan(camera.fov / 2.0)
-    return View(np.array(camera.position, np.float64), q * (width / height) * right, q * up, forward)
-
-
-def rays(view: View, X: Floats, Y: Floats) -> Floats:
-    """D = ray_z + X ray_x + Y ray_y at clip positions in [−1, 1]; (..., 3), not normalised, never zero."""
-    return view.ray_z + X[..., None] * view.ray_x + Y[..., None] * view.ray_y
-
-
-def depression(view: View, width: int, height: int) -> Floats:
-    """Angle of each pixel's middle ray below the horizon, (height, width) rad, row 0 at the top."""
-    X = 2.0 * (np.arange(width) + 0.5) / width - 1.0
-    Y = 1.0 - 2.0 * (np.arange(height) + 0.5) / height
-    D = rays(view, *np.broadcast_arrays(X[None, :], Y[:, None]))
-    return np.arctan2(-D[..., 1], np.hypot(D[..., 0], D[..., 2]))
+    eye, across = np.array(camera.position, np.float64), q * (width / height) * right
+    return SampleGrid(eye, across, q * up, forward, width, height, samples)

@@ -24,13 +24,11 @@ class FoamStage(ReferenceState):
 
     @property
     def foam(self) -> Foam:
-        """The scene's foam."""
         assert self.scene.foam is not None
         return self.scene.foam
 
     @property
     def images(self) -> Assets:
-        """Masks and textures of the foam."""
         assert self.assets is not None
         return self.assets
 
@@ -46,8 +44,10 @@ class FoamStage(ReferenceState):
         start, lit = np.broadcast_to(o, d.shape)[seen], self.lighting
         return seen, self.fleet.light(lit.air, lit.open_sun, start, d[seen], hit.subset(seen)), hit.t[seen]
 
-    def _foam(self, samples: WaterSamples) -> Pair:
+    def _foam(self, samples: WaterSamples) -> tuple[Floats, Floats | None]:
         """Foam amount at r samples, in [0, 3] for the look ``listing``, else in [0, 1], and saturation f; (r,) each."""
+        if self.scene.foam is None or self.assets is None:
+            return np.zeros_like(samples.x), None
         f = saturation(self, self.foam, samples)
         return self._mask_amount(f, samples.x, samples.z, samples.footprints), f
 
@@ -78,10 +78,8 @@ class FoamStage(ReferenceState):
         octaves: int = OCTAVES_MOST,
     ) -> Floats:
         """Foam amount at r places of the water, or ``offset`` m (x, z) from them, however its mask is moved; (r,).
-
         ``to_rest``: displacement to the water's rest position, m; by default that of the waves. ``octaves``: maximum of
-        the mask's.
-        """
+        the mask's."""
         if foam_life(self.scene) is not None:
             by_x, by_z = self.surface.to_rest(x, z) if to_rest is None else to_rest
             rest = x + by_x + offset[0], z + by_z + offset[1]
@@ -114,16 +112,10 @@ class FoamStage(ReferenceState):
         t = self._texture(*rest, footprints)
         free = np.ones_like(s)
         masks = (self.images, *self.images.older)
-        for part in aging.shares(len(masks), s, np.clip(f, 0.0, 1.0)):
-            own = np.flatnonzero(part.weight > 0.0)
+        for mask, (weight, share) in zip(masks, aging.shares(len(masks), s, np.clip(f, 0.0, 1.0)), strict=True):
+            own = np.flatnonzero(weight > 0.0)
             covered = coverage(
-                foam,
-                masks[part.mask],
-                part.s[own],
-                points.subset(own),
-                filtering=self.filtering,
-                shares=True,
-                octaves=octaves,
+                foam, mask, share[own], points.subset(own), filtering=self.filtering, shares=True, octaves=octaves
             )
             free[own] *= 1.0 - looks.thinned(covered, t[own], foam.texture)
         return 1.0 - free

@@ -1,16 +1,19 @@
 """A frame of a scene: rays through pixels, the surface under them, foam, light, and the average."""
 
+import hashlib
+import json
 from dataclasses import dataclass
 
 import numpy as np
 
 from seafoam.reference.foam.coverage import Assets
-from seafoam.reference.renderer import camera as cameras
+from seafoam.reference.renderer.camera import SampleGrid, sample_grid
 from seafoam.reference.renderer.shade import SampleShader
 from seafoam.reference.renderer.state import Mode
 from seafoam.reference.spray.births import drops
 from seafoam.reference.spray.splats import splats
-from seafoam.reference.types import Bools, Floats, Indices
+from seafoam.reference.types import Floats, Pair
+from seafoam.scene.base import non_defaults
 from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
 
@@ -28,12 +31,15 @@ class ReferenceFrame:
     """(H, W), mean foam amount in [0, 1]; 0 in the sky."""
     amount: Floats
     """(H·n, W·n), foam amount of each sample, at most 1."""
-    hit: Bools
-    """(H·n, W·n), whether a sample met the surface."""
-    depression: Floats
-    """(H, W), angle of each pixel's middle ray below the horizon, rad."""
-    samples: int
-    """n, samples along each side of a pixel."""
+
+
+def scene_sha256(scene: Scene) -> str:
+    """SHA-256, in hexadecimal, of the settled scene's :func:`~seafoam.scene.base.non_defaults`, as canonical JSON.
+
+    A new field of the schema changes none, a changed default does.
+    """
+    text = json.dumps(non_defaults(scene.settled), sort_keys=True, separators=(",", ":"), allow_nan=False)
+    return hashlib.sha256(text.encode()).hexdigest()
 
 
 def render(
@@ -53,51 +59,35 @@ def render(
     level by level 0. ``camera`` replaces the scene's. Waves and ripples are never slope-filtered.
     """
     scene = scene.settled
-    view = cameras.view(scene.camera if camera is None else camera, width, height)
-    grid = cameras.SampleGrid(view, width, height, samples)
+    grid = sample_grid(scene.camera if camera is None else camera, width, height, samples)
     shader = SampleShader(scene, time, grid, mode, Assets.for_scene(scene))
     flying = None
     if scene.spray is not None and not shader.covered:
-        thrown = drops(scene, time, shader.origin, view.ray_z[::2], shader.surface.coast)
+        thrown = drops(scene, time, shader.origin, grid.ray_z[::2], shader.surface.coast)
         if thrown is not None:
             flying = splats(scene, thrown, grid, shader.surface, shader.fleet, shader.lighting)
-    pixels, shape = width * height, (height, samples, width, samples)
-    picture, clip_x, clip_y = np.empty((*shape, 3)), np.empty(shape), np.empty(shape)
-    amount, hit = np.empty(shape), np.empty(shape, np.bool_)
-    jitter = np.random.default_rng(JITTER_SEED)
-    step = max(1, CHUNK // samples**2)
-    for start in range(0, pixels, step):
-        index = np.arange(start, min(start + step, pixels))
-        cells = (index.size, samples, samples)
-        offset = jitter.random((*cells, 2)) if mode == "converged" else np.full((*cells, 2), 0.5)
-        where, X, Y = _samples(index, width, height, samples, offset)
-        colour, a, met = shader.shade(X.ravel(), Y.ravel())
-        picture[where], clip_x[where], clip_y[where] = colour.reshape(*cells, 3), X, Y
-        amount[where], hit[where] = a.reshape(cells), met.reshape(cells)
-    grid_shape = grid.rows, grid.columns
+    X, Y = _clip_positions(grid, mode)
+    count = max(1, CHUNK // samples**2) * samples**2
+    parts = [shader.shade(X[i : i + count], Y[i : i + count]) for i in range(0, X.size, count)]
+
+    def placed(values: Floats) -> Floats:
+        """Samples (r, ...), pixel by pixel, as (height, samples, width, samples, ...)."""
+        by_pixel = values.reshape(height, width, samples, samples, *values.shape[1:])
+        return np.ascontiguousarray(by_pixel.swapaxes(1, 2))
+
+    picture, amount = (placed(np.concatenate(part)) for part in zip(*parts, strict=True))
+    shape = grid.rows, grid.columns
     if flying is not None:
-        flying.draw_over(picture.reshape(*grid_shape, 3), clip_x.reshape(grid_shape), clip_y.reshape(grid_shape))
-    return ReferenceFrame(
-        rgb=picture.mean(axis=(1, 3)),
-        alpha=amount.mean(axis=(1, 3)),
-        amount=amount.reshape(grid_shape),
-        hit=hit.reshape(grid_shape),
-        depression=cameras.depression(view, width, height),
-        samples=samples,
-    )
+        flying.draw_over(picture.reshape(*shape, 3), placed(X).reshape(shape), placed(Y).reshape(shape))
+    return ReferenceFrame(picture.mean(axis=(1, 3)), amount.mean(axis=(1, 3)), amount.reshape(shape))
 
 
-def _samples(
-    index: Indices, width: int, height: int, samples: int, offset: Floats
-) -> tuple[tuple[Indices, Indices, Indices, Indices], Floats, Floats]:
-    """Places of pixels' samples in arrays (height, samples, width, samples), and their X, Y in clip space.
-
-    ``offset``: (pixels, samples, samples, 2), position in each cell of the grid, [0, 1).
-    """
-    cell = np.arange(samples)
-    row, column = index[:, None, None] // width, index[:, None, None] % width
-    down = row * samples + cell[:, None] + offset[..., 0]
-    along = column * samples + cell + offset[..., 1]
-    X = 2.0 * along / (samples * width) - 1.0
-    Y = 1.0 - 2.0 * down / (samples * height)
-    return (row, cell[:, None], column, cell), X, Y
+def _clip_positions(grid: SampleGrid, mode: Mode) -> Pair:
+    """Clip positions X and Y of all samples, pixel by pixel from the upper left one; (r,) each."""
+    samples, cell, pixel = grid.samples, np.arange(grid.samples), np.arange(grid.width * grid.height)[:, None, None]
+    offset = np.full((pixel.size, samples, samples, 2), 0.5)
+    if mode == "converged":
+        offset = np.random.default_rng(JITTER_SEED).random(offset.shape)
+    down = pixel // grid.width * samples + cell[:, None] + offset[..., 0]
+    along = pixel % grid.width * samples + cell + offset[..., 1]
+    return (2.0 * along / grid.columns - 1.0).ravel(), (1.0 - 2.0 * down / grid.rows).ravel()

@@ -132,10 +132,8 @@ class _Search:
     def _march(
         self, rays: Indices, low: Floats, high: Floats, side: Floats, sure: Bools, before: Floats, after: Floats
     ) -> list[tuple[Indices, Floats, Floats]]:
-        """Bracket the first sign change of each ray in ``before`` and ``after``; return the minima to be searched.
-
-        A minimum is (rays, from, to): G is positive where it was sampled, but may be negative between.
-        """
+        """Bracket the first sign change of each ray in ``before`` and ``after``; return the minima to be searched. A
+        minimum is (rays, from, to): G is positive where it was sampled, but may be negative between."""
         dips: list[tuple[Indices, Floats, Floats]] = []
         if rays.size == 0:
             return dips

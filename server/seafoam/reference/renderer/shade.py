@@ -6,12 +6,11 @@ import numpy as np
 
 from seafoam.reference.foam.front import CAP
 from seafoam.reference.light import light
-from seafoam.reference.renderer import camera as cameras
 from seafoam.reference.renderer import intersect
 from seafoam.reference.renderer.foam import FoamStage
 from seafoam.reference.renderer.state import Lighting, WaterSamples
 from seafoam.reference.shore.shore import Coast
-from seafoam.reference.types import Bools, Floats, Pair, dot, unit
+from seafoam.reference.types import Floats, Pair, dot, unit
 from seafoam.reference.water.seafloor import FARTHEST, FOAM_THROUGH, Seabed
 from seafoam.scene.foam import SurfSaturation
 
@@ -21,11 +20,11 @@ BRIGHTEST = 65504.0  # the greatest half float, at which frames are clamped
 
 
 class SampleShader(FoamStage):
-    """Colour, foam amount and hit of samples at clip positions."""
+    """Colour and foam amount of samples at clip positions."""
 
-    def shade(self, X: Floats, Y: Floats) -> tuple[Floats, Floats, Bools]:
-        """Colour (r, 3), foam amount (r,) and hit (r,) of samples at clip positions (r,)."""
-        D = cameras.rays(self.grid.view, X, Y)
+    def shade(self, X: Floats, Y: Floats) -> Pair:
+        """Colour (r, 3) and foam amount (r,) of samples at clip positions (r,)."""
+        D = self.grid.rays(X, Y)
         d = unit(D)
         if self.under:
             return self._below(D, d)
@@ -48,7 +47,7 @@ class SampleShader(FoamStage):
         if self.lighting is not None:
             radiance = self.lighting.haze(radiance, d[seen], far) * self.exposure
         colour[seen] = radiance
-        return np.minimum(colour, BRIGHTEST), amount, met | dry
+        return np.minimum(colour, BRIGHTEST), amount
 
     def _sky(self, air: light.Air, D: Floats, d: Floats) -> Floats:
         """Radiance (r, 3) of the sky along rays D of directions d."""
@@ -60,9 +59,7 @@ class SampleShader(FoamStage):
     def _water(self, samples: WaterSamples) -> Pair:
         """Colour (r, 3) and foam amount (r,) of samples of the water."""
         foam, lighting = self.scene.foam, self.lighting
-        a, f = np.zeros_like(samples.x), None
-        if foam is not None and self.assets is not None:
-            a, f = self._foam(samples)
+        a, f = self._foam(samples)
         amount = np.minimum(a, 1.0)
         if lighting is None:
             return np.repeat(amount[:, None], 3, axis=1), amount
@@ -72,14 +69,19 @@ class SampleShader(FoamStage):
         if foam is not None and f is not None and foam.thickness > 0.0:
             left, factor = self._foam_shadow(lighting.air.sun, a, f, samples)
             on_water, on_foam = left * sun, factor * sun
-        illumination = light.Illumination(
-            sun, on_water, lambda r, spread: self._mirror(lighting, place, r, spread), lighting.glint
-        )
-        relief = self.surface.relief
         hit = light.WaterHit(
-            samples.d, samples.normal, samples.height, (relief.trough, relief.top), self._floor(samples), f
+            samples.d,
+            samples.normal,
+            samples.height,
+            (self.surface.relief.trough, self.surface.relief.top),
+            floor=self._floor(samples),
+            saturation=f,
+            sun=sun,
+            sun_past_foam=on_water,
+            mirrored=lambda r, spread: self._mirror(lighting, place, r, spread),
+            glint=lighting.glint,
         )
-        colour = light.water(lighting.air, self.scene.water, hit, illumination)
+        colour = light.water(lighting.air, self.scene.water, hit)
         if foam is not None and f is not None:
             air, normal = lighting.air, samples.foam_normal
             white = light.foam(air, foam.albedo, normal, on_foam)
@@ -121,17 +123,17 @@ class SampleShader(FoamStage):
             colour = colour + (white - colour) * amount[:, None]
         return lighting.haze(colour, d, distance) * self.exposure, amount
 
-    def _below(self, D: Floats, d: Floats) -> tuple[Floats, Floats, Bools]:
+    def _below(self, D: Floats, d: Floats) -> Pair:
         """Colour (r, 3) and foam amount (r,) along rays D of a camera under the surface; every ray ends in water."""
         distance = intersect.first_crossing(self.surface.relief, self.eye_y, d)
         colour, amount = np.zeros_like(d), np.zeros(d.shape[0])
         if self.seabed is None or self.lighting is None:
             # Without light: white foam, black water.
             up = np.isfinite(distance)
-            if up.any() and self.scene.foam is not None and self.assets is not None:
+            if up.any():
                 a, _ = self._foam(self.water_samples(D[up], d[up], distance[up], side=-1.0))
                 amount[up] = np.minimum(a, 1.0)
-            return np.repeat(amount[:, None], 3, axis=1), amount, np.ones(d.shape[0], np.bool_)
+            return np.repeat(amount[:, None], 3, axis=1), amount
         bed, here = self.seabed, np.zeros(d.shape[0])
         to_floor = bed.reach(here, here, here + self.eye_y, d)
         floor = ~np.isfinite(distance) | (to_floor < distance)
@@ -145,19 +147,18 @@ class SampleShader(FoamStage):
             colour[up], amount[up] = self._underside(bed, D[up], d[up], distance[up])
         seen, radiance, far = self._hulls(np.array([0.0, self.eye_y, 0.0]), d, np.where(up, distance, to_floor))
         colour[seen] = self._through_water(bed, radiance, d[seen], far)
-        return np.minimum(colour * self.exposure, BRIGHTEST), amount, np.ones(d.shape[0], np.bool_)
+        return np.minimum(colour * self.exposure, BRIGHTEST), amount
 
     def _underside(self, bed: Seabed, D: Floats, d: Floats, distance: Floats) -> Pair:
         """Colour (r, 3), not exposed, and foam amount (r,) of the surface that rays D meet from below."""
         foam, samples = self.scene.foam, self.water_samples(D, d, distance, side=-1.0)
         place = samples.x, samples.z, samples.height
-        radiance, amount = bed.underside(*place, d, samples.normal, distance, samples.footprints), np.zeros(len(d))
-        if foam is not None and self.assets is not None:
-            a, _ = self._foam(samples)
+        radiance = bed.underside(*place, d, samples.normal, distance, samples.footprints)
+        a, _ = self._foam(samples)
+        if foam is not None:
             white = FOAM_THROUGH * light.foam(bed.air, foam.albedo, samples.foam_normal)
             radiance = self._blend(radiance, white, a)
-            amount = np.minimum(a, 1.0)
-        return self._through_water(bed, radiance, d, distance), amount
+        return self._through_water(bed, radiance, d, distance), np.minimum(a, 1.0)
 
     def _through_water(self, bed: Seabed, radiance: Floats, d: Floats, distance: Floats) -> Floats:
         """Radiance (r, 3) that reaches the camera along rays d (r, 3) through (r,) m of water."""
@@ -172,9 +173,7 @@ class SampleShader(FoamStage):
 
     def _mirror(self, lighting: Lighting, place: Floats, r: Floats, spread: Pair) -> Floats:
         """Radiance that arrives from directions r (r, 3) at places (r, 3) on the water: sky, and what occludes it.
-
-        ``spread``: standard deviations (r,) of the directions about r from which the sky's light comes, rad.
-        """
+        ``spread``: standard deviations (r,) of the directions about r from which the sky's light comes, rad."""
         coast, reflection = self.surface.coast, lighting.settings.reflection
         if reflection == "cubemap" and coast is not None:
             return self._around(lighting, coast, r, spread)

@@ -49,8 +49,7 @@ def _front(state: ReferenceState, source: scenes.FrontSaturation, points: Surfac
     if waves.amplitude.size == 0:
         return np.zeros_like(points.x)
     if source.decay is not None:
-        history = front.History(foam_drift(state.scene), state.surface.orbits)
-        return front.decaying_front(source, waves, points, eye_y, history)
+        return front.decaying_front(source, waves, points, eye_y, foam_drift(state.scene), state.surface.orbits)
     sum_of = front.group(waves, points.x, points.z, constants.delta)
     if points.footprints is None:
         f = np.minimum(front.front_saturation(sum_of.X, sum_of.Y, source.intensity, constants.base), points.cap)

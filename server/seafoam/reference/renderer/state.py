@@ -125,7 +125,6 @@ class Lighting:
 
 
 def _product(parts: list[Sunlight]) -> Sunlight:
-    """The sunlight that all of some leave."""
     return lambda place, at: np.prod([np.ones(len(place)), *(part(place, at) for part in parts)], axis=0)
 
 

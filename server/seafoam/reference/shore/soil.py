@@ -149,9 +149,7 @@ def _noise(q_x: Floats, q_z: Floats, ground: tuple[Floats, Floats, Floats], foot
 
 def _add_octaves(result: _Noise, place: Pair, axes: Pair, key: int, weights: Pair, footprints: Footprints) -> None:
     """Adds octaves at ``place`` in a plane whose coordinates have the gradients ``axes`` (r, 2) in x and z.
-
-    ``weights``: gain of the noise, and share of means, (r,) each.
-    """
+    ``weights``: gain of the noise, and share of means, (r,) each."""
     gain, part_of_means = weights
     x, y = (np.stack([dot(axis, side) for axis in axes], axis=-1) for side in footprints)
     longer = np.sqrt(np.maximum(dot(x, x), dot(y, y)))

@@ -114,7 +114,6 @@ def from_bursts(spray: Spray, time: float, origin: Vec2) -> Drops:
     family = np.digitize(number(word, 0), (0.62, 0.76))
 
     def pick(*values: Floats) -> Floats:
-        """The value of each drop's family."""
         return np.stack(values)[family, index]
 
     flat = pick(
@@ -140,7 +139,6 @@ def from_bursts(spray: Spray, time: float, origin: Vec2) -> Drops:
 
 
 def on_rocks(scene: Scene) -> bool:
-    """Whether there are rocks for surf to break on."""
     shore, spray = scene.shore, scene.spray
     return shore is not None and spray is not None and shore.surf.height > 0.0 and len(rocks(shore, spray.steep)) > 0
 
@@ -259,7 +257,6 @@ class _Waters:
         return np.maximum(folds, steep), p, onward, np.where(front, 1.0, strong)
 
     def _sea(self, p: Floats) -> Breaking:
-        """How a sea without single waves does."""
         sea, limits, total = self.scene.sea, _limits(self.scene), np.zeros(p.shape[:-1])
         onward = np.zeros((*total.shape, 3))
         if sea is None:
@@ -278,7 +275,6 @@ class _Waters:
         return total, p, onward, np.full(total.shape, strength)
 
     def _surf(self, coast: Coast, p: Floats) -> Breaking:
-        """How surf breaks on a beach."""
         shape, period = p.shape[:-1], coast.shore.surf.period
         q = p.reshape(-1, 2) + np.array(coast.offset)
         field, change = coast.field.all(q[:, 0], q[:, 1])

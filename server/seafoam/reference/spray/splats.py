@@ -16,7 +16,7 @@ from seafoam.reference.boats.boat import Fleet
 from seafoam.reference.light.atmosphere import CONTRAST
 from seafoam.reference.noise import number
 from seafoam.reference.renderer import intersect
-from seafoam.reference.renderer.camera import SampleGrid, View
+from seafoam.reference.renderer.camera import SampleGrid
 from seafoam.reference.renderer.state import Lighting, Surface
 from seafoam.reference.sampling import trilinear
 from seafoam.reference.shore.shore import Coast
@@ -140,8 +140,7 @@ def form(kind: Floats, age: Floats, life: Floats, vary: Floats, other: Floats) -
 def splats(
     scene: Scene, drops: Drops, grid: SampleGrid, surface: Surface, fleet: Fleet | None, lighting: Lighting | None
 ) -> Splats:
-    """The drops on a picture."""
-    spray, view = scene.spray, grid.view
+    spray = scene.spray
     assert spray is not None
     # Drops of waves come in batches, each of which begins at a time of its own; those at rocks do not.
     every = 0.0 if on_rocks(scene) else spray.life / BATCHES
@@ -152,7 +151,7 @@ def splats(
     tau = of["drag"] * (spray.drag * (0.6 + 0.8 * vary))
     place, moving = flight(drops.birth, drops.velocity, drops.age, tau, of["weight"], wind)
     away = place - np.array([0.0, grid.eye_y, 0.0])
-    depth = away @ view.ray_z
+    depth = away @ grid.ray_z
     chosen = np.flatnonzero(depth >= NEAREST)
     soft = 0.35 * drops.radius[chosen] + 0.02
     clear, over = _visible(away[chosen], grid.eye_y, soft, surface.relief, surface.coast, fleet)
@@ -168,11 +167,11 @@ def splats(
     thin = size.prod(axis=-1) / half.prod(axis=-1)
     sharp = np.log2(0.5 * WINDOW * STRANDS / half[:, 1])
     level = np.clip(sharp, 0.0, 5.0)
-    tangent = size[:, 0] * math.sqrt(float(view.ray_y @ view.ray_y)) / (0.5 * grid.rows)
+    tangent = size[:, 0] * math.sqrt(float(grid.ray_y @ grid.ray_y)) / (0.5 * grid.rows)
     apart = np.where(drops.kind == COLUMN, 1.0, 1.0 - smoothstep(*AROUND, tangent))
     hides = 1.0 - np.exp(-thick * drops.strength * clear * smoothstep(NEAREST, 1.0, depth) * apart)
     stretch = 0.5 * WINDOW * np.minimum(half[:, 0] / half[:, 1], 2.0)
-    scattered, onward, sun = _light(lighting, view, away, drops.velocity, along)
+    scattered, onward, sun = _light(lighting, grid, away, drops.velocity, along)
     return Splats(
         X=X,
         Y=Y,
@@ -191,17 +190,15 @@ def splats(
 
 
 def _light(
-    lighting: Lighting | None, view: View, away: Floats, thrown: Floats, along: Floats
+    lighting: Lighting | None, grid: SampleGrid, away: Floats, thrown: Floats, along: Floats
 ) -> tuple[Floats, Floats, Floats]:
-    """Of drops at (n, 3), m from the camera, thrown with velocities (n, 3) and flying along (n, 2) on the picture.
-
-    The light that they scatter all round, that of the sun that they send on nearly as it came, and the direction to
-    the sun: along, across, and toward the eye; (n, 3) each.
-    """
+    """Of drops at (n, 3), m from the camera, thrown with velocities (n, 3) and flying along (n, 2) on the picture. The
+    light that they scatter all round, that of the sun that they send on nearly as it came, and the direction to the
+    sun: along, across, and toward the eye; (n, 3) each."""
     if lighting is None:
         return np.ones_like(away), np.zeros_like(away), np.zeros_like(away)
     air, none = lighting.air, np.zeros((len(away), 2))
-    reached = lighting.open_sun(away + np.array([0.0, view.eye[1], 0.0]), (none, none))
+    reached = lighting.open_sun(away + np.array([0.0, grid.eye_y, 0.0]), (none, none))
     distance = np.sqrt(dot(away, away))
     # Where the water beside a drop ends: outward of its flight, and up.
     level = thrown[:, ::2] / np.maximum(np.hypot(thrown[:, 0], thrown[:, 2]), 1e-3)[:, None]
@@ -214,9 +211,9 @@ def _light(
     through = np.exp(-CONTRAST / lighting.settings.visibility * distance)
     onward = air.sun_irradiance * (reached * phase * through)[:, None] * lighting.exposure
 
-    aside = np.array([unit(axis) @ air.sun for axis in (view.ray_x, view.ray_y)])
+    aside = np.array([unit(axis) @ air.sun for axis in (grid.ray_x, grid.ray_y)])
     across = np.stack((-along[:, 1], along[:, 0]), axis=-1)
-    eye = np.full(len(along), -float(air.sun @ view.ray_z))
+    eye = np.full(len(along), -float(air.sun @ grid.ray_z))
     toward_sun = np.stack((along @ aside, across @ aside, eye), axis=-1)
     return np.minimum(scattered, BRIGHTEST), np.minimum(onward, BRIGHTEST), toward_sun
 
@@ -225,20 +222,17 @@ def _ellipses(
     grid: SampleGrid, away: Floats, moving: Floats, radius: Floats, of: NDArray[np.void], over: Floats
 ) -> tuple[Floats, Floats, Floats, Floats]:
     """Clip positions X and Y of drops at (n, 3), directions on the picture (n, 2), half lengths and widths (n, 2).
-
-    ``of``: rows of KINDS; ``over``: heights above water, m. Lengths on the picture are in samples.
-    """
-    view, sides = grid.view, (grid.columns, grid.rows)
-    depth, axes = away @ view.ray_z, (view.ray_x, view.ray_y)
+    ``of``: rows of KINDS; ``over``: heights above water, m. Lengths on the picture are in samples."""
+    sides, axes, depth = (grid.columns, grid.rows), (grid.ray_x, grid.ray_y), away @ grid.ray_z
     X, Y = (away @ axis / float(axis @ axis) / depth for axis in axes)
     moves = np.stack(
         [
-            (moving @ axis / float(axis @ axis) - clip * (moving @ view.ray_z)) / depth * 0.5 * side * of["moment"]
+            (moving @ axis / float(axis @ axis) - clip * (moving @ grid.ray_z)) / depth * 0.5 * side * of["moment"]
             for axis, clip, side in zip(axes, (X, Y), sides, strict=True)
         ],
         axis=-1,
     )
-    scale = 0.5 * sides[1] / (math.sqrt(float(view.ray_y @ view.ray_y)) * depth)
+    scale = 0.5 * sides[1] / (math.sqrt(float(grid.ray_y @ grid.ray_y)) * depth)
     wide = np.minimum(radius, 0.5 * radius + over) * scale
     moved = np.hypot(moves[:, 0], moves[:, 1])
     longer = moved * np.minimum(over / np.maximum(np.abs(moving[:, 1]) * of["moment"], 1e-3), 1.0)
@@ -250,10 +244,8 @@ def _ellipses(
 def _visible(
     away: Floats, eye_y: float, soft: Floats, relief: ReliefPart, coast: Coast | None, fleet: Fleet | None
 ) -> Pair:
-    """What is seen of drops (n, 3): nothing of those below or behind water or ground, or behind a boat; in [0, 1].
-
-    And their heights over both, m.
-    """
+    """What is seen of drops (n, 3): nothing of those below or behind water or ground, or behind a boat; in [0, 1]. And
+    their heights over both, m."""
     x, z = away[:, 0], away[:, 2]
     ground = relief.height(x, z)
     if coast is not None:

@@ -234,8 +234,6 @@ class Seabed:
 
 
 class ShoreSeabed(Seabed):
-    """The floor of a shore."""
-
     def __init__(self, scene: Scene, air: Air, time: float, origin: Vec2, sunlight: Sunlight, coast: Coast) -> None:
         super().__init__(scene, air, time, origin, sunlight)
         self.coast = coast

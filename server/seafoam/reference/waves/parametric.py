@@ -36,8 +36,6 @@ TROUGH = 1e-4
 
 @dataclass(frozen=True, eq=False)
 class GroupFactor:
-    """The factor at one time around one origin."""
-
     corners: Floats  # values of the noise at its corners, in [0, 1]; rows along the second axis
     along: Vec2
     """Step of the noise along the way of the groups, (x, z) cells/m; the other is at right angles to it."""

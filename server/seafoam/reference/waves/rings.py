@@ -26,8 +26,6 @@ BAND = 1.0  # width of front and tail, in wavelengths
 
 @dataclass(frozen=True)
 class OneRing:
-    """A ring at one time."""
-
     amplitude: float  # amplitude I₀e^(−bs) − d, at least 0, m
     k: float  # wavenumber, rad/m
     theta: float  # phase ωs, rad

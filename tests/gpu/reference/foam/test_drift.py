@@ -233,15 +233,6 @@ def test_backward_is_one_everywhere_where_forward_gaps_and_piles(executor: Execu
     assert twice > 0.005
 
 
-def test_nothing_jumps_when_a_generation_comes_up(probe: Probe) -> None:
-    """The oldest has gone and the youngest has not begun: sin² is 0 at both ends, and 2 together at any time."""
-    at = places(2000, 15.0) + np.array([0.0, -30.0])
-    for time in (5.0, -15.0, 5120.0, 1e9):
-        before, after = (shader(probe, SCENE, SUM, at, time + way) for way in (-1e-4, 1e-4))
-        assert np.abs(before[:, 1] - 2.0).max() < 1e-5
-        assert np.abs(after - before).max() < 5e-3
-
-
 def test_a_window_shorter_than_a_life_ends_smoothly(probe: Probe) -> None:
     at = places(500, 15.0) + np.array([0.0, -30.0])
     cut = UNFILTERED.model_copy(update={"drift_window": 12.0})

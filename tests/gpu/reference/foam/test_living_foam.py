@@ -12,7 +12,7 @@ from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference import render
 from seafoam.reference.foam import aging
-from seafoam.reference.foam.front import STILL, decaying_front
+from seafoam.reference.foam.front import decaying_front
 from seafoam.reference.types import SurfacePoints
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.render.gl.executor import Executor
@@ -166,13 +166,13 @@ def test_masks_of_all_ages_cover_what_one_would() -> None:
     s = 0.9 * f
     for masks in (1, 2, 3):
         shares = aging.shares(masks, s, f)
-        free = np.prod([1.0 - one.s for one in shares], axis=0)
+        free = np.prod([1.0 - share for _, share in shares], axis=0)
         assert np.abs(1.0 - free - s).max() < 1e-12
-        assert np.abs(sum(one.weight for one in shares) - 1.0).max() < 1e-12
-    young, torn, streak = aging.shares(3, s, f)
-    assert (young.weight[f > 0.9] == 1.0).all()
-    assert (torn.weight[np.abs(f - math.exp(-0.8)) < 0.02] == 1.0).all()
-    assert (streak.weight[f < math.exp(-1.6)] == 1.0).all()
+        assert np.abs(sum(weight for weight, _ in shares) - 1.0).max() < 1e-12
+    young, torn, streak = (weight for weight, _ in aging.shares(3, s, f))
+    assert (young[f > 0.9] == 1.0).all()
+    assert (torn[np.abs(f - math.exp(-0.8)) < 0.02] == 1.0).all()
+    assert (streak[f < math.exp(-1.6)] == 1.0).all()
 
 
 ONE = Scene(waves=(ParametricWave(amplitude=0.3, wavelength=9.0, direction=0.3),))
@@ -181,7 +181,8 @@ ONE = Scene(waves=(ParametricWave(amplitude=0.3, wavelength=9.0, direction=0.3),
 def foam_of(scene: Scene, source: FrontSaturation, time: float, x: Any, z: Any) -> Floats:
     """Saturation at places of still water, (r,)."""
     waves = wave_set(scene, time, (0.0, 0.0))
-    return decaying_front(source, waves, SurfacePoints(x, z, 0.0 * x, None, 1.0, time, (0.0, 0.0)), 1.0, STILL)
+    points = SurfacePoints(x, z, 0.0 * x, None, 1.0, time, (0.0, 0.0))
+    return decaying_front(source, waves, points, 1.0, (0.0, 0.0), False)
 
 
 @pytest.mark.parametrize("decay", [1.5, 3.7])

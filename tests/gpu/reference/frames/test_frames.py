@@ -5,14 +5,14 @@ import pytest
 from docs.make_whitecaps import FOV, PITCH, QUALITY, seascape
 from docs.make_whitecaps import spread as standard_error
 
+from references import bake
 from seafoam.ocean.waves.cascades import LOOP
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.reference import load_truth, render, truth_is_current
-from seafoam.reference.bake import CONVERGED_SIZE, CONVERGED_TIME, EVERY_LOOK, TIMES, jobs_of, truth_file
+from seafoam.reference import render
 from seafoam.render.gl.executor import Executor
 from support.exact import UNFILTERED
-from support.parity import HARD, REFERENCES, mean_of, parity
+from support.parity import HARD, mean_of, parity
 from support.pictures import draw, linear, rms, rmse, samples
 from support.report import Report
 from support.scenes import Camera, load_preset, preset_names
@@ -21,13 +21,13 @@ from support.sweep import crossed, spread
 
 def test_truth_is_of_the_scenes_that_are_judged() -> None:
     """A preset that changed without a new bake would be judged by the wrong picture."""
-    jobs = [job for name in preset_names() for job in jobs_of(name, load_preset(name).scene)]
-    stale = [job.name for job in jobs if not truth_is_current(truth_file(REFERENCES, job.name), job.scene)]
-    assert not stale, f"run python -m seafoam.reference.bake: {stale}"
-    assert {path.stem for path in REFERENCES.glob("*.npz")} == {job.name for job in jobs}
+    jobs = [job for name in preset_names() for job in bake.jobs_of(name)]
+    stale = [job.name for job in jobs if not bake.truth_is_current(job.name, job.scene)]
+    assert not stale, f"run make bake: {stale}"
+    assert {path.stem for path in bake.DIRECTORY.glob("*.npz")} == {job.name for job in jobs}
 
 
-@pytest.mark.parametrize(("preset", "time"), crossed(preset_names(), TIMES, len(TIMES), 3, 1))
+@pytest.mark.parametrize(("preset", "time"), crossed(preset_names(), bake.TIMES, len(bake.TIMES), 3, 1))
 def test_reference_quality_is_the_truth(executor: Executor, report: Report, preset: str, time: float) -> None:
     found = parity(executor, preset, time)
     report.add(
@@ -54,15 +54,15 @@ def test_the_frame_is_the_mean_of_its_samples(executor: Executor, preset: str) -
     assert np.abs(mean - want).max() <= 1e-5 * (1.0 + np.abs(want).max())
 
 
-@pytest.mark.parametrize("preset", EVERY_LOOK)
+@pytest.mark.parametrize("preset", bake.EVERY_LOOK)
 def test_filtered_has_less_error_than_any_hard_look(executor: Executor, report: Report, preset: str) -> None:
     """One sample a pixel, each look against its own limit of infinitely many."""
     scene = load_preset(preset).scene
     errors = {}
     for look in (*HARD, "filtered", "textured"):
         variant = scene.model_copy(update={"foam": scene.foam.model_copy(update={"look": look})})
-        truth = load_truth(truth_file(REFERENCES, f"{preset}.converged.{look}"))
-        drawn = linear(executor, variant, TIERS["standard"], time=CONVERGED_TIME, size=CONVERGED_SIZE)
+        truth = bake.load_truth(f"{preset}.converged.{look}")
+        drawn = linear(executor, variant, TIERS["standard"], time=bake.CONVERGED_TIME, size=bake.CONVERGED_SIZE)
         errors[look] = rmse(drawn, truth.rgb)
         report.add(
             "One sample a pixel against 256, standard quality, 160 × 90",
@@ -76,7 +76,7 @@ def test_filtered_has_less_error_than_any_hard_look(executor: Executor, report: 
 
 
 # Of the default preset the truth is computed here, for a minute.
-@pytest.mark.parametrize("preset", spread(EVERY_LOOK, 2, 1))
+@pytest.mark.parametrize("preset", spread(bake.EVERY_LOOK, 2, 1))
 def test_filtered_once_is_halftone_sixteen_times_over_waves(executor: Executor, report: Report, preset: str) -> None:
     """Of one octave, the only one that halftone has, and small enough that far pixels hold many texels."""
     scene = load_preset(preset).scene
@@ -85,12 +85,12 @@ def test_filtered_once_is_halftone_sixteen_times_over_waves(executor: Executor, 
     for look, count in (("halftone", 16), ("filtered", 1)):
         variant = scene.model_copy(update={"foam": scene.foam.model_copy(update={"look": look, **small})})
         if small:
-            width, height = CONVERGED_SIZE
-            truth = render(variant, time=CONVERGED_TIME, width=width, height=height, samples=6, mode="converged")
+            width, height = bake.CONVERGED_SIZE
+            truth = render(variant, time=bake.CONVERGED_TIME, width=width, height=height, samples=6, mode="converged")
         else:
-            truth = load_truth(truth_file(REFERENCES, f"{preset}.converged.{look}"))
+            truth = bake.load_truth(f"{preset}.converged.{look}")
         quality = TIERS["standard"].model_copy(update={"samples": count})
-        drawn = linear(executor, variant, quality, time=CONVERGED_TIME, size=CONVERGED_SIZE)
+        drawn = linear(executor, variant, quality, time=bake.CONVERGED_TIME, size=bake.CONVERGED_SIZE)
         errors[f"{look}_coverage"] = rms(drawn[..., 3] - truth.alpha)
         errors[f"{look}_picture"] = rmse(drawn, truth.rgb)
     report.add(

@@ -78,18 +78,6 @@ def test_sand_goes_on_under_the_waters_edge(executor: Executor) -> None:
     assert np.abs(want - soaked)[of.height < -0.6].mean() > 0.005
 
 
-def test_wetness_is_the_last_swashs(executor: Executor) -> None:
-    """It falls from wave to wave as the time since the crest grows, and the next crest renews it."""
-    of, surf = Ground(executor, SEA), SHORE.surf
-    later = coast(SEA, 0.02 * surf.period)
-    swash = 0.3 * surf.height
-    ages = 1.0 - of.sea.turn(of.sea.field.value(*of.at)[:, 0])
-    films = [one.wetness(*of.at, of.height)[1] for one in (of.sea, later)]
-    drying = (of.height > 0.3 * swash) & (of.height < swash) & (ages < 0.95) & (films[0] > 0.05)
-    assert np.count_nonzero(drying) > 20
-    assert (films[1] <= films[0] + 0.02)[drying].all()
-
-
 def test_what_the_footprint_hides_goes_over_into_its_mean(executor: Executor, report: Report) -> None:
     """Without detail in sight the mean colour stays: seen from afar land is as bright as the mean of what is near."""
     # Low land: of high land's layers of rock there are too few for a mean.

@@ -6,8 +6,6 @@ import numpy as np
 import pytest
 
 from seafoam.effects.effect import PlanError
-from seafoam.framegraph.evaluation import FrameState, evaluate
-from seafoam.ocean.basics.dispersion import angular_frequency
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference import render
@@ -62,20 +60,6 @@ def test_a_current_shows_what_an_eye_sees_that_the_water_carries(executor: Execu
         resting = samples(executor, scene, quality, scene.camera, time=time, size=(64, 36))
         assert levels(seen, still).mean() < 0.05
         assert levels(resting, still).mean() > 1.0
-
-
-def test_a_current_shifts_frequencies_as_doppler_says() -> None:
-    """At a place over the ground a wave of wavevector k passes with ω + k·U."""
-    scene = Scene(waves=(WAVE,), current=FLOW)
-    plan = make_plan(scene, TIERS["standard"])
-    k, (u, w) = 2.0 * math.pi / WAVE.wavelength, FLOW.velocity
-    shift = k * (u * math.cos(WAVE.direction) + w * math.sin(WAVE.direction))
-    phases = [
-        evaluate(plan.uniforms["u_parametric_phase"], FrameState(time, scene.camera, 64, 36, 64, 36, 0))[0]
-        for time in (0.0, 0.25)
-    ]
-    wanted = 0.25 * (angular_frequency(WAVE) + shift)
-    assert math.remainder(phases[1] - phases[0] - wanted, 2.0 * math.pi) == pytest.approx(0.0, abs=1e-6)
 
 
 @pytest.mark.parametrize(

@@ -190,13 +190,13 @@ def test_foam_lies_where_float64_has_it(executor: Executor, report: Report, pres
     """At 400 pixels of the lower half of a picture 960 wide: coverage, against 16 samples a pixel in float64."""
     found = load_preset(preset)
     scene, (width, height), along = found.scene.settled, (960, 540), 4
-    grid = cameras.SampleGrid(cameras.view(scene.camera, width, height), width, height, along)
+    grid = cameras.sample_grid(scene.camera, width, height, along)
     shader = SampleShader(scene, found.time, grid, "converged", Assets.for_scene(scene))
     random = np.random.default_rng(5)
     x, y = random.integers(0, width, 400), random.integers(height // 2, height, 400)
     offset = (np.indices((along, along))[..., None] + random.random((2, along, along, 400))) / along
     X, Y = 2.0 * (x + offset[1]) / width - 1.0, 1.0 - 2.0 * (y + offset[0]) / height
-    _, amount, _ = shader.shade(X.ravel(), Y.ravel())
+    _, amount = shader.shade(X.ravel(), Y.ravel())
     want = amount.reshape(-1, 400).mean(axis=0)
     coarse, fine = (
         rms(linear(executor, scene, quality, time=found.time, size=(width, height))[y, x, 3] - want)
