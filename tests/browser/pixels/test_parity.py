@@ -67,12 +67,12 @@ def test_same_pixels_on_the_same_renderer(page: Page, executor: Executor, preset
 STANDARD = TIERS["standard"]
 WAYS = (
     ("default", "fast", TIERS["fast"]),
-    ("default", "mesh", STANDARD.model_copy(update={"surface": SurfaceQuality(method="mesh", cells=112, refine=2)})),
+    ("spray-on-rocks", "more samples", STANDARD.model_copy(update={"samples_max": 16})),
     ("paper-halftone", "reference", TIERS["reference"]),
     ("default", "more samples", STANDARD.model_copy(update={"samples_max": 16})),
     ("default", "high", TIERS["high"]),
     ("default", "reference", TIERS["reference"]),
-    ("spray-on-rocks", "more samples", STANDARD.model_copy(update={"samples_max": 16})),
+    ("default", "mesh", STANDARD.model_copy(update={"surface": SurfaceQuality(method="mesh", cells=112, refine=2)})),
     ("paper-halftone", "fast", TIERS["fast"]),
     ("paper-halftone", "high", TIERS["high"]),
     ("paper-halftone", "exact", UNFILTERED),
