@@ -1,14 +1,17 @@
 """Moving water in Chromium without a GPU, by the way of starting it: what is seen from outside."""
 
+import time
 from dataclasses import dataclass
+from itertools import pairwise
 from statistics import median
+from typing import Any
 
 from playwright.sync_api import Playwright, sync_playwright
 
 from bench.report import Column, Table, count, ms
 from bench.served.server import HOST
 from bench.watch import Watch
-from support.browser.starts import STARTS, WINDOWS, Motion, browser_started, opened
+from support.browser.starts import STARTS, WINDOWS, Started, browser_started, opened
 
 FIRST_SECONDS, SETTLED_SECONDS, END_SECONDS = 5.0, 10.0, 13.0
 """After the start of navigation: gaps count from the first, rates from the second, until the third."""
@@ -24,6 +27,21 @@ MUSTS = {
     "WebGL off": (8.0, 0.5),
 }
 """Frames a second and scale to reach on ``default``; half of the rate on the others."""
+
+
+@dataclass(frozen=True)
+class Motion:
+    """What was seen of a while of motion. Times in s."""
+
+    fps: float
+    """Pictures that were drawn, a second."""
+    scale: float
+    """Width of the middle picture, of the window's."""
+    drawer: str
+    gap: float
+    """Longest time between two animation frames."""
+    still: float
+    """Longest time between two pictures."""
 
 
 @dataclass(frozen=True)
@@ -110,12 +128,12 @@ def _plays(played: dict[str, Played]) -> Table:
 
 def _play(playwright: Playwright, start: str, address: str, watch: Watch) -> Played:
     with browser_started(playwright, start) as (browser, _), opened(browser, address, "phone") as page:
-        page.wait_until(END_SECONDS)
-        held, began = page.heap(), 1e-3 * page.now()
+        _wait_until(page, END_SECONDS)
+        held, began = _heap(page), 1e-3 * _now(page)
         with watch.step(f"play, {start}"):
             page.play(watch.seconds(PLAY_SECONDS))
-        seen = page.motion(began, 1e-3 * page.now())
-        return Played(seen.gap, seen.still, page.heap() - held, len(page.said()))
+        seen = _motion(page, began, 1e-3 * _now(page))
+        return Played(seen.gap, seen.still, _heap(page) - held, len(page.said()))
 
 
 def _row(start: str, preset: str, openings: list[Seen]) -> tuple[object, ...]:
@@ -139,15 +157,68 @@ def _row(start: str, preset: str, openings: list[Seen]) -> tuple[object, ...]:
 
 def _see(playwright: Playwright, start: str, address: str) -> Seen:
     with browser_started(playwright, start) as (browser, _), opened(browser, address) as page:
-        page.wait_until(END_SECONDS)
+        _wait_until(page, END_SECONDS)
         frames = [1e-3 * frame["at"] for frame in page.frames()]
         if not frames:
             raise RuntimeError(f"{address} shows no moving picture in Chromium with {start}: {page.complaints}")
+        task = max((duration for begin, duration in _long_tasks(page) if begin < frames[0]), default=0.0)
+        asked = time.monotonic()
+        page.page.screenshot()
+        screenshot = time.monotonic() - asked
         return Seen(
-            steady=page.motion(SETTLED_SECONDS, END_SECONDS),
-            later=page.motion(FIRST_SECONDS, END_SECONDS),
+            steady=_motion(page, SETTLED_SECONDS, END_SECONDS),
+            later=_motion(page, FIRST_SECONDS, END_SECONDS),
             moving=frames[0],
-            task=max((duration for begin, duration in page.long_tasks() if begin < frames[0]), default=0.0),
-            screenshot=page.screenshot_seconds(),
+            task=task,
+            screenshot=screenshot,
             drag=page.drag_seconds(),
         )
+
+
+def _now(started: Started) -> float:
+    """The page's clock, ms since its navigation began."""
+    return float(started.page.evaluate("() => performance.now()"))
+
+
+def _wait_until(started: Started, seconds: float) -> None:
+    """Wait for a time after the start of navigation, without asking the page anything in between."""
+    while (left := seconds - 1e-3 * _now(started)) > 0:
+        time.sleep(min(left, 5.0))
+
+
+def _motion(started: Started, begin: float, end: float) -> Motion:
+    """What was seen between two times after the start of navigation, s."""
+    seen: dict[str, Any] = started.page.evaluate("() => window.seen")
+    width: float = started.page.evaluate("() => innerWidth * Math.min(2, devicePixelRatio)")
+    ticks = [1e-3 * at for at in seen["ticks"]]
+    frames = [1e-3 * frame["at"] for frame in seen["frames"]]
+    within = [frame for frame in seen["frames"] if begin <= 1e-3 * frame["at"] < end]
+    return Motion(
+        fps=len(within) / (end - begin),
+        scale=median(frame["width"] for frame in within) / width if within else 0.0,
+        drawer=within[-1]["by"] if within else "nobody",
+        gap=_longest(ticks, begin, end),
+        still=_longest(frames, begin, end),
+    )
+
+
+def _long_tasks(started: Started) -> list[tuple[float, float]]:
+    """Begin and duration of tasks of the main thread over 50 ms, s."""
+    tasks: list[list[float]] = started.page.evaluate("() => window.seen.long")
+    return [(1e-3 * begin, 1e-3 * duration) for begin, duration in tasks]
+
+
+def _heap(started: Started) -> float:
+    """Memory that the page's scripts hold after a collection, MB."""
+    session = started.page.context.new_cdp_session(started.page)
+    session.send("Performance.enable")
+    session.send("HeapProfiler.collectGarbage")
+    metrics = {one["name"]: one["value"] for one in session.send("Performance.getMetrics")["metrics"]}
+    session.detach()
+    return 1e-6 * float(metrics["JSHeapUsedSize"])
+
+
+def _longest(times: list[float], begin: float, end: float) -> float:
+    """Longest stretch between two times of [begin, end] without one of these, s."""
+    marks = [begin, *(at for at in times if begin < at < end), end]
+    return max(later - earlier for earlier, later in pairwise(marks))

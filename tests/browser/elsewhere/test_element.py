@@ -211,30 +211,30 @@ def three_answer(route: Route) -> None:
     route.fulfill(body=content, content_type="text/html" if name == "index.html" else "text/javascript")
 
 
-@pytest.mark.parametrize("preset", ["paper-threshold", "paper-halftone", "default"])
-def test_three_draws_the_servers_frame(llvmpipe: Lane, server: str, preset: str) -> None:
+def test_three_draws_the_servers_frame(llvmpipe: Lane, server: str) -> None:
     with visit(llvmpipe, server, BLANK, settle=False) as made:
         page = made.page
         page.route("**/three-example/*", three_answer)
         page.goto(f"{server}/three-example/index.html")
         page.wait_for_function("() => window.frame !== undefined")
         made.complaints.clear()
-        drawn = page.evaluate(
-            "async ([preset, time, width, height]) => {"
-            " const { png, held, plan } = await window.frame(preset, time, width, height);"
-            " const stages = Object.values(plan.programs).flatMap(({ vertex, fragment }) => [vertex, fragment]);"
-            " const bare = stages.map(({ text }) => text.replace('#version 300 es\\n', ''));"
-            " const same = held.every((text) => bare.some((one) => text.endsWith(one)));"
-            " return { png, same, count: held.length }; }",
-            [preset, TIME, WIDTH, HEIGHT],
-        )
-        query = f"quality=fast&dither=false&time={TIME:g}&width={WIDTH}&height={HEIGHT}"
-        reply = page.request.get(f"{server}/api/frames/{preset}.png?{query}")
-        assert drawn["count"] >= 6
-        assert drawn["same"], "three.js holds other GLSL than the plan's"
-        ours, truth = (pixels_of(data) for data in (base64.b64decode(drawn["png"]), reply.body()))
-        assert truth.std() > 5.0
-        assert differs(ours, truth) < 1e-4
+        for preset in ("paper-threshold", "paper-halftone", "default"):
+            drawn = page.evaluate(
+                "async ([preset, time, width, height]) => {"
+                " const { png, held, plan } = await window.frame(preset, time, width, height);"
+                " const stages = Object.values(plan.programs).flatMap(({ vertex, fragment }) => [vertex, fragment]);"
+                " const bare = stages.map(({ text }) => text.replace('#version 300 es\\n', ''));"
+                " const same = held.every((text) => bare.some((one) => text.endsWith(one)));"
+                " return { png, same, count: held.length }; }",
+                [preset, TIME, WIDTH, HEIGHT],
+            )
+            query = f"quality=fast&dither=false&time={TIME:g}&width={WIDTH}&height={HEIGHT}"
+            reply = page.request.get(f"{server}/api/frames/{preset}.png?{query}")
+            assert drawn["count"] >= 6, preset
+            assert drawn["same"], f"{preset}: three.js holds other GLSL than the plan's"
+            ours, truth = (pixels_of(data) for data in (base64.b64decode(drawn["png"]), reply.body()))
+            assert truth.std() > 5.0
+            assert differs(ours, truth) < 1e-4, preset
 
 
 def test_the_page_takes_a_server_of_another_site(llvmpipe: Lane, server: str, tmp_path: Path) -> None:

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 import pytest
 
-from support.browser.axe import AXE
+from support.browser.axe import AXE, FINDS
 from support.browser.engines import Engine, Firefox, WebKit
 from support.browser.visits import DESKTOP, PHONE, link, pixels_of
 from support.sweep import REST
@@ -134,7 +134,7 @@ def nothing_lies_over_anything(engine: Engine, size: tuple[int, int]) -> None:
 @pytest.mark.parametrize(
     ("engine", "kind", "size"),
     # WebKit's driver makes a mouse of a finger.
-    [("firefox", "mouse", DESKTOP), ("firefox", "touch", PHONE), ("webkit", "mouse", PHONE)],
+    [("firefox", "touch", PHONE), ("webkit", "mouse", PHONE), pytest.param("firefox", "mouse", DESKTOP, marks=REST)],
     indirect=["engine"],
 )
 def test_a_touch_raises_a_ring(engine: Engine, server: str, kind: str, size: tuple[int, int]) -> None:
@@ -155,40 +155,6 @@ def test_a_touch_raises_a_ring(engine: Engine, server: str, kind: str, size: tup
     assert engine.complaints == []
 
 
-@engines_at(firefox="phone", webkit="phone")
-def test_nothing_lies_over_anything_and_a_water_is_found_by_words(
-    engine: Engine, server: str, size: tuple[int, int]
-) -> None:
-    opened(engine, server, "paper-threshold", size)
-    nothing_lies_over_anything(engine, size)
-    engine.evaluate("document.dispatchEvent(new KeyboardEvent('keydown', { key: '/', bubbles: true }))")
-    engine.until("document.querySelectorAll('.waters a').length > 20")
-    engine.evaluate(
-        "((field) => { field.value = 'figure 2'; field.dispatchEvent(new Event('input', { bubbles: true })); })"
-        "(document.querySelector('.waters [type=search]'))"
-    )
-    engine.until("document.querySelectorAll('.waters a').length < 9")
-    engine.evaluate("document.querySelector('.waters a[href*=paper-height]').click()")
-    engine.until(f"window.seafoam.state().preset === 'paper-height' && {SETTLED}")
-    assert engine.complaints == []
-
-
-@engines_at(firefox="desktop", webkit="desktop")
-def test_nothing_lies_over_anything_and_a_lost_context_comes_back(
-    engine: Engine, server: str, size: tuple[int, int]
-) -> None:
-    opened(engine, server, "paper-threshold", size)
-    nothing_lies_over_anything(engine, size)
-    draw = f"window.seafoam.render('default', {{ time: {TIME}, width: 64, height: 36, quality: 'fast' }})"
-    before = engine.evaluate(draw)["pixels"]
-    engine.evaluate("window.seafoam.loseContext()")
-    engine.until("/context lost/.test(document.querySelector('.toast')?.textContent)")
-    engine.evaluate("window.seafoam.restoreContext()")
-    engine.until(f"!window.seafoam.state().lost && {SETTLED}")
-    assert engine.evaluate(draw)["pixels"] == before
-    assert engine.complaints == []
-
-
 @engines_at(firefox="phone")
 def test_the_server_draws_where_it_is_asked_to(engine: Engine, server: str, size: tuple[int, int]) -> None:
     engine.size(*size)
@@ -201,32 +167,6 @@ def test_the_server_draws_where_it_is_asked_to(engine: Engine, server: str, size
     assert engine.complaints == []
 
 
-@engines_at(firefox="desktop")
-def test_the_picture_stays_while_the_server_is_away_or_slow(engine: Engine, server: str, size: tuple[int, int]) -> None:
-    opened(engine, server, "paper-threshold", size)
-    engine.evaluate("(window.own = fetch, window.fetch = () => Promise.reject(new TypeError('away')), true)")
-    engine.evaluate(f"location.hash = {link(preset='paper-threshold', scene={'/foam/look': 'textured'})!r}")
-    engine.until("/does not respond/.test(document.querySelector('.toast.error')?.textContent)")
-    assert engine.evaluate("window.seafoam.state().pictures === 1 && !window.seafoam.state().lost")
-    engine.evaluate(
-        "(window.fetch = async (...asked) => {"
-        " await new Promise((done) => setTimeout(done, 1500)); return window.own(...asked); }, true)"
-    )
-    engine.evaluate(f"location.hash = {link(preset='paper-threshold', scene={'/foam/look': 'filtered'})!r}")
-    engine.until("window.seafoam.state().busy")
-    assert engine.evaluate("window.seafoam.state().pictures === 1")
-    engine.until(SETTLED)
-    assert engine.evaluate("window.seafoam.state().changes.length") == 1
-    assert engine.complaints == []
-
-
-AXE_FINDS = """(async () => {
-  const over = ({ effect, playState }) => playState !== 'running' || effect.getTiming().iterations === Infinity;
-  while (!document.getAnimations().every(over)) await new Promise((done) => setTimeout(done, 50));
-  return (await axe.run()).violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 120))}`);
-})()"""
-
-
 def click(engine: Engine, name: str, within: str = "body") -> None:
     """Press the button of that name, once it is there."""
     found = (
@@ -237,18 +177,35 @@ def click(engine: Engine, name: str, within: str = "body") -> None:
     engine.evaluate(f"{found}.click()")
 
 
+def follow(engine: Engine, fragment: str) -> None:
+    """Go where a link points, without loading the page again."""
+    engine.evaluate(f"location.hash = {fragment!r}")
+
+
 def sound(engine: Engine, size: tuple[int, int]) -> None:
     """Nothing is wider than the page, axe finds nothing, and the page has not complained."""
     assert engine.evaluate("document.documentElement.scrollWidth") <= size[0]
-    engine.evaluate(f"(() => {{ {AXE.read_text(encoding='utf-8')}; return true; }})()")
-    assert engine.evaluate(AXE_FINDS) == []
+    engine.evaluate(f"(() => {{ {AXE}; return true; }})()")
+    assert engine.evaluate(FINDS) == []
     assert engine.complaints == []
 
 
 @engines_at(firefox="desktop", webkit="phone")
-def test_surfaces_beside_the_picture(engine: Engine, server: str, size: tuple[int, int]) -> None:
-    """Plan view, take home, list of waters, undo."""
+def test_the_page(engine: Engine, server: str, size: tuple[int, int]) -> None:
     opened(engine, server, "paper-threshold", size)
+    surfaces_open_beside_the_picture(engine, size)
+    a_water_is_found_by_words(engine, size)
+    a_lost_context_comes_back(engine)
+    the_picture_stays_while_the_server_is_away_or_slow(engine)
+    for other in (*SIZES.values(), size):
+        engine.size(*other)
+        nothing_lies_over_anything(engine, other)
+    the_accuracy_benchmark_opens(engine, size)
+    assert engine.complaints == []
+
+
+def surfaces_open_beside_the_picture(engine: Engine, size: tuple[int, int]) -> None:
+    """Plan view and take home."""
     click(engine, "Frame plan")
     for view in ("Effects", "GLSL", "Changes", "Passes"):
         click(engine, view, ".sheet")
@@ -256,14 +213,52 @@ def test_surfaces_beside_the_picture(engine: Engine, server: str, size: tuple[in
     click(engine, "Take home")
     engine.until("document.querySelector('[data-surface=take] pre')?.textContent.includes('curl')")
     sound(engine, size)
+
+
+def a_water_is_found_by_words(engine: Engine, size: tuple[int, int]) -> None:
     engine.evaluate("document.dispatchEvent(new KeyboardEvent('keydown', { key: '/', bubbles: true }))")
     engine.until("document.querySelectorAll('.waters a').length > 20")
     sound(engine, size)
+    engine.evaluate(
+        "((field) => { field.value = 'figure 2'; field.dispatchEvent(new Event('input', { bubbles: true })); })"
+        "(document.querySelector('.waters [type=search]'))"
+    )
+    engine.until("document.querySelectorAll('.waters a').length < 9")
+    engine.evaluate("document.querySelector('.waters a[href*=paper-height]').click()")
+    engine.until(f"window.seafoam.state().preset === 'paper-height' && {SETTLED}")
+    follow(engine, link(preset="paper-threshold"))
+    engine.until(f"window.seafoam.state().preset === 'paper-threshold' && {SETTLED}")
+    engine.until("document.querySelector('.sheet, .waters') === null")
 
 
-@engines_at(firefox="phone")
-def test_the_accuracy_benchmark_opens(engine: Engine, server: str, size: tuple[int, int]) -> None:
-    opened(engine, server, "paper-threshold", size)
+def a_lost_context_comes_back(engine: Engine) -> None:
+    draw = f"window.seafoam.render('default', {{ time: {TIME}, width: 64, height: 36, quality: 'fast' }})"
+    before = engine.evaluate(draw)["pixels"]
+    engine.evaluate("window.seafoam.loseContext()")
+    engine.until("/context lost/.test(document.querySelector('.toast')?.textContent)")
+    engine.evaluate("window.seafoam.restoreContext()")
+    engine.until(f"!window.seafoam.state().lost && {SETTLED}")
+    assert engine.evaluate(draw)["pixels"] == before
+
+
+def the_picture_stays_while_the_server_is_away_or_slow(engine: Engine) -> None:
+    engine.evaluate("(window.own = fetch, window.fetch = () => Promise.reject(new TypeError('away')), true)")
+    follow(engine, link(preset="paper-threshold", scene={"/foam/look": "textured"}))
+    engine.until("/does not respond/.test(document.querySelector('.toast.error')?.textContent)")
+    assert engine.evaluate("window.seafoam.state().pictures === 1 && !window.seafoam.state().lost")
+    engine.evaluate(
+        "(window.fetch = async (...asked) => {"
+        " await new Promise((done) => setTimeout(done, 1500)); return window.own(...asked); }, true)"
+    )
+    follow(engine, link(preset="paper-threshold", scene={"/foam/look": "filtered"}))
+    engine.until("window.seafoam.state().busy")
+    assert engine.evaluate("window.seafoam.state().pictures === 1")
+    engine.until(SETTLED)
+    assert engine.evaluate("window.seafoam.state().changes.length") == 1
+    engine.evaluate("(window.fetch = window.own, true)")
+
+
+def the_accuracy_benchmark_opens(engine: Engine, size: tuple[int, int]) -> None:
     click(engine, "Accuracy benchmark")
     engine.until("document.querySelector('#accuracy.open [role=status]') !== null")
     click(engine, "Cancel", "#accuracy")

@@ -3,26 +3,21 @@
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from playwright.sync_api import Error, Page
+from playwright.sync_api import Error
 
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
 from support.browser.lanes import Lane, rendered
-from support.browser.visits import STILL, Pixels, Visit, link, visit
+from support.browser.visits import BLANK, STILL, Pixels, Visit, link, visit
 from support.exact import UNFILTERED
 from support.pictures import draw
 from support.scenes import load_preset
 
 SIZE = (400, 300)
 REFUSED = "ERR_CONNECTION_REFUSED"
-
-
-def failure_text(page: Page) -> str:
-    """What the page says instead of a picture."""
-    failure = page.locator("#loading .failure")
-    failure.wait_for()
-    return failure.inner_text()
+CHEAP = link(preset="paper-halftone")
+"""A picture of few programs, where any does."""
 
 
 @pytest.fixture(scope="module")
@@ -80,32 +75,28 @@ def test_a_quality_that_needs_more_gives_way(llvmpipe: Lane, server: str) -> Non
         assert "EXT_color_buffer_float" in toast
 
 
-def test_says_so_while_the_server_is_away(llvmpipe: Lane, server: str) -> None:
-    with visit(llvmpipe, server, "healthz", size=SIZE, settle=False) as made:
+def test_it_says_so_while_the_server_is_away_and_the_picture_stays_when_it_goes(llvmpipe: Lane, server: str) -> None:
+    with visit(llvmpipe, server, BLANK, size=SIZE, settle=False) as made:
         # The browser notes each request that failed; the page itself has nothing to complain of.
         made.expected = REFUSED
         made.page.route("**/api/**", lambda route: route.abort("connectionrefused"))
-        made.page.goto(f"{server}/{STILL}")
-        said = failure_text(made.page)
-        assert "Server not reachable" in said
+        made.page.goto(f"{server}/{CHEAP}")
+        failure = made.page.locator("#loading .failure")
+        failure.wait_for()
+        assert "Server not reachable" in failure.inner_text()
         made.page.unroute("**/api/**")
         made.press("Reload page")
         made.settle()
-        assert made.picture().std() > 5.0
-
-
-def test_the_picture_stays_when_the_server_goes(llvmpipe: Lane, server: str) -> None:
-    with visit(llvmpipe, server, STILL, size=SIZE) as made:
-        made.expected = REFUSED
         before = made.picture()
+        assert before.std() > 5.0
         made.page.route("**/api/**", lambda route: route.abort("connectionrefused"))
-        made.follow(link(scene={"/foam/look": "textured"}))
+        made.follow(link(preset="paper-halftone", scene={"/foam/look": "textured"}))
         made.page.locator(".toast.error", has_text="does not respond").wait_for()
         assert not made.page.locator("#loading").is_visible()
         assert (made.picture() == before).all()
         # Once it is back, the same choice is asked for again.
         made.page.unroute("**/api/**")
-        made.follow(link(scene={"/foam/look": "halftone"}))
+        made.follow(link(preset="paper-halftone", scene={"/foam/look": "filtered"}))
         assert (made.picture() != before).any()
 
 
@@ -132,22 +123,24 @@ def test_an_unknown_preset_is_told(llvmpipe: Lane, server: str) -> None:
     ids=lambda parts: next(iter(parts)),
 )
 def test_a_link_that_asks_for_nonsense_still_opens(llvmpipe: Lane, server: str, parts: dict[str, object]) -> None:
-    with visit(llvmpipe, server, link(**parts), size=SIZE) as made:
+    with visit(llvmpipe, server, link(preset="paper-halftone", **parts), size=SIZE) as made:
         made.expected = "422"
         made.page.locator(".toast.error").first.wait_for()
         assert made.picture().std() > 5.0
         assert made.state()["changes"] == []
 
 
-@pytest.mark.parametrize("fragment", ["#%", "#scene=%7B", "#camera=1,2", "#time=soon&speed=fast", "#split=~~", "#=&&"])
-def test_a_link_cut_short_opens_what_is_left(llvmpipe: Lane, server: str, fragment: str) -> None:
-    with visit(llvmpipe, server, f"{fragment}&paused=1&quality=fast", size=SIZE) as made:
+def test_a_link_cut_short_opens_what_is_left(llvmpipe: Lane, server: str) -> None:
+    with visit(llvmpipe, server, "#%&paused=1&quality=fast", size=SIZE) as made:
+        for fragment in ("#scene=%7B", "#camera=1,2", "#time=soon&speed=fast", "#split=~~", "#=&&", "#%"):
+            assert made.state()["preset"] == "default", fragment
+            assert made.picture().std() > 5.0, fragment
+            made.follow(f"{fragment}&paused=1&quality=fast")
         assert made.state()["preset"] == "default"
-        assert made.picture().std() > 5.0
 
 
 def drawn(made: Visit) -> NDArray[np.uint8]:
-    return rendered(made.page, "default", time=2.7, size=(160, 90), quality="fast")
+    return rendered(made.page, "paper-halftone", time=2.7, size=(160, 90), quality="fast")
 
 
 def lose(made: Visit) -> None:
@@ -160,38 +153,34 @@ def lose(made: Visit) -> None:
 def restore(made: Visit) -> None:
     made.page.evaluate("() => window.seafoam.restoreContext()")
     made.page.wait_for_function("() => !window.seafoam.state().lost && window.seafoam.state().pictures > 0")
+    made.settle()
 
 
-@pytest.mark.parametrize("split", [False, True], ids=["one picture", "two pictures"])
-def test_the_picture_comes_back(llvmpipe: Lane, server: str, split: bool) -> None:
-    parts = {"split": "/foam/look~textured~halftone~0.400"} if split else {}
-    with visit(llvmpipe, server, link(time=2.7, **parts), size=(400, 300)) as made:
-        frame, canvas = drawn(made), made.picture()
-        assert frame[..., :3].std() > 5.0
-        assert canvas.std() > 5.0
-        asked = made.state()
-        for _ in range(2):
-            lose(made)
-            restore(made)
-            made.settle()
-            assert made.page.evaluate("() => window.seafoam.state().pictures") == (2 if split else 1)
-            assert (made.picture() == canvas).all()
-            assert (drawn(made) == frame).all()
-        now = made.state()
-        assert {key: now[key] for key in ("camera", "time", "changes", "split")} == {
-            key: asked[key] for key in ("camera", "time", "changes", "split")
-        }
-
-
-def test_choices_made_meanwhile_are_drawn(llvmpipe: Lane, server: str) -> None:
-    with visit(llvmpipe, server, STILL, size=(400, 300)) as made:
-        made.follow(link(scene={"/foam/look": "textured"}))
+def test_the_picture_comes_back_and_choices_made_meanwhile_are_drawn(llvmpipe: Lane, server: str) -> None:
+    kept = ("camera", "time", "changes", "split")
+    at = {"preset": "paper-halftone", "time": 2.7}
+    with visit(llvmpipe, server, link(**at), size=SIZE) as made:
+        for parts in ({}, {"split": "/foam/look~textured~halftone~0.400"}):
+            made.follow(link(**at, **parts))
+            frame, canvas, asked = drawn(made), made.picture(), made.state()
+            assert frame[..., :3].std() > 5.0
+            assert canvas.std() > 5.0
+            # Once more with what is made anew.
+            for _ in range(2):
+                lose(made)
+                restore(made)
+                now = made.state()
+                assert now["pictures"] == (2 if parts else 1)
+                assert (made.picture() == canvas).all()
+                assert (drawn(made) == frame).all()
+                assert [now[key] for key in kept] == [asked[key] for key in kept]
+        textured = link(**at, scene={"/foam/look": "textured"})
+        made.follow(textured)
         want = made.picture()
-        made.follow(STILL)
+        made.follow(link(**at))
         assert (made.picture() != want).any()
         lose(made)
-        made.page.evaluate("(fragment) => { location.hash = fragment; }", link(scene={"/foam/look": "textured"}))
+        made.page.evaluate("(fragment) => { location.hash = fragment; }", textured)
         made.frames(3)
         restore(made)
-        made.settle()
         assert (made.picture() == want).all()

@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 from playwright.sync_api import Page, Playwright, expect
 
+from support.browser.accuracy_answers import awaited
 from support.browser.lanes import Lane
-from support.browser.starts import SPLIT, STARTS, Started, browser_started, opened
+from support.browser.starts import SPLIT, STARTS, WINDOWS, Started, browser_started, opened
 from support.browser.visits import BLANK, Held, Visit, link, until, visit
 from support.sweep import REST
 
@@ -75,10 +76,10 @@ def test_a_first_visit_is_light_until_the_water_moves(llvmpipe: Lane, server: st
         assert not [url for url in bytes_of if re.search(r"/ranks\?sha256=\w+$", url)], "what was here came again"
 
 
-def test_the_picture_becomes_the_exact_one_and_none_is_saved_before(llvmpipe: Lane, server: str) -> None:
+def test_the_picture_becomes_the_exact_one_and_none_is_saved_before(small: Visit, llvmpipe: Lane, server: str) -> None:
     at = {"time": 12.5, "preset": "default", "draw": "browser"}
-    with visit(llvmpipe, server, link(**at)) as made:
-        exact = made.picture()
+    small.follow(link(**at))
+    exact = small.picture()
     with visit(llvmpipe, server, BLANK, settle=False) as made:
         held = Held(made.page, LOWER)
         made.page.goto(f"{server}/#quality=fast&draw=browser&scale=0.25&time=12.5", wait_until="load")
@@ -131,10 +132,11 @@ def blocked(page: Page) -> list[Any]:
 
 
 def test_the_page_needs_nothing_that_its_policy_forbids(llvmpipe: Lane, server: str) -> None:
-    with visit(llvmpipe, server, link(), settle=False, bypass_csp=False, size=(760, 700)) as made:
+    with visit(llvmpipe, server, BLANK, settle=False, bypass_csp=False, size=(760, 700)) as made:
         page = made.page
         page.add_init_script(REPORTS)
-        page.reload(wait_until="load")
+        awaited(page)
+        page.goto(f"{server}/{link(preset='paper-halftone')}", wait_until="load")
         until(page, "() => window.seafoam?.state().settled === true")
         page.get_by_role("button", name="Settings", exact=True).click()
         light = page.locator("#settings").get_by_role("button", name="light", exact=True)
@@ -154,10 +156,10 @@ def test_the_page_needs_nothing_that_its_policy_forbids(llvmpipe: Lane, server: 
 def test_the_policy_is_in_force_and_the_api_reference_needs_nothing_that_it_forbids(
     llvmpipe: Lane, server: str
 ) -> None:
-    with visit(llvmpipe, server, "docs", settle=False, bypass_csp=False) as made:
+    with visit(llvmpipe, server, BLANK, settle=False, bypass_csp=False) as made:
         page = made.page
         page.add_init_script(REPORTS)
-        page.reload(wait_until="load")
+        page.goto(f"{server}/docs", wait_until="load")
         operation = page.locator(".opblock", has=page.locator("[data-path='/api/presets']"))
         operation.wait_for()
         operation.click()
@@ -183,27 +185,33 @@ USUAL = {
 """The window that every run tries; the sweep has the other."""
 SOFTWARE = ("SwiftShader", "llvmpipe", "WebGL off")
 """Starts that draw without a GPU on every machine."""
+SIZES = {"desktop": (800, 450), "phone": (320, 480)}
+"""Of the windows: who draws fewer pixels is sooner done."""
 CASES = [
-    pytest.param((start, window), id=f"{start}-{window}", marks=() if USUAL[start] == window else REST)
+    pytest.param(start, window, id=f"{start}-{window}", marks=() if USUAL[start] == window else REST)
     for start in STARTS
-    for window in ("desktop", "phone")
+    for window in WINDOWS
 ]
 
 
-@pytest.fixture(params=CASES)
-def started(request: pytest.FixtureRequest, playwright: Playwright, server: str) -> Iterator[Started]:
-    start, window = request.param
-    with browser_started(playwright, start) as (browser, _), opened(browser, server, window) as made:
-        yield made
-        assert made.said() == []
+@pytest.mark.parametrize(("start", "window"), CASES)
+def test_the_water_moves_and_answers(playwright: Playwright, server: str, start: str, window: str) -> None:
+    with (
+        browser_started(playwright, start) as (browser, _),
+        opened(browser, server, window, SIZES[window]) as started,
+    ):
+        started.page.wait_for_function("() => window.seafoam !== undefined")
+        started.page.evaluate("() => window.seafoam.ready")
+        moves_and_answers(started)
+        if start == "WebGL off":
+            plays_and_gives_back_the_stream_of_the_other_side(started)
+        assert started.said() == []
         if start in SOFTWARE:
-            assert {frame["by"] for frame in made.frames()} == {"server"}, "nothing is compiled that draws slowly"
+            assert {frame["by"] for frame in started.frames()} == {"server"}, "nothing is compiled that draws slowly"
 
 
-def test_the_water_moves_and_answers(started: Started) -> None:
+def moves_and_answers(started: Started) -> None:
     page = started.page
-    page.wait_for_function("() => window.seafoam !== undefined")
-    page.evaluate("() => window.seafoam.ready")
     pictures = [started.picture()]
     for _ in range(2):
         started.more_frames(4)
@@ -222,14 +230,12 @@ def test_the_water_moves_and_answers(started: Started) -> None:
     assert size in [[frame["width"], frame["height"]] for frame in started.frames()]
 
 
-@pytest.mark.parametrize("started", [pytest.param(("WebGL off", "phone"), id="WebGL off")], indirect=True)
-def test_play_leaves_no_message_and_without_a_divider_the_other_sides_stream_is_given_back(started: Started) -> None:
-    started.page.wait_for_function("() => window.seafoam !== undefined")
-    started.page.evaluate("() => window.seafoam.ready")
-    started.play(20.0)
-    started.more_frames(2)
-    assert "touches" in started.page.url or "split" in started.page.url
+def plays_and_gives_back_the_stream_of_the_other_side(started: Started) -> None:
+    """Play leaves no message, and without a divider the other side's stream is given back."""
     page = started.page
+    started.play(0.0)
+    started.more_frames(2)
+    assert "touches" in page.url or "split" in page.url
     page.evaluate("(hash) => { location.hash = hash; }", f"#preset=default&split={SPLIT}")
     page.locator(".served canvas").nth(1).wait_for()
     with page.expect_request(lambda request: request.method == "DELETE" and "/api/streams/" in request.url):

@@ -1,18 +1,12 @@
-"""The gallery: addresses, search, list, keys, layout; and the keys and the hint of the whole page."""
+"""The gallery: addresses, search, list, keys; and the keys and the hint of the whole page."""
 
 from typing import Any
 
-import numpy as np
-import pytest
 from playwright.sync_api import Page, expect
 
 from support.browser.lanes import Lane
-from support.browser.visits import BLANK, DESKTOP, PHONE, STILL, Visit, drag, link, pixels_of, visit
+from support.browser.visits import STILL, Visit, drag, link, visit
 from support.scenes import load_preset, preset_names
-
-BOXES = """(selector) => [...document.querySelectorAll(selector)].map((one) => {
-  const { x, y, width, height } = one.getBoundingClientRect();
-  return [x, y, width, height]; })"""
 
 
 def chosen(page: Page, name: str) -> None:
@@ -20,49 +14,49 @@ def chosen(page: Page, name: str) -> None:
     page.wait_for_function("(name) => window.seafoam.state().preset === name", arg=name)
 
 
-def test_an_address_of_its_own_opens_a_water(llvmpipe: Lane, server: str) -> None:
-    with visit(llvmpipe, server, f"water/lake-calm{STILL}") as made:
-        assert made.state()["preset"] == "lake-calm"
-        assert made.page.locator("#title").text_content() == load_preset("lake-calm").title
-        assert made.page.title() == f"{load_preset('lake-calm').title} · Seafoam"
-        made.page.locator("#gallery [data-preset=swell]").click()
-        chosen(made.page, "swell")
-        made.page.wait_for_function("() => location.pathname === '/water/swell'")
-        made.page.go_back()
-        chosen(made.page, "lake-calm")
-        made.page.wait_for_function("() => location.pathname === '/water/lake-calm'")
-        made.page.go_forward()
-        chosen(made.page, "swell")
+def test_an_unknown_address_is_told_and_one_of_its_own_opens_a_water(llvmpipe: Lane, server: str) -> None:
+    with visit(llvmpipe, server, "water/atlantis", settle=False) as made:
+        page = made.page
+        made.expected = "404"
+        assert "atlantis" in (page.get_by_role("heading").text_content() or "")
+        page.get_by_role("link", name="Open Seafoam").click()
+        made.begin()
+        chosen(page, "default")
+        page.goto(f"{server}/water/paper-halftone{STILL}")
+        made.settle()
+        assert made.state()["preset"] == "paper-halftone"
+        title = load_preset("paper-halftone").title
+        assert page.locator("#title").text_content() == title
+        assert page.title() == f"{title} · Seafoam"
+        page.locator("#gallery [data-preset=paper-height]").click()
+        chosen(page, "paper-height")
+        page.wait_for_function("() => location.pathname === '/water/paper-height'")
+        page.go_back()
+        chosen(page, "paper-halftone")
+        page.wait_for_function("() => location.pathname === '/water/paper-halftone'")
+        page.go_forward()
+        chosen(page, "paper-height")
         # A link as it was before presets had addresses.
-        made.follow(link(preset="lake-calm", time=7))
-        chosen(made.page, "lake-calm")
+        made.follow(link(preset="paper-halftone", time=7))
+        chosen(page, "paper-halftone")
         assert made.state()["time"] == 7
-        made.page.wait_for_function(
-            "() => location.pathname === '/water/lake-calm' && !location.hash.includes('preset')"
+        page.wait_for_function(
+            "() => location.pathname === '/water/paper-halftone' && !location.hash.includes('preset')"
         )
 
 
 def test_a_choice_on_the_first_page_has_its_still_and_its_thumbnails(small: Visit, server: str) -> None:
     """The path changes with the choice, the addresses of files do not."""
     small.page.locator("#gallery [role=option]").last.scroll_into_view_if_needed()
-    small.page.locator("#gallery [data-preset=swell]").click()
+    small.page.locator("#gallery [data-preset=paper-height]").click()
     small.settle()
-    small.page.locator("#gallery [data-preset=storm]").click()
+    small.page.locator("#gallery [data-preset=paper-halftone]").click()
     small.settle()
     files = [url for _, url in small.asked if "/stills/" in url]
-    assert f"{server}/stills/storm.avif" in files
+    assert f"{server}/stills/paper-halftone.avif" in files
     assert {url.rsplit("/", 1)[0] for url in files} == {f"{server}/stills"}
     links = small.page.locator("#gallery [role=option]").evaluate_all("(all) => all.map((one) => one.href)")
     assert links == [f"{server}/water/{name}" for name in preset_names()]
-
-
-def test_an_unknown_address_is_told(llvmpipe: Lane, server: str) -> None:
-    with visit(llvmpipe, server, "water/atlantis", settle=False) as made:
-        made.expected = "404"
-        assert "atlantis" in (made.page.get_by_role("heading").text_content() or "")
-        made.page.get_by_role("link", name="Open Seafoam").click()
-        made.begin()
-        chosen(made.page, "default")
 
 
 def test_waters_are_found_by_words(small: Visit) -> None:
@@ -152,43 +146,20 @@ def hints(page: Page) -> Any:
     return page.locator(".hint:not(.gone)").all_text_contents()
 
 
-@pytest.mark.parametrize("size", [DESKTOP, PHONE], ids=["desktop", "phone"])
-def test_nothing_of_the_gallery_overlaps_and_the_heading_is_type_alone(
-    llvmpipe: Lane, server: str, size: tuple[int, int]
-) -> None:
-    """No box and no shade of the heading lie over the sky: without its words a white page is white."""
-    with visit(llvmpipe, server, size=size) as made:
-        left, _, width, _ = np.array(made.page.evaluate(BOXES, "#gallery [role=option]")).T
-        assert len(left) == len(preset_names())
-        assert (left[1:] >= left[:-1] + width[:-1] + 8).all()
-        left, _, width, _ = np.array(made.page.evaluate(BOXES, "#gallery [role=group]")).T
-        assert (left[1:] >= left[:-1] + width[:-1]).all()
-        made.page.keyboard.press("/")
-        box = made.page.locator(".waters").bounding_box() or {}
-        assert min(box["x"], box["y"]) >= 0
-        assert box["x"] + box["width"] <= size[0]
-        assert box["y"] + box["height"] <= size[1]
-        made.page.keyboard.press("Escape")
-        made.page.add_style_tag(
-            content="body > :not(#heading), #heading > * { visibility: hidden } html, body { background: #fff }"
-        )
-        assert (pixels_of(made.page.screenshot()) == 255).all()
-
-
 def test_a_hint_goes_with_the_first_move_or_after_half_a_minute(llvmpipe: Lane, server: str) -> None:
-    with visit(llvmpipe, server) as made:
-        assert "Touch the water" in hints(made.page)[0]
-        drag(made.page, (200, 200))
-        assert hints(made.page) == []
-        expect(made.page.locator(".hint")).to_have_count(0)
-    with visit(llvmpipe, server, BLANK, size=(400, 300), settle=False) as made:
-        made.page.clock.install()
-        made.page.goto(f"{server}/{STILL}", wait_until="load")
+    with visit(llvmpipe, server, link(preset="paper-halftone")) as made:
+        page = made.page
+        assert "Touch the water" in hints(page)[0]
+        drag(page, (200, 200))
+        assert hints(page) == []
+        expect(page.locator(".hint")).to_have_count(0)
+        page.clock.install()
+        page.reload(wait_until="load")
         for _ in range(600):
-            made.page.clock.run_for(50)
-            if hints(made.page):
+            page.clock.run_for(50)
+            if hints(page):
                 break
-        made.page.clock.run_for(29_000)
-        assert len(hints(made.page)) == 1
-        made.page.clock.run_for(1_100)
-        assert hints(made.page) == []
+        page.clock.run_for(29_000)
+        assert len(hints(page)) == 1
+        page.clock.run_for(1_100)
+        assert hints(page) == []

@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import expect
 
 from support.browser.lanes import Lane
-from support.browser.visits import PHONE, Visit, differs, drag, link, swipe, visit
+from support.browser.visits import Visit, differs, drag, link, visit
 from support.scenes import load_preset
 
 SIZE = (560, 360)
@@ -22,10 +22,11 @@ def shared_lake(llvmpipe: Lane, server: str) -> Iterator[Visit]:
 
 
 @pytest.fixture
-def lake(shared_lake: Visit) -> Visit:
+def lake(shared_lake: Visit) -> Iterator[Visit]:
     """A still lake, paused, as nobody has touched it."""
-    shared_lake.start_again(LAKE)
-    return shared_lake
+    with shared_lake.awake():
+        shared_lake.start_again(LAKE)
+        yield shared_lake
 
 
 def touches(made: Visit) -> list[dict[str, float]]:
@@ -70,7 +71,7 @@ def test_a_tap_raises_a_ring_there(lake: Visit) -> None:
     assert (lake.picture() == touched).all(), "before its time a ring is not there"
 
 
-def test_a_drag_leaves_a_train_that_a_link_restores(lake: Visit, llvmpipe: Lane, server: str) -> None:
+def test_a_drag_leaves_a_train_that_a_link_restores(lake: Visit) -> None:
     drag(lake.page, (120, 240), *((x, 240 + x // 20) for x in range(130, 440, 15)), steps=1)
     drawn(lake)
     made = touches(lake)
@@ -79,11 +80,13 @@ def test_a_drag_leaves_a_train_that_a_link_restores(lake: Visit, llvmpipe: Lane,
     assert steps.max() < 1.1 * steps.min()
     picture = lake.picture()
     lake.page.wait_for_function("() => location.hash.includes('touches=')")
-    address = lake.page.url
-    assert len(address.partition("#")[2]) <= 2000
-    with visit(llvmpipe, server, address.removeprefix(f"{server}/"), size=SIZE, reduced_motion="reduce") as again:
-        assert touches(again) == made
-        assert (again.picture() == picture).all()
+    fragment = lake.page.url.partition("#")[2]
+    assert len(fragment) <= 2000
+    lake.start_again(LAKE)
+    assert touches(lake) == []
+    lake.follow(f"#preset=lake-calm&{fragment}")
+    assert touches(lake) == made
+    assert (lake.picture() == picture).all()
 
 
 def test_a_tap_and_a_drag_are_a_step_of_undo_each(lake: Visit) -> None:
@@ -128,47 +131,94 @@ def test_keys_touch_and_choose_what_a_drag_does(lake: Visit) -> None:
     lake.page.keyboard.press("t")
 
 
-def test_rings_begin_when_they_can_be_seen(llvmpipe: Lane, server: str) -> None:
-    """The first touch waits for its plan: no ring has died away before it is drawn."""
-    with visit(llvmpipe, server, link(preset="lake-calm", time=2.0, scale=0.1), size=SIZE) as made:
-        made.press("Play")
-        made.page.mouse.click(300, 250)
-        touched = made.state()["time"]
-        made.page.wait_for_function("() => window.seafoam.state().touches !== null && !window.seafoam.state().busy")
-        made.press("Pause")
-        (ring,) = touches(made)
-        assert touched - 0.02 <= ring["time"] <= made.state()["time"]
+def test_rings_begin_when_they_can_be_seen(lake: Visit) -> None:
+    """The first touch of a water waits for its plan: no ring has died away before it is drawn."""
+    lake.follow(link(preset="paper-halftone", time=2.0, scale=0.1))
+    lake.press("Play")
+    lake.page.mouse.click(300, 250)
+    touched = lake.state()["time"]
+    lake.page.wait_for_function("() => window.seafoam.state().touches !== null && !window.seafoam.state().busy")
+    lake.press("Pause")
+    (ring,) = touches(lake)
+    assert touched - 0.02 <= ring["time"] <= lake.state()["time"]
 
 
-def test_fingers_touch_and_two_move_the_camera(llvmpipe: Lane, server: str) -> None:
-    with visit(llvmpipe, server, LAKE, size=PHONE, has_touch=True, is_mobile=True, reduced_motion="reduce") as made:
-        start = made.state()["camera"]
-        swipe(made.page, ((6, 560), (200, 560)))
-        assert touches(made) == [], "a swipe from the edge is the browser's"
-        swipe(made.page, ((120, 500), (40, 540)), ((260, 500), (350, 540)))
-        made.settle()
-        turned = made.state()["camera"]
-        assert turned["position"] != start["position"]
-        assert touches(made) == []
-        made.page.touchscreen.tap(200, 520)
-        drawn(made)
-        assert len(touches(made)) == 1
-        assert made.state()["camera"] == turned
+def test_a_picture_without_light_says_why_it_shows_no_rings(lake: Visit) -> None:
+    lake.follow(link(preset="paper-threshold"))
+    before = lake.picture()
+    lake.page.mouse.click(300, 250)
+    toast = lake.page.locator(".toast")
+    toast.wait_for()
+    assert "no light" in (toast.text_content() or "")
+    assert touches(lake) == []
+    assert (lake.picture() == before).all()
 
 
-def test_a_picture_without_light_says_why_it_shows_no_rings(llvmpipe: Lane, server: str) -> None:
-    with visit(llvmpipe, server, link(preset="paper-threshold"), size=SIZE) as made:
-        before = made.picture()
-        made.page.mouse.click(300, 250)
-        toast = made.page.locator(".toast")
-        toast.wait_for()
-        assert "no light" in (toast.text_content() or "")
-        assert touches(made) == []
-        assert (made.picture() == before).all()
+def test_a_visitor_dives(lake: Visit) -> None:
+    """Down through the surface by key, once that is compiled; an orbit alone stays over it."""
+    lake.follow(link(preset="lake-calm", scene={"/light/exposure": 1.0}))
+    over = lake.picture()
+    keyboard = lake.page.keyboard
+    drag(lake.page, (200, 150), (200, 20), button="right")
+    lake.frames(6)
+    assert lake.state()["camera"]["position"][1] > 0.0
+    lake.page.locator("#canvas").focus()
+    keyboard.down("q")
+    lake.page.wait_for_function("() => window.seafoam.state().camera.position[1] < -0.4", timeout=60_000)
+    keyboard.up("q")
+    lake.frames(3)
+    under = lake.picture()
+    assert differs(under, over) > 0.9
+    assert np.ptp(under.astype(int), axis=(0, 1)).max() > 8, "nothing to see"
+    lake.settings()
+    served, _ = lake.saved("Render on server")
+    assert differs(served, under) < 1e-3
+
+
+def test_the_camera_asks_for_nothing(lake: Visit) -> None:
+    """Without inertia, so that the camera stands still between two moves; the server's streams would be asked for."""
+    lake.follow(link(preset="lake-calm", time=2.0, draw="browser"))
+    before, asked = lake.picture(), len(lake.asked)
+    camera = lake.state()["camera"]
+    mouse, keyboard = lake.page.mouse, lake.page.keyboard
+
+    def moved(what: str) -> None:
+        """The move has reached the camera, and is over."""
+        nonlocal camera
+        lake.page.wait_for_function(
+            "([what, held]) => JSON.stringify(window.seafoam.state().camera[what]) !== JSON.stringify(held)",
+            arg=[what, camera[what]],
+        )
+        if what == "position":
+            assert lake.state()["camera"]["fov"] == camera["fov"]
+        camera = lake.state()["camera"]
+
+    drag(lake.page, (200, 150), (260, 150), button="right", steps=1)
+    moved("yaw")
+    mouse.wheel(0, -100)
+    moved("position")
+    keyboard.down("Shift")
+    mouse.wheel(0, 100)
+    keyboard.up("Shift")
+    moved("fov")
+    lake.page.locator("#canvas").focus()
+    for key, what in (("w", "position"), ("d", "position"), ("e", "position"), ("ArrowLeft", "yaw")):
+        keyboard.down(key)
+        moved(what)
+        keyboard.up(key)
+        lake.frames(3)
+        camera = lake.state()["camera"]
+        lake.frames(3)
+        assert lake.state()["camera"] == camera, "the camera stops with the key"
+    assert differs(lake.picture(), before) > 0.2
+    assert [url for _, url in lake.asked[asked:] if "/api/" in url and "width=192" not in url] == []
 
 
 def test_edits_are_undone_and_redone(small: Visit) -> None:
     page = small.page
+    # Of another water's edits none is undone.
+    small.follow(link(preset="paper-threshold"))
+    small.follow(link(preset="default"))
     before = small.picture()
     small.type("exposure", "1", folder="light")
     bright = small.picture()
@@ -227,23 +277,23 @@ def test_a_scene_is_pasted_and_what_is_wrong_with_it_told(small: Visit) -> None:
     assert small.state()["changes"] == []
     assert all("422" in said for said in small.complaints)
     small.complaints.clear()
-    storm = load_preset("storm").scene
-    text.fill(json.dumps({"scene": storm.model_dump(mode="json")}))
+    other = load_preset("paper-height").scene
+    text.fill(json.dumps({"scene": other.model_dump(mode="json")}))
     apply.click()
     expect(text).to_have_count(0)
-    assert small.state()["camera"]["position"] == list(storm.camera.position)
+    assert small.state()["camera"]["position"] == list(other.camera.position)
     assert differs(small.picture(), before) > 0.5
     page.get_by_role("button", name="Undo").click()
     assert small.state()["changes"] == []
 
 
-@pytest.mark.parametrize("permissions", [["clipboard-read", "clipboard-write"]])
-def test_a_scene_is_copied_whole(llvmpipe: Lane, server: str, permissions: list[str]) -> None:
-    with visit(llvmpipe, server, link(scene={"/light/exposure": 1}), permissions=permissions) as made:
-        made.settings()
-        made.press("Copy scene")
-        made.page.get_by_text("Scene copied").wait_for()
-        copied = json.loads(made.page.evaluate("() => navigator.clipboard.readText()"))
-        own = load_preset("default").scene.model_dump(mode="json")
-        own["light"]["exposure"] = 1
-        assert copied == own
+def test_a_scene_is_copied_whole(small: Visit) -> None:
+    small.page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    small.follow(link(scene={"/light/exposure": 1}))
+    small.settings()
+    small.press("Copy scene")
+    small.page.get_by_text("Scene copied").wait_for()
+    copied = json.loads(small.page.evaluate("() => navigator.clipboard.readText()"))
+    own = load_preset("default").scene.model_dump(mode="json")
+    own["light"]["exposure"] = 1
+    assert copied == own

@@ -173,9 +173,3 @@ def test_the_picture_stays_while_the_server_is_away(served: Visit) -> None:
     assert (shown(served) != before).any(), "it comes back by itself"
     assert all("ERR_CONNECTION_REFUSED" in complaint for complaint in served.complaints)
     served.complaints.clear()
-
-
-def test_the_address_asks_for_the_servers_frames(llvmpipe: Lane, server: str) -> None:
-    with visit(llvmpipe, server, f"?draw=server{ADDRESS}", size=SIZE) as made:
-        assert shown(made).std() > 5.0
-        assert "draw=server" in made.page.url

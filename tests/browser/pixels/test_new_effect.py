@@ -23,7 +23,7 @@ from support.scenes import Camera, Foam, HeightSaturation, Scene, load_preset
 
 ROOT = Path(__file__).parents[3]
 EXAMPLE = ROOT / "docs" / "example" / "windrows.py"
-SIZE = (320, 180)
+SIZE = (160, 90)
 SHOWN = (
     "float rows",
     "class Windrows",
@@ -59,11 +59,9 @@ def test_the_example_draws_on_both_sides(page: Page, executor: Executor, example
     without, plan = make_plan(plain, TIERS["standard"]), make_plan(scene, TIERS["standard"])
     assert example.name not in {note.name for note in (*without.effects, *without.skipped)}
     assert example.name in {note.name for note in plan.effects}
-    width, height = SIZE
-    with_lines = draw(executor, plan, scene.camera, time=5.0, size=(width, height))
-    bare = draw(executor, without, scene.camera, time=5.0, size=(width, height))
+    with_lines, bare = (draw(executor, one, scene.camera, time=5.0, size=SIZE) for one in (plan, without))
     assert np.abs(with_lines.astype(int) - bare.astype(int)).mean() > 0.5
-    assert (rendered(page, plan, time=5.0, size=(width, height), camera=scene.camera) == with_lines).all()
+    assert (rendered(page, plan, time=5.0, size=SIZE, camera=scene.camera) == with_lines).all()
 
 
 def test_the_example_holds_where_it_is_hard(executor: Executor, example: Effect) -> None:

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from playwright.sync_api import Locator, Page
 
+from support.browser.axe import violations
 from support.browser.lanes import Lane
 from support.browser.visits import FINGER, PHONE, TARGETS, Pixels, differs, pixels_of
 
@@ -17,6 +18,8 @@ FIGURES = ("saturation", "threshold", "popping", "masks", "equations", "picture"
 MOVING = ("saturation", "threshold", "popping", "equations", "picture")
 DESKTOP = (1440, 900)
 LEARN, LABORATORY = "learn", "learn/laboratory/"
+PAGES = {LEARN: "", LABORATORY: "#strips[data-live=true]", "masks/": ".side[aria-busy=false]"}
+"""What each has once it is whole."""
 IN_SIGHT = """(plate) => {
   const canvas = [...plate.querySelectorAll('canvas')].at(-1);
   if (canvas === undefined || canvas.width === 0) return '';
@@ -175,19 +178,23 @@ def test_without_webgl_the_picture_stands(llvmpipe: Lane, server: str) -> None:
         seen(page, "equations")
 
 
-@pytest.mark.parametrize("address", [LEARN + "/", LABORATORY])
-def test_pages_fit_a_phone(llvmpipe: Lane, server: str, address: str) -> None:
-    """What their colours must be, axe says (test_accessibility.py)."""
-    phone: dict[str, Any] = {"has_touch": True, "is_mobile": True, "reduced_motion": "reduce"}
-    with opened(llvmpipe, f"{server}/{address}", PHONE, **phone) as page:
-        if address == LABORATORY:
-            page.locator("#strips[data-live=true]").wait_for()
-        else:
-            for name in FIGURES:
-                seen(page, name)
-        assert page.evaluate("() => document.documentElement.scrollWidth") <= PHONE[0]
-        small = [one for one in page.evaluate(TARGETS) if one[2] < FINGER]
-        assert small == []
+@pytest.mark.parametrize("size", [DESKTOP, PHONE], ids=["desktop", "phone"])
+def test_chapter_and_laboratories_fit_and_axe_finds_nothing(llvmpipe: Lane, server: str, size: tuple[int, int]) -> None:
+    phone = size == PHONE
+    still: dict[str, Any] = {"reduced_motion": "reduce"}
+    with opened(llvmpipe, f"{server}/{LEARN}/", size, has_touch=phone, is_mobile=phone, **still) as page:
+        for path, live in PAGES.items():
+            if path != LEARN:
+                page.goto(f"{server}/{path}")
+                page.locator(live).first.wait_for(timeout=60_000)
+            elif phone:
+                for name in FIGURES:
+                    seen(page, name)
+            for scheme in ("light", "dark"):
+                page.emulate_media(color_scheme=scheme, **still)
+                assert violations(page) == [], (path, scheme)
+            assert page.evaluate("() => document.documentElement.scrollWidth") <= size[0], path
+            assert not phone or [one for one in page.evaluate(TARGETS) if one[2] < FINGER] == [], path
 
 
 def test_the_laboratory_is_in_its_address(llvmpipe: Lane, server: str) -> None:

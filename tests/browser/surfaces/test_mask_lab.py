@@ -3,7 +3,9 @@
 import base64
 import io
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -35,14 +37,28 @@ def shown(page: Page, side: int = 0) -> NDArray[np.uint8]:
     return np.asarray(Image.open(io.BytesIO(base64.b64decode(data))).convert("L"))
 
 
+@pytest.fixture(scope="module")
+def labs(llvmpipe: Lane, server: str) -> Iterator[Callable[[tuple[int, int]], Visit]]:
+    """The laboratory in windows of a size, each opened once."""
+    with ExitStack() as left:
+
+        @cache
+        def at(size: tuple[int, int]) -> Visit:
+            touch = {"has_touch": True, "is_mobile": True} if size == PHONE else {}
+            return left.enter_context(visit(llvmpipe, server, "masks/", size=size, settle=False, **touch))
+
+        yield at
+
+
 @pytest.fixture
-def lab(llvmpipe: Lane, server: str, request: pytest.FixtureRequest) -> Iterator[Visit]:
+def lab(labs: Callable[[tuple[int, int]], Visit], request: pytest.FixtureRequest) -> Visit:
     """The laboratory with one small mask; on a desktop, if the test does not say otherwise."""
-    size = getattr(request, "param", LARGE)
-    touch = {"has_touch": True, "is_mobile": True} if size == PHONE else {}
-    with visit(llvmpipe, server, f"masks/#mask={FIRST}&grey=0.25", size=size, settle=False, **touch) as made:
-        ready(made.page)
-        yield made
+    made = labs(getattr(request, "param", LARGE))
+    # All that a visitor chooses is in the address.
+    made.page.evaluate("(hash) => { location.hash = hash; }", f"mask={FIRST}&grey=0.25")
+    expect(made.page.locator(".status")).to_have_text("vac, σ 2, 64 × 64 texels, seed 7; foam on 25.00 %")
+    ready(made.page)
+    return made
 
 
 BOTH = pytest.mark.parametrize("lab", [LARGE, PHONE], ids=["desktop", "phone"], indirect=True)
@@ -62,7 +78,6 @@ def test_it_shows_the_mask_and_its_pattern(lab: Visit) -> None:
     page = lab.page
     values = small()
     assert (shown(lab.page) == np.where(values < 0.25 * 65536, 255, 0)).all()
-    expect(page.locator(".status")).to_have_text("vac, σ 2, 64 × 64 texels, seed 7; foam on 25.00 %")
     page.get_by_role("slider", name="Grey level").fill("0.5")
     assert (shown(lab.page) == np.where(values < 0.5 * 65536, 255, 0)).all()
     assert "grey=0.5" in page.url
@@ -232,18 +247,18 @@ def test_the_three_snippet_draws_lit_antialiased_foam(llvmpipe: Lane, server: st
         assert drawn("MeshStandardMaterial", 6, 0, "low", width=96, height=54).max() == 0.0
 
 
-@pytest.mark.parametrize(
-    ("name", "path", "back"),
-    [("Foam laboratory", "learn/laboratory/", "Seafoam"), ("Mask laboratory", "masks/", "Back to the water")],
-)
-def test_the_page_s_tools_open_laboratories(llvmpipe: Lane, server: str, name: str, path: str, back: str) -> None:
+def test_the_page_s_tools_open_laboratories(llvmpipe: Lane, server: str) -> None:
     with visit(llvmpipe, server, settle=False) as made:
-        link = made.page.get_by_role("link", name=name)
-        link.wait_for()
+        page = made.page
+        page.get_by_role("link", name="Mask laboratory").wait_for()
         pages = [url for _, url in made.asked if "/api/" not in url]
         assert not any("laboratory" in url or "/masks/" in url for url in pages), "loaded before it was opened"
-        link.click()
-        made.page.wait_for_url(f"{server}/{path}**")
-        made.page.get_by_role("link", name=back, exact=True).click()
-        made.page.wait_for_url(f"{server}/**")
-        made.page.locator("#canvas").wait_for()
+        for name, path, back in (
+            ("Foam laboratory", "learn/laboratory/", "Seafoam"),
+            ("Mask laboratory", "masks/", "Back to the water"),
+        ):
+            page.get_by_role("link", name=name).click()
+            page.wait_for_url(f"{server}/{path}**")
+            page.get_by_role("link", name=back, exact=True).click()
+            page.wait_for_url(f"{server}/**")
+            page.locator("#canvas").wait_for()

@@ -69,36 +69,41 @@ def restored(made: Visit, preset: str) -> dict[str, Any]:
     return state
 
 
-def test_a_frame_of_the_server_restores_the_view_and_gives_the_same_bytes(llvmpipe: Lane, server: str) -> None:
-    start = link(preset="paper-halftone", time=4.1234567890123, scene=CHANGES, camera="1,7,-2,0.3,-0.2,0,0.9")
-    with visit(llvmpipe, server, f"{start}&open=take", size=SIZE) as made:
-        first, name = downloaded(made.page, "PNG, drawn by the server")
-        assert name == "seafoam-paper-halftone-4.12s-server.png"
-        before = restored(made, "paper-halftone")
-    with visit(llvmpipe, server, link(preset="default"), size=SIZE) as made:
-        for time, content in {**other_formats(first), before["time"]: first}.items():
-            drop(made.page, content)
-            made.page.wait_for_function("(time) => window.seafoam.state().time === time", arg=time, timeout=30_000)
-        after = restored(made, "paper-halftone")
-        assert after == before
-        assert dict(after["changes"]) == CHANGES
-        made.press("Take home")
-        again, _ = downloaded(made.page, "PNG, drawn by the server")
+@pytest.fixture(scope="module")
+def taken(llvmpipe: Lane, server: str) -> Iterator[Visit]:
+    """A page at which pictures are taken home."""
+    with visit(llvmpipe, server, link(preset="paper-halftone", open="take"), size=SIZE) as made:
+        yield made
+
+
+def test_a_frame_of_the_server_restores_the_view_and_gives_the_same_bytes(taken: Visit) -> None:
+    start = {"time": 4.1234567890123, "scene": CHANGES, "camera": "1,7,-2,0.3,-0.2,0,0.9"}
+    taken.follow(link(preset="paper-halftone", open="take", **start))
+    first, name = downloaded(taken.page, "PNG, drawn by the server")
+    assert name == "seafoam-paper-halftone-4.12s-server.png"
+    before = restored(taken, "paper-halftone")
+    taken.follow(link(preset="paper-height"))
+    for time, content in {**other_formats(first), before["time"]: first}.items():
+        drop(taken.page, content)
+        taken.page.wait_for_function("(time) => window.seafoam.state().time === time", arg=time, timeout=30_000)
+    after = restored(taken, "paper-halftone")
+    assert after == before
+    assert dict(after["changes"]) == CHANGES
+    taken.press("Take home")
+    again, _ = downloaded(taken.page, "PNG, drawn by the server")
     assert hashlib.sha256(again).hexdigest() == hashlib.sha256(first).hexdigest()
 
 
-def test_a_picture_of_the_page_restores_itself(llvmpipe: Lane, server: str) -> None:
-    split = "/foam/look~textured~filtered~0.250"
-    with visit(llvmpipe, server, link(preset="paper-halftone", time=2.5, split=split), size=SIZE) as made:
-        first, _ = downloaded(made.page, "Save image as PNG")
-        before = restored(made, "paper-halftone")
-    with visit(llvmpipe, server, link(preset="paper-height"), size=SIZE) as made:
-        made.press("Take home")
-        made.page.get_by_label("Restore from a picture").set_input_files(
-            {"name": "seafoam.png", "mimeType": "image/png", "buffer": first}
-        )
-        assert restored(made, "paper-halftone") == before
-        again, _ = downloaded(made.page, "Save image as PNG")
+def test_a_picture_of_the_page_restores_itself(taken: Visit) -> None:
+    taken.follow(link(preset="paper-halftone", time=2.5, split="/foam/look~textured~filtered~0.250"))
+    first, _ = downloaded(taken.page, "Save image as PNG")
+    before = restored(taken, "paper-halftone")
+    taken.follow(link(preset="paper-height", open="take"))
+    taken.page.get_by_label("Restore from a picture").set_input_files(
+        {"name": "seafoam.png", "mimeType": "image/png", "buffer": first}
+    )
+    assert restored(taken, "paper-halftone") == before
+    again, _ = downloaded(taken.page, "Save image as PNG")
     assert (pixels_of(again) == pixels_of(first)).all()
 
 
@@ -113,14 +118,16 @@ def test_other_files_are_refused_in_plain_words(planned: Visit) -> None:
 
 
 @pytest.mark.parametrize("preset", ["default", "paper-halftone"])
-def test_the_zip_draws_what_the_server_draws(llvmpipe: Lane, server: str, tmp_path: Path, preset: str) -> None:
-    with visit(llvmpipe, server, link(preset=preset, time=2.7, scene=CHANGES, open="take"), size=SIZE) as made:
-        content, name = downloaded(made.page, "Zip")
-        assert name == f"seafoam-{preset}.zip"
-        served, _ = downloaded(made.page, "PNG, drawn by the server")
-        zipfile.ZipFile(io.BytesIO(content)).extractall(tmp_path)
-        for snippet in (ROOT / "docs/snippets").iterdir():
-            assert (tmp_path / "snippets" / snippet.name).read_bytes() == snippet.read_bytes()
+def test_the_zip_draws_what_the_server_draws(
+    taken: Visit, llvmpipe: Lane, server: str, tmp_path: Path, preset: str
+) -> None:
+    taken.follow(link(preset=preset, time=2.7, scene=CHANGES, open="take"))
+    content, name = downloaded(taken.page, "Zip")
+    assert name == f"seafoam-{preset}.zip"
+    served, _ = downloaded(taken.page, "PNG, drawn by the server")
+    zipfile.ZipFile(io.BytesIO(content)).extractall(tmp_path)
+    for snippet in (ROOT / "docs/snippets").iterdir():
+        assert (tmp_path / "snippets" / snippet.name).read_bytes() == snippet.read_bytes()
     with visit(llvmpipe, server, BLANK, size=SIZE, settle=False) as made:
         made.asked.clear()
         made.page.goto(f"{(tmp_path / 'index.html').as_uri()}#paused")
@@ -136,24 +143,22 @@ def test_the_zip_draws_what_the_server_draws(llvmpipe: Lane, server: str, tmp_pa
         assert recipes[0][told] == recipes[1][told], told
 
 
-@pytest.mark.parametrize("changes", [{}, CHANGES], ids=["preset", "changed"])
-def test_the_requests_give_this_frame(llvmpipe: Lane, server: str, tmp_path: Path, changes: dict[str, Any]) -> None:
+def test_the_requests_give_this_frame(taken: Visit, tmp_path: Path) -> None:
+    """Of a preset and of a changed scene: they are requests of two kinds."""
     commands = {
         "curl": ["sh", "-c"],
         "Python": [sys.executable, "-c"],
         "JavaScript": [str(ROOT / "scripts" / "node.sh"), "node", "--input-type=module", "-e"],
     }
-    start = link(preset="paper-halftone", time=3.25, camera="1,7,-2,0.3,-0.2,0,0.9", open="take")
-    if changes:
-        start = link(preset="paper-halftone", time=3.25, scene=changes, open="take")
-    with visit(llvmpipe, server, start, size=(480, 480)) as made:
-        want, _ = downloaded(made.page, "PNG, drawn by the server")
+    for parts in ({"camera": "1,7,-2,0.3,-0.2,0,0.9"}, {"scene": CHANGES}):
+        taken.follow(link(preset="paper-halftone", time=3.25, open="take", **parts))
+        want, _ = downloaded(taken.page, "PNG, drawn by the server")
         for language, command in commands.items():
-            made.page.get_by_role("button", name=language, exact=True).click()
-            text = made.page.locator(f"pre[aria-label={language}]").inner_text()
+            taken.page.get_by_role("button", name=language, exact=True).click()
+            text = taken.page.locator(f"pre[aria-label={language}]").inner_text()
             subprocess.run([*command, text], cwd=tmp_path, check=True, timeout=60, capture_output=True)
             got = tmp_path / "frame.png"
-            assert got.read_bytes() == want, language
+            assert got.read_bytes() == want, (language, parts)
             got.unlink()
 
 

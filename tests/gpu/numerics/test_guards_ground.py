@@ -25,8 +25,8 @@ RAYS = ("lib/numbers.glsl", "lib/rays.glsl@camera", "lib/texels.glsl@texel")
 SPAN = ("shore/ground.glsl@square",)
 SIDE = {"u_shore_size": 160.0}
 GUARDED = (
-    Guarded("span along the square's edge", SPAN, "y.xy = shore_span(x.xy, x.zw);", (-80, 0, 0, 1), (0, 80), {}, SIDE),
-    Guarded("span from inside", SPAN, "y.xy = shore_span(x.xy, x.zw);", (10, 0, 1, 0.5), (0, 70), {}, SIDE),
+    Guarded("span along the square's edge", SPAN, "y.xy = shore_span(x.xy, x.zw);", ((-80, 0, 0, 1), (0, 80)), SIDE),
+    Guarded("span from inside", SPAN, "y.xy = shore_span(x.xy, x.zw);", ((10, 0, 1, 0.5), (0, 70)), SIDE),
     Guarded(
         "glow over still water",
         (
@@ -37,25 +37,21 @@ GUARDED = (
             "water/underside.glsl@water",
         ),
         "vec3 level = below_glow(0.0, x.y, x.z);\ny.x = below_glow(x.x, x.y, x.z).r / level.r;",
-        (-1.0, 1.0, 5.0),
-        (1.0, 0.0),
-        {},
+        ((-1.0, 1.0, 5.0), (1.0, 0.0)),
         {"u_absorption_length": [0.01] * 3, "u_scattering": 0.5, "u_sky_irradiance": [1.0] * 3},
     ),
     Guarded(
         "way through ripples that face the eye",
         (*RAYS, "lib/refraction.glsl", stand_in("deep"), "shore/floor.glsl@body", "shore/floor.glsl@through"),
         "vec2 at;\ny.x = floor_path(vec2(0.0), 0.0, normalize(vec3(1.0, -0.01, 0.0)), normalize(x.xyz), at);",
-        (-3.0, 1.0, 0.0),
-        (10.0, 0.0),
+        ((-3.0, 1.0, 0.0), (10.0, 0.0)),
         {"REFRACTION_STEPS": 4},
     ),
     Guarded(
         "search that ends before it starts",
         (*RAYS, stand_in("ground_over"), "shore/land.glsl@find_land"),
         "float tau;\nvec4 ground;\ny.x = find_land(x.xyz, 1e5, tau, ground) ? 1.0 : 0.0;",
-        (2.0, 1.0, 0.0),
-        (0.0, 0.0),
+        ((2.0, 1.0, 0.0), (0.0, 0.0)),
         {"REFINE": 4},
     ),
     Guarded(
@@ -69,8 +65,7 @@ GUARDED = (
             "reflection/cube.glsl@cubemap",
         ),
         "reflected_light(vec3(0.0), normalize(x.xyz), vec3(0.0));\ny.x = outside;",
-        (1.0, 1.0, 1.0),
-        (0.0, 0.0),
+        ((1.0, 1.0, 1.0), (0.0, 0.0)),
         {"CUBE_SIZE": 8},
     ),
     # The map of heights is the probe's own texel of inputs.
@@ -84,20 +79,26 @@ GUARDED = (
             "shore/sunlit.glsl@sunlit",
         ),
         "y.x = land_sunlit(x.xyz, Footprint(vec2(0.0), vec2(0.0)));",
-        (0.0, 5.0, -200.0),
-        (1.0, 0.0),
-        {"LAND_CELLS": 1},
-        {"u_land_sun": [1.0, 1e-37, 0.1, 0.09], **SIDE},
+        ((0.0, 5.0, -200.0), (1.0, 0.0)),
+        {"LAND_CELLS": 1, "u_land_sun": [1.0, 1e-37, 0.1, 0.09], **SIDE},
     ),
     # The map is the probe's own texel of inputs, whose last number is its coverage.
     Guarded(
         "mirror of what is behind",
         (*RAYS, stand_in("no_sky"), "reflection/mirror.glsl@planar"),
         "vec3 seen;\nfloat way;\ny.x = mirror_toward(x.xyz, seen, way).a;",
-        (0.0, -2.0, 5.0, 1.0),
-        (0.0, 0.0),
-        {"MIRROR_SIZE": 1, "MIRROR_MARGIN": 1.25, "MIRROR_STEPS": 1, "MIRROR_LOOKS": 0, "MIRROR_FAR": 0.0},
-        {"u_eye_height": 2.0, "u_ray_x": [1, 0, 0], "u_ray_y": [0, 1, 0], "u_ray_z": [0, 0, -1]},
+        ((0.0, -2.0, 5.0, 1.0), (0.0, 0.0)),
+        {
+            "MIRROR_SIZE": 1,
+            "MIRROR_MARGIN": 1.25,
+            "MIRROR_STEPS": 1,
+            "MIRROR_LOOKS": 0,
+            "MIRROR_FAR": 0.0,
+            "u_eye_height": 2.0,
+            "u_ray_x": [1, 0, 0],
+            "u_ray_y": [0, 1, 0],
+            "u_ray_z": [0, 0, -1],
+        },
     ),
 )
 

@@ -40,45 +40,40 @@ FUNCTIONS = (
         "the slope of a cusp in its trough",
         (NUMBERS, "waves/parametric.glsl"),
         PROFILE,
-        (0.0, 1.0, 0.1),
-        (0.0, 158.489),
+        ((0.0, 1.0, 0.1), (0.0, 158.489)),
         ONE_WAVE,
     ),
-    Guarded("a kink in its trough", (NUMBERS, "waves/parametric.glsl"), PROFILE, (0.0, 1.0, 0.5), (0.0, 0.5), ONE_WAVE),
+    Guarded(
+        "a kink in its trough", (NUMBERS, "waves/parametric.glsl"), PROFILE, ((0.0, 1.0, 0.5), (0.0, 0.5)), ONE_WAVE
+    ),
     Guarded(
         "the footprint of a ray along the surface",
         (NUMBERS, "lib/rays.glsl@camera"),
         "Footprint fp = footprint(x.xyz, 1.0, vec3(0.0, 1.0, 0.0));\ny.xy = vec2(length(fp.x), length(fp.y));",
-        (0.0, 0.0, -1.0),
-        (1.0, 1000.0),
-        uniforms={"u_viewport": (2.0, 2.0), "u_ray_x": (1.0, 0.0, 0.0), "u_ray_y": (0.0, 1.0, 0.0)},
+        ((0.0, 0.0, -1.0), (1.0, 1000.0)),
+        {"u_viewport": (2.0, 2.0), "u_ray_x": (1.0, 0.0, 0.0), "u_ray_y": (0.0, 1.0, 0.0)},
     ),
     Guarded(
         "a step along level water",
         (stand_in("no_short_waves"), "surface/march.glsl@step", "surface/march.glsl@ahead"),
         "y.x = march_ahead(x.yzz, 1.0, x.z, x.z, x.x, x.zzz, x.zz, x.z);",
-        (1e-3, 1.0, 0.0),
-        (1000.0, 0.0),
+        ((1e-3, 1.0, 0.0), (1000.0, 0.0)),
     ),
-    Guarded("no step behind the eye", (LEDGE, "lib/rays.glsl@newton"), REFINED, (0.0, -1.0, 1.0, 0.5), (0.0, 0.0)),
+    Guarded("no step behind the eye", (LEDGE, "lib/rays.glsl@newton"), REFINED, ((0.0, -1.0, 1.0, 0.5), (0.0, 0.0))),
     Guarded(
         "steps from the mesh",
         (NUMBERS, *FROM_MESH),
         "float tau;\nvec3 wave;\nfor (int i = 0; i < 2; ++i) {\n    slope = x[i];\n"
         "    find_surface(vec3(1.0, 0.0, 0.0), 1e5, tau, wave);\n    y[i] = tau;\n}",
-        (-1.0, 0.01),
-        (10.0, 10.5),
-        {"REFINE": 1},
-        {"v_position": (10.0, 1.0, 0.0), "u_eye_height": 1.0},
+        ((-1.0, 0.01), (10.0, 10.5)),
+        {"REFINE": 1, "v_position": (10.0, 1.0, 0.0), "u_eye_height": 1.0},
     ),
     Guarded(
         "a march from far below",
         (stand_in("still_water"), "surface/march.glsl@march"),
         "vec3 wave;\nbool found = find_surface(x.xyz, 1e5, y.x, wave);",
-        (0.0, -0.5, -1.0),
-        (0.0, 0.0),
-        {"MARCH_STEPS": 8, "REFINE": 0},
-        {"u_eye_height": -1000.0, "u_surface_top": 1.0, "u_surface_trough": -1.0},
+        ((0.0, -0.5, -1.0), (0.0, 0.0)),
+        {"MARCH_STEPS": 8, "REFINE": 0, "u_eye_height": -1000.0, "u_surface_top": 1.0, "u_surface_trough": -1.0},
     ),
     # From 5 lengths away, over the sheer and under it; -0 over 0 is what a plane along the ray must not divide.
     Guarded(
@@ -86,8 +81,7 @@ FUNCTIONS = (
         ("boats/hull.glsl@hull",),
         "for (int i = 0; i < 2; ++i) {\n    BoatHit hit = BoatHit(10.0, vec3(0.0), PART_HULL);\n"
         "    hit_hull(vec3(x.z, x[i], -5.0), x.yyw, false, 0.0, hit);\n    y[i] = hit.t;\n}",
-        (0.2, -0.0, -0.12, 1.0),
-        (10.0, 4.8963),
+        ((0.2, -0.0, -0.12, 1.0), (10.0, 4.8963)),
         {"BOAT_SAILS": True, "BOAT_MOTORS": True},
     ),
 )

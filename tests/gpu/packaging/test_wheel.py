@@ -164,6 +164,8 @@ def bare(request: pytest.FixtureRequest, wheel: Path, tmp_path_factory: pytest.T
 
 newest = pytest.mark.parametrize("bare", ["newest"], indirect=True)
 """For what the tests' own Python does in other tests too."""
+oldest = pytest.mark.parametrize("bare", ["oldest"], indirect=True)
+"""For what does not depend on the Python."""
 
 
 def test_the_metadata_names_the_pythons_that_are_tested() -> None:
@@ -185,6 +187,7 @@ def names_extra(done: subprocess.CompletedProcess[str], extra: str) -> bool:
     return done.returncode == 1 and done.stderr.count("\n") == 1 and f"pip install 'seafoam[{extra}]'" in done.stderr
 
 
+@oldest
 def test_data_is_that_of_the_wheel(bare: Path, tmp_path: Path) -> None:
     code = "import seafoam; from seafoam.resources import data_dir\n"
     code += "print(seafoam.__file__, *map(data_dir, ('shaders', 'masks', 'webclient')), sep='\\n')"
@@ -227,6 +230,7 @@ def test_commands_of_readme_without_extras(bare: Path, tmp_path: Path) -> None:
     assert (tmp_path / "sea.png").read_bytes().startswith(b"\x89PNG")
 
 
+@oldest
 def test_every_command_has_help_without_extras(bare: Path, tmp_path: Path) -> None:
     code = """
 from typer.main import get_command
@@ -249,6 +253,7 @@ for names in walk(get_command(app)):
     assert {"SHOWN", "SHOWN render", "SHOWN masks spectrum"} <= set(done.stdout.splitlines())
 
 
+@oldest
 @pytest.mark.whole
 @pytest.mark.parametrize(
     ("extra", "arguments", "variables"),

@@ -14,6 +14,12 @@ from support.scenes import load_preset
 
 SIZE = (32, 18)
 PRESET = "default"
+RUNNING: dict[str, Any] = {
+    "status": 202,
+    "headers": {"Retry-After": "1"},
+    "json": {"status": "running", "stage": "float64 truth", "progress": 0.4, "eta_s": 7.0},
+}
+"""While the server computes."""
 
 
 @cache
@@ -55,6 +61,11 @@ def sweep() -> dict[str, Any]:
     return {"machine": {"renderer": "the server's own"}, "points": measured}
 
 
+def awaited(page: Page) -> None:
+    """Have the truth come never: a server that computes it takes a processor from the tests."""
+    page.route("**/truth.npy*", lambda route: route.fulfill(**RUNNING))
+
+
 def staged(page: Page) -> None:
     """Answer for the server: it computes the truth, and its own sweep, for one request each."""
     asked: list[str] = []
@@ -67,8 +78,7 @@ def staged(page: Page) -> None:
         waits = last != "points" and url not in asked
         asked.append(url)
         if waits:
-            running = {"status": "running", "stage": "float64 truth", "progress": 0.4, "eta_s": 7.0}
-            route.fulfill(status=202, headers={"Retry-After": "1"}, json=running)
+            route.fulfill(**RUNNING)
         elif last == "truth.npy":
             route.fulfill(body=truth(), content_type="application/x-npy")
         else:

@@ -5,18 +5,17 @@ from typing import Any
 
 from playwright.sync_api import Page
 
-AXE = Path(__file__).parents[3] / "webclient/node_modules/axe-core/axe.min.js"
+AXE = (Path(__file__).parents[3] / "webclient/node_modules/axe-core/axe.min.js").read_text(encoding="utf-8")
+# Colours are judged once nothing fades any more; the name on the hidden loading screen pulses for ever.
+FINDS = """(async () => {
+  const over = ({ effect, playState }) => playState !== 'running' || effect.getTiming().iterations === Infinity;
+  while (!document.getAnimations().every(over)) await new Promise((done) => setTimeout(done, 50));
+  const { violations } = await axe.run({ resultTypes: ['violations'] });
+  return violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html.slice(0, 120))]);
+})()"""
 
 
 def violations(page: Page) -> list[Any]:
     """Rule and places of all that axe finds in what is in sight."""
-    # Colours are judged once nothing fades any more; the name on the hidden loading screen pulses for ever.
-    page.wait_for_function(
-        "() => document.getAnimations().every(({ effect, playState }) =>"
-        " playState !== 'running' || effect.getTiming().iterations === Infinity)"
-    )
-    page.evaluate(AXE.read_text(encoding="utf-8"))
-    return page.evaluate(
-        "async () => (await axe.run({ resultTypes: ['violations'] })).violations"
-        ".map(({ id, nodes }) => [id, nodes.map(({ html }) => html.slice(0, 120))])"
-    )
+    page.evaluate(AXE)
+    return page.evaluate(FINDS)

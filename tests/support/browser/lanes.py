@@ -14,7 +14,9 @@ from playwright.sync_api import Browser, Page, Playwright
 from seafoam.framegraph.plan import FramePlan
 from support.scenes import Camera
 
-COMMON = ["--no-sandbox", "--hide-scrollbars"]
+HOST = "seafoam.test"
+"""A name of this machine."""
+COMMON = ["--no-sandbox", "--hide-scrollbars", f"--host-resolver-rules=MAP {HOST} 127.0.0.1"]
 LANES = {
     # Chromium's --use-gl=egl alone stays on SwiftShader without a word; ANGLE on the system's EGL is what shares Mesa.
     "llvmpipe": ["--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist"],

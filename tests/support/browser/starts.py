@@ -9,7 +9,7 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from itertools import pairwise
+from itertools import count
 from pathlib import Path
 from statistics import median
 from typing import Any
@@ -86,23 +86,6 @@ _WATCH = """(() => {
 """Notes animation frames, pictures that are drawn, long tasks and input; all times are of performance.now(), ms."""
 
 
-@dataclass(frozen=True)
-class Motion:
-    """What was seen of a while of motion. Times in s."""
-
-    fps: float
-    """Pictures that were drawn, a second."""
-    scale: float
-    """Width of the middle picture, of the window's."""
-    size: tuple[int, int]
-    """Pixels of the picture."""
-    drawer: str
-    gap: float
-    """Longest time between two animation frames."""
-    still: float
-    """Longest time between two pictures."""
-
-
 @dataclass
 class Started:
     """A page in a browser that was started so, and what it said."""
@@ -113,10 +96,6 @@ class Started:
     def said(self) -> list[str]:
         """Messages in the console, but what Chromium says of its software GL, whatever a page does."""
         return [message for message in self.complaints if not _ENGINES_OWN.search(message)]
-
-    def now(self) -> float:
-        """The page's clock, ms since its navigation began."""
-        return float(self.page.evaluate("() => performance.now()"))
 
     def frames(self) -> list[dict[str, Any]]:
         """Pictures that were drawn: ``at`` (ms), ``by``, ``width``, ``height``."""
@@ -132,38 +111,6 @@ class Started:
         """The page as it is seen, (height, width, 3), in 0 to 255."""
         png = Image.open(io.BytesIO(self.page.screenshot(timeout=120_000)))
         return np.asarray(png.convert("RGB"), np.float64)
-
-    def wait_until(self, seconds: float) -> None:
-        """Wait for a time after the start of navigation, without asking the page anything in between."""
-        while (left := seconds - 1e-3 * self.now()) > 0:
-            time.sleep(min(left, 5.0))
-
-    def motion(self, begin: float, end: float) -> Motion:
-        """What was seen between two times after the start of navigation, s."""
-        seen: dict[str, Any] = self.page.evaluate("() => window.seen")
-        width: float = self.page.evaluate("() => innerWidth * Math.min(2, devicePixelRatio)")
-        ticks = [1e-3 * at for at in seen["ticks"]]
-        frames = [1e-3 * frame["at"] for frame in seen["frames"]]
-        within = [frame for frame in seen["frames"] if begin <= 1e-3 * frame["at"] < end]
-        last = within[-1] if within else {"width": 0, "height": 0, "by": "nobody"}
-        return Motion(
-            fps=len(within) / (end - begin),
-            scale=median(frame["width"] for frame in within) / width if within else 0.0,
-            size=(last["width"], last["height"]),
-            drawer=last["by"],
-            gap=longest(ticks, begin, end),
-            still=longest(frames, begin, end),
-        )
-
-    def long_tasks(self) -> list[tuple[float, float]]:
-        """Begin and duration of tasks of the main thread over 50 ms, s."""
-        tasks: list[list[float]] = self.page.evaluate("() => window.seen.long")
-        return [(1e-3 * begin, 1e-3 * duration) for begin, duration in tasks]
-
-    def screenshot_seconds(self) -> float:
-        began = time.monotonic()
-        self.page.screenshot()
-        return time.monotonic() - began
 
     def drag_seconds(self) -> float:
         """Middle time from a move of a drag on the sky to a picture that was drawn after the page had taken it."""
@@ -190,12 +137,11 @@ class Started:
         return median(answers)
 
     def play(self, seconds: float) -> None:
-        """Touch the water, turn the camera, go through presets and draw a divider, again and again for so long."""
+        """Touch the water, turn the camera, go to a preset and draw a divider: once, and again for so long."""
         page = self.page
         until = time.monotonic() + seconds
         width, height = page.evaluate("() => [innerWidth, innerHeight]")
-        turn = 0
-        while time.monotonic() < until:
+        for turn in count():
             for x, y in (WATER, SKY):
                 page.mouse.move(x * width, y * height)
                 page.mouse.down()
@@ -214,22 +160,8 @@ class Started:
                 for key in ("ArrowRight", "ArrowRight", "ArrowLeft"):
                     divider.press(key)
                     page.wait_for_timeout(200)
-            turn += 1
-
-    def heap(self) -> float:
-        """Memory that the page's scripts hold after a collection, MB."""
-        session = self.page.context.new_cdp_session(self.page)
-        session.send("Performance.enable")
-        session.send("HeapProfiler.collectGarbage")
-        metrics = {one["name"]: one["value"] for one in session.send("Performance.getMetrics")["metrics"]}
-        session.detach()
-        return 1e-6 * float(metrics["JSHeapUsedSize"])
-
-
-def longest(times: list[float], begin: float, end: float) -> float:
-    """Longest stretch between two times of [begin, end] without one of these, s."""
-    marks = [begin, *(at for at in times if begin < at < end), end]
-    return max(later - earlier for earlier, later in pairwise(marks))
+            if time.monotonic() >= until:
+                return
 
 
 @contextmanager
@@ -271,9 +203,11 @@ def _port(process: "subprocess.Popen[bytes]", profile: Path) -> int:
 
 
 @contextmanager
-def opened(browser: Browser, address: str, window: str = "desktop") -> Iterator[Started]:
-    """A new page at an address, watched from its first script on."""
-    width, height = WINDOWS[window]
+def opened(
+    browser: Browser, address: str, window: str = "desktop", size: tuple[int, int] | None = None
+) -> Iterator[Started]:
+    """A new page at an address, watched from its first script on; ``size``: of the window, if it is not the usual."""
+    width, height = size or WINDOWS[window]
     context: BrowserContext = browser.new_context(
         viewport={"width": width, "height": height}, has_touch=window == "phone", is_mobile=window == "phone"
     )

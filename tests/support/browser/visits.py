@@ -12,7 +12,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
-from playwright.sync_api import Locator, Page, Route, TimeoutError
+from playwright.sync_api import CDPSession, Locator, Page, Route, TimeoutError
 
 from support.browser.lanes import Lane, complaints_of
 
@@ -59,6 +59,7 @@ class Visit:
     followed: int = 0
     expected: str | None = None
     """Part of the words of what the page will complain of; None: it may complain of nothing."""
+    tab: CDPSession | None = None
 
     def settle(self) -> None:
         """Wait until the picture shows what was asked for, at rest and sharp."""
@@ -135,6 +136,15 @@ class Visit:
         self.settle()
         self.complaints.clear()
         self.asked.clear()
+
+    @contextmanager
+    def awake(self) -> Iterator[None]:
+        """Frozen afterwards: a page that is shared asks for animation frames all the time, a tenth of a processor."""
+        if self.tab is None:
+            self.tab = self.page.context.new_cdp_session(self.page)
+        self.tab.send("Page.setWebLifecycleState", {"state": "active"})
+        yield
+        self.tab.send("Page.setWebLifecycleState", {"state": "frozen"})
 
     def frames(self, count: int) -> None:
         """Let that many animation frames pass."""

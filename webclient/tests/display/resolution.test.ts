@@ -59,6 +59,9 @@ function accepted(one: Machine, load = 1): [number, number] {
   return [0.8 * Math.min(...bests), 1.2001 * Math.max(...bests)];
 }
 
+/** The longest interval, ms; of no frame, 0. */
+const longest = (shown: readonly Shown[]) => shown.reduce((most, { interval }) => Math.max(most, interval), 0);
+
 function holds(one: Machine, shown: readonly Shown[], from: number, load = 1, spread = 1): void {
   const { clock } = one;
   // What is read in steps of 100 ms is known later, and less well.
@@ -71,7 +74,8 @@ function holds(one: Machine, shown: readonly Shown[], from: number, load = 1, sp
   expect(median).toBeGreaterThanOrEqual(low < LEAST ? 0 : low);
   expect(median).toBeLessThanOrEqual(Math.max(high, 1.01 * LEAST));
   const forced = costAt(scaled(one, load), Math.min(...scales)) * (1 + one.jitter) + 2 * one.display;
-  for (const { interval } of settled) expect(interval).toBeLessThanOrEqual(Math.max(coarse ? 600 : 300, 1.2 * forced));
+  // One claim of all: each of thousands of frames by itself would take longer than the simulation.
+  expect(longest(settled)).toBeLessThanOrEqual(Math.max(coarse ? 600 : 300, 1.2 * forced));
 }
 
 const check = (one: fc.Arbitrary<Machine>, property: (machine: Machine, seed: number) => void) =>
@@ -166,9 +170,8 @@ describe("the controller", () => {
   it("submits no frame that it predicts to take over 100 ms", () => {
     check(MACHINES.llvmpipe, (one, seed) => {
       const controller = new DynamicResolution(PIXELS);
-      for (const { scale, interval } of run(controller, { ...one, jitter: 0 }, 6, {}, seed).slice(1)) {
-        if (scale > MIN_SCALE) expect(interval).toBeLessThan(200 + 2 * one.display);
-      }
+      const shown = run(controller, { ...one, jitter: 0 }, 6, {}, seed).slice(1);
+      expect(longest(shown.filter(({ scale }) => scale > MIN_SCALE))).toBeLessThan(200 + 2 * one.display);
     });
   });
 
