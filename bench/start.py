@@ -83,8 +83,8 @@ def measure(presets: Sequence[str], watch: Watch) -> list[Table]:
         _commands(watch),
         Table(
             "First frame of a preset",
-            "In a process of its own, quality standard, 64 x 36, ms. Cold: the driver has kept no program; alone: and no "
-            "second process compiles. Again: it has kept all.",
+            "In a process of its own, quality standard, 64 x 36, ms. Cold: the driver has kept no program; alone: nor "
+            "does a second process compile. Again: it has kept all.",
             (
                 Column("preset", "preset"),
                 Column("imports", "imports", ms),
