@@ -37,7 +37,7 @@ class FakeRenderer:
     It never does so at the size of test pictures, at which programs are compiled.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, *, assisted: bool = False) -> None:
         self.info = {"vendor": "Nobody", "renderer": "gradient", "version": "0"}
 
     def render(self, plan, *, time, camera, width, height, output):

@@ -13,7 +13,7 @@ from seafoam.reference.renderer.camera import sample_grid
 from seafoam.render.gl.executor import Executor
 from support.exact import UNFILTERED
 from support.pictures import colours, draw, rmse
-from support.scenes import Camera, load_preset
+from support.scenes import load_preset
 
 HARD = ("halftone", "fading", "halftone_textured", "listing")
 """Looks of foam that is there or not, so that samples of it can flip."""
@@ -59,7 +59,7 @@ def parity(executor: Executor, preset: str, time: float) -> Parity:
     samples = draw(executor, make_plan(scene, UNFILTERED), scene.camera, time=time, size=size, output="samples")
     linear = mean_of(samples, size)
     got = colours(linear)
-    below = depression(scene.camera, size) > np.radians(1.0)
+    below = sample_grid(scene.camera, *size).depression > np.radians(1.0)
     height, width = truth.alpha.shape
     cells = (linear[..., 3] - truth.alpha)[: height // 8 * 8, : width // 8 * 8].reshape(height // 8, 8, width // 8, 8)
     return Parity(
@@ -70,13 +70,6 @@ def parity(executor: Executor, preset: str, time: float) -> Parity:
         tone=float(np.abs(cells.mean(axis=(1, 3))).mean()),
         hard=scene.foam is not None and scene.foam.look in HARD,
     )
-
-
-def depression(camera: Camera, size: tuple[int, int]) -> NDArray[np.float64]:
-    """Angle of each pixel's middle ray below the horizon, (height, width) rad, row 0 at the top."""
-    X, Y = (2.0 * (np.arange(count) + 0.5) / count - 1.0 for count in size)
-    D = sample_grid(camera, *size).rays(*np.meshgrid(X, -Y))
-    return np.arctan2(-D[..., 1], np.hypot(D[..., 0], D[..., 2]))
 
 
 def without_the_worst(

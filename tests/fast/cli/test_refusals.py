@@ -87,7 +87,7 @@ def test_a_bad_setting_is_named_by_its_variable(seafoam, monkeypatch, name, valu
 
 
 def test_what_the_machine_lacks_ends_in_one_line_too(seafoam, monkeypatch, tmp_path):
-    def none():
+    def none(**_):
         raise NoRendererError("no OpenGL context; install a driver")
 
     def said(command, *arguments):

@@ -36,8 +36,8 @@ class Drawer(FakeRenderer):
     threads: set[str] = set()  # noqa: RUF012
     closed = 0
 
-    def __init__(self) -> None:
-        super().__init__()
+    def __init__(self, *, assisted: bool) -> None:
+        super().__init__(assisted=assisted)
         self.threads.add(threading.current_thread().name)
 
     def render(self, *args, **options):

@@ -38,7 +38,7 @@ SMALLER = {
 def test_readme(server: str, executor: Executor, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     # One context for all: its programs are compiled once.
-    monkeypatch.setattr("seafoam.render.gl.executor.Executor", lambda: executor)
+    monkeypatch.setattr("seafoam.render.gl.executor.Executor", lambda **_: executor)
     monkeypatch.setattr(executor, "close", lambda: None)
     written: dict[str, int] = {}
     for command in commands("README.md"):

@@ -45,6 +45,13 @@ class SampleGrid:
         """Change of a ray from one sample to the next, along a row and along a column; (3,) each."""
         return 2.0 * self.ray_x / self.columns, 2.0 * self.ray_y / self.rows
 
+    @property
+    def depression(self) -> Floats:
+        """Angle of each pixel's middle ray below the horizon, (height, width) rad, row 0 at the top."""
+        X, Y = (2.0 * (np.arange(count) + 0.5) / count - 1.0 for count in (self.width, self.height))
+        D = self.rays(*np.meshgrid(X, -Y))
+        return np.arctan2(-D[..., 1], np.hypot(D[..., 0], D[..., 2]))
+
     def rays(self, X: Floats, Y: Floats) -> Floats:
         """D = ray_z + X ray_x + Y ray_y at clip positions in [−1, 1]; (..., 3), not normalised, never zero."""
         return self.ray_z + X[..., None] * self.ray_x + Y[..., None] * self.ray_y

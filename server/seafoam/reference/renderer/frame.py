@@ -31,6 +31,8 @@ class ReferenceFrame:
     """(H, W), mean foam amount in [0, 1]; 0 in the sky."""
     amount: Floats
     """(H·n, W·n), foam amount of each sample, at most 1."""
+    depression: Floats
+    """(H, W), angle of each pixel's middle ray below the horizon, rad."""
 
 
 def scene_sha256(scene: Scene) -> str:
@@ -79,7 +81,7 @@ def render(
     shape = grid.rows, grid.columns
     if flying is not None:
         flying.draw_over(picture.reshape(*shape, 3), placed(X).reshape(shape), placed(Y).reshape(shape))
-    return ReferenceFrame(picture.mean(axis=(1, 3)), amount.mean(axis=(1, 3)), amount.reshape(shape))
+    return ReferenceFrame(picture.mean(axis=(1, 3)), amount.mean(axis=(1, 3)), amount.reshape(shape), grid.depression)
 
 
 def _clip_positions(grid: SampleGrid, mode: Mode) -> Pair:

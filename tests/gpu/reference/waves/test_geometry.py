@@ -11,7 +11,6 @@ from seafoam.reference.renderer.shade import SampleShader
 from seafoam.reference.types import unit
 from seafoam.render.gl.executor import Executor
 from support.exact import UNFILTERED
-from support.parity import depression
 from support.pictures import draw
 from support.report import Report
 from support.scenes import Camera, Scene, load_preset
@@ -71,7 +70,7 @@ def test_geometry_is_that_of_float64(executor: Executor, report: Report, name: s
     got = draw(executor, make_geometry_plan(scene, UNFILTERED), seen, time=TIME, size=SIZE, output="linear")
     want = truth(scene, seen)
     # Nearer to the horizon a ray that touches a crest falls either way.
-    sure = np.abs(depression(seen, SIZE)) > np.radians(1.0)
+    sure = np.abs(sample_grid(seen, *SIZE).depression) > np.radians(1.0)
     assert (((got[..., 3] > 0.0) == (want[..., 3] > 0.0)) | ~sure).mean() >= 0.999
     both = sure & (got[..., 3] > 0.0) & (want[..., 3] > 0.0) & (want[..., 3] < 1e5)
     assert both.mean() > 0.2
