@@ -12,6 +12,7 @@ import time
 from collections.abc import Callable, Iterator
 
 from seafoam.quality import TIERS, Tier
+from seafoam.render.gl.compilers import driver_keeps
 from seafoam.render.gl.executor import NoRendererError
 from seafoam.render.service.errors import RenderError, StartingError
 from seafoam.render.service.jobs import Renderer
@@ -54,7 +55,7 @@ def draw_ahead(factory: Callable[[], Renderer], parent: int) -> None:
 
 async def compile_ahead(pool: RenderPool, factory: Callable[[], Renderer]) -> None:
     """Compile once the pool is ready, in a process of its own; cancelled: end that process."""
-    if os.environ.get("MESA_SHADER_CACHE_DISABLE", "").lower() in ("1", "true"):
+    if not driver_keeps():
         return
     while True:
         try:

@@ -85,6 +85,11 @@ class SecondCompiler:
                 self._process.wait(WAIT_SECONDS)
 
 
+def driver_keeps() -> bool:
+    """Whether the driver may keep compiled programs, so that another process finds them."""
+    return os.environ.get("MESA_SHADER_CACHE_DISABLE", "").lower() not in ("1", "true")
+
+
 def received() -> tuple[CompileRequest, Claims]:
     """Return what the second process is to do."""
     folder = Path(sys.argv[1])

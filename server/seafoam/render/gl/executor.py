@@ -22,7 +22,7 @@ from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.resources import MIPMAPPED, Target, Texture, TextureInput
 from seafoam.framegraph.shader import Program, declared_uniforms
 from seafoam.framegraph.visibility import drawn_passes, passes_into, reads
-from seafoam.render.gl.compilers import COLD_SECONDS, Claims, CompileRequest, SecondCompiler, received
+from seafoam.render.gl.compilers import COLD_SECONDS, Claims, CompileRequest, SecondCompiler, driver_keeps, received
 from seafoam.render.gl.context import NoRendererError, attach_layers, create_context
 from seafoam.render.gl.formats import FORMAT_BYTES, READ, TARGET_FORMATS, TEXTURE_FORMATS, Cache, Output, target_bytes
 from seafoam.scene.camera import Camera
@@ -118,7 +118,8 @@ class Executor:
         # llvmpipe compiles two variants of a program for an opaque state, and one for a blended state. So blending is
         # always enabled there; the factors (1, 0) make it opaque.
         self._always_blends = "llvmpipe" in self.info["renderer"]
-        self._assisted = assisted and "llvmpipe" in self.info["renderer"] and (os.cpu_count() or 1) > 1
+        two = (os.cpu_count() or 1) > 1 and "llvmpipe" in self.info["renderer"]
+        self._assisted = assisted and two and driver_keeps()
         self._programs = Cache(_PROGRAMS_KEPT)
         self._textures = Cache(_TEXTURES_KEPT)
         self._targets = Cache(_TARGETS_KEPT)
