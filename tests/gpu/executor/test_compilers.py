@@ -30,18 +30,16 @@ Executor().render(plan, time=preset.time, camera=preset.scene.camera, width=64, 
 
 def _request() -> CompileRequest:
     scene = load_preset(PRESET).scene
-    return CompileRequest(make_plan(scene, TIERS["fast"]), scene.camera, 64, 36, "rgba8")
-
-
-def _passes(request: CompileRequest) -> list[int]:
-    return longest_first(request.plan, drawn_passes(request.plan, request.camera, 64, 36, "screen"))
+    plan = make_plan(scene, TIERS["fast"])
+    passes = longest_first(plan, drawn_passes(plan, scene.camera, 64, 36, "screen"))
+    return CompileRequest(plan, passes, scene.camera, 64, 36, "rgba8")
 
 
 def test_each_pass_is_compiled_by_the_process_that_asks_first(executor: Executor, tmp_path: Path) -> None:
     request, claims = _request(), Claims(tmp_path)
-    passes = _passes(request)
+    passes = request.passes
     assert list(claims.claimed(passes[::2])) == passes[::2]
-    assert executor.compile_frame(request, passes, claims) == len(passes[1::2])
+    assert executor.compile_frame(request, claims) == len(passes[1::2])
     assert list(claims.claimed(passes)) == []
 
 
@@ -56,7 +54,7 @@ def test_the_second_process_leaves_nothing_to_compile(tmp_path: Path, monkeypatc
 
     with SecondCompiler(request) as second:
         second._process.wait()
-        assert {int(each.name) for each in second.claims.folder.iterdir() if each.is_dir()} == {*_passes(request)}
+        assert {int(each.name) for each in second.claims.folder.iterdir() if each.is_dir()} == {*request.passes}
     before = size()
     subprocess.run([sys.executable, "-c", DRAW], check=True)
     # Programs of the driver's own, by which it reads a picture back, have 3 KB each, the plan's up to 50.

@@ -6,7 +6,7 @@ import os
 import pickle
 import subprocess
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -32,6 +32,8 @@ class CompileRequest:
     """What decides a frame's programs, and the states in which they draw."""
 
     plan: FramePlan
+    passes: Sequence[int]
+    """One for each program and way of drawing with it, in the order of work."""
     camera: Camera
     width: int
     height: int

@@ -139,7 +139,12 @@ class Executor:
         target_name = _shown(plan, output)
         drawn = drawn_passes(plan, camera, width, height, target_name)
         if self._assisted:
-            self._compile_in_two(CompileRequest(plan, camera, width, height, output, self._device), drawn)
+            passes = [
+                i
+                for i in longest_first(plan, drawn)
+                if _key(plan.programs[plan.passes[i].program]) not in self._programs
+            ]
+            self._compile_in_two(CompileRequest(plan, passes, camera, width, height, output, self._device))
         setup = {step.target for step in plan.passes if step.when == "setup"}
         framebuffers = {
             name: self._target(name, target, width, height)
@@ -177,8 +182,8 @@ class Executor:
         timings = {"render": finished - start, "read": clock.perf_counter() - finished}
         return RenderedPixels(np.ascontiguousarray(pixels), timings)
 
-    def compile_frame(self, request: CompileRequest, passes: Iterable[int], claims: Claims) -> int:
-        """Compile the programs of those passes that no other process has claimed, and return how many there are."""
+    def compile_frame(self, request: CompileRequest, claims: Claims) -> int:
+        """Compile the programs of those passes that no other process has claimed; return of how many passes."""
         self._own_thread()
         plan, size = request.plan, (request.width, request.height)
         into = {name: self._target(name, target, *size) for name, target in plan.targets.items()}
@@ -189,7 +194,7 @@ class Executor:
                 into[name][1].build_mipmaps()
         frame = FrameState(0.0, request.camera, *size, *size, 0)
         compiled = 0
-        for index in claims.claimed(passes):
+        for index in claims.claimed(request.passes):
             framebuffer = into[plan.passes[index].target][0]
             # A driver compiles also for what draws no pixel.
             framebuffer.scissor = (0, 0, 0, 0)
@@ -198,18 +203,16 @@ class Executor:
             compiled += 1
         return compiled
 
-    def _compile_in_two(self, request: CompileRequest, drawn: Mapping[int, bool]) -> None:
+    def _compile_in_two(self, request: CompileRequest) -> None:
         """Compile what a frame draws for the first time in two processes, unless the driver has kept it."""
-        plan = request.plan
-        programs = {i: plan.programs[plan.passes[i].program] for i in longest_first(plan, drawn)}
-        passes = [i for i, program in programs.items() if _key(program) not in self._programs]
-        if not passes:
+        if not request.passes:
             return
+        longest = request.plan.programs[request.plan.passes[request.passes[0]].program]
         with SecondCompiler(request) as second:
             began = clock.thread_time()
-            self._program(programs[passes[0]])
+            self._program(longest)
             if clock.thread_time() - began > COLD_SECONDS:
-                second.wait_for(self.compile_frame(request, passes, second.claims))
+                second.wait_for(self.compile_frame(request, second.claims))
 
     def compile(self, program: Program) -> None:
         """Compile a program, or raise :class:`ShaderError`."""
@@ -379,9 +382,7 @@ class Executor:
 def compile_beside() -> None:
     """The work of the process that a :class:`seafoam.render.gl.compilers.SecondCompiler` starts."""
     request, claims = received()
-    target = _shown(request.plan, request.output)
-    drawn = drawn_passes(request.plan, request.camera, request.width, request.height, target)
-    Executor(request.device).compile_frame(request, longest_first(request.plan, drawn), claims)
+    Executor(request.device).compile_frame(request, claims)
 
 
 def longest_first(plan: FramePlan, drawn: Mapping[int, bool]) -> list[int]:
