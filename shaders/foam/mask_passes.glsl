@@ -136,9 +136,15 @@ void main() {
         uvec4 a = part == 0 ? one : three;
         uvec4 b = part == 0 ? two : four;
         uint last = max(greatest(a), greatest(b));
-        Place of_a = Place(uvec4(0u), uvec4(entries(0).x), uvec4(entries(QUANTILES - 2).y));
+        uint least = ~max(greatest(~a), greatest(~b));
+        // Entries that all of them pass, eight at a time.
+        int start = 0;
+        while (start + 8 < QUANTILES - 1 && entries(start + 8).x <= least) {
+            start += 8;
+        }
+        Place of_a = Place(uvec4(uint(start)), uvec4(entries(start).x), uvec4(entries(QUANTILES - 2).y));
         Place of_b = of_a;
-        for (int i = 1; i < QUANTILES - 1; i += 2) {
+        for (int i = start + 1; i < QUANTILES - 1; i += 2) {
             uvec2 pair = entries(i);
             // The last entry is never passed.
             pair.y = i < QUANTILES - 2 ? pair.y : 0xffffffffu;

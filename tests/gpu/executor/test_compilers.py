@@ -1,7 +1,11 @@
 """Programs that a second process compiles: shared out once each, and as this process would compile them."""
 
+import os
+import signal
 import subprocess
 import sys
+import time
+from collections.abc import Iterable
 from pathlib import Path
 
 import pytest
@@ -9,23 +13,50 @@ import pytest
 from seafoam.framegraph.visibility import drawn_passes
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.render.gl import executor as module
-from seafoam.render.gl.compilers import Claims, CompileRequest, SecondCompiler
-from seafoam.render.gl.executor import Executor, longest_first
-from support.pictures import draw
+from seafoam.render.gl import compilers
+from seafoam.render.gl.compilers import CompileRequest, CompileWork, SecondCompiler
+from seafoam.render.gl.executor import longest_first
 from support.scenes import load_preset
 
 PRESET = "pool-caustics"
 """Little to compile, and a texture with levels."""
 DRAW = f"""
+import hashlib, multiprocessing, sys
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.presets import load_preset
 preset = load_preset("{PRESET}")
 plan = make_plan(preset.scene, TIERS["fast"])
-Executor().render(plan, time=preset.time, camera=preset.scene.camera, width=64, height=36, output="rgba8")
+executor = Executor(assisted=len(sys.argv) > 1)
+picture = executor.render(plan, time=preset.time, camera=preset.scene.camera, width=64, height=36, output="rgba8")
+beside = len(multiprocessing.active_children())
+executor.close()
+assert not multiprocessing.active_children()
+# Mesa's state does not survive a fork.
+Executor(assisted=True)
+assert not multiprocessing.active_children()
+print(hashlib.sha256(picture.pixels).hexdigest(), beside)
 """
+COMPILE = """
+from functools import partial
+from dataclasses import replace
+from seafoam.render.gl.compilers import SecondCompiler
+from seafoam.render.gl.executor import _second
+from gpu.executor.test_compilers import _request
+request = _request()
+second = SecondCompiler(partial(_second, None))
+# It has all but the first.
+second.ask(replace(request, passes=[request.passes[0], *request.passes]))
+second.wait()
+second.close()
+"""
+
+
+def _drawn(*arguments: str) -> list[str]:
+    """Hash of a picture that a process of its own draws, and how many processes it has beside it."""
+    done = subprocess.run([sys.executable, "-c", DRAW, *arguments], check=True, capture_output=True, text=True)
+    return done.stdout.split()
 
 
 def _request() -> CompileRequest:
@@ -35,50 +66,85 @@ def _request() -> CompileRequest:
     return CompileRequest(plan, passes, scene.camera, 64, 36, "rgba8")
 
 
-def test_each_pass_is_compiled_by_the_process_that_asks_first(executor: Executor, tmp_path: Path) -> None:
-    request, claims = _request(), Claims(tmp_path)
-    passes = request.passes
-    assert list(claims.claimed(passes[::2])) == passes[::2]
-    assert executor.compile_frame(request, claims) == len(passes[1::2])
-    assert list(claims.claimed(passes)) == []
+def _nothing() -> CompileWork:
+    return lambda request, passes: None
+
+
+def _one() -> CompileWork:
+    """Takes one pass."""
+    return lambda request, passes: next(iter(passes), None)
+
+
+def _all() -> CompileWork:
+    return lambda request, passes: list(passes)
+
+
+@pytest.mark.parametrize(("work", "left"), [(_nothing, 0), (_one, 1), (_all, None)])
+def test_each_pass_is_compiled_once(work, left) -> None:
+    """By the process that asks first; of the longest program's this one is sure."""
+    request, second = _request(), SecondCompiler(work)
+    for _ in range(2):
+        own = second.ask(request)
+        second.wait()
+        taken = len(request.passes) - 1 if left is None else left
+        assert [*own] == [request.passes[0], *request.passes[1 + taken :]]
+    own = second.ask(request)
+    second.withdraw()
+    assert [*own] == request.passes[:1]
+    second.close()
+
+
+def test_a_second_process_that_hangs_or_dies_is_not_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(compilers, "WAIT_SECONDS", 0.1)
+    request = _request()
+
+    def hangs() -> CompileWork:
+        def work(asked: CompileRequest, passes: Iterable[int]) -> None:
+            time.sleep(1000)
+
+        return work
+
+    second = SecondCompiler(hangs)
+    for _ in range(2):
+        # The second time it has been ended.
+        assert [*second.ask(request)] == request.passes
+        second.wait()
+    second.process.join()
+    assert second.process.exitcode == -signal.SIGKILL
+    second.close()
+
+
+def test_a_second_process_ends_with_the_first() -> None:
+    """Also where that is killed; and it holds none of its pipes."""
+    reads, writes = os.pipe()
+    script = """
+import os, signal
+from seafoam.render.gl.compilers import SecondCompiler
+second = SecondCompiler(lambda: print)
+print(second.process.pid, flush=True)
+os.kill(os.getpid(), signal.SIGKILL)
+"""
+    first = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, pass_fds=[writes])
+    os.close(writes)
+    # These end when every process has closed them: the second one, too.
+    assert os.read(reads, 1) == b""
+    assert first.communicate(timeout=60)[0].strip().isdigit()
+    os.close(reads)
 
 
 def test_the_second_process_leaves_nothing_to_compile(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """What it compiled for other states than those of the frame would be compiled again."""
     monkeypatch.setenv("MESA_SHADER_CACHE_DIR", str(tmp_path))
     monkeypatch.setenv("MESA_DISK_CACHE_MULTI_FILE", "true")
-    request = _request()
 
     def size() -> int:
         return sum(each.stat().st_size for each in tmp_path.rglob("*") if each.is_file())
 
-    with SecondCompiler(request) as second:
-        second._process.wait()
-        assert {int(each.name) for each in second.claims.folder.iterdir() if each.is_dir()} == {*request.passes}
-    before = size()
-    subprocess.run([sys.executable, "-c", DRAW], check=True)
+    subprocess.run([sys.executable, "-c", COMPILE], check=True)
+    before, drawn = size(), _drawn()
     # Programs of the driver's own, by which it reads a picture back, have 3 KB each, the plan's up to 50.
     assert 0 < before <= size() < before + 16_000
-
-
-def test_an_assisted_frame_is_the_same_and_leaves_no_process(
-    executor: Executor, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    request, started = _request(), list[SecondCompiler]()
-
-    def second(asked: CompileRequest) -> SecondCompiler:
-        started.append(SecondCompiler(asked))
-        return started[-1]
-
-    def pixels() -> bytes:
-        return draw(executor, request.plan, request.camera, time=1.0, size=(64, 36)).tobytes()
-
-    alone = pixels()
-    executor.forget()
-    monkeypatch.setattr(executor, "_assisted", True)
-    monkeypatch.setattr(module, "SecondCompiler", second)
-    monkeypatch.setattr(module, "COLD_SECONDS", 0.0)
-    assert pixels() == pixels() == alone
-    assert len(started) == 1
-    assert started[0]._process.returncode is not None
-    assert not started[0].claims.folder.exists()
+    monkeypatch.setenv("MESA_SHADER_CACHE_DIR", str(tmp_path / "cold"))
+    # Cold, and with what the driver has kept.
+    assert [_drawn("assisted") for _ in range(2)] == [[drawn[0], "1"]] * 2
+    assert drawn[1] == "0"

@@ -2,18 +2,19 @@
 disk what another process has compiled.
 """
 
+import multiprocessing
 import os
-import pickle
-import subprocess
+import signal
 import sys
-from collections.abc import Iterable, Iterator, Sequence
+import warnings
+from array import array
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from pathlib import Path
-from tempfile import TemporaryDirectory
-from typing import Self
+from itertools import chain, pairwise
+from multiprocessing.connection import Connection
+from typing import Protocol
 
-from seafoam.files import write_whole
 from seafoam.framegraph.plan import FramePlan
 from seafoam.render.gl.formats import Output
 from seafoam.scene.camera import Camera
@@ -23,8 +24,8 @@ COLD_SECONDS = 0.1
 more, or 0.02 to 0.05 where the driver has kept it."""
 WAIT_SECONDS = 60.0
 """Time after which a driver hangs; what the process has not compiled is compiled here."""
-_REQUEST = "request"
-_START = "from seafoam.render.gl.executor import compile_beside; compile_beside()"
+_INDEX = "H"
+"""Type of the indices of passes."""
 
 
 @dataclass(frozen=True)
@@ -38,53 +39,65 @@ class CompileRequest:
     width: int
     height: int
     output: Output
-    device: int | None = None
 
 
-@dataclass(frozen=True)
-class Claims:
-    """Which of two processes compiles the program of a pass: the first that asks. ``folder``: theirs alone."""
+class CompileWork(Protocol):
+    """What compiles the programs of those passes of a request that it is given."""
 
-    folder: Path
-
-    def claimed(self, passes: Iterable[int]) -> Iterator[int]:
-        """Yield those passes that the other process has not taken; from then on they are this one's."""
-        for index in passes:
-            try:
-                (self.folder / str(index)).mkdir()
-            except FileExistsError:
-                continue
-            yield index
+    def __call__(self, request: CompileRequest, passes: Iterable[int]) -> None: ...
 
 
 class SecondCompiler:
-    """A process that compiles a frame's programs beside this one; ends with the context."""
+    """A process that compiles frames' programs beside this one, until it is closed or this process ends.
 
-    def __init__(self, request: CompileRequest) -> None:
-        self._folder = TemporaryDirectory(prefix="seafoam-", ignore_cleanup_errors=True)
-        self.claims = Claims(Path(self._folder.name))
-        write_whole(self.claims.folder / _REQUEST, pickle.dumps(request))
-        self._process = subprocess.Popen(
-            [sys.executable, "-c", _START, self._folder.name],
-            env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path)), "LP_NUM_THREADS": "1"},
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
-        )
+    Forked while this process has no GL context: what it needs is imported. ``start``: called in it, once.
+    """
 
-    def __enter__(self) -> Self:
-        return self
+    def __init__(self, start: Callable[[], CompileWork]) -> None:
+        # Passes that no process has taken: each takes the next, and none that ends keeps the other from it.
+        self._passes, self._offered = os.pipe()
+        os.set_blocking(self._passes, False)
+        fork = multiprocessing.get_context("fork")
+        self._here, there = fork.Pipe()
+        self._asked = False
+        self.process = fork.Process(target=_serve, args=(there, self._passes, start), daemon=True)
+        with warnings.catch_warnings():
+            # Python warns of threads, which a fork has not; numpy's stop before it, and the work needs no others.
+            warnings.simplefilter("ignore", DeprecationWarning)
+            self.process.start()
+        there.close()
 
-    def __exit__(self, *_: object) -> None:
-        self._process.kill()
-        self._process.wait()
-        self._folder.cleanup()
+    def ask(self, request: CompileRequest) -> Iterator[int]:
+        """Have it compile what this process does not; return the passes of this one, of which the first is sure."""
+        self.wait()
+        os.write(self._offered, array(_INDEX, request.passes[1:]).tobytes())
+        with suppress(OSError):
+            self._here.send(request)
+            self._asked = True
+        return chain(request.passes[:1], _taken(self._passes))
 
-    def wait_for(self, own: int) -> None:
-        """Wait for the programs that the process has taken, if any; ``own``: how many this one has."""
-        if sum(each.is_dir() for each in self.claims.folder.iterdir()) > own:
-            with suppress(subprocess.TimeoutExpired):
-                self._process.wait(WAIT_SECONDS)
+    def withdraw(self) -> None:
+        """Leave it nothing to do of what it was asked for."""
+        for _ in _taken(self._passes):
+            pass
+
+    def wait(self) -> None:
+        """Wait until it has done its part of what it was asked for, or has ended."""
+        if self._asked:
+            with suppress(EOFError, OSError):
+                if self._here.poll(WAIT_SECONDS):
+                    self._here.recv()
+                else:
+                    self.process.kill()
+        self._asked = False
+
+    def close(self) -> None:
+        """End it."""
+        self.process.kill()
+        self.process.join()
+        self._here.close()
+        os.close(self._passes)
+        os.close(self._offered)
 
 
 def driver_keeps() -> bool:
@@ -92,8 +105,35 @@ def driver_keeps() -> bool:
     return os.environ.get("MESA_SHADER_CACHE_DISABLE", "").lower() not in ("1", "true")
 
 
-def received() -> tuple[CompileRequest, Claims]:
-    """Return what the second process is to do."""
-    folder = Path(sys.argv[1])
-    request: CompileRequest = pickle.loads((folder / _REQUEST).read_bytes())
-    return request, Claims(folder)
+def may_assist() -> bool:
+    """Whether a second process is of use: two cores, no GL context here yet, and a driver that may keep programs."""
+    forks = "fork" in multiprocessing.get_all_start_methods() and not multiprocessing.current_process().daemon
+    # The module that opens the driver's libraries, whoever used it.
+    fresh = "glcontext.egl" not in sys.modules
+    return driver_keeps() and forks and fresh and (os.cpu_count() or 1) > 1
+
+
+def _taken(passes: int) -> Iterator[int]:
+    """Take passes from a pipe while there are any."""
+    with suppress(BlockingIOError):
+        while index := os.read(passes, array(_INDEX).itemsize):
+            yield array(_INDEX, index)[0]
+
+
+def _serve(requests: Connection, passes: int, start: Callable[[], CompileWork]) -> None:
+    """The second process: work on requests until the first process ends or closes."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    # Files, pipes and sockets are the first process's.
+    null = os.open(os.devnull, os.O_RDWR)
+    for stream in range(3):
+        os.dup2(null, stream)
+    for below, above in pairwise((2, *sorted((requests.fileno(), passes)), os.sysconf("SC_OPEN_MAX"))):
+        os.closerange(below + 1, above)
+    os.environ["LP_NUM_THREADS"] = "1"
+    work = start()
+    with suppress(EOFError, OSError):
+        while True:
+            request: CompileRequest = requests.recv()
+            work(request, _taken(passes))
+            requests.send(None)

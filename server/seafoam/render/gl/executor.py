@@ -4,7 +4,6 @@ Constraints: one context per process, used by one thread only (GL calls from ano
 zeros), and every object is released explicitly (moderngl's garbage-collected release fails on released objects).
 """
 
-import os
 import threading
 import time as clock
 from collections.abc import Iterable, Mapping
@@ -22,7 +21,7 @@ from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.resources import MIPMAPPED, Target, Texture, TextureInput
 from seafoam.framegraph.shader import Program, declared_uniforms
 from seafoam.framegraph.visibility import drawn_passes, passes_into, reads
-from seafoam.render.gl.compilers import COLD_SECONDS, Claims, CompileRequest, SecondCompiler, driver_keeps, received
+from seafoam.render.gl.compilers import COLD_SECONDS, CompileRequest, CompileWork, SecondCompiler, may_assist
 from seafoam.render.gl.context import NoRendererError, attach_layers, create_context
 from seafoam.render.gl.formats import FORMAT_BYTES, READ, TARGET_FORMATS, TEXTURE_FORMATS, Cache, Output, target_bytes
 from seafoam.scene.camera import Camera
@@ -103,12 +102,12 @@ class Executor:
     """Draws plans. Owns the process's GL context; raises :class:`NoRendererError` if there is none.
 
     ``assisted``: a software renderer, which compiles on one core, shares the work with a second process where there are
-    two.
+    two; not if this process has had a context.
     """
 
     def __init__(self, device_index: int | None = None, *, assisted: bool = False) -> None:
         self._thread = threading.get_ident()
-        self._device = device_index
+        self._second = SecondCompiler(partial(_second, device_index)) if assisted and may_assist() else None
         self._context = create_context(device_index)
         # Bound while others are released, since moderngl binds the last framebuffer again when it creates an object.
         self._resting = self._context.framebuffer([self._context.texture((1, 1), 4)])
@@ -118,8 +117,8 @@ class Executor:
         # llvmpipe compiles two variants of a program for an opaque state, and one for a blended state. So blending is
         # always enabled there; the factors (1, 0) make it opaque.
         self._always_blends = "llvmpipe" in self.info["renderer"]
-        two = (os.cpu_count() or 1) > 1 and "llvmpipe" in self.info["renderer"]
-        self._assisted = assisted and two and driver_keeps()
+        if not self._always_blends:
+            self._close_second()
         self._programs = Cache(_PROGRAMS_KEPT)
         self._textures = Cache(_TEXTURES_KEPT)
         self._targets = Cache(_TARGETS_KEPT)
@@ -138,13 +137,10 @@ class Executor:
         _, dtype, kind = READ[output]
         target_name = _shown(plan, output)
         drawn = drawn_passes(plan, camera, width, height, target_name)
-        if self._assisted:
-            passes = [
-                i
-                for i in longest_first(plan, drawn)
-                if _key(plan.programs[plan.passes[i].program]) not in self._programs
-            ]
-            self._compile_in_two(CompileRequest(plan, passes, camera, width, height, output, self._device))
+        if self._second:
+            new = {name for name, program in plan.programs.items() if _key(program) not in self._programs}
+            passes = [i for i in longest_first(plan, drawn) if plan.passes[i].program in new]
+            self._compile_in_two(self._second, CompileRequest(plan, passes, camera, width, height, output))
         setup = {step.target for step in plan.passes if step.when == "setup"}
         framebuffers = {
             name: self._target(name, target, width, height)
@@ -182,8 +178,8 @@ class Executor:
         timings = {"render": finished - start, "read": clock.perf_counter() - finished}
         return RenderedPixels(np.ascontiguousarray(pixels), timings)
 
-    def compile_frame(self, request: CompileRequest, claims: Claims) -> int:
-        """Compile the programs of those passes that no other process has claimed; return of how many passes."""
+    def compile_frame(self, request: CompileRequest, passes: Iterable[int]) -> None:
+        """Compile the programs of some of the request's passes."""
         self._own_thread()
         plan, size = request.plan, (request.width, request.height)
         into = {name: self._target(name, target, *size) for name, target in plan.targets.items()}
@@ -193,26 +189,30 @@ class Executor:
                 # Drivers compile another program for a texture without levels.
                 into[name][1].build_mipmaps()
         frame = FrameState(0.0, request.camera, *size, *size, 0)
-        compiled = 0
-        for index in claims.claimed(request.passes):
+        for index in passes:
             framebuffer = into[plan.passes[index].target][0]
             # A driver compiles also for what draws no pixel.
             framebuffer.scissor = (0, 0, 0, 0)
             self._draw(plan, index, into, frame)
             framebuffer.scissor = None
-            compiled += 1
-        return compiled
 
-    def _compile_in_two(self, request: CompileRequest) -> None:
+    def _compile_in_two(self, second: SecondCompiler, request: CompileRequest) -> None:
         """Compile what a frame draws for the first time in two processes, unless the driver has kept it."""
         if not request.passes:
             return
-        longest = request.plan.programs[request.plan.passes[request.passes[0]].program]
-        with SecondCompiler(request) as second:
-            began = clock.thread_time()
-            self._program(longest)
-            if clock.thread_time() - began > COLD_SECONDS:
-                second.wait_for(self.compile_frame(request, second.claims))
+        own = second.ask(request)
+        began = clock.thread_time()
+        self._program(request.plan.programs[request.plan.passes[request.passes[0]].program])
+        if clock.thread_time() - began > COLD_SECONDS:
+            self.compile_frame(request, own)
+            second.wait()
+        else:
+            second.withdraw()
+
+    def _close_second(self) -> None:
+        second, self._second = self._second, None
+        if second:
+            second.close()
 
     def compile(self, program: Program) -> None:
         """Compile a program, or raise :class:`ShaderError`."""
@@ -229,6 +229,7 @@ class Executor:
 
     def close(self) -> None:
         """Release everything, the context last."""
+        self._close_second()
         self.forget()
         self._resting.release()
         self._context.release()
@@ -379,10 +380,9 @@ class Executor:
         return framebuffer, array, *buffers
 
 
-def compile_beside() -> None:
-    """The work of the process that a :class:`seafoam.render.gl.compilers.SecondCompiler` starts."""
-    request, claims = received()
-    Executor(request.device).compile_frame(request, claims)
+def _second(device_index: int | None) -> CompileWork:
+    """Start the work of a second process."""
+    return Executor(device_index).compile_frame
 
 
 def longest_first(plan: FramePlan, drawn: Mapping[int, bool]) -> list[int]:

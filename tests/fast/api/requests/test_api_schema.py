@@ -57,7 +57,8 @@ SCENES = [
 def check(case, address: str) -> None:
     # Some scenes fit the schema and are refused with reason: an order of two numbers, a mask nobody has.
     excluded = [schemathesis.checks.positive_data_acceptance]
-    response = case.call(base_url=address)
+    # Ten seconds, the default, are too few for plans of several tiers beside other tests.
+    response = case.call(base_url=address, timeout=120)
     if response.status_code == 503 and "retry-after" in response.headers:  # workers start, or a measurement does
         excluded.append(schemathesis.checks.not_a_server_error)
     case.validate_response(response, excluded_checks=excluded)
