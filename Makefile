@@ -7,6 +7,8 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 NODE := scripts/node.sh
+PIP := $(BIN)/pip install -q --disable-pip-version-check
+LOCKED := --require-hashes -r requirements.lock
 WEB := webclient
 PORT ?= 8000
 
@@ -74,8 +76,9 @@ $(VENV)/.installed: requirements.lock pyproject.toml hatch_build.py
 	@scripts/system.sh
 	@echo "Installing Python packages into $(VENV)"
 	@test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
-	@$(BIN)/pip install -q --disable-pip-version-check --require-hashes -r requirements.lock
-	@$(BIN)/pip install -q --disable-pip-version-check --no-deps --no-build-isolation -e .
+	@# uv installs in a tenth of pip's time; where it does not find the packages, pip may, by settings of its own.
+	@$(PIP) "uv>=0.8,<1" && $(BIN)/uv pip install -q --python $(BIN)/python $(LOCKED) || $(PIP) $(LOCKED)
+	@$(PIP) --no-deps --no-build-isolation -e .
 	@touch $@
 
 webclient: $(WEB)/dist/index.html
@@ -148,7 +151,7 @@ fronts: setup
 	$(BIN)/python webclient/make_fronts.py $(NAMES)
 
 lock: $(VENV)/.installed
-	$(BIN)/pip install -q uv
+	$(PIP) "uv>=0.8,<1"
 	$(BIN)/uv pip compile pyproject.toml $(addprefix --extra ,dev reports notebook video cluster telemetry) --universal \
 		--python-version 3.11 --generate-hashes \
 		--no-emit-index-url --no-header --upgrade -o requirements.lock
