@@ -37,7 +37,8 @@ class FakeRenderer:
     It never does so at the size of test pictures, at which programs are compiled.
     """
 
-    def __init__(self, *, assisted: bool = False) -> None:
+    def __init__(self, *, assisted: bool = False, optimized: bool = True) -> None:
+        self.optimized = optimized
         self.info = {"vendor": "Nobody", "renderer": "gradient", "version": "0"}
 
     def render(self, plan, *, time, camera, width, height, output):

@@ -24,6 +24,9 @@ from seafoam.render.service.errors import IN_PROCESS, FrameTooLargeError
 from seafoam.scene.camera import Camera
 from seafoam.scene.presets import Preset, load_preset
 
+FEW_SAMPLES = 250_000
+"""Samples that are drawn sooner than code for them is optimized, also where it is kept."""
+
 
 def render_to_file(preset: str, output: Path, size: str | None, options: Mapping[str, object]) -> list[str]:
     """Draw a preset with those options that are not None, write it, and return the lines to print.
@@ -39,7 +42,7 @@ def render_to_file(preset: str, output: Path, size: str | None, options: Mapping
     except ApiError as error:
         raise CommandError(f"--{error}") from error
     try:
-        executor = gl.Executor(assisted=True)
+        executor = _executor(job, measures=parameters.quality == "auto")
         job, reason = _with_quality(executor, parameters, loaded, job)
         frame = jobs.render_frame(executor, job)
         renderer = executor.info["renderer"]
@@ -51,6 +54,12 @@ def render_to_file(preset: str, output: Path, size: str | None, options: Mapping
     times = ", ".join(f"{stage} {1000 * seconds:.0f} ms" for stage, seconds in frame.timings.items())
     summary = f"{output}: {job.width} × {job.height}, {len(frame.content):,} bytes; {times}; {renderer}"
     return [summary, reason] if reason else [summary]
+
+
+def _executor(job: jobs.FrameJob, *, measures: bool = False) -> gl.Executor:
+    """The renderer of one frame; ``measures``: and of measurements."""
+    drawn = job.width * job.height * job.quality.samples_drawn
+    return gl.Executor(assisted=True, optimized=measures or drawn > FEW_SAMPLES)
 
 
 def _validated(options: Mapping[str, object], pixels: tuple[int, int]) -> FrameParameters:
@@ -122,7 +131,7 @@ def draw_again(source: Path, output: Path | None) -> tuple[bool, list[str]]:
     job = recipe.job
     try:
         IN_PROCESS.check(job.width, job.height, job.quality.samples_drawn)
-        executor = gl.Executor(assisted=True)
+        executor = _executor(job)
         picture = jobs.draw_frame(executor, job)
     except FrameTooLargeError as error:
         raise CommandError(f"--again: {error}") from error

@@ -18,7 +18,7 @@ class Painter(FakeRenderer):
 
     spoiled = 0
 
-    def __init__(self, *, assisted):
+    def __init__(self, **settings):
         self.info = {"vendor": "A", "renderer": "B", "version": "C"}
 
     def render(self, plan, **asked):

@@ -41,7 +41,7 @@ class Recorder(FakeRenderer):
     asked: dict = {}  # noqa: RUF012
 
     def render(self, plan, **asked):
-        self.asked.update(asked, plan=plan)
+        self.asked.update(asked, plan=plan, optimized=self.optimized)
         return super().render(plan, **asked)
 
 
@@ -60,13 +60,13 @@ def test_render_passes_on_what_is_given(seafoam, monkeypatch, tmp_path):
     assert seafoam("render", "default", *output, "--size", "8x9", *changes)[0] == 0
     preset = load_preset("default")
     asked = Recorder.asked
-    assert (asked["width"], asked["height"], asked["time"]) == (8, 9, -1e9)
+    assert (asked["width"], asked["height"], asked["time"], asked["optimized"]) == (8, 9, -1e9, False)
     assert asked["camera"].yaw == 1.0
     assert asked["camera"].position == (preset.scene.camera.position[0], 9.0, preset.scene.camera.position[2])
     assert asked["camera"].fov == preset.scene.camera.fov
     assert any("vac:3:64:1" in texture.url for texture in asked["plan"].textures.values())
     assert seafoam("render", "default", *output)[0] == 0
-    assert (asked["width"], asked["height"], asked["time"]) == (*preset.size, preset.time)
+    assert (asked["width"], asked["height"], asked["time"], asked["optimized"]) == (*preset.size, preset.time, True)
     assert asked["camera"] == preset.scene.camera
 
 

@@ -28,7 +28,7 @@ from seafoam.render.gl.executor import Executor
 from seafoam.scene.presets import load_preset
 preset = load_preset("{PRESET}")
 plan = make_plan(preset.scene, TIERS["fast"])
-executor = Executor(assisted=len(sys.argv) > 1)
+executor = Executor(assisted="assisted" in sys.argv, optimized="at once" not in sys.argv)
 picture = executor.render(plan, time=preset.time, camera=preset.scene.camera, width=64, height=36, output="rgba8")
 beside = len(multiprocessing.active_children())
 executor.close()
@@ -148,3 +148,19 @@ def test_the_second_process_leaves_nothing_to_compile(tmp_path: Path, monkeypatc
     # Cold, and with what the driver has kept.
     assert [_drawn("assisted") for _ in range(2)] == [[drawn[0], "1"]] * 2
     assert drawn[1] == "0"
+
+
+def test_code_that_is_not_optimized_draws_the_same(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """And other processes draw with the optimized code, which the driver keeps apart."""
+    monkeypatch.setenv("MESA_SHADER_CACHE_DIR", str(tmp_path))
+    monkeypatch.setenv("MESA_DISK_CACHE_MULTI_FILE", "true")
+
+    def kept() -> int:
+        return sum(each.is_file() for each in tmp_path.rglob("*"))
+
+    pictures, counts = set(), []
+    for way in ("optimized", "at once", "optimized", "at once"):
+        pictures.add(_drawn(way)[0])
+        counts.append(kept())
+    assert len(pictures) == 1
+    assert 0 < counts[0] < counts[1] == counts[2] == counts[3]
