@@ -18,6 +18,7 @@ from seafoam.cli import app
 from seafoam.extras import MissingExtraError
 from seafoam.library.request import PictureRequest
 from seafoam.masks import bake
+from seafoam.sequences import fleet as fleet_module
 from seafoam.sequences.fleet import DaskWorkers
 from seafoam.sequences.making import Output, Progress, SequenceFolder, make_sequence
 from seafoam.sequences.spec import InProcess, MixedFleetError, SequenceError, SequenceSpec
@@ -146,16 +147,34 @@ def test_what_a_worker_raises_ends_the_sequence(fleet: DaskWorkers, tmp_path: Pa
     assert len(list(fleet.draw([(0, spec(1).frame(0))]))) == 1
 
 
-def test_a_mixed_fleet_is_refused_unless_it_is_allowed_and_so_is_a_worker_with_several_threads(tmp_path: Path) -> None:
-    with DaskWorkers(workers=2, factory=OwnName, mixed=True) as workers:
-        address = workers.client.scheduler.address
-        assert len(list(workers.draw((index, spec(6).frame(index)) for index in range(6)))) == 6
-        with pytest.raises(MixedFleetError, match=r"gradient, .* and gradient"):
-            DaskWorkers(address, factory=OwnName)
-        with DaskWorkers(address, factory=OwnName, mixed=True) as joined:
-            assert joined.info["renderer"] == "gradient"
+def forget() -> None:
+    """Have this worker make its renderer anew."""
+    vars(fleet_module._mine).clear()
+
+
+@pytest.fixture
+def mixed(fleet: DaskWorkers) -> Iterator[str]:
+    """Address of the cluster, whose workers have no renderers yet, and none after the test."""
+
+    def forgotten() -> None:
+        fleet.client.wait_for_workers(2)  # one may have been lost just now
+        addresses = fleet.client.scheduler_info(n_workers=-1)["workers"]
+        fleet.client.gather([fleet.client.submit(forget, workers=[each], pure=False) for each in addresses])
+
+    forgotten()
+    yield fleet.client.scheduler.address
+    forgotten()
+
+
+def test_a_mixed_fleet_is_refused_unless_it_is_allowed_and_so_is_a_worker_with_several_threads(mixed: str) -> None:
+    with DaskWorkers(mixed, factory=OwnName, mixed=True) as joined:
+        assert joined.info["renderer"] == "gradient"
+        assert len(list(joined.draw((index, spec(6).frame(index)) for index in range(6)))) == 6
+    with pytest.raises(MixedFleetError, match=r"gradient, .* and gradient"):
+        DaskWorkers(mixed, factory=OwnName)
+    here = {"processes": False, "protocol": "tcp", "host": "127.0.0.1", "dashboard_address": "127.0.0.1:0"}
     with (
-        LocalCluster(n_workers=1, threads_per_worker=2, host="127.0.0.1", dashboard_address="127.0.0.1:0") as cluster,
+        LocalCluster(n_workers=1, threads_per_worker=2, **here) as cluster,
         pytest.raises(SequenceError, match="--nthreads 1"),
     ):
         DaskWorkers(cluster.scheduler_address, factory=FakeRenderer)
