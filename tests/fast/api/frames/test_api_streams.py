@@ -371,3 +371,7 @@ def test_a_frame_of_a_stream_has_no_rate_while_all_else_of_streams_has() -> None
         client = answering(rate=0.001, rate_burst=2, **settings)
         asked = [client.get("/api/streams/none/frame.jpg").status_code for _ in range(3)]
         assert asked == [refused, refused, 429]
+    # That of an open stream needs a key as all else does.
+    streams = client.app.state.context.streams
+    streams._clock = Clock()
+    assert client.get(f"/api/streams/{stream_of(streams).id}/frame.jpg").status_code == 401
