@@ -73,13 +73,13 @@ def test_a_lost_worker_loses_no_frame(fleet: DaskWorkers, tmp_path: Path) -> Non
     assert os.getpid() not in (first, second)
 
     def tell(progress: Progress) -> None:
-        if progress.done == 150:
+        if progress.done == 60:
             os.kill(first, signal.SIGKILL)
 
-    output = made_as_here(spec(300), tmp_path, fleet, tell)
+    output = made_as_here(spec(120), tmp_path, fleet, tell)
     assert first not in pids(fleet)
     # The other's renderer has the same name, so a local run finds all of them.
-    assert make_sequence(spec(300), output, InProcess(FakeRenderer())) == 300
+    assert make_sequence(spec(120), output, InProcess(FakeRenderer())) == 120
 
 
 @contextmanager
@@ -124,7 +124,7 @@ def test_a_scheduler_that_comes_back_is_asked_again_and_one_that_stays_away_ends
         came_back: list[LocalCluster] = []
 
         def come_back(progress: Progress) -> None:
-            if progress.done == 40 and not came_back:
+            if progress.done == 20 and not came_back:
                 first.close()
                 made = LocalCluster(1, threads_per_worker=1, scheduler_port=port, **HERE)
                 came_back.append(second.enter_context(made))
@@ -134,14 +134,14 @@ def test_a_scheduler_that_comes_back_is_asked_again_and_one_that_stays_away_ends
                 second.close()
 
         with joined(f"tcp://127.0.0.1:{port}") as workers:
-            made_as_here(spec(100), tmp_path, workers, come_back)
+            made_as_here(spec(60), tmp_path, workers, come_back)
             assert came_back
             monkeypatch.setattr("seafoam.processes.CONNECT_SECONDS", 1.0)
             monkeypatch.setattr("seafoam.sequences.fleet.RETURN_SECONDS", 1.0)
             with pytest.raises(SequenceError, match="went away and did not return"):
-                make_sequence(spec(100), output, workers, tell=stay_away)
+                make_sequence(spec(60), output, workers, tell=stay_away)
     # Its frames are kept.
-    assert make_sequence(spec(100), output, InProcess(FakeRenderer())) >= 20
+    assert make_sequence(spec(60), output, InProcess(FakeRenderer())) >= 20
 
 
 def test_what_a_worker_raises_ends_the_sequence(fleet: DaskWorkers, tmp_path: Path) -> None:
