@@ -9,10 +9,13 @@ import time
 import urllib.request
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import cache
 from pathlib import Path
 from types import SimpleNamespace
+from typing import Any
 from urllib.parse import urlencode
 
+from fastapi import FastAPI
 from PIL import Image
 from starlette.testclient import TestClient
 
@@ -44,10 +47,22 @@ if __name__ == "__main__":
 """
 
 
+@cache
+def document(max_side: int = 4096) -> dict[str, Any]:
+    """What an app says of itself, which takes a second to make; no more of it depends on settings."""
+    return create_app(Settings(max_side=max_side), renderer=FakeRenderer).openapi()
+
+
+def made(renderer, **settings) -> FastAPI:
+    app = create_app(Settings(**settings), renderer=renderer)
+    app.openapi = lambda: document(Settings(**settings).max_side)
+    return app
+
+
 @contextmanager
 def serving(renderer=FakeRenderer, **settings) -> Iterator[TestClient]:
     """A running app, ready or found unable. Workers start slowly beside other tests, so the deadline is long."""
-    app = create_app(Settings(**{"workers": 1, "deadline": 60.0, **settings}), renderer=renderer)
+    app = made(renderer, **{"workers": 1, "deadline": 60.0, **settings})
     with TestClient(app, raise_server_exceptions=False) as client:
         yield client
 
@@ -132,7 +147,7 @@ def left_status(client: TestClient, path: str, **params) -> int:
 
 def answering(**settings) -> TestClient:
     """The app without a render pool, for what does not depend on frames: it starts nothing, and costs nothing."""
-    app = create_app(Settings(**settings), renderer=FakeRenderer)
+    app = made(FakeRenderer, **settings)
     app.state.context = SimpleNamespace(
         settings=Settings(**settings),
         request_cache=RequestCache(16),

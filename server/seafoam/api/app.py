@@ -24,8 +24,7 @@ from seafoam.api.http.problems import BusyError
 from seafoam.api.http.validation import one_value_each
 from seafoam.api.routers import accuracy, export, frames, health, masks, plans, presets, sequences, streams, textures
 from seafoam.api.settings import Settings
-from seafoam.api.watch.logs import LogRequests
-from seafoam.api.watch.metrics import NO_TELEMETRY, MeasureRequests, Metrics
+from seafoam.api.watch.metrics import NO_TELEMETRY, Metrics, WatchRequests
 from seafoam.api.watch.metrics import traces as configured_traces
 from seafoam.render.ahead import compile_ahead
 from seafoam.render.gl.executor import Executor
@@ -130,11 +129,10 @@ def _middleware(settings: Settings, metrics: Metrics) -> list[Middleware]:
     """Return what a request passes, from the outside in."""
     return [
         Middleware(Proxied, trusted=settings.trusted_proxies, root_path=settings.root_path.rstrip("/")),
-        Middleware(LogRequests, written=settings.log_format == "json"),
+        Middleware(WatchRequests, metrics=metrics, logged=settings.log_format == "json"),
         Middleware(OtherOrigins, public=() if settings.access.restricted else _PUBLIC, origins=settings.cors_origins),
         Middleware(HeadAsGet),
         Middleware(SecurityHeaders),
-        Middleware(MeasureRequests, metrics=metrics),
         Middleware(
             AccessControl,
             access=settings.access,

@@ -1,6 +1,7 @@
 """Measures of pictures that were made so that the answer is known."""
 
 import math
+from functools import cache
 
 import numpy as np
 import pytest
@@ -104,6 +105,7 @@ def test_excess_is_over_the_truth() -> None:
 SIZE = (480, 640)
 
 
+@cache
 def photograph(coverage: float, seed: int, water: float = 0.35, foam: float = 0.85) -> NDArray[np.uint8]:
     """Grey water with noise of all sizes, and blobs of uneven foam over so much of it, edges a pixel wide."""
     random = np.random.default_rng(seed)

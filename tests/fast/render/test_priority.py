@@ -13,6 +13,7 @@ from seafoam.quality import TIERS
 from seafoam.render import ahead
 from seafoam.render.gl.executor import ShaderError
 from seafoam.render.service.frame_cache import InFlight
+from seafoam.render.service.pool import RenderPool
 from seafoam.render.service.queues import STREAMED, PrioritySemaphore, Ticket
 from seafoam.scene.presets import load_preset
 from support.api_fakes import FakeRenderer
@@ -206,24 +207,20 @@ def compiling() -> list[multiprocessing.process.BaseProcess]:
     return [child for child in multiprocessing.active_children() if child.name == "compile ahead"]
 
 
-@pytest.mark.parametrize("wanted", [True, False])
-def test_the_process_ends_with_its_server(monkeypatch, wanted):
+def test_the_process_ends_with_its_server(monkeypatch):
+    """Without the setting there is none: test_api_resources.py."""
     monkeypatch.delenv("MESA_SHADER_CACHE_DISABLE", raising=False)
-    with serving(compile_ahead=wanted) as client:
-        client.get("/api/frames/default.png?width=16&height=16")
-        until = time.monotonic() + 30.0
-        while wanted and not compiling() and time.monotonic() < until:
-            time.sleep(0.05)
-        assert len(compiling()) == wanted
-        assert client.get("/readyz").json()["compiling_ahead"] is wanted
-        [*children] = compiling()
-    for child in children:
-        child.join(30.0)
-        assert not child.is_alive()
-
-
-def test_nothing_is_compiled_for_a_driver_that_keeps_nothing(monkeypatch):
-    monkeypatch.setenv("MESA_SHADER_CACHE_DISABLE", "true")
     with serving(compile_ahead=True) as client:
         client.get("/api/frames/default.png?width=16&height=16")
-        assert not compiling()
+        until = time.monotonic() + 30.0
+        while not compiling() and time.monotonic() < until:
+            time.sleep(0.05)
+        assert client.get("/readyz").json()["compiling_ahead"] is True
+        (child,) = compiling()
+    child.join(30.0)
+    assert not child.is_alive()
+
+
+async def test_nothing_is_compiled_for_a_driver_that_keeps_nothing(monkeypatch):
+    monkeypatch.setenv("MESA_SHADER_CACHE_DISABLE", "true")
+    await ahead.compile_ahead(RenderPool(), FakeRenderer)  # which is not started, and would be waited for

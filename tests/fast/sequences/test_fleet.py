@@ -18,11 +18,15 @@ from seafoam.cli import app
 from seafoam.extras import MissingExtraError
 from seafoam.library.request import PictureRequest
 from seafoam.masks import bake
+from seafoam.sequences import fleet as fleet_module
 from seafoam.sequences.fleet import DaskWorkers
 from seafoam.sequences.making import Output, Progress, SequenceFolder, make_sequence
 from seafoam.sequences.spec import InProcess, MixedFleetError, SequenceError, SequenceSpec
 from support.api_fakes import RAISE, FakeRenderer
 from support.command import free_port
+
+HERE = {"processes": False, "protocol": "tcp", "host": "127.0.0.1", "dashboard_address": "127.0.0.1:0"}
+"""A cluster whose scheduler and workers are threads of this process, at an address as those of others have."""
 
 
 def spec(frames: int, start: float = 0.0) -> SequenceSpec:
@@ -69,36 +73,36 @@ def test_a_lost_worker_loses_no_frame(fleet: DaskWorkers, tmp_path: Path) -> Non
     assert os.getpid() not in (first, second)
 
     def tell(progress: Progress) -> None:
-        if progress.done == 150:
+        if progress.done == 60:
             os.kill(first, signal.SIGKILL)
 
-    output = made_as_here(spec(300), tmp_path, fleet, tell)
+    output = made_as_here(spec(120), tmp_path, fleet, tell)
     assert first not in pids(fleet)
     # The other's renderer has the same name, so a local run finds all of them.
-    assert make_sequence(spec(300), output, InProcess(FakeRenderer())) == 300
+    assert make_sequence(spec(120), output, InProcess(FakeRenderer())) == 120
 
 
 @contextmanager
-def started(*arguments: str) -> Iterator[subprocess.Popen[bytes]]:
+def started(*arguments: str) -> Iterator[None]:
     """A process of Dask's command, with the tests' renderer importable."""
     paths = os.pathsep.join([str(Path(__file__).parents[2]), os.environ.get("PYTHONPATH", "")])
     command = [sys.executable, "-m", "dask", *arguments]
     process = subprocess.Popen(command, env={**os.environ, "PYTHONPATH": paths}, stderr=subprocess.DEVNULL)
     try:
-        yield process
+        yield
     finally:
         process.kill()
         process.wait()
 
 
 @contextmanager
-def cluster(port: int) -> Iterator[subprocess.Popen[bytes]]:
-    """A scheduler and a worker; gives the former."""
+def cluster(port: int) -> Iterator[None]:
+    """A scheduler and a worker, which are killed."""
     with (
-        started("scheduler", "--host", "127.0.0.1", "--port", str(port), "--no-dashboard") as scheduler,
+        started("scheduler", "--host", "127.0.0.1", "--port", str(port), "--no-dashboard"),
         started("worker", f"tcp://127.0.0.1:{port}", "--nthreads", "1", "--no-nanny", "--no-dashboard"),
     ):
-        yield scheduler
+        yield
 
 
 def joined(address: str) -> DaskWorkers:
@@ -113,28 +117,31 @@ def joined(address: str) -> DaskWorkers:
 def test_a_scheduler_that_comes_back_is_asked_again_and_one_that_stays_away_ends_the_sequence(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
+    """The first is killed with its worker; the second, of this process, ends of itself."""
     port, output = free_port(), Output(tmp_path / "away", "frames")
     with ExitStack() as second, ExitStack() as first:
-        schedulers = [first.enter_context(cluster(port))]
+        first.enter_context(cluster(port))
+        came_back: list[LocalCluster] = []
 
         def come_back(progress: Progress) -> None:
-            if progress.done == 40 and len(schedulers) == 1:
+            if progress.done == 20 and not came_back:
                 first.close()
-                schedulers.append(second.enter_context(cluster(port)))
+                made = LocalCluster(1, threads_per_worker=1, scheduler_port=port, **HERE)
+                came_back.append(second.enter_context(made))
 
         def stay_away(progress: Progress) -> None:
             if progress.done == 20:
-                schedulers[-1].kill()
+                second.close()
 
         with joined(f"tcp://127.0.0.1:{port}") as workers:
-            made_as_here(spec(100), tmp_path, workers, come_back)
-            assert len(schedulers) == 2
+            made_as_here(spec(60), tmp_path, workers, come_back)
+            assert came_back
             monkeypatch.setattr("seafoam.processes.CONNECT_SECONDS", 1.0)
             monkeypatch.setattr("seafoam.sequences.fleet.RETURN_SECONDS", 1.0)
             with pytest.raises(SequenceError, match="went away and did not return"):
-                make_sequence(spec(100), output, workers, tell=stay_away)
+                make_sequence(spec(60), output, workers, tell=stay_away)
     # Its frames are kept.
-    assert make_sequence(spec(100), output, InProcess(FakeRenderer())) >= 20
+    assert make_sequence(spec(60), output, InProcess(FakeRenderer())) >= 20
 
 
 def test_what_a_worker_raises_ends_the_sequence(fleet: DaskWorkers, tmp_path: Path) -> None:
@@ -146,16 +153,33 @@ def test_what_a_worker_raises_ends_the_sequence(fleet: DaskWorkers, tmp_path: Pa
     assert len(list(fleet.draw([(0, spec(1).frame(0))]))) == 1
 
 
-def test_a_mixed_fleet_is_refused_unless_it_is_allowed_and_so_is_a_worker_with_several_threads(tmp_path: Path) -> None:
-    with DaskWorkers(workers=2, factory=OwnName, mixed=True) as workers:
-        address = workers.client.scheduler.address
-        assert len(list(workers.draw((index, spec(6).frame(index)) for index in range(6)))) == 6
-        with pytest.raises(MixedFleetError, match=r"gradient, .* and gradient"):
-            DaskWorkers(address, factory=OwnName)
-        with DaskWorkers(address, factory=OwnName, mixed=True) as joined:
-            assert joined.info["renderer"] == "gradient"
+def forget() -> None:
+    """Have this worker make its renderer anew."""
+    vars(fleet_module._mine).clear()
+
+
+@pytest.fixture
+def mixed(fleet: DaskWorkers) -> Iterator[str]:
+    """Address of the cluster, whose workers have no renderers yet, and none after the test."""
+
+    def forgotten() -> None:
+        fleet.client.wait_for_workers(2)  # one may have been lost just now
+        addresses = fleet.client.scheduler_info(n_workers=-1)["workers"]
+        fleet.client.gather([fleet.client.submit(forget, workers=[each], pure=False) for each in addresses])
+
+    forgotten()
+    yield fleet.client.scheduler.address
+    forgotten()
+
+
+def test_a_mixed_fleet_is_refused_unless_it_is_allowed_and_so_is_a_worker_with_several_threads(mixed: str) -> None:
+    with DaskWorkers(mixed, factory=OwnName, mixed=True) as joined:
+        assert joined.info["renderer"] == "gradient"
+        assert len(list(joined.draw((index, spec(6).frame(index)) for index in range(6)))) == 6
+    with pytest.raises(MixedFleetError, match=r"gradient, .* and gradient"):
+        DaskWorkers(mixed, factory=OwnName)
     with (
-        LocalCluster(n_workers=1, threads_per_worker=2, host="127.0.0.1", dashboard_address="127.0.0.1:0") as cluster,
+        LocalCluster(1, threads_per_worker=2, **HERE) as cluster,
         pytest.raises(SequenceError, match="--nthreads 1"),
     ):
         DaskWorkers(cluster.scheduler_address, factory=FakeRenderer)
@@ -209,7 +233,7 @@ def test_masks_of_a_cluster_are_those_of_this_process(
     scheduler: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(bake, "SHIPPED_SIZE", 64)
-    monkeypatch.setattr(bake, "SHIPPED", [mask for mask in bake.SHIPPED if mask.sigma <= 2.0])
+    monkeypatch.setattr(bake, "SHIPPED", [mask for mask in bake.SHIPPED if mask.sigma <= 2.0][:2])
     seen: list[float] = []
     bake.bake_all(tmp_path / "here")
     with processes.executor(scheduler, 0) as pool:

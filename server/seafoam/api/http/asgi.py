@@ -47,9 +47,3 @@ class CountingSend:
         elif message["type"] == "http.response.body":
             self.bytes += len(message.get("body", b""))
         await self._send(message)
-
-
-def route_of(scope: Scope) -> str:
-    """Return the template of a request's path: a path as it stands would be a name of its own for every misspelling."""
-    route: str = getattr(scope.get("route"), "path_format", "(page)")
-    return route

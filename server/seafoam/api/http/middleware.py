@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.exceptions import HTTPException
+from starlette.responses import Response
 from starlette.types import Message, Receive, Scope, Send
 
 from seafoam.api.http.asgi import CountingSend, HttpMiddleware, altering
@@ -180,45 +181,34 @@ class Negotiate(HttpMiddleware):
             if not tag.startswith("W/") and ("content-encoding" in own or (unmodified and f"W/{tag}" in known)):
                 own["ETag"] = f"W/{tag}"
 
-        answering = _explaining(scope, receive, altering(send, mark))
+        answering = altering(send, mark)
         any_copy = known.strip() == "*" and scope["method"] in ("GET", "HEAD")
-        await self.app(scope, receive, _unmodified(answering) if any_copy else answering)
+        replaced = False
+
+        async def explaining(message: Message) -> None:
+            nonlocal replaced
+            if message["type"] == "http.response.start":
+                other = _instead(message["status"], Headers(raw=message["headers"]), scope["path"], any_copy)
+                replaced = other is not None
+                if other is not None:
+                    await other(scope, receive, answering)
+            if not replaced:
+                await answering(message)
+
+        await self.app(scope, receive, explaining)
 
 
-def _unmodified(send: Send) -> Send:
-    """Return a ``send`` that answers 304 in place of a whole answer 200; events have no length, and are sent."""
-    replaced = False
-
-    async def unmodified(message: Message) -> None:
-        nonlocal replaced
-        if message["type"] == "http.response.start" and message["status"] == 200:
-            headers = MutableHeaders(raw=message["headers"])
-            if replaced := "content-length" in headers:
-                for name in ("content-length", "content-type", "content-encoding"):
-                    del headers[name]
-                await send({"type": "http.response.start", "status": 304, "headers": headers.raw})
-                await send({"type": "http.response.body"})
-        if not replaced:
-            await send(message)
-
-    return unmodified
-
-
-def _explaining(scope: Scope, receive: Receive, send: Send) -> Send:
-    """Return a ``send`` that replaces an empty answer 416 by a problem that names the bytes there are."""
-    replaced = False
-
-    async def explained(message: Message) -> None:
-        nonlocal replaced
-        if message["type"] == "http.response.start" and message["status"] == 416:
-            replaced = True
-            total = Headers(raw=message["headers"])["content-range"]
-            last = int(total.removeprefix("bytes */")) - 1
-            detail, allowed = f"Range: the file has bytes 0 to {last}", {"minimum": 0, "maximum": last}
-            errors = [FieldProblem(parameter="Range", detail=detail, allowed=allowed)]
-            answer = problem(scope["path"], RANGE_PROBLEM, detail, errors=errors, headers={"Content-Range": total})
-            await answer(scope, receive, send)
-        elif not replaced:
-            await send(message)
-
-    return explained
+def _instead(status: int, headers: Headers, path: str, any_copy: bool) -> Response | None:
+    """Return what is answered in place of an empty answer 416, and of a whole 200 where any copy is current."""
+    if status == 416:
+        total = headers["content-range"]
+        last = int(total.removeprefix("bytes */")) - 1
+        detail, allowed = f"Range: the file has bytes 0 to {last}", {"minimum": 0, "maximum": last}
+        errors = [FieldProblem(parameter="Range", detail=detail, allowed=allowed)]
+        return problem(path, RANGE_PROBLEM, detail, errors=errors, headers={"Content-Range": total})
+    if any_copy and status == 200 and "content-length" in headers:  # events have none, and are sent
+        unmodified = Response(status_code=304)
+        content = (b"content-length", b"content-type", b"content-encoding")
+        unmodified.raw_headers = [pair for pair in headers.raw if pair[0] not in content]
+        return unmodified
+    return None

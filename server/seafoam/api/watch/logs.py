@@ -3,67 +3,23 @@
 import json
 import logging
 import re
-import time
-import uuid
 from contextvars import ContextVar
-from dataclasses import dataclass
 from datetime import UTC, datetime
 from http import HTTPStatus
 from typing import Any, Literal
 
-from starlette.datastructures import Headers, MutableHeaders
-from starlette.types import Receive, Scope, Send
-
 from seafoam.api.frames.streams import is_frame
-from seafoam.api.http.asgi import CountingSend, HttpMiddleware, altering, route_of
 
 REQUEST_ID = "X-Request-ID"
 PROBES = ("/healthz", "/readyz", "/metrics")
 """Paths of requests that arrive every few seconds, and are not logged; neither are frames of streams, if answered."""
-_SANE = re.compile(r"[A-Za-z0-9][A-Za-z0-9._:-]{0,127}")
+SANE = re.compile(r"[A-Za-z0-9][A-Za-z0-9._:-]{0,127}")
 """An id that can stand in a header, a log and a shell."""
 
 request_id: ContextVar[str | None] = ContextVar("request_id", default=None)
 """Id of the request that is being answered."""
 
 log = logging.getLogger(__name__)
-
-
-@dataclass(eq=False)
-class LogRequests(HttpMiddleware):
-    """ASGI middleware: gives each request an id, returns it, and writes a line when the request has been answered.
-
-    An id that the client sends in ``X-Request-ID`` is kept if it is sane. written: False: ids only.
-    """
-
-    written: bool
-
-    async def _handle(self, scope: Scope, receive: Receive, send: Send) -> None:
-        asked = Headers(scope=scope).get(REQUEST_ID, "")
-        identity = asked if _SANE.fullmatch(asked) else uuid.uuid4().hex
-        # Not reset: each request is a task of its own, and the answer to an unexpected error is made outside of this.
-        request_id.set(identity)
-        scope.setdefault("state", {})
-        began = time.perf_counter()
-        sent = CountingSend(send)
-
-        def mark(_: int, headers: MutableHeaders) -> None:
-            headers[REQUEST_ID] = identity
-
-        try:
-            await self.app(scope, receive, altering(sent, mark))
-        finally:
-            if self.written and not _too_many(scope["path"], sent.status):
-                fields = {
-                    "method": scope["method"],
-                    "route": route_of(scope),
-                    "path": scope["path"],
-                    "status": sent.status,
-                    "duration_ms": round(1000 * (time.perf_counter() - began), 3),
-                    "bytes": sent.bytes,
-                    "client": scope["state"].get("client") or (scope.get("client") or ("",))[0],
-                }
-                log.info("%(method)s %(route)s %(status)d", fields, extra={"fields": fields})
 
 
 class JsonLines(logging.Formatter):
@@ -100,9 +56,9 @@ def not_a_probe(record: logging.LogRecord) -> bool:
     """Keep probes and frames of streams out of uvicorn's access log."""
     match record.args:
         case (_, _, str(path), _, int(status)):
-            return not _too_many(path, status)
+            return not too_many(path, status)
     return True
 
 
-def _too_many(path: str, status: int) -> bool:
+def too_many(path: str, status: int) -> bool:
     return path.startswith(PROBES) or (is_frame(path) and status < HTTPStatus.BAD_REQUEST)

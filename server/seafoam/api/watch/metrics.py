@@ -1,7 +1,8 @@
-"""Prometheus metrics of one application, in a registry of its own; OpenTelemetry where its variables ask for traces."""
+"""Requests counted and logged, Prometheus metrics in a registry of the application's own, traces by OpenTelemetry."""
 
 import os
 import time
+import uuid
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
@@ -12,11 +13,12 @@ from fastapi.telemetry import TelemetryConfig
 from prometheus_client import CollectorRegistry, Counter, Gauge, Histogram
 from prometheus_client.core import CounterMetricFamily
 from prometheus_client.registry import Collector
+from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import Receive, Scope, Send
 
 from seafoam.api.frames.streams import is_frame
-from seafoam.api.http.asgi import CountingSend, HttpMiddleware, route_of
-from seafoam.api.watch.logs import PROBES
+from seafoam.api.http.asgi import CountingSend, HttpMiddleware, altering
+from seafoam.api.watch.logs import PROBES, REQUEST_ID, SANE, log, request_id, too_many
 from seafoam.extras import UnableError, require
 from seafoam.render.service.frame_cache import FrameCache
 from seafoam.render.service.jobs import EncodedFrame, Origin
@@ -81,21 +83,41 @@ class Metrics(Collector):
 
 
 @dataclass(eq=False)
-class MeasureRequests(HttpMiddleware):
-    """ASGI middleware: counts requests, their duration and bytes, by route template."""
+class WatchRequests(HttpMiddleware):
+    """ASGI middleware: gives each request an id, returns it, and counts and logs what was answered, by route template.
+
+    An id that the client sends in ``X-Request-ID`` is kept if it is sane. logged: whether a line is written of each.
+    """
 
     metrics: Metrics
+    logged: bool
 
     async def _handle(self, scope: Scope, receive: Receive, send: Send) -> None:
+        asked = Headers(scope=scope).get(REQUEST_ID, "")
+        identity = asked if SANE.fullmatch(asked) else uuid.uuid4().hex
+        # Not reset: each request is a task of its own, and the answer to an unexpected error is made outside of this.
+        request_id.set(identity)
+        scope.setdefault("state", {})
         began = time.perf_counter()
         sent = CountingSend(send)
+
+        def mark(_: int, headers: MutableHeaders) -> None:
+            headers[REQUEST_ID] = identity
+
         try:
-            await self.app(scope, receive, sent)
+            await self.app(scope, receive, altering(sent, mark))
         finally:
-            route = route_of(scope)
-            self.metrics.requests.labels(scope["method"], route, str(sent.status)).inc()
-            self.metrics.durations.labels(scope["method"], route).observe(time.perf_counter() - began)
+            method, seconds = scope["method"], time.perf_counter() - began
+            # A path as it stands would be a name of its own for every misspelling.
+            route = getattr(scope.get("route"), "path_format", "(page)")
+            self.metrics.requests.labels(method, route, str(sent.status)).inc()
+            self.metrics.durations.labels(method, route).observe(seconds)
             self.metrics.sent.labels(route).inc(sent.bytes)
+            if self.logged and not too_many(scope["path"], sent.status):
+                client = scope["state"].get("client") or (scope.get("client") or ("",))[0]
+                fields = {"method": method, "route": route, "path": scope["path"], "status": sent.status}
+                fields |= {"duration_ms": round(1000 * seconds, 3), "bytes": sent.bytes, "client": client}
+                log.info("%(method)s %(route)s %(status)d", fields, extra={"fields": fields})
 
 
 NO_TELEMETRY: TelemetryConfig = {"tracing": False, "metrics": False, "logs": False, "auto_configure": False}

@@ -8,7 +8,6 @@ from xml.etree import ElementTree
 import numpy as np
 from numpy.typing import NDArray
 
-from seafoam.render.encode.dither import dithered
 from seafoam.render.encode.formats import (
     NoRecipeError,
     Precision,
@@ -18,7 +17,7 @@ from seafoam.render.encode.formats import (
     recipe_in_exr,
     recipe_in_webp,
 )
-from seafoam.render.encode.png import encode_png, recipe_in_png
+from seafoam.render.encode.png import dithered, encode_png, recipe_in_png
 
 __all__ = [
     "BYTES_PER_PIXEL", "ENCODERS", "FRAME_FORMATS", "MEDIA_TYPES", "FrameFormat", "NoRecipeError", "Output",

@@ -114,38 +114,31 @@ class DiskCache:
 
     def _evict(self) -> None:
         """Count what is there, other processes' files too, and remove the oldest until it fits."""
-        entries: list[tuple[float, int, str]] = []
+        entries: list[tuple[float, int, Path]] = []
         now = time.time()
-        for folder in _listed(self.directory):
-            for file in _listed(Path(folder.path)):
+        for folder, _, names in os.walk(self.directory):
+            for name in names:
+                path = Path(folder, name)
                 try:
-                    stat = file.stat()
+                    stat = path.stat()
                 except OSError:
                     continue
-                if not file.name.startswith(files.PART):
-                    entries.append((stat.st_mtime, _blocks(stat.st_size), file.path))
+                if not name.startswith(files.PART):
+                    entries.append((stat.st_mtime, _blocks(stat.st_size), path))
                 elif now - stat.st_mtime > ABANDONED_SECONDS:
-                    _remove(Path(file.path))
+                    _remove(path)
         total = sum(size for _, size, _ in entries)
         if total > self.limit:
             for _, size, path in sorted(entries):
                 if total <= _KEPT_SHARE * self.limit:
                     break
-                _remove(Path(path))
+                _remove(path)
                 total -= size
         self._total = total
 
 
 def _blocks(size: int) -> int:
     return -(-size // _BLOCK) * _BLOCK
-
-
-def _listed(directory: Path) -> list[os.DirEntry[str]]:
-    try:
-        with os.scandir(directory) as entries:
-            return list(entries)
-    except OSError:
-        return []
 
 
 def _remove(path: Path) -> None:

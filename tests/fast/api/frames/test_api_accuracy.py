@@ -6,9 +6,11 @@ import time
 import numpy as np
 import pytest
 
+from seafoam.accuracy.cache import Store
+from seafoam.accuracy.sweep import SweepSettings
+from seafoam.accuracy.sweep_service import SweepService
 from seafoam.quality import TIERS
 from seafoam.scene.presets import load_preset
-from support.api_fakes import no_renderer
 from support.serving import problem, serving
 
 PRESET = "paper-threshold"
@@ -69,7 +71,7 @@ def test_every_form_of_it(fresh):
     assert truth[..., 3].max() > 0.0
 
 
-def test_auto_says_what_it_took_and_why_and_measures_a_changed_preset_by_itself(fresh):
+def test_auto_says_what_it_took_and_why_and_measures_a_changed_preset_by_itself(fresh, monkeypatch):
     eventually(lambda: fresh.get(URL))
     response = fresh.get(f"/api/frames/{PRESET}.png", params=AUTO)
     assert response.status_code == 200, response.text
@@ -84,6 +86,7 @@ def test_auto_says_what_it_took_and_why_and_measures_a_changed_preset_by_itself(
     posted = fresh.post("/api/frames", json={"scene": scene, **AUTO})
     assert posted.headers["Seafoam-Quality"] == response.headers["Seafoam-Quality"]
     assert "Seafoam-Quality" not in fresh.get(f"/api/frames/{PRESET}.png", params=FRAME).headers
+    monkeypatch.setattr("seafoam.accuracy.sweep_service.make_sweep", lambda *_: None)  # it would take as long again
     assert fresh.get(f"/api/frames/{PRESET}.png", params=AUTO | {"mask": "vac-6"}).status_code == 503
 
 
@@ -100,23 +103,22 @@ def test_auto_and_its_budget_come_together_with_what_can_be_drawn(fresh):
         assert problem(refused, 422)["errors"][0]["parameter"] == name
 
 
-def test_a_finished_measurement_outlives_the_server_which_stops_in_the_middle_of_another(fresh, tmp_path):
-    found = eventually(lambda: fresh.get(URL))[-1].json()
-    cache = fresh.app.state.context.settings.cache
-    with serving(cache=cache, **SMALL) as again:
-        assert again.get(URL).json() == found
-    long = SMALL | {"accuracy_width": 640, "accuracy_samples": 32}
-    with serving(cache=tmp_path, **long) as client:
-        assert client.get("/api/accuracy/default/truth.npy").status_code == 202
-        assert client.get("/api/accuracy/default").status_code == 202
+def test_a_server_keeps_what_is_finished_and_stops_in_the_middle_of_a_measurement(fresh, tmp_path):
+    eventually(lambda: fresh.get(URL))
+    kept = fresh.app.state.context.settings.cache
+    assert [len(list((kept / kind).iterdir())) for kind in ("sweeps", "truth")] == [1, 1]
+    with serving(cache=tmp_path, **SMALL | {"accuracy_width": 640, "accuracy_samples": 32}) as client:
+        assert client.get(f"{URL}/truth.npy").status_code == 202
+        assert client.get(URL).status_code == 202
         time.sleep(0.5)
-    with serving(cache=tmp_path, **long) as again:
-        assert again.get("/api/accuracy/default/truth.npy").status_code == 202, "it waited for the measurement"
+    assert not (tmp_path / "truth").exists(), "it waited for the measurement"
 
 
-def test_without_gl_there_is_truth_but_no_time(tmp_path):
-    with serving(no_renderer, cache=tmp_path, **SMALL) as client:
-        assert client.get(f"{URL}/points").status_code == 200
-        assert client.get(URL).status_code == 503
-        assert client.get(URL).json()["remedy"]
-        assert eventually(lambda: client.get(f"{URL}/truth.npy"))[-1].status_code == 200
+def test_without_gl_there_is_truth_but_no_time(without_gl, monkeypatch, tmp_path):
+    own = SweepService(Store(tmp_path), SweepSettings(*SMALL.values()), without_gl.app.state.context.sweeps._rig)
+    monkeypatch.setattr(without_gl.app.state.context, "sweeps", own)
+    assert without_gl.get(f"{URL}/points").status_code == 200
+    assert without_gl.get(URL).status_code == 503
+    assert without_gl.get(URL).json()["remedy"]
+    assert eventually(lambda: without_gl.get(f"{URL}/truth.npy"))[-1].status_code == 200
+    own.stop()

@@ -10,6 +10,7 @@ from urllib.parse import urljoin
 import numpy as np
 import pytest
 
+from seafoam.api.frames.plans import PlanIndex
 from seafoam.api.settings import SERVED, Settings
 from seafoam.render.encode import read_recipe
 from seafoam.render.service.pool import BACKGROUND_QUEUE
@@ -42,7 +43,7 @@ def test_formats_of_a_frame(client):
 
 def test_what_is_absent_is_the_presets_own(client):
     preset = load_preset("default")
-    bare = client.get("/api/frames/default.webp")
+    bare = client.get("/api/frames/default.png")
     assert picture(bare).size == preset.size
     camera = preset.scene.camera
     x, y, z = camera.position
@@ -50,7 +51,7 @@ def test_what_is_absent_is_the_presets_own(client):
         "time": preset.time, "width": preset.size[0], "height": preset.size[1], "quality": "standard",
         "x": x, "y": y, "z": z, "yaw": camera.yaw, "pitch": camera.pitch, "roll": camera.roll, "fov": camera.fov,
     }  # fmt: skip
-    assert client.get("/api/frames/default.webp", params=spelled).headers["ETag"] == bare.headers["ETag"]
+    assert client.get("/api/frames/default.png", params=spelled).headers["ETag"] == bare.headers["ETag"]
 
 
 def test_whatever_changes_the_frame_changes_its_tag(client):
@@ -70,6 +71,10 @@ def test_a_posted_frame_is_the_frame_of_the_same_preset(client):
     assert posted.content == got.content
     assert posted.headers["ETag"] == got.headers["ETag"]
     assert posted.headers["Cache-Control"] == "no-store"
+    # Its recipe names the preset that it began from.
+    unnamed = client.post("/api/frames", json=body | {"preset": None})
+    assert unnamed.headers["ETag"] != posted.headers["ETag"]
+    assert unnamed.content != posted.content
     # A camera beside the scene wins over the scene's.
     camera = {"position": [1, 2, 3], "yaw": 0.5}
     bodies = ({"scene": {"camera": camera}}, {"scene": {}, "camera": camera}, {"scene": {}})
@@ -134,9 +139,16 @@ def test_a_repeat_is_answered_from_memory_without_planning(cached, monkeypatch):
         assert again.headers[name] == first.headers[name]
 
 
-def test_a_restarted_server_answers_from_disk_without_its_renderer(tmp_path):
+def test_a_restarted_server_answers_from_disk_and_knows_plans_but_not_of_another_version(tmp_path, monkeypatch):
+    body = {"scene": {"waves": [{"model": "parametric"}]}, "quality": "fast"}
+    where = "width=8&height=8&x=0&y=4&z=0&yaw=0&pitch=0&roll=0&fov=1"
     with serving(cache=tmp_path, **CACHED) as client:
         first = frame(client, time=3.5)
+        told = client.post("/api/plans", json=body), client.get("/api/plans/paper-halftone?quality=fast")
+        posted, preset = (each.headers["Seafoam-Plan"] for each in told)
+        url = f"/api/plans/{posted}/frames/1.png?{where}"
+        by_plan = client.get(url)
+        assert by_plan.status_code == 200
     with serving(cache=tmp_path, **CACHED) as client:
         again = frame(client, time=3.5)
         assert origin(again) == "disk"
@@ -147,23 +159,30 @@ def test_a_restarted_server_answers_from_disk_without_its_renderer(tmp_path):
         for told in ('frame_origins_total{origin="disk"} 1.0', 'frame_origins_total{origin="memory"} 1.0'):
             assert f"seafoam_{told}" in text
         assert "seafoam_cache_damaged_total 0.0" in text
+        assert client.get(url).content == by_plan.content
+        unknown = client.get(url.replace(posted, "0" * 64))
+        assert problem(unknown, 404)["errors"][0]["parameter"] == "plan"
+    disk = client.app.state.context.frames.disk
+    assert None not in map(PlanIndex(disk).find, (posted, preset))
+    monkeypatch.setattr("seafoam.api.frames.plans.plan_hash", lambda scene, quality: "0" * 64)
+    assert PlanIndex(disk).find(posted) is None
 
 
-def test_requests_in_flight_share_a_render():
-    with serving() as client, ThreadPoolExecutor(6) as threads:
-        client.get("/api/frames/default.png?width=8&height=8")
+def test_requests_in_flight_share_a_render(client):
+    drawn = client.app.state.context.metrics.frames.labels("png")._value
+    before = drawn.get()
+    with ThreadPoolExecutor(6) as threads:
         answers = list(threads.map(lambda _: frame(client, time=SLOW), range(6)))
-        # No cache: all of them were in flight at once, in a queue that holds two.
-        assert len({(answer.content, answer.headers["ETag"]) for answer in answers}) == 1
-        assert sorted(map(origin, answers)) == ["queue", *["shared"] * 5]
-        assert client.app.state.context.metrics.frames.labels("png")._value.get() == 2
+    # No cache: all of them were in flight at once, in a queue that holds two.
+    assert len({(answer.content, answer.headers["ETag"]) for answer in answers}) == 1
+    assert sorted(map(origin, answers)) == ["queue", *["shared"] * 5]
+    assert drawn.get() == before + 1
 
 
-def test_no_visitor_waits_behind_a_queued_thumbnail():
+def test_no_visitor_waits_behind_a_queued_thumbnail(client):
     assert 2 * len(preset_names()) <= BACKGROUND_QUEUE, "thumbnails have a queue of their own"
     names = preset_names()[:4]
-    with serving() as client, ThreadPoolExecutor(len(names) + 2) as threads:
-        assert frame(client).status_code == 200
+    with ThreadPoolExecutor(len(names) + 2) as threads:
         with busy(client) as pool:
             urls = [f"/api/presets/{name}/thumbnail.webp?width=16" for name in names]
             answers = [threads.submit(client.get, url) for url in urls]
@@ -175,8 +194,8 @@ def test_no_visitor_waits_behind_a_queued_thumbnail():
             for each in answers:
                 each.add_done_callback(order.append)
         assert {each.result().status_code for each in answers} == {200}
-        assert order[0] is answers[-1]
-        assert "seafoam_background_waiting 0.0" in client.get("/metrics").text
+    assert order[0] is answers[-1]
+    assert "seafoam_background_waiting 0.0" in client.get("/metrics").text
 
 
 def test_a_thumbnail_is_a_small_frame_of_its_preset(cached):
@@ -213,25 +232,6 @@ def test_every_frame_names_its_immutable_address(cached):
         assert cached.get(str(found.url), headers={"If-None-Match": tag}).status_code == 304
 
 
-def test_plans_are_known_by_their_hash_after_a_restart_but_not_by_another_version(tmp_path, monkeypatch):
-    where = "width=8&height=8&x=0&y=4&z=0&yaw=0&pitch=0&roll=0&fov=1"
-    scene = {"waves": [{"model": "parametric"}]}
-    with serving(cache=tmp_path, **CACHED) as client:
-        plan = client.post("/api/plans", json={"scene": scene, "quality": "fast"}).headers["Seafoam-Plan"]
-        preset = client.get("/api/plans/storm?quality=high").headers["Seafoam-Plan"]
-        url = f"/api/plans/{plan}/frames/1.png?{where}"
-        first = client.get(url)
-        assert first.status_code == 200
-    with serving(cache=tmp_path, **CACHED) as client:
-        assert client.get(url).content == first.content
-        assert client.get(f"/api/plans/{preset}/frames/1.png?{where}").headers["Seafoam-Plan"] == preset
-    with serving(cache=tmp_path / "other", **CACHED) as client:
-        assert problem(client.get(url), 404)["errors"][0]["parameter"] == "plan"
-    monkeypatch.setattr("seafoam.api.frames.plans.plan_hash", lambda scene, quality: "0" * 64)
-    with serving(cache=tmp_path, **CACHED) as client:
-        assert client.app.state.context.plan_index.find(plan) is None
-
-
 def test_what_a_frame_carries_is_its_recipe(cached):
     for suffix, own in (("png", "dither"), ("webp", "dither"), ("exr", "precision")):
         response = frame(cached, suffix, time=6.5)
@@ -239,3 +239,5 @@ def test_what_a_frame_carries_is_its_recipe(cached):
         assert recipe["plan"] == response.headers["Seafoam-Plan"]
         assert (recipe["time"], recipe["width"], recipe["height"], recipe["format"]) == (6.5, 24, 16, suffix)
         assert {"dither", "precision"} & set(recipe) == {own}
+        asked = {name: recipe[name] for name in recipe if name not in ("recipe", "seafoam", "renderer", "plan")}
+        assert cached.post("/api/frames", json=asked).content == response.content

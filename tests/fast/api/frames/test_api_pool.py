@@ -53,7 +53,7 @@ async def worker_of(pool):
 
 
 @pooled(factory=fakes.CompilingRenderer)
-async def test_what_a_worker_compiles_past_a_deadline_serves_the_next_request(pool):
+async def test_what_a_worker_compiles_past_a_deadline_serves_the_next_request_but_not_for_ever(pool, monkeypatch):
     worker = await worker_of(pool)
     pool.deadline = fakes.COMPILING_SECONDS / 4
     with pytest.raises(errors.DeadlineError):
@@ -64,15 +64,10 @@ async def test_what_a_worker_compiles_past_a_deadline_serves_the_next_request(po
     assert (await pool.render(NEW)).content
     assert await worker_of(pool) == worker
     assert not +pool.restarts
-
-
-@pooled(factory=fakes.CompilingRenderer)
-async def test_a_worker_does_not_compile_for_ever(pool, monkeypatch):
     monkeypatch.setattr("seafoam.render.service.pool.COMPILE_SECONDS", fakes.COMPILING_SECONDS / 4)
-    await pool.wait_until_settled()
     pool.deadline = fakes.COMPILING_SECONDS / 4
     with pytest.raises(errors.DeadlineError):
-        await pool.render(NEW)
+        await pool.render(replace(NEW, quality=TIERS["high"]))
     await eventually(lambda: pool.restarts["deadline"] == 1)
 
 
@@ -90,26 +85,53 @@ def test_a_server_is_ready_when_it_has_drawn_what_the_page_opens_with():
         assert client.get("/api/frames/default.png?width=8&height=8&quality=fast").status_code == 200
 
 
-async def test_the_deadline_counts_waiting(pool):
-    await pool.wait_until_settled()
-    pool.deadline = 1.5 * fakes.SLOW_SECONDS
+@pooled(queue=2)
+async def test_what_is_slow_costs_no_worker(pool, monkeypatch):
+    """Waiting, a full queue, a client that leaves, and what gives way and begins late."""
+    worker = await worker_of(pool)
+    await a_full_queue_refuses_at_once_and_says_when_to_ask_again(pool)
+    await a_running_frame_whose_client_left_is_finished(pool)
+    for ticket in (Ticket(stream=True), Ticket(background=True)):
+        with monkeypatch.context() as patched:
+            await what_gives_way_may_begin_late(pool, patched, ticket)
+    with pytest.raises(errors.RenderFailedError):  # an exception in the worker
+        await pool.render(job(fakes.RAISE))
+    assert (await pool.render(job())).content
+    assert await worker_of(pool) == worker
+    assert not +pool.restarts
+    pool.deadline = 1.5 * fakes.SLOW_SECONDS  # which counts waiting
     results = await asyncio.gather(*(pool.render(job(fakes.SLOW)) for _ in range(3)), return_exceptions=True)
     assert sum(isinstance(result, errors.DeadlineError) for result in results) >= 1
     assert not isinstance(results[0], Exception)
 
 
-@pytest.mark.parametrize("ticket", [Ticket(stream=True), Ticket(background=True)], ids=["stream", "background"])
-async def test_what_gives_way_and_begins_late_costs_no_worker(pool, monkeypatch, ticket):
+async def a_full_queue_refuses_at_once_and_says_when_to_ask_again(pool):
+    waiting = [asyncio.ensure_future(pool.render(job(fakes.SLOW))) for _ in range(3)]
+    await eventually(lambda: pool.active == 1 and pool.waiting == 2)
+    with pytest.raises(errors.RenderQueueFullError) as refused:
+        await pool.render(job())
+    assert 1 <= refused.value.retry_after <= 10
+    assert all(frame.content for frame in await asyncio.gather(*waiting))
+    assert pool.waiting == pool.active == 0
+    assert (await pool.render(job())).content
+
+
+async def a_running_frame_whose_client_left_is_finished(pool):
+    running = asyncio.ensure_future(pool.render(job(fakes.SLOW)))
+    await eventually(lambda: pool.active == 1)
+    running.cancel()
+    assert (await pool.render(job())).timings["queue"] > fakes.SLOW_SECONDS / 2
+
+
+async def what_gives_way_may_begin_late(pool, monkeypatch, ticket):
     passed = 0.0
     monkeypatch.setattr("seafoam.render.service.pool.time", SimpleNamespace(time=lambda: time.time() + passed))
-    await pool.wait_until_settled()
     await pool._free_workers.acquire()
     waiting = asyncio.ensure_future(pool.render(job(fakes.SLOW), ticket))
     await eventually(lambda: pool.waits(ticket))
     passed = (BACKGROUND_SECONDS if ticket.background else pool.deadline) - fakes.SLOW_SECONDS / 10
     pool._free_workers.release()
     assert (await waiting).content
-    assert not +pool.restarts
 
 
 async def test_a_worker_that_dies_is_replaced_by_one_that_draws_what_it_was_at(pool):
@@ -130,14 +152,6 @@ async def test_a_worker_that_dies_is_replaced_by_one_that_draws_what_it_was_at(p
     assert pool.state == "ready"
 
 
-async def test_an_exception_in_a_worker_costs_neither_worker_nor_pool(pool):
-    worker = await worker_of(pool)
-    with pytest.raises(errors.RenderFailedError):
-        await pool.render(job(fakes.RAISE))
-    assert (await pool.render(job())).content
-    assert await worker_of(pool) == worker
-
-
 async def test_a_worker_out_of_memory_gives_it_back(pool):
     """Its frame is tried by another, which fails as well; the next has all the memory again."""
     worker = await worker_of(pool)
@@ -148,56 +162,24 @@ async def test_a_worker_out_of_memory_gives_it_back(pool):
     assert (pool.restarts["crash"], pool.state) == (2, "ready")
 
 
-@pytest.mark.parametrize(
-    ("pool", "at_work"),
-    [({"factory": fakes.LostRenderer, "check_seconds": seconds}, seconds > 1.0) for seconds in (600.0, 0.2)],
-    indirect=["pool"],
-    ids=["at work", "idle"],
-)
-async def test_a_lost_context_costs_a_worker_and_no_frame(pool, tmp_path, at_work):
-    """No black picture is answered; an idle pool finds out by its test picture."""
-    sound = (await pool.render(job())).content
-    worker = await worker_of(pool)
-    (tmp_path / "lost").touch()
-    if not at_work:
-        await eventually(lambda: pool.restarts["crash"] == 1)
-    assert (await pool.render(job())).content == sound
-    assert await worker_of(pool) != worker
-    assert (pool.restarts["crash"], pool.state) == (1, "ready")
-
-
 @pooled(factory=fakes.LostRenderer, check_seconds=600.0)
-async def test_a_lost_context_is_not_measured(pool, tmp_path):
+async def test_a_lost_context_costs_a_worker_and_no_frame_and_is_found_when_idle(pool, tmp_path):
+    """No black picture is answered or measured; an idle pool finds out by its test picture."""
     draws = (Draw(16, 9, "rgba8"), Draw(16, 9, "rgba8", keep=True))
     asked = MeasureJob(SCENE, TIERS["fast"], 0.0, SCENE.camera, draws)
-    sound = (await pool.measure(asked))[1].pixels
-    (tmp_path / "lost").touch()
-    assert ((await pool.measure(asked))[1].pixels == sound).all()
-    assert sound.any()
-    assert (pool.restarts["crash"], pool.state) == (1, "ready")
-
-
-@pooled(queue=2)
-async def test_a_full_queue_refuses_at_once_and_says_when_to_ask_again(pool):
-    await pool.wait_until_settled()
-    waiting = [asyncio.ensure_future(pool.render(job(fakes.SLOW))) for _ in range(3)]
-    await eventually(lambda: pool.active == 1 and pool.waiting == 2)
-    with pytest.raises(errors.RenderQueueFullError) as refused:
-        await pool.render(job())
-    assert 1 <= refused.value.retry_after <= 10
-    assert all(frame.content for frame in await asyncio.gather(*waiting))
-    assert pool.waiting == pool.active == 0
-    assert (await pool.render(job())).content
-
-
-async def test_a_running_frame_whose_client_left_keeps_its_worker(pool):
+    sound, measured = (await pool.render(job())).content, (await pool.measure(asked))[1].pixels
+    assert measured.any()
     worker = await worker_of(pool)
-    running = asyncio.ensure_future(pool.render(job(fakes.SLOW)))
-    await eventually(lambda: pool.active == 1)
-    running.cancel()
-    assert (await pool.render(job())).timings["queue"] > fakes.SLOW_SECONDS / 2
-    assert await worker_of(pool) == worker
-    assert not +pool.restarts
+    (tmp_path / "lost").touch()
+    assert (await pool.render(job())).content == sound
+    assert await worker_of(pool) != worker
+    (tmp_path / "lost").touch()
+    assert ((await pool.measure(asked))[1].pixels == measured).all()
+    assert (pool.restarts["crash"], pool.state) == (2, "ready")
+    (tmp_path / "lost").touch()
+    await pool._check()
+    assert (pool.restarts["crash"], pool.state) == (3, "ready")
+    assert (await pool.render(job())).content == sound
 
 
 @pooled(recycle=0, check_seconds=0.2)

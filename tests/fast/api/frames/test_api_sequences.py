@@ -57,8 +57,14 @@ def events(client: TestClient, name: str) -> list[dict[str, Any]]:
 
 
 @pytest.fixture(scope="module")
-def client(tmp_path_factory: pytest.TempPathFactory) -> Iterator[TestClient]:
-    with serving(cache=tmp_path_factory.mktemp("cache")) as running:
+def gate(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The file that the server's renderer waits for, beside its cache."""
+    return tmp_path_factory.mktemp("cache") / "gate"
+
+
+@pytest.fixture(scope="module")
+def client(gate: Path) -> Iterator[TestClient]:
+    with serving(partial(Gated, gate), cache=gate.parent) as running:
         yield running
 
 
@@ -118,51 +124,53 @@ def test_it_goes_on_after_a_restart(tmp_path: Path) -> None:
         assert events(client, other)[-1]["drawn"] == 2
 
 
-def test_a_bounded_number_waits_and_each_can_be_cancelled(tmp_path: Path) -> None:
-    with serving(partial(Gated, tmp_path / "gate"), cache=tmp_path, sequences_waiting=2) as client:
-        running = start(client, start=GATE, stop=GATE + 0.1)["id"]
-        queued = start(client, start=GATE, stop=GATE + 0.2)["id"]
-        full = client.post("/api/sequences", json=asked(start=GATE, stop=GATE + 0.3))
-        assert problem(full, 503)["type"] == "urn:seafoam:problem:busy"
-        assert int(full.headers["retry-after"]) > 0
-        assert start(client, start=GATE, stop=GATE + 0.2)["id"] == queued
-        assert client.get(f"/api/sequences/{queued}/file").status_code == 409
-        assert client.delete(f"/api/sequences/{queued}").status_code == 204
-        assert client.get(f"/api/sequences/{queued}").status_code == 404
-        assert client.delete(f"/api/sequences/{running}").status_code == 204
-        (tmp_path / "gate").touch()
-        while (response := client.get(f"/api/sequences/{running}")).status_code == 200:
-            assert response.json()["status"] == "cancelled"
-        last = start(client, stop=0.1)["id"]
-        assert events(client, last)[-1]["status"] == "done"
-        assert {each.name for each in (tmp_path / "sequences").iterdir()} == {last}
-        assert client.delete(f"/api/sequences/{last}").status_code == 204
-        assert client.get(f"/api/sequences/{last}/file").status_code == 404
+def test_a_bounded_number_waits_and_each_can_be_cancelled(client: TestClient, gate: Path, monkeypatch) -> None:
+    monkeypatch.setattr(client.app.state.context.sequences, "_most_waiting", 2)
+    running = start(client, start=GATE, stop=GATE + 0.1)["id"]
+    queued = start(client, start=GATE, stop=GATE + 0.2)["id"]
+    full = client.post("/api/sequences", json=asked(start=GATE, stop=GATE + 0.3))
+    assert problem(full, 503)["type"] == "urn:seafoam:problem:busy"
+    assert int(full.headers["retry-after"]) > 0
+    assert start(client, start=GATE, stop=GATE + 0.2)["id"] == queued
+    assert client.get(f"/api/sequences/{queued}/file").status_code == 409
+    assert client.delete(f"/api/sequences/{queued}").status_code == 204
+    assert client.get(f"/api/sequences/{queued}").status_code == 404
+    assert client.delete(f"/api/sequences/{running}").status_code == 204
+    gate.touch()
+    while (response := client.get(f"/api/sequences/{running}")).status_code == 200:
+        assert response.json()["status"] == "cancelled"
+    gate.unlink()
+    last = start(client, stop=0.1)["id"]
+    assert events(client, last)[-1]["status"] == "done"
+    left = {each.name for each in (gate.parent / "sequences").iterdir()}
+    assert (last in left, {running, queued} & left) == (True, set())
+    assert client.delete(f"/api/sequences/{last}").status_code == 204
+    assert client.get(f"/api/sequences/{last}/file").status_code == 404
 
 
-def test_the_oldest_files_make_room(tmp_path: Path) -> None:
-    with serving(cache=tmp_path, sequences_kept=2) as client:
-        names = [start(client, stop=stop)["id"] for stop in (0.1, 0.2, 0.3)]
-        assert all(events(client, name) for name in names)
-        assert [client.get(f"/api/sequences/{name}").status_code for name in names] == [404, 200, 200]
-        assert {each.name for each in (tmp_path / "sequences").iterdir()} == set(names[1:])
+def test_the_oldest_files_make_room(client: TestClient, gate: Path, monkeypatch) -> None:
+    monkeypatch.setattr(client.app.state.context.sequences, "_kept", 2)
+    names = [start(client, stop=stop)["id"] for stop in (0.1, 0.2, 0.3)]
+    assert all(events(client, name) for name in names)
+    assert [client.get(f"/api/sequences/{name}").status_code for name in names] == [404, 200, 200]
+    assert {each.name for each in (gate.parent / "sequences").iterdir()} == set(names[1:])
 
 
-def test_visitors_come_first(tmp_path: Path) -> None:
+def test_visitors_come_first(client: TestClient, gate: Path, monkeypatch) -> None:
     """While a visitor's frame is in the only worker, and another waits, no frame of the sequence is taken."""
-    gated = serving(partial(Gated, tmp_path / "gate"), cache=tmp_path, queue=4)
-    with gated as client, ThreadPoolExecutor(2) as threads:
-        frame(client)  # waits until it is ready
+    pool = client.app.state.context.pool
+    monkeypatch.setattr(pool, "queue", 4)
+    with ThreadPoolExecutor(2) as threads:
         visitors = [threads.submit(frame, client, time=GATE + number, quality="fast") for number in range(2)]
-        pool = client.app.state.context.pool
         client.portal.call(eventually, lambda: pool.active + pool.waiting == 2)
-        name = start(client)["id"]
+        name = start(client, stop=0.15)["id"]
         for _ in range(5):
             client.get("/healthz")
             assert client.get(f"/api/sequences/{name}").json()["drawn"] == 0
-        (tmp_path / "gate").touch()
+        gate.touch()
         assert all(visitor.result() for visitor in visitors)
-        assert events(client, name)[-1]["status"] == "done"
+    assert events(client, name)[-1]["status"] == "done"
+    gate.unlink()
 
 
 def test_without_pyav_or_gl(client: TestClient, without_gl: TestClient, monkeypatch: pytest.MonkeyPatch) -> None:

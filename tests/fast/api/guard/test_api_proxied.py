@@ -59,6 +59,17 @@ def behind(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFact
             yield f"{outside}/"
 
 
+@pytest.fixture(scope="module")
+def web() -> Iterator[httpx2.Client]:
+    """One for all requests: each of its own would read the certificates of all authorities first."""
+    with httpx2.Client(timeout=60) as client:
+        yield client
+
+
+SEEN: set[str] = set()
+"""Addresses that something was found at: most pages name the same files."""
+
+
 def addresses(page: httpx2.Response) -> set[str]:
     """What a page loads and links to on its server."""
     base = re.search(r'<base href="([^"]+)"', page.text)
@@ -69,41 +80,44 @@ def addresses(page: httpx2.Response) -> set[str]:
 
 
 @pytest.mark.parametrize("name", PAGES)
-def test_pages_lead_nowhere_else(behind: str, name: str) -> None:
-    page = httpx2.get(behind + name, follow_redirects=True, timeout=60)
+def test_pages_lead_nowhere_else(behind: str, web: httpx2.Client, name: str) -> None:
+    page = web.get(behind + name, follow_redirects=True)
     assert page.status_code == (404 if name.endswith("nothing") else 200)
     assert str(page.url).startswith(behind)
     linked = addresses(page)
     assert len(linked) > 2
-    for address in linked:
+    for address in linked - SEEN:
         assert address.startswith(behind), address
-        assert httpx2.get(address, follow_redirects=True, timeout=60).status_code == 200, address
+        assert web.get(address, follow_redirects=True).status_code == 200, address
+    SEEN.update(linked)
 
 
-def test_a_page_names_the_proxys_address_where_links_are_previewed_and_operations_listed(behind: str) -> None:
+def test_a_page_names_the_proxys_address_where_links_are_previewed_and_operations_listed(
+    behind: str, web: httpx2.Client
+) -> None:
     own = f"{behind}water/coastline"
-    page = httpx2.get(own).text
+    page = web.get(own).text
     for tag in (f'="og:url" content="{own}"', f'rel="canonical" href="{own}"', f'="og:image" content="{own}.jpg"'):
         assert tag in page
-    assert httpx2.get(f"{own}.jpg", timeout=60).headers["content-type"] == "image/jpeg"
-    document = httpx2.get(f"{behind}openapi.json")
+    assert web.get(f"{own}.jpg").headers["content-type"] == "image/jpeg"
+    document = web.get(f"{behind}openapi.json")
     (server,) = document.json()["servers"]
     assert urljoin(str(document.url), server["url"]) == behind
-    page = httpx2.get(f"{behind}water/").text
+    page = web.get(f"{behind}water/").text
     assert re.findall(r'<a href="\./([^"]+)"', page) == list(preset_names())
 
 
-def test_programs_draw_by_the_proxys_address(behind: str) -> None:
-    frame = httpx2.get(f"{behind}api/frames/default.png?width=16&height=16", timeout=60)
+def test_programs_draw_by_the_proxys_address(behind: str, web: httpx2.Client) -> None:
+    frame = web.get(f"{behind}api/frames/default.png?width=16&height=16")
     where = re.search("<(.+)>", frame.headers["link"])
     assert where
-    assert httpx2.get(urljoin(str(frame.url), where[1]), timeout=60).headers["link"]
+    assert web.get(urljoin(str(frame.url), where[1])).headers["link"]
     with seafoam.connect(behind) as connection:
         assert connection.frame("default", size=(16, 16)).size == (16, 16)
-    opened = httpx2.post(f"{behind}api/streams", json={"scene": {}, "quality": "fast"}, timeout=60)
+    opened = web.post(f"{behind}api/streams", json={"scene": {}, "quality": "fast"})
     stream = urljoin(str(opened.url), opened.headers["location"])
     query = "time=1&width=16&height=16&x=0&y=3&z=0&yaw=0&pitch=0&roll=0&fov=1"
-    assert httpx2.get(f"{stream}/frame.jpg?{query}", timeout=60).headers["content-type"] == "image/jpeg"
+    assert web.get(f"{stream}/frame.jpg?{query}").headers["content-type"] == "image/jpeg"
 
 
 def test_a_prefix_is_set_or_told_by_who_is_trusted() -> None:

@@ -28,8 +28,15 @@ from support.sweep import REST
 
 
 @pytest.mark.parametrize("form", [pytest.param("text", marks=REST), "json"])
-def test_frames_in_flight_are_told_that_the_server_stops(tmp_path: Path, form: str) -> None:
-    with served(tmp_path, SEAFOAM_DEADLINE="60", SEAFOAM_QUEUE="20", SEAFOAM_LOG_FORMAT=form) as (address, process):
+def test_a_server_keeps_programs_beside_its_frames_and_tells_those_in_flight_that_it_stops(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, form: str
+) -> None:
+    monkeypatch.delenv("MESA_SHADER_CACHE_DIR", raising=False)
+    cache = tmp_path / "not" / "yet"
+    settings = {"DEADLINE": "60", "QUEUE": "20", "LOG_FORMAT": form, "CACHE": str(cache)}
+    with served(tmp_path, **{f"SEAFOAM_{name}": value for name, value in settings.items()}) as (address, process):
+        assert f"MESA_SHADER_CACHE_DIR={cache / 'mesa'}" in environments(process.pid)
+        assert (cache / "mesa").is_dir()
 
         def asked(width: int) -> httpx2.Response:
             return httpx2.get(f"{address}/api/frames/default.png?time={HANG}&width={width}&height=8", timeout=60)
@@ -49,16 +56,6 @@ def test_frames_in_flight_are_told_that_the_server_stops(tmp_path: Path, form: s
         assert int(response.headers["retry-after"]) > 0
     assert not re.search("Traceback|Exception", log), log
     assert sum("/api/frames/default.png" in line for line in log.splitlines()) == 6, log
-
-
-def test_the_driver_keeps_its_programs_where_the_server_keeps_its_frames(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.delenv("MESA_SHADER_CACHE_DIR", raising=False)
-    cache = tmp_path / "not" / "yet"
-    with served(tmp_path, SEAFOAM_CACHE=str(cache)) as (_, process):
-        assert f"MESA_SHADER_CACHE_DIR={cache / 'mesa'}" in environments(process.pid)
-        assert (cache / "mesa").is_dir()
     monkeypatch.setenv("MESA_SHADER_CACHE_DIR", "/elsewhere")
     keep_programs(cache)
     assert os.environ["MESA_SHADER_CACHE_DIR"] == "/elsewhere"

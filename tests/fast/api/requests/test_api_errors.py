@@ -5,11 +5,14 @@ import json
 from pathlib import Path
 
 import pytest
+from starlette.testclient import TestClient
 
+from seafoam.api.app import create_app
+from seafoam.api.settings import Settings
 from seafoam.effects import register, unregister
 from seafoam.scene.presets import load_preset
-from support.api_fakes import RAISE
-from support.serving import SMALL, problem, serving
+from support.api_fakes import RAISE, FakeRenderer
+from support.serving import SMALL, problem
 
 FRAME, CUSTOM = "/api/frames/default.png", "/api/masks/custom"
 WHERE = "x=0&y=4&z=0&yaw=0&pitch=0&roll=0"
@@ -150,7 +153,6 @@ def test_a_body_that_is_no_object_of_finite_numbers_of_another_kind_or_too_large
     ("url", "parameter"),
     [
         *((url, None) for url in ("/api/nope", "/nope", "/assets/none.js")),
-        *((f"/api/textures/{name}", None) for name in ("nope", "mask/nope/ranks", "mask/vac-6/nope", "../x")),
         *((f"/api/textures/{name}", None) for name in ("nope", "mask/nope/ranks", "mask/vac-6/nope", "%00", "../x")),
         *((f"/api/textures/{name}", None) for name in ("front-integral/x/y", "mask/clump:2:96:1/atlas")),
         *((url, "preset") for url in ("/api/presets/nope", "/api/plans/nope", "/api/frames/nope.png")),
@@ -217,24 +219,27 @@ def windrows(monkeypatch):
     unregister(effect)
 
 
-def test_a_registered_extension_is_described_and_checked(windrows):
+def test_a_registered_extension_is_described_and_checked(client, windrows):
     scene = {"foam": {}, "extensions": {"windrows": {"spacing": 20.0}}}
-    with serving() as client:
-        schemas = client.get("/openapi.json").json()["components"]["schemas"]
-        assert schemas["Scene"]["properties"]["extensions"]["$ref"].endswith("/SceneExtensions")
-        model, _ = schemas["SceneExtensions"]["properties"]["windrows"]["anyOf"]
-        assert model["properties"]["spacing"]["maximum"] == 500.0
-        assert "filter" in str(schemas["QualityExtensions"])
-        quality = {"extensions": {"windrows": {"filter": False}}}
-        response = client.post("/api/plans", json={"scene": scene, "quality": quality})
-        assert response.status_code == 200
-        made = response.json()
-        assert "windrows" in {note["name"] for note in made["effects"]}
-        assert "/extensions/windrows/strength" in made["live"]
-        for wrong, pointer, allowed in (
-            ({"windrows": {"spacing": 1e9}}, "windrows/spacing", {"minimum": 2.0, "maximum": 500.0}),
-            ({"windrow": {}}, "windrow", {"members": ["windrows"]}),
-        ):
-            refused = client.post("/api/plans", json={"scene": {"foam": {}, "extensions": wrong}})
-            (error,) = problem(refused, 422)["errors"]
-            assert (error["pointer"], error["allowed"]) == (f"/scene/extensions/{pointer}", allowed)
+    app = create_app(Settings(), renderer=FakeRenderer)
+    app.state.context = client.app.state.context
+    client = TestClient(app)
+    schemas = client.get("/openapi.json").json()["components"]["schemas"]
+    assert schemas["Scene"]["properties"]["extensions"]["$ref"].endswith("/SceneExtensions")
+    model, _ = schemas["SceneExtensions"]["properties"]["windrows"]["anyOf"]
+    assert model["properties"]["spacing"]["maximum"] == 500.0
+    assert "filter" in str(schemas["QualityExtensions"])
+    response = client.post(
+        "/api/plans", json={"scene": scene, "quality": {"extensions": {"windrows": {"filter": False}}}}
+    )
+    assert response.status_code == 200
+    made = response.json()
+    assert "windrows" in {note["name"] for note in made["effects"]}
+    assert "/extensions/windrows/strength" in made["live"]
+    for wrong, pointer, allowed in (
+        ({"windrows": {"spacing": 1e9}}, "windrows/spacing", {"minimum": 2.0, "maximum": 500.0}),
+        ({"windrow": {}}, "windrow", {"members": ["windrows"]}),
+    ):
+        refused = client.post("/api/plans", json={"scene": {"foam": {}, "extensions": wrong}})
+        (error,) = problem(refused, 422)["errors"]
+        assert (error["pointer"], error["allowed"]) == (f"/scene/extensions/{pointer}", allowed)

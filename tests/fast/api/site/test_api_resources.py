@@ -17,9 +17,10 @@ from seafoam.api.routers.presets import _made_summary, warm
 from seafoam.api.site import PREVIEW
 from seafoam.framegraph.plan import FramePlan
 from seafoam.quality import TIERS
+from seafoam.resources import data_dir
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import Group, load_preset, preset_names
-from support.serving import picture, problem, serving
+from support.serving import answering, picture, problem
 
 
 def test_presets_are_listed_in_the_order_of_the_menu(client):
@@ -60,12 +61,11 @@ def test_overrides_and_single_knobs_change_the_plan(client):
 
 def test_every_texture_of_a_plan_is_there(client):
     """Those of every preset: test_every_plan.py, without a server."""
-    for name in ("default", "storm", "coastline"):
-        for described in client.get(f"/api/plans/{name}").json()["textures"].values():
-            response = client.get(described["url"], headers={"Accept-Encoding": "identity"})
-            assert hashlib.sha256(response.content).hexdigest() == described["sha256"]
-            assert response.headers["Cache-Control"] == "public, no-cache"
-            assert response.headers["ETag"] == f'"{described["sha256"]}"'
+    for described in client.get("/api/plans/default").json()["textures"].values():
+        response = client.get(described["url"], headers={"Accept-Encoding": "identity"})
+        assert hashlib.sha256(response.content).hexdigest() == described["sha256"]
+        assert response.headers["Cache-Control"] == "public, no-cache"
+        assert response.headers["ETag"] == f'"{described["sha256"]}"'
 
 
 def test_a_texture_is_kept_for_ever_by_its_hash_and_what_is_in_parts_is_as_well(client):
@@ -134,20 +134,20 @@ def test_what_needs_a_package_that_is_not_installed_says_so(client, monkeypatch)
 
 def test_the_page_is_revalidated_and_its_hashed_files_are_kept(tmp_path, monkeypatch):
     monkeypatch.setattr("seafoam.api.site.data_dir", lambda kind: tmp_path / kind)
-    with serving() as client:
-        for page in ("/", "/docs", "/learn", "/learn/laboratory"):
-            assert "make webclient" in client.get(page).text, page
-        # Built while the server runs.
-        for name in ("index.html", "learn/index.html", "assets/index-abc.js"):
-            (tmp_path / "webclient" / name).parent.mkdir(parents=True, exist_ok=True)
-            (tmp_path / "webclient" / name).write_text(f"<title>{name}</title>")
-        page, chapter = client.get("/"), client.get("/learn")
-        assert page.headers["Content-Type"].startswith("text/html")
-        assert page.headers["Cache-Control"] == chapter.headers["Cache-Control"] == "public, no-cache"
-        # Its links are relative.
-        assert (chapter.url.path, chapter.text) == ("/learn/", "<title>learn/index.html</title>")
-        assert "immutable" in client.get("/assets/index-abc.js").headers["Cache-Control"]
-        assert client.get("/../conftest.py").status_code == 404
+    client = answering()
+    for page in ("/", "/docs", "/learn", "/learn/laboratory"):
+        assert "make webclient" in client.get(page).text, page
+    # Built while the server runs.
+    for name in ("index.html", "learn/index.html", "assets/index-abc.js"):
+        (tmp_path / "webclient" / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / "webclient" / name).write_text(f"<title>{name}</title>")
+    page, chapter = client.get("/"), client.get("/learn")
+    assert page.headers["Content-Type"].startswith("text/html")
+    assert page.headers["Cache-Control"] == chapter.headers["Cache-Control"] == "public, no-cache"
+    # Its links are relative.
+    assert (chapter.url.path, chapter.text) == ("/learn/", "<title>learn/index.html</title>")
+    assert "immutable" in client.get("/assets/index-abc.js").headers["Cache-Control"]
+    assert client.get("/../conftest.py").status_code == 404
 
 
 def test_health_and_readiness_which_ends_where_nothing_was_drawn_lately(client, monkeypatch):
@@ -159,7 +159,7 @@ def test_health_and_readiness_which_ends_where_nothing_was_drawn_lately(client, 
     assert body["renderer"] == {"vendor": "Nobody", "renderer": "gradient", "version": "0"}
     assert 0 <= body["last_drawn"] < 60
     assert body["ready_age"] == 180.0
-    assert (body["workers"], body["waiting"], body["queue"]) == (1, 0, 2)
+    assert (body["workers"], body["waiting"], body["queue"], body["compiling_ahead"]) == (1, 0, 2, False)
     pool = client.app.state.context.pool
     monkeypatch.setattr(pool, "succeeded_at", pool.succeeded_at - 1000.0)
     response = client.get("/readyz")
@@ -224,6 +224,9 @@ def test_presets_are_planned_before_a_visitor_asks() -> None:
     assert _made_summary.cache_info().misses == planned.misses
 
 
+STILLS = data_dir("webclient") / "stills"
+
+
 @pytest.mark.parametrize("name", preset_names())
 def test_each_preset_has_a_page_with_its_title_text_and_picture(client: TestClient, name: str) -> None:
     preset = load_preset(name)
@@ -238,7 +241,12 @@ def test_each_preset_has_a_page_with_its_title_text_and_picture(client: TestClie
     title, url = f"{preset.title} · Seafoam", f"http://testserver/water/{name}"
     assert found["description"] == found["og:description"] == preset.summary
     assert (found["og:title"], found["og:url"], found["twitter:card"]) == (title, url, "summary_large_image")
-    response = client.get(found["og:image"])
+    # What the picture is made of.
+    assert (found["og:image"], (STILLS / f"{name}.avif").is_file()) == (f"{url}.jpg", True)
+
+
+def test_a_picture_of_a_preset_is_as_services_show_it(client: TestClient) -> None:
+    response = client.get("/water/storm.jpg")
     assert response.headers["Content-Type"] == "image/jpeg"
     assert (picture(response).format, picture(response).size) == ("JPEG", PREVIEW)
     assert len(response.content) < 400_000
