@@ -50,7 +50,7 @@ def test_ranks_are_the_recorded_permutation_with_the_recorded_spectra(name):
         assert np.allclose(recorded.anisotropy, measured.anisotropy, rtol=1e-4, atol=1e-4, equal_nan=True)
 
 
-@pytest.mark.parametrize("name", spread(NAMES, 3))
+@pytest.mark.parametrize("name", spread(NAMES, 5))
 def test_recorded_tables_are_those_of_the_ranks(name):
     mask = load_mask(name)
     assert np.allclose(mask.quantile, quantile_table(mask.ranks), atol=1e-5)
@@ -61,7 +61,7 @@ def test_recorded_tables_are_those_of_the_ranks(name):
     assert not mask.filtering.ramps.flags.writeable
 
 
-@pytest.mark.parametrize("name", ["blur-6", "clump", "bubble", "mix", "lace", "lacetorn", "streak"])
+@pytest.mark.parametrize("name", ["blur-6", "clump", "bubble", "mix", "streak"])
 def test_the_recorded_arguments_make_the_mask_again(name):
     """All but bitwise: another processor's FFT may order a few nearly equal texels otherwise."""
     entry = load_mask(name).entry

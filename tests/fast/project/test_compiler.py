@@ -6,6 +6,7 @@ import shutil
 import textwrap
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import cache
 
 import pytest
 from bench import compiler, radv
@@ -21,7 +22,7 @@ from support.sweep import crossed
 HELD: tuple[Tier, ...] = ("fast", "standard")
 """The tiers that a GPU draws in motion; all four take twice as long, and the bench compiles them."""
 
-SHARES = 6
+SHARES = 10
 """Of the presets; one of them is compiled, at one tier, but for the sweep."""
 
 CHAIN = 10
@@ -58,7 +59,9 @@ def test_programs_of_standard_are_small() -> None:
 
 
 def test_no_program_has_so_many_loops_in_a_row_that_llvm_takes_a_minute() -> None:
-    chains = {str(use): longest_chain(program.fragment.text) for use, program in uses(preset_names(), HELD).items()}
+    # One program of `fast` has all that two of `standard` have, one to find samples and one to light them.
+    drawn = uses(preset_names(), HELD[:1])
+    chains = {str(use): longest_chain(program.fragment.text) for use, program in drawn.items()}
     assert max(chains.values()) > 4
     assert {use: chain for use, chain in chains.items() if chain > CHAIN} == {}
 
@@ -68,6 +71,7 @@ _FUNCTION = re.compile(r"^\w+\s+(\w+)\([^;{]*\)\s*\{", re.MULTILINE)
 _STEP = re.compile(r"\b(for|while|do)\b|\b(\w+)\s*\(")
 
 
+@cache
 def longest_chain(text: str) -> int:
     """Most loops of a program that follow one another with no loop inside any of them."""
     plain = _COMMENT.sub("", text)
