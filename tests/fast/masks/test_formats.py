@@ -89,7 +89,7 @@ def test_rank_files_of_another_size_are_refused():
         encode_ranks(np.full((2, 2), 2**18, np.uint32))
 
 
-NAMES = [mask.name for mask in SHIPPED]
+NAMES = list(SHIPPED)
 SATURATIONS = (0.01, 0.03, 0.1, 0.25, 0.55, 0.9, 0.97)
 
 

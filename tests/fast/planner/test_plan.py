@@ -62,6 +62,9 @@ def test_what_the_scene_does_not_call_for_is_not_there() -> None:
     assert not bare.textures
     assert not bare.effects
     assert {one.name for one in bare.passes} == {"surface", "sky", "tone"}
+    # A shore has a floor of its own.
+    shallow = make_plan(Scene(shore=Shore(), water=Water(depth=3.0)), STANDARD)
+    assert "floor" not in {note.name for note in (*shallow.effects, *shallow.skipped)}
 
 
 @pytest.mark.parametrize("look", get_args(Look))
@@ -161,26 +164,21 @@ def test_paths_of_shaders_are_whole_and_numbers_summed_alike_in_every_python() -
                 assert not made or path.match("routers/export.py"), f"{path}:{node.lineno}: a path is made of pieces"
 
 
-def test_a_shore_has_a_floor_of_its_own() -> None:
-    plan = make_plan(Scene(shore=Shore(), water=Water(depth=3.0)), STANDARD)
-    assert "floor" not in {note.name for note in (*plan.effects, *plan.skipped)}
-
-
-def masked(mask: str) -> Scene:
-    return Scene(foam=Foam(saturation=(HeightSaturation(base=-1.0, full=1.0),), look="filtered", mask=mask), light=None)
-
-
-def test_a_scene_with_the_look_loads_the_mask_and_not_the_atlas() -> None:
-    plan = make_plan(masked("vac-24"), STANDARD)
-    assert {one.url for one in plan.textures.values()} == {
-        "/api/textures/mask/vac-24/ranks",
-        "/api/textures/mask/vac-24/quantiles",
-    }
+def test_a_scene_loads_its_mask_and_draws_the_atlas_once() -> None:
+    saturation = (HeightSaturation(base=-1.0, full=1.0),)
+    scenes = (Scene(foam=Foam(saturation=saturation, mask=mask), light=None) for mask in ("vac-24", "vac-12"))
+    plan, other = (make_plan(scene, STANDARD) for scene in scenes)
+    addresses = {one.url for one in plan.textures.values()}
+    assert addresses == {f"/api/textures/mask/vac-24/{table}" for table in ("ranks", "quantiles")}
     made = [one for one in plan.passes if one.name.startswith("mask: ")]
     assert {one.when for one in made} == {"setup"}
-    assert plan.kept.keys() == {"mask_atlas"}
-    other = make_plan(masked("vac-12"), STANDARD)
+    assert plan.kept.keys() == other.kept.keys() == {"mask_atlas"}
     assert other.kept != plan.kept
+    # Whole numbers are not cleared, blended or tested.
+    link.refuse_integers(made[-1], plan.targets)
+    for state in (State(clear=True), State(blend="add"), State(depth=True)):
+        with pytest.raises(AssemblyError, match="integers"):
+            link.refuse_integers(made[-1].model_copy(update={"state": state}), plan.targets)
 
 
 def test_a_target_with_layers_has_no_mip_levels() -> None:
@@ -189,15 +187,6 @@ def test_a_target_with_layers_has_no_mip_levels() -> None:
     Target(**plain, filter="linear_mipmap_linear")
     with pytest.raises(ValueError, match="layers"):
         Target(**plain, filter="linear_mipmap_linear", layers=2)
-
-
-def test_whole_numbers_are_not_cleared_blended_or_tested() -> None:
-    plan = make_plan(masked("vac-24"), STANDARD)
-    (atlas,) = [one for one in plan.passes if one.name == "mask: atlas"]
-    link.refuse_integers(atlas, plan.targets)
-    for state in (State(clear=True), State(blend="add"), State(depth=True)):
-        with pytest.raises(AssemblyError, match="integers"):
-            link.refuse_integers(atlas.model_copy(update={"state": state}), plan.targets)
 
 
 def chosen(**changes: object) -> Quality:

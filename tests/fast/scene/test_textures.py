@@ -162,13 +162,6 @@ def test_both_parts_are_the_whole_and_the_first_is_small(name: str) -> None:
         assert len(upper) < 0.3 * len(whole.data)
 
 
-@given(st.integers(0, 999))
-@settings(max_examples=20, deadline=None)
-def test_any_texels_have_parts(seed: int) -> None:
-    texels = np.random.default_rng(seed).integers(0, 1 << 16, (5, 8), dtype=np.uint16)
-    assert (of_parts(upper_part(texels), lower_part(texels), 8) == texels).all()
-
-
 def test_the_parts_are_those_that_the_page_joins_and_only_texels_of_16_bits_have_them() -> None:
     """``webclient/tests/textureparts.test.ts`` reads the same file."""
     golden = json.loads((Path(__file__).parents[2] / "golden/texture_parts.json").read_text(encoding="utf-8"))
