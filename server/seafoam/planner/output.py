@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from seafoam.effects.effect import ABOVE, BENEATH, FINISHED
 from seafoam.effects.shader import COMMON, PLACE, Piece, SlotRef, Source, constant_function
-from seafoam.framegraph.passes import Pass, State
+from seafoam.framegraph.plan import Pass, State
 from seafoam.framegraph.resources import Target, TargetInput, ViewportSize, target_inputs
 from seafoam.planner.adaptive import Redrawn, additional_samples
 from seafoam.planner.frame import Frame, Stage, from_under, fullscreen, underwater

@@ -9,9 +9,9 @@ import pytest
 
 import seafoam
 from seafoam.effects import EFFECTS
+from seafoam.framegraph.plan import declared_uniforms
 from seafoam.framegraph.resources import FixedSize
 from seafoam.framegraph.rules import COMPONENTS
-from seafoam.framegraph.shader import declared_uniforms
 from seafoam.planner import FramePlan, make_plan
 from seafoam.planner.glsl import read_file
 from seafoam.quality import TIERS

@@ -12,7 +12,7 @@ from typing import Any, get_args
 import pytest
 
 import seafoam
-from seafoam.framegraph.passes import State
+from seafoam.framegraph.plan import State
 from seafoam.framegraph.resources import Target, ViewportSize
 from seafoam.planner import AssemblyError, FramePlan, PlanError, link, make_plan, planner
 from seafoam.planner.glsl import PART, parts_of

@@ -13,7 +13,7 @@ from bench import compiler, radv
 from bench.compiler import Compiled, Use, compiled, gone, not_admitted, read_table, uses, worse
 from bench.radv import CompilerError, Figures
 
-from seafoam.framegraph.shader import Program
+from seafoam.framegraph.plan import Program
 from seafoam.quality import TIERS, Tier
 from seafoam.scene.presets import preset_names
 from support.report import Report
