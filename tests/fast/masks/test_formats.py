@@ -10,11 +10,11 @@ from PIL import Image
 from seafoam.masks import prefilter
 from seafoam.masks.bake import SHIPPED
 from seafoam.masks.catalogue import load_mask
-from seafoam.masks.construct.make import make_mask
 from seafoam.masks.formats import decode_ranks, encode_ranks, to_dds, to_npy, to_png8, to_png16, to_u16
 
-SMALL = make_mask("vac", sigma=1.5, size=32, seed=1)
-EVERY_SIZE = [SMALL, make_mask("clump", sigma=1.5, size=256, seed=1), load_mask("vac-24").ranks]
+SMALL, LARGER = (
+    np.random.default_rng(1).permutation(size**2).astype(np.uint32).reshape(size, size) for size in (32, 256)
+)
 
 
 def expected(ranks, bits):
@@ -38,8 +38,10 @@ def linear(content):
     return said and set(png_chunks(content)) == {b"IHDR", b"gAMA", b"IDAT", b"IEND"}
 
 
-@pytest.mark.parametrize("ranks", EVERY_SIZE, ids=lambda ranks: str(ranks.shape[0]))
-def test_every_format_holds_the_ranks(ranks):
+@pytest.mark.parametrize("size", [32, 256, 512])
+def test_every_format_holds_the_ranks(size):
+    ranks = {32: SMALL, 256: LARGER}.get(size)
+    ranks = load_mask("vac-24").ranks if ranks is None else ranks
     values = np.frombuffer(to_u16(ranks), "<u2").reshape(ranks.shape)
     assert np.array_equal(values, expected(ranks, 16))
     assert int(values.max()) >= 65535 - 65536 // ranks.size
