@@ -18,7 +18,7 @@ from seafoam.quality import TIERS
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 from seafoam.scene.water import Water
-from seafoam.textures.store import spec_of, texture, url_of
+from seafoam.textures.store import spec_of, url_of
 from support.cases import cases_of
 from support.hard.cases import HARD
 from support.sweep import REST
@@ -103,14 +103,10 @@ def test_a_program_has_an_output_for_every_layer_that_it_draws(plan: FramePlan) 
 
 def test_textures_are_described_by_their_addresses_alone(plan: FramePlan) -> None:
     for entry in plan.textures.values():
-        spec = spec_of(entry.url)
-        assert url_of(spec) == entry.url
+        assert url_of(spec_of(entry.url)) == entry.url
         # The picture of a shore is in its address; servers take 8000 characters.
         assert len(re.sub(r"'image':'[^']*'", "", entry.url)) < 300
         assert len(entry.url) < 4000
-        made = texture(spec)
-        for field in ("sha256", "format", "width", "height", "levels"):
-            assert getattr(made, field) == getattr(entry, field), (entry.url, field)
 
 
 FIGURES = json.loads((Path(__file__).parents[3] / "bench/compiler.json").read_text(encoding="utf-8"))["figures"]
