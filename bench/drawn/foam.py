@@ -19,11 +19,7 @@ PRESETS = ("default", "storm", "island-surf")
 
 LIVES = ("", "left", "carried", "of its age", "thick")
 """Steps of the foam's history, each added to all before it."""
-_STILL: dict[str, dict[str, object]] = {
-    "front": {"decay": None, "variation": 0.0},
-    "whitecap": {"lasting": False},
-    "surf": {"line": 0.0},
-}
+_STILL = {"front": {"decay": None, "variation": 0.0}, "whitecap": {"lasting": False}, "surf": {"line": 0.0}}
 """By source of foam: values of the fields by which it ages or decays, with which it does not."""
 
 
