@@ -22,7 +22,7 @@ from bench import radv
 from bench.radv import CompilerError, Figures
 from bench.report import Column, Table, count, percent
 from bench.watch import Watch
-from seafoam.framegraph.shader import Program, Shader
+from seafoam.framegraph.plan import Program, Shader
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Tier
 from seafoam.scene.foam import Look

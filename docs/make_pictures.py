@@ -19,6 +19,7 @@ from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 
 sys.path.append(str(Path(__file__).resolve().parents[1]))
+from bench.drawn.foam import lying_still
 from docs.masks.sheets import contact_sheet, magnified_sheet
 
 PICTURES = Path(__file__).parent / "pictures"
@@ -214,9 +215,9 @@ GROUPS = {"default": (0.3, 0.75), "shallows": (0.35, 0.9)}
 """Group thresholds of that time: foam that lasts needs fewer groups."""
 
 
-def lying_still(foam: Foam, name: str) -> Foam:
+def before_history(foam: Foam, name: str) -> Foam:
     """The preset's foam without its history, with the former group thresholds."""
-    still = foam.lying_still()
+    still = lying_still(foam)
     made = [
         one.model_copy(update={"group": GROUPS.get(name, one.group)}) if isinstance(one, FrontSaturation) else one
         for one in still.saturation
@@ -246,7 +247,7 @@ def foam(executor: Executor) -> None:
     for name, before in BEFORE.items():
         preset = load_preset(name)
         assert preset.scene.foam is not None
-        then = lying_still(preset.scene.foam, name).model_copy(update={**before, "octaves": 1})
+        then = before_history(preset.scene.foam, name).model_copy(update={**before, "octaves": 1})
         pairs += [drawn(changed(preset.scene, then, 0.0), preset.time), drawn(preset.scene, preset.time)]
     sheet(pairs, 4).save(PICTURES / "foam-presets.webp", quality=80)
 
@@ -268,7 +269,7 @@ def foam(executor: Executor) -> None:
     for name, times, camera in (("default", (9.0, 11.0), None), ("storm", (9.0, 30.0), above)):
         scene = load_preset(name).scene
         assert scene.foam is not None
-        for foam_now in (lying_still(scene.foam, name), scene.foam):
+        for foam_now in (before_history(scene.foam, name), scene.foam):
             lives += [drawn(changed(scene, foam_now), time, camera, (800, 450)) for time in times]
     sheet(lives, 2).save(PICTURES / "foam-lives.webp", quality=80)
     beach = load_preset("beach").scene

@@ -16,9 +16,8 @@ from bench.drawn.uber import held_effects, slot_files, uber_plan
 from bench.report import Column, Table, count, extra, ms, ratio_columns, times
 from bench.watch import Watch
 from seafoam.effects import EFFECTS
-from seafoam.framegraph.plan import FramePlan
+from seafoam.framegraph.plan import FramePlan, Shader
 from seafoam.framegraph.rules import COMPONENTS, Constant
-from seafoam.framegraph.shader import Shader
 from seafoam.planner import make_plan
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera

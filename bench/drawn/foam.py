@@ -10,6 +10,7 @@ from bench.watch import Watch
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
+from seafoam.scene.foam import Foam
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 
@@ -18,6 +19,14 @@ PRESETS = ("default", "storm", "island-surf")
 
 LIVES = ("", "left", "carried", "of its age", "thick")
 """Steps of the foam's history, each added to all before it."""
+_STILL = {"front": {"decay": None, "variation": 0.0}, "whitecap": {"lasting": False}, "surf": {"line": 0.0}}
+"""By source of foam: values of the fields by which it ages or decays, with which it does not."""
+
+
+def lying_still(foam: Foam) -> Foam:
+    """The same foam without what becomes of it after its birth: born anew at each moment, uncarried, flat."""
+    made = tuple(one.model_copy(update=_STILL.get(one.source, {})) for one in foam.saturation)
+    return foam.model_copy(update={"saturation": made, "life": None, "thickness": 0.0})
 
 
 @dataclass(frozen=True)
@@ -32,7 +41,7 @@ class Variant:
         """The scene in this variant."""
         assert scene.foam is not None
         lives = LIVES.index(self.life)
-        foam = scene.foam if lives else scene.foam.lying_still()
+        foam = scene.foam if lives else lying_still(scene.foam)
         life = foam.life if lives > 1 else None
         if life is not None and lives == 2:
             life = life.model_copy(update={"masks": (), "windrows": 0.0})

@@ -6,6 +6,7 @@ scene only those that the effect needs are taken.
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 from pydantic import ValidationError
@@ -39,13 +40,15 @@ class Switch:
     """Effects that are added or removed with it, because they depend on it or replace it."""
 
 
+@lru_cache(maxsize=64)
 def running(scene: Scene, quality: Quality) -> frozenset[str]:
     """Return the effects that a plan of the scene would run. Raises ``PlanError`` as planning does."""
-    return frozenset(effect.name for effect in EFFECTS if _shows(effect, scene, quality))
+    settled = scene.settled
+    return frozenset(effect.name for effect in EFFECTS if _shows(effect, settled, quality))
 
 
-def _shows(effect: Effect, scene: Scene, quality: Quality) -> bool:
-    contribution = effect.contribute(scene.settled, quality)
+def _shows(effect: Effect, settled: Scene, quality: Quality) -> bool:
+    contribution = effect.contribute(settled, quality)
     return contribution is not None and (contribution.bound is None or contribution.bound.value >= NEGLIGIBLE)
 
 
@@ -63,9 +66,7 @@ def switch(effect: Effect, scene: Scene, quality: Quality) -> Switch | None:
             break
         if not _runs(effect, _json(other), quality):
             continue
-        found = _added(effect, base, _json(other), quality)
-        if found is not None and (best is None or _rank(found) < _rank(best)):
-            best = found
+        best = _added(effect, base, _json(other), quality, best)
     return best
 
 
@@ -73,19 +74,23 @@ def _rank(found: Switch) -> tuple[int, int]:
     return len(found.others), len(found.needs)
 
 
-def _added(effect: Effect, base: Json, donor: Json, quality: Quality) -> Switch | None:
-    """Return the base with the fewest parts of the donor that run the effect, and that without the decisive part."""
+def _added(effect: Effect, base: Json, donor: Json, quality: Quality, best: Switch | None) -> Switch | None:
+    """Return the base with the fewest parts of the donor that run the effect, and that without the decisive part.
+
+    ``best``: of other donors, which is returned where it is as near.
+    """
     kept = list(_differences(base, donor))
     if not _runs(effect, _merged(base, donor, kept), quality):
-        return None
+        return best
     for path in list(kept):
         fewer = [other for other in kept if other != path]
         if _runs(effect, _merged(base, donor, fewer), quality):
             kept = fewer
+    if best is not None and not best.others and len(kept) > len(best.needs):
+        return best
     on = _scene(_merged(base, donor, kept))
     assert on is not None
     now = running(on, quality)
-    best: Switch | None = None
     for path in kept:
         needs = [other for other in kept if other != path]
         off = _scene(_merged(base, donor, needs))
@@ -104,7 +109,7 @@ def _removed(effect: Effect, scene: Scene, quality: Quality, usual: frozenset[st
     best: tuple[int, Scene, Path, frozenset[str]] | None = None
     for path, value in _emptied(base):
         off = _scene(_with(base, path, value))
-        if off is None or _shows(effect, off, quality):
+        if off is None or _shows(effect, off.settled, quality):
             continue
         now = running(off, quality)
         rank = 10 * len(now ^ usual) + len(path)
@@ -186,6 +191,6 @@ def _scene(document: Json) -> Scene | None:
 def _runs(effect: Effect, document: Json, quality: Quality) -> bool:
     scene = _scene(document)
     try:
-        return scene is not None and _shows(effect, scene, quality)
+        return scene is not None and _shows(effect, scene.settled, quality)
     except PlanError:
         return False

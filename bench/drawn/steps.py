@@ -11,8 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from seafoam.framegraph.plan import FramePlan
-from seafoam.framegraph.shader import Shader
+from seafoam.framegraph.plan import FramePlan, Shader
 from seafoam.framegraph.visibility import drawn_passes
 from seafoam.planner.surface import SAMPLES
 from seafoam.render.gl.executor import Executor

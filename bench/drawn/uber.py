@@ -16,11 +16,9 @@ from seafoam.effects import EFFECTS
 from seafoam.effects.effect import Contribution
 from seafoam.effects.foam import front
 from seafoam.effects.shader import MARCH_AHEAD, Const, Inline, Piece, SlotFile, Source, path_of, refine
-from seafoam.framegraph.passes import Fullscreen, Pass, State
-from seafoam.framegraph.plan import FramePlan
+from seafoam.framegraph.plan import FramePlan, Fullscreen, Pass, Program, State, declared_uniforms
 from seafoam.framegraph.resources import TargetInput, TextureInput
 from seafoam.framegraph.rules import COMPONENTS, Constant, Uniform, number
-from seafoam.framegraph.shader import Program, declared_uniforms
 from seafoam.planner import make_plan, slots
 from seafoam.planner.glsl import assemble, read_file, slot_pieces, source_text
 from seafoam.planner.slots import GENTLER, MARCH_SLOTS, Join, surface_slots

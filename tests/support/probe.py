@@ -12,8 +12,7 @@ from numpy.typing import NDArray
 from seafoam.effects.effect import Contribution
 from seafoam.effects.shader import Inline, Piece
 from seafoam.framegraph.evaluation import FrameState, evaluate
-from seafoam.framegraph.passes import State
-from seafoam.framegraph.shader import Program, Shader
+from seafoam.framegraph.plan import Program, Shader, State
 from seafoam.framegraph.visibility import everywhere
 from seafoam.planner import FramePlan, make_plan
 from seafoam.planner.glsl import assemble

@@ -6,7 +6,7 @@ Effects describe what a plan needs. They draw nothing, and import neither the pl
 from seafoam.effects.boats import boat, wake
 from seafoam.effects.effect import Effect
 from seafoam.effects.foam import drift, front, look, material, sources, whitecaps
-from seafoam.effects.light import clouds, glare, glitter, light, reflection
+from seafoam.effects.light import clouds, glitter, light, reflection
 from seafoam.effects.registry import declare, load, outside, register, unregister
 from seafoam.effects.shore import shore
 from seafoam.effects.spray import spray
@@ -31,7 +31,7 @@ EFFECTS: tuple[Effect, ...] = (
     clouds.SHADOWS,
     light.MOON,
     light.STARS,
-    glare.EFFECT,
+    glitter.GLARE,
     glitter.GLITTER,
     glitter.SPARKLES,
     water.EFFECT,

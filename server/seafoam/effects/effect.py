@@ -12,7 +12,7 @@ from typing import Any, Literal, Self, TypeVar
 from pydantic import BaseModel
 
 from seafoam.effects.shader import Const, Piece, SlotFile, SlotRef
-from seafoam.framegraph.passes import Blend, Fullscreen, Mesh, View
+from seafoam.framegraph.plan import Blend, Fullscreen, Mesh, View
 from seafoam.framegraph.resources import Filter, Input, Target, WrapMode, target_inputs
 from seafoam.framegraph.rules import Uniform
 from seafoam.quality import Quality, QualityParameters

@@ -39,23 +39,18 @@ def evaluate_rule(rule: Rule, state: FrameState) -> tuple[float, ...]:
         case Constant():
             return rule.value
         case Phase():
-            x, _, z = state.camera.position
-            phase = math.fmod(rule.offset + rule.rate * state.time + (rule.k[0] * x + rule.k[1] * z), TAU)
+            phase = math.fmod(_sum(rule, state), TAU)
             if phase > math.pi:
                 phase -= TAU
             elif phase < -math.pi:
                 phase += TAU
             return (phase,)
         case Wrap():
-            x, _, z = state.camera.position
-            place = rule.offset + (rule.rate or 0.0) * state.time + (rule.k[0] * x + rule.k[1] * z)
-            return (_modulo(place, rule.period),)
+            return (_modulo(_sum(rule, state), rule.period),)
         case Loop():
             return (_modulo(state.time + rule.offset, rule.period),)
         case Clamp():
-            x, _, z = state.camera.position
-            value = rule.offset + rule.rate * state.time + (rule.k[0] * x + rule.k[1] * z)
-            return (min(max(value, rule.low), rule.high),)
+            return (min(max(_sum(rule, state), rule.low), rule.high),)
         case CameraRule():
             return _camera(rule, state)
         case Viewport():
@@ -65,6 +60,11 @@ def evaluate_rule(rule: Rule, state: FrameState) -> tuple[float, ...]:
             return float(rule.times * width), float(rule.times * height)
         case _:
             return (float(state.pass_index),)
+
+
+def _sum(rule: Phase | Wrap | Clamp, state: FrameState) -> float:
+    x, _, z = state.camera.position
+    return rule.offset + (rule.rate or 0.0) * state.time + (rule.k[0] * x + rule.k[1] * z)
 
 
 def _modulo(value: float, period: float) -> float:

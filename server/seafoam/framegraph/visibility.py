@@ -7,8 +7,7 @@ import math
 from collections.abc import Iterable, Mapping
 
 from seafoam.framegraph.evaluation import axes
-from seafoam.framegraph.passes import BoundingSphere, Eye, Pass, View
-from seafoam.framegraph.plan import FramePlan
+from seafoam.framegraph.plan import BoundingSphere, Eye, FramePlan, Pass, View
 from seafoam.framegraph.resources import TargetInput
 from seafoam.scene.camera import Camera
 from seafoam.sums import summed
@@ -31,7 +30,7 @@ def drawn_passes(plan: FramePlan, camera: Camera, width: int, height: int, targe
     """Return the indices of the passes that ``target`` needs, in drawing order; False: only to clear their target.
 
     ``camera``: viewpoint, ``width`` × ``height`` pixels. A pass is needed if it draws into a target that is needed and
-    matches the camera height; one out of view (:attr:`seafoam.framegraph.passes.Pass.view`) only if it clears.
+    matches the camera height; one out of view (:attr:`seafoam.framegraph.plan.Pass.view`) only if it clears.
     """
     eye = eye_of(plan, camera)
     needed = {target}

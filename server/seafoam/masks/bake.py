@@ -6,8 +6,8 @@ tcp://host:8786`` they are made on the workers of a Dask cluster.
 
 import argparse
 import json
+from collections.abc import Mapping
 from concurrent.futures import Executor, as_completed
-from dataclasses import dataclass
 from pathlib import Path
 
 from rich.progress import Progress as ProgressBar
@@ -16,45 +16,37 @@ from seafoam.extras import UnableError
 from seafoam.files import write_whole
 from seafoam.masks.catalogue import CATALOGUE_FILE, Mask, MaskTables, describe
 from seafoam.masks.construct.make import build, estimated_seconds
-from seafoam.masks.families import Family, Method, check_parameters
+from seafoam.masks.families import Family, MaskSpec, Method
 from seafoam.masks.formats import decode_ranks, encode_ranks
 from seafoam.masks.torus import Progress, no_progress
 from seafoam.processes import SCHEDULER, executor
 
-SHIPPED_SIZE = 512
-SHIPPED_SEED = 2011
-SHIPPED_METHOD: Method = "exact"
+METHOD: Method = "exact"
 """How `vac` is ordered for the catalogue: a mask is baked once, so time is no object."""
 MEASURING_SECONDS = 1.0
 
 
-@dataclass(frozen=True, slots=True)
-class ShippedMask:
-    """One baked mask: its name and how it is made at :data:`SHIPPED_SIZE` from :data:`SHIPPED_SEED`."""
-
-    name: str
-    family: Family
-    sigma: float
-    aspect: float = 1.0
-    age: float = 0.0
+def _shipped(family: Family, sigma: float, aspect: float = 1.0, age: float = 0.0) -> MaskSpec:
+    return MaskSpec(family, sigma, 512, 512, 2011, aspect, age)
 
 
-SHIPPED: tuple[ShippedMask, ...] = (
-    ShippedMask("vac-1.5", "vac", 1.5),
-    ShippedMask("vac-3", "vac", 3.0),
-    ShippedMask("vac-6", "vac", 6.0),
-    ShippedMask("vac-12", "vac", 12.0),
-    ShippedMask("vac-24", "vac", 24.0),
-    ShippedMask("blur-1.5", "blur", 1.5),
-    ShippedMask("blur-6", "blur", 6.0),
-    ShippedMask("blur-24", "blur", 24.0),
-    ShippedMask("clump", "clump", 1.5),
-    ShippedMask("bubble", "bubble", 4.0),
-    ShippedMask("mix", "mix", 4.0),
-    ShippedMask("lace", "lace", 10.0),
-    ShippedMask("lacetorn", "lace", 15.0, aspect=1.3, age=1.0),
-    ShippedMask("streak", "lace", 11.0, aspect=3.0, age=0.7),
-)
+SHIPPED: Mapping[str, MaskSpec] = {
+    "vac-1.5": _shipped("vac", 1.5),
+    "vac-3": _shipped("vac", 3.0),
+    "vac-6": _shipped("vac", 6.0),
+    "vac-12": _shipped("vac", 12.0),
+    "vac-24": _shipped("vac", 24.0),
+    "blur-1.5": _shipped("blur", 1.5),
+    "blur-6": _shipped("blur", 6.0),
+    "blur-24": _shipped("blur", 24.0),
+    "clump": _shipped("clump", 1.5),
+    "bubble": _shipped("bubble", 4.0),
+    "mix": _shipped("mix", 4.0),
+    "lace": _shipped("lace", 10.0),
+    "lacetorn": _shipped("lace", 15.0, aspect=1.3, age=1.0),
+    "streak": _shipped("lace", 11.0, aspect=3.0, age=0.7),
+}
+"""The baked masks by name."""
 
 
 def bake_all(
@@ -67,33 +59,30 @@ def bake_all(
     does, which takes some four minutes: `vac` is ordered exactly.
     """
     directory.mkdir(parents=True, exist_ok=True)
-    kept = [
-        (directory / f"{mask.name}.ranks").read_bytes() if only and mask.name not in only else None for mask in SHIPPED
-    ]
-    making = [estimated_seconds(mask.family, mask.sigma, SHIPPED_SIZE, method=SHIPPED_METHOD) for mask in SHIPPED]
-    expected = [MEASURING_SECONDS + (of if old is None else 0.0) for of, old in zip(making, kept, strict=True)]
-    total = sum(expected)
-    baked: dict[int, _Baked] = {}
+    kept = {name: (directory / f"{name}.ranks").read_bytes() for name in SHIPPED if only and name not in only}
+    making = {name: 0.0 if name in kept else estimated_seconds(made, METHOD) for name, made in SHIPPED.items()}
+    expected = {name: MEASURING_SECONDS + seconds for name, seconds in making.items()}
+    total = sum(expected.values())
+    baked: dict[str, _Baked] = {}
     if pool is not None:
-        running = {pool.submit(_bake, mask, SHIPPED_SIZE, kept[i]): i for i, mask in enumerate(SHIPPED)}
+        running = {pool.submit(_bake, name, made, kept.get(name)): name for name, made in SHIPPED.items()}
         for done in as_completed(running):
             baked[running[done]] = done.result()
-            progress(sum(expected[i] for i in baked) / total)
+            progress(sum(expected[name] for name in baked) / total)
     else:
-        for index, mask in enumerate(SHIPPED):
-            before = sum(expected[:index])
+        for name, made in SHIPPED.items():
+            before = sum(expected[other] for other in baked)
 
-            def report(part: float, before: float = before, own: float = expected[index]) -> None:
+            def report(part: float, before: float = before, own: float = expected[name]) -> None:
                 progress((before + part * own) / total)
 
-            baked[index] = _bake(mask, SHIPPED_SIZE, kept[index], report)
-    records = []
-    for index, mask in enumerate(SHIPPED):
-        record, ranks, tables = baked[index]
-        if kept[index] is None:
-            write_whole(directory / f"{mask.name}.ranks", ranks)
-        write_whole(directory / f"{mask.name}.tables", tables)
-        records.append(record)
+            baked[name] = _bake(name, made, kept.get(name), report)
+    for name in SHIPPED:
+        _, ranks, tables = baked[name]
+        if name not in kept:
+            write_whole(directory / f"{name}.ranks", ranks)
+        write_whole(directory / f"{name}.tables", tables)
+    records = (baked[name][0] for name in SHIPPED)
     # A line a mask, so that the change of one shows as such.
     lines = ",\n".join(json.dumps(record, separators=(",", ":"), allow_nan=False) for record in records)
     write_whole(directory / CATALOGUE_FILE, f'{{"masks": [\n{lines}\n]}}\n'.encode())
@@ -103,14 +92,13 @@ def bake_all(
 _Baked = tuple[dict[str, object], bytes, bytes]
 
 
-def _bake(mask: ShippedMask, size: int, kept: bytes | None, progress: Progress = no_progress) -> _Baked:
+def _bake(name: str, made: MaskSpec, kept: bytes | None, progress: Progress = no_progress) -> _Baked:
     """Return the record of a mask for the catalogue, its ranks and its tables as files hold them.
 
     kept: the ranks that it has.
     """
-    parameters = check_parameters(mask.family, mask.sigma, size, SHIPPED_SEED, mask.aspect, mask.age)
-    ranks = build(parameters, SHIPPED_METHOD, progress) if kept is None else decode_ranks(kept, size)
-    entry = describe(mask.name, parameters, SHIPPED_METHOD, ranks)
+    ranks = build(made, METHOD, progress) if kept is None else decode_ranks(kept, made.width)
+    entry = describe(name, made, METHOD, ranks)
     measured = MaskTables.measure(ranks)
     tables = Mask(entry, ranks, measured).filtering.to_bytes()
     return {**entry.model_dump(), **measured.model_dump()}, encode_ranks(ranks), tables
@@ -119,8 +107,8 @@ def _bake(mask: ShippedMask, size: int, kept: bytes | None, progress: Progress =
 def main() -> None:
     parser = argparse.ArgumentParser(description="Bake the shipped masks and their catalogue.")
     parser.add_argument("--out", type=Path, default=Path("masks"), help="directory to write to")
-    names = [mask.name for mask in SHIPPED]
-    parser.add_argument("--only", nargs="+", choices=names, default=(), help="masks to make; all others stay unchanged")
+    others = "masks to make; all others stay unchanged"
+    parser.add_argument("--only", nargs="+", choices=tuple(SHIPPED), default=(), help=others)
     parser.add_argument("--scheduler", help=SCHEDULER)
     arguments = parser.parse_args()
     directory, only = arguments.out, tuple(arguments.only)

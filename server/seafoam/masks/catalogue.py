@@ -254,7 +254,7 @@ def made_on_request(parameters: MaskSpec, limit: float | None = None, progress: 
         if (kept := _kept.pop(parameters, None)) is not None:
             _kept[parameters] = kept
             return kept
-    seconds = estimated_seconds(parameters.family, parameters.sigma, (parameters.width, parameters.height))
+    seconds = estimated_seconds(parameters)
     if seconds > limit:
         raise MaskTooSlowError(
             f"a {parameters.family} mask of sigma {parameters.sigma:g} at size {parameters.size} would take about "

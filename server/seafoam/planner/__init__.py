@@ -2,7 +2,6 @@
 
 from seafoam.effects.effect import AssemblyError, PlanError
 from seafoam.framegraph.plan import FramePlan
-from seafoam.planner.geometry import make_geometry_plan
-from seafoam.planner.planner import make_plan
+from seafoam.planner.planner import make_geometry_plan, make_plan
 
 __all__ = ["AssemblyError", "FramePlan", "PlanError", "make_geometry_plan", "make_plan"]

@@ -9,10 +9,9 @@ from dataclasses import dataclass, field
 from itertools import chain
 
 from seafoam.effects.shader import PLACE, Piece
-from seafoam.framegraph.passes import Fullscreen, Pass
+from seafoam.framegraph.plan import Fullscreen, Pass, Program
 from seafoam.framegraph.resources import FixedSize, Target, ViewportSize, target_inputs
 from seafoam.framegraph.rules import Uniform, Viewport, vector
-from seafoam.framegraph.shader import Program
 from seafoam.planner.frame import Frame, Stage, fullscreen
 from seafoam.planner.glsl import FULLSCREEN
 

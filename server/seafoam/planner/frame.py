@@ -7,10 +7,9 @@ from dataclasses import dataclass, field, replace
 
 from seafoam.effects.effect import ABOVE, PassSpec, Resources, drawn_map
 from seafoam.effects.shader import COMMON, MARCH_AHEAD, Const, Piece, SlotFile, SlotRef, Source, refine
-from seafoam.framegraph.passes import Eyes, Fullscreen, Pass, State
+from seafoam.framegraph.plan import Eyes, Fullscreen, Pass, Program, State
 from seafoam.framegraph.resources import FixedSize, Input, Target, ViewportSize, target_inputs
 from seafoam.framegraph.rules import Uniform
-from seafoam.framegraph.shader import Program
 from seafoam.planner.collect import Collection
 from seafoam.planner.glsl import FULLSCREEN, assemble, slot_pieces
 from seafoam.planner.slots import APPROACH, GENTLER, slots_named

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cache, lru_cache
 
 from seafoam.effects.shader import Const, Inline, Piece, SlotFile, Source
-from seafoam.framegraph.shader import Shader, SourceFile
+from seafoam.framegraph.plan import Shader, SourceFile
 from seafoam.planner.slots import Slot
 from seafoam.resources import data_dir
 

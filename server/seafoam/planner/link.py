@@ -4,10 +4,9 @@ from collections import Counter
 from collections.abc import Mapping
 
 from seafoam.effects.effect import AssemblyError, PlanError, TextureUse
-from seafoam.framegraph.passes import Fullscreen, Pass, State
+from seafoam.framegraph.plan import Fullscreen, Pass, Program, State, declared_uniforms
 from seafoam.framegraph.resources import Target, Texture
 from seafoam.framegraph.rules import CameraRule, Uniform, Viewport, number, significant, vector
-from seafoam.framegraph.shader import Program, declared_uniforms
 from seafoam.planner.collect import Collection
 from seafoam.textures.store import texture, url_of
 

@@ -1,13 +1,15 @@
-"""A whole frame: surface and sky, what stands before them, the mean of the samples, and the picture on the screen."""
+"""A whole frame: surface and sky, what stands before them, the mean of the samples, and the picture on the screen; and
+what a picture's pixels show rather than its light: distance and normal, for compositing.
+"""
 
 from collections.abc import Sequence
 
 from seafoam.effects.effect import ABOVE, BENEATH, FINISHED
-from seafoam.effects.shader import Piece, Source
-from seafoam.framegraph.passes import Pass
+from seafoam.effects.shader import COMMON, PLACE, Piece, SlotRef, Source, constant_function
+from seafoam.framegraph.plan import Pass, State
 from seafoam.framegraph.resources import Target, TargetInput, ViewportSize, target_inputs
 from seafoam.planner.adaptive import Redrawn, additional_samples
-from seafoam.planner.frame import Frame, Stage, fullscreen
+from seafoam.planner.frame import Frame, Stage, from_under, fullscreen, underwater
 from seafoam.planner.glsl import slot_pieces
 from seafoam.planner.slots import GLARE, TONE
 from seafoam.planner.surface import Scenery
@@ -15,6 +17,10 @@ from seafoam.planner.surface import Scenery
 _SAMPLES = "samples"
 """The target of all samples, in a square for each pixel."""
 _ENLARGED = "output/enlarge.glsl@enlarged"
+_GEOMETRY = "geometry"
+"""Target, program and pass."""
+_LEVEL_FLOOR = constant_function("vec3", "floor_normal", "vec2 p", "vec3(0.0, 1.0, 0.0)")
+_SURFACE: tuple[Piece | SlotRef, ...] = (*COMMON, PLACE, SlotRef("waves"), SlotRef("detail"))
 
 
 def picture(frame: Frame) -> tuple[Stage, str]:
@@ -90,3 +96,19 @@ def _display(frame: Frame, linear: str) -> Stage:
         passes=[*finished, fullscreen("tone", "present", "screen", inputs)],
         programs={"present": frame.program([*files, "output/frame.glsl@present"])},
     )
+
+
+def geometry(frame: Frame) -> tuple[Stage, str]:
+    """The scene's passes, up to what the rays of pixels' centres meet, and the target of that."""
+    over = (*_SURFACE, SlotRef("find"), SlotRef("land"), SlotRef("first"), "output/frame.glsl@geometry")
+    programs = {**frame.effect_programs(), _GEOMETRY: frame.program(over, over=True)}
+    drawn = frame.found_over(_GEOMETRY, _GEOMETRY, _GEOMETRY, State(), frame.collection.inputs)
+    passes = [*frame.effect_passes("before"), drawn]
+    if frame.below:
+        floor: Piece = "shore/floor.glsl@floor_normal" if frame.shore else _LEVEL_FLOOR
+        under = (*_SURFACE, SlotRef("marched"), SlotRef("now"), SlotRef("underside"), SlotRef("reach"), floor)
+        low = underwater(_GEOMETRY)
+        programs[low] = frame.program((*under, "output/frame.glsl@geometry_below"), over=False)
+        passes += from_under(drawn.model_copy(update={"program": low}), frame.level)
+    target = Target(size=ViewportSize(), format="RGBA32F")
+    return Stage(passes, programs, {**frame.collection.targets, _GEOMETRY: target}), _GEOMETRY

@@ -12,7 +12,7 @@ from seafoam.framegraph.visibility import everywhere
 from seafoam.planner import link
 from seafoam.planner.collect import collect
 from seafoam.planner.frame import Frame, Stage, is_calm
-from seafoam.planner.output import picture
+from seafoam.planner.output import geometry, picture
 from seafoam.planner.schedule import with_setup
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
@@ -36,7 +36,19 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     return linked_plan(scene, quality, picture, economy=economy)
 
 
-CHANGED.append(make_plan.cache_clear)
+@lru_cache(maxsize=32)
+def make_geometry_plan(scene: Scene, quality: Quality) -> FramePlan:
+    """Return the plan whose linear frame holds, at each pixel's centre, normal (R, G, B) and distance, m (A).
+
+    Of the water, with its waves and ripples as far as the pixel resolves them, or of land or floor where these are
+    nearer; 0 where there is neither. Boats, spray and foam are not in it. Raises as
+    :func:`make_plan` does.
+    """
+    once = quality.model_copy(update={"samples": 1, "samples_max": 1, "pixel_width": 1})
+    return linked_plan(scene, once, geometry, economy=True)
+
+
+CHANGED += (make_plan.cache_clear, make_geometry_plan.cache_clear)
 
 
 def linked_plan(

@@ -10,10 +10,9 @@ import json
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from seafoam.framegraph.passes import Fullscreen, Pass
+from seafoam.framegraph.plan import Fullscreen, Pass, Program, declared_uniforms
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, Texture
 from seafoam.framegraph.rules import CameraRule, Clamp, Loop, Phase, Rule, Uniform, Viewport, Wrap
-from seafoam.framegraph.shader import Program, declared_uniforms
 from seafoam.framegraph.visibility import reads
 
 _NO_CAMERA = (0.0, 0.0)

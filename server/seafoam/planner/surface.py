@@ -5,9 +5,8 @@ from functools import cached_property
 
 from seafoam.effects.shader import COMMON, PLACE, Piece, SlotFile, SlotRef
 from seafoam.effects.waves.sea import WHITECAP_WIND
-from seafoam.framegraph.passes import Fullscreen, Grid, Pass, State
+from seafoam.framegraph.plan import Fullscreen, Grid, Pass, Program, State
 from seafoam.framegraph.resources import Input, Target, TargetInput, target_inputs
-from seafoam.framegraph.shader import Program
 from seafoam.planner import slots
 from seafoam.planner.adaptive import Redrawn
 from seafoam.planner.frame import MARCH, MARCHED, OVER, PLANE, Frame, Stage, find, from_under, fullscreen, underwater

@@ -1,7 +1,6 @@
 """Foam of a scene: where it comes from, how it looks and ages, and the flow that carries it."""
 
-from collections.abc import Mapping
-from typing import Annotated, ClassVar, Literal, Self, TypeVar
+from typing import Annotated, ClassVar, Literal, TypeVar
 
 from pydantic import Field, model_validator
 
@@ -40,13 +39,6 @@ class FoamLife(Part):
 class FoamSource(Part):
     """Base class of sources of foam saturation."""
 
-    still: ClassVar[Mapping[str, object]] = {}
-    """Values of the fields by which foam is carried, ages or decays, with which it does not."""
-
-    def lying_still(self) -> Self:
-        """Return the source without advection, ageing or decay of its foam."""
-        return self.model_copy(update=self.still)
-
 
 class FrontSaturation(FoamSource):
     """Foam that appears at the front of a crest and fades behind it: f = exp(−tan(θ/2 + δ))/C (Yingst et al. 2011).
@@ -55,7 +47,6 @@ class FrontSaturation(FoamSource):
     """
 
     source: Literal["front"] = "front"
-    still: ClassVar[Mapping[str, object]] = {"decay": None, "variation": 0.0}
     constants: Literal["text", "listing"] = "text"
     """Constants of the formula. text: δ = π/2, 2π, e, from the paper's text; listing: δ = 1.07, 6.28, 2.718, from its
     code"""
@@ -114,7 +105,6 @@ class WhitecapSaturation(FoamSource):
     """Foam where the sea folds, i.e. the Jacobian of its horizontal displacement is small, and for seconds after."""
 
     source: Literal["whitecap"] = "whitecap"
-    still: ClassVar[Mapping[str, object]] = {"lasting": False}
     coverage: float = Field(default=1.0, ge=0.0, le=10.0)
     """Mean foam coverage, relative to the whitecap coverage for this wind (Monahan and O'Muircheartaigh 1980)"""
     softness: float = Field(default=1.2, ge=0.01, le=3.0)
@@ -129,7 +119,6 @@ class SurfSaturation(FoamSource):
     """Foam of the surf: it appears at breaking fronts, remains behind them, and drains down the beach."""
 
     source: Literal["surf"] = "surf"
-    still: ClassVar[Mapping[str, object]] = {"line": 0.0}
     amount: float = Field(default=1.0, ge=0.0, le=4.0, description="Saturation at a breaking front")
     life: float = Field(default=0.35, ge=0.02, le=5.0)
     """Decay time behind the front, to 1/e, in wave periods"""
@@ -247,11 +236,6 @@ class Foam(Part):
     def pointer(self, source: FoamSource) -> str:
         """Return the JSON pointer of one of the saturations in a scene. Raises ``ValueError`` for any other."""
         return f"/foam/saturation/{self.saturation.index(source)}"
-
-    def lying_still(self) -> "Foam":
-        """The same foam without what becomes of it after its birth: born anew at each moment, uncarried, flat."""
-        made = tuple(source.lying_still() for source in self.saturation)
-        return self.model_copy(update={"saturation": made, "life": None, "thickness": 0.0})
 
 
 VORTICES_MOST = 12

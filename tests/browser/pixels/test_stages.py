@@ -9,9 +9,8 @@ from playwright.sync_api import Page
 from seafoam.effects import EFFECTS
 from seafoam.effects.effect import ABOVE, Contribution, Effect, PassSpec
 from seafoam.effects.shader import Inline
-from seafoam.framegraph.passes import Blend, Fullscreen, Pass, Points
+from seafoam.framegraph.plan import Blend, Fullscreen, Pass, Points, Program
 from seafoam.framegraph.resources import TargetInput, Texture, TextureInput
-from seafoam.framegraph.shader import Program
 from seafoam.planner import FramePlan, make_plan, planner
 from seafoam.planner.glsl import assemble
 from seafoam.quality import TIERS, Quality

@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Page
 
-from seafoam.framegraph.shader import Program, Shader
+from seafoam.framegraph.plan import Program, Shader
 from seafoam.planner.glsl import parts_of
 from seafoam.render.gl.executor import Executor, ShaderError
 from seafoam.resources import data_dir

@@ -1,11 +1,13 @@
 """Masks as they are made: by every method and in every family."""
 
+import math
+
 import numpy as np
 import pytest
 
 from seafoam.masks.catalogue import load_mask
 from seafoam.masks.construct.make import estimated_seconds, make_mask
-from seafoam.masks.families import FAMILIES, SIZES, check_parameters, parse_parameters, sigma_range
+from seafoam.masks.families import FAMILIES, check_parameters, parse_parameters, sigma_range
 from seafoam.masks.judge.morphology import euler_number, hole_areas, largest_piece, measure_morphology
 from seafoam.masks.judge.spectrum import measure_spectrum
 from seafoam.masks.torus import wrapped_gaussian
@@ -16,7 +18,7 @@ def is_permutation(ranks):
 
 
 @pytest.mark.parametrize("family", FAMILIES)
-@pytest.mark.parametrize("size", [(64, 64), (128, 128), (96, 40), (33, 65), (32, 300)])
+@pytest.mark.parametrize("size", [(64, 64), (96, 40), (33, 65), (32, 300)])
 def test_a_seed_determines_a_permutation_of_any_width_and_height(family, size):
     """And without a seam: across the tile's edges values differ as they do inside."""
     ranks = make_mask(family, sigma=4.0, size=size, seed=7)
@@ -42,13 +44,14 @@ def test_voids_are_as_round_on_a_narrow_tile():
 
 
 @pytest.mark.parametrize("family", FAMILIES)
-@pytest.mark.parametrize("size", SIZES)
-def test_the_ends_of_the_sigma_range_are_buildable(family, size):
-    for sigma in sigma_range(family, size):
-        if estimated_seconds(family, sigma, size) < 1.0:
-            ranks = make_mask(family, sigma=sigma, size=size, seed=1)
-            assert ranks.shape == (size, size)
-            assert is_permutation(ranks)
+def test_the_ends_of_the_sigma_range_are_buildable(family):
+    """On tiles whose side limits sigma, and on others."""
+    for size in (32, 256):
+        for sigma in sigma_range(family, size):
+            if estimated_seconds(check_parameters(family, sigma, size, 1)) < 1.0:
+                ranks = make_mask(family, sigma=sigma, size=size, seed=1)
+                assert ranks.shape == (size, size)
+                assert is_permutation(ranks)
 
 
 def test_batches_keep_the_spectrum_of_the_exact_order():
@@ -97,13 +100,15 @@ def test_bad_arguments_are_named(arguments, named):
 
 
 def test_estimates_tell_slow_requests_from_quick_ones_and_default_sigma_fits_small_tiles():
-    assert estimated_seconds("vac", 1.5, 512) < 2.0
-    assert estimated_seconds("vac", 6.0, 512) < 5.0
-    assert estimated_seconds("vac", 7.0, 512) > 5.0
-    assert estimated_seconds("vac", 24.0, 512) > 30.0
-    assert estimated_seconds("vac", 24.0, 512, method="exact") > 30.0
-    for family in ("blur", "clump", "bubble", "mix", "lace"):
-        assert estimated_seconds(family, 4.0, 512) < 2.0
+    for family, sigma, least, most in (
+        ("vac", 1.5, 0.0, 2.0),
+        ("vac", 6.0, 0.0, 5.0),
+        ("vac", 7.0, 5.0, math.inf),
+        ("vac", 24.0, 30.0, math.inf),
+        *((family, 4.0, 0.0, 2.0) for family in ("blur", "clump", "bubble", "mix", "lace")),
+    ):
+        assert least < estimated_seconds(check_parameters(family, sigma, 512, 0)) < most, (family, sigma)
+    assert estimated_seconds(check_parameters("vac", 24.0, 512, 0), "exact") > 30.0
     assert check_parameters("vac", None, 64, 0).sigma == 8.0
     assert check_parameters("clump", None, 512, 0).sigma == 1.5
 
@@ -163,9 +168,9 @@ def test_chords_and_holes_of_stripes():
     assert shapes.hole_diameters == pytest.approx([np.sqrt(4 * 8 * 64 / np.pi)] * 3, rel=1e-3)
 
 
-@pytest.mark.parametrize("seed", [2011, 1, 7])
-def test_thin_lace_holds_together(seed):
-    ranks = make_mask("lace", size=512, seed=seed)
+def test_thin_lace_holds_together():
+    """Of another seed than the shipped ones, which are held to the same below."""
+    ranks = make_mask("lace", size=512, seed=7)
     measured = measure_morphology(ranks)
     assert measured.joined_from <= 0.25
     assert measured.at(0.3).largest_piece > 0.9
@@ -176,31 +181,30 @@ def test_thin_lace_holds_together(seed):
 
 @pytest.mark.parametrize("name", SHIPPED)
 def test_holes_grow_as_foam_thins_as_recorded(name):
-    measured = load_mask(name).tables.morphology
+    mask = load_mask(name)
+    measured = measure_morphology(mask.ranks)
+    assert measured == mask.tables.morphology
     medians = [measured.at(s).hole_diameters[1] for s in (0.9, 0.7, 0.5, 0.3)]
     assert medians == sorted(medians)
     assert medians[-1] > 4.0 * medians[0]
     assert measured.joined_from <= 0.25
     assert measured.at(0.3).largest_piece > 0.9
-    mask = load_mask(name)
-    assert measure_morphology(mask.ranks) == mask.tables.morphology
 
 
 def test_streaks_run_along_x_and_old_lace_is_patchier():
-    shapes = {}
-    for aspect in (1.0, 3.0):
-        foam = make_mask("lace", size=256, seed=3, aspect=aspect) < 0.5 * 256**2
-        runs = [int((foam & ~np.roll(foam, 1, axis=axis)).sum()) for axis in (1, 0)]
-        shapes[aspect] = runs[1] / runs[0]
-    assert shapes[1.0] == pytest.approx(1.0, abs=0.1)
-    assert shapes[3.0] > 1.8
-    # Cover of boxes of 64 texels differs more where foam is old.
+    def lengthened(ranks):
+        foam = ranks < 0.5 * ranks.size
+        along_x, along_y = (int((foam & ~np.roll(foam, 1, axis=axis)).sum()) for axis in (1, 0))
+        return along_y / along_x
 
-    def spread(age):
-        boxes = (make_mask("lace", size=512, seed=5, age=age) < 0.3 * 512**2).reshape(8, 64, 8, 64)
-        return float(boxes.mean(axis=(1, 3)).std())
+    def spread(ranks):
+        """Of the cover of boxes of 64 texels."""
+        return float((ranks < 0.3 * ranks.size).reshape(8, 64, 8, 64).mean(axis=(1, 3)).std())
 
-    assert spread(1.0) > 1.3 * spread(0.0)
+    assert lengthened(load_mask("lace").ranks) == pytest.approx(1.0, abs=0.1)
+    assert lengthened(make_mask("lace", size=256, seed=3, aspect=3.0)) > 1.8
+    young, old = (make_mask("lace", size=512, seed=5, age=age) for age in (0.0, 1.0))
+    assert spread(old) > 1.3 * spread(young)
 
 
 def test_parameters_travel_as_text():

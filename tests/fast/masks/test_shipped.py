@@ -3,6 +3,7 @@
 import io
 import json
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -10,7 +11,8 @@ import pytest
 from docs.masks.sheets import contact_sheet, magnified_sheet
 from PIL import Image
 
-from seafoam.masks.bake import SHIPPED, SHIPPED_SIZE, bake_all
+from seafoam.masks import bake
+from seafoam.masks.bake import SHIPPED, bake_all
 from seafoam.masks.catalogue import Mask, Thresholds, load_mask, mask_by_name, rank_sha256, read_catalogue
 from seafoam.masks.construct.make import make_mask
 from seafoam.masks.families import GENERATOR, check_parameters
@@ -21,7 +23,7 @@ from seafoam.masks.prefilter import quantile_table
 from seafoam.resources import data_dir
 from support.sweep import spread
 
-NAMES = [mask.name for mask in SHIPPED]
+NAMES = list(SHIPPED)
 VAC = [name for name in NAMES if name.startswith("vac-")]
 
 
@@ -30,7 +32,7 @@ def test_the_catalogue_lists_every_mask_in_order():
     assert list(catalogue) == NAMES
     for name, entry in catalogue.items():
         assert entry.name == name
-        assert (entry.parameters.width, entry.parameters.height) == (SHIPPED_SIZE, SHIPPED_SIZE)
+        assert (entry.parameters.width, entry.parameters.height) == (512, 512)
         assert entry.generator == GENERATOR
         assert entry.license == "CC0-1.0"
         assert entry.parameters.method == ("exact" if entry.family == "vac" else None)
@@ -41,7 +43,7 @@ def test_the_catalogue_lists_every_mask_in_order():
 @pytest.mark.parametrize("name", NAMES)
 def test_ranks_are_the_recorded_permutation_with_the_recorded_spectra(name):
     mask = load_mask(name)
-    assert np.array_equal(np.sort(mask.ranks, axis=None), np.arange(SHIPPED_SIZE**2))
+    assert np.array_equal(np.sort(mask.ranks, axis=None), np.arange(512**2))
     assert rank_sha256(mask.ranks) == mask.entry.sha256
     assert not mask.ranks.flags.writeable
     again = measure_spectrum(mask.ranks)
@@ -50,7 +52,7 @@ def test_ranks_are_the_recorded_permutation_with_the_recorded_spectra(name):
         assert np.allclose(recorded.anisotropy, measured.anisotropy, rtol=1e-4, atol=1e-4, equal_nan=True)
 
 
-@pytest.mark.parametrize("name", spread(NAMES, 3))
+@pytest.mark.parametrize("name", spread(NAMES, 5))
 def test_recorded_tables_are_those_of_the_ranks(name):
     mask = load_mask(name)
     assert np.allclose(mask.quantile, quantile_table(mask.ranks), atol=1e-5)
@@ -61,7 +63,7 @@ def test_recorded_tables_are_those_of_the_ranks(name):
     assert not mask.filtering.ramps.flags.writeable
 
 
-@pytest.mark.parametrize("name", ["blur-6", "clump", "bubble", "mix", "lace", "lacetorn", "streak"])
+@pytest.mark.parametrize("name", ["blur-6", "clump", "bubble", "mix", "streak"])
 def test_the_recorded_arguments_make_the_mask_again(name):
     """All but bitwise: another processor's FFT may order a few nearly equal texels otherwise."""
     entry = load_mask(name).entry
@@ -179,16 +181,14 @@ def test_tables_are_measured_when_asked_for():
 
 
 def test_baking_writes_what_the_catalogue_reads(tmp_path, monkeypatch):
-    from seafoam.masks import bake
-
-    monkeypatch.setattr(bake, "SHIPPED_SIZE", 64)
-    monkeypatch.setattr(bake, "SHIPPED", [mask for mask in bake.SHIPPED if mask.sigma <= 8.0])
+    small = {name: replace(mask, width=64, height=64) for name, mask in SHIPPED.items() if mask.sigma <= 8.0}
+    monkeypatch.setattr(bake, "SHIPPED", small)
     seen: list[float] = []
     bake_all(tmp_path / "masks", seen.append)
     assert seen == sorted(seen)
     assert seen[-1] == 1.0
     catalogue = read_catalogue(tmp_path / "masks")
-    assert list(catalogue) == [mask.name for mask in bake.SHIPPED]
+    assert list(catalogue) == list(small)
     for name, (entry, tables) in catalogue.items():
         ranks = decode_ranks((tmp_path / "masks" / f"{name}.ranks").read_bytes(), entry.parameters.width)
         assert rank_sha256(ranks) == entry.sha256

@@ -9,18 +9,17 @@ import pytest
 
 import seafoam
 from seafoam.effects import EFFECTS
+from seafoam.framegraph.plan import declared_uniforms
 from seafoam.framegraph.resources import FixedSize
 from seafoam.framegraph.rules import COMPONENTS
-from seafoam.framegraph.shader import declared_uniforms
 from seafoam.planner import FramePlan, make_plan
 from seafoam.planner.glsl import read_file
 from seafoam.quality import TIERS
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 from seafoam.scene.water import Water
-from seafoam.textures.store import spec_of, texture, url_of
+from seafoam.textures.store import spec_of, url_of
 from support.cases import cases_of
-from support.exact import EXACT
 from support.hard.cases import HARD
 from support.sweep import REST
 
@@ -32,7 +31,7 @@ RULE_SIZES = {"constant": 0, "view_projection": 16, "eye_height": 1, "camera": 3
 @pytest.fixture(
     scope="module",
     params=[
-        pytest.param((name, tier), id=f"{name}-{tier}", marks=() if (i + j) % 2 == 0 else REST)
+        pytest.param((name, tier), id=f"{name}-{tier}", marks=() if (i + j) % 4 == 0 else REST)
         for (i, name), (j, tier) in product(enumerate(preset_names()), enumerate(TIERS))
     ],
 )
@@ -104,14 +103,10 @@ def test_a_program_has_an_output_for_every_layer_that_it_draws(plan: FramePlan) 
 
 def test_textures_are_described_by_their_addresses_alone(plan: FramePlan) -> None:
     for entry in plan.textures.values():
-        spec = spec_of(entry.url)
-        assert url_of(spec) == entry.url
+        assert url_of(spec_of(entry.url)) == entry.url
         # The picture of a shore is in its address; servers take 8000 characters.
         assert len(re.sub(r"'image':'[^']*'", "", entry.url)) < 300
         assert len(entry.url) < 4000
-        made = texture(spec)
-        for field in ("sha256", "format", "width", "height", "levels"):
-            assert getattr(made, field) == getattr(entry, field), (entry.url, field)
 
 
 FIGURES = json.loads((Path(__file__).parents[3] / "bench/compiler.json").read_text(encoding="utf-8"))["figures"]
@@ -141,9 +136,12 @@ def test_hard_cases_call_for_their_effects_and_effects_say_when_they_cannot_be_s
     for effect in EFFECTS:
         found = cases_of(effect)
         assert bool(found.invisible) != bool(found.always_visible), effect.name
+    # What is measured on maps takes a moment on small ones.
+    small = {"shore_map": 64, "shore_floor": 64, "sea_size": 128}
+    shaded = TIERS["standard"].model_copy(update={"foam_relief": True, **small})
     for effect, case in HARD:
         assert all((case.guard, case.times)), case.name
-        assert effect.contribute(case.scene, EXACT) is not None, f"{case.name} does not call for {effect.name}"
+        assert effect.contribute(case.scene, shaded) is not None, f"{case.name} does not call for {effect.name}"
     assert not [one.name for (_, one), (_, other) in combinations(HARD, 2) if one.name == other.name]
 
 
@@ -155,17 +153,8 @@ def test_files_that_guards_name_are_there() -> None:
             assert any(package.rglob(name)) if name.endswith(".py") else read_file(name), f"{case.name}: {name}"
 
 
-def test_a_bound_that_is_not_small_keeps_the_effect_and_what_it_hangs_on_is_not_live() -> None:
-    """Some preset shows each effect, so leaving it out is not the rule; what only visitors add, a variant shows."""
-    finer = TIERS["standard"].model_copy(update={"foam_relief": True})
-    scenes = [load_preset(name).scene for name in preset_names()]
-    assert not any(scene.touches for scene in scenes)
-    for effect in EFFECTS:
-        if effect.fields == ("/touches",):
-            scenes += cases_of(effect).variants
-    shown = {note.name for scene in scenes for note in make_plan(scene, finer).effects}
-    assert {effect.name for effect in EFFECTS} <= shown
-    # Raising the exposure may bring back what the plan left out, so the page must ask for a new plan.
+def test_what_hangs_on_a_bound_that_leaves_an_effect_out_is_not_live() -> None:
+    """Raising the exposure may bring back what the plan left out, so the page must ask for a new plan."""
     deep = make_plan(Scene(water=Water(depth=500.0)), TIERS["standard"])
     assert "floor" in {note.name for note in deep.skipped}
     assert "/light/exposure" not in deep.live

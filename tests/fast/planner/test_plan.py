@@ -12,11 +12,11 @@ from typing import Any, get_args
 import pytest
 
 import seafoam
-from seafoam.framegraph.passes import State
+from seafoam.framegraph.plan import State
 from seafoam.framegraph.resources import Target, ViewportSize
-from seafoam.planner import AssemblyError, FramePlan, PlanError, link, make_plan
+from seafoam.planner import AssemblyError, FramePlan, PlanError, link, make_plan, planner
 from seafoam.planner.glsl import PART, parts_of
-from seafoam.quality import TIERS, Quality, SurfaceQuality, Tier
+from seafoam.quality import TIERS, Quality, SurfaceQuality
 from seafoam.resources import data_dir
 from seafoam.scene.foam import Drift, DriftSaturation, FrontSaturation, HeightSaturation, Look, SurfSaturation
 from seafoam.scene.light import Clouds, Light, Sky, Wind
@@ -29,21 +29,21 @@ STANDARD = TIERS["standard"]
 
 @cache
 def made_elsewhere(share: int) -> dict[str, str]:
-    """Hashes of a quarter of the presets' plans, by a process in the opposite order, where strings hash otherwise."""
+    """Hashes of a sixth of the presets' plans, by a process in the opposite order, where strings hash otherwise."""
     code = (
         "import json; from seafoam.planner import make_plan; from seafoam.quality import TIERS; "
         "from seafoam.scene.presets import load_preset, preset_names; "
         "print(json.dumps({name: make_plan(load_preset(name).scene, TIERS['standard']).sha256 "
-        f"for name in reversed(preset_names()[{share}::4])}}))"
+        f"for name in reversed(preset_names()[{share}::6])}}))"
     )
     told = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     return json.loads(told.stdout)
 
 
-@pytest.mark.parametrize("preset", spread(preset_names(), 4))
+@pytest.mark.parametrize("preset", spread(preset_names(), 6))
 def test_same_bytes_in_another_process(preset: str) -> None:
     plan = make_plan(load_preset(preset).scene, STANDARD)
-    assert made_elsewhere(preset_names().index(preset) % 4)[preset] == plan.sha256
+    assert made_elsewhere(preset_names().index(preset) % 6)[preset] == plan.sha256
 
 
 def test_a_plan_survives_its_json_and_knows_nothing_of_time_camera_and_size() -> None:
@@ -62,6 +62,9 @@ def test_what_the_scene_does_not_call_for_is_not_there() -> None:
     assert not bare.textures
     assert not bare.effects
     assert {one.name for one in bare.passes} == {"surface", "sky", "tone"}
+    # A shore has a floor of its own.
+    shallow = make_plan(Scene(shore=Shore(), water=Water(depth=3.0)), STANDARD)
+    assert "floor" not in {note.name for note in (*shallow.effects, *shallow.skipped)}
 
 
 @pytest.mark.parametrize("look", get_args(Look))
@@ -114,29 +117,24 @@ def at(document: Any, pointer: str) -> tuple[Any, str]:
 
 @pytest.mark.parametrize("preset", spread(preset_names(), 3))
 def test_live_fields_change_nothing_but_their_constants(preset: str) -> None:
-    """What the client may do without asking: put the field's new value where the plan names it."""
+    """What the client may do without asking: put the fields' new values where the plan names them."""
     scene = load_preset(preset).scene.settled
     plan = make_plan(scene, STANDARD)
+    patched, changed = json.loads(plan.canonical_json()), scene.model_dump(mode="json")
     for pointer in plan.live:
-        changed = scene.model_dump(mode="json")
         parent, key = at(changed, pointer)
         old = parent[key]
         parent[key] = [0.9 * x for x in old] if isinstance(old, list) else 0.9 * old
-        new_value = parent[key] if isinstance(old, list) else [parent[key]]
-        new = make_plan(Scene.model_validate(changed), STANDARD)
-        patched = json.loads(plan.canonical_json())
-        places = 0
-        for uniform in patched["uniforms"].values():
-            for rule in uniform["rules"]:
-                if rule.get("field") == pointer:
-                    rule["value"] = new_value
-                    places += 1
-        assert places >= 1
-        theirs = json.loads(new.canonical_json())
-        # Words about the scene may quote a number; what draws may not differ.
-        for document in (patched, theirs):
-            del document["effects"]
-        assert theirs == patched, pointer
+        rules = [rule for uniform in patched["uniforms"].values() for rule in uniform["rules"]]
+        named = [rule for rule in rules if rule.get("field") == pointer]
+        assert named, pointer
+        for rule in named:
+            rule["value"] = parent[key] if isinstance(old, list) else [parent[key]]
+    theirs = json.loads(make_plan(Scene.model_validate(changed), STANDARD).canonical_json())
+    # Words about the scene may quote a number; what draws may not differ.
+    for document in (patched, theirs):
+        del document["effects"]
+    assert theirs == patched
 
 
 def test_shaders_are_files_of_parts_without_a_preprocessor_raw_time_or_hashed_floats() -> None:
@@ -166,26 +164,21 @@ def test_paths_of_shaders_are_whole_and_numbers_summed_alike_in_every_python() -
                 assert not made or path.match("routers/export.py"), f"{path}:{node.lineno}: a path is made of pieces"
 
 
-def test_a_shore_has_a_floor_of_its_own() -> None:
-    plan = make_plan(Scene(shore=Shore(), water=Water(depth=3.0)), STANDARD)
-    assert "floor" not in {note.name for note in (*plan.effects, *plan.skipped)}
-
-
-def masked(mask: str) -> Scene:
-    return Scene(foam=Foam(saturation=(HeightSaturation(base=-1.0, full=1.0),), look="filtered", mask=mask), light=None)
-
-
-def test_a_scene_with_the_look_loads_the_mask_and_not_the_atlas() -> None:
-    plan = make_plan(masked("vac-24"), STANDARD)
-    assert {one.url for one in plan.textures.values()} == {
-        "/api/textures/mask/vac-24/ranks",
-        "/api/textures/mask/vac-24/quantiles",
-    }
+def test_a_scene_loads_its_mask_and_draws_the_atlas_once() -> None:
+    saturation = (HeightSaturation(base=-1.0, full=1.0),)
+    scenes = (Scene(foam=Foam(saturation=saturation, mask=mask), light=None) for mask in ("vac-24", "vac-12"))
+    plan, other = (make_plan(scene, STANDARD) for scene in scenes)
+    addresses = {one.url for one in plan.textures.values()}
+    assert addresses == {f"/api/textures/mask/vac-24/{table}" for table in ("ranks", "quantiles")}
     made = [one for one in plan.passes if one.name.startswith("mask: ")]
     assert {one.when for one in made} == {"setup"}
-    assert plan.kept.keys() == {"mask_atlas"}
-    other = make_plan(masked("vac-12"), STANDARD)
+    assert plan.kept.keys() == other.kept.keys() == {"mask_atlas"}
     assert other.kept != plan.kept
+    # Whole numbers are not cleared, blended or tested.
+    link.refuse_integers(made[-1], plan.targets)
+    for state in (State(clear=True), State(blend="add"), State(depth=True)):
+        with pytest.raises(AssemblyError, match="integers"):
+            link.refuse_integers(made[-1].model_copy(update={"state": state}), plan.targets)
 
 
 def test_a_target_with_layers_has_no_mip_levels() -> None:
@@ -196,17 +189,12 @@ def test_a_target_with_layers_has_no_mip_levels() -> None:
         Target(**plain, filter="linear_mipmap_linear", layers=2)
 
 
-def test_whole_numbers_are_not_cleared_blended_or_tested() -> None:
-    plan = make_plan(masked("vac-24"), STANDARD)
-    (atlas,) = [one for one in plan.passes if one.name == "mask: atlas"]
-    link.refuse_integers(atlas, plan.targets)
-    for state in (State(clear=True), State(blend="add"), State(depth=True)):
-        with pytest.raises(AssemblyError, match="integers"):
-            link.refuse_integers(atlas.model_copy(update={"state": state}), plan.targets)
-
-
-def chosen(**changes: int) -> Quality:
+def chosen(**changes: object) -> Quality:
     return STANDARD.model_copy(update=changes)
+
+
+def made(preset: str, quality: Quality) -> FramePlan:
+    return make_plan(load_preset(preset).scene, quality)
 
 
 def test_kinds_of_choice_and_fewer_samples_are_none() -> None:
@@ -223,105 +211,57 @@ def test_kinds_of_choice_and_fewer_samples_are_none() -> None:
     assert "contrast" not in {one.name for one in unlit.passes}
 
 
-@pytest.mark.parametrize(
-    ("preset", "asked", "drawn"),
-    [
-        ("default", 4, 4),
-        ("boat-race", 4, 3),
-        ("spray-on-rocks", 4, 3),
-        ("pool-caustics", 2, 1),
-        ("pool-caustics", 4, 2),
-        ("paper-threshold", 4, 1),
-        ("drift-vortices", 4, 2),
-        ("lake-calm", 4, 2),
-        ("lake-sunset", 4, 3),
-        ("swell", 1, 1),
-        ("swell", 2, 3),
-        ("swell", 4, 4),
-        ("moonlight", 2, 2),
-    ],
-)
-def test_pixels_are_less_wide_where_rows_have_detail(preset: str, asked: int, drawn: int) -> None:
-    scene = load_preset(preset).scene
-    assert make_plan(scene, chosen(pixel_width=asked)).targets["samples"].size == ViewportSize(narrow=drawn)
-    several = make_plan(scene, chosen(pixel_width=asked, samples=4))
+def test_pixels_are_less_wide_where_rows_have_detail() -> None:
+    widths = (
+        *(("default", 4, 4), ("boat-race", 4, 3), ("spray-on-rocks", 4, 3), ("pool-caustics", 2, 1)),
+        *(("pool-caustics", 4, 2), ("paper-threshold", 4, 1), ("drift-vortices", 4, 2), ("lake-calm", 4, 2)),
+        *(("lake-sunset", 4, 3), ("swell", 1, 1), ("swell", 2, 3), ("swell", 4, 4), ("moonlight", 2, 2)),
+    )
+    for preset, asked, drawn in widths:
+        suited = planner._suited(load_preset(preset).scene.settled, chosen(pixel_width=asked))
+        assert suited.pixel_width == drawn, (preset, asked)
+    scene = load_preset("boat-race").scene
+    assert make_plan(scene, chosen(pixel_width=4)).targets["samples"].size == ViewportSize(narrow=3)
+    several = make_plan(scene, chosen(pixel_width=4, samples=4))
     assert several == make_plan(scene, chosen(pixel_width=1, samples=4))
 
 
-@pytest.mark.parametrize(
-    ("preset", "width", "share"),
-    [
-        ("default", 2, 0.1),
-        ("default", 4, 0.0),
-        ("lake-calm", 4, 0.0),
-        ("paper-wake", 4, 0.5),
-        ("paper-textured", 2, 0.1),
-        ("shallows", 2, 0.2),
-    ],
-)
-def test_rows_beside_share_by_what_a_sample_can_be(preset: str, width: int, share: float) -> None:
-    plan = make_plan(load_preset(preset).scene, chosen(pixel_width=width))
-    (text,) = {one.fragment.text for name, one in plan.programs.items() if name in ("enlarge", "compose")}
-    assert f"const float ROWS_SHARE = {share};" in text
+WIDE, FINE = ("enlarge", "compose"), ("surface samples", "surface")
+"""Programs of which one has a constant: that which shows wide pixels, and that which finds the water."""
 
 
-@pytest.mark.parametrize(
-    ("preset", "tier", "tiles"),
-    [
-        ("storm", "standard", 4),
-        ("storm", "fast", 3),
-        ("swell", "high", 3),
-        ("explosion", "standard", 2),
-    ],
-)
-def test_tiles_of_a_sea_without_waves_and_hidden_ones_are_not_drawn(preset: str, tier: Tier, tiles: int) -> None:
-    plan = make_plan(load_preset(preset).scene, TIERS[tier])
-    (why,) = (note.why for note in plan.effects if note.name == "sea")
-    assert f": {tiles} tiles by FFT" in why
+def test_constants_follow_what_a_sample_can_be_and_how_the_water_is_found() -> None:
+    """Shares of the rows beside; seas that break are refined after fewer steps, mirrored land is found more exactly."""
+    for preset, quality, programs, lines in (
+        ("default", STANDARD, WIDE, ("float ROWS_SHARE = 0.1",)),
+        ("default", chosen(pixel_width=4), WIDE, ("float ROWS_SHARE = 0.0",)),
+        ("lake-calm", chosen(pixel_width=4), WIDE, ("float ROWS_SHARE = 0.0",)),
+        ("paper-wake", chosen(pixel_width=4), WIDE, ("float ROWS_SHARE = 0.5",)),
+        ("paper-textured", STANDARD, WIDE, ("float ROWS_SHARE = 0.1",)),
+        ("shallows", STANDARD, WIDE, ("float ROWS_SHARE = 0.2",)),
+        ("storm", STANDARD, FINE, ("int REFINE = 1", "float MARCH_TOLERANCE = 0.2")),
+        ("storm", chosen(surface=SurfaceQuality(refine=2)), FINE, ("int REFINE = 2", "float MARCH_TOLERANCE = 0.1")),
+        ("swell", STANDARD, FINE, ("int REFINE = 0", "float MARCH_TOLERANCE = 0.1")),
+        ("cubemap-lake", TIERS["fast"], ("met",), ("float MARCH_TOLERANCE = 0.1",)),
+        ("default", TIERS["fast"], FINE, ("float MARCH_TOLERANCE = 0.2",)),
+    ):
+        plan = made(preset, quality)
+        text = next(plan.programs[name].fragment.text for name in programs if name in plan.programs)
+        assert all(f"const {line};" in text for line in lines), (preset, lines)
 
 
-@pytest.mark.parametrize(
-    ("preset", "tier", "kept"),
-    [
-        ("storm", "standard", True),
-        ("beach", "standard", True),
-        ("beach", "fast", False),
-        ("default", "standard", False),
-        ("swell", "standard", False),
-        ("storm", "high", False),
-    ],
-)
-def test_samples_are_lit_by_another_program_where_one_would_be_large(preset: str, tier: Tier, kept: bool) -> None:
-    plan = make_plan(load_preset(preset).scene, TIERS[tier])
-    assert ("surface samples" in plan.programs) is kept
-    relief = TIERS[tier].model_copy(update={"foam_relief": True})
-    assert "surface samples" not in make_plan(load_preset(preset).scene, relief).programs
-
-
-def test_which_tiles_the_roughness_hides_is_not_live() -> None:
-    """A slider of it asks for another plan."""
-    scene = load_preset("storm").scene
-    assert "/water/roughness" not in make_plan(scene, TIERS["fast"]).live
-    assert "/water/roughness" in make_plan(scene, STANDARD).live
-
-
-@pytest.mark.parametrize(
-    ("preset", "asked", "steps", "tolerance"), [("storm", 0, 1, 0.2), ("storm", 2, 2, 0.1), ("swell", 0, 0, 0.1)]
-)
-def test_a_sea_that_breaks_is_refined_after_fewer_steps(preset: str, asked: int, steps: int, tolerance: float) -> None:
-    how = chosen(surface=SurfaceQuality(refine=asked))
-    programs = make_plan(load_preset(preset).scene, how).programs
-    text = programs.get("surface samples", programs["surface"]).fragment.text
-    assert f"const int REFINE = {steps};" in text
-    assert f"const float MARCH_TOLERANCE = {tolerance};" in text
-
-
-def test_water_that_mirrors_land_is_found_to_a_tenth_of_a_sample() -> None:
-    for preset, least in (("cubemap-lake", 0.1), ("default", 0.2)):
-        programs = make_plan(load_preset(preset).scene, TIERS["fast"]).programs.values()
-        assert any(f"const float MARCH_TOLERANCE = {least};" in program.fragment.text for program in programs)
-
-
-@pytest.mark.parametrize(("preset", "stride"), [("lake-calm", 1), ("explosion", 2)])
-def test_bounds_of_rings_leave_out_texels_only_where_the_shortest_wave_has_four(preset: str, stride: int) -> None:
-    assert f"bounds_{stride}" in make_plan(load_preset(preset).scene, chosen()).programs
+def test_programs_and_tiles_suit_the_scene() -> None:
+    """Not drawn: tiles without waves and hidden ones. Large programs are two; a map of long rings is read in part."""
+    for preset, tier, tiles in (("storm", "standard", 4), ("storm", "fast", 3), ("swell", "high", 3)):
+        (why,) = (note.why for note in made(preset, TIERS[tier]).effects if note.name == "sea")
+        assert f": {tiles} tiles by FFT" in why
+    two = (("storm", "standard"), ("beach", "standard"))
+    one = (("beach", "fast"), ("default", "standard"), ("swell", "standard"), ("storm", "high"))
+    for preset, tier in (*two, *one):
+        assert ("surface samples" in made(preset, TIERS[tier]).programs) is ((preset, tier) in two), (preset, tier)
+    assert "surface samples" not in made("storm", chosen(foam_relief=True)).programs
+    for preset, stride in (("lake-calm", 1), ("explosion", 2)):
+        assert f"bounds_{stride}" in made(preset, STANDARD).programs
+    # Which tiles the roughness hides: a slider of it asks for another plan.
+    assert "/water/roughness" not in made("storm", TIERS["fast"]).live
+    assert "/water/roughness" in made("storm", STANDARD).live

@@ -7,10 +7,9 @@ from pathlib import Path
 import pytest
 
 from seafoam.effects.shader import Inline
-from seafoam.framegraph.passes import BoundingSphere, Fullscreen, Pass, Points, State
+from seafoam.framegraph.plan import BoundingSphere, Fullscreen, Pass, Points, Program, State
 from seafoam.framegraph.resources import Target, TargetInput, ViewportSize
 from seafoam.framegraph.rules import Clamp, Loop, Phase, Rule, Uniform, Viewport, Wrap, number
-from seafoam.framegraph.shader import Program
 from seafoam.framegraph.visibility import drawn_passes, in_view
 from seafoam.planner import make_plan
 from seafoam.planner.glsl import assemble

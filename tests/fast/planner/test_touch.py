@@ -4,7 +4,6 @@ import json
 from typing import Any
 
 import pytest
-from pydantic import ValidationError
 
 from seafoam.effects.effect import PlanError
 from seafoam.framegraph.plan import FramePlan
@@ -89,6 +88,7 @@ def test_another_list_of_touches_is_the_same_plan_with_other_numbers(
         assert all(rule["value"] == [0.0] for rule in drawn["uniforms"]["u_touch"]["rules"] if "value" in rule)
         return
     asked = json.loads(make_plan(scene, STANDARD).canonical_json())
+    assert len(asked["uniforms"]["u_touch"]["rules"]) == 4 * TOUCHES_MOST
     for document in (drawn, asked):
         for rule in document["uniforms"]["u_touch"]["rules"]:
             # Where nothing was touched, only the strength counts.
@@ -99,20 +99,6 @@ def test_another_list_of_touches_is_the_same_plan_with_other_numbers(
 
 def _beyond(rule: Any, count: int) -> bool:
     return int(rule["terms"][0]["field"].split("/")[2]) >= count
-
-
-def test_no_pointer_names_what_a_list_does_not_hold_and_a_list_holds_so_many() -> None:
-    plan = make_plan(Scene(touches=SOME), STANDARD)
-    fields = [
-        name
-        for rule in plan.uniforms["u_touch"].rules
-        for name in ([rule.field] if rule.rule == "constant" else [term.field for term in rule.terms or ()])
-    ]
-    assert len(fields) == 4 * TOUCHES_MOST
-    assert all(field and field.startswith("/touches/") for field in fields)
-    assert len(Scene(touches=(Touch(),) * TOUCHES_MOST).touches) == TOUCHES_MOST
-    with pytest.raises(ValidationError, match=f"at most {TOUCHES_MOST} items"):
-        Scene(touches=(Touch(),) * (TOUCHES_MOST + 1))
 
 
 def test_a_river_carries_a_ring_of_a_touch_and_none_of_a_blast() -> None:

@@ -57,19 +57,16 @@ def test_every_preset_but_the_mask_alone_is_in_one_group_of_the_yardstick() -> N
     assert all(group.must["fast"] < group.must["standard"] for group in GROUPS)
 
 
-SURFACE = make_plan(load_preset("default").scene, TIERS["standard"]).programs
-SHORE = make_plan(load_preset("beach").scene, TIERS["standard"]).programs
-
-
-@pytest.mark.parametrize("name", ["surface", "met"])
-def test_a_counting_text_counts_in_every_function_that_evaluates_waves(name: str) -> None:
+def test_a_counting_text_counts_in_every_function_that_evaluates_waves() -> None:
     """And its main only finds what a ray meets first."""
-    text = counting_shader((SHORE if name == "met" else SURFACE)[name].fragment).text
     # waves and waves_shading; before a shore, the open sea's waves alone.
-    assert text.count("++bench_evaluations;") == (3 if name == "met" else 2)
-    _, _, main = text.partition("void main() {")
-    assert "first_met(" in main
-    assert "foam" not in main
+    for preset, name, count in (("default", "surface", 2), ("beach", "met", 3)):
+        plan = make_plan(load_preset(preset).scene, TIERS["standard"])
+        text = counting_shader(plan.programs[name].fragment).text
+        assert text.count("++bench_evaluations;") == count
+        _, _, main = text.partition("void main() {")
+        assert "first_met(" in main
+        assert "foam" not in main
 
 
 def _pass(name: str, seconds: float, *, kept: bool = False) -> Taken:

@@ -7,9 +7,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from seafoam.framegraph.passes import Fullscreen
-from seafoam.framegraph.plan import FramePlan
-from seafoam.framegraph.shader import Shader
+from seafoam.framegraph.plan import FramePlan, Fullscreen, Shader
 from seafoam.planner import make_plan
 from seafoam.planner.adaptive import MAX_CONTRAST, PARTS, RATIO
 from seafoam.quality import TIERS, Quality, SurfaceQuality

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from seafoam.effects.effect import ABOVE
+from seafoam.framegraph.plan import Shader
 from seafoam.framegraph.resources import ViewportSize
-from seafoam.framegraph.shader import Shader
 from seafoam.planner import FramePlan, make_plan, surface
 from seafoam.quality import TIERS, Quality, SurfaceQuality, Tier
 from seafoam.render.gl.executor import Executor, Output, ShaderError

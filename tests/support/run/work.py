@@ -17,12 +17,12 @@ import psutil
 import pytest
 from playwright.sync_api import Browser, BrowserType
 
-from seafoam.planner import geometry, planner
+from seafoam.planner import planner
 from seafoam.reference.renderer.shade import SampleShader
 from seafoam.render.gl.executor import Executor
 
 COUNTED: Mapping[str, tuple[tuple[Any, str], ...]] = {
-    "plans": ((planner, "linked_plan"), (geometry, "linked_plan")),
+    "plans": ((planner, "linked_plan"),),
     "programs": ((moderngl.Context, "program"),),
     "frames": ((Executor, "render"),),
     "samples": ((SampleShader, "shade"),),

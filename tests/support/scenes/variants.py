@@ -6,7 +6,7 @@ from itertools import combinations, product
 from typing import get_args
 
 from seafoam.effects import EFFECTS
-from seafoam.framegraph.shader import Program
+from seafoam.framegraph.plan import Program
 from seafoam.planner import FramePlan, make_geometry_plan, make_plan
 from seafoam.quality import TIERS, Quality
 from support.cases import cases_of

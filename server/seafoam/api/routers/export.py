@@ -24,9 +24,7 @@ from seafoam.api.http.parameters import ExportRequest, quality_of
 from seafoam.api.http.problems import ExportTooLargeError, NotBuiltError
 from seafoam.api.http.validation import Strict, known_preset
 from seafoam.framegraph.evaluation import FrameState, evaluate
-from seafoam.framegraph.passes import Pass
-from seafoam.framegraph.plan import FramePlan
-from seafoam.framegraph.shader import declared_uniforms
+from seafoam.framegraph.plan import FramePlan, Pass, declared_uniforms
 from seafoam.render.service.jobs import FrameJob
 from seafoam.resources import data_dir
 from seafoam.scene.presets import load_preset

@@ -4,7 +4,7 @@ import asyncio
 import json
 import math
 from collections.abc import AsyncIterator, Awaitable, Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache, partial
 from typing import Annotated, Literal, NamedTuple
 
@@ -120,11 +120,11 @@ def check_custom(query: CustomMask, *, slow: bool = False) -> MaskSpec:
         if refused:
             raise BadRequestError(*refused)
     made = families.check_parameters(query.family, query.sigma, (width, height), query.seed, query.aspect, query.age)
-    seconds = estimated_seconds(made.family, made.sigma, (width, height))
+    seconds = estimated_seconds(made)
     limit = BACKGROUND_SECONDS if slow else ON_REQUEST_SECONDS
     if seconds > limit and not catalogue.is_kept(made):
         steps = (least + (greatest - least) * step / SIGMA_STEPS for step in range(SIGMA_STEPS + 1))
-        quick = [sigma for sigma in steps if estimated_seconds(made.family, sigma, (width, height)) <= limit]
+        quick = [sigma for sigma in steps if estimated_seconds(replace(made, sigma=sigma)) <= limit]
         bounds = {"minimum": round(quick[0], 2), "maximum": round(quick[-1], 2)} if quick else None
         within = f"allowed here: sigma {quick[0]:g} to {quick[-1]:g}" if quick else "use a smaller size"
         detail = (

@@ -9,7 +9,7 @@ from seafoam.effects.light.light import ILLUMINATION
 from seafoam.effects.shader import COMMON, PLACE, Const, Piece, SlotFile, SlotRef, constant_function
 from seafoam.effects.shore.maps import FIND_LAND
 from seafoam.effects.water.water import WATER
-from seafoam.framegraph.passes import BoundingSphere, Quads
+from seafoam.framegraph.plan import BoundingSphere, Quads
 from seafoam.framegraph.resources import FixedSize, Target
 from seafoam.framegraph.rules import Constant, Phase, Rule, Uniform, array, constants, significant, to_camera
 from seafoam.quality import Quality

@@ -6,7 +6,7 @@ from statistics import NormalDist
 from seafoam.effects import effect
 from seafoam.effects.bounds import SATURATION_CAP
 from seafoam.effects.shader import VALUE_NOISE, Const, Piece, SlotFile, Source
-from seafoam.framegraph.passes import Points
+from seafoam.framegraph.plan import Points
 from seafoam.framegraph.resources import FixedSize, Target, target_inputs
 from seafoam.framegraph.rules import Loop, array, constants, number, rounded, significant, to_camera, vector
 from seafoam.ocean.waves.stokes import steady_drift

@@ -1,14 +1,16 @@
-"""The glitter of sun or moon on the water, and the sun's disc in the sky; sparkles in its place (GPU ocean, 2007).
-
-docs/formulae.md, sections 6 and 12.
+"""The glitter of sun or moon on the water, and the sun's disc in the sky; sparkles in its place (GPU ocean, 2007); and
+glare around bright light, as in eye and lens. docs/formulae.md, sections 6, 7 and 12.
 """
 
+import itertools
 import math
+from dataclasses import replace
 
-from seafoam.effects.effect import Bound, Contribution, QualityParameter, part_effect
+from seafoam.effects.effect import FINISHED, Bound, Contribution, PassSpec, QualityParameter, part_effect
 from seafoam.effects.light import atmosphere
 from seafoam.effects.light.light import brightest_sun, sun_disc
 from seafoam.effects.shader import HASH, SlotFile, Source
+from seafoam.framegraph.resources import Target, TargetInput, ViewportSize
 from seafoam.framegraph.rules import Loop, Uniform, array, number, rounded, significant, vector
 from seafoam.quality import Quality
 from seafoam.scene.light import Light, Sparkles
@@ -16,6 +18,9 @@ from seafoam.scene.models import Scene
 
 EPOCHS = 65536
 """Period of the sparkles, in lifetimes: five hours at the default."""
+GLARE_LEVELS = 6
+"""Levels of glare; the first has a texel for 4 × 4 pixels, and each has half the rows of the one before."""
+_TAPS = "output/glare.glsl@taps"
 _SQUARE_DEGREES = (180.0 / math.pi) ** 2
 
 
@@ -82,6 +87,34 @@ def _sparkles(scene: Scene, light: Light, sparkles: Sparkles, quality: Quality) 
     )
 
 
+def _glare(scene: Scene, light: Light, share: float, quality: Quality) -> Contribution:
+    """Part of the display, as the tone curve is: linear frames are without it."""
+    sizes = [4 << k for k in range(GLARE_LEVELS)]
+    names = [f"glare {size}" for size in sizes]
+    pairs = list(itertools.pairwise(names))
+    first, half, add = ("output/glare.glsl@first",), (_TAPS, "output/glare.glsl@half"), (_TAPS, "output/glare.glsl@add")
+    passes = (
+        PassSpec(f"{names[0]}: of the frame", "glare, first", first, {"u_frame": FINISHED}, target=names[0]),
+        *(PassSpec(f"{b}: mean of {a}", "glare, half", half, {"u_finer": a}, target=b) for a, b in pairs),
+        *(
+            PassSpec(f"{a}: with {b}", "glare, add", add, {"u_coarser": b}, target=a, blend="add")
+            for a, b in reversed(pairs)
+        ),
+    )
+    return Contribution(
+        why=f"{100 * share:.0f} % of the light spreads",
+        slots=(SlotFile("glare", "output/glare.glsl@spread"),),
+        consts={"GLARE_LEVELS": GLARE_LEVELS},
+        uniforms={"u_glare_share": number(share)},
+        inputs={"u_glare": TargetInput(target=names[0])},
+        targets={
+            name: Target(size=ViewportSize(part=size), format="RGBA16F", filter="linear")
+            for name, size in zip(names, sizes, strict=True)
+        },
+        passes=tuple(replace(one, stage="finished") for one in passes),
+    )
+
+
 GLITTER = part_effect(
     "sun glitter", _draw, "/light", fields=("/light/specular", "/light/specular_power", "/light/specular_perturb")
 )
@@ -91,3 +124,4 @@ SPARKLES = part_effect(
     "/light/sparkles",
     QualityParameter("/sparkle_cells", "sparkle cells per sample", (1, 4), "geometry"),
 )
+GLARE = part_effect("glare", _glare, "/light/glare")

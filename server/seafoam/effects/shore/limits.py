@@ -46,11 +46,9 @@ class Limits:
 
 def limits(shore: Shore, quality: Quality) -> Limits:
     """Bounds of a shore; those of its waves without the mask's pauses, exposure and ridges, which only lower them."""
-    default = Shore()
-    # What the bounds do not depend on is set to its default, so that such shores share one measurement.
-    look = ("place", "sand", "rock", "plants", "plants_from", "reef", "detail", "shadows")
-    same = {name: getattr(default, name) for name in look}
-    return _measured(shore.model_copy(update=same), quality.shore_map, quality.shore_floor, quality.shore_profile)
+    # Shores that differ in their look alone share one measurement.
+    measured = shore.ground.model_copy(update={"smoothing": shore.smoothing, "surf": shore.surf})
+    return _measured(measured, quality.shore_map, quality.shore_floor, quality.shore_profile)
 
 
 def rounded_up(value: float) -> float:

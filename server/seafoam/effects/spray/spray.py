@@ -8,7 +8,7 @@ from seafoam.effects.light.light import ILLUMINATION
 from seafoam.effects.shader import COMMON, HASH, PLACE, Inline, Piece, SlotRef, Source
 from seafoam.effects.shore.maps import FIND_LAND
 from seafoam.effects.spray.births import Births, births
-from seafoam.framegraph.passes import Quads
+from seafoam.framegraph.plan import Quads
 from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Input, Target, TargetInput, TextureInput, ViewportSize
 from seafoam.framegraph.rules import Viewport, array, number, rounded, significant, vector
 from seafoam.quality import Quality

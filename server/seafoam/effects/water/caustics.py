@@ -11,7 +11,7 @@ from seafoam.effects.effect import Bound, Contribution, PassSpec, QualityParamet
 from seafoam.effects.light.atmosphere import lamp
 from seafoam.effects.shader import SlotFile
 from seafoam.effects.waves.ripples import ripple_phases
-from seafoam.framegraph.passes import Grid, Points
+from seafoam.framegraph.plan import Grid, Points
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.framegraph.rules import Uniform, array, constants, in_tile, number, rounded, significant, vector
 from seafoam.ocean.arrays import Floats

@@ -1,6 +1,7 @@
 """Parametric waves (Van Drasek et al. 2010, in Yingst et al. 2011), and their groups. docs/formulae.md, section 2."""
 
 import math
+from functools import lru_cache
 
 from seafoam.effects.bounds import parametric_wave_height, waves_bound
 from seafoam.effects.effect import UNBOUNDED, Contribution, Effect, QualityParameter, Resources
@@ -110,6 +111,7 @@ def max_profile_curvature(exponent: float) -> float:
     return (exponent - 0.5) * math.pow(u, exponent - 1.0)
 
 
+@lru_cache(maxsize=64)
 def profile_square(exponent: float) -> float:
     """Return the mean of (d(u^K)/dθ)² over a period, by the midpoint rule (spectrally accurate)."""
     count = 256

@@ -59,21 +59,16 @@ def build(parameters: MaskSpec, method: Method = "batched", progress: Progress =
     return ranks
 
 
-def estimated_seconds(
-    family: str, sigma: float | None, size: int | tuple[int, int], *, method: str = "batched"
-) -> float:
-    """Time that :func:`make_mask` is not expected to exceed on one core of a recent server, in seconds.
+def estimated_seconds(parameters: MaskSpec, method: Method = "batched") -> float:
+    """Time that :func:`build` is not expected to exceed on one core of a recent server, in seconds.
 
     Fitted to measurements on a Zen 4 class core with about a quarter to spare; good for refusing a request, not
-    for a progress bar. Raises ``ValueError`` for bad arguments.
+    for a progress bar.
     """
-    parameters = check_parameters(family, sigma, size, 0)
     tile = parameters.width * parameters.height / 512**2
     match parameters.family:
         case "vac":
-            if check_method(method) == "exact":
-                return 50.0 * tile * (tile + 0.02)
-            return _batched_seconds(parameters.sigma, tile)
+            return 50.0 * tile * (tile + 0.02) if method == "exact" else _batched_seconds(parameters.sigma, tile)
         case "bubble" | "mix":
             return 0.5 * tile + _batched_seconds(bubble.SITE_SIGMA, tile / parameters.sigma**2)
         case "lace":

@@ -17,10 +17,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from seafoam.framegraph.evaluation import FrameState, evaluate
-from seafoam.framegraph.passes import Blend, Grid, Mesh, Points, Quads
-from seafoam.framegraph.plan import FramePlan
+from seafoam.framegraph.plan import Blend, FramePlan, Grid, Mesh, Points, Program, Quads, declared_uniforms
 from seafoam.framegraph.resources import MIPMAPPED, Target, Texture, TextureInput
-from seafoam.framegraph.shader import Program, declared_uniforms
 from seafoam.framegraph.visibility import drawn_passes, passes_into, reads
 from seafoam.render.gl.compilers import COLD_SECONDS, CompileRequest, CompileWork, SecondCompiler, may_assist
 from seafoam.render.gl.context import NoRendererError, attach_layers, create_context

@@ -8,6 +8,7 @@ import bench
 import numpy as np
 import pytest
 from bench.drawn.economy import QUALITY, ByHand, by_hand, same_picture, with_surface
+from bench.drawn.foam import lying_still
 from bench.drawn.steps import steps
 from bench.drawn.uber import uber_plan
 
@@ -106,7 +107,7 @@ def test_programs_by_hand_draw_what_the_plan_draws(executor: Executor, case: ByH
 def test_the_program_with_every_effect_draws_what_the_plan_draws(executor: Executor, name: str) -> None:
     scene = load_preset(name).scene
     # Groups, what becomes of foam, light in it, clouds and glare are none of the paper's effects.
-    foam = scene.foam.lying_still().model_copy(update={"scattering": None})
+    foam = lying_still(scene.foam).model_copy(update={"scattering": None})
     light = scene.light and scene.light.model_copy(update={"sky": None, "glare": 0.0})
     scene = scene.model_copy(update={"foam": foam, "light": light, "wave_groups": None})
     same_picture(executor, uber_plan(scene, QUALITY), make_plan(scene, QUALITY), scene.camera)
