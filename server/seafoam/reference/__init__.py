@@ -1,7 +1,7 @@
 """The float64 oracle: a second, independent writing of docs/formulae.md that frames of the GPU are judged by.
 
-It shares the description of a scene, the masks and the foam texture with the renderer, and no line of its formulas. The
-births of spray and the strands of a drop alone repeat the shaders' hashes, so that a frame has the same drops.
+It shares the description of a scene, the masks and the foam texture with the renderer, and no line of its formulas.
+Drops of spray alone are given to it, as they were at birth; their strands repeat the shader's.
 Arrays are float64 unless said otherwise. Lengths are in metres, angles in radians, times in seconds.
 """
 

@@ -21,6 +21,7 @@ from seafoam.scene.foam import Foam, FrontSaturation, HeightSaturation, Look
 from seafoam.scene.light import Light, Sky
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene.spray import Spray
 from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave
 
@@ -43,6 +44,15 @@ def test_samples_are_pixels_of_a_finer_picture() -> None:
     coarse = render(SEA, time=1.0, width=12, height=8, samples=2)
     np.testing.assert_array_equal(coarse.amount, fine.alpha)
     np.testing.assert_allclose(coarse.rgb, fine.rgb.reshape(8, 2, 12, 2, 3).mean(axis=(1, 3)), rtol=1e-13)
+
+
+def test_spray_without_drops_is_refused() -> None:
+    """And with none in the air it changes nothing."""
+    scene, at = SEA.model_copy(update={"spray": Spray()}), {"time": 1.0, "width": 12, "height": 8}
+    with pytest.raises(ValueError, match="needs its drops"):
+        render(scene, **at)
+    none = render(scene, **at, drops=np.zeros((3, 0, 4), np.float32))
+    np.testing.assert_array_equal(none.rgb, render(SEA, **at).rgb)
 
 
 def test_chunks_do_not_show(monkeypatch: pytest.MonkeyPatch) -> None:

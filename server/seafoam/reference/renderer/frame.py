@@ -5,13 +5,13 @@ import json
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from seafoam.reference.foam.coverage import Assets
 from seafoam.reference.renderer.camera import SampleGrid, sample_grid
 from seafoam.reference.renderer.shade import SampleShader
 from seafoam.reference.renderer.state import Mode
-from seafoam.reference.spray.births import drops
-from seafoam.reference.spray.splats import splats
+from seafoam.reference.spray import Drops, splats
 from seafoam.reference.types import Floats, Pair
 from seafoam.scene.base import non_defaults
 from seafoam.scene.camera import Camera
@@ -53,21 +53,24 @@ def render(
     samples: int = 1,
     camera: Camera | None = None,
     mode: Mode = "same-samples",
+    drops: NDArray[np.float32] | None = None,
 ) -> ReferenceFrame:
     """Render a scene at a time (s) with ``samples``² samples per pixel.
 
     ``same-samples`` places them on the grid of section 1 and filters as the shaders do; ``converged`` places one at
     random in each cell of the grid, always the same, and replaces the filtered look by its limit and every texture
-    level by level 0. ``camera`` replaces the scene's. Waves and ripples are never slope-filtered.
+    level by level 0. ``camera`` replaces the scene's. Waves and ripples are never slope-filtered. ``drops``: those of
+    the scene's spray at this time from this camera, (3, n, 4), as the renderer has thrown them
+    (:func:`seafoam.accuracy.truth.drops`). Raises ``ValueError`` for spray without them.
     """
     scene = scene.settled
+    if scene.spray is not None and drops is None:
+        raise ValueError("spray needs its drops as the renderer throws them (seafoam.accuracy.truth.drops)")
     grid = sample_grid(scene.camera if camera is None else camera, width, height, samples)
     shader = SampleShader(scene, time, grid, mode, Assets.for_scene(scene))
     flying = None
-    if scene.spray is not None and not shader.covered:
-        thrown = drops(scene, time, shader.origin, grid.ray_z[::2], shader.surface.coast)
-        if thrown is not None:
-            flying = splats(scene, thrown, grid, shader.surface, shader.fleet, shader.lighting)
+    if drops is not None and scene.spray is not None and not shader.covered:
+        flying = splats(scene, Drops.of(drops), grid, shader.surface, shader.fleet, shader.lighting)
     X, Y = _clip_positions(grid, mode)
     count = max(1, CHUNK // samples**2) * samples**2
     parts = [shader.shade(X[i : i + count], Y[i : i + count]) for i in range(0, X.size, count)]

@@ -1,7 +1,9 @@
 """Section 13: drops in flight, and as splats on a picture.
 
-Flight, visibility, size and light of a drop are written from the page. What its water hides within the splat is, like
-the births, a transcript of the shader: a picture with other strands could not be compared sample by sample.
+Births are given: what judges them are their statistics and the float64 surface on which they start
+(``tests/gpu/reference/test_spray.py``). Flight, visibility, size and light of a drop are written from the page. What
+its water hides within the splat is a transcript of the shader: a picture with other strands could not be compared
+sample by sample.
 """
 
 import math
@@ -10,21 +12,22 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from seafoam.ocean.coast.rocks import rocks
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.foam.spray import BATCHES
 from seafoam.reference.boats.boat import Fleet
 from seafoam.reference.light.atmosphere import CONTRAST
-from seafoam.reference.noise import number
+from seafoam.reference.noise import Words, number
 from seafoam.reference.renderer import intersect
 from seafoam.reference.renderer.camera import SampleGrid
 from seafoam.reference.renderer.state import Lighting, Surface
 from seafoam.reference.sampling import trilinear
 from seafoam.reference.shore.shore import Coast
-from seafoam.reference.spray.births import COLUMN, SHEET, Drops, on_rocks
-from seafoam.reference.types import Floats, Pair, ReliefPart, Vec2, dot, smoothstep, unit
+from seafoam.reference.types import Floats, Pair, ReliefPart, Rows, Vec2, dot, smoothstep, unit
 from seafoam.scene.models import Scene
 from seafoam.textures.foam import STRANDS, strand_levels
 
+SHEET, MIST, DRIFT, COLUMN = 0.0, 1.0, 2.0, 3.0  # kinds of drops
 NEAREST = 0.3
 NARROWEST = 0.75  # half the least width and length, samples
 AROUND = 0.06, 0.2
@@ -46,6 +49,30 @@ KINDS = np.array(
 """Of sheets, mist, spindrift and columns: factor on the time constant of the drag, acceleration (m/s²), share of a
 batch's interval over which births are spread, radius at birth and what varies of it, its growth over a life, time of
 motion blur (s), greatest length over the radius, and width of the threshold of strands."""
+
+
+@dataclass(frozen=True, eq=False)
+class Drops(Rows):
+    """Drops as they were at birth, x and z relative to the camera; (n,) or (n, 3) each."""
+
+    birth: Floats
+    velocity: Floats
+    age: Floats
+    life: Floats
+    radius: Floats
+    strength: Floats
+    kind: Floats
+    seed: Words  # the upper 24 bits of a drop's word
+
+    @staticmethod
+    def of(table: NDArray[np.float32]) -> "Drops":
+        """Those of a table (3, n, 4) that are in the air: birth and age; velocity and radius; strength, kind, seed and
+        life."""
+        birth, thrown, traits = table[:, table[2, :, 0] > 0.0].astype(np.float64)
+        strength, kind, seed, life = traits.T
+        return Drops(
+            birth[:, :3], thrown[:, :3], birth[:, 3], life, thrown[:, 3], strength, kind, seed.astype(np.uint64)
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -143,9 +170,10 @@ def splats(
     spray = scene.spray
     assert spray is not None
     # Drops of waves come in batches, each of which begins at a time of its own; those at rocks do not.
-    every = 0.0 if on_rocks(scene) else spray.life / BATCHES
-    seed = drops.word >> np.uint64(8)
-    vary = number(seed, 6)
+    shore = scene.shore
+    on_rocks = shore is not None and shore.surf.height > 0.0 and len(rocks(shore, spray.steep)) > 0
+    every = 0.0 if on_rocks else spray.life / BATCHES
+    vary = number(drops.seed, 6)
     wind = (spray.wind_speed * math.cos(spray.downwind), spray.wind_speed * math.sin(spray.downwind))
     of = KINDS[drops.kind.astype(np.intp)]
     tau = of["drag"] * (spray.drag * (0.6 + 0.8 * vary))
@@ -157,7 +185,7 @@ def splats(
     clear, over = _visible(away[chosen], grid.eye_y, soft, surface.relief, surface.coast, fleet)
     chosen, over, clear = chosen[clear > 0.0], over[clear > 0.0], clear[clear > 0.0]
     drops = drops.subset(chosen)
-    seed, of = seed[chosen], of[chosen]
+    seed, of = drops.seed, of[chosen]
     away, moving, depth, vary = (part[chosen] for part in (away, moving, depth, vary))
 
     waited = drops.age - every * number(seed, 8) * of["wait"]
