@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from seafoam.reference.foam.coverage import Assets
-from seafoam.reference.renderer.camera import SampleGrid, sample_grid
+from seafoam.reference.renderer.camera import SampleGrid
 from seafoam.reference.renderer.shade import SampleShader
 from seafoam.reference.renderer.state import Mode
-from seafoam.reference.spray import Drops, splats
+from seafoam.reference.spray import Drops, Splats
 from seafoam.reference.types import Floats, Pair
 from seafoam.scene.base import non_defaults
 from seafoam.scene.camera import Camera
@@ -66,11 +66,11 @@ def render(
     scene = scene.settled
     if scene.spray is not None and drops is None:
         raise ValueError("spray needs its drops as the renderer throws them (seafoam.accuracy.truth.drops)")
-    grid = sample_grid(scene.camera if camera is None else camera, width, height, samples)
+    grid = SampleGrid(scene.camera if camera is None else camera, width, height, samples)
     shader = SampleShader(scene, time, grid, mode, Assets.for_scene(scene))
     flying = None
     if drops is not None and scene.spray is not None and not shader.covered:
-        flying = splats(scene, Drops.of(drops), grid, shader.surface, shader.fleet, shader.lighting)
+        flying = Splats(scene, Drops.of(drops), grid, shader.surface, shader.fleet, shader.lighting)
     X, Y = _clip_positions(grid, mode)
     count = max(1, CHUNK // samples**2) * samples**2
     parts = [shader.shade(X[i : i + count], Y[i : i + count]) for i in range(0, X.size, count)]
