@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 from rich.progress import track
 
-from seafoam.accuracy.truth import drops
+from seafoam.accuracy.truth import sprayed
 from seafoam.extras import MissingExtraError
 from seafoam.files import write_whole
 from seafoam.processes import SCHEDULER, NoClusterError, executor
@@ -151,8 +151,8 @@ def main() -> None:
             drawing = cache(Executor)
             for job in jobs:
                 at = {"time": job.time, "width": job.size[0], "height": job.size[1], "samples": job.samples}
-                thrown = drops(lambda what: measure(drawing(), what), job.scene, job.time)
-                running[pool.submit(render, job.scene, **at, mode=job.mode, drops=thrown)] = job
+                scene = sprayed(lambda what: measure(drawing(), what), job.scene, job.time)
+                running[pool.submit(render, scene, **at, mode=job.mode)] = job
             for done in track(as_completed(running), "frames", len(jobs)):
                 write_whole(truth_file(running[done].name), truth_bytes(done.result(), running[done]))
     except (MissingExtraError, NoClusterError) as error:

@@ -18,7 +18,7 @@ from pebble import ProcessPool
 
 from seafoam.accuracy.cache import Store, key_of
 from seafoam.quality import EXACT
-from seafoam.reference import render, scene_sha256
+from seafoam.reference import Sprayed, render, scene_sha256
 from seafoam.render.service.jobs import Draw, Drawn, MeasureJob
 from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
@@ -75,15 +75,15 @@ def find_truth(store: Store, spec: TruthSpec) -> Truth | None:
     return picture if good else None
 
 
-def drops(measure: Measure, scene: Scene, time: float, camera: Camera | None = None) -> NDArray[Any] | None:
-    """Return the drops of a scene's spray as a renderer throws them and :func:`seafoam.reference.render` takes them;
-    (3, n, 4), None without spray. ``camera`` replaces the scene's."""
+def sprayed(measure: Measure, scene: Scene, time: float, camera: Camera | None = None) -> Scene | Sprayed:
+    """Return what :func:`seafoam.reference.render` takes for a scene: with the drops of its spray, if it has any, as a
+    renderer throws them. ``camera`` replaces the scene's."""
     if scene.spray is None:
-        return None
+        return scene
     table = Draw(1, 1, "linear", keep=True, target="spray_births")
     (drawn,) = measure(MeasureJob(scene, EXACT, time, camera or scene.camera, (table,)))
     assert drawn.pixels is not None
-    return drawn.pixels[::-1].reshape(3, -1, 4)
+    return Sprayed(scene, drawn.pixels[::-1].reshape(3, -1, 4))
 
 
 def make_truth(store: Store, spec: TruthSpec, measure: Measure, watcher: Watcher | None = None) -> Truth:
@@ -95,28 +95,28 @@ def make_truth(store: Store, spec: TruthSpec, measure: Measure, watcher: Watcher
     stored = find_truth(store, spec)
     if stored is not None:
         return stored
-    thrown = drops(measure, spec.scene, spec.time)
+    scene = sprayed(measure, spec.scene, spec.time)
     if multiprocessing.current_process().daemon:  # a worker of Dask, which may have no children
-        truth, _ = _converged(spec, thrown)
+        truth, _ = _converged(spec, scene)
     else:
-        truth = _converged_elsewhere(spec, thrown, watcher or Watcher())
+        truth = _converged_elsewhere(spec, scene, watcher or Watcher())
     buffer = io.BytesIO()
     np.save(buffer, truth, allow_pickle=False)
     store.put("truth", spec.file, buffer.getvalue())
     return truth
 
 
-def _converged_elsewhere(spec: TruthSpec, thrown: Truth | None, watcher: Watcher) -> Truth:
+def _converged_elsewhere(spec: TruthSpec, scene: Scene | Sprayed, watcher: Watcher) -> Truth:
     pool = ProcessPool(max_workers=1, context=multiprocessing.get_context("spawn"))
     try:
         coarse = replace(spec, samples_along=max(1, spec.samples_along // 4))
-        _, seconds = finished(pool.schedule(_politely, (coarse, thrown)), watcher.stopped)
+        _, seconds = finished(pool.schedule(_politely, (coarse, scene)), watcher.stopped)
         expected = max(seconds * (spec.samples_along / coarse.samples_along) ** 2, 1e-3)
 
         def tell(spent: float) -> None:
             watcher.progress("float64 truth", min(spent / expected, 0.99), max(expected - spent, 0.0))
 
-        truth, _ = finished(pool.schedule(_politely, (spec, thrown)), watcher.stopped, tell)
+        truth, _ = finished(pool.schedule(_politely, (spec, scene)), watcher.stopped, tell)
     finally:
         pool.stop()  # type: ignore[no-untyped-call]
         pool.join()
@@ -142,18 +142,16 @@ def finished(future: Future[T], stopped: Callable[[], bool], tell: Callable[[flo
             tell(time.perf_counter() - began)
 
 
-def _politely(spec: TruthSpec, thrown: Truth | None) -> tuple[Truth, float]:
+def _politely(spec: TruthSpec, scene: Scene | Sprayed) -> tuple[Truth, float]:
     """In the separate process: let frames and the web server go first."""
     if hasattr(os, "nice"):
         os.nice(max(0, POLITE - os.nice(0)))
-    return _converged(spec, thrown)
+    return _converged(spec, scene)
 
 
-def _converged(spec: TruthSpec, thrown: Truth | None) -> tuple[Truth, float]:
+def _converged(spec: TruthSpec, scene: Scene | Sprayed) -> tuple[Truth, float]:
     began = time.perf_counter()
-    size, along = (spec.width, spec.height), spec.samples_along
-    frame = render(
-        spec.scene, time=spec.time, width=size[0], height=size[1], samples=along, mode="converged", drops=thrown
-    )
+    along = spec.samples_along
+    frame = render(scene, time=spec.time, width=spec.width, height=spec.height, samples=along, mode="converged")
     picture = np.concatenate((frame.rgb, frame.alpha[..., None]), axis=-1).astype(np.float32)
     return picture, time.perf_counter() - began

@@ -8,5 +8,6 @@ Arrays are float64 unless said otherwise. Lengths are in metres, angles in radia
 from seafoam.reference.foam.coverage import Assets
 from seafoam.reference.renderer.frame import ReferenceFrame, render, scene_sha256
 from seafoam.reference.renderer.state import Mode
+from seafoam.reference.spray import Sprayed
 
-__all__ = ["Assets", "Mode", "ReferenceFrame", "render", "scene_sha256"]
+__all__ = ["Assets", "Mode", "ReferenceFrame", "Sprayed", "render", "scene_sha256"]

@@ -52,6 +52,15 @@ motion blur (s), greatest length over the radius, and width of the threshold of 
 
 
 @dataclass(frozen=True, eq=False)
+class Sprayed:
+    """A scene and the drops of its spray at a time from a camera, as a renderer throws them."""
+
+    scene: Scene
+    drops: NDArray[np.float32]
+    """(3, n, 4): birth and age; velocity and radius; strength, kind, seed and life."""
+
+
+@dataclass(frozen=True, eq=False)
 class Drops(Rows):
     """Drops as they were at birth, x and z relative to the camera; (n,) or (n, 3) each."""
 
@@ -66,8 +75,7 @@ class Drops(Rows):
 
     @staticmethod
     def of(table: NDArray[np.float32]) -> "Drops":
-        """Those of a table (3, n, 4) that are in the air: birth and age; velocity and radius; strength, kind, seed and
-        life."""
+        """Those of :attr:`Sprayed.drops` that are in the air."""
         birth, thrown, traits = table[:, table[2, :, 0] > 0.0].astype(np.float64)
         strength, kind, seed, life = traits.T
         return Drops(

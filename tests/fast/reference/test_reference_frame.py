@@ -13,7 +13,7 @@ from seafoam.ocean.basics.dispersion import wave_level
 from seafoam.ocean.waves.cascades import RAISED, cascades
 from seafoam.ocean.waves.rings import ring_height
 from seafoam.ocean.waves.wakes import joint_height, wakes
-from seafoam.reference import Mode, render
+from seafoam.reference import Mode, Sprayed, render
 from seafoam.reference.light import light
 from seafoam.reference.types import Floats, unit
 from seafoam.scene.camera import Camera
@@ -51,7 +51,7 @@ def test_spray_without_drops_is_refused() -> None:
     scene, at = SEA.model_copy(update={"spray": Spray()}), {"time": 1.0, "width": 12, "height": 8}
     with pytest.raises(ValueError, match="needs its drops"):
         render(scene, **at)
-    none = render(scene, **at, drops=np.zeros((3, 0, 4), np.float32))
+    none = render(Sprayed(scene, np.zeros((3, 0, 4), np.float32)), **at)
     np.testing.assert_array_equal(none.rgb, render(SEA, **at).rgb)
 
 

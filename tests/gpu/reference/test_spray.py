@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from seafoam.accuracy.truth import drops
+from seafoam.accuracy.truth import sprayed
 from seafoam.effects.spray.spray import EFFECT
 from seafoam.ocean.coast.rocks import rocks
 from seafoam.ocean.foam.spray import (
@@ -126,9 +126,9 @@ GROUPED = SCENE.model_copy(update={"wave_groups": WaveGroups(size=12.0, contrast
 
 def births(executor: Executor, scene: Scene, time: float) -> NDArray[np.float64]:
     """The GPU's table of drops: birth and age, velocity and radius, strength, kind, seed and life; (3, n, 4)."""
-    table = drops(partial(measure, executor), scene, time)
-    assert table is not None
-    return table.astype(np.float64)
+    found = sprayed(partial(measure, executor), scene, time)
+    assert isinstance(found, flying.Sprayed)
+    return found.drops.astype(np.float64)
 
 
 BEACH = Scene(

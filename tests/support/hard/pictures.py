@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from seafoam.accuracy.truth import drops
+from seafoam.accuracy.truth import sprayed
 from seafoam.reference import render as reference
 from seafoam.render.gl.executor import Executor
 from seafoam.render.service.jobs import measure
@@ -47,9 +47,8 @@ def truth_of(executor: Executor, case: HardCase) -> list[NDArray[np.float64]]:
     """The float64 reference's pictures of a case at its times; none where its pictures are others."""
     truth = []
     for time in () if case.apart else case.times:
-        thrown = drops(partial(measure, executor), case.scene, time, case.camera)
-        at = {"time": time, "width": SIZE[0], "height": SIZE[1], "camera": case.camera}
-        truth.append(reference(case.scene, **at, drops=thrown).rgb)
+        scene = sprayed(partial(measure, executor), case.scene, time, case.camera)
+        truth.append(reference(scene, time=time, width=SIZE[0], height=SIZE[1], camera=case.camera).rgb)
     assert all(np.isfinite(picture).all() for picture in truth)
     return truth
 

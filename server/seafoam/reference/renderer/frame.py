@@ -5,13 +5,12 @@ import json
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from seafoam.reference.foam.coverage import Assets
 from seafoam.reference.renderer.camera import SampleGrid
 from seafoam.reference.renderer.shade import SampleShader
 from seafoam.reference.renderer.state import Mode
-from seafoam.reference.spray import Drops, Splats
+from seafoam.reference.spray import Drops, Splats, Sprayed
 from seafoam.reference.types import Floats, Pair
 from seafoam.scene.base import non_defaults
 from seafoam.scene.camera import Camera
@@ -45,7 +44,7 @@ def scene_sha256(scene: Scene) -> str:
 
 
 def render(
-    scene: Scene,
+    scene: Scene | Sprayed,
     *,
     time: float,
     width: int,
@@ -53,19 +52,18 @@ def render(
     samples: int = 1,
     camera: Camera | None = None,
     mode: Mode = "same-samples",
-    drops: NDArray[np.float32] | None = None,
 ) -> ReferenceFrame:
     """Render a scene at a time (s) with ``samples``² samples per pixel.
 
     ``same-samples`` places them on the grid of section 1 and filters as the shaders do; ``converged`` places one at
     random in each cell of the grid, always the same, and replaces the filtered look by its limit and every texture
-    level by level 0. ``camera`` replaces the scene's. Waves and ripples are never slope-filtered. ``drops``: those of
-    the scene's spray at this time from this camera, (3, n, 4), as the renderer has thrown them
-    (:func:`seafoam.accuracy.truth.drops`). Raises ``ValueError`` for spray without them.
+    level by level 0. ``camera`` replaces the scene's. Waves and ripples are never slope-filtered. Raises ``ValueError``
+    for spray without its drops at this time from this camera (:func:`seafoam.accuracy.truth.sprayed`).
     """
+    scene, drops = (scene.scene, scene.drops) if isinstance(scene, Sprayed) else (scene, None)
     scene = scene.settled
     if scene.spray is not None and drops is None:
-        raise ValueError("spray needs its drops as the renderer throws them (seafoam.accuracy.truth.drops)")
+        raise ValueError("spray needs its drops as a renderer throws them (seafoam.accuracy.truth.sprayed)")
     grid = SampleGrid(scene.camera if camera is None else camera, width, height, samples)
     shader = SampleShader(scene, time, grid, mode, Assets.for_scene(scene))
     flying = None
