@@ -13,6 +13,7 @@ import csv
 import re
 import time
 from concurrent.futures import ProcessPoolExecutor
+from functools import partial
 from multiprocessing import get_context
 from pathlib import Path
 from statistics import median
@@ -32,6 +33,7 @@ from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Tier
 from seafoam.reference import scene_sha256
 from seafoam.render.gl.executor import Executor, Output
+from seafoam.render.service import jobs
 from seafoam.scene.presets import load_preset, preset_names
 
 DOCS = Path(__file__).parent
@@ -62,8 +64,9 @@ def measure(name: str) -> list[str]:
     """The rows of a preset's tiers in docs/accuracy.csv."""
     preset = load_preset(name)
     width, height = SIZE
-    truth = make_truth(Store(), TruthSpec(preset.scene, preset.time, width, height, SAMPLES_ALONG)).astype(np.float64)
     executor = Executor()
+    spec = TruthSpec(preset.scene, preset.time, width, height, SAMPLES_ALONG)
+    truth = make_truth(Store(), spec, partial(jobs.measure, executor)).astype(np.float64)
     models: dict[str, list[TimeModel]] = {tier: [] for tier in TIERS}
     errors: dict[str, float] = {}
 

@@ -246,7 +246,7 @@ FARTHEST = 2000.0
 
 def picked(camera: Camera, width: int, height: int, x: float, y: float) -> dict[str, float] | None:
     """Where the ray of a point of the picture meets y = 0, m, and its distance; None where it does not, or far away."""
-    grid = cameras.sample_grid(camera, width, height)
+    grid = cameras.SampleGrid(camera, width, height)
     ray = grid.rays(np.array(2.0 * x / width - 1.0), np.array(1.0 - 2.0 * y / height))
     if ray[1] == 0.0 or -grid.eye[1] / ray[1] <= 0.0:
         return None

@@ -10,6 +10,7 @@ import io
 import json
 from concurrent.futures import as_completed
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from typing import get_args
 
@@ -17,10 +18,13 @@ import numpy as np
 from numpy.typing import NDArray
 from rich.progress import track
 
+from seafoam.accuracy.truth import sprayed
 from seafoam.extras import MissingExtraError
 from seafoam.files import write_whole
 from seafoam.processes import SCHEDULER, NoClusterError, executor
 from seafoam.reference import Mode, ReferenceFrame, render, scene_sha256
+from seafoam.render.gl.executor import Executor
+from seafoam.render.service.jobs import measure
 from seafoam.scene.foam import Look
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
@@ -144,9 +148,11 @@ def main() -> None:
     try:
         with executor(options.scheduler, PROCESSES) as pool:
             running = {}
+            drawing = cache(Executor)
             for job in jobs:
                 at = {"time": job.time, "width": job.size[0], "height": job.size[1], "samples": job.samples}
-                running[pool.submit(render, job.scene, **at, mode=job.mode)] = job
+                scene = sprayed(lambda what: measure(drawing(), what), job.scene, job.time)
+                running[pool.submit(render, scene, **at, mode=job.mode)] = job
             for done in track(as_completed(running), "frames", len(jobs)):
                 write_whole(truth_file(running[done].name), truth_bytes(done.result(), running[done]))
     except (MissingExtraError, NoClusterError) as error:

@@ -28,5 +28,5 @@ def noisy(log=None):
     return Rig(measure, INFO, 1)
 
 
-def grey_truth(store, spec, watcher):
+def grey_truth(store, spec, measure, watcher):
     return np.full((spec.height, spec.width, 4), 0.5, np.float32)

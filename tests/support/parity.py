@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from references.bake import load_truth
 from seafoam.planner import make_plan
-from seafoam.reference.renderer.camera import sample_grid
+from seafoam.reference.renderer.camera import SampleGrid
 from seafoam.render.gl.executor import Executor
 from support.exact import UNFILTERED
 from support.pictures import colours, draw, rmse
@@ -59,7 +59,7 @@ def parity(executor: Executor, preset: str, time: float) -> Parity:
     samples = draw(executor, make_plan(scene, UNFILTERED), scene.camera, time=time, size=size, output="samples")
     linear = mean_of(samples, size)
     got = colours(linear)
-    below = sample_grid(scene.camera, *size).depression > np.radians(1.0)
+    below = SampleGrid(scene.camera, *size).depression > np.radians(1.0)
     height, width = truth.alpha.shape
     cells = (linear[..., 3] - truth.alpha)[: height // 8 * 8, : width // 8 * 8].reshape(height // 8, 8, width // 8, 8)
     return Parity(

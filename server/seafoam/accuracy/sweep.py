@@ -7,7 +7,7 @@ untimed before it is timed, except if it takes so long that a warm cache makes n
 
 import os
 import time as clock
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from importlib.metadata import version
@@ -20,7 +20,7 @@ from seafoam.accuracy.cache import Store, key_of
 from seafoam.accuracy.metrics import Picture
 from seafoam.accuracy.points import chains, idealised, points_of, shown
 from seafoam.accuracy.timing import beating, compare, front, median_model, sentences, spread_of, time_model
-from seafoam.accuracy.truth import SweepStoppedError, TruthSpec, Watcher, make_truth
+from seafoam.accuracy.truth import Measure, SweepStoppedError, TruthSpec, Watcher, make_truth
 from seafoam.effects.effect import Cause
 from seafoam.quality import Quality
 from seafoam.reference import scene_sha256
@@ -45,7 +45,6 @@ COMPILE_WEIGHT = 6.0
 
 Size = tuple[int, int]
 """Width and height, pixels."""
-Measure = Callable[[MeasureJob], tuple[Drawn, ...]]
 
 
 @dataclass(frozen=True)
@@ -143,7 +142,7 @@ def make_sweep(
     if not again and (found := find_sweep(store, subject, settings, machine)) is not None:
         return found
     first = Watcher(lambda stage, share, _: watcher.progress(stage, 0.3 * share, None), watcher.stopped)
-    truth = make_truth(store, subject.truth(settings), first)
+    truth = make_truth(store, subject.truth(settings), rig.measure, first)
     sweep = _Sweeping(subject, settings, rig, watcher).run(truth.astype(np.float64))
     store.put("sweeps", _name(subject, settings, machine), sweep.model_dump_json().encode())
     return sweep

@@ -121,7 +121,8 @@ class SweepService:
             if task.whole:
                 make_sweep(self._store, task.subject, self.settings, self._rig(), watcher)
             else:
-                make_truth(self._store, task.subject.truth(self.settings), watcher)
+                truth = task.subject.truth(self.settings)
+                make_truth(self._store, truth, lambda job: self._rig().measure(job), watcher)
         except SweepStoppedError:
             pass
         except Exception as error:

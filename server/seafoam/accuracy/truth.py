@@ -17,7 +17,10 @@ from numpy.typing import NDArray
 from pebble import ProcessPool
 
 from seafoam.accuracy.cache import Store, key_of
-from seafoam.reference import render, scene_sha256
+from seafoam.quality import EXACT
+from seafoam.reference import Sprayed, render, scene_sha256
+from seafoam.render.service.jobs import Draw, Drawn, MeasureJob
+from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
 
 POLITE = 5
@@ -27,6 +30,9 @@ T = TypeVar("T")
 
 Truth = NDArray[np.float32]
 """(height, width, 4): linear RGB and foam coverage, top row first."""
+
+
+Measure = Callable[[MeasureJob], tuple[Drawn, ...]]
 
 
 class SweepStoppedError(Exception):
@@ -69,36 +75,48 @@ def find_truth(store: Store, spec: TruthSpec) -> Truth | None:
     return picture if good else None
 
 
-def make_truth(store: Store, spec: TruthSpec, watcher: Watcher | None = None) -> Truth:
+def sprayed(measure: Measure, scene: Scene, time: float, camera: Camera | None = None) -> Scene | Sprayed:
+    """Return what :func:`seafoam.reference.render` takes for a scene: with the drops of its spray, if it has any, as a
+    renderer throws them. ``camera`` replaces the scene's."""
+    if scene.spray is None:
+        return scene
+    table = Draw(1, 1, "linear", keep=True, target="spray_births")
+    (drawn,) = measure(MeasureJob(scene, EXACT, time, camera or scene.camera, (table,)))
+    assert drawn.pixels is not None
+    return Sprayed(scene, drawn.pixels[::-1].reshape(3, -1, 4))
+
+
+def make_truth(store: Store, spec: TruthSpec, measure: Measure, watcher: Watcher | None = None) -> Truth:
     """Return the picture, from the store or computed in a spawned process; on a worker of Dask in this one.
 
-    The remaining seconds are estimated from a coarser picture. Raises :class:`SweepStoppedError` if the watcher stops
-    it.
+    ``measure`` draws what spray throws. The remaining seconds are estimated from a coarser picture. Raises
+    :class:`SweepStoppedError` if the watcher stops it.
     """
     stored = find_truth(store, spec)
     if stored is not None:
         return stored
+    scene = sprayed(measure, spec.scene, spec.time)
     if multiprocessing.current_process().daemon:  # a worker of Dask, which may have no children
-        truth, _ = _converged(spec)
+        truth, _ = _converged(spec, scene)
     else:
-        truth = _converged_elsewhere(spec, watcher or Watcher())
+        truth = _converged_elsewhere(spec, scene, watcher or Watcher())
     buffer = io.BytesIO()
     np.save(buffer, truth, allow_pickle=False)
     store.put("truth", spec.file, buffer.getvalue())
     return truth
 
 
-def _converged_elsewhere(spec: TruthSpec, watcher: Watcher) -> Truth:
+def _converged_elsewhere(spec: TruthSpec, scene: Scene | Sprayed, watcher: Watcher) -> Truth:
     pool = ProcessPool(max_workers=1, context=multiprocessing.get_context("spawn"))
     try:
         coarse = replace(spec, samples_along=max(1, spec.samples_along // 4))
-        _, seconds = finished(pool.schedule(_politely, (coarse,)), watcher.stopped)
+        _, seconds = finished(pool.schedule(_politely, (coarse, scene)), watcher.stopped)
         expected = max(seconds * (spec.samples_along / coarse.samples_along) ** 2, 1e-3)
 
         def tell(spent: float) -> None:
             watcher.progress("float64 truth", min(spent / expected, 0.99), max(expected - spent, 0.0))
 
-        truth, _ = finished(pool.schedule(_politely, (spec,)), watcher.stopped, tell)
+        truth, _ = finished(pool.schedule(_politely, (spec, scene)), watcher.stopped, tell)
     finally:
         pool.stop()  # type: ignore[no-untyped-call]
         pool.join()
@@ -124,16 +142,16 @@ def finished(future: Future[T], stopped: Callable[[], bool], tell: Callable[[flo
             tell(time.perf_counter() - began)
 
 
-def _politely(spec: TruthSpec) -> tuple[Truth, float]:
+def _politely(spec: TruthSpec, scene: Scene | Sprayed) -> tuple[Truth, float]:
     """In the separate process: let frames and the web server go first."""
     if hasattr(os, "nice"):
         os.nice(max(0, POLITE - os.nice(0)))
-    return _converged(spec)
+    return _converged(spec, scene)
 
 
-def _converged(spec: TruthSpec) -> tuple[Truth, float]:
+def _converged(spec: TruthSpec, scene: Scene | Sprayed) -> tuple[Truth, float]:
     began = time.perf_counter()
     along = spec.samples_along
-    frame = render(spec.scene, time=spec.time, width=spec.width, height=spec.height, samples=along, mode="converged")
+    frame = render(scene, time=spec.time, width=spec.width, height=spec.height, samples=along, mode="converged")
     picture = np.concatenate((frame.rgb, frame.alpha[..., None]), axis=-1).astype(np.float32)
     return picture, time.perf_counter() - began

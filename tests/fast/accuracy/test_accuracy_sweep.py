@@ -244,12 +244,12 @@ def test_a_service_measures_one_after_the_other_tells_a_failure_once_and_tries_a
 def test_truth_is_computed_once(tmp_path):
     store, spec = Store(tmp_path), TruthSpec(Scene(), 0.0, 16, 16, 2)
     assert find_truth(store, spec) is None
-    truth = make_truth(store, spec)
+    truth = make_truth(store, spec, noisy().measure)
     assert (truth.shape, truth.dtype) == ((16, 16, 4), np.dtype(np.float32))
     assert truth[..., :3].std() > 0.01
     np.testing.assert_array_equal(find_truth(store, spec), truth)
     with pytest.raises(SweepStoppedError):
-        make_truth(store, TruthSpec(Scene(), 1.0, 640, 640, 16), Watcher(stopped=lambda: True))
+        make_truth(store, TruthSpec(Scene(), 1.0, 640, 640, 16), noisy().measure, Watcher(stopped=lambda: True))
 
 
 def fields(model: type[BaseModel], path: str = "") -> list[str]:

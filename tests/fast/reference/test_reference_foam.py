@@ -89,29 +89,6 @@ def test_joined() -> None:
     np.testing.assert_array_equal(joined(parts, "product", 1.0), [0.5, 1.0, 0.0])
 
 
-def test_looks_are_the_papers_equations() -> None:
-    rng = np.random.default_rng(7)
-    f, m, t = rng.uniform(0.0, 4.0, 999), rng.uniform(0.0, 1.0, 999), rng.uniform(0.0, 1.0, 999)
-    got = (
-        looks.textured(f, t),
-        looks.halftone(f, m),
-        looks.fading(f, m),
-        looks.halftone_textured(f, m, t),
-        looks.listing(f, m, t),
-    )
-    for i in range(999):
-        over = f[i] > m[i]
-        half = min(max(f[i] / 2.0 - m[i], 0.0), 1.0) if over else 0.0
-        expected = (
-            min(f[i], 1.0) * t[i],
-            1.0 if over else 0.0,
-            half,
-            half * t[i],
-            min(max(f[i] - m[i], 0.15), 3.0) * t[i] if over else 0.0,
-        )
-        assert tuple(float(a[i]) for a in got) == pytest.approx(expected)
-
-
 MASK = mask_by_name("vac:1.5:64:5")
 
 

@@ -13,14 +13,15 @@ from seafoam.ocean.basics.dispersion import wave_level
 from seafoam.ocean.waves.cascades import RAISED, cascades
 from seafoam.ocean.waves.rings import ring_height
 from seafoam.ocean.waves.wakes import joint_height, wakes
-from seafoam.reference import Mode, render
-from seafoam.reference.light import display, light
+from seafoam.reference import Mode, Sprayed, render
+from seafoam.reference.light import light
 from seafoam.reference.types import Floats, unit
 from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Foam, FrontSaturation, HeightSaturation, Look
 from seafoam.scene.light import Light, Sky
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene.spray import Spray
 from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave
 
@@ -43,6 +44,15 @@ def test_samples_are_pixels_of_a_finer_picture() -> None:
     coarse = render(SEA, time=1.0, width=12, height=8, samples=2)
     np.testing.assert_array_equal(coarse.amount, fine.alpha)
     np.testing.assert_allclose(coarse.rgb, fine.rgb.reshape(8, 2, 12, 2, 3).mean(axis=(1, 3)), rtol=1e-13)
+
+
+def test_spray_without_drops_is_refused() -> None:
+    """And with none in the air it changes nothing."""
+    scene, at = SEA.model_copy(update={"spray": Spray()}), {"time": 1.0, "width": 12, "height": 8}
+    with pytest.raises(ValueError, match="needs its drops"):
+        render(scene, **at)
+    none = render(Sprayed(scene, np.zeros((3, 0, 4), np.float32)), **at)
+    np.testing.assert_array_equal(none.rgb, render(SEA, **at).rgb)
 
 
 def test_chunks_do_not_show(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -119,72 +129,11 @@ def test_the_cameras_stay_above_water() -> None:
     assert judged > 0
 
 
-ELEVATIONS = [-1.57, -0.05, 0.0, 0.01, 0.6, 1.5707]
-
-
-def sphere(count: int, seed: int = 0) -> np.ndarray:
-    """Unit vectors (count, 3), even over the sphere."""
-    return unit(np.random.default_rng(seed).standard_normal((count, 3)))
-
-
-def test_sky_is_the_pages_formula() -> None:
-    y, up, gamma = 0.3, 0.2, 0.5
-    of = Light(sun_elevation=math.asin(y), turbidity=2.0)
-    level, sun_level = math.sqrt(1.0 - up * up), math.sqrt(1.0 - y * y)
-    turn = math.acos((gamma - up * y) / (level * sun_level))
-    got = light.air(of).sky(np.array([level * math.cos(turn), up, level * math.sin(turn)]))
-    for channel, rayleigh in enumerate((0.055, 0.108, 0.215)):
-        mie = 0.05
-        tau = rayleigh + mie
-        in_air = 20.0 * math.exp(-0.5 * tau / (y + 0.03)) + 0.002
-        phase = rayleigh * 3.0 / (16.0 * math.pi) * (1.0 + gamma**2)
-        phase += mie * (1.0 - 0.76**2) / (4.0 * math.pi * (1.0 + 0.76**2 - 1.52 * gamma) ** 1.5)
-        expected = in_air * (phase / tau + 0.04) * (1.0 - math.exp(-tau / (up + 0.09)))
-        assert got[channel] == pytest.approx(expected, rel=1e-12)
-
-
-@pytest.mark.parametrize("elevation", ELEVATIONS)
-def test_sky_irradiance_is_the_mean_of_random_directions(elevation: float) -> None:
-    air = light.air(Light(sun_elevation=elevation, turbidity=3.0))
-    d = sphere(400_000, 3)
-    d[:, 1] = np.abs(d[:, 1])
-    expected = 2.0 * math.pi * (air.sky(d) * d[:, 1:2]).mean(axis=0)
-    np.testing.assert_allclose(air.sky_irradiance, expected, rtol=0.01)
-
-
-def test_fresnel_is_the_mean_of_both_polarisations() -> None:
-    c = np.linspace(0.01, 1.0, 100)
-    inner = np.sqrt(1.0 - (1.0 - c * c) / 1.34**2)
-    across, along = (c - 1.34 * inner) / (c + 1.34 * inner), (1.34 * c - inner) / (1.34 * c + inner)
-    np.testing.assert_allclose(light.fresnel(c), 0.5 * (across**2 + along**2), rtol=1e-12)
-
-
-def test_tone_rises_from_black_to_white() -> None:
-    x = np.linspace(0.0, 40.0, 5000)
-    y = display.tone(x)
-    assert y[0] == 0.0
-    assert y[-1] == 1.0
-    assert (np.diff(y) >= 0.0).all()
-    shown = display.srgb(np.array([0.0, 0.0031308, 0.5, 1.0]))
-    np.testing.assert_allclose(shown, [0.0, 0.04045, 0.7354, 1.0], atol=1e-4)
-
-
 def test_disc_is_where_the_sun_is() -> None:
     air = light.air(Light(sun_elevation=0.5, sun_azimuth=1.0))
     np.testing.assert_allclose(light.sun_disc(air, air.sun), np.minimum(air.sun_irradiance / 6.8e-5, 3000.0))
     np.testing.assert_array_equal(light.sun_disc(air, unit(air.sun + np.array([0.02, 0.0, 0.0]))), 0.0)
     assert (light.sun_disc(light.air(Light(sun_elevation=-0.1)), air.sun) == 0.0).all()
-
-
-def test_haze_ends_in_the_sky_at_the_horizon() -> None:
-    air, d = light.air(Light()), sphere(100, 5)
-    d[0] = [0.0, -1.0, 0.0]
-    L = np.full((100, 3), 0.3)
-    np.testing.assert_allclose(light.haze(air, 1000.0, L, d, np.zeros(100)), L)
-    far = light.haze(air, 1000.0, L, d, np.full(100, 1e9))
-    np.testing.assert_allclose(far[1:], air.sky(unit(d[1:] * [1.0, 0.0, 1.0])))
-    seen = light.haze(air, 1000.0, np.zeros((100, 3)), d, np.full(100, 1000.0))
-    np.testing.assert_allclose(seen / far, 0.98, atol=1e-3)
 
 
 def test_haze_before_a_low_sun_does_not_glow_at_ones_feet() -> None:

@@ -11,7 +11,7 @@ from seafoam.reference.boats import floating
 from seafoam.reference.boats import wake as wakes_of
 from seafoam.reference.boats.floating import FORMS
 from seafoam.reference.renderer import intersect
-from seafoam.reference.waves.parametric import reduced, ripple_set, wave_height, wave_set, wavenumber
+from seafoam.reference.waves.parametric import reduced, ripple_set, wave_set, wavenumber
 from seafoam.scene.boats import Boat
 from seafoam.scene.foam import Foam, WakeSaturation
 from seafoam.scene.models import Scene
@@ -39,13 +39,6 @@ def directions(rng: np.random.Generator, count: int, low: float, high: float) ->
     return np.stack((level * np.cos(azimuth), np.sin(elevation), level * np.sin(azimuth)), axis=-1)
 
 
-@pytest.mark.parametrize("K", [0.1, 0.5, 1.0, 2.0, 2.5, 17.0, 100.0])
-def test_height_is_the_papers_formula(K: float) -> None:
-    theta = np.linspace(-1.4, 4.5, 200)
-    expected = 0.7 * ((np.sin(theta) + 1.0) / 2.0) ** K
-    np.testing.assert_allclose(wave_height(theta, 0.7, K), expected, rtol=1e-10, atol=1e-14)
-
-
 @pytest.mark.parametrize("depth", [0.05, 1.0, 30.0, 11000.0])
 @pytest.mark.parametrize("wavelength", [0.05, 12.0, 2000.0])
 def test_dispersion(wavelength: float, depth: float) -> None:
@@ -57,14 +50,6 @@ def test_reduction_is_exact_for_far_times() -> None:
     # 2²⁰ turns of a rounded 2π differ from whole turns by 2²⁰ times its rounding, far below one float of the product.
     tau_error = 2.4492935982947064e-16
     assert reduced((2.0 * math.pi, 2.0**20)) == pytest.approx(2.0 * math.pi - 2.0**20 * tau_error, abs=1e-15)
-
-
-def test_waves_travel_along_their_heading() -> None:
-    heading = 0.7
-    scene = Scene(waves=(ParametricWave(wavelength=10.0, direction=heading, speed=3.0),))
-    x, z = np.linspace(0.0, 20.0, 60), np.linspace(3.0, 9.0, 60)
-    moved = wave_set(scene, 1.5, (0.0, 0.0)).height(x + 4.5 * math.cos(heading), z + 4.5 * math.sin(heading))
-    np.testing.assert_allclose(moved, wave_set(scene, 0.0, (0.0, 0.0)).height(x, z), atol=1e-12)
 
 
 def test_ripples_have_the_slope_asked_for() -> None:

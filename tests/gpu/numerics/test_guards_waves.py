@@ -140,7 +140,7 @@ def test_drops_are_the_references(executor: Executor) -> None:
     case = BY_NAME["drops of a thousandth of a sample"]
     (time,) = case.times
     got = samples(executor, case.scene, EXACT, case.camera, time=time, size=SIZE)
-    away = levels(got, truth_of(case)[0])
+    away = levels(got, truth_of(executor, case)[0])
     assert away.mean() <= 0.03
     assert (away > 2.0).mean() <= 0.003
 

@@ -21,7 +21,7 @@ from support.sweep import rested
 
 @pytest.mark.parametrize(("effect", "case"), rested(CASES, 8))
 def test_a_hard_case_is_the_references(executor: Executor, report: Report, effect: Effect, case: HardCase) -> None:
-    found = judged(case, pictures_of(executor, case, ("exact",)), truth_of(case))
+    found = judged(case, pictures_of(executor, case, ("exact",)), truth_of(executor, case))
     report.add(
         "Hard cases against the float64 reference, 48 × 27, levels of linear light",
         effect=effect.name,

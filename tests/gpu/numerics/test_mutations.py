@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from seafoam.effects.effect import Effect
+from seafoam.render.gl.executor import Executor
 from support.cases import HardCase
 from support.hard.cases import CASES, HARD
 from support.hard.mutations import copied, run, source
@@ -20,7 +21,9 @@ MUTATED = [one for one in CASES if one.values[1].without]
 
 
 @pytest.mark.parametrize(("effect", "case"), rested(MUTATED, 24))
-def test_a_guard_that_is_taken_out_is_missed(tmp_path: Path, report: Report, effect: Effect, case: HardCase) -> None:
+def test_a_guard_that_is_taken_out_is_missed(
+    executor: Executor, tmp_path: Path, report: Report, effect: Effect, case: HardCase
+) -> None:
     with copied(tmp_path / "mutated", case.without) as environment:
         if case.missed_by:
             said = run(environment, "-m", "pytest", "-q", "-p", "no:cacheprovider", case.missed_by)
@@ -35,7 +38,7 @@ def test_a_guard_that_is_taken_out_is_missed(tmp_path: Path, report: Report, eff
             seen = case.error
             if said is None:
                 with np.load(file) as pictures:
-                    found = judged(case, dict(pictures), truth_of(case))
+                    found = judged(case, dict(pictures), truth_of(executor, case))
                 assert found.faults, "the case's pictures are as they have to be without its guard"
                 seen = found.words
     report.add(TITLE, effect=effect.name, case=case.name, seen=seen)
@@ -55,9 +58,9 @@ def test_every_hard_case_shows_its_guard_or_says_why_it_cannot() -> None:
     assert sum(bool(case.unseen) for _, case in HARD) <= MOST_UNSEEN
 
 
-def test_the_copy_without_mutations_passes(tmp_path: Path) -> None:
+def test_the_copy_without_mutations_passes(executor: Executor, tmp_path: Path) -> None:
     case = CASES[0].values[1]
     with copied(tmp_path / "copy", {}) as environment:
         assert run(environment, "-m", "support.hard.pictures", case.name, str(tmp_path / "pictures.npz")) is None
         with np.load(tmp_path / "pictures.npz") as pictures:
-            assert judged(case, dict(pictures), truth_of(case)).faults == ()
+            assert judged(case, dict(pictures), truth_of(executor, case)).faults == ()

@@ -3,13 +3,16 @@
 import sys
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
+from seafoam.accuracy.truth import sprayed
 from seafoam.reference import render as reference
 from seafoam.render.gl.executor import Executor
+from seafoam.render.service.jobs import measure
 from support.cases import HardCase
 from support.exact import SQUARE
 from support.hard.cases import HARD, QUALITIES
@@ -40,10 +43,12 @@ def pictures_of(
     return found
 
 
-def truth_of(case: HardCase) -> list[NDArray[np.float64]]:
+def truth_of(executor: Executor, case: HardCase) -> list[NDArray[np.float64]]:
     """The float64 reference's pictures of a case at its times; none where its pictures are others."""
-    times = () if case.apart else case.times
-    truth = [reference(case.scene, time=time, width=SIZE[0], height=SIZE[1], camera=case.camera).rgb for time in times]
+    truth = []
+    for time in () if case.apart else case.times:
+        scene = sprayed(partial(measure, executor), case.scene, time, case.camera)
+        truth.append(reference(scene, time=time, width=SIZE[0], height=SIZE[1], camera=case.camera).rgb)
     assert all(np.isfinite(picture).all() for picture in truth)
     return truth
 

@@ -1,4 +1,4 @@
-"""Numbers of spray from open water that both effect and reference use. docs/formulae.md, section 13."""
+"""Numbers of spray from open water. docs/formulae.md, section 13."""
 
 import math
 

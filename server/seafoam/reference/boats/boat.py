@@ -32,11 +32,17 @@ class Hit(Rows):
     boat: Floats
 
 
-@dataclass(frozen=True)
 class Fleet:
-    """All boats of a scene at one time."""
+    """The boats of a scene at one time, floating on a surface or, where that is too shallow, resting on the ground."""
 
-    poses: tuple[floating.Pose, ...]
+    def __init__(self, scene: Scene, time: float, origin: Vec2, height: Height, ground: Height | None) -> None:
+        def support(boat: Boat) -> Height:
+            if ground is None:
+                return height
+            return lambda x, z: np.maximum(height(x, z), ground(x, z) + floating.DRAUGHT * boat.length)
+
+        courses = [(boat, floating.course_of(boat, time, origin)) for boat in scene.boats]
+        self.poses = [floating.float_on(boat, course, support(boat)) for boat, course in courses]
 
     def trace(self, o: Floats, d: Floats, least: float = 0.0) -> Hit:
         """First hits of rays o + t d, o and d (r, 3), with t ≥ ``least`` m; t is infinite where there is none."""
@@ -216,16 +222,3 @@ def _roots(a: Floats, b: Floats, c: Floats) -> Pair:
     first = np.select(cases, [np.minimum(one, two), t, np.full_like(t, -np.inf), np.full_like(t, -np.inf)], np.inf)
     last = np.select(cases, [np.maximum(one, two), np.full_like(t, np.inf), t, np.full_like(t, np.inf)], -np.inf)
     return first, last
-
-
-def fleet(scene: Scene, time: float, origin: Vec2, height: Height, ground: Height | None) -> Fleet:
-    """The boats of a scene, floating on a surface or, where that is too shallow, resting on the ground."""
-
-    def support(boat: Boat) -> Height:
-        if ground is None:
-            return height
-        return lambda x, z: np.maximum(height(x, z), ground(x, z) + floating.DRAUGHT * boat.length)
-
-    return Fleet(
-        tuple(floating.float_on(boat, floating.course_of(boat, time, origin), support(boat)) for boat in scene.boats)
-    )

@@ -96,19 +96,40 @@ class Lamp:
     glow: skylight.Glow  # coefficients of the sky that it lights
 
 
-@dataclass(frozen=True, eq=False)
 class LayeredSky:
-    """A layered sky at one time over one camera position."""
+    """A light's layered sky at a time (s) over a camera position (m)."""
 
-    light: Light
-    sky: Sky
-    mie: float
-    lamps: tuple[Lamp, ...]
-    lit_by: Floats  # (3,) unit vector toward the lamp that lights water and clouds
-    clear_direct: Floats  # (3,) its irradiance at the sea under a clear sky
-    cloud_light: Callable[[float], Floats]  # (3,) its irradiance at an altitude, m
-    time: float
-    eye: Vec3  # the camera's position, m
+    def __init__(self, light: Light, sky: Sky, time: float, eye: Vec3) -> None:
+        self.light, self.sky, self.time, self.eye, self.mie = light, sky, time, eye, mie_depth(light)
+        sun = to_sun(light)
+        low, power = float(sun[1]), np.array(skylight.SUN_POWER)
+        self.lamps = [self._lamp(sun, power * skylight.adapted(low), skylight.NIGHT)]
+        # The lamp that lights water and clouds, its irradiance at the sea under a clear sky, and above the air.
+        self.lit_by = sun
+        self.clear_direct: Floats = power * np.exp(-self.lamps[0].path) * skylight.disc_shown(low)
+        self._above = np.full(3, CLOUD_POWER * _step(-0.06, 0.02, low))
+        if sky.moon is None:
+            return
+        to_moon = _axes(sky.moon)[0]
+        lit = 0.5 - 0.5 * float(dot(sun, to_moon))
+        shows = lit**2 * _step(0.06, 0.12, -low) * _step(-0.02, 0.02, float(to_moon[1]))
+        self.lamps.append(self._lamp(to_moon, MOON_POWER * sky.moon.brightness * shows, skylight.DARK))
+        if low < -0.06:
+            self.lit_by, self._above = to_moon, self.lamps[1].power
+            self.clear_direct = self._above * np.exp(-self.lamps[1].path)
+
+    def _lamp(self, direction: Floats, power: Floats, least: skylight.Rgb) -> Lamp:
+        height = float(direction[1])
+        path = skylight.atmosphere(self.mie, self.sky.haze).depth(height)
+        glow = skylight.glow(self.mie, self.sky.haze, height, tuple(power.tolist()), least)
+        return Lamp(direction, path, power, glow)
+
+    def _cloud_light(self, altitude: float) -> Floats:
+        """The lamp's irradiance at an altitude (m), (3,): through the molecules and the haze above it, which thin with
+        different heights."""
+        depth = RAYLEIGH * math.exp(-altitude / RAYLEIGH_HEIGHT) + self.mie * math.exp(-altitude / MIE_HEIGHT)
+        result: Floats = self._above * np.exp(-depth / (max(float(self.lit_by[1]), 0.0) + 0.03))
+        return result
 
     @cached_property
     def clouds(self) -> CloudLayer | None:
@@ -117,7 +138,7 @@ class LayeredSky:
         if layer is None:
             return None
         place = clouds.place(layer, self.time, self.eye)
-        return CloudLayer(layer, self.lit_by, self.cloud_light(layer.height), self._ambient, place, self.eye[1])
+        return CloudLayer(layer, self.lit_by, self._cloud_light(layer.height), self._ambient, place, self.eye[1])
 
     @cached_property
     def high(self) -> HighClouds | None:
@@ -126,7 +147,7 @@ class LayeredSky:
         if cirrus is None:
             return None
         place = clouds.streak_place(cirrus, self.time, self.eye)
-        return HighClouds(cirrus, self.lit_by, self.cloud_light(cirrus.height), self._ambient, place, self.eye[1])
+        return HighClouds(cirrus, self.lit_by, self._cloud_light(cirrus.height), self._ambient, place, self.eye[1])
 
     @property
     def _ambient(self) -> Floats:
@@ -304,42 +325,3 @@ def _axes(moon: Moon) -> tuple[Floats, Floats, Floats]:
     """Direction toward the moon, and its right and up; (3,) unit vectors."""
     to_moon = toward(moon.azimuth, moon.elevation)
     return to_moon, toward(moon.azimuth + 0.5 * math.pi, 0.0), toward(moon.azimuth, moon.elevation + 0.5 * math.pi)
-
-
-def layered_sky(light: Light, time: float, eye: Vec3) -> LayeredSky | None:
-    """The layered sky of a light at a time (s) over a camera position (m); None if the scene has the plain sky."""
-    sky = light.sky
-    if sky is None:
-        return None
-    mie = mie_depth(light)
-
-    def lamp(direction: Floats, power: Floats, least: skylight.Rgb) -> Lamp:
-        height = float(direction[1])
-        path = skylight.atmosphere(mie, sky.haze).depth(height)
-        return Lamp(direction, path, power, skylight.glow(mie, sky.haze, height, tuple(power.tolist()), least))
-
-    sun = to_sun(light)
-    low = float(sun[1])
-    lamps = [lamp(sun, np.array(skylight.SUN_POWER) * skylight.adapted(low), skylight.NIGHT)]
-    by_moon = False
-    if sky.moon is not None:
-        to_moon = _axes(sky.moon)[0]
-        lit = 0.5 - 0.5 * float(dot(sun, to_moon))
-        shows = lit**2 * _step(0.06, 0.12, -low) * _step(-0.02, 0.02, float(to_moon[1]))
-        lamps.append(lamp(to_moon, MOON_POWER * sky.moon.brightness * shows, skylight.DARK))
-        by_moon = low < -0.06
-    if by_moon:
-        lit_by = lamps[1].direction
-        direct = lamps[1].power * np.exp(-lamps[1].path)
-        above, height = lamps[1].power, float(lit_by[1])
-    else:
-        lit_by = sun
-        direct = np.array(skylight.SUN_POWER) * np.exp(-lamps[0].path) * skylight.disc_shown(low)
-        above, height = np.full(3, CLOUD_POWER * _step(-0.06, 0.02, low)), low
-
-    def up_there(altitude: float) -> Floats:
-        """The lamp's light through the molecules and the haze above an altitude, which thin with different heights."""
-        depth = RAYLEIGH * math.exp(-altitude / RAYLEIGH_HEIGHT) + mie * math.exp(-altitude / MIE_HEIGHT)
-        return above * np.exp(-depth / (max(height, 0.0) + 0.03))
-
-    return LayeredSky(light, sky, mie, tuple(lamps), lit_by, direct, up_there, time, eye)

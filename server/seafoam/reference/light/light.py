@@ -71,9 +71,9 @@ class Air:
 def air(light: Light, time: float = 0.0, eye: Vec3 = (0.0, 0.0, 0.0)) -> Air:
     """The air under a light at a time (s) around a camera position (m)."""
     plain = _air(atmosphere.to_sun(light), atmosphere.mie_depth(light))
-    above = atmosphere.layered_sky(light, time, eye)
-    if above is None:
+    if light.sky is None:
         return plain
+    above = atmosphere.LayeredSky(light, light.sky, time, eye)
     return replace(plain, sun=above.lit_by, sun_irradiance=above.direct, above=above)
 
 

@@ -1,7 +1,6 @@
 """Section 12: the sun's reflection divided into sparkles, at one time; its mean is the smooth reflection."""
 
 import math
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
 from itertools import product
@@ -20,23 +19,19 @@ LIGHT_LEAST = 1e-20
 SOFT, SOFT_LEAST = 0.25, 1e-3  # half the width of the ramp around a probability, over the probability
 
 
-@dataclass(frozen=True)
 class SparkleField:
-    sparkles: Sparkles
-    epoch: int  # number of whole lives since time 0, modulo EPOCHS
-    turn: float  # fraction of the current one
-    radius: float  # of a sparkle, rad
-    side: float  # size of a cell on the octahedron
+    """The sparkles at a time (s). ``step``: sample spacing at the centre of the picture, rad; 0: no least size."""
 
-    @staticmethod
-    def at_time(sparkles: Sparkles, time: float, step: float) -> "SparkleField":
-        """The sparkles at a time (s). ``step``: sample spacing at the centre of the picture, rad; 0: no least size."""
+    def __init__(self, sparkles: Sparkles, time: float, step: float) -> None:
+        self.sparkles = sparkles
         lives = Fraction(time) / Fraction(sparkles.life)
         whole = math.floor(lives)
+        # Number of whole lives since time 0, modulo EPOCHS, and the fraction of the current one.
+        self.epoch, self.turn = whole % EPOCHS, float(lives - whole)
         radius_set = 0.5 * sparkles.size
-        radius = min(max(PIXELS * step, radius_set), MOST)
-        doubled = math.ceil(math.log2(radius / radius_set) - 1e-3)
-        return SparkleField(sparkles, whole % EPOCHS, float(lives - whole), radius, 4.0 * radius_set * 2.0**doubled)
+        self.radius = min(max(PIXELS * step, radius_set), MOST)  # of a sparkle, rad
+        doubled = math.ceil(math.log2(self.radius / radius_set) - 1e-3)
+        self.side = 4.0 * radius_set * 2.0**doubled  # of a cell on the octahedron
 
     @property
     def density(self) -> float:
@@ -86,7 +81,7 @@ class SparkleField:
 
 
 def sun(light: Light, air: Air, time: float, step: float) -> Glint:
-    """The sun on the water of a light at a time (s); ``step`` as for :meth:`SparkleField.at_time`."""
+    """The sun on the water of a light at a time (s); ``step`` as for :class:`SparkleField`."""
     smooth: Glint = (
         partial(glint, air)
         if light.specular == "glint"
@@ -94,7 +89,7 @@ def sun(light: Light, air: Air, time: float, step: float) -> Glint:
     )
     if light.sparkles is None:
         return smooth
-    field = SparkleField.at_time(light.sparkles, time, step)
+    field = SparkleField(light.sparkles, time, step)
 
     def sparkling(d: Floats, n: Floats, cv: Floats, sigma2: float) -> Floats:
         return field.broken(air, d, smooth(d, n, cv, sigma2))

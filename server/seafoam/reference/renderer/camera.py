@@ -1,7 +1,6 @@
 """Section 1: the camera, and the rays of its samples."""
 
 import math
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -10,17 +9,24 @@ from seafoam.reference.types import Floats, Pair, Vec2
 from seafoam.scene.camera import Camera
 
 
-@dataclass(frozen=True)
 class SampleGrid:
-    """The samples of a camera's picture, and the vectors of which their rays are composed."""
+    """The samples of a camera's picture of width × height pixels, ``samples`` along each side of one, and the vectors
+    of which their rays are composed. Rotated by yaw, then pitch, then roll."""
 
-    eye: Floats  # (3,) position, m
-    ray_x: Floats  # (3,) derivative of a ray by clip X
-    ray_y: Floats  # (3,) derivative of a ray by clip Y
-    ray_z: Floats  # (3,) the ray through the centre of the picture
-    width: int  # pixels, as is the height
-    height: int
-    samples: int  # along each side of a pixel
+    def __init__(self, camera: Camera, width: int, height: int, samples: int = 1) -> None:
+        self.width, self.height, self.samples = width, height, samples
+        sin_yaw, cos_yaw = math.sin(camera.yaw), math.cos(camera.yaw)
+        sin_pitch, cos_pitch = math.sin(camera.pitch), math.cos(camera.pitch)
+        sin_roll, cos_roll = math.sin(camera.roll), math.cos(camera.roll)
+        right = np.array([cos_yaw, 0.0, sin_yaw])
+        up = np.array([-sin_yaw * sin_pitch, cos_pitch, cos_yaw * sin_pitch])
+        right, up = right * cos_roll + up * sin_roll, up * cos_roll - right * sin_roll
+        q = math.tan(camera.fov / 2.0)
+        self.eye: Floats = np.array(camera.position, np.float64)  # m
+        # Derivatives of a ray by clip X and Y, and the ray through the centre of the picture.
+        self.ray_x: Floats = q * (width / height) * right
+        self.ray_y: Floats = q * up
+        self.ray_z: Floats = np.array([sin_yaw * cos_pitch, sin_pitch, -cos_yaw * cos_pitch])
 
     @property
     def eye_y(self) -> float:
@@ -55,17 +61,3 @@ class SampleGrid:
     def rays(self, X: Floats, Y: Floats) -> Floats:
         """D = ray_z + X ray_x + Y ray_y at clip positions in [−1, 1]; (..., 3), not normalised, never zero."""
         return self.ray_z + X[..., None] * self.ray_x + Y[..., None] * self.ray_y
-
-
-def sample_grid(camera: Camera, width: int, height: int, samples: int = 1) -> SampleGrid:
-    """The samples of a camera's picture of width × height pixels: rotated by yaw, then pitch, then roll."""
-    sin_yaw, cos_yaw = math.sin(camera.yaw), math.cos(camera.yaw)
-    sin_pitch, cos_pitch = math.sin(camera.pitch), math.cos(camera.pitch)
-    sin_roll, cos_roll = math.sin(camera.roll), math.cos(camera.roll)
-    forward = np.array([sin_yaw * cos_pitch, sin_pitch, -cos_yaw * cos_pitch])
-    right = np.array([cos_yaw, 0.0, sin_yaw])
-    up = np.array([-sin_yaw * sin_pitch, cos_pitch, cos_yaw * sin_pitch])
-    right, up = right * cos_roll + up * sin_roll, up * cos_roll - right * sin_roll
-    q = math.tan(camera.fov / 2.0)
-    eye, across = np.array(camera.position, np.float64), q * (width / height) * right
-    return SampleGrid(eye, across, q * up, forward, width, height, samples)

@@ -7,11 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from seafoam.reference.foam.coverage import Assets
-from seafoam.reference.renderer.camera import SampleGrid, sample_grid
+from seafoam.reference.renderer.camera import SampleGrid
 from seafoam.reference.renderer.shade import SampleShader
 from seafoam.reference.renderer.state import Mode
-from seafoam.reference.spray.births import drops
-from seafoam.reference.spray.splats import splats
+from seafoam.reference.spray import Drops, Splats, Sprayed
 from seafoam.reference.types import Floats, Pair
 from seafoam.scene.base import non_defaults
 from seafoam.scene.camera import Camera
@@ -45,7 +44,7 @@ def scene_sha256(scene: Scene) -> str:
 
 
 def render(
-    scene: Scene,
+    scene: Scene | Sprayed,
     *,
     time: float,
     width: int,
@@ -58,16 +57,18 @@ def render(
 
     ``same-samples`` places them on the grid of section 1 and filters as the shaders do; ``converged`` places one at
     random in each cell of the grid, always the same, and replaces the filtered look by its limit and every texture
-    level by level 0. ``camera`` replaces the scene's. Waves and ripples are never slope-filtered.
+    level by level 0. ``camera`` replaces the scene's. Waves and ripples are never slope-filtered. Raises ``ValueError``
+    for spray without its drops at this time from this camera (:func:`seafoam.accuracy.truth.sprayed`).
     """
+    scene, drops = (scene.scene, scene.drops) if isinstance(scene, Sprayed) else (scene, None)
     scene = scene.settled
-    grid = sample_grid(scene.camera if camera is None else camera, width, height, samples)
+    if scene.spray is not None and drops is None:
+        raise ValueError("spray needs its drops as a renderer throws them (seafoam.accuracy.truth.sprayed)")
+    grid = SampleGrid(scene.camera if camera is None else camera, width, height, samples)
     shader = SampleShader(scene, time, grid, mode, Assets.for_scene(scene))
     flying = None
-    if scene.spray is not None and not shader.covered:
-        thrown = drops(scene, time, shader.origin, grid.ray_z[::2], shader.surface.coast)
-        if thrown is not None:
-            flying = splats(scene, thrown, grid, shader.surface, shader.fleet, shader.lighting)
+    if drops is not None and scene.spray is not None and not shader.covered:
+        flying = Splats(scene, Drops.of(drops), grid, shader.surface, shader.fleet, shader.lighting)
     X, Y = _clip_positions(grid, mode)
     count = max(1, CHUNK // samples**2) * samples**2
     parts = [shader.shade(X[i : i + count], Y[i : i + count]) for i in range(0, X.size, count)]

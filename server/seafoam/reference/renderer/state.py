@@ -6,8 +6,8 @@ from typing import Literal
 
 import numpy as np
 
-from seafoam.ocean.waves.stokes import foam_life
-from seafoam.reference.boats.boat import Fleet, fleet
+from seafoam.ocean.waves.stokes import follows_orbits
+from seafoam.reference.boats.boat import Fleet
 from seafoam.reference.boats.wake import StoneSet, WakeSet, stone_set, wake_set
 from seafoam.reference.foam.coverage import Assets
 from seafoam.reference.light import light, sparkles
@@ -16,52 +16,34 @@ from seafoam.reference.renderer.camera import SampleGrid
 from seafoam.reference.shore.shore import Coast, land_shadow
 from seafoam.reference.types import Floats, Footprints, Relief, ReliefPart, Sunlight, Vec2, dot, unit
 from seafoam.reference.water.seafloor import Seabed, ShoreSeabed
-from seafoam.reference.waves.parametric import RippleSet, WaveSet, afloat, gust_field, ripple_set, wave_set
-from seafoam.reference.waves.rings import RingSet, ring_set, touch_set
-from seafoam.reference.waves.sea import SeaSurface, sea_surface
+from seafoam.reference.waves.parametric import afloat, gust_field, ripple_set, wave_set
+from seafoam.reference.waves.rings import ring_set, touch_set
+from seafoam.reference.waves.sea import sea_surface
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 
 Mode = Literal["same-samples", "converged"]
 
 
-@dataclass(frozen=True, eq=False)
 class Surface:
-    """The water at one time around one origin, all that raises and tilts it, and the land."""
+    """The water of a scene at a time (s) around an origin (x, z) in m, all that raises and tilts it, and the land."""
 
-    afloat: Vec2  # the origin in the frame of the flowing water, m
-    waves: WaveSet
-    sea: SeaSurface | None
-    wakes: WakeSet | StoneSet | None  # the wakes that leave foam
-    coast: Coast | None
-    relief: ReliefPart  # the sum of all that raises the water
-    ripples: RippleSet
-    touches: RingSet
-    orbits: bool  # whether waves move foam to and fro
-
-    @staticmethod
-    def of(scene: Scene, time: float, origin: Vec2) -> "Surface":
-        """The surface of a scene at a time (s) around an origin (x, z) in m."""
-        floating = afloat(scene, time, origin)
-        waves, sea = wave_set(scene, time, floating), sea_surface(scene, time, floating)
+    def __init__(self, scene: Scene, time: float, origin: Vec2) -> None:
+        self.afloat = afloat(scene, time, origin)  # the origin in the frame of the flowing water, m
+        self.waves, self.sea = wave_set(scene, time, self.afloat), sea_surface(scene, time, self.afloat)
         boats = wake_set(scene, time, origin) if scene.boats else None
         stones = None if scene.current is None else stone_set(scene.current, origin)
-        parts = (waves, ring_set(scene, time, origin), boats, stones, sea)
+        # The wakes that leave foam.
+        self.wakes: WakeSet | StoneSet | None = stones if stones is not None and stones.wakes else boats
+        parts = (self.waves, ring_set(scene, time, origin), boats, stones, self.sea)
         open_sea = Relief(part for part in parts if part is not None)
-        coast = None if scene.shore is None else Coast(scene.shore, time, origin, open_sea)
-        repeats = scene.light is not None and scene.light.caustics is not None
-        life, ripples = foam_life(scene), scene.water.ripples
-        return Surface(
-            afloat=floating,
-            waves=waves,
-            sea=sea,
-            wakes=stones if stones is not None and stones.wakes else boats,
-            coast=coast,
-            relief=open_sea if coast is None else coast,
-            ripples=ripple_set(ripples, time, floating, repeats, gust_field(ripples, time, origin)),
-            touches=touch_set(scene, time, origin),
-            orbits=life is not None and life.carried,
-        )
+        self.coast = None if scene.shore is None else Coast(scene.shore, time, origin, open_sea)
+        # The sum of all that raises the water.
+        self.relief: ReliefPart = open_sea if self.coast is None else self.coast
+        repeats, ripples = scene.light is not None and scene.light.caustics is not None, scene.water.ripples
+        self.ripples = ripple_set(ripples, time, self.afloat, repeats, gust_field(ripples, time, origin))
+        self.touches = touch_set(scene, time, origin)
+        self.orbits = follows_orbits(scene)
 
     def slopes(self, x: Floats, z: Floats) -> tuple[Floats, Floats, Floats]:
         """Slopes at (x, z): of the surface for rays, of that for shading, and of waves without height; (2, r) each."""
@@ -83,27 +65,17 @@ class Surface:
         return by if self.coast is None else self.coast.to_rest(by, x, z)
 
 
-@dataclass(frozen=True, eq=False)
 class Lighting:
-    """A scene's light at one time around one origin."""
+    """A light on a coast and a fleet at one time around one origin. ``filtering``: sparkles are at least as large as
+    samples are apart."""
 
-    settings: Light
-    air: light.Air
-    glint: light.Glint
-    open_sun: Sunlight  # what land and clouds leave of the sun
-    sunlight: Sunlight  # what boats leave too
-
-    @staticmethod
-    def of(
-        scene: Scene, time: float, grid: SampleGrid, filtering: bool, coast: Coast | None, fleet: Fleet | None
-    ) -> "Lighting | None":
-        """The light on a coast and a fleet; None: the scene has no light. ``filtering``: sparkles are at least as
-        large as samples are apart."""
-        settings = scene.light
-        if settings is None:
-            return None
-        air = light.air(settings, time, (grid.origin[0], grid.eye_y, grid.origin[1]))
+    def __init__(
+        self, settings: Light, time: float, grid: SampleGrid, filtering: bool, coast: Coast | None, fleet: Fleet | None
+    ) -> None:
+        self.settings = settings
+        self.air = air = light.air(settings, time, (grid.origin[0], grid.eye_y, grid.origin[1]))
         step = max(math.sqrt(float(side @ side)) for side in grid.steps) if filtering else 0.0
+        self.glint = sparkles.sun(settings, air, time, step)
         parts: list[Sunlight] = []
         if coast is not None and coast.shore.shadows:
             parts.append(land_shadow(coast, air.sun))
@@ -111,8 +83,8 @@ class Lighting:
         if layer is not None and layer.clouds.shadows > 0.0 and layer.taken > 0.0:
             parts.append(layer.sunlight)
         boats: list[Sunlight] = [] if fleet is None else [lambda place, _: fleet.sunlight(place, air.sun)]
-        glint = sparkles.sun(settings, air, time, step)
-        return Lighting(settings, air, glint, _product(parts), _product([*parts, *boats]))
+        # What land and clouds leave of the sun, and what boats leave too.
+        self.open_sun, self.sunlight = _product(parts), _product([*parts, *boats])
 
     @property
     def exposure(self) -> float:
@@ -152,13 +124,15 @@ class ReferenceState:
         self.filtering = mode == "same-samples"
         self.assets = assets
         self.origin, self.eye_y = grid.origin, grid.eye_y
-        self.surface = Surface.of(scene, time, self.origin)
+        self.surface = Surface(scene, time, self.origin)
         coast, relief = self.surface.coast, self.surface.relief
         self.fleet = None
         if scene.boats:
             ground = None if coast is None else lambda x, z: coast.ground(*coast.place(x, z))[0]
-            self.fleet = fleet(scene, time, self.origin, relief.height, ground)
-        self.lighting = Lighting.of(scene, time, grid, self.filtering, coast, self.fleet)
+            self.fleet = Fleet(scene, time, self.origin, relief.height, ground)
+        self.lighting = None
+        if scene.light is not None:
+            self.lighting = Lighting(scene.light, time, grid, self.filtering, coast, self.fleet)
         self.covered = self.eye_y < float(relief.height(np.zeros(1), np.zeros(1))[0])
         self.under = scene.water.view_below and self.covered
         self.seabed = None if self.lighting is None else self._seabed(self.lighting)

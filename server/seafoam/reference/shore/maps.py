@@ -117,12 +117,12 @@ def travel(shore: Shore, d: Floats) -> Floats:
     return seconds / (math.sqrt(GRAVITY) * shore.surf.period)
 
 
-def rhythm(surf: Surf, time: float, x: Floats, z: Floats, ago: Floats | float = 0.0) -> Floats:
-    """Factor of the waves' height at (x, z), m from the square's centre, ``ago`` s before; of the shape of ``x``."""
+def _rhythm(surf: Surf, time: float, x: Floats, z: Floats) -> Floats:
+    """Factor of the waves' height at (x, z), m from the square's centre; of the shape of ``x``."""
     total = np.zeros_like(x)
     for i, (wavelength, heading, period) in enumerate(MASK):
         k, omega = 2.0 * math.pi / wavelength, 2.0 * math.pi / period
-        phase = reduced((omega, time), plus=1.7 * i) - omega * ago
+        phase = reduced((omega, time), plus=1.7 * i)
         total += np.sin(phase + k * (math.cos(heading) * x + math.sin(heading) * z))
     return 1.0 - surf.variation * smoothstep(-0.8, 0.8, 0.5 * total)
 
@@ -153,7 +153,7 @@ def shore_map(shore: Shore, time: float) -> Floats:
     return np.stack(
         (
             periods,
-            surf.height * shoal * near * inland * left * open_ * rhythm(surf, time, x, z),
+            surf.height * shoal * near * inland * left * open_ * _rhythm(surf, time, x, z),
             1.0 - step_between(breaks, 2.5 * breaks, depth),
             step_between(0.0, 0.6 * shore.deep, depth) * (0.1 + 0.9 * open_),
         ),

@@ -174,9 +174,9 @@ class WaveSet:
         """Phases at (x, z), m from the origin, shape (r,): (n, r) rad, not reduced."""
         return self.phase[:, None] - self.kx[:, None] * x - self.kz[:, None] * z
 
-    def height(self, x: Floats, z: Floats, ago: Floats | float = 0.0) -> Floats:
-        """Σ y over the waves at (x, z), ``ago`` s before, minus its mean, times the factor of the groups; (r,) m."""
-        return self._grouped(self._even_height(x, z, ago), x, z, ago)
+    def height(self, x: Floats, z: Floats) -> Floats:
+        """Σ y over the waves at (x, z), minus its mean, times the factor of the groups; (r,) m."""
+        return self._grouped(self._even_height(x, z), x, z)
 
     def gradient(self, x: Floats, z: Floats) -> Floats:
         """(h_x, h_z) of the sum at (x, z); (2, r)."""
@@ -186,28 +186,17 @@ class WaveSet:
             slope -= k * wave_derivative(theta, self.amplitude[i], self.exponent[i])
         if self.groups is None:
             return slope
-        return self.groups(x, z) * slope + self._even_height(x, z, 0.0) * self.groups.gradient(x, z)
+        return self.groups(x, z) * slope + self._even_height(x, z) * self.groups.gradient(x, z)
 
-    def rise(self, x: Floats, z: Floats) -> Floats:
-        """Speed at which the surface rises at (x, z); (r,) m/s."""
-        total = np.zeros_like(x)
-        for i, theta in enumerate(self.theta(x, z)):
-            total += self.omega[i] * wave_derivative(theta, self.amplitude[i], self.exponent[i])
-        if self.groups is None:
-            return total
-        by_x, by_z = self.groups.gradient(x, z)
-        passing: Floats = -(self.groups.velocity[0] * by_x + self.groups.velocity[1] * by_z)
-        return self.groups(x, z) * total + self._even_height(x, z, 0.0) * passing
-
-    def _even_height(self, x: Floats, z: Floats, ago: Floats | float) -> Floats:
-        """The height ``ago`` s before, without groups; (r,) m."""
+    def _even_height(self, x: Floats, z: Floats) -> Floats:
+        """The height without groups; (r,) m."""
         total = np.full_like(x, -self.level)
         for i, theta in enumerate(self.theta(x, z)):
-            total += wave_height(theta - self.omega[i] * ago, self.amplitude[i], self.exponent[i])
+            total += wave_height(theta, self.amplitude[i], self.exponent[i])
         return total
 
-    def _grouped(self, values: Floats, x: Floats, z: Floats, ago: Floats | float = 0.0) -> Floats:
-        return values if self.groups is None else values * self.groups(x, z, ago)
+    def _grouped(self, values: Floats, x: Floats, z: Floats) -> Floats:
+        return values if self.groups is None else values * self.groups(x, z)
 
     def to_rest(self, x: Floats, z: Floats) -> Floats:
         """Displacement from (x, z) to the rest position of the water, to first order in the slope, m; (2, r)."""

@@ -139,12 +139,14 @@ class EncodedFrame:
 
 @dataclass(frozen=True, slots=True)
 class Draw:
-    """One drawing of a measurement. ``keep``: return its pixels."""
+    """One drawing of a measurement. ``keep``: return its pixels; ``target``: those of a target of the plan in place of
+    the picture's, none where the plan lacks it."""
 
     width: int
     height: int
     output: Literal["rgba8", "linear"]
     keep: bool = False
+    target: str | None = None
 
 
 Timer = Literal["wall", "processor"]
@@ -235,9 +237,13 @@ def measure(renderer: Renderer, job: MeasureJob) -> tuple[Drawn, ...]:
     plan = make_plan(job.scene, job.quality)
     drawn = []
     for draw in job.draws:
+        shown = plan if draw.target is None else plan.model_copy(update={"linear": draw.target})
+        if shown.linear not in ("screen", *plan.targets):
+            drawn.append(Drawn(0.0, np.zeros((0, 0, 4), np.float32)))
+            continue
         began = time.process_time()
         rendered = renderer.render(
-            plan, time=job.time, camera=job.camera, width=draw.width, height=draw.height, output=draw.output
+            shown, time=job.time, camera=job.camera, width=draw.width, height=draw.height, output=draw.output
         )
         spent = time.process_time() - began if job.timer == "processor" else rendered.timings["render"]
         drawn.append(Drawn(spent, rendered.pixels if draw.keep else None))

@@ -109,7 +109,7 @@ def test_boats_float_as_in_float64(executor: Executor, report: Report, sea: str,
     boats = tuple(boat.model_copy(update={"smoothing": smoothing}) for boat in BOATS)
     scene = SEAS[sea].model_copy(update={"boats": boats})
     plan = make_plan(scene, EXACT)
-    grid, off = cameras.sample_grid(SKYWARD, 16, 9), 0.0
+    grid, off = cameras.SampleGrid(SKYWARD, 16, 9), 0.0
     for time in (1000003.5,) if scene.sea else (0.0, 1000003.5):
         places, lines = water_lines(scene, poses(executor, plan, time, SKYWARD), time, SKYWARD)
         relief = SampleShader(scene, time, grid, "same-samples", None).surface.relief
@@ -194,7 +194,7 @@ def test_a_boat_stands_before_what_is_behind_it_and_behind_what_is_before_it(exe
         boats=(Boat(centre=(0.0, -45.0), radius=20.0, bearing=1.6, speed=0.0, wake=0.0, kind="motor", length=10.0),),
         camera=Camera(position=(0.0, 1.9, 0.0), pitch=0.0, fov=0.5),
     )
-    grid = cameras.sample_grid(scene.camera, 160, 90)
+    grid = cameras.SampleGrid(scene.camera, 160, 90)
     shader = SampleShader(scene, 0.0, grid, "same-samples", None)
     down, along = np.mgrid[0:90, 0:160]
     X, Y = 2.0 * (along.ravel() + 0.5) / 160 - 1.0, 1.0 - 2.0 * (down.ravel() + 0.5) / 90

@@ -1,6 +1,7 @@
 """Drifting foam: the shader's flow, ways and patches against float64, an analytic vortex by step, maps both ways."""
 
 import math
+from functools import cache
 from itertools import pairwise
 
 import numpy as np
@@ -185,13 +186,16 @@ def test_the_map_by_its_size_its_step_and_its_window(executor: Executor, report:
     """Each texel against float64 at its middle: finer, shorter and longer are better."""
     time = 33.3
 
+    @cache
+    def wanted(size: int) -> tuple[slice, Floats]:
+        """About 2000 of the texels, and their generations."""
+        kept = slice(None, None, max(7, 2 * (size // 64) ** 2 + 1))
+        x, z = texels(size, 40.0)
+        return kept, generations(SCENE, time, x[kept], z[kept])
+
     def error(**parameters: object) -> float:
         quality = STANDARD.model_copy(update=parameters)
-        found = drawn(executor, SCENE, quality, time)
-        x, z = texels(quality.drift_size, 40.0)
-        # About 2000 of them.
-        kept = slice(None, None, max(7, 2 * (quality.drift_size // 64) ** 2 + 1))
-        want = generations(SCENE, time, x[kept], z[kept])
+        found, (kept, want) = drawn(executor, SCENE, quality, time), wanted(quality.drift_size)
         shares = np.sin(math.pi * (time % 5.0 + 5.0 * np.arange(4)) / 20.0) ** 2
         cut = min(math.ceil(quality.drift_window / 5.0), 4)
         return rms((found.reshape(-1, 4)[kept] * (np.arange(4) < cut) - want) @ shares)

@@ -144,22 +144,6 @@ def test_windrows_share_out_what_there_is(report: Report) -> None:
             assert rows.std() > 0.1
 
 
-def test_rows_lie_along_the_wind() -> None:
-    life = FoamLife(windrows=1.0, windrow_spacing=2.0, wind_direction=0.9)
-    scene = Scene(foam=Foam(life=life))
-    x, z = places(100_000)
-    c, s = math.cos(0.9), math.sin(0.9)
-
-    def alike(dx: float, dz: float) -> float:
-        here, there = (
-            aging.gathered(scene, 0.0, (0.0, 0.0), np.full(x.shape, 0.5), x + m * dx, z + m * dz) for m in (0, 1)
-        )
-        return float(np.corrcoef(here, there)[0, 1])
-
-    assert alike(2.0 * c, 2.0 * s) > 0.7
-    assert alike(-2.0 * s, 2.0 * c) < 0.2
-
-
 def test_masks_of_all_ages_cover_what_one_would() -> None:
     """What no mask covers stays free: the product of what each leaves is 1 − s."""
     f = np.linspace(0.005, 0.99, 2000)

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from seafoam.ocean.constants import WATER_INDEX
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.reference.water import seafloor
@@ -85,15 +84,6 @@ def test_no_seam_shows(executor: Executor, kind: str, parameter: str) -> None:
     away = np.abs(light_of(executor, POOL, caustics=kind, **{parameter: 256}) - truth).mean(axis=-1)
     rim = np.concatenate([away[:2], away[-2:], away[:, :2].T, away[:, -2:].T])
     assert rim.mean() <= 1.3 * away.mean()
-
-
-def test_rays_bend_by_snells_law() -> None:
-    rng = np.random.default_rng(5)
-    d, n = (v / np.linalg.norm(v, axis=1)[:, None] for v in rng.normal(size=(2, 4000, 3)))
-    n *= -np.sign(np.einsum("ij,ij->i", d, n))[:, None]
-    r = seafloor.refracted(d, n)
-    assert np.abs(np.linalg.norm(r, axis=1) - 1.0).max() <= 1e-12
-    assert np.abs(np.cross(d, n) - WATER_INDEX * np.cross(r, n)).max() <= 1e-12
 
 
 def parted(dispersion: float) -> Scene:

@@ -73,6 +73,7 @@ def test_clouds_cover_their_share(report: Report, cover: float) -> None:
 
 
 SKIES = (
+    None,
     Sky(),
     Sky(haze=0.0),
     Sky(haze=20.0),

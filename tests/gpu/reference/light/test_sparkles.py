@@ -57,7 +57,7 @@ def probed(probe: Probe, d: NDArray[np.float64], w: float, time: float, cells: i
 def test_sparkles_equal_their_float64_form(probe: Probe, w: float, time: float) -> None:
     d = looks(100_000)
     got = probed(probe, d, w, time)
-    want = SparkleField.at_time(SPARKLES, time, 0.0).light(d, np.full(len(d), w))
+    want = SparkleField(SPARKLES, time, 0.0).light(d, np.full(len(d), w))
     assert (want > 0.0).sum() > 100
     # A hash that lies within rounding of its chance falls either way.
     away = np.abs(got - want) / max(w, want.max())
@@ -82,8 +82,8 @@ def test_they_swell_and_fade_without_a_jump() -> None:
     d = looks(20_000)
     w = np.full(len(d), 0.1)
     times = 5.0 + 0.4 * np.arange(0.0, 1.5, 2e-3)
-    seen = np.flatnonzero(SparkleField.at_time(SPARKLES, 5.2, 0.0).light(d, w) > 0.0)[:30]
-    course = np.array([SparkleField.at_time(SPARKLES, time, 0.0).light(d[seen], w[seen]) for time in times])
+    seen = np.flatnonzero(SparkleField(SPARKLES, 5.2, 0.0).light(d, w) > 0.0)[:30]
+    course = np.array([SparkleField(SPARKLES, time, 0.0).light(d[seen], w[seen]) for time in times])
     assert np.abs(np.diff(course, axis=0)).max() <= 0.03 * course.max()
     # One that lives next to it may stand there all the while.
     assert (course == 0.0).any(axis=0).mean() >= 0.9

@@ -93,18 +93,6 @@ def test_what_the_footprint_hides_goes_over_into_its_mean(executor: Executor, re
     report.within("Mean reflectance of land under footprints of up to 8 m, of that of 5 mm", off=(worst, 0.04))
 
 
-def test_slopes_are_those_of_the_noise() -> None:
-    random = np.random.default_rng(3)
-    x, z = random.uniform(-500.0, 500.0, (2, 20_000))
-    step = 1e-5
-    value, along_x, along_z = truth.slopes(7, x, z)
-    assert abs(value.std() - 1.0) <= 0.02
-    assert abs(value.mean()) <= 0.03
-    for a, b, got in ((step, 0.0, along_x), (0.0, step, along_z)):
-        change = (truth.slopes(7, x + a, z + b)[0] - truth.slopes(7, x - a, z - b)[0]) / (2.0 * step)
-        assert np.abs(change - got).max() <= 1e-4
-
-
 def test_no_detail_is_the_smooth_land(executor: Executor) -> None:
     plain = HIGH.model_copy(update={"shore": HIGH.shore.model_copy(update={"detail": 0.0})})
     of = Ground(executor, plain)

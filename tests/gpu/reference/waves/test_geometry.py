@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 
 from seafoam.planner import make_geometry_plan
 from seafoam.reference.renderer import intersect
-from seafoam.reference.renderer.camera import sample_grid
+from seafoam.reference.renderer.camera import SampleGrid
 from seafoam.reference.renderer.shade import SampleShader
 from seafoam.reference.types import unit
 from seafoam.render.gl.executor import Executor
@@ -34,7 +34,7 @@ VIEWS: dict[str, tuple[Scene, Camera | None]] = {
 def truth(scene: Scene, camera: Camera) -> NDArray[np.float64]:
     """Normal and distance in float64, (height, width, 4)."""
     width, height = SIZE
-    grid = sample_grid(camera, width, height)
+    grid = SampleGrid(camera, width, height)
     state = SampleShader(scene.settled, TIME, grid, "same-samples", None)
     X, Y = (2.0 * (np.arange(width) + 0.5) / width - 1.0, 1.0 - 2.0 * (np.arange(height) + 0.5) / height)
     surface, coast = state.surface, state.surface.coast
@@ -70,7 +70,7 @@ def test_geometry_is_that_of_float64(executor: Executor, report: Report, name: s
     got = draw(executor, make_geometry_plan(scene, UNFILTERED), seen, time=TIME, size=SIZE, output="linear")
     want = truth(scene, seen)
     # Nearer to the horizon a ray that touches a crest falls either way.
-    sure = np.abs(sample_grid(seen, *SIZE).depression) > np.radians(1.0)
+    sure = np.abs(SampleGrid(seen, *SIZE).depression) > np.radians(1.0)
     assert (((got[..., 3] > 0.0) == (want[..., 3] > 0.0)) | ~sure).mean() >= 0.999
     both = sure & (got[..., 3] > 0.0) & (want[..., 3] > 0.0) & (want[..., 3] < 1e5)
     assert both.mean() > 0.2

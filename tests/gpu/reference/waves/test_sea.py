@@ -190,7 +190,7 @@ def test_foam_lies_where_float64_has_it(executor: Executor, report: Report, pres
     """At 400 pixels of the lower half of a picture 960 wide: coverage, against 16 samples a pixel in float64."""
     found = load_preset(preset)
     scene, (width, height), along = found.scene.settled, (960, 540), 4
-    grid = cameras.sample_grid(scene.camera, width, height, along)
+    grid = cameras.SampleGrid(scene.camera, width, height, along)
     shader = SampleShader(scene, found.time, grid, "converged", Assets.for_scene(scene))
     random = np.random.default_rng(5)
     x, y = random.integers(0, width, 400), random.integers(height // 2, height, 400)

@@ -1,7 +1,9 @@
 """Section 13: drops in flight, and as splats on a picture.
 
-Flight, visibility, size and light of a drop are written from the page. What its water hides within the splat is, like
-the births, a transcript of the shader: a picture with other strands could not be compared sample by sample.
+Births are given: what judges them are their statistics and the float64 surface on which they start
+(``tests/gpu/reference/test_spray.py``). Flight, visibility, size and light of a drop are written from the page. What
+its water hides within the splat is a transcript of the shader: a picture with other strands could not be compared
+sample by sample.
 """
 
 import math
@@ -10,21 +12,22 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from seafoam.ocean.coast.rocks import rocks
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.foam.spray import BATCHES
 from seafoam.reference.boats.boat import Fleet
 from seafoam.reference.light.atmosphere import CONTRAST
-from seafoam.reference.noise import number
+from seafoam.reference.noise import Words, number
 from seafoam.reference.renderer import intersect
 from seafoam.reference.renderer.camera import SampleGrid
 from seafoam.reference.renderer.state import Lighting, Surface
 from seafoam.reference.sampling import trilinear
 from seafoam.reference.shore.shore import Coast
-from seafoam.reference.spray.births import COLUMN, SHEET, Drops, on_rocks
-from seafoam.reference.types import Floats, Pair, ReliefPart, Vec2, dot, smoothstep, unit
+from seafoam.reference.types import Floats, Pair, ReliefPart, Rows, Vec2, dot, smoothstep, unit
 from seafoam.scene.models import Scene
 from seafoam.textures.foam import STRANDS, strand_levels
 
+SHEET, MIST, DRIFT, COLUMN = 0.0, 1.0, 2.0, 3.0  # kinds of drops
 NEAREST = 0.3
 NARROWEST = 0.75  # half the least width and length, samples
 AROUND = 0.06, 0.2
@@ -49,22 +52,86 @@ motion blur (s), greatest length over the radius, and width of the threshold of 
 
 
 @dataclass(frozen=True, eq=False)
-class Splats:
-    """Drops on the picture, as ellipses; (n,) each unless said otherwise."""
+class Sprayed:
+    """A scene and the drops of its spray at a time from a camera, as a renderer throws them."""
 
-    X: Floats  # clip positions of their centres
-    Y: Floats
-    along: Floats  # (n, 2) direction of flight on the picture, y up
-    half: Floats  # (n, 2) half the length and the width, samples
-    depth: Floats  # optical depth of the middle
-    cover: Floats
-    soft: Floats
-    level: Floats  # level of the strands' texture
-    fine: Floats
-    window: Floats  # (n, 3) first place in the texture, and texture along half the length
-    scattered: Floats  # radiance (n, 3), exposed, as is the next
-    onward: Floats
-    sun: Floats  # (n, 3) toward the sun: along, across, toward the eye
+    scene: Scene
+    drops: NDArray[np.float32]
+    """(3, n, 4): birth and age; velocity and radius; strength, kind, seed and life."""
+
+
+@dataclass(frozen=True, eq=False)
+class Drops(Rows):
+    """Drops as they were at birth, x and z relative to the camera; (n,) or (n, 3) each."""
+
+    birth: Floats
+    velocity: Floats
+    age: Floats
+    life: Floats
+    radius: Floats
+    strength: Floats
+    kind: Floats
+    seed: Words  # the upper 24 bits of a drop's word
+
+    @staticmethod
+    def of(table: NDArray[np.float32]) -> "Drops":
+        """Those of :attr:`Sprayed.drops` that are in the air."""
+        birth, thrown, traits = table[:, table[2, :, 0] > 0.0].astype(np.float64)
+        strength, kind, seed, life = traits.T
+        return Drops(
+            birth[:, :3], thrown[:, :3], birth[:, 3], life, thrown[:, 3], strength, kind, seed.astype(np.uint64)
+        )
+
+
+class Splats:
+    """The drops of a scene's spray on the picture, as ellipses."""
+
+    def __init__(
+        self,
+        scene: Scene,
+        drops: Drops,
+        grid: SampleGrid,
+        surface: Surface,
+        fleet: Fleet | None,
+        lighting: Lighting | None,
+    ) -> None:
+        spray, shore = scene.spray, scene.shore
+        assert spray is not None
+        # Drops of waves come in batches, each of which begins at a time of its own; those at rocks do not.
+        on_rocks = shore is not None and shore.surf.height > 0.0 and len(rocks(shore, spray.steep)) > 0
+        every = 0.0 if on_rocks else spray.life / BATCHES
+        vary = number(drops.seed, 6)
+        wind = (spray.wind_speed * math.cos(spray.downwind), spray.wind_speed * math.sin(spray.downwind))
+        of = KINDS[drops.kind.astype(np.intp)]
+        tau = of["drag"] * (spray.drag * (0.6 + 0.8 * vary))
+        place, moving = flight(drops.birth, drops.velocity, drops.age, tau, of["weight"], wind)
+        away = place - np.array([0.0, grid.eye_y, 0.0])
+        depth = away @ grid.ray_z
+        chosen = np.flatnonzero(depth >= NEAREST)
+        soft = 0.35 * drops.radius[chosen] + 0.02
+        clear, over = _visible(away[chosen], grid.eye_y, soft, surface.relief, surface.coast, fleet)
+        chosen, over, clear = chosen[clear > 0.0], over[clear > 0.0], clear[clear > 0.0]
+        drops, of = drops.subset(chosen), of[chosen]
+        away, moving, depth, vary = (part[chosen] for part in (away, moving, depth, vary))
+
+        waited = drops.age - every * number(drops.seed, 8) * of["wait"]
+        radius, thick, self.cover = form(drops.kind, waited, drops.life, vary, number(drops.seed, 9))
+        # Clip positions of the centres, and directions of flight on the picture (n, 2), y up.
+        self.X, self.Y, self.along, size = _ellipses(grid, away, moving, drops.radius * radius, of, over)
+        self.half = np.maximum(size, NARROWEST)  # (n, 2) half the length and the width, samples
+        thin = size.prod(axis=-1) / self.half.prod(axis=-1)
+        sharp = np.log2(0.5 * WINDOW * STRANDS / self.half[:, 1])
+        self.level = np.clip(sharp, 0.0, 5.0)  # of the strands' texture
+        tangent = size[:, 0] * math.sqrt(float(grid.ray_y @ grid.ray_y)) / (0.5 * grid.rows)
+        apart = np.where(drops.kind == COLUMN, 1.0, 1.0 - smoothstep(*AROUND, tangent))
+        hides = 1.0 - np.exp(-thick * drops.strength * clear * smoothstep(NEAREST, 1.0, depth) * apart)
+        self.depth = -np.log(1.0 - np.minimum(thin * hides, 0.999))  # optical depth of the middle
+        self.soft = of["soft"] + (1.0 - of["soft"]) * self.level / 5.0
+        self.fine = 1.0 - np.clip((sharp + 2.0) / 2.0, 0.0, 1.0)
+        stretch = 0.5 * WINDOW * np.minimum(self.half[:, 0] / self.half[:, 1], 2.0)
+        # (n, 3): first place in the texture, and texture along half the length.
+        self.window = np.stack((number(drops.seed, 10), number(drops.seed, 11), stretch), axis=-1)
+        self.scattered, self.onward, self.sun = _light(lighting, grid, away, drops.velocity, self.along)
 
     def draw_over(self, picture: Floats, X: Floats, Y: Floats) -> None:
         """Draw the drops over samples (H, W, 3), in place. X, Y (H, W): clip positions of the samples."""
@@ -135,58 +202,6 @@ def form(kind: Floats, age: Floats, life: Floats, vary: Floats, other: Floats) -
     covers = (0.8 - 0.62 * torn) * (0.6 + 0.4 * other), 0.85, 1.0, 1.1 - 0.8 * spread
     depth, cover = (np.choose(index, np.broadcast_arrays(*each)) for each in (depths, covers))
     return radius, depth, cover
-
-
-def splats(
-    scene: Scene, drops: Drops, grid: SampleGrid, surface: Surface, fleet: Fleet | None, lighting: Lighting | None
-) -> Splats:
-    spray = scene.spray
-    assert spray is not None
-    # Drops of waves come in batches, each of which begins at a time of its own; those at rocks do not.
-    every = 0.0 if on_rocks(scene) else spray.life / BATCHES
-    seed = drops.word >> np.uint64(8)
-    vary = number(seed, 6)
-    wind = (spray.wind_speed * math.cos(spray.downwind), spray.wind_speed * math.sin(spray.downwind))
-    of = KINDS[drops.kind.astype(np.intp)]
-    tau = of["drag"] * (spray.drag * (0.6 + 0.8 * vary))
-    place, moving = flight(drops.birth, drops.velocity, drops.age, tau, of["weight"], wind)
-    away = place - np.array([0.0, grid.eye_y, 0.0])
-    depth = away @ grid.ray_z
-    chosen = np.flatnonzero(depth >= NEAREST)
-    soft = 0.35 * drops.radius[chosen] + 0.02
-    clear, over = _visible(away[chosen], grid.eye_y, soft, surface.relief, surface.coast, fleet)
-    chosen, over, clear = chosen[clear > 0.0], over[clear > 0.0], clear[clear > 0.0]
-    drops = drops.subset(chosen)
-    seed, of = seed[chosen], of[chosen]
-    away, moving, depth, vary = (part[chosen] for part in (away, moving, depth, vary))
-
-    waited = drops.age - every * number(seed, 8) * of["wait"]
-    radius, thick, cover = form(drops.kind, waited, drops.life, vary, number(seed, 9))
-    X, Y, along, size = _ellipses(grid, away, moving, drops.radius * radius, of, over)
-    half = np.maximum(size, NARROWEST)
-    thin = size.prod(axis=-1) / half.prod(axis=-1)
-    sharp = np.log2(0.5 * WINDOW * STRANDS / half[:, 1])
-    level = np.clip(sharp, 0.0, 5.0)
-    tangent = size[:, 0] * math.sqrt(float(grid.ray_y @ grid.ray_y)) / (0.5 * grid.rows)
-    apart = np.where(drops.kind == COLUMN, 1.0, 1.0 - smoothstep(*AROUND, tangent))
-    hides = 1.0 - np.exp(-thick * drops.strength * clear * smoothstep(NEAREST, 1.0, depth) * apart)
-    stretch = 0.5 * WINDOW * np.minimum(half[:, 0] / half[:, 1], 2.0)
-    scattered, onward, sun = _light(lighting, grid, away, drops.velocity, along)
-    return Splats(
-        X=X,
-        Y=Y,
-        along=along,
-        half=half,
-        depth=-np.log(1.0 - np.minimum(thin * hides, 0.999)),
-        cover=cover,
-        soft=of["soft"] + (1.0 - of["soft"]) * level / 5.0,
-        level=level,
-        fine=1.0 - np.clip((sharp + 2.0) / 2.0, 0.0, 1.0),
-        window=np.stack((number(seed, 10), number(seed, 11), stretch), axis=-1),
-        scattered=scattered,
-        onward=onward,
-        sun=sun,
-    )
 
 
 def _light(

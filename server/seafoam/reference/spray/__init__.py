@@ -1,1 +1,0 @@
-"""Section 13 of docs/formulae.md in float64: spray."""
