@@ -7,6 +7,7 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 
 MAIN = "from seafoam.cli import main; main()"
 COMMAND = [sys.executable, "-c", MAIN]
@@ -22,6 +23,8 @@ presets.warm = plan_none
 """
 """The command, whose servers do not plan all presets before anybody asks."""
 FAKED = f"""
+import sys
+sys.path.insert(0, {str(Path(__file__).parents[1])!r})
 from functools import partial
 from seafoam.api import app
 from support.api_fakes import FakeRenderer

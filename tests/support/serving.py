@@ -134,8 +134,7 @@ def served(folder: Path, **environment: str) -> Iterator[tuple[str, "subprocess.
     What it says is in ``LOG`` of the folder.
     """
     address = f"http://127.0.0.1:{(port := free_port())}"
-    tests = str(Path(__file__).parents[1])
-    variables = {**os.environ, "PYTHONPATH": tests, "SEAFOAM_WORKERS": "1", **environment}
+    variables = {**os.environ, "SEAFOAM_WORKERS": "1", **environment}
     command = [sys.executable, "-c", FAKED, "serve", "--port", str(port)]
     with (folder / LOG).open("w") as log:
         process = subprocess.Popen(command, env=variables, stdout=log, stderr=subprocess.STDOUT)
