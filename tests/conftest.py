@@ -105,9 +105,9 @@ def _room() -> Iterator[None]:
     """After a test, have the executor forget what it keeps for later frames, once that is too much."""
     global least
     yield
-    if _executor.cache_info().currsize and resident() > max(LIMIT // 4, least + LIMIT // 20):
+    if _executor.cache_info().currsize and resident() > max(LIMIT // 2, least + LIMIT // 10):
         _executor().forget()
-        if resident() > 2 * LIMIT // 5:
+        if resident() > 3 * LIMIT // 5:
             _forget_results()
         give_back()
         least = resident()

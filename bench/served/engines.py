@@ -127,7 +127,7 @@ def _plays(played: dict[str, Played]) -> Table:
 
 
 def _play(playwright: Playwright, start: str, address: str, watch: Watch) -> Played:
-    with browser_started(playwright, start) as (browser, _), opened(browser, address, "phone") as page:
+    with browser_started(playwright, start) as browser, opened(browser, address, "phone") as page:
         _wait_until(page, END_SECONDS)
         held, began = _heap(page), 1e-3 * _now(page)
         with watch.step(f"play, {start}"):
@@ -156,7 +156,7 @@ def _row(start: str, preset: str, openings: list[Seen]) -> tuple[object, ...]:
 
 
 def _see(playwright: Playwright, start: str, address: str) -> Seen:
-    with browser_started(playwright, start) as (browser, _), opened(browser, address) as page:
+    with browser_started(playwright, start) as browser, opened(browser, address) as page:
         _wait_until(page, END_SECONDS)
         frames = [1e-3 * frame["at"] for frame in page.frames()]
         if not frames:

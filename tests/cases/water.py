@@ -4,8 +4,8 @@ import math
 from itertools import product
 from typing import Any
 
-from support.cases import Bounds, Cases, HardCase
-from support.hard.mutations import IN_FLOAT32, guards, reference
+from support.cases import Bounds, Cases, HardCase, reduced
+from support.hard.mutations import guards, reference
 from support.scenes import Camera, Caustics, Foam, HeightSaturation, Light, ParametricWave, Ripples, Scene, Shore, Water
 
 _HARD_WATER = (
@@ -165,13 +165,12 @@ _HARD_CAUSTICS = (
         camera=_DOWN,
         without={"water/caustics.glsl": {"max(-ray.y, 0.25)": "-ray.y"}},
     ),
-    HardCase(
+    reduced(
         "caustics after thirty years, ten thousand kilometres away",
         Scene(water=Water(depth=2.0, floor_tile=0.3, ripples=Ripples(slope=0.06)), light=_LIGHT),
-        guard="phases and the camera's position in the tile are reduced in float64 (framegraph/evaluation.py)",
+        "phases and the camera's position in the tile",
+        Camera(position=(-1e7, 2.0, 1e7), pitch=-1.2),
         times=(1e9,),
-        camera=Camera(position=(-1e7, 2.0, 1e7), pitch=-1.2),
-        without=IN_FLOAT32,
     ),
     HardCase(
         "colours as far apart as they go",

@@ -6,7 +6,7 @@ from functools import cache
 from pathlib import Path
 
 from seafoam.effects.effect import Effect
-from support.hard.mutations import Replaced
+from support.hard.mutations import IN_FLOAT32, Replaced
 from support.scenes import Camera, Scene
 
 
@@ -55,6 +55,19 @@ class HardCase:
     """Words of the error with which a process ends that has no guard and draws no picture; empty: it draws one."""
     unseen: str = ""
     """Why neither a picture nor a function's value shows the guard; empty: ``without`` does."""
+
+
+def reduced(
+    name: str,
+    scene: Scene,
+    what: str,
+    camera: Camera = EYE,
+    times: tuple[float, ...] = (-1e9, 1e9),
+    missed_by: str = "",
+) -> HardCase:
+    """A case of thirty years or ten thousand kilometres; ``what``: what is reduced in float64, which GLSL has not."""
+    guard = f"{what} reduced in float64 (framegraph/evaluation.py)"
+    return HardCase(name, scene, guard, times, camera, without=IN_FLOAT32, missed_by=missed_by)
 
 
 @dataclass(frozen=True)

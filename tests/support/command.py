@@ -7,8 +7,32 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 
-COMMAND = [sys.executable, "-c", "from seafoam.cli import main; main()"]
+MAIN = "from seafoam.cli import main; main()"
+COMMAND = [sys.executable, "-c", MAIN]
+UNPLANNED = f"""
+from seafoam.api.routers import presets
+
+async def plan_none(plans):
+    pass
+
+# Seconds of every start: whoever asks for the list of presets has it made then.
+presets.warm = plan_none
+{MAIN}
+"""
+"""The command, whose servers do not plan all presets before anybody asks."""
+FAKED = f"""
+import sys
+sys.path.insert(0, {str(Path(__file__).parents[1])!r})
+from functools import partial
+from seafoam.api import app
+from support.api_fakes import FakeRenderer
+
+app.create_app = partial(app.create_app, renderer=FakeRenderer)
+{UNPLANNED}
+"""
+"""The same, with a renderer that only pretends to draw."""
 
 
 def run(*arguments, **environment):
@@ -19,9 +43,9 @@ def run(*arguments, **environment):
 
 
 @contextmanager
-def served(*arguments: str, port: int = 0, **environment: str) -> Iterator[str]:
-    """The address of a server that draws with GL; it must end when it is told to."""
-    command = [*COMMAND, "serve", "--port", str(port), *arguments]
+def served(*arguments: str, port: int = 0, code: str = MAIN, **environment: str) -> Iterator[str]:
+    """The address of a server by the command or another code; it must end when it is told to."""
+    command = [sys.executable, "-c", code, "serve", "--port", str(port), *arguments]
     environment = {**os.environ, **environment}
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, env=environment)
     try:

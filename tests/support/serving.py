@@ -25,26 +25,10 @@ from seafoam.api.frames.plans import RequestCache
 from seafoam.api.frames.streams import Streams
 from seafoam.api.settings import Settings
 from support.api_fakes import FakeRenderer
-from support.command import free_port
+from support.command import FAKED, free_port
 
 SMALL = {"width": 24, "height": 16}
 LOG = "server.log"
-SERVER = """
-from functools import partial
-from seafoam.api import app
-from seafoam.api.routers import presets
-from support.api_fakes import FakeRenderer
-
-async def plan_none(plans):
-    pass
-
-app.create_app = partial(app.create_app, renderer=FakeRenderer)
-# Seconds of every start: whoever asks for the list of presets has it made then.
-presets.warm = plan_none
-if __name__ == "__main__":
-    from seafoam.cli import main
-    main()
-"""
 
 
 @cache
@@ -164,12 +148,9 @@ def served(folder: Path, **environment: str) -> Iterator[tuple[str, "subprocess.
 
     What it says is in ``LOG`` of the folder.
     """
-    script = folder / "served.py"
-    script.write_text(SERVER)
     address = f"http://127.0.0.1:{(port := free_port())}"
-    tests = str(Path(__file__).parents[1])
-    variables = {**os.environ, "PYTHONPATH": tests, "SEAFOAM_WORKERS": "1", **environment}
-    command = [sys.executable, script, "serve", "--port", str(port)]
+    variables = {**os.environ, "SEAFOAM_WORKERS": "1", **environment}
+    command = [sys.executable, "-c", FAKED, "serve", "--port", str(port)]
     with (folder / LOG).open("w") as log:
         process = subprocess.Popen(command, env=variables, stdout=log, stderr=subprocess.STDOUT)
     try:

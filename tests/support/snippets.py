@@ -28,6 +28,16 @@ NOT_RUN = {
     "dask ": "a cluster of machines; tests/fast/sequences/test_fleet.py has one in processes",
 }
 """Beginnings of commands -> why no test runs them as they stand."""
+SMALLER = {
+    "--size 1280x720": "--size 64x36 --quality fast",
+    "width=1280&height=720": "width=64&height=36&quality=fast",
+    "--size 640x360": "--size 64x36",
+    "--stop 4": "--stop 0.1",
+    "--size 256": "--size 64",
+    "size=256": "size=64",
+    "render default -o": "render default --size 64x36 --quality fast -o",
+}
+"""Sizes of README -> those of the tests."""
 
 
 def text(page: str) -> str:
@@ -43,3 +53,10 @@ def blocks(page: str, language: str) -> list[str]:
 def commands(page: str) -> list[str]:
     """The indented command lines, without their comments."""
     return [found.strip() for found in _COMMAND.findall(text(page))]
+
+
+def smaller(command: str) -> str:
+    """A command of README with sizes that are drawn at once."""
+    for large, small in SMALLER.items():
+        command = command.replace(large, small)
+    return command

@@ -197,7 +197,7 @@ CASES = [
 @pytest.mark.parametrize(("start", "window"), CASES)
 def test_the_water_moves_and_answers(playwright: Playwright, server: str, start: str, window: str) -> None:
     with (
-        browser_started(playwright, start) as (browser, _),
+        browser_started(playwright, start) as browser,
         opened(browser, server, window, SIZES[window]) as started,
     ):
         started.page.wait_for_function("() => window.seafoam !== undefined")

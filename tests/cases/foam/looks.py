@@ -1,47 +1,47 @@
 """Test scenes of looks and material of foam: hard cases, and scenes that name an effect and cannot show it."""
 
 import math
+from typing import Any
 
 from seafoam.scene.foam import Foam, FoamLife, FoamScattering, FrontSaturation, HeightSaturation
-from support.cases import Bounds, Cases, HardCase
-from support.hard.mutations import IN_FLOAT32, guards, reference
+from support.cases import Bounds, Cases, HardCase, reduced
+from support.hard.mutations import guards, reference
 from support.scenes import Camera, Light, ParametricWave, Scene, Water
 
+
+def _by_height(base: float, full: float, **fields: Any) -> Foam:
+    """Foam that is the same all over level water."""
+    return Foam(saturation=(HeightSaturation(base=base, full=full),), **fields)
+
+
+_WAVES = (ParametricWave(amplitude=0.5),)
+_TOO_HIGH = HeightSaturation(base=0.6, full=1.0)
+_NOWHERE = Foam(saturation=(FrontSaturation(), _TOO_HIGH), combine="product")
+
 _INVISIBLE = (
-    Scene(
-        waves=(ParametricWave(amplitude=0.5),),
-        foam=Foam(saturation=(HeightSaturation(base=0.6, full=1.0),), look="halftone"),
-    ),
-    Scene(
-        waves=(ParametricWave(amplitude=0.5),),
-        foam=Foam(saturation=(HeightSaturation(base=0.4999, full=1.4999),), look="textured"),
-    ),
-    Scene(
-        waves=(ParametricWave(amplitude=0.5),),
-        foam=Foam(
-            saturation=(FrontSaturation(), HeightSaturation(base=0.6, full=1.0)), combine="product", look="filtered"
-        ),
-    ),
+    Scene(waves=_WAVES, foam=Foam(saturation=(_TOO_HIGH,), look="halftone")),
+    Scene(waves=_WAVES, foam=_by_height(0.4999, 1.4999, look="textured")),
+    Scene(waves=_WAVES, foam=_NOWHERE.model_copy(update={"look": "filtered"})),
 )
 
 _HARD = (
     HardCase(
         "filtered, a hair above nothing",
-        Scene(foam=Foam(saturation=(HeightSaturation(base=-6.103515625e-05, full=0.99993896484375),), look="filtered")),
+        Scene(foam=_by_height(-6.103515625e-05, 0.99993896484375, look="filtered")),
         guard="amount 0 at saturation 0 and 1 at 1, by a step of 1/256 at each end (foam/look.glsl@filtered)",
         without={"foam/look.glsl": {"covered *= smoothstep(0.0, 1.0 / 256.0, s);": ""}},
         missed_by=reference("foam/foam_functions", "filtered_coverage_equals_its_float64_form[0.0-vac-1.5]"),
     ),
     HardCase(
         "filtered, a hair below all",
-        Scene(foam=Foam(saturation=(HeightSaturation(base=-0.99993896484375, full=6.103515625e-05),), look="filtered")),
+        Scene(foam=_by_height(-0.99993896484375, 6.103515625e-05, look="filtered")),
         guard="amount 0 at saturation 0 and 1 at 1, by a step of 1/256 at each end (foam/look.glsl@filtered)",
         without={"foam/look.glsl": {"1.0 - (1.0 - covered) * smoothstep(0.0, 1.0 / 256.0, 1.0 - s)": "covered"}},
         missed_by=guards("foam", "foam_closes_before_its_saturation_is_whole"),
     ),
     HardCase(
         "a mask at a thousandth of a texel a pixel",
-        Scene(foam=Foam(saturation=(HeightSaturation(base=-0.5, full=0.5),), look="filtered", mask_tile=1000.0)),
+        Scene(foam=_by_height(-0.5, 0.5, look="filtered", mask_tile=1000.0)),
         guard="half width of the edge at least 5e-4, in thresholds (foam/look.glsl@filtered)",
         camera=Camera(position=(0.0, 0.1, 0.0), pitch=-math.pi / 2),
         without={"foam/look.glsl": {"/ 131072.0, 5e-4)": "/ 131072.0, 0.0)"}},
@@ -49,7 +49,7 @@ _HARD = (
     ),
     HardCase(
         "a mask at a thousand texels a pixel",
-        Scene(foam=Foam(saturation=(HeightSaturation(base=-0.5, full=0.5),), look="filtered", mask_tile=0.05)),
+        Scene(foam=_by_height(-0.5, 0.5, look="filtered", mask_tile=0.05)),
         guard="level at most the last one, a single texel for the whole mask (foam/look.glsl@filtered)",
         camera=Camera(position=(0.0, 5.0, 0.0), pitch=-math.pi / 2),
         without={"foam/look.glsl": {"clamp(most, 1.0, float(1 << (MASK_LEVELS - 1)))": "max(most, 1.0)"}},
@@ -57,11 +57,7 @@ _HARD = (
     ),
     HardCase(
         "needles: footprints of a tenth of a texel by a thousand",
-        Scene(
-            foam=Foam(
-                saturation=(HeightSaturation(base=-0.4, full=0.6),), look="filtered", mask="vac-1.5", mask_tile=1.0
-            )
-        ),
+        Scene(foam=_by_height(-0.4, 0.6, look="filtered", mask="vac-1.5", mask_tile=1.0)),
         guard="level at least 0; box at least 0.01 texel wide (foam/look.glsl@filtered)",
         camera=Camera(position=(0.3, 0.02, 0.1), pitch=-0.01),
         without={
@@ -80,41 +76,26 @@ _HARD = (
     ),
     HardCase(
         "four octaves, ten thousand kilometres away",
-        Scene(
-            foam=Foam(
-                saturation=(HeightSaturation(base=-0.4, full=0.6),),
-                look="filtered",
-                mask="lace",
-                octaves=4,
-                mask_tile=0.7,
-            )
-        ),
+        Scene(foam=_by_height(-0.4, 0.6, look="filtered", mask="lace", octaves=4, mask_tile=0.7)),
         guard="coordinates reduced modulo a tile before each octave, whose frequency is an integer "
         "(foam/look.glsl@filtered)",
         camera=Camera(position=(9.99e6, 0.4, -9.99e6), yaw=1.0, pitch=-0.5),
         without={"foam/look.glsl": {"octave(fract(uv))": "octave(uv)"}},
         missed_by=guards("foam", "octaves_are_alike_in_every_tile"),
     ),
-    HardCase(
+    reduced(
         "a mask turned in each cell, ten thousand kilometres away",
-        Scene(
-            foam=Foam(saturation=(HeightSaturation(base=-0.4, full=0.6),), look="filtered", cells=True, mask_tile=0.7)
-        ),
-        guard="camera position as whole cells and a fraction, both reduced in float64 (effects/foam/look.py)",
-        camera=Camera(position=(9.99e6, 2.4, -9.99e6), yaw=1.0, pitch=-0.5),
-        without=IN_FLOAT32,
+        Scene(foam=_by_height(-0.4, 0.6, look="filtered", cells=True, mask_tile=0.7)),
+        "camera position as whole cells and a fraction, both",
+        Camera(position=(9.99e6, 2.4, -9.99e6), yaw=1.0, pitch=-0.5),
+        times=(0.0,),
         missed_by=reference("foam/slope_and_cells", "frames_with_cells_and_two_textures_equal_float64[filtered]"),
     ),
     HardCase(
         "a mask turned in each cell, its thresholds hard",
         Scene(
-            foam=Foam(
-                saturation=(HeightSaturation(base=-0.4, full=0.6),),
-                look="halftone_textured",
-                cells=True,
-                mask_tile=4.0,
-                texture_tile=2.7,
-                texture_second=3.14,
+            foam=_by_height(
+                -0.4, 0.6, look="halftone_textured", cells=True, mask_tile=4.0, texture_tile=2.7, texture_second=3.14
             )
         ),
         guard="only the nearest cell is used, whose weight is never 0 (foam/cells.glsl@sharp)",
@@ -133,7 +114,7 @@ _HARD = (
     HardCase(
         "black foam over the brightest glitter",
         Scene(
-            foam=Foam(saturation=(HeightSaturation(base=-0.99, full=0.01),), mask_tile=1000.0, fade=0.1, albedo=0.0),
+            foam=_by_height(-0.99, 0.01, mask_tile=1000.0, fade=0.1, albedo=0.0),
             water=Water(roughness=0.01),
             light=Light(sun_elevation=0.3, exposure=10.0, visibility=1e6),
         ),
@@ -145,18 +126,9 @@ _HARD = (
     ),
 )
 
-_FOAM_RELIEF = Foam(
-    saturation=(HeightSaturation(base=-0.4, full=0.6),), mask="lace", octaves=4, thickness=0.05, life=FoamLife()
-)
+_FOAM_RELIEF = _by_height(-0.4, 0.6, mask="lace", octaves=4, thickness=0.05, life=FoamLife())
 
-_INVISIBLE_RELIEF = (
-    Scene(
-        waves=(ParametricWave(amplitude=0.5),),
-        foam=Foam(
-            saturation=(FrontSaturation(), HeightSaturation(base=0.6, full=1.0)), combine="product", thickness=0.1
-        ),
-    ),
-)
+_INVISIBLE_RELIEF = (Scene(waves=_WAVES, foam=_NOWHERE.model_copy(update={"thickness": 0.1})),)
 
 _HARD_RELIEF = (
     HardCase(
@@ -184,20 +156,11 @@ _HARD_RELIEF = (
     ),
 )
 
-_INVISIBLE_SCATTERING = (
-    Scene(
-        waves=(ParametricWave(amplitude=0.5),),
-        foam=Foam(
-            saturation=(FrontSaturation(), HeightSaturation(base=0.6, full=1.0)),
-            combine="product",
-            scattering=FoamScattering(),
-        ),
-    ),
-)
+_INVISIBLE_SCATTERING = (Scene(waves=_WAVES, foam=_NOWHERE.model_copy(update={"scattering": FoamScattering()})),)
 
 
 def _foam_scattering(layer: FoamScattering) -> Foam:
-    return Foam(saturation=(HeightSaturation(base=-0.4, full=0.6),), scattering=layer)
+    return _by_height(-0.4, 0.6, scattering=layer)
 
 
 _HARD_SCATTERING = (
@@ -221,12 +184,8 @@ _VARIANTS_SCATTERING = (
 )
 
 _INVISIBLE_AERATION = (
-    Scene(waves=(ParametricWave(amplitude=0.5),), foam=Foam(), water=Water(aeration=1e-6)),
-    Scene(
-        waves=(ParametricWave(amplitude=0.5),),
-        foam=Foam(saturation=(FrontSaturation(), HeightSaturation(base=0.6, full=1.0)), combine="product"),
-        water=Water(aeration=1.0),
-    ),
+    Scene(waves=_WAVES, foam=Foam(), water=Water(aeration=1e-6)),
+    Scene(waves=_WAVES, foam=_NOWHERE, water=Water(aeration=1.0)),
 )
 
 CASES = {

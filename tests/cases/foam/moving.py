@@ -3,8 +3,8 @@
 import math
 
 from seafoam.scene.foam import Drift, DriftSaturation, Foam, FoamLife, FrontSaturation, HeightSaturation, Vortex
-from support.cases import Cases, HardCase
-from support.hard.mutations import IN_FLOAT32, guards, reference
+from support.cases import Cases, HardCase, reduced
+from support.hard.mutations import guards, reference
 from support.scenes import Camera, Light, ParametricWave, Scene, Shore
 
 _INVISIBLE_FRONT = (
@@ -47,16 +47,14 @@ _HARD_FRONT = (
         },
         missed_by="tests/gpu/numerics/test_hard_cases.py::test_front_at_its_pole_and_beyond_the_schemas_c[0.25]",
     ),
-    HardCase(
+    reduced(
         "patches anywhere, at any time",
         Scene(
             waves=(ParametricWave(amplitude=0.3), ParametricWave(amplitude=0.3, direction=0.5)),
             foam=Foam(saturation=(FrontSaturation(group=(0.3, 0.9), decay=3.0, variation=0.3, variation_size=5.0),)),
         ),
-        guard="the camera's position in the noise is reduced in float64 (framegraph/evaluation.py)",
-        times=(-1e9, 1e9),
-        camera=Camera(position=(-1e7, 3.0, 1e7), yaw=1.0, pitch=-0.3),
-        without=IN_FLOAT32,
+        "the camera's position in the noise",
+        Camera(position=(-1e7, 3.0, 1e7), yaw=1.0, pitch=-0.3),
     ),
     HardCase(
         "a gate without width",
@@ -181,16 +179,8 @@ _HARD_DRIFT = (
         without={"foam/drift_passes.glsl": {"mix(sum, u_drift_coverage, smoothstep(0.5, 2.0, reach))": "sum"}},
         missed_by=guards("foam", "foam_that_is_ground_fine_does_not_flicker"),
     ),
-    HardCase(
-        "drifting foam a thousand million seconds from now",
-        Scene(light=_LIGHT, drift=_EDDY, foam=_FOAM_DRIFT),
-        guard="ages and the number of the generation reduced in float64 (framegraph/evaluation.py)",
-        times=(-1e9, 1e9 + 3.1),
-        camera=_VIEW,
-        without=IN_FLOAT32,
-    ),
-    HardCase(
-        "drifting foam ten thousand kilometres away",
+    reduced(
+        "drifting foam ten thousand kilometres away, after thirty years",
         Scene(
             light=_LIGHT,
             drift=_with(
@@ -198,22 +188,9 @@ _HARD_DRIFT = (
             ),
             foam=_FOAM_DRIFT,
         ),
-        guard="the vector from the square's centre to the camera reduced in float64 (framegraph/evaluation.py)",
-        times=(12.0,),
-        camera=Camera(position=(9.99e6, 9.0, -9.99e6 + 18.0), pitch=-0.5),
-        without={
-            "effects/foam/drift.py": {
-                'array("vec2", to_camera(*scene.drift.place), 1),': (
-                    'array("vec2", to_camera(0.0, 0.0), 1),\n'
-                    '            "u_drift_middle": vector((-scene.drift.place[0], -scene.drift.place[1])),'
-                )
-            },
-            "foam/saturation/drift.glsl": {
-                "uniform vec2 u_drift_place;": "uniform vec2 u_drift_middle;\nuniform vec2 u_drift_place;",
-                "p + u_drift_place;": "(p + u_drift_place) + u_drift_middle;",
-            },
-            "foam/drift.glsl": {"p + u_drift_place;": "(p + u_drift_place) + u_drift_middle;"},
-        },
+        "ages, the number of the generation, and the vector from the square's centre to the camera",
+        Camera(position=(9.99e6, 9.0, -9.99e6 + 18.0), pitch=-0.5),
+        times=(-1e9, 1e9 + 3.1),
     ),
     HardCase(
         "more drifting foam than the water holds, times foam by height",
@@ -249,13 +226,11 @@ _LIFE = FoamLife(wind_drift=0.3, windrows=1.0, windrow_spacing=4.0)
 _FOAM_LIVING = Foam(saturation=(HeightSaturation(base=-0.4, full=0.6),), mask="lace", octaves=4, life=_LIFE)
 
 _HARD_LIVING = (
-    HardCase(
+    reduced(
         "foam that has drifted for thirty years",
         Scene(waves=(ParametricWave(amplitude=0.2, wavelength=6.0),), foam=_FOAM_LIVING),
-        guard="displacement by the drift reduced in float64 to a phase of the mask (effects/foam/look.py)",
-        times=(-1e9, 1e9),
-        camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.3),
-        without=IN_FLOAT32,
+        "displacement by the drift, as a phase of the mask,",
+        Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.3),
     ),
     HardCase(
         "foam next to none and next to whole, of all ages",

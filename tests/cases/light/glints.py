@@ -3,8 +3,8 @@
 import math
 from typing import get_args
 
-from support.cases import Cases, HardCase
-from support.hard.mutations import BRIGHTEST, IN_FLOAT32, guards
+from support.cases import Cases, HardCase, reduced
+from support.hard.mutations import BRIGHTEST, guards
 from support.scenes import Camera, Light, ParametricWave, Ripples, Scene, Sparkles, Water
 
 _DOWN = Light(sun_elevation=-0.1)
@@ -72,14 +72,7 @@ _INVISIBLE_SPARKLES = (
 )
 
 _HARD_SPARKLES = (
-    HardCase(
-        "sparkles at any time",
-        Scene(light=_SUNSET, water=_WATER),
-        guard="age and epoch are reduced in float64 (framegraph/evaluation.py)",
-        times=(-1e9, 0.0, 1e9),
-        camera=_VIEW,
-        without=IN_FLOAT32,
-    ),
+    reduced("sparkles at any time", Scene(light=_SUNSET, water=_WATER), "age and epoch", _VIEW, (-1e9, 0.0, 1e9)),
     HardCase(
         "sparkles so many that they run together",
         Scene(light=_light(sparkles=Sparkles(size=0.02, rate=10000.0, life=10.0)), water=_WATER),

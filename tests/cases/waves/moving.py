@@ -4,8 +4,8 @@ import math
 
 from seafoam.scene.water import Current, Ripples, Stone, Water
 from seafoam.scene.waves import TOUCHES_MOST, ParametricWave, Ring, Sea, Touch
-from support.cases import Cases, HardCase
-from support.hard.mutations import PLACE, TIME, TIME_AND_PLACE, guards
+from support.cases import Cases, HardCase, reduced
+from support.hard.mutations import TIME, guards
 from support.scenes import Camera, Foam, Gusts, HeightSaturation, Scene, SlopeSaturation
 
 _VIEW = Camera(position=(0.0, 3.2, 0.0), pitch=-0.35)
@@ -13,16 +13,7 @@ _VIEW = Camera(position=(0.0, 3.2, 0.0), pitch=-0.35)
 _STONE = Ring(place=(0.3, -7.0), amplitude=0.12, decay=0.4, wavelength=1.6)
 
 
-def _moved_rings(by: tuple[float, float]) -> tuple[Ring, Camera]:
-    """The stone and the view, elsewhere."""
-    x, y, z = _VIEW.position
-    return (
-        _STONE.model_copy(update={"place": (_STONE.place[0] + by[0], _STONE.place[1] + by[1])}),
-        _VIEW.model_copy(update={"position": (x + by[0], y, z + by[1])}),
-    )
-
-
-_AWAY = _moved_rings((9.9e6, -9.9e6))
+_AWAY = _STONE.model_copy(update={"place": (9.9e6 + 0.3, -9.9e6 - 7.0)})
 
 _INVISIBLE_RINGS = (
     Scene(rings=(Ring(amplitude=1e-4), Ring(amplitude=0.0))),
@@ -70,21 +61,12 @@ _HARD_RINGS = (
         camera=_VIEW,
         without={"waves/rings.glsl": {"float band = 1.0 / (RING_FRONT * wavelength)": "float band = 1e6"}},
     ),
-    HardCase(
-        "rings a thousand million seconds from now",
-        Scene(rings=(_STONE.model_copy(update={"birth": 1e9}), _STONE.model_copy(update={"every": 14.0}))),
-        guard="ages are reduced in float64 (framegraph/evaluation.py)",
+    reduced(
+        "rings ten thousand kilometres away, after thirty years",
+        Scene(rings=(_AWAY.model_copy(update={"birth": 1e9}), _AWAY.model_copy(update={"every": 14.0}))),
+        "ages and the vector from the centre to the camera",
+        _VIEW.model_copy(update={"position": (9.9e6, 3.2, -9.9e6)}),
         times=(-1e9, 1e9 + 2.3),
-        camera=_VIEW,
-        without=TIME,
-    ),
-    HardCase(
-        "rings ten thousand kilometres away",
-        Scene(rings=(_AWAY[0],), water=Water(ripples=Ripples())),
-        guard="the vector from the centre to the camera is reduced in float64 (framegraph/evaluation.py)",
-        times=(2.3,),
-        camera=_AWAY[1],
-        without=PLACE,
     ),
 )
 
@@ -131,12 +113,12 @@ _HARD_TOUCH = (
         },
         missed_by=guards("waves", "no_ray_misses_a_ring_of_touches"),
     ),
-    HardCase(
+    reduced(
         "touches ten thousand kilometres away",
         Scene(touches=_moved_touch(_TRAIN, (1e7 - 8.0, -1e7 + 8.0)), water=Water(ripples=Ripples())),
-        guard="the vector from the centre to the camera is reduced in float64 (framegraph/evaluation.py)",
-        camera=Camera(position=(1e7 - 8.0, 2.0, -1e7 + 8.0), pitch=-0.45),
-        without=PLACE,
+        "the vector from the centre to the camera",
+        Camera(position=(1e7 - 8.0, 2.0, -1e7 + 8.0), pitch=-0.45),
+        times=(0.0,),
     ),
     HardCase(
         "touches long over, and touches of no strength",
@@ -171,27 +153,12 @@ _INVISIBLE_RIPPLES = (
 )
 
 _HARD_RIPPLES = (
-    HardCase(
-        "ripples at any time",
-        Scene(water=Water(ripples=Ripples())),
-        guard="phases are reduced in float64 (framegraph/evaluation.py)",
-        times=(-1e9, 0.0, 1e9, 1e9 + 1e-6),
-        without=TIME,
-    ),
-    HardCase(
-        "ripples ten thousand kilometres away",
-        Scene(water=Water(ripples=Ripples())),
-        guard="the camera's position in each tile is reduced in float64 (framegraph/evaluation.py)",
-        camera=Camera(position=(-1e7, 1.2, 1e7), pitch=-0.3),
-        without=PLACE,
-    ),
-    HardCase(
-        "gusts anywhere, at any time",
+    reduced(
+        "ripples and gusts anywhere, at any time",
         Scene(water=Water(ripples=Ripples(gusts=Gusts(strength=1.0, size=4.0, speed=20.0, change=0.5)))),
-        guard="the camera's position in the noise is reduced in float64 (framegraph/evaluation.py)",
-        times=(-1e9, 1e9),
-        camera=Camera(position=(-1e7, 1.2, 1e7), yaw=1.0, pitch=-0.3),
-        without=TIME_AND_PLACE,
+        "phases, and the camera's position in each tile and in the noise,",
+        Camera(position=(-1e7, 1.2, 1e7), yaw=1.0, pitch=-0.3),
+        times=(-1e9, 1e9, 1e9 + 1e-6),
     ),
     HardCase(
         "the steepest ripples, all one way",
@@ -218,13 +185,11 @@ _FLOWS_CURRENT = Scene(
 )
 
 _HARD_CURRENT = (
-    HardCase(
+    reduced(
         "a current for thirty years",
         _FLOWS_CURRENT,
-        guard="the way of the water, reduced in float64 together with each place and phase (framegraph/rules.py)",
-        times=(-1e9, 1e9),
-        camera=_FLOWS_CURRENT.camera,
-        without=TIME,
+        "the way of the water, together with each place and phase,",
+        _FLOWS_CURRENT.camera,
     ),
 )
 

@@ -20,7 +20,7 @@ from seafoam.scene.presets import load_preset, preset_names
 from seafoam.scene.water import Water
 from seafoam.textures.store import spec_of, url_of
 from support.cases import cases_of
-from support.hard.cases import HARD
+from support.hard.pictures import HARD
 from support.sweep import REST
 
 ONCE = ("shore: ", "mask: ", "wakes, ", "standing waves, ", "flow of drift", "drift, parts of", "drift, two ")

@@ -18,31 +18,34 @@ from distributed import LocalCluster
 from starlette.testclient import TestClient
 
 import seafoam
-from support.command import free_port, imported, run, served
+from seafoam.cli import main
+from support.command import FAKED, free_port, imported, run, served
 from support.serving import frame, picture, serving
 
 
 @pytest.fixture(scope="module")
 def real() -> Iterator[TestClient]:
     """With the GL executor."""
-    with serving(None, deadline=60.0) as running:
-        response = running.get("/api/frames/default.png?width=8&height=8")
-        assert response.status_code == 200, response.text
+    with serving(None) as running:
         yield running
 
 
+def drawn(client, suffix="png", **params):
+    """A frame with few programs."""
+    return frame(client, suffix, quality="fast", **params)
+
+
 def test_the_same_request_gives_the_same_bytes_also_after_a_restart(real):
-    query = {"width": 96, "height": 54, "time": 4.0}
-    answers = [frame(real, **query), frame(real, **query)]
-    with serving(None, deadline=60.0) as restarted:
-        answers.append(frame(restarted, **query))
+    answers = [drawn(real, time=4.0), drawn(real, time=4.0)]
+    with serving(None) as restarted:
+        answers.append(drawn(restarted, time=4.0))
     assert len({(answer.content, answer.headers["ETag"]) for answer in answers}) == 1
 
 
 def test_a_dithered_picture_is_the_exact_one_within_a_level_and_in_the_mean(real):
     size = {"width": 192, "height": 108}
-    dithered = np.asarray(picture(frame(real, **size)), np.int64)
-    exact = np.asarray(picture(frame(real, **size, dither=False)), np.int64)
+    dithered = np.asarray(picture(drawn(real, **size)), np.int64)
+    exact = np.asarray(picture(drawn(real, **size, dither=False)), np.int64)
     off = dithered - exact
     assert np.abs(off).max() == 1
     assert np.abs(off.mean(axis=(0, 1))).max() < 0.1
@@ -50,10 +53,9 @@ def test_a_dithered_picture_is_the_exact_one_within_a_level_and_in_the_mean(real
 
 
 def test_open_exr_holds_what_npy_holds(real):
-    size = {"width": 96, "height": 54, "time": 4.0}
-    linear = np.load(io.BytesIO(frame(real, "npy", **size).content))
+    linear = np.load(io.BytesIO(drawn(real, "npy", time=4.0).content))
     for precision, type in (("float", np.float32), ("half", np.float16)):
-        content = frame(real, "exr", **size, precision=precision).content
+        content = drawn(real, "exr", time=4.0, precision=precision).content
         channels = OpenEXR.File(io.BytesIO(content)).channels()
         np.testing.assert_array_equal(channels["RGB"].pixels, linear[..., :3].astype(type))
         np.testing.assert_array_equal(channels["coverage"].pixels, linear[..., 3].astype(type))
@@ -61,11 +63,8 @@ def test_open_exr_holds_what_npy_holds(real):
 
 def test_the_renderer_is_told(real):
     ready = real.get("/readyz").json()
-    assert frame(real).headers["Seafoam-Renderer"] == ready["renderer"]["renderer"]
+    assert drawn(real).headers["Seafoam-Renderer"] == ready["renderer"]["renderer"]
     assert "Mesa" in ready["renderer"]["version"] or ready["renderer"]["version"][0].isdigit()
-
-
-WITH_IPV6 = pytest.mark.skipif(not os.path.exists("/proc/net/if_inet6"), reason="this machine has no IPv6")
 
 
 def test_a_frame_imports_what_it_needs(tmp_path):
@@ -87,9 +86,10 @@ def test_a_relative_folder_of_caches_is_ignored(tmp_path, monkeypatch):
     assert os.listdir() == ["a.png"]
 
 
-@pytest.mark.parametrize("host", ["127.0.0.1", pytest.param("::1", marks=WITH_IPV6)])
-def test_serve_answers_without_delay_and_stops_when_told(host):
-    with served("--host", host) as address:
+@pytest.mark.skipif(not os.path.exists("/proc/net/if_inet6"), reason="this machine has no IPv6")
+def test_serve_answers_by_ipv6_and_stops_when_told():
+    """By IPv4: tests/gpu/docs/test_snippets.py."""
+    with served("--host", "::1", code=FAKED) as address:
         with urllib.request.urlopen(f"{address}/healthz", timeout=60) as response:
             assert json.load(response) == {"status": "alive"}
         with seafoam.connect(address) as source:
@@ -99,7 +99,7 @@ def test_serve_answers_without_delay_and_stops_when_told(host):
 def test_a_restart_under_load_tears_no_answer(tmp_path):
     """Clients see whole answers, refusals, or no server; an address has the same bytes before and after."""
     port = free_port()
-    how = {"port": port, "SEAFOAM_CACHE": str(tmp_path), "SEAFOAM_CACHE_SIZE": str(2**26)}
+    how = {"port": port, "code": FAKED, "SEAFOAM_CACHE": str(tmp_path), "SEAFOAM_CACHE_SIZE": str(2**26)}
     paths = [f"/api/frames/paper-halftone.png?width=64&height=36&quality=fast&time={time}" for time in range(12)]
     answers, wrong, over = defaultdict(set), [], threading.Event()
     counts = {"200": 0, "away": 0}
@@ -148,13 +148,17 @@ def test_a_restart_under_load_tears_no_answer(tmp_path):
     assert all(len(answers[path]) == 1 for path in paths)
 
 
-def test_a_cluster_measures_accuracy(tmp_path):
+def test_a_cluster_measures_accuracy(tmp_path, capsys):
     """The sweep of a worker, in this process's files."""
     asked = ["--size", "16x16", "--rounds", "2", "--samples", "2", "--again", "--json", str(tmp_path / "a.json")]
-    with LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None, host="127.0.0.1") as cluster:
-        done = run("accuracy", "paper-threshold", *asked, "--scheduler", cluster.scheduler_address)
-    assert done.returncode == 0, done.stderr
-    assert "paper-threshold: errors at 16 × 16" in done.stdout
+    with (
+        LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None, host="127.0.0.1") as cluster,
+        pytest.raises(SystemExit) as left,
+    ):
+        main(["accuracy", "paper-threshold", *asked, "--scheduler", cluster.scheduler_address])
+    said = capsys.readouterr()
+    assert left.value.code == 0, said.err
+    assert "paper-threshold: errors at 16 × 16" in said.out
     measured = json.loads((tmp_path / "a.json").read_text(encoding="utf-8"))
     assert {point["tier"] for point in measured["points"]} >= {"high", "reference"}
     assert all(point["error"]["rmse"] >= 0.0 for point in measured["points"])

@@ -16,7 +16,7 @@ from support.exact import SQUARE
 from support.pictures import draw
 from support.scenes import Camera, Scene, load_preset
 
-SIZE = (160, 90)
+SIZE = (96, 54)
 NEXT_LIMIT = (MAX_CONTRAST / SQUARE.samples_threshold) ** (1.0 / 48.0)
 """Ratio of neighbouring limits in the last of three rounds."""
 

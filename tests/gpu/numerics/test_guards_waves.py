@@ -12,9 +12,8 @@ from seafoam.quality import TIERS
 from seafoam.reference import render
 from seafoam.render.gl.executor import Executor
 from support.exact import EXACT
-from support.hard.cases import QUALITIES
 from support.hard.guarded import Guarded
-from support.hard.pictures import BY_NAME, SIZE, truth_of
+from support.hard.pictures import BY_NAME, QUALITIES, SIZE, truth_of
 from support.pictures import draw, draw_target, levels, samples
 from support.probe import Probe, stand_in
 from support.scenes import Camera, Scene, Sea

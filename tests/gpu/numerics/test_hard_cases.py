@@ -10,8 +10,7 @@ from seafoam.reference.foam import front
 from seafoam.render.gl.executor import Executor
 from support.cases import HardCase
 from support.exact import EXACT
-from support.hard.cases import CASES, QUALITIES
-from support.hard.pictures import HALF, SHARE, SIZE, judged, pictures_of, truth_of, unsound
+from support.hard.pictures import CASES, HALF, QUALITIES, SHARE, SIZE, judged, pictures_of, truth_of, unsound
 from support.pictures import levels, samples
 from support.probe import Probe
 from support.report import Report

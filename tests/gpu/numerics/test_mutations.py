@@ -8,9 +8,8 @@ import pytest
 from seafoam.effects.effect import Effect
 from seafoam.render.gl.executor import Executor
 from support.cases import HardCase
-from support.hard.cases import CASES, HARD
 from support.hard.mutations import copied, run, source
-from support.hard.pictures import judged, truth_of
+from support.hard.pictures import CASES, HARD, judged, truth_of
 from support.report import Report
 from support.sweep import rested
 
@@ -20,7 +19,7 @@ MOST_UNSEEN = 7
 MUTATED = [one for one in CASES if one.values[1].without]
 
 
-@pytest.mark.parametrize(("effect", "case"), rested(MUTATED, 24))
+@pytest.mark.parametrize(("effect", "case"), rested(MUTATED, 36))
 def test_a_guard_that_is_taken_out_is_missed(
     executor: Executor, tmp_path: Path, report: Report, effect: Effect, case: HardCase
 ) -> None:

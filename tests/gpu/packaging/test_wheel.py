@@ -1,12 +1,13 @@
 """The wheel carries shaders, masks and the built web client; what the documents say works where there is nothing else.
 
-Its environments are outside the repository, with the packages that it declares: without extras, on the oldest and the
-newest Python of this machine that the metadata admits, and with each extra alone.
+Its environments are outside the repository, with the packages that it declares: without extras, on that Python of this
+machine which the metadata admits and which is the farthest from the tests' own, and on this with each extra alone.
 
 Those packages are the tests' own, by links, so that nothing is downloaded for its Python. What the tests have and the
 wheel does not declare is missing there.
 """
 
+import json
 import os
 import re
 import shlex
@@ -28,7 +29,7 @@ from packaging.utils import canonicalize_name
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from support.scenes import load_preset, preset_names
-from support.snippets import blocks, commands
+from support.snippets import blocks, commands, smaller
 from support.sweep import spread
 
 ROOT = Path(__file__).parents[3]
@@ -141,31 +142,64 @@ def test_the_wheel_carries_its_data(wheel: Path) -> None:
     assert any(name.endswith("licenses/masks/LICENSE") for name in names)
 
 
-SMALLER = {
-    "1280x720": "64x36",
-    "640x360": "64x36",
-    "--stop 4": "--stop 0.1",
-    "default -o": "default --size 64x36 -o",
-    "--size 256": "--size 64",
+EXTRAS = {
+    "sequence default --start": "video",
+    "masks spectrum": "reports",
+    "accuracy": "reports",
+    "render default --quality auto": "reports",
+    "sequence default --workers": "cluster",
+    "serve": "telemetry",
+    "openapi": "telemetry",
 }
-"""Sizes of the documents -> those here."""
-EXTRAS = {"sequence": "video", "masks spectrum": "reports", "accuracy": "reports"}
-"""Beginnings of README's commands -> the extra that they need."""
+"""Beginnings of commands -> the extra that they need."""
+REFUSED = (
+    "render default --quality auto --budget-ms 9 -o a.png",
+    "sequence default --workers 2 --stop 2.1 --start 2 --size 64x36 -o frames",
+    "serve --port 0",
+    "openapi",
+)
+"""And those that are not in README."""
+COLLECTOR = {"OTEL_EXPORTER_OTLP_ENDPOINT": "http://127.0.0.1:9"}
+LINES = """
+import contextlib, io, json, sys
+from typer.main import get_command
+import seafoam
+from seafoam.cli import app, main
+from seafoam.planner import make_plan
+from seafoam.quality import TIERS
+from seafoam.resources import data_dir
+from seafoam.scene.presets import load_preset
+
+def run(words):
+    errors = io.StringIO()
+    with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(errors):
+        try:
+            main(words)
+        except SystemExit as left:
+            return left.code, errors.getvalue()
+
+def walk(command, *names):
+    yield names
+    for name, below in getattr(command, "commands", {}).items():
+        yield from walk(below, *names, name)
+
+asked = json.load(sys.stdin)
+told = {
+    "files": [seafoam.__file__, *map(str, map(data_dir, ("shaders", "masks", "webclient")))],
+    "plans": [make_plan(load_preset(name).scene, TIERS["fast"]).sha256 for name in asked["presets"]],
+    "said": [run(words) for words in asked["commands"]],
+    "helps": {" ".join(names): run([*names, "--help"]) for names in walk(get_command(app))},
+}
+print(json.dumps(told))
+"""
+"""All that runs in one process of an environment: to start one, and to import, takes longer than most commands."""
 
 
-@pytest.fixture(scope="module", params=["oldest", "newest"])
-def bare(request: pytest.FixtureRequest, wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+@pytest.fixture(scope="module")
+def bare(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     found = interpreters()
-    if request.param == "newest" and len(found) == 1:
-        pytest.skip(f"of the Pythons that the metadata admits this machine has {OWN[0]}.{OWN[1]} alone")
-    python = found[min(found) if request.param == "oldest" else max(found)]
+    python = found[max(found, key=lambda version: abs(version[1] - OWN[1]))]
     return environment(tmp_path_factory.mktemp("bare") / "venv", wheel, python=python)
-
-
-newest = pytest.mark.parametrize("bare", ["newest"], indirect=True)
-"""For what the tests' own Python does in other tests too."""
-oldest = pytest.mark.parametrize("bare", ["oldest"], indirect=True)
-"""For what does not depend on the Python."""
 
 
 def test_the_metadata_names_the_pythons_that_are_tested() -> None:
@@ -176,102 +210,39 @@ def test_the_metadata_names_the_pythons_that_are_tested() -> None:
     assert (3, minors[0]) <= OWN <= (3, minors[-1])
 
 
-def run(command: Path, *arguments: str | Path, within: Path, **variables: str) -> subprocess.CompletedProcess[str]:
-    inherited = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}
-    return subprocess.run(
-        [command, *arguments], cwd=within, env=inherited | variables, capture_output=True, text=True, timeout=120
+def run(command: Path, *arguments: str | Path, within: Path, given: str | None = None) -> str:
+    """What a command writes, which ends well, in a folder, with an exporter of traces where that is installed."""
+    variables = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")} | COLLECTOR
+    done = subprocess.run(
+        [command, *arguments], cwd=within, env=variables, input=given, capture_output=True, text=True, timeout=240
     )
-
-
-def names_extra(done: subprocess.CompletedProcess[str], extra: str) -> bool:
-    return done.returncode == 1 and done.stderr.count("\n") == 1 and f"pip install 'seafoam[{extra}]'" in done.stderr
-
-
-@oldest
-def test_data_is_that_of_the_wheel(bare: Path, tmp_path: Path) -> None:
-    code = "import seafoam; from seafoam.resources import data_dir\n"
-    code += "print(seafoam.__file__, *map(data_dir, ('shaders', 'masks', 'webclient')), sep='\\n')"
-    done = run(bare / "python", "-c", code, within=tmp_path)
     assert done.returncode == 0, done.stderr
-    assert all(Path(path).is_relative_to(bare.parent) for path in done.stdout.splitlines())
+    return done.stdout
 
 
-@newest
-@pytest.mark.parametrize("share", spread(range(3), 3))
-def test_plans_are_the_same_in_every_python(bare: Path, tmp_path: Path, share: int) -> None:
-    """Of a third of the presets. In the tests' own: tests/fast/planner/test_plan.py."""
-    code = f"""
-from seafoam.planner import make_plan
-from seafoam.quality import TIERS
-from seafoam.scene.presets import load_preset, preset_names
-for name in preset_names()[{share}::3]:
-    print(name, make_plan(load_preset(name).scene, TIERS["fast"]).sha256)
-"""
-    done = run(bare / "python", "-c", code, within=tmp_path)
-    assert done.returncode == 0, done.stderr
-    here = {name: make_plan(load_preset(name).scene, TIERS["fast"]).sha256 for name in preset_names()[share::3]}
-    assert dict(line.split() for line in done.stdout.splitlines()) == here
-
-
-@newest
-def test_commands_of_readme_without_extras(bare: Path, tmp_path: Path) -> None:
-    found = [command.removeprefix(".venv/bin/seafoam ") for command in commands("README.md") if "/seafoam " in command]
-    assert found[0].startswith("render default")
-    for command in (each for each in found if not each.startswith("serve")):
-        small = command
-        for large, size in SMALLER.items():
-            small = small.replace(large, size)
-        done = run(bare / "seafoam", *shlex.split(small), within=tmp_path)
+def test_commands_without_extras(bare: Path, tmp_path: Path) -> None:
+    """What README says works, or says in one line which extra it needs; plans are those of every other Python."""
+    readme = [smaller(command).removeprefix(".venv/bin/seafoam ") for command in commands("README.md")]
+    asked = [each for each in readme if each.startswith(("render", "sequence", "plan", "masks", "accuracy"))]
+    assert asked[0].startswith("render default")
+    asked += REFUSED
+    presets = preset_names()[::4]
+    given = json.dumps({"commands": [shlex.split(each) for each in asked], "presets": presets})
+    told = json.loads(run(bare / "python", "-c", LINES, within=tmp_path, given=given))
+    assert all(Path(file).is_relative_to(bare.parent) for file in told["files"])
+    assert told["plans"] == [make_plan(load_preset(name).scene, TIERS["fast"]).sha256 for name in presets]
+    for command, (code, said) in zip(asked, told["said"], strict=True):
         extra = next((extra for start, extra in EXTRAS.items() if command.startswith(start)), None)
-        if extra is None:
-            assert done.returncode == 0, f"{command}: {done.stderr}"
-        else:
-            assert names_extra(done, extra), f"{command}: {done.stderr}"
+        assert code == (0 if extra is None else 1), f"{command}: {said}"
+        if extra is not None:
+            assert (said.count("\n"), f"pip install 'seafoam[{extra}]'" in said) == (1, True), f"{command}: {said}"
+    assert {"", "render", "masks spectrum"} <= told["helps"].keys()
+    assert [names for names, (code, _) in told["helps"].items() if code] == []
     assert (tmp_path / "sea.png").read_bytes().startswith(b"\x89PNG")
 
 
-@oldest
-def test_every_command_has_help_without_extras(bare: Path, tmp_path: Path) -> None:
-    code = """
-from typer.main import get_command
-from seafoam.cli import app, main
-
-def walk(command, *names):
-    yield names
-    for name, below in getattr(command, "commands", {}).items():
-        yield from walk(below, *names, name)
-
-for names in walk(get_command(app)):
-    try:
-        main([*names, "--help"])
-    except SystemExit as left:
-        assert left.code == 0, names
-        print("SHOWN", *names)
-"""
-    done = run(bare / "python", "-c", code, within=tmp_path)
-    assert done.returncode == 0, done.stderr
-    assert {"SHOWN", "SHOWN render", "SHOWN masks spectrum"} <= set(done.stdout.splitlines())
-
-
-@oldest
-@pytest.mark.whole
-@pytest.mark.parametrize(
-    ("extra", "arguments", "variables"),
-    [
-        ("reports", "render default --quality auto --budget-ms 9 -o a.png", {}),
-        ("cluster", "sequence default --stop 2.1 --start 2 --size 64x36 --workers 2 -o frames", {}),
-        ("telemetry", "serve --port 0", {"OTEL_EXPORTER_OTLP_ENDPOINT": "http://127.0.0.1:9"}),
-        ("telemetry", "openapi", {"OTEL_EXPORTER_OTLP_ENDPOINT": "http://127.0.0.1:9"}),
-    ],
-)
-def test_what_needs_an_extra_says_so(
-    bare: Path, tmp_path: Path, extra: str, arguments: str, variables: dict[str, str]
-) -> None:
-    done = run(bare / "seafoam", *arguments.split(), within=tmp_path, **variables)
-    assert names_extra(done, extra), done.stderr
-
-
 def test_python_without_extras(bare: Path, tmp_path: Path) -> None:
+    """With extras, and in the tests' own Python: tests/gpu/docs/test_snippets.py."""
     snippets = blocks("docs/python.md", "python")
     local = snippets[: next(i for i, snippet in enumerate(snippets) if "connect(" in snippet)]
     ends = """
@@ -288,27 +259,23 @@ except RuntimeError as error:
     print("seafoam[notebook]" in str(error))
 """
     code = "\n".join(local).replace("(640, 360)", "(64, 36)") + ends
-    done = run(bare / "python", "-W", "error", "-c", code, within=tmp_path)
-    assert done.returncode == 0, done.stderr
-    assert done.stdout.splitlines()[-1] == "True"
+    assert run(bare / "python", "-W", "error", "-c", code, within=tmp_path).splitlines()[-1] == "True"
 
 
-@pytest.mark.parametrize(
-    ("extra", "arguments"),
-    [
-        ("reports", "masks spectrum vac-24 -o spectrum.png"),
-        ("video", "sequence default --start 2 --stop 2.1 --size 64x36 -o sea.mp4"),
-        ("cluster", "sequence default --stop 2.05 --start 2 --size 64x36 --quality fast --workers 2 -o frames"),
-        ("telemetry", "openapi"),
-        ("notebook", ""),
-    ],
-)
-def test_an_extra_alone_is_enough(wheel: Path, tmp_path: Path, extra: str, arguments: str) -> None:
+ALONE = {
+    "video": "sequence default --start 2 --stop 2.1 --size 64x36 --quality fast -o sea.mp4",
+    "telemetry": "openapi",
+    "reports": "masks spectrum vac-24 -o spectrum.png",
+    "cluster": "sequence default --stop 2.05 --start 2 --size 64x36 --quality fast --workers 2 -o frames",
+    "notebook": "",
+}
+"""Extras -> a command that needs it."""
+
+
+@pytest.mark.parametrize("extra", spread(ALONE, len(ALONE)))
+def test_an_extra_alone_is_enough(wheel: Path, tmp_path: Path, extra: str) -> None:
     programs = environment(tmp_path / "venv", wheel, extra)
     if extra == "notebook":
-        code = "from seafoam import *; Water('default')"
-        done = run(programs / "python", "-c", code, within=tmp_path)
+        run(programs / "python", "-c", "from seafoam import *; Water('default')", within=tmp_path)
     else:
-        collector = {"OTEL_EXPORTER_OTLP_ENDPOINT": "http://127.0.0.1:9"} if extra == "telemetry" else {}
-        done = run(programs / "seafoam", *arguments.split(), within=tmp_path, **collector)
-    assert done.returncode == 0, done.stderr
+        run(programs / "seafoam", *ALONE[extra].split(), within=tmp_path)

@@ -28,7 +28,7 @@ def test_a_preset_draws(executor: Executor, preset: str) -> None:
     assert not faults(frame)
 
 
-LARGER = (160, 90)
+LARGER = (96, 54)
 MINUTE = range(0, 61, 10)
 
 

@@ -1,19 +1,20 @@
 """Firefox by WebDriver BiDi and WebKitGTK by WebDriver, as far as tests need them."""
 
-import base64
+import asyncio
 import http.client
 import json
 import os
 import re
-import secrets
 import shutil
-import socket
-import struct
 import subprocess
 import tempfile
+import threading
 import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
+
+from tornado.websocket import websocket_connect
 
 from support.command import free_port
 
@@ -66,51 +67,6 @@ ANSWER = 180.0
 """Longest time for it to answer a command, s."""
 
 
-class WebSocket:
-    """A client of one connection: text messages, masked as the protocol demands (RFC 6455)."""
-
-    def __init__(self, port: int, path: str) -> None:
-        self.socket = socket.create_connection(("127.0.0.1", port), timeout=ANSWER)
-        key = base64.b64encode(secrets.token_bytes(16)).decode()
-        asked = {"Host": f"127.0.0.1:{port}", "Upgrade": "websocket", "Connection": "Upgrade", "Sec-WebSocket-Key": key}
-        lines = [f"{name}: {value}" for name, value in (asked | {"Sec-WebSocket-Version": "13"}).items()]
-        self.socket.sendall("\r\n".join([f"GET {path} HTTP/1.1", *lines, "", ""]).encode())
-        self.stream = self.socket.makefile("rb")
-        status = self.stream.readline()
-        assert b" 101 " in status, status
-        while self.stream.readline().strip():
-            pass
-
-    def send(self, text: str) -> None:
-        data, key = text.encode(), secrets.token_bytes(4)
-        size = len(data)
-        if size < 126:
-            head = struct.pack(">BB", 0x81, 0x80 | size)
-        elif size < 1 << 16:
-            head = struct.pack(">BBH", 0x81, 0x80 | 126, size)
-        else:
-            head = struct.pack(">BBQ", 0x81, 0x80 | 127, size)
-        mask = (key * (size // 4 + 1))[:size]
-        masked = int.from_bytes(data) ^ int.from_bytes(mask)
-        self.socket.sendall(head + key + masked.to_bytes(size))
-
-    def close(self) -> None:
-        self.stream.close()
-        self.socket.close()
-
-    def receive(self) -> str:
-        message = b""
-        while True:
-            first, second = self.stream.read(2)
-            size = second & 0x7F
-            if size >= 126:
-                form = ">H" if size == 126 else ">Q"
-                (size,) = struct.unpack(form, self.stream.read(struct.calcsize(form)))
-            message += self.stream.read(size)
-            if first & 0x80:
-                return message.decode()
-
-
 class Firefox(Engine):
     """A browser with one tab and a profile of its own."""
 
@@ -127,7 +83,11 @@ class Firefox(Engine):
             self.process = subprocess.Popen(command, stdout=log, stderr=log, env=environment)
         self.said: list[str] = []
         self.count = 0
-        self.connection = WebSocket(self.port(), "/session")
+        # Playwright leaves an event loop in the tests' thread: this one runs in its own.
+        self.loop = asyncio.new_event_loop()
+        self.thread = threading.Thread(target=self.loop.run_forever, daemon=True)
+        self.thread.start()
+        self.connection = self.awaited(websocket_connect, f"ws://127.0.0.1:{self.port()}/session")
         self.call("session.new", capabilities={})
         self.call("session.subscribe", events=["log.entryAdded"])
         self.tab: str = self.call("browsingContext.getTree")["contexts"][0]["context"]
@@ -142,13 +102,22 @@ class Firefox(Engine):
             time.sleep(0.1)
         raise AssertionError(f"Firefox does not listen: {self.log.read_text()}")
 
+    def awaited(self, call: Callable[..., Any], *given: Any) -> Any:
+        """What a call returns that the loop awaits."""
+
+        async def result() -> Any:
+            return await call(*given)
+
+        return asyncio.run_coroutine_threadsafe(result(), self.loop).result(ANSWER)
+
     def call(self, method: str, **parameters: Any) -> Any:
         """Send a command and return its result; what the page says meanwhile is noted."""
         self.count += 1
-        self.connection.send(json.dumps({"id": self.count, "method": method, "params": parameters}))
+        command = json.dumps({"id": self.count, "method": method, "params": parameters})
+        self.awaited(self.connection.write_message, command)
         while True:
             try:
-                message = json.loads(self.connection.receive())
+                message = json.loads(self.awaited(self.connection.read_message))
             except TimeoutError:
                 self.hung = True
                 raise AssertionError(f"no answer to {method} in {ANSWER:.0f} s") from None
@@ -186,7 +155,10 @@ class Firefox(Engine):
         self.call("input.performActions", context=self.tab, actions=actions)
 
     def close(self) -> None:
-        self.connection.close()
+        self.loop.call_soon_threadsafe(self.connection.close)
+        self.loop.call_soon_threadsafe(self.loop.stop)
+        self.thread.join()
+        self.loop.close()
         if self.hung:
             self.process.kill()
         else:

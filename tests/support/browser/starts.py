@@ -2,22 +2,19 @@
 
 import io
 import re
-import shutil
-import subprocess
-import tempfile
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from itertools import count
-from pathlib import Path
 from statistics import median
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
-from playwright.sync_api import Browser, BrowserContext, Page, Playwright
+from playwright.sync_api import Browser, Page, Playwright
 
 from support.browser.lanes import chromium
 from support.browser.visits import PHONE
@@ -165,41 +162,15 @@ class Started:
 
 
 @contextmanager
-def browser_started(playwright: Playwright, start: str) -> Iterator[tuple[Browser, subprocess.Popen[bytes]]]:
+def browser_started(playwright: Playwright, start: str) -> Iterator[Browser]:
     """Chromium with no switches of a driver: headless, an empty profile, and those of the start."""
-    profile = tempfile.mkdtemp(prefix="seafoam-chromium-")
-    command = [
-        chromium(),
-        "--headless=new",
-        "--no-sandbox",
-        "--no-first-run",
-        "--remote-debugging-port=0",
-        f"--user-data-dir={profile}",
-        *STARTS[start],
-        "about:blank",
-    ]
-    process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    try:
-        browser = playwright.chromium.connect_over_cdp(f"http://127.0.0.1:{_port(process, Path(profile))}")
-        try:
-            yield browser, process
-        finally:
-            browser.close()
-    finally:
-        process.terminate()
-        process.wait(timeout=20)
-        shutil.rmtree(profile, ignore_errors=True)
-
-
-def _port(process: "subprocess.Popen[bytes]", profile: Path) -> int:
-    told = profile / "DevToolsActivePort"
-    deadline = time.monotonic() + 60.0
-    while time.monotonic() < deadline:
-        assert process.poll() is None, "Chromium stopped"
-        if told.exists() and (text := told.read_text(encoding="utf-8")).count("\n"):
-            return int(text.splitlines()[0])
-        time.sleep(0.05)
-    raise AssertionError("Chromium did not open its port within a minute")
+    with TemporaryDirectory(prefix="seafoam-chromium-", ignore_cleanup_errors=True) as profile:
+        told = ["--headless=new", "--no-sandbox", "--no-first-run", "--remote-debugging-pipe"]
+        arguments = [*told, f"--user-data-dir={profile}", *STARTS[start], "about:blank"]
+        with playwright.chromium.launch(
+            executable_path=chromium(), ignore_default_args=True, args=arguments
+        ) as browser:
+            yield browser
 
 
 @contextmanager
@@ -208,7 +179,7 @@ def opened(
 ) -> Iterator[Started]:
     """A new page at an address, watched from its first script on; ``size``: of the window, if it is not the usual."""
     width, height = size or WINDOWS[window]
-    context: BrowserContext = browser.new_context(
+    context = browser.new_context(
         viewport={"width": width, "height": height}, has_touch=window == "phone", is_mobile=window == "phone"
     )
     context.add_init_script(_WATCH)

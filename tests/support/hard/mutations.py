@@ -32,10 +32,10 @@ def reference(file: str, name: str) -> str:
 
 
 _RULES = "framegraph/evaluation.py"
-_TIME = {"state.time": "np.float32(state.time)"}
+TIME = {_RULES: {"state.time": "np.float32(state.time)"}}
 _PLACE = {"x, _, z = state.camera.position": "x, _, z = np.float32(state.camera.position)"}
-TIME, PLACE, TIME_AND_PLACE = {_RULES: _TIME}, {_RULES: _PLACE}, {_RULES: _TIME | _PLACE}
-"""Times or places rounded before they are reduced."""
+TIME_AND_PLACE = {_RULES: TIME[_RULES] | _PLACE}
+"""Times, and places too, rounded before they are reduced."""
 _WAY = "(rule.k[0] * x + rule.k[1] * z)"
 IN_FLOAT32 = {
     _RULES: {

@@ -1,4 +1,7 @@
-"""A hard case's pictures, and what is wrong with them; run as a module, it draws a case by what is on its path."""
+"""Hard cases of every effect, their pictures, and what is wrong with them.
+
+Run as a module, it draws a case by what is on its path.
+"""
 
 import sys
 from collections.abc import Collection, Mapping
@@ -7,17 +10,28 @@ from functools import partial
 from pathlib import Path
 
 import numpy as np
+import pytest
 from numpy.typing import NDArray
 
 from seafoam.accuracy.truth import sprayed
+from seafoam.effects import EFFECTS
+from seafoam.quality import TIERS, SurfaceQuality
 from seafoam.reference import render as reference
 from seafoam.render.gl.executor import Executor
 from seafoam.render.service.jobs import measure
-from support.cases import HardCase
-from support.exact import SQUARE
-from support.hard.cases import HARD, QUALITIES
+from support.cases import HardCase, cases_of
+from support.exact import EXACT, SQUARE
 from support.pictures import levels, samples
 
+HARD = [(effect, case) for effect in EFFECTS for case in cases_of(effect).hard]
+CASES = [pytest.param(effect, case, id=f"{effect.name}: {case.name}") for effect, case in HARD]
+QUALITIES = {
+    "exact": EXACT,
+    "march": SQUARE.model_copy(update={"target": "RGBA32F"}),
+    "mesh": TIERS["fast"].model_copy(
+        update={"target": "RGBA32F", "pixel_width": 1, "surface": SurfaceQuality(method="mesh", cells=112, refine=2)}
+    ),
+}
 SIZE = (48, 27)
 SHARE = 0.01
 """Of pixels off by more than 2 levels of linear light, between two qualities."""
