@@ -3,7 +3,7 @@
 Run as ``python docs/make_stability.py`` after a change of words. After a change of what is drawn, measure first::
 
     pytest -m "sweep or not sweep" tests/gpu/numerics/test_hard_cases.py tests/gpu/numerics/test_mutations.py \\
-        tests/browser/pixels/test_hard_cases.py --figures hard-cases.json
+        tests/browser/pixels/test_parity.py --figures hard-cases.json
     python docs/make_stability.py hard-cases.json
 
 What is measured stands in docs/stability.json; a run of some cases leaves the others' figures as they are. With

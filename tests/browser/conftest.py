@@ -2,11 +2,13 @@
 
 import urllib.request
 from collections.abc import Iterator
+from urllib.parse import urlsplit
 
 import pytest
 from playwright.sync_api import Page, Playwright, expect, sync_playwright
 
-from support.browser.lanes import Lane, launched, opened
+from support.browser.lanes import HOST, Lane, launched, opened
+from support.browser.proxy import proxied
 from support.browser.visits import Visit, visit
 from support.command import served
 
@@ -26,6 +28,16 @@ def server() -> Iterator[str]:
         # Answered once a worker draws.
         urllib.request.urlopen(f"{address}/api/frames/paper-threshold.png?width=16&height=16", timeout=60).close()
         yield address
+
+
+@pytest.fixture(scope="session")
+def behind(server: str) -> Iterator[str]:
+    """Address of the server behind a proxy, by a name and over plain HTTP.
+
+    Browsers trust this machine's own address as they trust HTTPS, and a name not.
+    """
+    with proxied(server, "/water") as outside:
+        yield f"http://{HOST}:{urlsplit(outside).port}/water"
 
 
 @pytest.fixture(scope="session")

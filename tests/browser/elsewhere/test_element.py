@@ -12,9 +12,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Route, expect
+from playwright.sync_api import expect
 
-from support.browser.lanes import Lane
+from support.browser.lanes import Lane, complaints_of
 from support.browser.proxy import proxied, site
 from support.browser.visits import BLANK, Held, Pixels, Visit, differs, pixels_of, visit
 from support.command import free_port
@@ -23,11 +23,11 @@ ROOT = Path(__file__).resolve().parents[3]
 FOLDER = ROOT / "webclient" / "element"
 NODE = str(ROOT / "scripts" / "node.sh")
 HTML = """<!doctype html><html lang="en"><head><title>A page</title><link rel="icon" href="data:," />
-<script type="module" src="/package/{module}"></script>
+<script type="module" src="/package/dist/seafoam-water.js"></script>
 <style>body {{ margin: 0 }} seafoam-water {{ width: 320px; height: 180px }} .far {{ height: 3000px }}</style></head>
-<body><seafoam-water {attributes}></seafoam-water><div class="far"></div></body></html>"""
+<body>{waters}<div class="far"></div></body></html>"""
+WATER = '<seafoam-water preset="paper-halftone" time="4" quality="fast" server="{server}"></seafoam-water>'
 SIZE = (400, 300)
-FAST = 'preset="paper-halftone" time="4" quality="fast" server="/"'
 
 
 @pytest.fixture(scope="module")
@@ -44,30 +44,19 @@ def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @contextmanager
-def opened(lane: Lane, server: str, package: Path, attributes: str, script: str = "") -> Iterator[Visit]:
-    """A foreign page with the element."""
-    exports = json.loads((package / "package.json").read_text())["exports"]["."]
-    assert (package / exports["types"]).is_file()
-    html = HTML.format(module=exports["default"].removeprefix("./"), attributes=attributes)
-    with visit(lane, server, BLANK, size=SIZE, settle=False) as made:
-        made.page.route("**/a-page/", lambda route: route.fulfill(body=html, content_type="text/html"))
-        files = "**/package/**"
-        made.page.route(files, lambda route: route.fulfill(path=package / route.request.url.split("/package/")[1]))
+def opened(lane: Lane, package: Path, *servers: str, script: str = "") -> Iterator[tuple[Visit, str, Held]]:
+    """A page of another site with an element for each server, its origin, and requests for plans, which are held."""
+    waters = "".join(WATER.format(server=server) for server in servers)
+    (package.parent / "index.html").write_text(HTML.format(waters=waters))
+    with site(package.parent) as origin, visit(lane, origin, BLANK, size=SIZE, settle=False) as made:
+        held = Held(made.page, "**/api/plans/*")
         made.page.add_init_script(script)
-        made.page.goto(f"{server}/a-page/")
-        yield made
+        made.page.goto(f"{origin}/index.html")
+        yield made, origin, held
 
 
 def shown(made: Visit) -> Pixels:
-    return pixels_of(made.page.locator("seafoam-water").screenshot())
-
-
-def test_the_package_has_what_it_names(package: Path) -> None:
-    files = {str(path.relative_to(package)) for path in package.rglob("*") if path.is_file()}
-    snippets = {f"snippets/{path.name}" for path in (ROOT / "docs/snippets").iterdir()}
-    assert files == {"package.json", "README.md", "index.d.ts", "dist/seafoam-water.js", "dist/LICENSE"} | snippets
-    for name in snippets:
-        assert (package / name).read_bytes() == (ROOT / "docs" / name).read_bytes()
+    return pixels_of(made.page.locator("seafoam-water").first.screenshot())
 
 
 def water(made: Visit, code: str) -> Any:
@@ -81,9 +70,26 @@ def drew(made: Visit, more_than: int = 3) -> None:
     made.page.wait_for_function(condition, arg=more_than, timeout=60_000)
 
 
-def test_it_draws_moves_and_rests_out_of_view(llvmpipe: Lane, server: str, package: Path) -> None:
-    with opened(llvmpipe, server, package, FAST) as made:
+def test_the_package_has_what_it_names(package: Path) -> None:
+    files = {str(path.relative_to(package)) for path in package.rglob("*") if path.is_file()}
+    snippets = {f"snippets/{path.name}" for path in (ROOT / "docs/snippets").iterdir()}
+    assert files == {"package.json", "README.md", "index.d.ts", "dist/seafoam-water.js", "dist/LICENSE"} | snippets
+    for name in snippets:
+        assert (package / name).read_bytes() == (ROOT / "docs" / name).read_bytes()
+    exports = json.loads((package / "package.json").read_text())["exports"]["."]
+    assert exports == {"types": "./index.d.ts", "default": "./dist/seafoam-water.js"}
+
+
+def test_another_sites_page_shows_the_still_and_then_water_that_moves_rests_and_takes_attributes(
+    llvmpipe: Lane, server: str, package: Path
+) -> None:
+    with opened(llvmpipe, package, server) as (made, _, held):
+        still = made.page.locator("seafoam-water img")
+        expect(still).to_have_attribute("src", f"{server}/stills/paper-halftone.avif")
+        held.arrived()
+        held.let_go()
         drew(made)
+        assert still.count() == 0
         assert shown(made).std() > 5.0
         assert water(made, "water.currentTime") > 4.0
         assert made.page.evaluate("() => Object.keys(window).filter((name) => /seafoam/i.test(name))") == []
@@ -95,18 +101,11 @@ def test_it_draws_moves_and_rests_out_of_view(llvmpipe: Lane, server: str, packa
         assert water(made, "water.frames") == resting
         made.page.evaluate("() => window.scrollTo(0, 0)")
         drew(made, resting)
-
-
-def test_attributes_take_effect_and_an_unknown_preset_is_an_error_event(
-    llvmpipe: Lane, server: str, package: Path
-) -> None:
-    with opened(llvmpipe, server, package, f"{FAST} paused") as made:
-        drew(made, 0)
-        assert water(made, "water.currentTime") == 4.0
         water(
             made,
             "new Promise((done) => { water.addEventListener('load', done, { once: true });"
-            " water.setAttribute('preset', 'paper-height'); water.setAttribute('time', '7'); })",
+            " water.setAttribute('paused', ''); water.setAttribute('preset', 'paper-height');"
+            " water.setAttribute('time', '7'); })",
         )
         assert water(made, "water.currentTime") == 7.0
         assert made.complaints == []
@@ -124,7 +123,8 @@ def test_attributes_take_effect_and_an_unknown_preset_is_an_error_event(
 
 def test_without_webgl_it_shows_the_servers_picture(llvmpipe: Lane, server: str, package: Path) -> None:
     script = "HTMLCanvasElement.prototype.getContext = () => null"
-    with opened(llvmpipe, server, package, FAST, script) as made:
+    with opened(llvmpipe, package, server, script=script) as (made, _, held):
+        held.let_go()
         made.page.wait_for_function(
             "() => document.querySelector('seafoam-water')?.shadowRoot?.querySelector('img[src*=\"/api/\"]')?.complete",
             timeout=60_000,
@@ -135,115 +135,55 @@ def test_without_webgl_it_shows_the_servers_picture(llvmpipe: Lane, server: str,
         assert (shown(made) == pixels_of(answer.body())).all()
 
 
-@contextmanager
-def elsewhere(lane: Lane, package: Path, attributes: str) -> Iterator[tuple[Visit, str, Held]]:
-    """A page of another site, its origin, and its requests for plans, which are held."""
-    html = HTML.format(module="dist/seafoam-water.js", attributes=attributes)
-    (package.parent / "page.html").write_text(html)
-    for name in (BLANK, "favicon.ico"):
-        (package.parent / name).write_text("<svg xmlns='http://www.w3.org/2000/svg'/>")
-    with site(package.parent) as origin, visit(lane, origin, BLANK, size=SIZE, settle=False) as made:
-        held = Held(made.page, "**/api/plans/*")
-        made.page.goto(f"{origin}/page.html")
-        yield made, origin, held
-
-
-def test_another_sites_page_shows_the_still_and_then_the_water(llvmpipe: Lane, server: str, package: Path) -> None:
-    attributes = f'preset="paper-halftone" quality="fast" server="{server}"'
-    with elsewhere(llvmpipe, package, attributes) as (made, _, held):
-        still = made.page.locator("seafoam-water img")
-        expect(still).to_have_attribute("src", f"{server}/stills/paper-halftone.avif")
-        held.arrived()
-        held.let_go()
-        drew(made)
-        assert still.count() == 0
-        assert shown(made).std() > 5.0
-
-
 def test_a_server_that_does_not_allow_the_page_is_told_from_one_that_is_gone(
     llvmpipe: Lane, server: str, package: Path
 ) -> None:
     with (
         proxied(server, "/water", frozenset({"access-control-allow-origin"})) as closed,
-        elsewhere(llvmpipe, package, f'preset="paper-halftone" server="{closed}"') as (made, origin, held),
+        opened(llvmpipe, package, closed, f"http://127.0.0.1:{free_port()}") as (made, origin, held),
     ):
         held.let_go()
-        expect(made.page.locator("seafoam-water [role=alert]")).to_contain_text(f"SEAFOAM_CORS_ORIGINS={origin}")
+        refused, gone = (made.page.locator("seafoam-water").nth(i).get_by_role("alert") for i in (0, 1))
+        expect(refused).to_contain_text(f"SEAFOAM_CORS_ORIGINS={origin}")
+        expect(gone).to_have_text("The server does not respond.")
         made.page.wait_for_function(
             "() => document.querySelector('seafoam-water').shadowRoot.querySelector('img')?.naturalWidth > 0"
         )
         assert shown(made).std() > 5.0
         made.complaints.clear()
-    with elsewhere(llvmpipe, package, f'server="http://127.0.0.1:{free_port()}"') as (made, _, held):
-        held.let_go()
-        expect(made.page.locator("seafoam-water [role=alert]")).to_have_text("The server does not respond.")
-        made.complaints.clear()
 
 
 WIDTH, HEIGHT = 320, 180
 TIME = 9.0
-PAGE = """<!doctype html><html><head><script type="importmap">{"imports": {"three": "./three.module.js"}}</script>
-<script type="module">
-import * as THREE from "three";
-import { Water } from "./water.js";
-const get = async (path) => (await fetch(path)).json();
-window.frame = async (preset, time, width, height) => {
-  const plan = await get(`/api/plans/${preset}?quality=fast`);
-  const { scene } = await get(`/api/presets/${preset}`);
+FRAME = """async ([preset, time, width, height, server]) => {
+  const load = (path) => import(new URL(path, location.href));
+  const [THREE, { Water }] = [await load("three/build/three.module.js"), await load("water.js")];
+  const get = async (path) => (await fetch(`${server}/api/${path}`)).json();
+  const plan = await get(`plans/${preset}?quality=fast`);
+  const { scene } = await get(`presets/${preset}`);
   const renderer = new THREE.WebGLRenderer({ antialias: false, depth: false, preserveDrawingBuffer: true });
   renderer.setSize(width, height, false);
-  const water = await Water.load(renderer, plan, location.origin);
+  const water = await Water.load(renderer, plan, `${server}/`);
   for (const earlier of [time - 1, time]) water.draw({ time: earlier, camera: scene.camera });
   const gl = renderer.getContext();
-  const sources = ({ program }) => gl.getAttachedShaders(program).map((shader) => gl.getShaderSource(shader));
-  const held = renderer.info.programs.flatMap(sources);
-  const url = renderer.domElement.toDataURL("image/png");
+  const held = renderer.info.programs.flatMap(({ program }) =>
+    gl.getAttachedShaders(program).map((shader) => gl.getShaderSource(shader)));
+  const stages = Object.values(plan.programs).flatMap(({ vertex, fragment }) => [vertex, fragment]);
+  const bare = stages.map(({ text }) => text.replace("#version 300 es\\n", ""));
+  const same = held.every((text) => bare.some((one) => text.endsWith(one)));
+  const png = renderer.domElement.toDataURL("image/png").split(",")[1];
   renderer.dispose();
-  return { png: url.split(",")[1], held, plan };
-};
-</script></head><body></body></html>"""
+  return { png, same, count: held.length };
+}"""
 
 
-def three_answer(route: Route) -> None:
-    name = route.request.url.rpartition("/")[2]
-    folder = ROOT / ("webclient/node_modules/three/build" if name.startswith("three.") else "docs/three")
-    content = PAGE if name == "index.html" else (folder / name).read_text(encoding="utf-8")
-    route.fulfill(body=content, content_type="text/html" if name == "index.html" else "text/javascript")
-
-
-def test_three_draws_the_servers_frame(llvmpipe: Lane, server: str) -> None:
-    with visit(llvmpipe, server, BLANK, settle=False) as made:
-        page = made.page
-        page.route("**/three-example/*", three_answer)
-        page.goto(f"{server}/three-example/index.html")
-        page.wait_for_function("() => window.frame !== undefined")
-        made.complaints.clear()
-        for preset in ("paper-threshold", "paper-halftone", "default"):
-            drawn = page.evaluate(
-                "async ([preset, time, width, height]) => {"
-                " const { png, held, plan } = await window.frame(preset, time, width, height);"
-                " const stages = Object.values(plan.programs).flatMap(({ vertex, fragment }) => [vertex, fragment]);"
-                " const bare = stages.map(({ text }) => text.replace('#version 300 es\\n', ''));"
-                " const same = held.every((text) => bare.some((one) => text.endsWith(one)));"
-                " return { png, same, count: held.length }; }",
-                [preset, TIME, WIDTH, HEIGHT],
-            )
-            query = f"quality=fast&dither=false&time={TIME:g}&width={WIDTH}&height={HEIGHT}"
-            reply = page.request.get(f"{server}/api/frames/{preset}.png?{query}")
-            assert drawn["count"] >= 6, preset
-            assert drawn["same"], f"{preset}: three.js holds other GLSL than the plan's"
-            ours, truth = (pixels_of(data) for data in (base64.b64decode(drawn["png"]), reply.body()))
-            assert truth.std() > 5.0
-            assert differs(ours, truth) < 1e-4, preset
-
-
-def test_the_page_takes_a_server_of_another_site(llvmpipe: Lane, server: str, tmp_path: Path) -> None:
+def test_three_draws_the_frames_of_a_server_of_another_site(llvmpipe: Lane, server: str, tmp_path: Path) -> None:
     folder = shutil.copytree(ROOT / "docs" / "three", tmp_path / "three-example")
     (folder / "three").symlink_to(ROOT / "webclient" / "node_modules" / "three")
+    (folder / "favicon.ico").touch()
     with proxied(server, "/water") as behind, site(folder) as origin:
         page = llvmpipe.browser.new_page(viewport={"width": WIDTH, "height": HEIGHT})
-        complaints: list[str] = []
-        page.on("pageerror", lambda error: complaints.append(str(error)))
+        complaints = complaints_of(page)
         page.goto(f"{origin}/index.html?server={behind}/#paper-halftone")
         page.wait_for_function("() => document.querySelector('canvas') !== null", timeout=60_000)
         for _ in range(60):
@@ -252,4 +192,14 @@ def test_the_page_takes_a_server_of_another_site(llvmpipe: Lane, server: str, tm
             page.wait_for_timeout(500)
         else:
             raise AssertionError(f"no water: {complaints}")
+        for preset in ("paper-halftone", "default"):
+            drawn = page.evaluate(FRAME, [preset, TIME, WIDTH, HEIGHT, behind])
+            query = f"quality=fast&dither=false&time={TIME:g}&width={WIDTH}&height={HEIGHT}"
+            reply = page.request.get(f"{server}/api/frames/{preset}.png?{query}")
+            assert drawn["count"] >= 6, preset
+            assert drawn["same"], f"{preset}: three.js holds other GLSL than the plan's"
+            ours, truth = (pixels_of(data) for data in (base64.b64decode(drawn["png"]), reply.body()))
+            assert truth.std() > 5.0
+            assert differs(ours, truth) < 1e-4, preset
+        assert complaints == []
         page.close()

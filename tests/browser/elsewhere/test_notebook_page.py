@@ -1,4 +1,7 @@
-"""The notebook's widget in a page: anywidget's model stands in for the notebook's, and asks the widget in Python."""
+"""The notebook's widget in a page: anywidget's model stands in for the notebook's, and asks the widget in Python.
+
+The page comes through a proxy and over plain HTTP, as a notebook's may, where browsers lack a few functions.
+"""
 
 import base64
 import json
@@ -12,9 +15,6 @@ from playwright.sync_api import Page
 from seafoam.notebook import Water
 from support.browser.lanes import Lane, complaints_of
 from support.browser.visits import pixels_of
-
-HTML = """<!doctype html><html lang="en"><head><title>A notebook</title><link rel="icon" href="data:," />
-<style>body { margin: 0 } #cell { width: 640px }</style></head><body><div id="cell"></div></body></html>"""
 
 # What a notebook's front end does: keeps the traits, tells Python what changed, and passes messages on.
 MODEL = """async ({ state }) => {
@@ -69,12 +69,6 @@ class Cell:
         )
         self.settle()
 
-    def show_at(self, server: str) -> None:
-        """In the place of a server's own page: one that the test makes up may not load what lies on this machine."""
-        self.page.goto(f"{server}/water/")
-        self.page.evaluate("() => { document.body.innerHTML = '<div id=cell style=\"width: 640px\"></div>'; }")
-        self.show()
-
     def state(self, *names: str) -> dict[str, Any]:
         state = self.water.get_state(names or None)
         return {name: value for name, value in state.items() if not name.startswith("_") and name != "layout"}
@@ -103,24 +97,26 @@ class Cell:
 
 
 @pytest.fixture(scope="module")
-def cell(llvmpipe: Lane, server: str) -> Iterator[Cell]:
-    context = llvmpipe.browser.new_context(viewport={"width": 960, "height": 600})
-    page = context.new_page()
-    page.route("**/a-notebook/", lambda route: route.fulfill(body=HTML, content_type="text/html"))
-    made = Cell(page, Water("paper-halftone", time=4.0, quality="fast", playing=False))
-    try:
-        page.goto(f"{server}/a-notebook/")
+def cell(llvmpipe: Lane, behind: str) -> Iterator[Cell]:
+    with llvmpipe.browser.new_context(viewport={"width": 960, "height": 600}) as context:
+        page = context.new_page()
+        asked: list[str] = []
+        page.on("request", lambda request: asked.append(request.url))
+        made = Cell(page, Water("paper-halftone", time=4.0, quality="fast", playing=False))
+        # In the place of a server's own page: one that the test makes up may not load what lies on this machine.
+        page.goto(f"{behind}/water/")
+        page.evaluate("() => { document.body.innerHTML = '<div id=cell style=\"width: 640px\"></div>'; }")
         made.show()
         yield made
         page.evaluate("() => window.leave()")
         assert page.locator("#cell").inner_html() == ""
         assert page.evaluate("() => window.heard()") == 0
         assert made.complaints == []
-    finally:
-        context.close()
+        assert [url for url in asked if url.startswith("http") and not url.startswith(f"{behind}/")] == []
 
 
 def test_it_draws_what_python_has(cell: Cell) -> None:
+    assert cell.page.evaluate("() => crypto.randomUUID === undefined")
     assert cell.asked[0] == "plan"
     assert "texture" in cell.asked
     assert cell.seen().std() > 5

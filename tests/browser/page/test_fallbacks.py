@@ -9,42 +9,32 @@ from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
 from support.browser.lanes import Lane, rendered
-from support.browser.visits import BLANK, STILL, Pixels, Visit, link, visit
+from support.browser.visits import BLANK, Visit, link, visit
 from support.exact import UNFILTERED
 from support.pictures import draw
 from support.scenes import load_preset
+from support.sweep import spread
 
 SIZE = (400, 300)
 REFUSED = "ERR_CONNECTION_REFUSED"
-CHEAP = link(preset="paper-halftone")
-"""A picture of few programs, where any does."""
-
-
-@pytest.fixture(scope="module")
-def usual(llvmpipe: Lane, server: str) -> Pixels:
-    """The picture where nothing is missing."""
-    with visit(llvmpipe, server, STILL, size=SIZE) as made:
-        return made.picture()
-
-
-@pytest.mark.parametrize(
-    "hidden",
-    [
-        "OES_texture_float_linear",
-        "EXT_float_blend",
-        "EXT_color_buffer_float",
-        "EXT_color_buffer_half_float",
-        "OES_texture_float_linear,OES_texture_half_float_linear,EXT_float_blend,EXT_color_buffer_float",
-        "KHR_parallel_shader_compile",
-        "EXT_disjoint_timer_query_webgl2,WEBGL_debug_renderer_info",
-        "WEBGL_lose_context",
-    ],
+FLOATS = "OES_texture_float_linear,OES_texture_half_float_linear,EXT_float_blend,EXT_color_buffer_float"
+HIDDEN = (
+    FLOATS,
+    *FLOATS.split(","),
+    "EXT_color_buffer_half_float",
+    "KHR_parallel_shader_compile",
+    "EXT_disjoint_timer_query_webgl2,WEBGL_debug_renderer_info",
+    "WEBGL_lose_context",
 )
-def test_draws_without(llvmpipe: Lane, server: str, executor: Executor, usual: Pixels, hidden: str) -> None:
-    """The same picture, and the server's pixels; where a float32 target cannot be had that is asked for, a word."""
+"""Extensions."""
+
+
+@pytest.mark.parametrize("hidden", spread(HIDDEN, len(HIDDEN)))
+def test_draws_without(llvmpipe: Lane, server: str, executor: Executor, hidden: str) -> None:
+    """The server's pixels; where a float32 target cannot be had that is asked for, a word."""
     scene, size = load_preset("default").scene, (48, 27)
-    with visit(llvmpipe, server, f"?hide={hidden}{STILL}", size=SIZE) as made:
-        assert (made.picture() == usual).all()
+    with visit(llvmpipe, server, f"?hide={hidden}{link(preset='default')}", size=SIZE) as made:
+        assert made.picture().std() > 5.0
         assert made.page.locator(".toast").count() == 0
         for quality in (TIERS["standard"], UNFILTERED):
             plan = make_plan(scene, quality)
@@ -57,7 +47,7 @@ def test_draws_without(llvmpipe: Lane, server: str, executor: Executor, usual: P
 
 
 def test_the_server_draws_where_no_picture_can_be_drawn(llvmpipe: Lane, server: str) -> None:
-    address = f"?hide=EXT_color_buffer_float,EXT_color_buffer_half_float{STILL}"
+    address = f"?hide=EXT_color_buffer_float,EXT_color_buffer_half_float{link()}"
     with visit(llvmpipe, server, address, size=SIZE) as made:
         notice = made.page.locator("#heading .notice").inner_text()
         assert "EXT_color_buffer_float" in notice
@@ -67,8 +57,8 @@ def test_the_server_draws_where_no_picture_can_be_drawn(llvmpipe: Lane, server: 
 def test_a_quality_that_needs_more_gives_way(llvmpipe: Lane, server: str) -> None:
     """32-bit filtered textures are for the reference tier; without them the sea is drawn at the usual one."""
     assert TIERS["reference"].target == "RGBA32F"
-    fragment = "#paused=1&quality=reference"
-    with visit(llvmpipe, server, f"?hide=OES_texture_float_linear,EXT_color_buffer_float{fragment}", size=SIZE) as made:
+    address = f"?hide=OES_texture_float_linear,EXT_color_buffer_float{link(quality='reference')}"
+    with visit(llvmpipe, server, address, size=SIZE) as made:
         assert made.state()["quality"] is None
         assert made.picture().std() > 5.0
         toast = made.page.locator(".toast.error").inner_text()
@@ -80,7 +70,7 @@ def test_it_says_so_while_the_server_is_away_and_the_picture_stays_when_it_goes(
         # The browser notes each request that failed; the page itself has nothing to complain of.
         made.expected = REFUSED
         made.page.route("**/api/**", lambda route: route.abort("connectionrefused"))
-        made.page.goto(f"{server}/{CHEAP}")
+        made.page.goto(f"{server}/{link()}")
         failure = made.page.locator("#loading .failure")
         failure.wait_for()
         assert "Server not reachable" in failure.inner_text()
@@ -90,53 +80,47 @@ def test_it_says_so_while_the_server_is_away_and_the_picture_stays_when_it_goes(
         before = made.picture()
         assert before.std() > 5.0
         made.page.route("**/api/**", lambda route: route.abort("connectionrefused"))
-        made.follow(link(preset="paper-halftone", scene={"/foam/look": "textured"}))
+        made.follow(link(scene={"/foam/look": "textured"}))
         made.page.locator(".toast.error", has_text="does not respond").wait_for()
         assert not made.page.locator("#loading").is_visible()
         assert (made.picture() == before).all()
         # Once it is back, the same choice is asked for again.
         made.page.unroute("**/api/**")
-        made.follow(link(preset="paper-halftone", scene={"/foam/look": "filtered"}))
+        made.follow(link(scene={"/foam/look": "filtered"}))
         assert (made.picture() != before).any()
 
 
-def test_an_unknown_preset_is_told(llvmpipe: Lane, server: str) -> None:
+def test_an_unknown_preset_is_told_and_of_a_link_cut_short_what_is_left_is_opened(llvmpipe: Lane, server: str) -> None:
     fragment = link(preset="atlantis", scene={"/foam/look": "textured"}, time=77)
-    with visit(llvmpipe, server, fragment, size=SIZE) as made:
+    with visit(llvmpipe, server, f"#%&{fragment[1:]}", size=SIZE) as made:
         assert "atlantis" in made.page.locator(".toast.error").inner_text()
         state = made.state()
         assert state["preset"] == "default"
         assert state["changes"] == [], "what a link says of one sea means nothing for another"
         assert made.page.locator("#title").text_content() == load_preset("default").title
-        assert made.picture().std() > 5.0
+        made.follow(link())
+        for fragment in ("#scene=%7B", "#camera=1,2", "#time=soon&speed=fast", "#split=~~", "#=&&", "#%"):
+            made.follow(f"{fragment}&paused=1&quality=fast")
+            assert made.state()["preset"] == "paper-halftone", fragment
+            assert made.picture().std() > 5.0, fragment
 
 
-@pytest.mark.parametrize(
-    "parts",
-    [
-        {"scene": {"/foam/mask": "no-such-mask"}},
-        {"scene": {"/waves": "flat"}},
-        {"scene": {"/light/exposure": 1e9}},
-        {"quality": "best"},
-        {"split": "/foam/look~textured~nonsense~0.500"},
-    ],
-    ids=lambda parts: next(iter(parts)),
+NONSENSE: tuple[dict[str, object], ...] = (
+    {"scene": {"/foam/mask": "no-such-mask"}},
+    {"scene": {"/waves": "flat"}},
+    {"scene": {"/light/exposure": 1e9}},
+    {"quality": "best"},
+    {"split": "/foam/look~textured~nonsense~0.500"},
 )
+
+
+@pytest.mark.parametrize("parts", spread(NONSENSE, len(NONSENSE), name=lambda parts: next(iter(parts))))
 def test_a_link_that_asks_for_nonsense_still_opens(llvmpipe: Lane, server: str, parts: dict[str, object]) -> None:
-    with visit(llvmpipe, server, link(preset="paper-halftone", **parts), size=SIZE) as made:
+    with visit(llvmpipe, server, link(**parts), size=SIZE) as made:
         made.expected = "422"
         made.page.locator(".toast.error").first.wait_for()
         assert made.picture().std() > 5.0
         assert made.state()["changes"] == []
-
-
-def test_a_link_cut_short_opens_what_is_left(llvmpipe: Lane, server: str) -> None:
-    with visit(llvmpipe, server, "#%&paused=1&quality=fast", size=SIZE) as made:
-        for fragment in ("#scene=%7B", "#camera=1,2", "#time=soon&speed=fast", "#split=~~", "#=&&", "#%"):
-            assert made.state()["preset"] == "default", fragment
-            assert made.picture().std() > 5.0, fragment
-            made.follow(f"{fragment}&paused=1&quality=fast")
-        assert made.state()["preset"] == "default"
 
 
 def drawn(made: Visit) -> NDArray[np.uint8]:

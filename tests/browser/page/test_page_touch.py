@@ -89,51 +89,51 @@ def test_a_drag_leaves_a_train_that_a_link_restores(lake: Visit) -> None:
     assert (lake.picture() == picture).all()
 
 
-def test_a_tap_and_a_drag_are_a_step_of_undo_each(lake: Visit) -> None:
+def test_a_tap_and_a_drag_are_a_step_of_undo_each(small: Visit) -> None:
     """Two taps at once, as fast as they come while the first plan is made, and a slow drag: three steps."""
     for x in (200, 360):
-        lake.page.mouse.click(x, 260)
-    drawn(lake)
-    lake.page.mouse.move(120, 240)
-    lake.page.mouse.down()
+        small.page.mouse.click(x, 260)
+    drawn(small)
+    small.page.mouse.move(120, 240)
+    small.page.mouse.down()
     for x in range(130, 300, 15):
-        lake.page.mouse.move(x, 240)
+        small.page.mouse.move(x, 240)
         if x == 220:
-            lake.page.wait_for_timeout(1000)  # longer than two edits of a field may lie apart to be one
-    lake.page.mouse.up()
-    drawn(lake)
-    whole = touches(lake)
+            small.page.wait_for_timeout(1000)  # longer than two edits of a field may lie apart to be one
+    small.page.mouse.up()
+    drawn(small)
+    whole = touches(small)
     assert len(whole) > 4
-    lake.page.locator("#canvas").focus()
+    small.page.locator("#canvas").focus()
     counts = []
     for _ in range(3):
-        lake.page.keyboard.press("Control+z")
-        counts.append(len(touches(lake)))
+        small.page.keyboard.press("Control+z")
+        counts.append(len(touches(small)))
     assert counts == [2, 1, 0]
     for _ in range(3):
-        lake.page.keyboard.press("Control+y")
-    assert touches(lake) == whole
+        small.page.keyboard.press("Control+y")
+    assert touches(small) == whole
 
 
-def test_keys_touch_and_choose_what_a_drag_does(lake: Visit) -> None:
-    button = lake.page.get_by_role("button", name="Touch water")
+def test_keys_touch_and_choose_what_a_drag_does(small: Visit) -> None:
+    button = small.page.get_by_role("button", name="Touch water")
     assert button.get_attribute("aria-pressed") == "true"
-    lake.page.locator("#canvas").focus()
-    lake.page.keyboard.press("Enter")
-    drawn(lake)
-    assert len(touches(lake)) == 1
-    lake.page.keyboard.press("t")
+    small.page.locator("#canvas").focus()
+    small.page.keyboard.press("Enter")
+    drawn(small)
+    assert len(touches(small)) == 1
+    small.page.keyboard.press("t")
     assert button.get_attribute("aria-pressed") == "false"
-    before = lake.state()["camera"]
-    drag(lake.page, (200, 200), (260, 200))
-    lake.page.wait_for_function("(yaw) => window.seafoam.state().camera.yaw !== yaw", arg=before["yaw"])
-    assert len(touches(lake)) == 1
-    lake.page.keyboard.press("t")
+    before = small.state()["camera"]
+    drag(small.page, (200, 200), (260, 200))
+    small.page.wait_for_function("(yaw) => window.seafoam.state().camera.yaw !== yaw", arg=before["yaw"])
+    assert len(touches(small)) == 1
+    small.page.keyboard.press("t")
 
 
 def test_rings_begin_when_they_can_be_seen(lake: Visit) -> None:
     """The first touch of a water waits for its plan: no ring has died away before it is drawn."""
-    lake.follow(link(preset="paper-halftone", time=2.0, scale=0.1))
+    lake.follow(link(time=2.0, scale=0.1))
     lake.press("Play")
     lake.page.mouse.click(300, 250)
     touched = lake.state()["time"]
@@ -214,17 +214,21 @@ def test_the_camera_asks_for_nothing(lake: Visit) -> None:
     assert [url for _, url in lake.asked[asked:] if "/api/" in url and "width=192" not in url] == []
 
 
-def test_edits_are_undone_and_redone(small: Visit) -> None:
+def test_edits_are_undone_and_redone_and_a_look_alone_asks_for_a_plan(small: Visit) -> None:
     page = small.page
     # Of another water's edits none is undone.
     small.follow(link(preset="paper-threshold"))
-    small.follow(link(preset="default"))
-    before = small.picture()
+    small.follow(link())
+    before, asked = small.picture(), small.plans()
     small.type("exposure", "1", folder="light")
     bright = small.picture()
-    small.settings().get_by_label("look", exact=True).select_option(label="halftone")
-    both = [["/foam/look", "halftone"], ["/light/exposure", 1]]
+    assert bright.mean() > before.mean() + 10
+    assert small.plans() == asked
+    small.settings().get_by_label("look", exact=True).select_option(label="textured")
+    both = [["/foam/look", "textured"], ["/light/exposure", 1]]
     assert small.state()["changes"] == both
+    assert differs(small.picture(), bright) > 0.05
+    assert small.plans() == asked + 1
     page.locator("#canvas").focus()
     page.keyboard.press("Control+z")
     assert small.state()["changes"] == both[1:]
@@ -239,6 +243,9 @@ def test_edits_are_undone_and_redone(small: Visit) -> None:
     page.get_by_role("button", name="Redo").click()
     assert small.state()["changes"] == both
     expect(page.get_by_role("button", name="Redo")).to_be_disabled()
+    small.press("Reset scene")
+    assert small.state()["changes"] == []
+    assert (small.picture() == before).all()
 
 
 def test_changes_are_listed_and_reverted_one_by_one(small: Visit) -> None:
@@ -248,7 +255,7 @@ def test_changes_are_listed_and_reverted_one_by_one(small: Visit) -> None:
     summary = page.locator(".changes summary")
     expect(summary).to_have_text("2 changed from the preset")
     summary.click()
-    own = load_preset("default").scene
+    own = load_preset("paper-halftone").scene
     rows = page.locator(".changes li")
     expect(rows.nth(0)).to_contain_text(f"{own.foam.look} → textured")
     expect(rows.nth(1)).to_contain_text("→ 1")
@@ -294,6 +301,6 @@ def test_a_scene_is_copied_whole(small: Visit) -> None:
     small.press("Copy scene")
     small.page.get_by_text("Scene copied").wait_for()
     copied = json.loads(small.page.evaluate("() => navigator.clipboard.readText()"))
-    own = load_preset("default").scene.model_dump(mode="json")
+    own = load_preset("paper-halftone").scene.model_dump(mode="json")
     own["light"]["exposure"] = 1
     assert copied == own

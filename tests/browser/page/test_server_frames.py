@@ -1,14 +1,12 @@
 """Without WebGL 2 the server draws, and the page works as it does with it."""
 
-import base64
 from collections.abc import Iterator
 
-import numpy as np
 import pytest
 from playwright.sync_api import Route, expect
 
 from support.browser.lanes import Lane
-from support.browser.visits import BLANK, Held, Pixels, Visit, link, pixels_of, visit
+from support.browser.visits import BLANK, Held, Pixels, Visit, canvas_pixels, link, pixels_of, visit
 
 SIZE = (400, 300)
 NO_WEBGL = """
@@ -40,18 +38,7 @@ def served(shared_served: Visit) -> Visit:
 def shown(made: Visit) -> Pixels:
     """The frame that the page shows, as the server sent it."""
     made.settle()
-    element = made.page.locator(".served canvas").last
-    data = element.evaluate(
-        "(image) => { const canvas = new OffscreenCanvas(image.width, image.height);"
-        " const context = canvas.getContext('2d'); context.drawImage(image, 0, 0);"
-        " const { data } = context.getImageData(0, 0, canvas.width, canvas.height);"
-        # As text: a list of so many numbers takes seconds on its way here.
-        " let text = ''; for (let i = 0; i < data.length; i += 8192)"
-        " text += String.fromCharCode(...data.subarray(i, i + 8192));"
-        " return btoa(text); }"
-    )
-    width, height = element.evaluate("(image) => [image.width, image.height]")
-    return np.frombuffer(base64.b64decode(data), np.uint8).reshape(height, width, 4)[..., :3]
+    return canvas_pixels(made.page.locator(".served canvas").last)
 
 
 def test_the_servers_frame_stands_in_the_canvass_place(served: Visit, server: str) -> None:
@@ -97,7 +84,7 @@ def test_time_camera_settings_and_presets_work(served: Visit) -> None:
     changed()
     page.get_by_role("button", name="Close settings").click()
     held = Held(page, PRESETS)
-    page.evaluate("(hash) => { location.hash = hash; }", link(preset="paper-halftone", time=1.0))
+    page.evaluate("(hash) => { location.hash = hash; }", link(time=1.0))
     held.arrived()
     assert served.state()["busy"]
     held.let_go()

@@ -21,6 +21,7 @@ from support.browser.lanes import rendered
 from support.pictures import draw
 from support.probe import WHOLE
 from support.scenes import Camera, Foam, HeightSaturation, Light, Scene
+from support.sweep import REST
 
 SIZE = (32, 16)
 FILES = Path(__file__).parents[2] / "support" / "stages"
@@ -112,15 +113,12 @@ def comparing(mask: str) -> FramePlan:
     return plan.model_copy(update=parts)
 
 
-@pytest.mark.parametrize("mask", ["vac-24", "clump"])
-@pytest.mark.parametrize("renderer", ["page", "other"])
-def test_the_drawn_atlas_is_the_made_one(
-    renderer: str, mask: str, executor: Executor, request: pytest.FixtureRequest
-) -> None:
-    page: Page = request.getfixturevalue(renderer)
+@pytest.mark.parametrize("mask", [pytest.param("vac-24", marks=REST), "clump"])
+def test_the_drawn_atlas_is_the_made_one(mask: str, executor: Executor, other: Page) -> None:
+    """On the other renderer: the server's own draws those of all masks, and Chromium on it presets that have one."""
     plan, camera = comparing(mask), Camera()
     size = (plan.textures["made"].width, plan.textures["made"].height)
-    pixels = rendered(page, plan, time=0.0, size=size, camera=camera)
+    pixels = rendered(other, plan, time=0.0, size=size, camera=camera)
     assert not pixels[..., 0].any()
     assert pixels[:, :512, 1].std() > 50.0
     assert np.array_equal(pixels, draw(executor, plan, camera, time=0.0, size=size))

@@ -1,9 +1,6 @@
 """The chapter "How foam pops" and the foam laboratory, as a visitor reads and moves them."""
 
 import re
-from collections.abc import Iterator
-from contextlib import contextmanager
-from typing import Any
 from urllib.parse import parse_qsl, urldefrag, urljoin, urlsplit
 
 import numpy as np
@@ -12,7 +9,7 @@ from playwright.sync_api import Locator, Page
 
 from support.browser.axe import violations
 from support.browser.lanes import Lane
-from support.browser.visits import FINGER, PHONE, TARGETS, Pixels, differs, pixels_of
+from support.browser.visits import BLANK, FINGER, PHONE, TARGETS, Pixels, differs, pixels_of, visit
 
 FIGURES = ("saturation", "threshold", "popping", "masks", "equations", "picture")
 MOVING = ("saturation", "threshold", "popping", "equations", "picture")
@@ -30,26 +27,6 @@ IN_SIGHT = """(plate) => {
 """What the plate's last canvas shows, small."""
 
 
-@contextmanager
-def opened(
-    lane: Lane, address: str, size: tuple[int, int] = DESKTOP, *, before: str = "", **context: Any
-) -> Iterator[Page]:
-    """A page, which must say nothing on the console."""
-    made = lane.browser.new_context(viewport={"width": size[0], "height": size[1]}, **context)
-    page = made.new_page()
-    said: list[str] = []
-    page.on("console", lambda message: said.append(message.text))
-    page.on("pageerror", lambda error: said.append(str(error)))
-    if before:
-        page.add_init_script(before)
-    try:
-        page.goto(address, wait_until="load")
-        yield page
-        assert said == []
-    finally:
-        made.close()
-
-
 def seen(page: Page, name: str) -> Locator:
     """A figure, in view and live."""
     figure = page.locator(f"figure[data-figure={name}]")
@@ -63,7 +40,8 @@ def seen(page: Page, name: str) -> Locator:
 def test_the_chapter_reads_without_a_script_and_every_link_leads_to_what_it_names(llvmpipe: Lane, server: str) -> None:
     texts: dict[str, str] = {}
     links = set()
-    with opened(llvmpipe, f"{server}/{LEARN}", java_script_enabled=False) as page:
+    with visit(llvmpipe, server, LEARN, size=DESKTOP, settle=False, java_script_enabled=False) as made:
+        page = made.page
         assert page.url == f"{server}/{LEARN}/"
         text = page.inner_text("main")
         assert len(text.split()) > 700
@@ -107,8 +85,9 @@ def shown(figure: Locator) -> Pixels:
     return pixels_of(figure.locator(".plate").screenshot())
 
 
-def test_figures_live_while_they_are_seen(llvmpipe: Lane, server: str) -> None:
-    with opened(llvmpipe, f"{server}/{LEARN}/") as page:
+def test_figures_live_while_they_are_seen_and_bubbles_pop_in_the_laboratory(llvmpipe: Lane, server: str) -> None:
+    with visit(llvmpipe, server, LEARN, size=DESKTOP, settle=False) as made:
+        page = made.page
         assert page.locator("figure[data-figure=picture][data-live]").count() == 0, "it starts when it is near"
         for name in FIGURES:
             figure = seen(page, name)
@@ -131,37 +110,38 @@ def test_figures_live_while_they_are_seen(llvmpipe: Lane, server: str) -> None:
             "(moved) => document.querySelector('figure[data-figure=picture]').dataset.time !== moved", arg=moved
         )
         assert first.get_attribute("data-time") == stood
+        page.goto(f"{server}/{LABORATORY}")
+        page.locator("#strips[data-live=true]").wait_for()
+        assert page.locator("#strips .strip").count() == 6
+        page.wait_for_function(
+            "() => [...document.querySelectorAll('.strip .rate')].every((rate) => /^[1-9]/.test(rate.textContent))"
+        )
+        page.get_by_role("button", name="Pause").click()
+        assert "paused=1" in page.url
+        height = page.evaluate("() => document.documentElement.scrollHeight")
+        assert height <= DESKTOP[1], "one screen"
 
 
-def test_controls_change_the_figures(llvmpipe: Lane, server: str) -> None:
-    with opened(llvmpipe, f"{server}/{LEARN}/", reduced_motion="reduce") as page:
-        figure = seen(page, "saturation")
-        plate = figure.locator(".plate")
-        # Reduced motion: it stands until asked.
-        still = plate.evaluate(IN_SIGHT)
-        page.evaluate("() => new Promise((done) => setTimeout(done, 300))")
-        assert plate.evaluate(IN_SIGHT) == still
-        figure.get_by_role("slider", name="K, sharpness").fill("7")
-        page.wait_for_function(
-            f"([plate, still]) => ({IN_SIGHT})(plate) !== still", arg=[plate.element_handle(), still]
-        )
-        figure = seen(page, "masks")
-        pattern = figure.locator(".plate canvas").first
-        even = figure.locator(".patches p").first.inner_text()
-        figure.get_by_role("combobox", name="First mask").select_option("white")
-        page.wait_for_function(
-            "([caption, even]) => caption.innerText !== even",
-            arg=[figure.locator(".patches p").first.element_handle(), even],
-        )
-        assert pattern.is_visible()
-        spreads = [
-            float(re.search(r"±([\d.]+)", caption)[1])
-            for caption in (even, figure.locator(".patches p").first.inner_text())
-        ]
-        assert spreads[0] < 0.3 * spreads[1], "blue noise covers boxes evenly, white noise does not"
-        figure = seen(page, "picture")
-        figure.get_by_role("radio", name="Filtered").check(force=True)
-        page.locator("[data-look=filtered]").wait_for()
+def changes(page: Page) -> None:
+    """The chapter's controls change its figures, which stand until they are asked."""
+    figure = seen(page, "saturation")
+    plate = figure.locator(".plate")
+    still = plate.evaluate(IN_SIGHT)
+    page.evaluate("() => new Promise((done) => setTimeout(done, 300))")
+    assert plate.evaluate(IN_SIGHT) == still
+    figure.get_by_role("slider", name="K, sharpness").fill("7")
+    page.wait_for_function(f"([plate, still]) => ({IN_SIGHT})(plate) !== still", arg=[plate.element_handle(), still])
+    figure = seen(page, "masks")
+    caption = figure.locator(".patches p").first
+    even = caption.inner_text()
+    figure.get_by_role("combobox", name="First mask").select_option("white")
+    page.wait_for_function("([caption, even]) => caption.innerText !== even", arg=[caption.element_handle(), even])
+    assert figure.locator(".plate canvas").first.is_visible()
+    spreads = [float(re.search(r"±([\d.]+)", text)[1]) for text in (even, caption.inner_text())]
+    assert spreads[0] < 0.3 * spreads[1], "blue noise covers boxes evenly, white noise does not"
+    figure = seen(page, "picture")
+    figure.get_by_role("radio", name="Filtered").check(force=True)
+    page.locator("[data-look=filtered]").wait_for()
 
 
 def test_without_webgl_the_picture_stands(llvmpipe: Lane, server: str) -> None:
@@ -169,7 +149,10 @@ def test_without_webgl_the_picture_stands(llvmpipe: Lane, server: str) -> None:
         "HTMLCanvasElement.prototype.getContext = ((own) => function (kind, ...rest) {"
         " return kind === 'webgl2' ? null : own.call(this, kind, ...rest); })(HTMLCanvasElement.prototype.getContext);"
     )
-    with opened(llvmpipe, f"{server}/{LEARN}/", before=blind) as page:
+    with visit(llvmpipe, server, BLANK, size=DESKTOP, settle=False) as made:
+        page = made.page
+        page.add_init_script(blind)
+        page.goto(f"{server}/{LEARN}/")
         figure = page.locator("figure[data-figure=picture]")
         figure.scroll_into_view_if_needed()
         page.locator("figure[data-figure=picture][data-live=false]").wait_for()
@@ -179,10 +162,14 @@ def test_without_webgl_the_picture_stands(llvmpipe: Lane, server: str) -> None:
 
 
 @pytest.mark.parametrize("size", [DESKTOP, PHONE], ids=["desktop", "phone"])
-def test_chapter_and_laboratories_fit_and_axe_finds_nothing(llvmpipe: Lane, server: str, size: tuple[int, int]) -> None:
+def test_chapter_and_laboratories_work_fit_and_axe_finds_nothing(
+    llvmpipe: Lane, server: str, size: tuple[int, int]
+) -> None:
+    """By day on a desktop, by night on a phone."""
     phone = size == PHONE
-    still: dict[str, Any] = {"reduced_motion": "reduce"}
-    with opened(llvmpipe, f"{server}/{LEARN}/", size, has_touch=phone, is_mobile=phone, **still) as page:
+    context = {"reduced_motion": "reduce", "color_scheme": "dark" if phone else "light"}
+    with visit(llvmpipe, server, LEARN, size=size, settle=False, has_touch=phone, is_mobile=phone, **context) as made:
+        page = made.page
         for path, live in PAGES.items():
             if path != LEARN:
                 page.goto(f"{server}/{path}")
@@ -190,16 +177,17 @@ def test_chapter_and_laboratories_fit_and_axe_finds_nothing(llvmpipe: Lane, serv
             elif phone:
                 for name in FIGURES:
                     seen(page, name)
-            for scheme in ("light", "dark"):
-                page.emulate_media(color_scheme=scheme, **still)
-                assert violations(page) == [], (path, scheme)
+            else:
+                changes(page)
+            assert violations(page) == [], path
             assert page.evaluate("() => document.documentElement.scrollWidth") <= size[0], path
             assert not phone or [one for one in page.evaluate(TARGETS) if one[2] < FINGER] == [], path
 
 
 def test_the_laboratory_is_in_its_address(llvmpipe: Lane, server: str) -> None:
-    link = f"{server}/{LABORATORY}#c=9&k=5&mask=bubble&fade=0.4&paused=1&time=3.25&base=99"
-    with opened(llvmpipe, link) as page:
+    address = f"{LABORATORY}#c=9&k=5&mask=bubble&fade=0.4&paused=1&time=3.25&base=99"
+    with visit(llvmpipe, server, address, size=DESKTOP, settle=False) as made:
+        page = made.page
         page.locator("#strips[data-live=true]").wait_for()
         assert page.get_by_role("slider", name="C, divisor").get_attribute("aria-valuetext") == "9.0"
         assert page.get_by_role("combobox", name="Mask", exact=True).input_value() == "bubble"
@@ -217,19 +205,7 @@ def test_the_laboratory_is_in_its_address(llvmpipe: Lane, server: str) -> None:
             **{"delta": "1.07", "base": "2.718"},
         }
         shown = strips.evaluate(IN_SIGHT)
-    with opened(llvmpipe, state) as page:
+        page.goto(BLANK)
+        page.goto(state)
         page.locator("#strips[data-live=true]").wait_for()
         assert page.locator("#strips").evaluate(IN_SIGHT) == shown, "the link restores the picture"
-
-
-def test_bubbles_pop_in_the_laboratory(llvmpipe: Lane, server: str) -> None:
-    with opened(llvmpipe, f"{server}/{LABORATORY}") as page:
-        page.locator("#strips[data-live=true]").wait_for()
-        assert page.locator("#strips .strip").count() == 6
-        page.wait_for_function(
-            "() => [...document.querySelectorAll('.strip .rate')].every((rate) => /^[1-9]/.test(rate.textContent))"
-        )
-        page.get_by_role("button", name="Pause").click()
-        assert "paused=1" in page.url
-        height = page.evaluate("() => document.documentElement.scrollHeight")
-        assert height <= DESKTOP[1], "one screen"

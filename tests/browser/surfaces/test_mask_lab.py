@@ -1,7 +1,5 @@
 """The mask laboratory, as a visitor uses it; and its three.js snippet, run."""
 
-import base64
-import io
 import re
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
@@ -11,13 +9,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from PIL import Image
 from playwright.sync_api import Locator, Page, Route, expect
 
 from seafoam.masks.catalogue import load_catalogue, load_mask, mask_by_name
 from seafoam.masks.formats import quantised
 from support.browser.lanes import Lane
-from support.browser.visits import FINGER, PHONE, TARGETS, Visit, visit
+from support.browser.visits import FINGER, PHONE, TARGETS, Visit, canvas_pixels, visit
 
 LARGE = (1440, 900)
 THREE = Path(__file__).resolve().parents[3] / "webclient" / "node_modules" / "three" / "build"
@@ -32,9 +29,7 @@ def ready(page: Page, count: int = 1) -> None:
 
 def shown(page: Page, side: int = 0) -> NDArray[np.uint8]:
     """What a canvas holds, (height, width)."""
-    canvas = page.locator(".picture canvas").nth(side)
-    data = canvas.evaluate("(canvas) => canvas.toDataURL('image/png').split(',')[1]")
-    return np.asarray(Image.open(io.BytesIO(base64.b64decode(data))).convert("L"))
+    return canvas_pixels(page.locator(".picture canvas").nth(side))[..., 0]
 
 
 @pytest.fixture(scope="module")
@@ -164,8 +159,10 @@ def test_every_format_downloads(lab: Visit) -> None:
 
 
 @BOTH
-def test_it_fits_fingers_and_keys(lab: Visit) -> None:
+def test_it_fits_fingers_and_keys(lab: Visit, server: str) -> None:
     page = lab.page
+    back = page.get_by_role("link", name="Back to the water", exact=True)
+    assert back.evaluate("(link) => link.href") == f"{server}/"
     page.get_by_label("Two side by side").check()
     ready(page, 2)
     targets = [target for target in page.evaluate(TARGETS) if min(target[1:]) < FINGER]
@@ -245,20 +242,3 @@ def test_the_three_snippet_draws_lit_antialiased_foam(llvmpipe: Lane, server: st
         error = float(np.sqrt(((once - truth) ** 2).mean()))
         assert error < 12.0, error
         assert drawn("MeshStandardMaterial", 6, 0, "low", width=96, height=54).max() == 0.0
-
-
-def test_the_page_s_tools_open_laboratories(llvmpipe: Lane, server: str) -> None:
-    with visit(llvmpipe, server, settle=False) as made:
-        page = made.page
-        page.get_by_role("link", name="Mask laboratory").wait_for()
-        pages = [url for _, url in made.asked if "/api/" not in url]
-        assert not any("laboratory" in url or "/masks/" in url for url in pages), "loaded before it was opened"
-        for name, path, back in (
-            ("Foam laboratory", "learn/laboratory/", "Seafoam"),
-            ("Mask laboratory", "masks/", "Back to the water"),
-        ):
-            page.get_by_role("link", name=name).click()
-            page.wait_for_url(f"{server}/{path}**")
-            page.get_by_role("link", name=back, exact=True).click()
-            page.wait_for_url(f"{server}/**")
-            page.locator("#canvas").wait_for()

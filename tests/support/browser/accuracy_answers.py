@@ -13,7 +13,7 @@ from seafoam.reference import render
 from support.scenes import load_preset
 
 SIZE = (32, 18)
-PRESET = "default"
+PRESET = "paper-textured"
 RUNNING: dict[str, Any] = {
     "status": 202,
     "headers": {"Retry-After": "1"},

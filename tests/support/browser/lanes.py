@@ -56,7 +56,7 @@ def launched(playwright: Playwright, name: str, *, optimised: bool = False) -> B
 def opened(lane: Lane, server: str, *, width: int = 320, height: int = 180) -> Page:
     """The page, paused, with its first picture on the canvas, on the renderer that the lane names."""
     page = lane.browser.new_page(viewport={"width": width, "height": height}, device_scale_factor=1)
-    page.goto(f"{server}/#paused=1&quality=fast", wait_until="load")
+    page.goto(f"{server}/#paused=1&quality=fast&preset=paper-threshold", wait_until="load")
     page.wait_for_function("() => window.seafoam !== undefined")
     page.evaluate("() => window.seafoam.ready")
     renderer = page.evaluate("() => window.seafoam.renderer")
@@ -72,10 +72,11 @@ def complaints_of(page: Page) -> list[str]:
     return found
 
 
-def rendered(
+def answered(
     page: Page, what: str | FramePlan, *, time: float, size: tuple[int, int], **options: Camera | str
-) -> NDArray[np.uint8]:
-    """A frame of a preset or a plan by the page's own executor, (height, width, 4), opaque.
+) -> tuple[NDArray[np.uint8], dict[str, dict[str, str]]]:
+    """A frame of a preset or a plan by the page's own executor, (height, width, 4), opaque; SHA-256 of the programs'
+    texts that the driver has, by program and stage.
 
     ``options``: ``quality`` of a preset, ``camera``.
     """
@@ -87,4 +88,11 @@ def rendered(
     assert answer["glError"] == 0
     pixels = np.frombuffer(base64.b64decode(answer["pixels"]), np.uint8).reshape(size[1], size[0], 4)
     assert (pixels[..., 3] == 255).all()
-    return pixels
+    return pixels, answer["sources"]
+
+
+def rendered(
+    page: Page, what: str | FramePlan, *, time: float, size: tuple[int, int], **options: Camera | str
+) -> NDArray[np.uint8]:
+    """The frame alone."""
+    return answered(page, what, time=time, size=size, **options)[0]

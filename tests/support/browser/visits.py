@@ -1,5 +1,6 @@
 """The page as a visitor meets it, with all that it complained of and asked for."""
 
+import base64
 import io
 import json
 import re
@@ -27,9 +28,8 @@ ERRORS_STAY = f"""(() => {{
   window.setTimeout = (run, delay, ...rest) => later(run, delay === {_GOES} ? 3600000 : delay, ...rest);
 }})()"""
 """Keeps messages of errors, which go by the clock: on a busy machine before a test has looked."""
-STILL = "#paused=1&quality=fast"
-BLANK = "icon.svg"
-"""Address of a picture alone."""
+BLANK = "about:blank"
+"""Where who has to do something with a page before it loads begins."""
 FINGER = 44
 """Least side of what a finger must hit, px."""
 TARGETS = """() => [...document.querySelectorAll('button, select, input, summary, [role=slider]')]
@@ -40,7 +40,36 @@ TARGETS = """() => [...document.querySelectorAll('button, select, input, summary
   .map(([label, { width, height }]) => [label.trim().slice(0, 40), Math.round(width), Math.round(height)])"""
 """Gives the label, width and height, px, of each thing in sight that a finger can hit."""
 
+OVERLAPS = """(() => {
+  const parts = '#tools > *, #gallery button, .strip em, .strip a, #transport, h1, #summary';
+  // Of the strip, what it does not cut off.
+  const box = (node) => {
+    const { left, right, top, bottom } = node.getBoundingClientRect();
+    const strip = node.closest('.strip')?.getBoundingClientRect() ?? { left: 0, right: innerWidth };
+    return { left: Math.max(left, strip.left), right: Math.min(right, strip.right), top, bottom };
+  };
+  const seen = [...document.querySelectorAll(parts)]
+    .filter((node) => node.checkVisibility({ checkVisibilityCSS: true }))
+    .map((node) => [node.getAttribute('aria-label') ?? node.textContent.trim(), box(node)])
+    .filter(([, { left, right }]) => left < right);
+  const meet = (a, b) =>
+    a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 1 && b.top < a.bottom - 1;
+  return seen.flatMap(([name, a], i) =>
+    seen.slice(i + 1).filter(([, b]) => meet(a, b)).map(([other]) => `${name} over ${other}`));
+})()"""
+"""Gives the pairs of the page's parts in sight that lie over one another."""
+
 Pixels = NDArray[np.uint8]
+
+
+def link(**parts: Any) -> str:
+    """An address's fragment; else of a picture of few programs, at rest, where any does."""
+    usual = {"paused": 1, "quality": "fast", "preset": "paper-halftone"}
+    words = {key: json.dumps(value) if isinstance(value, dict) else value for key, value in parts.items()}
+    return "#" + "&".join(f"{key}={value}" for key, value in (usual | words).items())
+
+
+START = link()
 
 
 def pixels_of(png: bytes) -> Pixels:
@@ -125,7 +154,7 @@ class Visit:
         self.frames(2)
         self.page.wait_for_function("() => !window.seafoam.state().busy", timeout=180_000)
 
-    def start_again(self, fragment: str = "#paused=1&quality=fast&preset=default") -> None:
+    def start_again(self, fragment: str = START) -> None:
         """Put the page back to how it was when it opened, for the next test."""
         self.page.unroute_all()
         self.page.locator(".toast").evaluate_all("(toasts) => toasts.forEach((toast) => toast.remove())")
@@ -212,12 +241,9 @@ class Held:
 
 @contextmanager
 def visit(
-    lane: Lane, server: str, address: str = STILL, *, size: tuple[int, int] = SMALL, settle: bool = True, **context: Any
+    lane: Lane, server: str, address: str = START, *, size: tuple[int, int] = SMALL, settle: bool = True, **context: Any
 ) -> Iterator[Visit]:
-    """The page at an address below the server's, in a browser that remembers nothing; it may complain of nothing.
-
-    Who has to do something with a page before it loads begins at ``BLANK``.
-    """
+    """The page at an address below the server's, in a browser that remembers nothing; it may complain of nothing."""
     width, height = size
     opened = lane.browser.new_context(viewport={"width": width, "height": height}, **context)
     opened.set_default_timeout(180_000)
@@ -226,12 +252,13 @@ def visit(
     made = Visit(page, complaints_of(page))
     page.on("request", lambda request: made.asked.append((request.method, request.url)))
     try:
-        page.goto(f"{server}/{address}", wait_until="load")
+        page.goto(address if address == BLANK else f"{server}/{address}", wait_until="load")
         if settle:
             made.settle()
             page.locator("#loading").wait_for(state="hidden")
         yield made
-        assert [one for one in made.complaints if made.expected is None or made.expected not in one] == []
+        complaints = [one for one in made.complaints if made.expected is None or made.expected not in one]
+        assert complaints == [], complaints
     finally:
         opened.close()
 
@@ -243,6 +270,13 @@ def until(page: Page, condition: str, seconds: float = 60) -> None:
             return
         page.wait_for_timeout(100)
     raise AssertionError(f"never true: {condition}")
+
+
+def canvas_pixels(canvas: Locator) -> Pixels:
+    """What a canvas holds, (height, width, 3)."""
+    # As text: a list of so many numbers takes seconds on its way here.
+    data = canvas.evaluate("(canvas) => canvas.toDataURL('image/png').split(',')[1]")
+    return pixels_of(base64.b64decode(data))
 
 
 def drag(page: Page, *places: tuple[float, float], button: Literal["left", "right"] = "left", steps: int = 4) -> None:
@@ -270,12 +304,6 @@ def swipe(page: Page, *fingers: tuple[tuple[float, float], tuple[float, float]],
         send("touchMove", step / steps)
     send("touchEnd", 1)
     session.detach()
-
-
-def link(**parts: Any) -> str:
-    """An address's fragment."""
-    words = {key: json.dumps(value) if isinstance(value, dict) else value for key, value in parts.items()}
-    return "#" + "&".join(f"{key}={value}" for key, value in ({"paused": 1, "quality": "fast"} | words).items())
 
 
 def differs(a: Pixels, b: Pixels) -> float:
