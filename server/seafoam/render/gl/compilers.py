@@ -2,8 +2,8 @@
 disk what another process has compiled.
 """
 
-import multiprocessing
 import os
+import pickle
 import signal
 import sys
 import warnings
@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from itertools import chain, pairwise
-from multiprocessing.connection import Connection
+from select import select
 from typing import Protocol
 
 from seafoam.framegraph.plan import FramePlan
@@ -57,22 +57,28 @@ class SecondCompiler:
         # Passes that no process has taken: each takes the next, and none that ends keeps the other from it.
         self._passes, self._offered = os.pipe()
         os.set_blocking(self._passes, False)
-        fork = multiprocessing.get_context("fork")
-        self._here, there = fork.Pipe()
+        requests, send = os.pipe()
+        self._replies, reply = os.pipe()
         self._asked = False
-        self.process = fork.Process(target=_serve, args=(there, self._passes, start), daemon=True)
         with warnings.catch_warnings():
             # Python warns of threads, which a fork has not; numpy's stop before it, and the work needs no others.
             warnings.simplefilter("ignore", DeprecationWarning)
-            self.process.start()
-        there.close()
+            self.process = os.fork()
+        if self.process == 0:
+            with suppress(BaseException):
+                _serve(requests, reply, self._passes, start)
+            os._exit(0)
+        os.close(requests)
+        os.close(reply)
+        self._requests = open(send, "wb")  # noqa: SIM115
 
     def ask(self, request: CompileRequest) -> Iterator[int]:
         """Have it compile what this process does not; return the passes of this one, of which the first is sure."""
         self.wait()
         os.write(self._offered, array(_INDEX, request.passes[1:]).tobytes())
         with suppress(OSError):
-            self._here.send(request)
+            pickle.dump(request, self._requests)
+            self._requests.flush()
             self._asked = True
         return chain(request.passes[:1], _taken(self._passes))
 
@@ -83,21 +89,20 @@ class SecondCompiler:
 
     def wait(self) -> None:
         """Wait until it has done its part of what it was asked for, or has ended."""
-        if self._asked:
-            with suppress(EOFError, OSError):
-                if self._here.poll(WAIT_SECONDS):
-                    self._here.recv()
-                else:
-                    self.process.kill()
+        if self._asked and select((self._replies,), (), (), WAIT_SECONDS)[0]:
+            os.read(self._replies, 1)
+        elif self._asked:
+            os.kill(self.process, signal.SIGKILL)
         self._asked = False
 
     def close(self) -> None:
         """End it."""
-        self.process.kill()
-        self.process.join()
-        self._here.close()
-        os.close(self._passes)
-        os.close(self._offered)
+        os.kill(self.process, signal.SIGKILL)
+        os.waitpid(self.process, 0)
+        with suppress(OSError):
+            self._requests.close()
+        for pipe in (self._passes, self._offered, self._replies):
+            os.close(pipe)
 
 
 def driver_keeps() -> bool:
@@ -107,10 +112,9 @@ def driver_keeps() -> bool:
 
 def may_assist() -> bool:
     """Whether a second process is of use: two cores, no GL context here yet, and a driver that may keep programs."""
-    forks = "fork" in multiprocessing.get_all_start_methods() and not multiprocessing.current_process().daemon
     # The module that opens the driver's libraries, whoever used it.
     fresh = "glcontext.egl" not in sys.modules
-    return driver_keeps() and forks and fresh and (os.cpu_count() or 1) > 1
+    return driver_keeps() and fresh and hasattr(os, "fork") and (os.cpu_count() or 1) > 1
 
 
 def _taken(passes: int) -> Iterator[int]:
@@ -120,7 +124,7 @@ def _taken(passes: int) -> Iterator[int]:
             yield array(_INDEX, index)[0]
 
 
-def _serve(requests: Connection, passes: int, start: Callable[[], CompileWork]) -> None:
+def _serve(requests: int, replies: int, passes: int, start: Callable[[], CompileWork]) -> None:
     """The second process: work on requests until the first process ends or closes."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
@@ -128,12 +132,12 @@ def _serve(requests: Connection, passes: int, start: Callable[[], CompileWork]) 
     null = os.open(os.devnull, os.O_RDWR)
     for stream in range(3):
         os.dup2(null, stream)
-    for below, above in pairwise((2, *sorted((requests.fileno(), passes)), os.sysconf("SC_OPEN_MAX"))):
+    for below, above in pairwise((2, *sorted((requests, replies, passes)), os.sysconf("SC_OPEN_MAX"))):
         os.closerange(below + 1, above)
     os.environ["LP_NUM_THREADS"] = "1"
     work = start()
-    with suppress(EOFError, OSError):
+    with open(requests, "rb") as stream_of_requests:
         while True:
-            request: CompileRequest = requests.recv()
+            request: CompileRequest = pickle.load(stream_of_requests)
             work(request, _taken(passes))
-            requests.send(None)
+            os.write(replies, b".")
