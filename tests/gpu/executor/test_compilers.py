@@ -141,7 +141,7 @@ def test_the_second_process_leaves_nothing_to_compile(tmp_path: Path, monkeypatc
     def size() -> int:
         return sum(each.stat().st_size for each in tmp_path.rglob("*") if each.is_file())
 
-    subprocess.run([sys.executable, "-c", COMPILE], check=True)
+    subprocess.run([sys.executable, "-c", COMPILE], check=True, cwd=Path(__file__).parents[2])
     before, drawn = size(), _drawn()
     # Programs of the driver's own, by which it reads a picture back, have 3 KB each, the plan's up to 50.
     assert 0 < before <= size() < before + 16_000

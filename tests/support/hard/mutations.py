@@ -39,8 +39,6 @@ TIME_AND_PLACE = {_RULES: TIME[_RULES] | _PLACE}
 _WAY = "(rule.k[0] * x + rule.k[1] * z)"
 IN_FLOAT32 = {
     _RULES: {
-        f"rule.offset + rule.rate * state.time + {_WAY}": "float(np.float32(rule.offset)"
-        f" + np.float32(rule.rate * state.time) + np.float32({_WAY}))",
         f"rule.offset + (rule.rate or 0.0) * state.time + {_WAY}": "float(np.float32(rule.offset)"
         f" + np.float32((rule.rate or 0.0) * state.time) + np.float32({_WAY}))",
         "_modulo(state.time + rule.offset, rule.period)": "_modulo(float(np.float32(state.time)"
