@@ -75,6 +75,7 @@ class SecondCompiler:
     def ask(self, request: CompileRequest) -> Iterator[int]:
         """Have it compile what this process does not; return the passes of this one, of which the first is sure."""
         self.wait()
+        self.withdraw()
         os.write(self._offered, array(_INDEX, request.passes[1:]).tobytes())
         with suppress(OSError):
             pickle.dump(request, self._requests)
@@ -83,7 +84,7 @@ class SecondCompiler:
         return chain(request.passes[:1], _taken(self._passes))
 
     def withdraw(self) -> None:
-        """Leave it nothing to do of what it was asked for."""
+        """Leave nothing to do of what it was asked for."""
         for _ in _taken(self._passes):
             pass
 
@@ -112,8 +113,7 @@ def driver_keeps() -> bool:
 
 def may_assist() -> bool:
     """Whether a second process is of use: two cores, no GL context here yet, and a driver that may keep programs."""
-    # The module that opens the driver's libraries, whoever used it.
-    fresh = "glcontext.egl" not in sys.modules
+    fresh = "glcontext.egl" not in sys.modules  # which opens the driver's libraries, whoever used it
     return driver_keeps() and fresh and hasattr(os, "fork") and (os.cpu_count() or 1) > 1
 
 

@@ -109,7 +109,7 @@ class Executor:
         if not optimized:
             os.environ.setdefault("GALLIVM_PERF", "nopt")
         self._thread = threading.get_ident()
-        self._second = SecondCompiler(partial(_second, device_index)) if assisted and may_assist() else None
+        self._second = SecondCompiler(partial(compile_work, device_index)) if assisted and may_assist() else None
         self._context = create_context(device_index)
         # Bound while others are released, since moderngl binds the last framebuffer again when it creates an object.
         self._resting = self._context.framebuffer([self._context.texture((1, 1), 4)])
@@ -382,7 +382,7 @@ class Executor:
         return framebuffer, array, *buffers
 
 
-def _second(device_index: int | None) -> CompileWork:
+def compile_work(device_index: int | None) -> CompileWork:
     """Start the work of a second process."""
     return Executor(device_index).compile_frame
 
