@@ -25,7 +25,7 @@ from seafoam.scene.camera import Camera
 from seafoam.scene.presets import Preset, load_preset
 
 FEW_SAMPLES = 250_000
-"""Samples that are drawn sooner than code for them is optimized, also where it is kept."""
+"""Up to so many, a picture is there sooner if the code that draws it is not optimized."""
 
 
 def render_to_file(preset: str, output: Path, size: str | None, options: Mapping[str, object]) -> list[str]:

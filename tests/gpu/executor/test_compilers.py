@@ -134,6 +134,19 @@ os.kill(os.getpid(), signal.SIGKILL)
     os.close(reads)
 
 
+def test_without_a_renderer_no_process_is_left() -> None:
+    script = """
+import os
+from seafoam.render.gl.executor import Executor, NoRendererError
+try:
+    Executor(99, assisted=True)
+except NoRendererError:
+    print(open(f"/proc/self/task/{os.getpid()}/children").read().split())
+"""
+    done = subprocess.run([sys.executable, "-c", script], check=True, capture_output=True, text=True)
+    assert done.stdout.strip() == "[]"
+
+
 def test_the_second_process_leaves_nothing_to_compile(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """What it compiled for other states than those of the frame would be compiled again."""
     monkeypatch.setenv("MESA_SHADER_CACHE_DIR", str(tmp_path))

@@ -110,7 +110,11 @@ class Executor:
             os.environ.setdefault("GALLIVM_PERF", "nopt")
         self._thread = threading.get_ident()
         self._second = SecondCompiler(partial(compile_work, device_index)) if assisted and may_assist() else None
-        self._context = create_context(device_index)
+        try:
+            self._context = create_context(device_index)
+        except NoRendererError:
+            self._close_second()
+            raise
         # Bound while others are released, since moderngl binds the last framebuffer again when it creates an object.
         self._resting = self._context.framebuffer([self._context.texture((1, 1), 4)])
         names = ("vendor", "renderer", "version")
@@ -139,9 +143,8 @@ class Executor:
         _, dtype, kind = READ[output]
         target_name = _shown(plan, output)
         drawn = drawn_passes(plan, camera, width, height, target_name)
-        if self._second:
-            new = {name for name, program in plan.programs.items() if _key(program) not in self._programs}
-            passes = [i for i in longest_first(plan, drawn) if plan.passes[i].program in new]
+        if self._second and (new := self._new(plan, drawn)):
+            passes = [i for i in longest_first(plan, drawn) if i in new]
             self._compile_in_two(self._second, CompileRequest(plan, passes, camera, width, height, output))
         setup = {step.target for step in plan.passes if step.when == "setup"}
         framebuffers = {
@@ -198,10 +201,13 @@ class Executor:
             self._draw(plan, index, into, frame)
             framebuffer.scissor = None
 
+    def _new(self, plan: FramePlan, drawn: Mapping[int, bool]) -> set[int]:
+        """Return the visible passes whose programs have not been drawn."""
+        visible = (index for index, shown in drawn.items() if shown)
+        return {index for index in visible if _key(plan.programs[plan.passes[index].program]) not in self._programs}
+
     def _compile_in_two(self, second: SecondCompiler, request: CompileRequest) -> None:
         """Compile what a frame draws for the first time in two processes, unless the driver has kept it."""
-        if not request.passes:
-            return
         own = second.ask(request)
         began = clock.thread_time()
         self._program(request.plan.programs[request.plan.passes[request.passes[0]].program])
