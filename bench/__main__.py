@@ -18,7 +18,7 @@ from bench.report import Table, lines
 from bench.served import engines, http, load, page, server, streams, water_page, yardstick
 from bench.watch import Watch
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.presets import preset_names
+from seafoam.scene import preset_names
 
 USUAL = ("frames", "economy", "effects", "foam", "budget", "yardstick", "passes")
 LONG = ("motion", "adaptive", "load", "engines", "streams", "soak", "start")

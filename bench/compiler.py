@@ -25,8 +25,7 @@ from bench.watch import Watch
 from seafoam.framegraph.plan import Program, Shader
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Tier
-from seafoam.scene.foam import Look
-from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene import Look, load_preset, preset_names
 
 TABLE = Path(__file__).with_name("compiler.json")
 CACHE = Path(__file__).resolve().parents[1] / ".cache" / "compiler.json"

@@ -25,7 +25,7 @@ began = time.perf_counter()
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.presets import load_preset
+from seafoam.scene import load_preset
 preset = load_preset(sys.argv[1])
 imported = time.perf_counter()
 plan = make_plan(preset.scene, TIERS["standard"])

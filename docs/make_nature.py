@@ -32,10 +32,7 @@ from docs.nature import measure as m
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.foam.whitecaps import whitecaps
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.base import non_defaults
-from seafoam.scene.foam import FrontSaturation, WhitecapSaturation
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import Preset, load_preset
+from seafoam.scene import FrontSaturation, Preset, Scene, WhitecapSaturation, load_preset, non_defaults
 
 PAGE = Path(__file__).parent / "nature.md"
 FIGURES = Path(__file__).parent / "nature.json"

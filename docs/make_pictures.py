@@ -12,11 +12,7 @@ from seafoam.masks.catalogue import load_catalogue, load_mask
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, FrontSaturation
-from seafoam.scene.light import Caustics, Day, Moon
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene import Camera, Caustics, Day, Foam, FrontSaturation, Moon, Scene, load_preset, preset_names
 
 sys.path.append(str(Path(__file__).resolve().parents[1]))
 from bench.drawn.foam import lying_still

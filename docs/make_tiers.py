@@ -34,7 +34,7 @@ from seafoam.quality import TIERS, Tier
 from seafoam.reference import scene_sha256
 from seafoam.render.gl.executor import Executor, Output
 from seafoam.render.service import jobs
-from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene import load_preset, preset_names
 
 DOCS = Path(__file__).parent
 FIGURES = DOCS / "accuracy.csv"

@@ -22,10 +22,7 @@ from seafoam.reference.waves.parametric import wave_set
 from seafoam.reference.waves.rings import ring_set
 from seafoam.reference.waves.sea import sea_surface
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.light import Moon, Sky
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset
+from seafoam.scene import Camera, Moon, Scene, Sky, load_preset
 
 PRESETS = (
     *("default", "open-ocean", "storm", "swell", "beach", "coastline", "island-surf", "lagoon", "lake-calm"),

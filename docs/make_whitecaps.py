@@ -32,12 +32,7 @@ from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference.waves.sea import sea_surface, whitecap_saturation
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, WhitecapSaturation
-from seafoam.scene.light import Light
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset
-from seafoam.scene.waves import Sea
+from seafoam.scene import Camera, Foam, Light, Scene, Sea, WhitecapSaturation, load_preset
 
 # As a script this file has docs on its path, as a module of tests what docs lies in.
 sys.path.append(str(Path(__file__).resolve().parents[1]))

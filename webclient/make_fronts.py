@@ -20,7 +20,7 @@ from scipy.optimize import nnls
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality, Tier
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.presets import Preset, load_preset, preset_names
+from seafoam.scene import Preset, load_preset, preset_names
 
 FILE = Path(__file__).parent / "public/fronts.json"
 SIZE = (480, 270)

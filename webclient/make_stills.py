@@ -18,7 +18,7 @@ from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference import scene_sha256
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.presets import Preset, load_preset, preset_names
+from seafoam.scene import Preset, load_preset, preset_names
 
 FOLDER = Path(__file__).parent / "public/stills"
 INDEX = Path(__file__).parent / "stills.json"

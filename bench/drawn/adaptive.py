@@ -11,8 +11,7 @@ from seafoam.framegraph.plan import FramePlan
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.presets import load_preset
+from seafoam.scene import Camera, load_preset
 
 SIZE = (480, 270)
 TIME = 2.7

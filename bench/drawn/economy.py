@@ -20,9 +20,7 @@ from seafoam.framegraph.plan import FramePlan, Shader
 from seafoam.framegraph.rules import COMPONENTS, Constant
 from seafoam.planner import make_plan
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene import Camera, Scene, load_preset, preset_names
 from support.cases import cases_of
 from support.exact import SQUARE
 

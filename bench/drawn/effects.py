@@ -8,7 +8,7 @@ from bench.watch import Watch
 from seafoam.effects import EFFECTS
 from seafoam.planner import make_plan
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.presets import load_preset
+from seafoam.scene import load_preset
 
 PRESET = "default"
 

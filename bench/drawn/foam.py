@@ -10,9 +10,7 @@ from bench.watch import Watch
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.foam import Foam
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset
+from seafoam.scene import Foam, Scene, load_preset
 
 PRESETS = ("default", "storm", "island-surf")
 

@@ -17,10 +17,7 @@ from seafoam.framegraph.plan import FramePlan
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Tier
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import HeightSaturation, Look
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene import Camera, HeightSaturation, Look, Scene, load_preset, preset_names
 
 PRESET = "paper-benchmark"
 SIZE = (1280, 720)

@@ -15,8 +15,7 @@ from seafoam.effects import EFFECTS
 from seafoam.effects.effect import Effect, PlanError
 from seafoam.planner.collect import NEGLIGIBLE
 from seafoam.quality import Quality
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene import Scene, load_preset, preset_names
 from support.cases import cases_of
 
 Json = dict[str, Any]

@@ -17,9 +17,7 @@ from seafoam.accuracy.metrics import LEVEL, Picture, displayed, tone_curve
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.light import ToneCurve
-from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene import Camera, ToneCurve, load_preset, preset_names
 
 PRESETS = ("default", "open-ocean", "storm", "beach", "drift-vortices")
 SIZE = (160, 90)

@@ -16,7 +16,7 @@ from seafoam.framegraph.plan import FramePlan
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.presets import load_preset
+from seafoam.scene import load_preset
 
 SIZE = (1280, 720)
 ROUNDS = 7

@@ -15,7 +15,7 @@ from seafoam.framegraph.plan import FramePlan, Shader
 from seafoam.framegraph.visibility import drawn_passes
 from seafoam.planner.surface import SAMPLES
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
+from seafoam.scene import Camera
 
 COUNTER = "bench_evaluations"
 _WAVES = re.compile(r"^(?P<head>\w+ (?:waves|waves_\w+)\(vec2 \w+[^)]*\) \{)$", re.MULTILINE)

@@ -23,10 +23,7 @@ from seafoam.planner import make_plan, slots
 from seafoam.planner.glsl import assemble, read_file, slot_pieces, source_text
 from seafoam.planner.slots import GENTLER, MARCH_SLOTS, Join, surface_slots
 from seafoam.quality import Quality
-from seafoam.scene.foam import Foam, FrontSaturation, HeightSaturation, Look
-from seafoam.scene.models import Scene
-from seafoam.scene.water import Ripples, Water
-from seafoam.scene.waves import ParametricWave
+from seafoam.scene import Foam, FrontSaturation, HeightSaturation, Look, ParametricWave, Ripples, Scene, Water
 
 SWITCH = "u_uber_"
 COMBINE = f"{SWITCH}combine"

@@ -28,7 +28,7 @@ from bench.served.load import answered
 from bench.served.server import REQUEST_SECONDS, closed_loop, running
 from seafoam.api.settings import Settings, default_workers
 from seafoam.render.gl.executor import NoRendererError
-from seafoam.scene.presets import preset_names
+from seafoam.scene import preset_names
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "gpu.md"
 SECONDS = 300.0

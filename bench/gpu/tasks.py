@@ -20,7 +20,7 @@ from seafoam.framegraph.plan import FramePlan
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Tier
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.presets import load_preset
+from seafoam.scene import load_preset
 from seafoam.textures.store import spec_of, texture
 from support.exact import UNFILTERED
 from support.parity import Parity, faults, parity

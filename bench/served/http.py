@@ -9,8 +9,7 @@ from bench.report import Column, Table, count, ms
 from bench.served.server import Answer, closed_loop, connected, sure
 from bench.watch import Watch
 from seafoam.render.encode import FRAME_FORMATS
-from seafoam.scene.foam import Look
-from seafoam.scene.presets import load_preset
+from seafoam.scene import Look, load_preset
 
 PRESET = "default"
 STAGES = ("queue", "plan", "render", "read", "encode")

@@ -19,7 +19,7 @@ from bench.watch import Watch
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene import load_preset, preset_names
 
 PRESET = "default"
 OVERLOAD = 2.0

@@ -14,7 +14,7 @@ from statistics import median, quantiles
 from bench.report import Column, Table, count, ms
 from bench.served.server import Answer, ask, connected, probing, resident, running, sure
 from bench.watch import Watch
-from seafoam.scene.presets import load_preset
+from seafoam.scene import load_preset
 
 PRESET = "default"
 SIZE = (640, 360)

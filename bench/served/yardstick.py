@@ -16,7 +16,7 @@ from bench.watch import Watch
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Tier
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.presets import load_preset
+from seafoam.scene import load_preset
 
 ROUNDS = 3
 ROUNDS_SECONDS = 900.0

@@ -16,8 +16,7 @@ from seafoam.effects.shader import SlotFile
 from seafoam.framegraph.rules import Phase, array, number, vector
 from seafoam.quality import Quality, QualityParameters
 from seafoam.reference.renderer.sources import SurfacePoints
-from seafoam.scene.base import Angle, Part
-from seafoam.scene.models import Scene
+from seafoam.scene import Angle, Part, Scene
 
 HARMONICS = tuple((1 if m == 0 else 2) * math.comb(16, 8 - m) for m in range(9))
 """65536 cos^16(θ/2) = Σ HARMONICS[m] cos(mθ)."""

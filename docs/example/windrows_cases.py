@@ -2,10 +2,7 @@
 
 from windrows import Windrows
 
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam
-from seafoam.scene.models import Scene, SceneExtensions
-from seafoam.scene.waves import ParametricWave
+from seafoam.scene import Camera, Foam, ParametricWave, Scene, SceneExtensions
 from support.cases import Cases, HardCase
 
 LINES = SceneExtensions(windrows=Windrows())

@@ -10,7 +10,7 @@ from docs.nature.measure import equivalent_width, glitter, path_view
 
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.foam.whitecaps import whitecaps
-from seafoam.scene.light import direction
+from seafoam.scene import direction
 
 SCATTER = math.sqrt(10.0)
 """Of whitecap coverage to either side: recent sets that were measured alike scatter by a factor of about 10."""

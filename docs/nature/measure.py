@@ -20,10 +20,7 @@ from seafoam.ocean.waves.cascades import LOOP
 from seafoam.planner import make_geometry_plan, make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
-from seafoam.scene.light import Light, direction
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import Preset
+from seafoam.scene import Camera, Light, Preset, Scene, direction
 
 Floats = NDArray[np.float64]
 FrameSize = tuple[int, int]

@@ -31,8 +31,7 @@ if TYPE_CHECKING:
     from seafoam.notebook import Water
     from seafoam.quality import EXACT, Quality
     from seafoam.render.gl.context import NoRendererError
-    from seafoam.scene.camera import Camera
-    from seafoam.scene.models import Scene
+    from seafoam.scene import Camera, Scene
 
     __version__: str
 
@@ -48,11 +47,11 @@ if _find_spec("anywidget") is None:
 
 _ELSEWHERE = {
     "EXACT": "seafoam.quality",
-    "Camera": "seafoam.scene.camera",
+    "Camera": "seafoam.scene",
     "InvalidRequestError": "seafoam.library.request",
     "NoRendererError": "seafoam.render.gl.context",
     "Quality": "seafoam.quality",
-    "Scene": "seafoam.scene.models",
+    "Scene": "seafoam.scene",
     "ServerError": "seafoam.library.request",
     "Water": "seafoam.notebook",
 }

@@ -30,9 +30,7 @@ from seafoam.reference.foam import front, looks
 from seafoam.reference.noise import pcg
 from seafoam.reference.renderer import camera as cameras
 from seafoam.reference.renderer.sources import height_saturation
-from seafoam.scene.camera import Camera
-from seafoam.scene.light import ToneCurve
-from seafoam.scene.presets import load_preset
+from seafoam.scene import Camera, ToneCurve, load_preset
 
 Vectors = list[dict[str, Any]]
 

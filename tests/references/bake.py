@@ -25,9 +25,7 @@ from seafoam.processes import SCHEDULER, NoClusterError, executor
 from seafoam.reference import Mode, ReferenceFrame, render, scene_sha256
 from seafoam.render.gl.executor import Executor
 from seafoam.render.service.jobs import measure
-from seafoam.scene.foam import Look
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene import Look, Scene, load_preset, preset_names
 
 DIRECTORY = Path(__file__).parent
 TIMES = (0.0, 2.7, 1000003.5)  # times of same-samples frames, s

@@ -9,8 +9,7 @@ from numpy.typing import NDArray
 
 from seafoam.accuracy.model import Errors
 from seafoam.reference.light.display import srgb, tone
-from seafoam.scene.light import ToneCurve
-from seafoam.scene.models import Scene
+from seafoam.scene import Scene, ToneCurve
 
 LEVEL = 255.0
 """Errors are given in 8-bit levels of linear light: display white = 255."""

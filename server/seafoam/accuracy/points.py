@@ -15,7 +15,7 @@ from seafoam.extensions import Extensions
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.render.service.jobs import plan_hash
-from seafoam.scene.models import Scene
+from seafoam.scene import Scene
 
 SPINE = "frame"
 """Owner of the settings that no effect owns: surface intersection, number of samples, and number format."""

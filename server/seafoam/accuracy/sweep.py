@@ -25,8 +25,7 @@ from seafoam.effects.effect import Cause
 from seafoam.quality import Quality
 from seafoam.reference import scene_sha256
 from seafoam.render.service.jobs import Draw, Drawn, MeasureJob, Timer, plan_hash
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene import Scene, load_preset, preset_names
 
 FRAME_SECONDS = 1.0 / 60.0
 ENOUGH_SECONDS = 0.02

@@ -20,8 +20,7 @@ from seafoam.accuracy.cache import Store, key_of
 from seafoam.quality import EXACT
 from seafoam.reference import Sprayed, render, scene_sha256
 from seafoam.render.service.jobs import Draw, Drawn, MeasureJob
-from seafoam.scene.camera import Camera
-from seafoam.scene.models import Scene
+from seafoam.scene import Camera, Scene
 
 POLITE = 5
 """Niceness: frames and the web server have priority."""

@@ -31,7 +31,7 @@ from seafoam.render.service.frame_cache import FrameCache
 from seafoam.render.service.jobs import Drawn, FrameJob, MeasureJob
 from seafoam.render.service.pool import RenderPool
 from seafoam.render.service.queues import Ticket
-from seafoam.scene.models import Scene
+from seafoam.scene import Scene
 from seafoam.sequences.service import SequenceService
 from seafoam.sequences.spec import DrawnFrames, SequenceError, Units
 

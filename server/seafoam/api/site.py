@@ -20,7 +20,7 @@ from starlette.types import Scope
 
 from seafoam.api.http.answers import IMMUTABLE, NO_STORE, REVALIDATE
 from seafoam.resources import data_dir
-from seafoam.scene.presets import Preset, load_preset, preset_names
+from seafoam.scene import Preset, load_preset, preset_names
 
 PREVIEW = (1200, 630)
 """Width and height of a preview, pixels: the format that link previews show uncut."""

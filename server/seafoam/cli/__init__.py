@@ -251,7 +251,7 @@ def accuracy(
 @app.command()
 def presets() -> None:
     """List the presets."""
-    from seafoam.scene.presets import load_preset, preset_names
+    from seafoam.scene import load_preset, preset_names
 
     rows = [
         (each.name, each.title, "{}x{}".format(*each.size), f"{each.time:g} s", each.summary)
@@ -273,7 +273,7 @@ def plan(
     _require_preset(preset)
     from seafoam.planner import make_plan
     from seafoam.quality import TIERS
-    from seafoam.scene.presets import load_preset
+    from seafoam.scene import load_preset
 
     tier = member_of(quality, tuple(TIERS), "--quality")
     part = member_of(stage, ("fragment", "vertex"), "--stage")
@@ -391,7 +391,7 @@ def _settings(options: Mapping[str, Any]) -> "Settings":
 
 
 def _require_preset(name: str) -> None:
-    from seafoam.scene.presets import preset_names
+    from seafoam.scene import preset_names
 
     if name not in preset_names():
         raise CommandError(f"PRESET: {name!r} was not found; available: {', '.join(preset_names())}")

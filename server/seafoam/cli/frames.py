@@ -21,8 +21,7 @@ from seafoam.render.encode import FRAME_FORMATS, NoRecipeError, read_recipe
 from seafoam.render.gl import executor as gl
 from seafoam.render.service import jobs
 from seafoam.render.service.errors import IN_PROCESS, FrameTooLargeError
-from seafoam.scene.camera import Camera
-from seafoam.scene.presets import Preset, load_preset
+from seafoam.scene import Camera, Preset, load_preset
 
 FEW_SAMPLES = 250_000
 """Up to so many, a picture is there sooner if the code that draws it is not optimized."""

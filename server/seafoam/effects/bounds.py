@@ -15,9 +15,7 @@ from seafoam.ocean.basics.dispersion import paper_level
 from seafoam.ocean.waves.cascades import RAISED, cascades
 from seafoam.ocean.waves.rings import ring_height
 from seafoam.ocean.waves.wakes import joint_height, stone_wakes, wakes
-from seafoam.scene.foam import Foam
-from seafoam.scene.light import Light
-from seafoam.scene.models import Scene
+from seafoam.scene import Foam, Light, Scene
 from seafoam.sums import summed
 
 SATURATION_CAP = 4.0

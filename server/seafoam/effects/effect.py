@@ -16,9 +16,7 @@ from seafoam.framegraph.plan import Blend, Fullscreen, Mesh, View
 from seafoam.framegraph.resources import Filter, Input, Target, WrapMode, target_inputs
 from seafoam.framegraph.rules import Uniform
 from seafoam.quality import Quality, QualityParameters
-from seafoam.scene.base import Part
-from seafoam.scene.foam import Foam
-from seafoam.scene.models import Scene
+from seafoam.scene import Foam, Part, Scene
 from seafoam.textures.spec import TextureSpec
 
 BENEATH = "beneath"

@@ -12,7 +12,7 @@ from pydantic import BaseModel
 from seafoam.effects.effect import Effect, SaturationSource
 from seafoam.extensions import TRUTHS
 from seafoam.quality import QualityExtensions
-from seafoam.scene.models import Scene, SceneExtensions
+from seafoam.scene import Scene, SceneExtensions
 
 GROUP = "seafoam.effects"
 """Entry points that :func:`load` registers."""

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from seafoam.framegraph.rules import COMPONENTS, CameraRule, Clamp, Constant, Loop, Phase, Rule, Uniform, Viewport, Wrap
-from seafoam.scene.camera import Camera
+from seafoam.scene import Camera
 
 TAU = 2.0 * math.pi
 

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping
 from seafoam.framegraph.evaluation import axes
 from seafoam.framegraph.plan import BoundingSphere, Eye, FramePlan, Pass, View
 from seafoam.framegraph.resources import TargetInput
-from seafoam.scene.camera import Camera
+from seafoam.scene import Camera
 from seafoam.sums import summed
 
 LEVEL = 0.01

@@ -8,7 +8,7 @@ from seafoam.library.connection import Connection
 from seafoam.library.embedded import HERE
 from seafoam.library.request import named
 from seafoam.library.request import preset as preset
-from seafoam.scene.presets import preset_names
+from seafoam.scene import preset_names
 
 frame = HERE.frame
 frame_async = HERE.frame_async

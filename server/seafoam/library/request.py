@@ -13,10 +13,7 @@ from seafoam.quality import TIERS, Quality, Tier
 from seafoam.render.encode import FRAME_FORMATS, FrameFormat
 from seafoam.render.service.errors import IN_PROCESS, FrameTooLargeError
 from seafoam.render.service.jobs import FrameJob
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, Look
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import Preset, load_preset, preset_names
+from seafoam.scene import Camera, Foam, Look, Preset, Scene, load_preset, preset_names
 
 P = ParamSpec("P")
 Q = TypeVar("Q")

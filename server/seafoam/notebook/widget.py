@@ -20,7 +20,7 @@ from seafoam.planner import PlanError, make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.render.service.jobs import described
 from seafoam.resources import data_dir
-from seafoam.scene.models import Scene
+from seafoam.scene import Scene
 from seafoam.textures.spec import UnknownTextureError
 from seafoam.textures.store import spec_of, texture
 

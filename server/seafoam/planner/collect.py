@@ -9,7 +9,7 @@ from seafoam.effects.shader import SlotFile, path_of
 from seafoam.framegraph.plan import EffectNote
 from seafoam.framegraph.rules import afloat
 from seafoam.quality import Quality
-from seafoam.scene.models import Scene
+from seafoam.scene import Scene
 from seafoam.sums import summed
 
 NEGLIGIBLE = 0.5 / 255.0

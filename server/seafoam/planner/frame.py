@@ -14,7 +14,7 @@ from seafoam.planner.collect import Collection
 from seafoam.planner.glsl import FULLSCREEN, assemble, slot_pieces
 from seafoam.planner.slots import APPROACH, GENTLER, slots_named
 from seafoam.quality import Quality
-from seafoam.scene.models import Scene
+from seafoam.scene import Scene
 
 START_SHARE = 0.25
 """Step length below which the search for a start distance ends, in heights of a tile at that distance."""

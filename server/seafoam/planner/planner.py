@@ -15,7 +15,7 @@ from seafoam.planner.frame import Frame, Stage, is_calm
 from seafoam.planner.output import geometry, picture
 from seafoam.planner.schedule import with_setup
 from seafoam.quality import Quality
-from seafoam.scene.models import Scene
+from seafoam.scene import Scene
 
 STEEP = -0.5
 """Pitch of a camera below which it looks down on water, rad: a square is seen half as high as wide."""

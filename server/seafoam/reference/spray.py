@@ -24,7 +24,7 @@ from seafoam.reference.renderer.state import Lighting, Surface
 from seafoam.reference.sampling import trilinear
 from seafoam.reference.shore.shore import Coast
 from seafoam.reference.types import Floats, Pair, ReliefPart, Rows, Vec2, dot, smoothstep, unit
-from seafoam.scene.models import Scene
+from seafoam.scene import Scene
 from seafoam.textures.foam import STRANDS, strand_levels
 
 SHEET, MIST, DRIFT, COLUMN = 0.0, 1.0, 2.0, 3.0  # kinds of drops

@@ -18,7 +18,7 @@ from seafoam.render.service.errors import RenderError, StartingError
 from seafoam.render.service.jobs import Renderer
 from seafoam.render.service.pool import RenderPool
 from seafoam.render.service.worker import draw_canary
-from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene import load_preset, preset_names
 
 log = logging.getLogger(__name__)
 

@@ -9,7 +9,7 @@ from pydantic import Field, model_validator
 from seafoam.masks.catalogue import drawn_mask
 from seafoam.masks.formats import quantised
 from seafoam.masks.prefilter import atlas
-from seafoam.scene.foam import MASK_NAME, MASKS_MOST
+from seafoam.scene import MASK_NAME, MASKS_MOST
 from seafoam.textures.spec import Image, TextureSpec
 
 MaskTable = Literal["ranks", "ranks-8", "thresholds-half", "atlas", "quantiles", "ramps"]

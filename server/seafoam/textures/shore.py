@@ -10,7 +10,7 @@ from pydantic import AfterValidator, Field
 from seafoam.ocean.coast.rocks import rocks
 from seafoam.ocean.coast.seabed import floor_grid
 from seafoam.ocean.coast.travel import travel_grid
-from seafoam.scene.shore import Shore
+from seafoam.scene import Shore
 from seafoam.textures.spec import Image, TextureSpec
 
 ROWS = 16

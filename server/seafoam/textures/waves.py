@@ -12,7 +12,7 @@ from pydantic import Field, field_validator
 
 from seafoam.ocean.arrays import read_only
 from seafoam.ocean.waves.cascades import cascades
-from seafoam.scene.waves import Sea
+from seafoam.scene import Sea
 from seafoam.sums import summed
 from seafoam.textures.spec import Image, TextureSpec
 

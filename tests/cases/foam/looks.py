@@ -3,7 +3,7 @@
 import math
 from typing import Any
 
-from seafoam.scene.foam import Foam, FoamLife, FoamScattering, FrontSaturation, HeightSaturation
+from seafoam.scene import Foam, FoamLife, FoamScattering, FrontSaturation, HeightSaturation
 from support.cases import Bounds, Cases, HardCase, reduced
 from support.hard.mutations import guards, reference
 from support.scenes import Camera, Light, ParametricWave, Scene, Water

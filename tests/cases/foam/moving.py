@@ -2,7 +2,7 @@
 
 import math
 
-from seafoam.scene.foam import Drift, DriftSaturation, Foam, FoamLife, FrontSaturation, HeightSaturation, Vortex
+from seafoam.scene import Drift, DriftSaturation, Foam, FoamLife, FrontSaturation, HeightSaturation, Vortex
 from support.cases import Cases, HardCase, reduced
 from support.hard.mutations import guards, reference
 from support.scenes import Camera, Light, ParametricWave, Scene, Shore

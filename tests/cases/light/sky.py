@@ -2,7 +2,7 @@
 
 import math
 
-from seafoam.scene.light import Cirrus, Clouds, Light, Moon, Sky
+from seafoam.scene import Cirrus, Clouds, Light, Moon, Sky
 from support.cases import Cases, HardCase, reduced
 from support.hard.mutations import BRIGHTEST, guards
 from support.scenes import Camera, Foam, HeightSaturation, ParametricWave, Ripples, Scene, Water

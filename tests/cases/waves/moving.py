@@ -2,8 +2,7 @@
 
 import math
 
-from seafoam.scene.water import Current, Ripples, Stone, Water
-from seafoam.scene.waves import TOUCHES_MOST, ParametricWave, Ring, Sea, Touch
+from seafoam.scene import TOUCHES_MOST, Current, ParametricWave, Ring, Ripples, Sea, Stone, Touch, Water
 from support.cases import Cases, HardCase, reduced
 from support.hard.mutations import TIME, guards
 from support.scenes import Camera, Foam, Gusts, HeightSaturation, Scene, SlopeSaturation

@@ -27,8 +27,7 @@ from seafoam.accuracy.timing import beating, choose, front
 from seafoam.accuracy.truth import SweepStoppedError, TruthSpec, Watcher, find_truth, make_truth
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene import Scene, load_preset, preset_names
 from support.accuracy_rigs import FIXED_MS, NS, grey_truth, noisy
 from support.sweep import spread
 

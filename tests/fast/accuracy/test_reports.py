@@ -17,7 +17,7 @@ from seafoam.accuracy.timing import TOLD, beating
 from seafoam.quality import TIERS
 from seafoam.reference import scene_sha256
 from seafoam.render.service.jobs import plan_hash
-from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene import load_preset, preset_names
 from support.report import Report
 from support.sweep import spread
 

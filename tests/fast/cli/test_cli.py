@@ -26,7 +26,7 @@ from seafoam.planner.glsl import read_file
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import NoRendererError
 from seafoam.render.service import jobs
-from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene import load_preset, preset_names
 from support.accuracy_rigs import grey_truth, noisy
 from support.api_fakes import FakeRenderer
 

@@ -103,7 +103,7 @@ RENDER = """
 from seafoam.cli import app, frames
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.scene.presets import load_preset
+from seafoam.scene import load_preset
 make_plan(load_preset("default").scene, TIERS["standard"])
 """
 """What `seafoam render` does before it draws."""

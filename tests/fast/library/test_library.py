@@ -24,7 +24,7 @@ from seafoam.library.request import PictureRequest
 from seafoam.masks.catalogue import load_mask
 from seafoam.masks.construct.make import make_mask
 from seafoam.quality import TIERS
-from seafoam.scene.presets import load_preset
+from seafoam.scene import load_preset
 from support.api_fakes import FakeRenderer
 from support.command import free_port
 

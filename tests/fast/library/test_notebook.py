@@ -15,7 +15,7 @@ from seafoam.notebook import Water
 from seafoam.notebook.widget import answer, schema
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.scene.presets import load_preset
+from seafoam.scene import load_preset
 from seafoam.textures.store import spec_of, texture
 from support.serving import document
 

@@ -17,7 +17,7 @@ PLANS = """
 import subprocess, sys
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.scene.models import Scene
+from seafoam.scene import Scene
 
 def test_two_plans_and_a_process():
     for tier in ("fast", "standard", "fast"):

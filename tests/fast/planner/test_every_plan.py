@@ -15,9 +15,7 @@ from seafoam.framegraph.rules import COMPONENTS
 from seafoam.planner import FramePlan, make_plan
 from seafoam.planner.glsl import read_file
 from seafoam.quality import TIERS
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset, preset_names
-from seafoam.scene.water import Water
+from seafoam.scene import Scene, Water, load_preset, preset_names
 from seafoam.textures.store import spec_of, url_of
 from support.cases import cases_of
 from support.hard.pictures import HARD

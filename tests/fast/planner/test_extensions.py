@@ -19,12 +19,7 @@ from seafoam.planner import make_plan, planner
 from seafoam.quality import TIERS, Quality, QualityParameters
 from seafoam.reference import scene_sha256
 from seafoam.render.service.jobs import plan_hash
-from seafoam.scene.base import Part
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Saturation
-from seafoam.scene.light import Wind
-from seafoam.scene.models import Scene, SceneExtensions
-from seafoam.scene.presets import load_preset
+from seafoam.scene import Camera, Part, Saturation, Scene, SceneExtensions, Wind, load_preset
 from support.cases import cases_of
 
 STANDARD, DEFAULT = TIERS["standard"], load_preset("default").scene

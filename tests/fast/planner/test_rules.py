@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from seafoam.framegraph.evaluation import FrameState, axes, evaluate, evaluate_rule
 from seafoam.framegraph.rules import CameraRule, Clamp, Constant, Loop, Phase, Uniform, Wrap
-from seafoam.scene.camera import Camera
+from seafoam.scene import Camera
 
 GOLDEN = Path(__file__).parents[2] / "golden" / "uniform_rules.json"
 

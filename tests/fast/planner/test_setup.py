@@ -15,9 +15,7 @@ from seafoam.planner import make_plan
 from seafoam.planner.glsl import assemble
 from seafoam.planner.schedule import with_setup
 from seafoam.quality import TIERS
-from seafoam.scene.camera import Camera
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset
+from seafoam.scene import Camera, Scene, load_preset
 from support.probe import WHOLE
 
 STANDARD = TIERS["standard"]

@@ -10,10 +10,7 @@ from seafoam.framegraph.plan import FramePlan
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference.waves.rings import touch_set
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset, preset_names
-from seafoam.scene.water import Current
-from seafoam.scene.waves import TOUCHES_MOST, Ring, Touch
+from seafoam.scene import TOUCHES_MOST, Current, Ring, Scene, Touch, load_preset, preset_names
 from support.sweep import spread
 
 STANDARD = TIERS["standard"]

@@ -30,7 +30,7 @@ from references.bake import TIMES
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import NoRendererError
-from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene import load_preset, preset_names
 from support.parity import Parity
 from support.serving import Clock
 

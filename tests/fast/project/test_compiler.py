@@ -15,7 +15,7 @@ from bench.radv import CompilerError, Figures
 
 from seafoam.framegraph.plan import Program
 from seafoam.quality import TIERS, Tier
-from seafoam.scene.presets import preset_names
+from seafoam.scene import preset_names
 from support.report import Report
 from support.sweep import crossed, spread
 

@@ -17,7 +17,7 @@ from PIL import Image
 
 from seafoam.api.app import create_app
 from seafoam.effects import EFFECTS
-from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene import load_preset, preset_names
 from support.cases import cases_of
 
 ROOT = Path(__file__).parents[3]

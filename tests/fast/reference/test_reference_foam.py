@@ -22,10 +22,7 @@ from seafoam.reference.light.light import foam_layer, lumpy_cosine
 from seafoam.reference.renderer.sources import joined
 from seafoam.reference.types import unit
 from seafoam.reference.waves.parametric import wave_set
-from seafoam.scene.foam import Foam, FoamScattering
-from seafoam.scene.light import Light
-from seafoam.scene.models import Scene
-from seafoam.scene.waves import ParametricWave
+from seafoam.scene import Foam, FoamScattering, Light, ParametricWave, Scene
 
 WAVE = ParametricWave(amplitude=0.8, wavelength=11.0, direction=0.4, exponent=2.0, phase=0.3)
 

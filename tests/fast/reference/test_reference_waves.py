@@ -12,11 +12,7 @@ from seafoam.reference.boats import wake as wakes_of
 from seafoam.reference.boats.floating import FORMS
 from seafoam.reference.renderer import intersect
 from seafoam.reference.waves.parametric import reduced, ripple_set, wave_set, wavenumber
-from seafoam.scene.boats import Boat
-from seafoam.scene.foam import Foam, WakeSaturation
-from seafoam.scene.models import Scene
-from seafoam.scene.water import Ripples
-from seafoam.scene.waves import ParametricWave
+from seafoam.scene import Boat, Foam, ParametricWave, Ripples, Scene, WakeSaturation
 from support.scenes.fleet import WAKES, around
 
 SEA = Scene(

@@ -13,10 +13,7 @@ from seafoam.ocean.waves import cascades as sea_tiles
 from seafoam.ocean.waves.cascades import BAND, Cascade
 from seafoam.reference.waves import sea as truth
 from seafoam.reference.waves.sea import TileSample
-from seafoam.scene.foam import Foam, WhitecapSaturation
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset
-from seafoam.scene.waves import Sea
+from seafoam.scene import Foam, Scene, Sea, WhitecapSaturation, load_preset
 from seafoam.textures.store import texture
 from seafoam.textures.waves import SeaSpectrum
 from support.pictures import rms

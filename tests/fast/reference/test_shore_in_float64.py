@@ -13,9 +13,7 @@ from seafoam.ocean.coast.seabed import floor_grid
 from seafoam.ocean.coast.travel import arrival, speed, travel_grid
 from seafoam.reference.shore import shore as truth
 from seafoam.reference.shore.maps import BREAKS, shore_map
-from seafoam.scene.foam import SurfSaturation
-from seafoam.scene.models import Scene
-from seafoam.scene.shore import Shore, Surf
+from seafoam.scene import Scene, Shore, Surf, SurfSaturation
 from seafoam.textures.shore import ShoreFloor, shore_profiles
 from seafoam.textures.store import texture
 from support.scenes.coasts import KINDS, SEA, SHORE, coast, png

@@ -25,7 +25,7 @@ from seafoam.render.service.frame_cache import ABANDONED_SECONDS, DiskCache
 from seafoam.render.service.jobs import FrameJob
 from seafoam.render.service.pool import RenderPool
 from seafoam.render.service.shared_buffer import KEPT_BYTES, LEAST_BYTES, BufferPool, SharedBuffer, SharedPixels, send
-from seafoam.scene.models import Scene
+from seafoam.scene import Scene
 from support.api_fakes import FakeRenderer
 
 BLOCK = 4096

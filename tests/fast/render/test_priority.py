@@ -15,7 +15,7 @@ from seafoam.render.gl.executor import ShaderError
 from seafoam.render.service.frame_cache import InFlight
 from seafoam.render.service.pool import RenderPool
 from seafoam.render.service.queues import STREAMED, PrioritySemaphore, Ticket
-from seafoam.scene.presets import load_preset
+from seafoam.scene import load_preset
 from support.api_fakes import FakeRenderer
 from support.serving import serving
 

@@ -14,8 +14,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from PIL import Image
 
-from seafoam.scene.shore import Shore, Surf
-from seafoam.scene.waves import Sea
+from seafoam.scene import Sea, Shore, Surf
 from seafoam.textures.foam import FoamTexture
 from seafoam.textures.masks import MaskTexture
 from seafoam.textures.shore import ShoreFloor, ShoreProfiles, SprayRocks

@@ -24,7 +24,7 @@ import hashlib, os, sys
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.presets import load_preset
+from seafoam.scene import load_preset
 preset = load_preset("{PRESET}")
 plan = make_plan(preset.scene, TIERS["fast"])
 executor = Executor(assisted="assisted" in sys.argv, optimized="at once" not in sys.argv)

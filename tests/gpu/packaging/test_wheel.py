@@ -168,7 +168,7 @@ from seafoam.cli import app, main
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.resources import data_dir
-from seafoam.scene.presets import load_preset
+from seafoam.scene import load_preset
 
 def run(words):
     errors = io.StringIO()

@@ -15,7 +15,7 @@ from seafoam.planner import PlanError, make_plan
 from seafoam.quality import Quality
 from seafoam.render.service.frame_cache import DiskCache, LruCache
 from seafoam.render.service.jobs import FrameJob, plan_hash
-from seafoam.scene.models import Scene
+from seafoam.scene import Scene
 
 KEPT = 1024
 """Plans whose scene and quality are in memory; one is a few kilobytes."""

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 
 from seafoam.quality import Quality
 from seafoam.render.service.queues import Ticket
-from seafoam.scene.models import Scene
+from seafoam.scene import Scene
 
 LEASE_SECONDS = 3.0
 """Time without a request after which a stream ends, s: pages that are closed by force do not say so."""

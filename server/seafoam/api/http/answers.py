@@ -14,7 +14,7 @@ from starlette.responses import Response, StreamingResponse
 from seafoam.accuracy.cache import key_of
 from seafoam.api.http.errors import MEDIA_TYPE, PROBLEM_TYPES, Problem
 from seafoam.quality import QualityExtensions
-from seafoam.scene.models import SceneExtensions
+from seafoam.scene import SceneExtensions
 
 VERSION = version("seafoam")
 

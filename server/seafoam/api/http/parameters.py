@@ -11,10 +11,7 @@ from seafoam.numerals import numeral_fields
 from seafoam.quality import TIERS, Quality, Tier
 from seafoam.render.encode import FrameFormat, Precision
 from seafoam.render.service.jobs import FrameJob
-from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, Look
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import Preset
+from seafoam.scene import Camera, Foam, Look, Preset, Scene
 
 TIME_LIMIT = 1e9
 """Maximum |time|, s."""

@@ -10,7 +10,7 @@ from pydantic import BaseModel, BeforeValidator, ValidationError
 
 from seafoam.api.http.parameters import Parameters
 from seafoam.api.http.problems import BadRequestError, FieldProblem, NotFoundError, UnsupportedMediaError
-from seafoam.scene.presets import Preset, load_preset, preset_names
+from seafoam.scene import Preset, load_preset, preset_names
 
 M = TypeVar("M", bound=BaseModel)
 NoParameters = Annotated[Parameters, Query()]

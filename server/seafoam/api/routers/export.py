@@ -27,7 +27,7 @@ from seafoam.framegraph.evaluation import FrameState, evaluate
 from seafoam.framegraph.plan import FramePlan, Pass, declared_uniforms
 from seafoam.render.service.jobs import FrameJob
 from seafoam.resources import data_dir
-from seafoam.scene.presets import load_preset
+from seafoam.scene import load_preset
 from seafoam.textures.store import spec_of, texture
 
 router = APIRouter(prefix="/api", tags=["export"])

@@ -21,8 +21,7 @@ from seafoam.api.http.answers import problems
 from seafoam.api.http.validation import NoParameters, PresetName, Strict, find_preset
 from seafoam.described import Described
 from seafoam.quality import TIERS, Quality, Tier
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import Group, load_preset, preset_names
+from seafoam.scene import Group, Scene, load_preset, preset_names
 
 router = APIRouter(prefix="/api", tags=["presets"])
 

@@ -13,8 +13,7 @@ from seafoam.framegraph.plan import BoundingSphere, Quads
 from seafoam.framegraph.resources import FixedSize, Target
 from seafoam.framegraph.rules import Constant, Phase, Rule, Uniform, array, constants, significant, to_camera
 from seafoam.quality import Quality
-from seafoam.scene.boats import Boat
-from seafoam.scene.models import Scene
+from seafoam.scene import Boat, Scene
 
 BOW, QUARTER, BEAM = 0.36, 0.3, 0.1
 """Places of the hull points, in boat lengths: one ahead of the middle, two behind it and to each side."""

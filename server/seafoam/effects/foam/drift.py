@@ -11,8 +11,7 @@ from seafoam.framegraph.resources import FixedSize, Target, target_inputs
 from seafoam.framegraph.rules import Loop, array, constants, number, rounded, significant, to_camera, vector
 from seafoam.ocean.waves.stokes import steady_drift
 from seafoam.quality import Quality
-from seafoam.scene.foam import Drift, DriftSaturation, Foam, Vortex
-from seafoam.scene.models import Scene
+from seafoam.scene import Drift, DriftSaturation, Foam, Scene, Vortex
 
 GENERATIONS = 4
 """Generations of patches that are alive together."""

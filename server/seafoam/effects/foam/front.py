@@ -13,8 +13,7 @@ from seafoam.ocean.basics.dispersion import angular_frequency, wavevector
 from seafoam.ocean.waves.groups import group_velocity, in_groups
 from seafoam.ocean.waves.stokes import foam_drift, follows_orbits, orbit
 from seafoam.quality import Quality
-from seafoam.scene.foam import Foam, FrontSaturation
-from seafoam.scene.models import Scene
+from seafoam.scene import Foam, FrontSaturation, Scene
 from seafoam.sums import summed
 from seafoam.textures.waves import FRONT_NODES, FrontIntegral, front_fading, front_full
 

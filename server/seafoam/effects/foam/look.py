@@ -20,8 +20,7 @@ from seafoam.masks.catalogue import Mask, drawn_mask
 from seafoam.masks.prefilter import OCTAVE_RAMP
 from seafoam.ocean.waves.stokes import foam_drift, foam_life
 from seafoam.quality import Quality
-from seafoam.scene.foam import Foam, FoamLife, SurfSaturation
-from seafoam.scene.models import Scene
+from seafoam.scene import Foam, FoamLife, Scene, SurfSaturation
 from seafoam.textures.foam import FoamTexture, foam_texture
 from seafoam.textures.masks import MaskTable, MaskTexture
 

@@ -9,9 +9,7 @@ from seafoam.effects.shader import SlotFile
 from seafoam.framegraph.rules import number, significant
 from seafoam.ocean.waves.stokes import foam_life
 from seafoam.quality import Quality
-from seafoam.scene.foam import Foam, FoamScattering
-from seafoam.scene.models import Scene
-from seafoam.scene.water import Water
+from seafoam.scene import Foam, FoamScattering, Scene, Water
 
 SHADE = 0.6
 """Share of the sun's light that foam blocks; the rest passes through it."""

@@ -18,8 +18,7 @@ from seafoam.framegraph.rules import Uniform, constants, number, rounded, signif
 from seafoam.ocean.basics.dispersion import paper_level, wavevector
 from seafoam.ocean.waves.wakes import LEAST_SPEED, Wake, stone_wakes
 from seafoam.quality import Quality
-from seafoam.scene.foam import Foam, HeightSaturation, SlopeSaturation, SurfSaturation, WakeSaturation
-from seafoam.scene.models import Scene
+from seafoam.scene import Foam, HeightSaturation, Scene, SlopeSaturation, SurfSaturation, WakeSaturation
 from seafoam.sums import summed
 
 NODES = 17

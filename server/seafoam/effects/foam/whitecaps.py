@@ -13,9 +13,7 @@ from seafoam.ocean.foam.whitecaps import OLD_STEP, OLD_STEPS, OLD_TEXELS, Whitec
 from seafoam.ocean.waves.cascades import RAISED, Cascade
 from seafoam.ocean.waves.stokes import foam_drift
 from seafoam.quality import Quality
-from seafoam.scene.foam import Foam, SlopeSaturation, WhitecapSaturation
-from seafoam.scene.models import Scene
-from seafoam.scene.waves import Sea
+from seafoam.scene import Foam, Scene, Sea, SlopeSaturation, WhitecapSaturation
 from seafoam.sums import summed
 
 _TIMES_BEFORE = "waves/age.glsl@times"

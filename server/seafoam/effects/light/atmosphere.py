@@ -7,7 +7,7 @@ import numpy as np
 
 from seafoam.ocean.arrays import Floats, read_only, smooth
 from seafoam.ocean.sky import skylight
-from seafoam.scene.light import Direction, Light, direction
+from seafoam.scene import Direction, Light, direction
 from seafoam.sums import summed
 
 RAYLEIGH = np.array([0.055, 0.108, 0.215])

@@ -10,8 +10,7 @@ from seafoam.effects.shader import COMMON, NOISE_CELLS, PERLIN_2, PERLIN_3, Slot
 from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target
 from seafoam.framegraph.rules import Phase, array, number, rounded, vector
 from seafoam.quality import Quality
-from seafoam.scene.light import Cirrus, Clouds, Light, Sky
-from seafoam.scene.models import Scene
+from seafoam.scene import Cirrus, Clouds, Light, Scene, Sky
 
 MAP_SIDE = 32
 """Side of the map of the clouds that the water mirrors, texels."""

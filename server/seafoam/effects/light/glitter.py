@@ -13,8 +13,7 @@ from seafoam.effects.shader import HASH, SlotFile, Source
 from seafoam.framegraph.resources import Target, TargetInput, ViewportSize
 from seafoam.framegraph.rules import Loop, Uniform, array, number, rounded, significant, vector
 from seafoam.quality import Quality
-from seafoam.scene.light import Light, Sparkles
-from seafoam.scene.models import Scene
+from seafoam.scene import Light, Scene, Sparkles
 
 EPOCHS = 65536
 """Period of the sparkles, in lifetimes: five hours at the default."""

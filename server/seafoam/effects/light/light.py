@@ -13,8 +13,7 @@ from seafoam.framegraph.rules import Constant, Uniform, array, number, rounded, 
 from seafoam.ocean.arrays import Floats, read_only, smooth
 from seafoam.ocean.sky import skylight
 from seafoam.quality import Quality
-from seafoam.scene.light import Direction, Light, Moon, Sky
-from seafoam.scene.models import Scene
+from seafoam.scene import Direction, Light, Moon, Scene, Sky
 from seafoam.sums import summed
 
 _SERIES = tuple(f"{part}{tint}{rim}" for rim in ("", "_rim") for part in ("even", "haze") for tint in ("", "_tint"))

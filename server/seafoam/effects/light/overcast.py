@@ -8,7 +8,7 @@ import numpy as np
 
 from seafoam.effects.light import atmosphere
 from seafoam.ocean.arrays import Floats, read_only, smooth, smoothstep
-from seafoam.scene.light import Cirrus, Clouds, Light
+from seafoam.scene import Cirrus, Clouds, Light
 
 _SLICES = np.array([[0.0], [0.4], [0.8]])
 """Heights of the slices of clouds, of their depth."""

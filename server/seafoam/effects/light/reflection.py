@@ -10,9 +10,7 @@ from seafoam.effects.shore.maps import MAXIMA
 from seafoam.effects.shore.shore import LAND_LIGHT, soil_files
 from seafoam.framegraph.resources import FixedSize, Target
 from seafoam.quality import Quality
-from seafoam.scene.light import Light
-from seafoam.scene.models import Scene
-from seafoam.scene.shore import Shore
+from seafoam.scene import Light, Scene, Shore
 
 SHORE = (
     "shore/ground.glsl@place",

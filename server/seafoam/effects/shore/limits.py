@@ -16,7 +16,7 @@ from seafoam.ocean.coast.seabed import floor_grid
 from seafoam.ocean.coast.travel import travel_grid
 from seafoam.ocean.constants import GRAVITY
 from seafoam.quality import Quality
-from seafoam.scene.shore import Shore
+from seafoam.scene import Shore
 from seafoam.sums import summed
 from seafoam.textures.shore import ROWS, shore_profiles
 

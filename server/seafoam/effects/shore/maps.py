@@ -10,7 +10,7 @@ from seafoam.effects.shader import Piece, refine
 from seafoam.framegraph.resources import FixedSize, Target, TextureInput
 from seafoam.framegraph.rules import Phase, Rule, Uniform, array, number, significant, vector
 from seafoam.quality import Quality
-from seafoam.scene.shore import Shore
+from seafoam.scene import Shore
 
 MASK_WAVES = ((83.0, 0.4, 31.0), (57.0, 2.1, 23.0), (119.0, 3.6, 43.0), (71.0, 5.3, 37.0))
 """The mask that varies the surf's height: wavelength (m), heading (rad) and period (s) of its four sines."""

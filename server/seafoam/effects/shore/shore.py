@@ -20,9 +20,7 @@ from seafoam.ocean.basics.dispersion import wavevector
 from seafoam.ocean.waves.cascades import RAISED, cascades
 from seafoam.ocean.waves.rings import ring_slope
 from seafoam.quality import Quality
-from seafoam.scene.light import Light
-from seafoam.scene.models import Scene
-from seafoam.scene.shore import Shore
+from seafoam.scene import Light, Scene, Shore
 from seafoam.sums import summed
 from seafoam.textures.shore import ROWS, ShoreFloor, ShoreProfiles, ShoreTravel
 

@@ -22,10 +22,7 @@ from seafoam.ocean.foam import spray as model
 from seafoam.ocean.waves.cascades import RAISED, Cascade
 from seafoam.ocean.waves.groups import group_velocity, in_groups
 from seafoam.quality import Quality
-from seafoam.scene.models import Scene
-from seafoam.scene.shore import Shore
-from seafoam.scene.spray import Spray
-from seafoam.scene.waves import ParametricWave, Sea
+from seafoam.scene import ParametricWave, Scene, Sea, Shore, Spray
 from seafoam.sums import summed
 from seafoam.textures.shore import SprayRocks
 

@@ -12,8 +12,7 @@ from seafoam.framegraph.plan import Quads
 from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Input, Target, TargetInput, TextureInput, ViewportSize
 from seafoam.framegraph.rules import Viewport, array, number, rounded, significant, vector
 from seafoam.quality import Quality
-from seafoam.scene.models import Scene
-from seafoam.scene.spray import DROPS, Spray
+from seafoam.scene import DROPS, Scene, Spray
 from seafoam.textures.foam import STRANDS, SprayStrands
 
 COLUMNS = 128

@@ -18,9 +18,7 @@ from seafoam.ocean.arrays import Floats
 from seafoam.ocean.constants import WATER_INDEX
 from seafoam.ocean.waves.ripples import Ripple, ripple_cascades, tiles
 from seafoam.quality import Quality
-from seafoam.scene.light import Caustics, Light
-from seafoam.scene.models import Scene
-from seafoam.scene.water import Ripples
+from seafoam.scene import Caustics, Light, Ripples, Scene
 from seafoam.sums import summed
 
 COLOURS = ("red", "green", "blue")

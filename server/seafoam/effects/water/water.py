@@ -13,9 +13,7 @@ from seafoam.framegraph.rules import Uniform, array, in_tile, number, significan
 from seafoam.ocean.constants import WATER_INDEX
 from seafoam.ocean.waves.cascades import cascades, slope_heading
 from seafoam.quality import Quality
-from seafoam.scene.light import Light
-from seafoam.scene.models import Scene
-from seafoam.scene.water import Water
+from seafoam.scene import Light, Scene, Water
 
 WATER = "water/underside.glsl@water"
 """Absorption and scattering between a camera below the surface and what it sees."""

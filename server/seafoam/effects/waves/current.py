@@ -9,8 +9,7 @@ from seafoam.framegraph.rules import Constant, Rule, array, constants, number, s
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.waves.wakes import stone_wakes
 from seafoam.quality import Quality
-from seafoam.scene.models import Scene
-from seafoam.scene.water import Current, Stone
+from seafoam.scene import Current, Scene, Stone
 
 FASTEST = 0.7
 """Greatest Froude number of the depth: up to it the waves are within 4 % of those in deep water."""

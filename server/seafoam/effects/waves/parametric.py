@@ -11,8 +11,7 @@ from seafoam.ocean.basics.dispersion import angular_frequency, paper_level, wave
 from seafoam.ocean.waves.groups import PERIOD, group_cells, group_key, group_velocity, in_groups
 from seafoam.ocean.waves.stokes import follows_orbits, orbit
 from seafoam.quality import Quality
-from seafoam.scene.foam import FrontSaturation, SlopeSaturation
-from seafoam.scene.models import Scene
+from seafoam.scene import FrontSaturation, Scene, SlopeSaturation
 from seafoam.sums import summed
 
 PLACE = "u_wave_groups_place"

@@ -15,8 +15,8 @@ from seafoam.framegraph.rules import Clamp, Constant, Rule, Term, Uniform, array
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.waves.rings import FRONT, SOFT, Train, ring_curvature, ring_height, ring_slope, trains
 from seafoam.quality import Quality
+from seafoam.scene import Scene
 from seafoam.scene import waves as model
-from seafoam.scene.models import Scene
 from seafoam.sums import summed
 
 RING_CONSTS: dict[str, Const] = {

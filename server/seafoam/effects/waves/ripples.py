@@ -10,8 +10,7 @@ from seafoam.framegraph.resources import FixedSize, Target
 from seafoam.framegraph.rules import Phase, Uniform, Wrap, array, constants, in_tile, number, rounded, significant
 from seafoam.ocean.waves.ripples import BANDS, SHIFTS, TURN, WAVES_PER_TILE, Ripple, ripple_cascades, tiles
 from seafoam.quality import Quality
-from seafoam.scene.models import Scene
-from seafoam.scene.water import Ripples, Water
+from seafoam.scene import Ripples, Scene, Water
 from seafoam.sums import summed
 
 _PER_BAND = WAVES_PER_TILE // BANDS

@@ -16,9 +16,7 @@ from seafoam.framegraph.rules import Loop, Phase, Uniform, array, constants, in_
 from seafoam.ocean.waves.cascades import BAND, LEAST_JACOBIAN, LOOP, RAISED, Cascade, cascades
 from seafoam.ocean.waves.stokes import follows_orbits
 from seafoam.quality import Quality
-from seafoam.scene.foam import WhitecapSaturation
-from seafoam.scene.models import Scene
-from seafoam.scene.waves import Sea
+from seafoam.scene import Scene, Sea, WhitecapSaturation
 from seafoam.sums import summed
 from seafoam.textures.waves import FftTwiddles, SeaSpectrum
 

@@ -3,8 +3,7 @@
 import math
 
 from seafoam.ocean.constants import GRAVITY
-from seafoam.scene.models import Scene
-from seafoam.scene.waves import ParametricWave
+from seafoam.scene import ParametricWave, Scene
 from seafoam.sums import summed
 
 

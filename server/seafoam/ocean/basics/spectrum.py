@@ -11,7 +11,7 @@ import numpy as np
 
 from seafoam.ocean.arrays import Floats
 from seafoam.ocean.constants import GRAVITY
-from seafoam.scene.waves import Sea
+from seafoam.scene import Sea
 
 GAMMA = 3.3
 """Peak enhancement of JONSWAP."""

@@ -7,7 +7,7 @@ import numpy as np
 
 from seafoam.ocean.arrays import Floats, read_only
 from seafoam.ocean.coast.seabed import floor_grid
-from seafoam.scene.shore import Shore
+from seafoam.scene import Shore
 
 ROCKS = 1024
 """Number of points at which drops start."""

@@ -7,7 +7,7 @@ import numpy as np
 
 from seafoam.ocean.arrays import Floats, read_only, smoothstep
 from seafoam.ocean.basics.hash import chance
-from seafoam.scene.shore import STEPS, Shore, decoded_image
+from seafoam.scene import STEPS, Shore, decoded_image
 
 
 def _pictured(grey: Floats, x: Floats, z: Floats) -> Floats:

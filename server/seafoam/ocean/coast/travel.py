@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from seafoam.ocean.arrays import Floats, read_only, smoothstep
 from seafoam.ocean.coast.seabed import floor_grid
 from seafoam.ocean.constants import GRAVITY
-from seafoam.scene.shore import Shore
+from seafoam.scene import Shore
 
 HUNT = (0.6666666667, 0.3555555556, 0.1608465608, 0.0632098765, 0.0217540484, 0.0065407983)
 """Coefficients of the wavenumber at a depth (Hunt 1979); relative error at most 10⁻³."""

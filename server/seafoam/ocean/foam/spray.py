@@ -7,9 +7,7 @@ from seafoam.ocean.basics.spectrum import peak_frequency
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.foam.whitecaps import whitecap_model
 from seafoam.ocean.waves.cascades import BAND
-from seafoam.scene.foam import WhitecapSaturation
-from seafoam.scene.spray import Spray
-from seafoam.scene.waves import Sea
+from seafoam.scene import Sea, Spray, WhitecapSaturation
 
 EPOCHS = 65536
 """Number of batches, or of surf periods, after which the same drops are emitted again."""

@@ -10,8 +10,7 @@ import numpy as np
 
 from seafoam.ocean import arrays
 from seafoam.ocean.waves.cascades import BAND, RAISED, cascades
-from seafoam.scene.foam import WhitecapSaturation
-from seafoam.scene.waves import Sea
+from seafoam.scene import Sea, WhitecapSaturation
 from seafoam.sums import summed
 
 AGE_STEPS = 8

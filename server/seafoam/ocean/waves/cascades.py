@@ -14,7 +14,7 @@ from seafoam.ocean.basics import spectrum
 from seafoam.ocean.basics.dispersion import wavenumber
 from seafoam.ocean.basics.hash import chance
 from seafoam.ocean.constants import GRAVITY
-from seafoam.scene.waves import Sea
+from seafoam.scene import Sea
 from seafoam.sums import summed
 
 BAND = 64

@@ -8,8 +8,7 @@ import numpy as np
 from seafoam.ocean.arrays import Floats, read_only
 from seafoam.ocean.basics.dispersion import angular_frequency, wavenumber
 from seafoam.ocean.basics.hash import chance
-from seafoam.scene.models import Scene
-from seafoam.scene.waves import ParametricWave, WaveGroups
+from seafoam.scene import ParametricWave, Scene, WaveGroups
 
 CELLS_APART = 3.2
 """Mean distance of groups, cells of the noise."""

@@ -13,8 +13,7 @@ from functools import lru_cache
 
 from seafoam.ocean.basics.dispersion import wavenumber
 from seafoam.ocean.constants import GRAVITY
-from seafoam.scene.models import Scene
-from seafoam.scene.waves import Ring
+from seafoam.scene import Ring, Scene
 from seafoam.sums import summed
 
 SOFT = 0.25

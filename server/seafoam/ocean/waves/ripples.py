@@ -6,7 +6,7 @@ from functools import lru_cache
 
 from seafoam.ocean.basics.hash import chance
 from seafoam.ocean.constants import GRAVITY
-from seafoam.scene.water import Ripples
+from seafoam.scene import Ripples
 
 TILES = (18.9, 4.1)
 """Sides of the two tiles, m."""

@@ -7,9 +7,7 @@ import numpy as np
 from seafoam.ocean.basics.dispersion import angular_frequency, wavenumber
 from seafoam.ocean.basics.spectrum import dispersion, frequency_spectrum, spreading
 from seafoam.ocean.waves.cascades import SHORTEST
-from seafoam.scene.foam import FoamLife
-from seafoam.scene.models import Scene
-from seafoam.scene.waves import ParametricWave, Sea
+from seafoam.scene import FoamLife, ParametricWave, Scene, Sea
 
 SHALLOW = 0.5
 """Minimum of k·depth in the finite-depth factor: linear theory diverges toward 0."""

@@ -5,8 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from seafoam.ocean.constants import GRAVITY
-from seafoam.scene.boats import Boat
-from seafoam.scene.water import Current
+from seafoam.scene import Boat, Current
 from seafoam.sums import summed
 
 LEAST_SPEED = 0.5

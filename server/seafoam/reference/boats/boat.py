@@ -13,8 +13,7 @@ from seafoam.reference.boats import floating
 from seafoam.reference.boats.floating import FORMS, Height, Inequality, house, plane
 from seafoam.reference.light.light import Air, fresnel, sky_light
 from seafoam.reference.types import Floats, Pair, Rows, Sunlight, Vec2, Vec3, dot, smoothstep, unit
-from seafoam.scene.boats import Boat
-from seafoam.scene.models import Scene
+from seafoam.scene import Boat, Scene
 
 BOUNCED, THROUGH_SAIL, UNDER_SAIL = 0.1, 0.4, 0.25
 """Share of the light that arrives from below, and of the sun's that passes a sail and that its shadow has."""

@@ -8,7 +8,7 @@ from fractions import Fraction
 import numpy as np
 
 from seafoam.reference.types import Floats, Pair, Vec2, Vec3, dot
-from seafoam.scene.boats import Boat
+from seafoam.scene import Boat
 
 BOW, QUARTER, BEAM, STEM, DRAUGHT = 0.36, 0.3, 0.1, 0.42, 0.08
 RADON = math.sqrt(2.0 / 3.0)

@@ -13,10 +13,7 @@ from seafoam.ocean.waves.wakes import LEAST_SPEED, Wake, joint_height, joint_slo
 from seafoam.reference.boats.floating import FORMS, HULL_SPEED, STEM, Course, course_of
 from seafoam.reference.noise import filtered_step, footprint_variance, patches
 from seafoam.reference.types import Bools, Floats, Footprints, Gradient, Pair, Vec2, smoothstep_slope
-from seafoam.scene.boats import Boat
-from seafoam.scene.foam import WakeSaturation
-from seafoam.scene.models import Scene
-from seafoam.scene.water import Current, Stone
+from seafoam.scene import Boat, Current, Scene, Stone, WakeSaturation
 
 PATCHES = (0.31, False), (0.11, True), (0.037, False)
 """Cells of the noise that tears a wake's foam, in lengths of the hull, and whether they are turned."""

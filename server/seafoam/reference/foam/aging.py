@@ -9,7 +9,7 @@ from seafoam.reference.foam.cells import part
 from seafoam.reference.noise import PERIOD, perlin
 from seafoam.reference.types import Floats, Pair, Vec2, smoothstep
 from seafoam.reference.waves.parametric import reduced
-from seafoam.scene.models import Scene
+from seafoam.scene import Scene
 
 AGE = 0.8  # age between one mask and the next, in e-folds of the saturation
 ROW_LENGTH = 8.0

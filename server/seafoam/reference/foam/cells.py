@@ -7,7 +7,7 @@ import numpy as np
 
 from seafoam.reference.noise import chained, number
 from seafoam.reference.types import Floats, Pair, Vec2, smoothstep
-from seafoam.scene.foam import Foam
+from seafoam.scene import Foam
 
 COUNT = 4096
 LEAST = 0.25  # barycentric weight below which a cell has no influence

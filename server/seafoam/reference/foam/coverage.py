@@ -11,8 +11,7 @@ from seafoam.ocean.waves.stokes import foam_life
 from seafoam.reference import sampling
 from seafoam.reference.foam import looks
 from seafoam.reference.types import Floats, Footprints, Rows, Vec2
-from seafoam.scene.foam import Foam
-from seafoam.scene.models import Scene
+from seafoam.scene import Foam, Scene
 from seafoam.textures.foam import foam_texture
 
 OCTAVES_MOST = 4

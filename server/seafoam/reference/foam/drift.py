@@ -14,8 +14,7 @@ from scipy.special import ndtri
 from seafoam.ocean.waves.stokes import steady_drift
 from seafoam.reference.noise import pcg, value
 from seafoam.reference.types import Floats, Pair, Vec2, dot, smoothstep
-from seafoam.scene.foam import Drift, DriftSaturation
-from seafoam.scene.models import Scene
+from seafoam.scene import Drift, DriftSaturation, Scene
 
 GENERATIONS = 4
 COUNTED = 1024

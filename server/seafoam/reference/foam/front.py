@@ -12,7 +12,7 @@ from scipy.interpolate import CubicHermiteSpline
 from seafoam.reference.noise import fractal
 from seafoam.reference.types import Floats, Pair, SurfacePoints, Vec2, smoothstep
 from seafoam.reference.waves.parametric import WaveSet, noise_place
-from seafoam.scene.foam import FrontSaturation
+from seafoam.scene import FrontSaturation
 
 TURN = 2.0 * math.pi
 CAP = 4.0

@@ -15,7 +15,7 @@ from seafoam.reference.light import clouds
 from seafoam.reference.light.clouds import EYE, FORWARD, CloudLayer, HighClouds, Spread
 from seafoam.reference.noise import chained, fractal, number, share
 from seafoam.reference.types import Floats, Pair, Vec2, Vec3, dot, henyey_greenstein, smoothstep, unit
-from seafoam.scene.light import Day, Light, Moon, Sky
+from seafoam.scene import Day, Light, Moon, Sky
 
 RAYLEIGH = np.array([0.055, 0.108, 0.215])
 RAYLEIGH_HEIGHT, MIE_HEIGHT = 8000.0, 1200.0  # scale heights of molecules and of haze, m

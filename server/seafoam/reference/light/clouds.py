@@ -11,7 +11,7 @@ from scipy import special
 from seafoam.reference.noise import GAIN, PERIOD, fractal, octaves
 from seafoam.reference.types import Floats, Footprints, Pair, Vec3, dot, henyey_greenstein, smoothstep
 from seafoam.reference.waves.parametric import noise_place, reduced
-from seafoam.scene.light import Cirrus, Clouds
+from seafoam.scene import Cirrus, Clouds
 
 Spread = Pair
 Depth = Callable[[Floats], Floats]

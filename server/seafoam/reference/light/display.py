@@ -3,7 +3,7 @@
 import numpy as np
 
 from seafoam.reference.types import Floats
-from seafoam.scene.light import ToneCurve
+from seafoam.scene import ToneCurve
 
 
 def tone(x: Floats, curve: ToneCurve = "filmic") -> Floats:

@@ -15,9 +15,7 @@ from seafoam.reference.light import atmosphere
 from seafoam.reference.light.clouds import FORWARD
 from seafoam.reference.shore.soil import Soil
 from seafoam.reference.types import Floats, Pair, Vec2, Vec3, dot, henyey_greenstein, smoothstep, unit
-from seafoam.scene.foam import FoamScattering
-from seafoam.scene.light import Light
-from seafoam.scene.water import Water
+from seafoam.scene import FoamScattering, Light, Water
 
 AIR_MASS_OFFSET, VIEW_AIR_MASS_OFFSET = 0.03, 0.09
 """Of M = 1/(max(y, 0) + offset), the air mass of the sun's light and of view rays of height y, less at the horizon."""

@@ -10,7 +10,7 @@ import numpy as np
 from seafoam.reference.light.light import Air, Glint, blinn_phong, glint
 from seafoam.reference.noise import chained, number, pcg, share
 from seafoam.reference.types import Floats, dot, smoothstep
-from seafoam.scene.light import Light, Sparkles
+from seafoam.scene import Light, Sparkles
 
 EPOCHS = 65536
 MOST = 0.25  # greatest radius, rad

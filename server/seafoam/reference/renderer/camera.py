@@ -6,7 +6,7 @@ from functools import cached_property
 import numpy as np
 
 from seafoam.reference.types import Floats, Pair, Vec2
-from seafoam.scene.camera import Camera
+from seafoam.scene import Camera
 
 
 class SampleGrid:

@@ -12,7 +12,7 @@ from seafoam.reference.foam.drift import Copy, copies
 from seafoam.reference.renderer.sources import saturation
 from seafoam.reference.renderer.state import ReferenceState, WaterSamples
 from seafoam.reference.types import Floats, Footprints, Indices, Pair, Vec2, smoothstep
-from seafoam.scene.foam import DriftSaturation, Foam
+from seafoam.scene import DriftSaturation, Foam
 
 LOWEST_SHADE = 0.25  # sine of the sun's elevation below which shadows of foam have constant length
 FOAM_SHADE = 0.6  # share of the sun's light that foam blocks

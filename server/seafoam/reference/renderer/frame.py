@@ -12,9 +12,7 @@ from seafoam.reference.renderer.shade import SampleShader
 from seafoam.reference.renderer.state import Mode
 from seafoam.reference.spray import Drops, Splats, Sprayed
 from seafoam.reference.types import Floats, Pair
-from seafoam.scene.base import non_defaults
-from seafoam.scene.camera import Camera
-from seafoam.scene.models import Scene
+from seafoam.scene import Camera, Scene, non_defaults
 
 CHUNK = 32768  # rays shaded at a time, so that their arrays fit in the processor's cache
 JITTER_SEED = 20110
@@ -35,7 +33,7 @@ class ReferenceFrame:
 
 
 def scene_sha256(scene: Scene) -> str:
-    """SHA-256, in hexadecimal, of the settled scene's :func:`~seafoam.scene.base.non_defaults`, as canonical JSON.
+    """SHA-256, in hexadecimal, of the settled scene's :func:`~seafoam.scene.non_defaults`, as canonical JSON.
 
     A new field of the schema changes none, a changed default does.
     """

@@ -12,7 +12,7 @@ from seafoam.reference.renderer.state import Lighting, WaterSamples
 from seafoam.reference.shore.shore import Coast
 from seafoam.reference.types import Floats, Pair, dot, unit
 from seafoam.reference.water.seafloor import FARTHEST, FOAM_THROUGH, Seabed
-from seafoam.scene.foam import SurfSaturation
+from seafoam.scene import SurfSaturation
 
 AROUND_HEIGHT = 1.0  # height from which the surroundings are seen, m
 AROUND_BLUR = 0.012  # their blur by ripples, rad

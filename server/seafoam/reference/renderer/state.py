@@ -19,8 +19,7 @@ from seafoam.reference.water.seafloor import Seabed, ShoreSeabed
 from seafoam.reference.waves.parametric import afloat, gust_field, ripple_set, wave_set
 from seafoam.reference.waves.rings import ring_set, touch_set
 from seafoam.reference.waves.sea import sea_surface
-from seafoam.scene.light import Light
-from seafoam.scene.models import Scene
+from seafoam.scene import Light, Scene
 
 Mode = Literal["same-samples", "converged"]
 

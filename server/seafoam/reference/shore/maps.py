@@ -13,7 +13,7 @@ from seafoam.ocean.coast.travel import travel_grid
 from seafoam.ocean.constants import GRAVITY
 from seafoam.reference.types import Bools, Floats, Indices, Pair, smoothstep
 from seafoam.reference.waves.parametric import reduced
-from seafoam.scene.shore import Shore, Surf
+from seafoam.scene import Shore, Surf
 from seafoam.textures.shore import shore_profiles
 
 BREAKS = 0.78  # ratio of height to depth at which a wave breaks (McCowan 1894)

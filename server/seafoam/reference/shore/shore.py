@@ -18,8 +18,7 @@ from seafoam.reference.shore import maps
 from seafoam.reference.shore.soil import Soil, detailed
 from seafoam.reference.types import Floats, Footprints, Pair, ReliefPart, Sunlight, Vec2, dot, smoothstep, unit
 from seafoam.reference.waves.parametric import reduced
-from seafoam.scene.foam import SurfSaturation
-from seafoam.scene.shore import Shore
+from seafoam.scene import Shore, SurfSaturation
 
 SHALLOW = (0.1, 0.6)
 """Depths of the floor at which the look of soaked land starts to give way to that of the plain ground, and has, m."""

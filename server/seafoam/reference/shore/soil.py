@@ -7,7 +7,7 @@ import numpy as np
 
 from seafoam.reference.noise import chained, filtered_step, share
 from seafoam.reference.types import Floats, Footprints, Indices, Pair, Vec2, dot, smoothstep, unit
-from seafoam.scene.shore import Shore
+from seafoam.scene import Shore
 
 KEY = 0x51ED270B
 CELL = 64.0  # side of the first octave's cells, m

@@ -18,8 +18,7 @@ from seafoam.reference.sampling import bilinear, spline
 from seafoam.reference.shore.shore import Coast
 from seafoam.reference.types import Floats, Footprints, Pair, Sunlight, Vec2, dot, unit
 from seafoam.reference.waves.parametric import afloat, reduced
-from seafoam.scene.models import Scene
-from seafoam.scene.water import Ripples, Water
+from seafoam.scene import Ripples, Scene, Water
 
 MAP = 512  # texels along a side of the caustic map
 PHOTONS = 1024

@@ -19,9 +19,7 @@ from seafoam.ocean.waves.ripples import ripple_cascades
 from seafoam.ocean.waves.stokes import orbit
 from seafoam.reference.noise import PERIOD, fractal
 from seafoam.reference.types import Floats, Vec2, Vec3, smoothstep_slope
-from seafoam.scene.models import Scene
-from seafoam.scene.water import Ripples
-from seafoam.scene.waves import ParametricWave
+from seafoam.scene import ParametricWave, Ripples, Scene
 
 _TWO_PI = 2 * Fraction("3.14159265358979323846264338327950288419716939937510")
 BOUND_SAMPLES = 8192

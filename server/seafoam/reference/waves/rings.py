@@ -15,8 +15,7 @@ from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.waves.rings import ring_curvature, ring_height, ring_slope
 from seafoam.reference.types import Floats, Vec2, smoothstep_slope
 from seafoam.reference.waves.parametric import wavenumber
-from seafoam.scene.models import Scene
-from seafoam.scene.waves import Ring
+from seafoam.scene import Ring, Scene
 
 LEAST = 1e-4  # a ring's amplitude is reduced by this, m,
 LEAST_SHARE = 1.0 / 256.0  # or by this share of I₀ if that is more

@@ -12,9 +12,7 @@ from seafoam.ocean.foam.whitecaps import AGE_STEP, AGE_STEPS, OLD_TEXELS, Whitec
 from seafoam.ocean.waves.cascades import BAND, LEAST_JACOBIAN, LOOP, RAISED, Cascade, cascades
 from seafoam.ocean.waves.stokes import foam_drift
 from seafoam.reference.types import Floats, Vec2
-from seafoam.scene.foam import WhitecapSaturation
-from seafoam.scene.models import Scene
-from seafoam.scene.waves import Sea
+from seafoam.scene import Scene, Sea, WhitecapSaturation
 
 TEXELS = 512  # texels along a tile: surface and slopes are bilinear between them, which is part of the model
 NEWTON_STEPS = 12

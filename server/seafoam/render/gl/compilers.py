@@ -17,7 +17,7 @@ from typing import Protocol
 
 from seafoam.framegraph.plan import FramePlan
 from seafoam.render.gl.formats import Output
-from seafoam.scene.camera import Camera
+from seafoam.scene import Camera
 
 COLD_SECONDS = 0.1
 """Processor time, s: a program that takes longer to translate is new to the driver. A plan's largest takes 0.15 and

@@ -23,7 +23,7 @@ from seafoam.framegraph.visibility import drawn_passes, passes_into, reads
 from seafoam.render.gl.compilers import COLD_SECONDS, CompileRequest, CompileWork, SecondCompiler, may_assist
 from seafoam.render.gl.context import NoRendererError, attach_layers, create_context
 from seafoam.render.gl.formats import FORMAT_BYTES, READ, TARGET_FORMATS, TEXTURE_FORMATS, Cache, Output, target_bytes
-from seafoam.scene.camera import Camera
+from seafoam.scene import Camera
 from seafoam.textures.store import spec_of, texture
 
 __all__ = ["Executor", "NoRendererError", "Output", "RenderedPixels", "ShaderError"]

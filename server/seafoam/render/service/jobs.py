@@ -20,8 +20,7 @@ from seafoam.framegraph.plan import FramePlan
 from seafoam.planner import make_geometry_plan, make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.render.encode import BYTES_PER_PIXEL, FrameFormat, Output, Precision, encode, encode_jpeg, output_of
-from seafoam.scene.camera import Camera
-from seafoam.scene.models import Scene
+from seafoam.scene import Camera, Scene
 
 if TYPE_CHECKING:
     from seafoam.render.gl.executor import RenderedPixels

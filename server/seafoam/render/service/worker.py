@@ -18,8 +18,7 @@ from seafoam.render.gl.executor import NoRendererError
 from seafoam.render.service.errors import DeadlineError, RenderError, RendererUnavailableError, RenderFailedError
 from seafoam.render.service.jobs import Drawn, FrameJob, MeasureJob, Picture, Renderer, draw_frame, measure
 from seafoam.render.service.shared_buffer import BufferAddress, send
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset
+from seafoam.scene import Scene, load_preset
 
 log = logging.getLogger(__name__)
 

@@ -10,7 +10,7 @@ from seafoam.accuracy.cache import Store
 from seafoam.accuracy.sweep import SweepSettings
 from seafoam.accuracy.sweep_service import SweepService
 from seafoam.quality import TIERS
-from seafoam.scene.presets import load_preset
+from seafoam.scene import load_preset
 from support.serving import problem, serving
 
 PRESET = "paper-threshold"

@@ -16,7 +16,7 @@ from seafoam.api.routers.export import slug
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.service.jobs import FrameJob
-from seafoam.scene.presets import load_preset
+from seafoam.scene import load_preset
 from support.serving import problem
 
 PATHS = re.compile(

@@ -14,7 +14,7 @@ from seafoam.api.frames.plans import PlanIndex
 from seafoam.api.settings import SERVED, Settings
 from seafoam.render.encode import read_recipe
 from seafoam.render.service.pool import BACKGROUND_QUEUE
-from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene import load_preset, preset_names
 from support.api_fakes import SLOW
 from support.serving import SMALL, busy, eventually, frame, picture, problem, serving
 

@@ -14,8 +14,7 @@ from seafoam.render.service import errors
 from seafoam.render.service.jobs import Draw, FrameJob, MeasureJob
 from seafoam.render.service.pool import BACKGROUND_SECONDS, BUSY_RECYCLE, RenderPool
 from seafoam.render.service.queues import Ticket
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset
+from seafoam.scene import Scene, load_preset
 from support import api_fakes as fakes
 from support.serving import SMALL, busy, eventually, left_status, problem, serving
 

@@ -17,8 +17,7 @@ from seafoam.api.settings import Settings
 from seafoam.quality import TIERS
 from seafoam.render.service.errors import DeadlineError
 from seafoam.render.service.queues import Ticket
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset
+from seafoam.scene import Scene, load_preset
 from support.serving import SMALL, Clock, answering, busy, eventually, left_status, picture, problem, serving
 
 pytestmark = pytest.mark.anyio

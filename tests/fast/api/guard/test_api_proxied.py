@@ -14,7 +14,7 @@ from starlette.testclient import TestClient
 
 import seafoam
 from seafoam.api.guard.proxy_headers import relative
-from seafoam.scene.presets import preset_names
+from seafoam.scene import preset_names
 from support.browser.proxy import proxied
 from support.command import free_port
 from support.serving import answering, served

@@ -10,7 +10,7 @@ from starlette.testclient import TestClient
 from seafoam.api.app import create_app
 from seafoam.api.settings import Settings
 from seafoam.effects import register, unregister
-from seafoam.scene.presets import load_preset
+from seafoam.scene import load_preset
 from support.api_fakes import RAISE, FakeRenderer
 from support.serving import SMALL, problem
 

@@ -12,7 +12,7 @@ import psutil
 import pytest
 import requests
 
-from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene import load_preset, preset_names
 from support.report import Report
 from support.serving import served
 from support.sweep import REST

@@ -18,8 +18,7 @@ from seafoam.api.site import PREVIEW
 from seafoam.framegraph.plan import FramePlan
 from seafoam.quality import TIERS
 from seafoam.resources import data_dir
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import Group, load_preset, preset_names
+from seafoam.scene import Group, Scene, load_preset, preset_names
 from support.serving import answering, picture, problem
 
 

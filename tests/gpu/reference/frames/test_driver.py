@@ -30,7 +30,7 @@ from pathlib import Path
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.presets import load_preset
+from seafoam.scene import load_preset
 executor, preset = Executor(), load_preset(sys.argv[1])
 plan = make_plan(preset.scene, TIERS["fast"])
 for size in sys.argv[2:]:
