@@ -11,6 +11,8 @@ PIP := $(BIN)/pip install -q --disable-pip-version-check
 LOCKED := --require-hashes -r requirements.lock
 WEB := webclient
 PORT ?= 8000
+# uv leaves packages uncompiled: each of the hundreds of processes that tests start would compile all it imports.
+unexport PYTHONDONTWRITEBYTECODE
 
 WEB_SOURCES := $(shell find $(addprefix $(WEB)/,src public masks learn build) -type f 2>/dev/null) $(WEB)/index.html docs/formulae.md $(wildcard docs/snippets/*) \
 	$(WEB)/package-lock.json $(WEB)/vite.config.ts $(WEB)/vite.library.config.ts $(WEB)/tsconfig.json

@@ -181,6 +181,8 @@ def test_the_container_is_not_root_writes_where_it_may_and_trusts_the_proxy_alon
     stages = text("Dockerfile").split("\nFROM ")
     assert re.search(r"(?m)^USER 10001:10001$", stages[-1])
     assert re.search(r"(?m)^HEALTHCHECK", stages[-1])
+    # Otherwise each of its processes would compile all it imports.
+    assert "PYTHONDONTWRITEBYTECODE" not in stages[-1] or "\nENV UV_COMPILE_BYTECODE=1\n" in stages[-2]
     (probe,) = re.findall(r"http://127\.0\.0\.1:(\d+/\w+)'", stages[-1])
     assert f"/{probe.partition('/')[2]}" in paths
     assert probe.partition("/")[0] == variables("Dockerfile")["PORT"]
