@@ -71,8 +71,8 @@ class Comparison:
     """Compares two points of the same rounds."""
 
     added_ms: float
-    factor: float
-    measurable: bool
+    time_factor: float
+    time_measurable: bool
     error_factor: float
     words: str
 
