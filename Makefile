@@ -130,7 +130,7 @@ wheel: setup
 
 # Baked data, checked in; these commands make it again.
 bake: setup
-	$(BIN)/python -m seafoam.masks.bake
+	$(BIN)/python masks/bake.py
 	$(BIN)/python tests/golden/make.py
 	$(BIN)/python tests/references/bake.py
 

@@ -4,7 +4,6 @@ import hashlib
 import json
 import logging
 import os
-import sys
 from pathlib import Path
 from typing import Any
 
@@ -12,18 +11,11 @@ from seafoam.files import write_whole
 
 log = logging.getLogger(__name__)
 
-ENVIRONMENT = "SEAFOAM_CACHE"
-
 
 def cache_dir() -> Path:
-    """Return ``SEAFOAM_CACHE``, or the system's cache directory."""
-    if chosen := os.environ.get(ENVIRONMENT):
+    """Return ``SEAFOAM_CACHE``, or ``seafoam`` in the user's cache directory (XDG; ``~/.cache``)."""
+    if chosen := os.environ.get("SEAFOAM_CACHE"):
         return Path(chosen)
-    if sys.platform == "darwin":
-        return Path.home() / "Library" / "Caches" / "seafoam"
-    if sys.platform == "win32":
-        local = os.environ.get("LOCALAPPDATA")
-        return (Path(local) if local else Path.home() / "AppData" / "Local") / "seafoam" / "Cache"
     shared = os.environ.get("XDG_CACHE_HOME", "")
     return (Path(shared) if shared.startswith("/") else Path.home() / ".cache") / "seafoam"
 

@@ -4,7 +4,7 @@ import platform
 from pathlib import Path
 from typing import Literal
 
-from pydantic import ConfigDict, Field
+from pydantic import Field
 
 from seafoam.described import Described
 from seafoam.effects.effect import Cause
@@ -16,10 +16,8 @@ FORMAT = 4
 ParameterValue = bool | int | float | str
 
 
-class SweepPart(Described):
+class SweepPart(Described, extra="forbid", frozen=True, allow_inf_nan=False):
     """Base class of this module's models."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
 
 class SettingPart(SweepPart):

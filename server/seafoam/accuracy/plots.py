@@ -1,14 +1,9 @@
 """Plot of time against error. Uses only matplotlib's object interface, as threads of a server must."""
 
-from collections.abc import Iterator
-from typing import Any
-
-from matplotlib.axes import Axes
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.transforms import Bbox
 
 from seafoam.accuracy.model import MeasuredPoint, Sweep
+from seafoam.accuracy.timing import told
 from seafoam.masks.judge.plots import INK, png, tidy
 
 _FAINT = "#8a979e"
@@ -17,9 +12,11 @@ _MARKERS = {"tier": "s", "geometry": "o", "filtering": "D", "precision": "^"}
 
 
 def plot_sweep(sweep: Sweep) -> bytes:
-    """PNG (1500 x 1050): every point at its time and RMSE with the quartiles of its time, the front as a line."""
+    """PNG (1500 x 1050): every point at its time and RMSE with the quartiles of its time, the front as a line.
+
+    The tiers, and points of the front that err notably less than the one before, have their names.
+    """
     figure = Figure(figsize=(10.0, 7.0), dpi=150, layout="constrained")
-    canvas = FigureCanvasAgg(figure)
     axes = figure.subplots()
     axes.set_xscale("log")
     axes.set_yscale("log")
@@ -67,8 +64,15 @@ def plot_sweep(sweep: Sweep) -> bytes:
         axis.set_major_formatter(_plain)
         axis.set_minor_formatter(_plain)
     axes.tick_params(which="minor", labelsize=6.5)
-    figure.draw_without_rendering()
-    _label(axes, canvas, sweep)
+    for point in (point for point in told(best) if point.tier is None):
+        axes.annotate(
+            point.id, _place(point), (6, 4), fontsize=7.0, color=_COLOURS[_kind(point)], textcoords="offset points"
+        )
+    # Nothing is faster and more exact than a point of the front: below it to the left is room.
+    for point in (point for point in sweep.points if point.tier is not None):
+        axes.annotate(
+            point.id, _place(point), (-5, -5), ha="right", va="top", color=_COLOURS["tier"], textcoords="offset points"
+        )
     return png(figure)
 
 
@@ -80,57 +84,10 @@ def _kind(point: MeasuredPoint) -> str:
     return point.parameter.cause if point.parameter else "tier"
 
 
+def _place(point: MeasuredPoint) -> tuple[float, float]:
+    return point.time.median_ms, _shown(point)
+
+
 def _shown(point: MeasuredPoint) -> float:
     """Replace an error of 0, which a logarithmic axis cannot show."""
     return max(point.error.rmse, 1e-3)
-
-
-def _label(axes: Axes, canvas: FigureCanvasAgg, sweep: Sweep) -> None:
-    """Label the points, the front and the tiers first, where there is room; a thin line leads to labels further off."""
-    renderer = canvas.get_renderer()  # type: ignore[no-untyped-call]
-    place = axes.transData
-    taken: list[Bbox] = []
-    for point in sweep.points:
-        x, y = place.transform((point.time.median_ms, _shown(point)))
-        taken.append(Bbox.from_bounds(x - 7, y - 7, 14, 14))
-    legend = axes.get_legend()
-    if legend is not None:
-        taken.append(legend.get_window_extent(renderer))
-    inside = axes.get_window_extent(renderer)
-    important = sorted(sweep.points, key=lambda point: (not point.on_front, point.tier is None))
-    for point in important:
-        text: Any = axes.annotate(
-            point.id,
-            (point.time.median_ms, _shown(point)),
-            xytext=(0, 0),
-            textcoords="offset pixels",
-            fontsize=7.0 if point.tier is None else 9.0,
-            weight="bold" if point.tier else "normal",
-            color=_COLOURS[_kind(point)],
-            arrowprops={"arrowstyle": "-", "lw": 0.5, "color": _FAINT, "shrinkA": 0, "shrinkB": 3},
-            va="center",
-        )
-        size = text.get_window_extent(renderer)
-        x, y = place.transform((point.time.median_ms, _shown(point)))
-        for dx, dy in _offsets(size.width):
-            box = Bbox.from_bounds(x + dx, y + dy - size.height / 2, size.width, size.height)
-            fits = inside.x0 <= box.x0 and box.x1 <= inside.x1 and inside.y0 <= box.y0 and box.y1 <= inside.y1
-            if fits and not any(box.overlaps(other) for other in taken):
-                text.set_position((dx, dy))
-                taken.append(box)
-                break
-        else:
-            text.remove()
-
-
-def _offsets(width: float) -> Iterator[tuple[float, float]]:
-    """Return positions for a label of this width around its point, the nearest first; pixels."""
-    for distance in (12, 24, 40, 60, 85, 115, 150, 190, 235, 285, 340):
-        yield distance, 0.7 * distance
-        yield distance, -0.7 * distance
-        yield distance, 0.0
-        yield -width / 2, distance
-        yield -width / 2, -distance
-        yield -width - distance, 0.6 * distance
-        yield -width - distance, -0.6 * distance
-        yield -width - distance, 0.0

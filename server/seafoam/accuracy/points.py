@@ -63,14 +63,12 @@ def value_at(quality: Quality, pointer: str) -> Any:
 
 
 def with_value(quality: Quality, pointer: str, value: Any) -> Quality:
-    """Return the quality with one value changed. Raises ``ValidationError`` if it is out of range."""
+    """Return the quality with one value changed. Raises ``ValidationError`` if it is out of range, or unknown."""
     document = quality.model_copy(update={"extensions": quality.extensions.with_defaults()}).model_dump()
     *path, last = pointer.split("/")[1:]
     inner = document
     for member in path:
         inner = inner[member]
-    if last not in inner:
-        raise KeyError(pointer)
     inner[last] = value
     return Quality.model_validate(document)
 

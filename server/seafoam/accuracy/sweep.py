@@ -156,11 +156,11 @@ class _Sweeping:
         self.points = points_of(subject.scene)
         self.drawn: dict[str, Picture] = {}
         """Pictures at the subject's own time, by plan."""
-        self.ideals = self._ideals()
+        self.ideals = {point.id: _ideals(point.quality) for point in self.points if point.tier is not None}
         everyone = [point.quality for point in self.points]
-        extra = {plan: quality for wanted in self.ideals.values() for plan, quality in wanted.values()}
-        compiled = everyone + [extra[plan] for plan in extra.keys() - {point.plan for point in self.points}]
-        self.work = sum(COMPILE_WEIGHT + quality.samples for quality in compiled)
+        drawn = [*everyone, *(quality for ideals in self.ideals.values() for quality in ideals.values())]
+        compiled = {plan_hash(subject.scene, quality): quality for quality in drawn}
+        self.work = sum(COMPILE_WEIGHT + quality.samples for quality in compiled.values())
         self.work += 2.0 * settings.rounds * sum(1.0 + quality.samples for quality in everyone)
         self.done = 0.0
         self.began = clock.perf_counter()
@@ -217,7 +217,7 @@ class _Sweeping:
     def _compile(self) -> tuple[Size, Size]:
         """Compile every point's programs, and return the timing size and the small size."""
         for point in self.points:
-            self._picture(point.plan, point.quality, "compiling")
+            self._picture(point.quality, "compiling")
         timed, small = self._sizes()
         # Display-referred frames have a pass that linear ones lack.
         for point in self.points:
@@ -257,29 +257,15 @@ class _Sweeping:
         large = compared if slow else timed
         return pixels, time_model(1000.0 * drawn[-2].seconds, large, 1000.0 * drawn[-1].seconds, small)
 
-    def _ideals(self) -> dict[str, dict[str, tuple[str, Quality]]]:
-        """Of each tier, by cause of error ("rest": all three): plan and quality without that cause."""
-        ideals: dict[str, dict[str, tuple[str, Quality]]] = {}
-        for point in (point for point in self.points if point.tier is not None):
-            without_all = point.quality
-            for cause in get_args(Cause):
-                without = idealised(point.quality, cause)
-                ideals.setdefault(point.id, {})[cause] = plan_hash(self.subject.scene, without), without
-                without_all = idealised(without_all, cause)
-            ideals[point.id]["rest"] = plan_hash(self.subject.scene, without_all), without_all
-        return ideals
-
     def _causes(self, point: model.Point, error: float, truth: Picture) -> model.Causes | None:
         if point.tier is None:
             return None
-        without = {
-            cause: metrics.rmse(self._picture(plan, quality, "causes of error"), truth)
-            for cause, (plan, quality) in self.ideals[point.id].items()
-        }
-        falls = {cause: error - without[cause] for cause in get_args(Cause)}
-        return model.Causes(**falls, rest=without["rest"])
+        ideals = self.ideals[point.id].items()
+        left = {cause: metrics.rmse(self._picture(quality, "causes of error"), truth) for cause, quality in ideals}
+        return model.Causes(rest=left.pop("rest"), **{cause: error - without for cause, without in left.items()})
 
-    def _picture(self, plan: str, quality: Quality, stage: str) -> Picture:
+    def _picture(self, quality: Quality, stage: str) -> Picture:
+        plan = plan_hash(self.subject.scene, quality)
         if plan not in self.drawn:
             draw = Draw(self.settings.width, self.settings.height, "linear", keep=True)
             (drawn,) = self._draw(quality, 0, (draw,), stage, COMPILE_WEIGHT + quality.samples)
@@ -318,7 +304,7 @@ class _Sweeping:
         steps = []
         for before, after, first, second in chains(self.subject.scene, self.points):
             compared = compare(rounds[first], rounds[second], error[first], error[second])
-            worth = compared.measurable and compared.added_ms > 0.0
+            worth = compared.time_measurable and compared.added_ms > 0.0
             steps.append(
                 model.Step(
                     **after.model_dump(exclude={"value"}),
@@ -326,16 +312,21 @@ class _Sweeping:
                     value_to=after.value,
                     point_from=first,
                     point_to=second,
-                    added_ms=compared.added_ms,
-                    time_factor=compared.factor,
-                    time_measurable=compared.measurable,
+                    **{name: figure for name, figure in vars(compared).items() if name != "words"},
                     error_removed=error[first] - error[second],
-                    error_factor=compared.error_factor,
                     error_per_ms=(error[first] - error[second]) / compared.added_ms if worth else None,
                     sentence=f"{after.title} {shown(before.value)} → {shown(after.value)}: {compared.words}",
                 )
             )
         return tuple(steps)
+
+
+def _ideals(quality: Quality) -> dict[str, Quality]:
+    """By cause of error ("rest": all three): the quality without that cause."""
+    rest = quality
+    for cause in get_args(Cause):
+        rest = idealised(rest, cause)
+    return {cause: idealised(quality, cause) for cause in get_args(Cause)} | {"rest": rest}
 
 
 def _name(subject: Subject, settings: SweepSettings, machine: model.Machine) -> str:

@@ -1,8 +1,6 @@
 """Background measurements for a server: one at a time, in a thread, started by the first request."""
 
 import logging
-import math
-import time
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -35,19 +33,10 @@ class _SweepTask:
     subject: Subject
     whole: bool
     report: Running = _FIRST_REPORT
-    reported: float = 0.0
 
     @property
     def key(self) -> str:
         return key_of(scene_sha256(self.subject.scene), self.subject.time, self.subject.size, self.whole)
-
-    @property
-    def now(self) -> Running:
-        """The latest report, with the time that is left by now."""
-        if self.report.eta_s is None:
-            return self.report
-        left = max(self.report.eta_s - (time.monotonic() - self.reported), 1.0)
-        return self.report.model_copy(update={"eta_s": math.ceil(left)})
 
 
 class SweepService:
@@ -85,7 +74,7 @@ class SweepService:
             return picture
         with self._queue.lock:
             if (running := self._queue.running_job(_SweepTask(subject, True).key)) is not None:
-                return running.now
+                return running.report
         return self._ask(_SweepTask(subject, False))
 
     @property
@@ -102,7 +91,7 @@ class SweepService:
             if (error := self._failed.pop(key, None)) is not None:
                 raise FailedError(f"the measurement failed: {error}") from error
             if (running := self._queue.running_job(key)) is not None:
-                return running.now
+                return running.report
             if key not in waiting:
                 if len(waiting) >= MOST_WAITING:
                     raise BackgroundFullError(f"{len(waiting)} measurements are already waiting")
@@ -114,7 +103,6 @@ class SweepService:
         def tell(stage: str, share: float, remaining: float | None) -> None:
             with self._queue.lock:
                 task.report = Running(status="running", stage=stage, progress=round(share, 3), eta_s=remaining)
-                task.reported = time.monotonic()
 
         watcher = Watcher(tell, self._queue.stopped.is_set)
         try:

@@ -71,8 +71,8 @@ class Comparison:
     """Compares two points of the same rounds."""
 
     added_ms: float
-    factor: float
-    measurable: bool
+    time_factor: float
+    time_measurable: bool
     error_factor: float
     words: str
 
@@ -100,16 +100,21 @@ def _times(factor: float) -> str:
     return f"{factor:.0f}×" if factor >= 9.95 else f"{factor:.1f}×" if factor >= 1.1 else f"{factor:.2f}×"
 
 
-def sentences(best: list[MeasuredPoint], rounds: Mapping[str, list[float]]) -> tuple[str, ...]:
-    """Describe the front, in steps that are worth a sentence."""
+def told(best: list[MeasuredPoint]) -> list[MeasuredPoint]:
+    """Return the points of the front whose error is less than that of the one before by what is worth telling."""
     worth = best[:1]
     for point in best[1:]:
         if point.error.rmse * TOLD <= worth[-1].error.rmse:
             worth.append(point)
+    return worth
+
+
+def sentences(best: list[MeasuredPoint], rounds: Mapping[str, list[float]]) -> tuple[str, ...]:
+    """Describe the front, in steps that are worth a sentence."""
     return tuple(
         f"{before.id} → {after.id}: "
         + compare(rounds[before.id], rounds[after.id], before.error.rmse, after.error.rmse).words
-        for before, after in pairwise(worth)
+        for before, after in pairwise(told(best))
     )
 
 

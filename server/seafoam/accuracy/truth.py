@@ -10,7 +10,7 @@ from concurrent.futures import Future
 from concurrent.futures import TimeoutError as NotYet
 from dataclasses import dataclass, replace
 from importlib.metadata import version
-from typing import Any, TypeVar
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -67,11 +67,10 @@ class Watcher:
 def find_truth(store: Store, spec: TruthSpec) -> Truth | None:
     content = store.get("truth", spec.file)
     try:
-        picture: NDArray[Any] = np.load(io.BytesIO(content or b""), allow_pickle=False)
+        picture: Truth = np.load(io.BytesIO(content or b""), allow_pickle=False)
     except (ValueError, EOFError):
         return None
-    good = picture.shape == (spec.height, spec.width, 4) and picture.dtype == np.float32
-    return picture if good else None
+    return picture
 
 
 def sprayed(measure: Measure, scene: Scene, time: float, camera: Camera | None = None) -> Scene | Sprayed:
@@ -106,16 +105,16 @@ def make_truth(store: Store, spec: TruthSpec, measure: Measure, watcher: Watcher
 
 
 def _converged_elsewhere(spec: TruthSpec, scene: Scene | Sprayed, watcher: Watcher) -> Truth:
-    pool = ProcessPool(max_workers=1, context=multiprocessing.get_context("spawn"))
+    pool = ProcessPool(max_workers=1, initializer=_politely, context=multiprocessing.get_context("spawn"))
     try:
         coarse = replace(spec, samples_along=max(1, spec.samples_along // 4))
-        _, seconds = finished(pool.schedule(_politely, (coarse, scene)), watcher.stopped)
+        _, seconds = finished(pool.schedule(_converged, (coarse, scene)), watcher.stopped)
         expected = max(seconds * (spec.samples_along / coarse.samples_along) ** 2, 1e-3)
 
         def tell(spent: float) -> None:
             watcher.progress("float64 truth", min(spent / expected, 0.99), max(expected - spent, 0.0))
 
-        truth, _ = finished(pool.schedule(_politely, (spec, scene)), watcher.stopped, tell)
+        truth, _ = finished(pool.schedule(_converged, (spec, scene)), watcher.stopped, tell)
     finally:
         pool.stop()  # type: ignore[no-untyped-call]
         pool.join()
@@ -141,11 +140,10 @@ def finished(future: Future[T], stopped: Callable[[], bool], tell: Callable[[flo
             tell(time.perf_counter() - began)
 
 
-def _politely(spec: TruthSpec, scene: Scene | Sprayed) -> tuple[Truth, float]:
+def _politely() -> None:
     """In the separate process: let frames and the web server go first."""
     if hasattr(os, "nice"):
-        os.nice(max(0, POLITE - os.nice(0)))
-    return _converged(spec, scene)
+        os.nice(POLITE)
 
 
 def _converged(spec: TruthSpec, scene: Scene | Sprayed) -> tuple[Truth, float]:

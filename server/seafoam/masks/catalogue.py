@@ -2,12 +2,10 @@
 
 import hashlib
 import json
-from collections.abc import Mapping
-from dataclasses import dataclass
-from functools import cache, cached_property, lru_cache
+from dataclasses import asdict, dataclass
+from functools import cache, cached_property
 from pathlib import Path
 from threading import Lock
-from types import MappingProxyType
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,7 +25,6 @@ CATALOGUE_FILE = "catalogue.json"
 ON_REQUEST_SECONDS = 5.0
 """Expected construction time above which custom masks are refused, s."""
 CUSTOM_MASKS_KEPT = 16
-QUANTILE_ABSCISSA = "entry i of n is Q(s) at t = i / (n - 1); t = sqrt(s / 2) if s <= 1/2, else 1 - sqrt((1 - s) / 2)"
 
 
 class UnknownMaskError(KeyError):
@@ -41,15 +38,13 @@ class MaskTooSlowError(ValueError):
 class QuantileTable(BaseModel, frozen=True):
     """Quantile table for magnification (:func:`prefilter.quantile_table`)."""
 
-    abscissa: str = QUANTILE_ABSCISSA
+    abscissa: str = "entry i of n is Q(s) at t = i / (n - 1); t = sqrt(s / 2) if s <= 1/2, else 1 - sqrt((1 - s) / 2)"
     entries: tuple[float, ...]
 
 
 class MaskTables(BaseModel, frozen=True):
     """Measurements of a mask."""
 
-    sigma_l: tuple[float, ...]
-    """Deviation inside boxes of 2^l texels, by level (:func:`prefilter.footprint_deviations`)."""
     quantile: QuantileTable
     spectrum: MaskSpectrum
     morphology: MaskMorphology
@@ -58,8 +53,7 @@ class MaskTables(BaseModel, frozen=True):
     def measure(ranks: Ranks) -> "MaskTables":
         """Measure a mask; about a second at 512 x 512."""
         return MaskTables(
-            sigma_l=_rounded(prefilter.footprint_deviations(ranks)),
-            quantile=QuantileTable(entries=_rounded(prefilter.quantile_table(ranks))),
+            quantile=QuantileTable(entries=tuple(float(f"{q:.6g}") for q in prefilter.quantile_table(ranks))),
             spectrum=measure_spectrum(ranks),
             morphology=measure_morphology(ranks),
         )
@@ -100,13 +94,9 @@ class Thresholds:
     ramps: NDArray[np.float64]
     """Of the ramp of an octave, see :func:`prefilter.ramp_tables`."""
 
-    def to_bytes(self) -> bytes:
-        """A ``.tables`` file: the rows of both, float64, little-endian."""
-        return np.vstack((self.quantiles, self.ramps)).astype("<f8").tobytes()
-
     @staticmethod
     def from_bytes(content: bytes) -> "Thresholds":
-        """Read what :meth:`to_bytes` wrote."""
+        """Read a ``.tables`` file: the rows of both, float64, little-endian."""
         rows = np.frombuffer(content, "<f8").reshape(-1, prefilter.QUANTILE_ENTRIES)
         # Of n levels there are n + 1 rows of quantiles and n + 2 of ramps.
         quantiles, ramps = np.split(rows, [len(rows) // 2])
@@ -164,7 +154,8 @@ def rank_sha256(ranks: Ranks) -> str:
 
 def describe(name: str, made: MaskSpec, method: Method, ranks: Ranks) -> MaskInfo:
     """The entry of a mask just constructed with these arguments."""
-    family = made.family
+    given = asdict(made)
+    family: Family = given.pop("family")
     lace = family == "lace"
     own = f", aspect {made.aspect:g}, age {made.age:g}" if lace else ""
     length = "spacing" if family == "bubble" else "sigma"
@@ -174,13 +165,7 @@ def describe(name: str, made: MaskSpec, method: Method, ranks: Ranks) -> MaskInf
         summary=families.FAMILY_SUMMARIES[family],
         family=family,
         parameters=MaskParameters(
-            sigma=made.sigma,
-            width=made.width,
-            height=made.height,
-            seed=made.seed,
-            aspect=made.aspect if lace else None,
-            age=made.age if lace else None,
-            method=method if family == "vac" else None,
+            **given | ({} if lace else {"aspect": None, "age": None}), method=method if family == "vac" else None
         ),
         generator=families.GENERATOR,
         sha256=rank_sha256(ranks),
@@ -189,6 +174,7 @@ def describe(name: str, made: MaskSpec, method: Method, ranks: Ranks) -> MaskInf
     )
 
 
+@cache
 def read_catalogue(directory: Path) -> dict[str, tuple[MaskInfo, MaskTables]]:
     """Entries and tables of the catalogue in a directory, by name, in shipping order.
 
@@ -198,24 +184,19 @@ def read_catalogue(directory: Path) -> dict[str, tuple[MaskInfo, MaskTables]]:
     return {item["name"]: (MaskInfo.model_validate(item), MaskTables.model_validate(item)) for item in items}
 
 
-@lru_cache(maxsize=1)
-def _shipped() -> Mapping[str, tuple[MaskInfo, MaskTables]]:
-    return MappingProxyType(read_catalogue(data_dir("masks")))
-
-
 def load_catalogue() -> dict[str, MaskInfo]:
     """The shipped masks by name, in shipping order."""
-    return {name: entry for name, (entry, _tables) in _shipped().items()}
+    return {name: entry for name, (entry, _tables) in read_catalogue(data_dir("masks")).items()}
 
 
 @cache
 def load_mask(name: str) -> Mask:
     """A shipped mask. Raises :class:`UnknownMaskError` for another name; the mask is kept for later calls."""
-    shipped = _shipped()
+    directory = data_dir("masks")
+    shipped = read_catalogue(directory)
     if name not in shipped:
         raise UnknownMaskError(f"mask {name!r} was not found; available: {', '.join(shipped)}")
     entry, tables = shipped[name]
-    directory = data_dir("masks")
     ranks = read_only(decode_ranks((directory / f"{name}.ranks").read_bytes(), entry.parameters.width))
     return Mask(entry, ranks, tables, Thresholds.from_bytes((directory / f"{name}.tables").read_bytes()))
 
@@ -272,7 +253,3 @@ def made_on_request(parameters: MaskSpec, limit: float | None = None, progress: 
 def is_kept(parameters: MaskSpec) -> bool:
     """Whether :func:`made_on_request` has this mask at once."""
     return parameters in _kept
-
-
-def _rounded(values: list[float]) -> tuple[float, ...]:
-    return tuple(float(f"{value:.6g}") for value in values)

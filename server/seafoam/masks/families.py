@@ -154,10 +154,3 @@ def parse_size(text: str) -> tuple[int, int]:
     if found is None:
         raise ValueError(f"size {text!r} is not of the form SIDE or WIDTHxHEIGHT, {SIDE_MIN}..{SIDE_MAX} texels each")
     return int(found[1]), int(found[2] or found[1])
-
-
-def check_method(method: str) -> Method:
-    """Return ``method`` typed; raises ``ValueError`` for an unknown one."""
-    if method not in METHODS:
-        raise ValueError(f"method {method!r} is not one of {', '.join(METHODS)}")
-    return method

@@ -16,8 +16,6 @@ DXGI_FORMAT_R16_UNORM = 56
 """Numbers from 0 to 1. No format of 16 bits is sRGB, so readers take it as it is."""
 _LINEAR = struct.pack(">I", 100_000)
 """Gamma 1 in PNG's unit (ISO 15948, 11.3.2.2)."""
-RANK_BITS = 18
-"""Bits of a rank in a ``.ranks`` file: enough for 512 x 512."""
 
 
 def quantised(ranks: Ranks, bits: int) -> NDArray[np.uint64]:
@@ -60,22 +58,8 @@ def to_dds(ranks: Ranks) -> bytes:
     return b"DDS " + header + pixels + capabilities + dx10 + to_u16(ranks)
 
 
-def encode_ranks(ranks: Ranks) -> bytes:
-    """Lossless ``.ranks`` file: the low 16 bits of every rank, little-endian, then the high 2 bits, four to a byte.
-
-    18 bits a rank, close to the log2(N!) bits that a permutation takes. The first texel of four is in the lowest
-    bits. Raises ``ValueError`` if a rank needs more than 18 bits.
-    """
-    flat = ranks.ravel()
-    if flat.size % 4 or int(flat.max()) >> RANK_BITS:
-        raise ValueError(f"{flat.size} ranks do not fit {RANK_BITS} bits in groups of four")
-    high = (flat >> 16).astype(np.uint8).reshape(-1, 4)
-    packed = high[:, 0] | high[:, 1] << 2 | high[:, 2] << 4 | high[:, 3] << 6
-    return (flat & 0xFFFF).astype("<u2").tobytes() + packed.tobytes()
-
-
 def decode_ranks(content: bytes, size: int) -> Ranks:
-    """Inverse of :func:`encode_ranks` for a (size, size) mask. Raises ``ValueError`` for another length."""
+    """Ranks of a ``.ranks`` file (masks/README.md) of a (size, size) mask. Raises ``ValueError`` for another length."""
     texels = size * size
     if len(content) != 2 * texels + texels // 4:
         raise ValueError(f"{len(content)} bytes cannot hold {size} x {size} ranks")

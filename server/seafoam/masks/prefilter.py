@@ -39,23 +39,6 @@ def thresholds(ranks: Ranks) -> Field:
     return (ranks + 0.5) / ranks.size
 
 
-def footprint_deviations(ranks: Ranks) -> list[float]:
-    """sigma_l: root mean square, over a level's boxes, of the standard deviation of u inside a box of 2^l texels.
-
-    From 0 at level 0 towards 1/sqrt 12 = 0.2887, the deviation of the whole (uniform) mask. The deviation *of* the
-    box means is its complement, sqrt(1/12 - sigma_l^2). Levels end where boxes no longer fill the tile.
-    """
-    mean = thresholds(ranks)
-    second = float((mean * mean).mean())
-    deviations = []
-    while True:
-        deviations.append(float(np.sqrt(max(second - float((mean * mean).mean()), 0.0))))
-        rows, columns = mean.shape
-        if rows % 2 or columns % 2:
-            return deviations
-        mean = mean.reshape(rows // 2, 2, columns // 2, 2).mean(axis=(1, 3))
-
-
 def bspline_weights(f: float) -> tuple[float, float, float, float]:
     """Uniform cubic B-spline weights of texels i-1, i, i+1, i+2 at i + f, 0 <= f < 1; they sum to 1."""
     g = 1.0 - f
@@ -100,6 +83,12 @@ def quantile_saturation(t: ArrayLike) -> Field:
     return np.where(position <= 0.5, 2.0 * position**2, 1.0 - 2.0 * (1.0 - position) ** 2)
 
 
+SHARES = quantile_saturation(np.arange(QUANTILE_ENTRIES) / (QUANTILE_ENTRIES - 1))
+"""Saturations of the entries of a table."""
+FINE_SHARES = quantile_saturation(np.linspace(0.0, 1.0, 16 * QUANTILE_ENTRIES))
+"""Those between which quantiles of a level are sought."""
+
+
 def quantile_table(ranks: Ranks) -> list[float]:
     """65 values of Q at ``quantile_saturation(i / 64)``: the B-spline interpolated mask is below Q(s) on a share
     s of the plane.
@@ -108,8 +97,7 @@ def quantile_table(ranks: Ranks) -> list[float]:
     its greatest, so that s = 0 shows nothing and s = 1 everything.
     """
     samples = np.sort(bspline_samples(ranks), axis=None)
-    share = quantile_saturation(np.arange(QUANTILE_ENTRIES) / (QUANTILE_ENTRIES - 1))
-    place = share * (samples.size - 1)
+    place = SHARES * (samples.size - 1)
     below = np.floor(place).astype(np.intp)
     above = np.minimum(below + 1, samples.size - 1)
     table = samples[below] + (place - below) * (samples[above].astype(np.float64) - samples[below])
@@ -198,8 +186,7 @@ def span_quantiles(chain: Sequence[Level]) -> Field:
     at Q(s). Thresholds in a texel are not quite even, so Q is not quite s: thresholded at s = 0.09 itself, small texels
     of a fine mask would cover little more than half of that.
     """
-    shares = quantile_saturation(np.arange(QUANTILE_ENTRIES) / (QUANTILE_ENTRIES - 1))
-    grid = quantile_saturation(np.linspace(0.0, 1.0, 16 * QUANTILE_ENTRIES))
+    grid = FINE_SHARES
     rows = []
     for level in chain:
         low, width = np.moveaxis(level.astype(np.float64).reshape(-1, 2), -1, 0)
@@ -212,7 +199,7 @@ def span_quantiles(chain: Sequence[Level]) -> Field:
             slopes = np.concatenate(([0.0], np.cumsum(slope[order])))
             offsets = np.concatenate(([0.0], np.cumsum((slope * ends)[order])))
             covered += sign * (grid * slopes[passed] - offsets[passed])
-        row = np.interp(shares, np.maximum.accumulate(covered / low.size), grid)
+        row = np.interp(SHARES, np.maximum.accumulate(covered / low.size), grid)
         row[0], row[-1] = 0.0, 1.0
         rows.append(row)
     return np.stack(rows)
@@ -240,14 +227,13 @@ def ramp_tables(quantile: ArrayLike, chain: Sequence[Level]) -> Field:
     :func:`spans`, ramp :data:`OCTAVE_RAMP`. Both ends of the ramp go through the distribution of what it is laid
     over, so the cover is s at every scale.
     """
-    shares = quantile_saturation(np.arange(QUANTILE_ENTRIES) / (QUANTILE_ENTRIES - 1))
-    threshold, width = _spline_ramp(np.asarray(quantile, np.float64), shares)
-    return np.vstack((threshold, [_span_ramp(level, shares) for level in chain], width))
+    threshold, width = _spline_ramp(np.asarray(quantile, np.float64))
+    return np.vstack((threshold, [_span_ramp(level) for level in chain], width))
 
 
-def _spline_ramp(quantile: Field, shares: Field) -> tuple[Field, Field]:
+def _spline_ramp(quantile: Field) -> tuple[Field, Field]:
     """T and W of the ramp over the interpolated mask, straight between its ends in shares of the plane; (65,) each."""
-    even = ramp_threshold(shares)
+    even = ramp_threshold(SHARES)
     low, high = np.maximum(even - OCTAVE_RAMP, 0.0), np.minimum(even, 1.0)
     top, bottom = np.minimum(even / OCTAVE_RAMP, 1.0), np.maximum(even - 1.0, 0.0) / OCTAVE_RAMP
     rise = np.where(top > bottom, top - bottom, 1.0)
@@ -261,23 +247,23 @@ def _spline_ramp(quantile: Field, shares: Field) -> tuple[Field, Field]:
     for _ in range(40):
         middle = 0.5 * (left + right)
         mean = np.clip((middle[:, None] - values) / width[:, None], 0.0, 1.0).mean(axis=1)
-        left, right = np.where(mean < shares, middle, left), np.where(mean < shares, right, middle)
+        left, right = np.where(mean < SHARES, middle, left), np.where(mean < SHARES, right, middle)
     threshold[1:-1] = 0.5 * (left + right)[1:-1]
     threshold[0], threshold[-1] = quantile[0], quantile[-1] + width[-1]
     return threshold, width
 
 
-def _span_ramp(level: Level, shares: Field) -> Field:
+def _span_ramp(level: Level) -> Field:
     """T of the ramp over the texels of a level; (65,)."""
     low, width = np.moveaxis(np.rint(level.reshape(-1, 2) * SPAN_STEPS).astype(np.int64), -1, 0)
     # Integral of the ramp over a texel's thresholds: from its lowest on, less from its highest on.
     count = SPAN_STEPS + 1
     ends = np.bincount(low, SPAN_STEPS / width, count) - np.bincount(low + width, SPAN_STEPS / width, count)
-    grid = ramp_threshold(quantile_saturation(np.linspace(0.0, 1.0, 16 * QUANTILE_ENTRIES)))
+    grid = ramp_threshold(FINE_SHARES)
     above = np.maximum(grid[:, None] - np.arange(count) / SPAN_STEPS, 0.0)
     limited = np.minimum(above, OCTAVE_RAMP)
     covered = (limited * limited / (2.0 * OCTAVE_RAMP) + (above - limited)) @ ends / low.size
-    row = np.interp(shares, np.maximum.accumulate(covered), grid)
+    row = np.interp(SHARES, np.maximum.accumulate(covered), grid)
     row[0], row[-1] = 0.0, 1.0 + OCTAVE_RAMP
     return row
 

@@ -110,21 +110,17 @@ _APPROACH = ("height", "period", "heading", "exposure")
 @lru_cache(maxsize=16)
 def decoded_image(encoded: str) -> Floats:
     """Return the grey values of a base64 PNG, (rows, columns) in [0, 1]. Raises ``ValueError`` with the reason."""
-    try:
-        raw = base64.b64decode(encoded, validate=True)
-    except binascii.Error:
-        raise ValueError("image: not valid base64") from None
     # Here, because few scenes have an image.
     from PIL import Image
 
     try:
-        with Image.open(io.BytesIO(raw), formats=("PNG",)) as picture:
+        with Image.open(io.BytesIO(base64.b64decode(encoded, validate=True)), formats=("PNG",)) as picture:
             if not (2 <= picture.width <= 128 and 2 <= picture.height <= 128):
                 raise ValueError(f"image: {picture.width} × {picture.height} pixels; each side must be 2 to 128")
             deep = picture.mode.startswith("I")
             grey = np.asarray(picture if deep else picture.convert("L"), np.float64) / (65535.0 if deep else 255.0)
-    except (OSError, SyntaxError) as error:
-        raise ValueError("image: not a readable PNG") from error
+    except (OSError, SyntaxError, binascii.Error) as error:
+        raise ValueError("image: not a readable PNG in base64") from error
     result: Floats = np.clip(grey, 0.0, 1.0)
     result.setflags(write=False)
     return result

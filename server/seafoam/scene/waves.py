@@ -54,8 +54,6 @@ class Sea(Part):
     seed: int = Field(default=1, ge=0, le=65535, description="Random seed of the wave amplitudes and phases")
 
 
-Wave = ParametricWave
-"""All wave models; becomes a union discriminated by ``model`` when there is a second one."""
 DEAD = 1e-4
 DEAD_SHARE = 1.0 / 256.0
 """A ring's amplitude is reduced by 10⁻⁴ m or by this share of I0, whichever is more, so that it ends, without a jump,

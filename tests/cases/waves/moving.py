@@ -28,12 +28,7 @@ _HARD_RINGS = (
         guard="height and slope are bounded by the sum over rings that can meet (ocean/waves/rings.py)",
         times=(2.0,),
         camera=_VIEW,
-        without={
-            "ocean/waves/rings.py": {
-                "total += w * train": "total = w * train",
-                "min(_over_the_plane(shown), _over_time(shown))": "_over_the_plane(shown)",
-            }
-        },
+        without={"ocean/waves/rings.py": {"total += w * train": "total = w * train"}},
     ),
     HardCase(
         "a ring at its own centre at its birth",

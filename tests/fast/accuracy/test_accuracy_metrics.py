@@ -6,7 +6,7 @@ from functools import cache
 import numpy as np
 import pytest
 from bench.drawn.motion import excess, flicker
-from docs.whitecaps_measure import Rule, awe_coverage, grey, levelled
+from docs.whitecaps_measure import Rule, awe_coverage
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter
 
@@ -76,15 +76,6 @@ def specks(share: float, count: int = 12) -> Frames:
     return [np.where(random.uniform(size=(64, 64)) < share, 1.0, 0.5) for _ in range(count)]
 
 
-def test_a_smooth_pan_scores_low_popping_high_and_what_stays_or_fades_evenly_nothing() -> None:
-    smooth, popped = flicker(pan(0.1)), flicker(specks(0.05))
-    assert smooth < 0.1
-    assert popped > 100.0 * smooth
-    still = np.random.default_rng(1).uniform(size=(8, 9))
-    assert flicker([still] * 4) == 0.0
-    assert flicker([0.1 * i * still for i in range(6)]) < 1e-9
-
-
 def test_flicker_is_the_high_pass_it_says() -> None:
     """A pan at f cycles a frame: 4 sin²(πf) times the wave's root mean square."""
     for step in (0.5, 2.0, 8.0):
@@ -117,22 +108,9 @@ def photograph(coverage: float, seed: int, water: float = 0.35, foam: float = 0.
     return np.round(255.0 * np.clip(sea + share * (white - sea), 0.0, 1.0)).astype(np.uint8)
 
 
-@pytest.mark.parametrize("coverage", [0.005, 0.02, 0.08, 0.25])
+@pytest.mark.parametrize("coverage", [0.005, 0.08])
 @pytest.mark.parametrize("rule", ["program", "least"])
 def test_awe_finds_a_known_coverage(report: Report, coverage: float, rule: Rule) -> None:
     found = awe_coverage([photograph(coverage, seed) for seed in range(4)], rule)
     off = np.abs(found / coverage - 1.0).max()
     report.within("AWE on synthetic photographs", rule=rule, coverage=coverage, off=(off, 0.2))
-
-
-@pytest.mark.parametrize("coverage", [0.02, 0.08])
-def test_awe_finds_a_known_coverage_on_a_slope(coverage: float) -> None:
-    """Under light that falls to 0.4 from the top to the bottom AWE misses; levelled it finds what is there."""
-    slope = np.linspace(1.15, 0.45, SIZE[0])[:, None]
-    found = []
-    for seed in range(4):
-        lit = np.clip(photograph(coverage, seed) / 255.0 * slope, 0.0, 1.0)
-        picture = np.repeat(np.round(255.0 * lit).astype(np.uint8)[..., None], 3, axis=2)
-        found.append([float(awe_coverage([image])[0]) / coverage for image in (grey(picture), levelled(picture))])
-    plain, levels = np.abs(np.array(found) - 1.0).max(axis=0)
-    assert levels <= 0.2 < plain

@@ -195,14 +195,11 @@ def test_the_cache_is_where_the_system_keeps_caches_and_in_memory_where_it_canno
     monkeypatch.setenv("SEAFOAM_CACHE", str(tmp_path))
     assert cache_dir() == tmp_path
     monkeypatch.delenv("SEAFOAM_CACHE")
-    monkeypatch.setattr("sys.platform", "linux")
     monkeypatch.setenv("XDG_CACHE_HOME", "/x")
     assert str(cache_dir()) == "/x/seafoam"
     for ignored in ("relative", ""):  # as the XDG Base Directory Specification says
         monkeypatch.setenv("XDG_CACHE_HOME", ignored)
         assert cache_dir() == Path.home() / ".cache" / "seafoam"
-    monkeypatch.setattr("sys.platform", "darwin")
-    assert cache_dir().parts[-3:] == ("Library", "Caches", "seafoam")
     (tmp_path / "file").write_text("")
     store = Store(tmp_path / "file")
     assert store.get("a", "b") is None
@@ -263,10 +260,9 @@ def fields(model: type[BaseModel], path: str = "") -> list[str]:
 def test_every_field_of_quality_is_covered_by_one_parameter_and_bad_values_are_refused():
     pointers = [parameter.pointer for _, parameter in every_parameter()]
     assert sorted(pointers) == sorted(fields(Quality))
-    with pytest.raises(ValidationError):
-        with_value(TIERS["standard"], "/surface/steps", 0)
-    with pytest.raises(KeyError):
-        with_value(TIERS["standard"], "/surface/nope", 0)
+    for pointer in ("/surface/steps", "/surface/nope"):
+        with pytest.raises(ValidationError):
+            with_value(TIERS["standard"], pointer, 0)
 
 
 @pytest.mark.parametrize(

@@ -5,12 +5,12 @@ import struct
 
 import numpy as np
 import pytest
+from masks.bake import encode_ranks
 from PIL import Image
 
 from seafoam.masks import prefilter
-from seafoam.masks.bake import SHIPPED
-from seafoam.masks.catalogue import load_mask
-from seafoam.masks.formats import decode_ranks, encode_ranks, to_dds, to_npy, to_png8, to_png16, to_u16
+from seafoam.masks.catalogue import load_catalogue, load_mask
+from seafoam.masks.formats import decode_ranks, to_dds, to_npy, to_png8, to_png16, to_u16
 
 SMALL, LARGER = (
     np.random.default_rng(1).permutation(size**2).astype(np.uint32).reshape(size, size) for size in (32, 256)
@@ -91,7 +91,7 @@ def test_rank_files_of_another_size_are_refused():
         encode_ranks(np.full((2, 2), 2**18, np.uint32))
 
 
-NAMES = list(SHIPPED)
+NAMES = list(load_catalogue())
 SATURATIONS = (0.01, 0.03, 0.1, 0.25, 0.55, 0.9, 0.97)
 
 
@@ -153,19 +153,6 @@ def test_a_fetch_of_the_atlas_gets_four_texels_of_a_level():
     for x, y in ((0, 0), (511, 300)):
         words = [int(image[y, x, channel // 2]) >> 16 * (channel % 2) & 65535 for channel in range(4)]
         assert words == [int(mask.ranks[y, (x - 1 + channel) % 512]) >> 2 for channel in range(4)]
-
-
-def test_footprint_deviations_grow_from_none_to_the_uniform_one():
-    for name in NAMES:
-        deviations = prefilter.footprint_deviations(load_mask(name).ranks)
-        assert len(deviations) == 10
-        assert deviations[0] == pytest.approx(0.0, abs=1e-7)
-        assert (np.diff(deviations) >= 0.0).all()
-        assert deviations[-1] == pytest.approx(12**-0.5, abs=1e-6)
-        assert load_mask(name).tables.sigma_l == pytest.approx(deviations, abs=1e-6)
-    blocks = load_mask("clump").thresholds.reshape(128, 4, 128, 4)
-    inside = np.sqrt(((blocks**2).mean(axis=(1, 3)) - blocks.mean(axis=(1, 3)) ** 2).mean())
-    assert load_mask("clump").tables.sigma_l[2] == pytest.approx(inside, abs=1e-5)
 
 
 def cover(level, thresholds):

@@ -1,19 +1,15 @@
 """A GPU's compiler takes every program, and none of them gets worse than the checked-in table admits."""
 
-import hashlib
 import re
-import shutil
-import textwrap
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import cache
 
 import pytest
-from bench import compiler, radv
+from bench import compiler
 from bench.compiler import Compiled, Use, compiled, gone, not_admitted, read_table, uses, worse
-from bench.radv import CompilerError, Figures
+from bench.radv import Figures
 
-from seafoam.framegraph.plan import Program
 from seafoam.quality import TIERS, Tier
 from seafoam.scene import preset_names
 from support.report import Report
@@ -120,30 +116,6 @@ def _enclosed(text: str, start: int) -> str:
     raise ValueError("a bracket is never closed")
 
 
-def test_loops_in_a_row_are_counted_through_functions() -> None:
-    text = """
-    float noise(float x) {
-        for (int i = 0; i < 3; ++i) {
-            x += 1.0;
-        }
-        return x;
-    }
-    void main() {
-        noise(noise(0.0)); // for (;;) {
-        do {
-            noise(1.0);
-        } while (x > 0.0);
-        noise(1.0);
-        do {
-        } while (x > 0.0);
-        while (true) {
-        }
-    }
-    """
-    # Two, one with a loop inside, three.
-    assert longest_chain(textwrap.dedent(text)) == 3
-
-
 def test_the_table_knows_every_tier_and_names_uses_by_preset_tier_and_program() -> None:
     _, admitted = read_table()
     assert {use.split(" ")[1] for use in admitted} == set(TIERS)
@@ -175,26 +147,3 @@ def test_programs_that_came_or_went_are_named_and_another_driver_is_held_to_no_s
     figures = {"default fast a": replace(GOOD, waves=1), "default fast b": replace(GOOD, spills=3)}
     other = Compiled(driver="another", figures=figures, programs=2)
     assert not_admitted(other, preset_names(), HELD) == ["default fast b: 3 registers spilled"]
-
-
-def test_a_text_that_is_no_glsl_of_webgl_is_refused_with_its_line() -> None:
-    use, program = next(iter(uses(["paper-threshold"], ["standard"]).items()))
-    with pytest.raises(CompilerError, match="undeclared identifier"):
-        compiled({use: _with_fragment(program, "    nothing = 1;\n}\n")})
-    # Chromium would refuse it too: glslang reads GLSL ES 3.00 by the letter.
-    with pytest.raises(CompilerError, match=r"GLSL ES 3\.00"):
-        compiled({use: _with_fragment(program, "    float half_of_it = 1 / 2.0;\n}\n")})
-
-
-def _with_fragment(program: Program, end: str) -> Program:
-    text = program.fragment.text.rpartition("}")[0] + end
-    sha256 = hashlib.sha256(text.encode()).hexdigest()
-    return program.model_copy(update={"fragment": program.fragment.model_copy(update={"text": text, "sha256": sha256})})
-
-
-def test_what_is_missing_is_named_with_the_command(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(shutil, "which", lambda tool: None)
-    monkeypatch.setattr(radv, "icd", lambda: None)
-    with pytest.raises(CompilerError) as error:
-        compiled({})
-    assert str(error.value) == "missing: glslang-tools, spirv-tools, mesa-vulkan-drivers; run scripts/system.sh test"

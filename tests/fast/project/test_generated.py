@@ -2,17 +2,15 @@
 
 import importlib.util
 import json
-import math
 import re
 import subprocess
 from importlib import import_module, metadata
 from pathlib import Path
 
-import numpy as np
 import pytest
 from docs import make_nature, make_stability
-from docs.nature import laws, measure
-from docs.sizing import Queue, erlang_b, measured_times, moments, renders, workers_for
+from docs.nature import laws
+from docs.sizing import measured_times, moments, renders, workers_for
 from PIL import Image
 
 from seafoam.api.app import create_app
@@ -179,58 +177,6 @@ def test_nine_of_ten_quantities_lie_within_what_was_published() -> None:
     assert len(inside) >= 0.9 * len(rows)
     for name in make_nature.PRESETS:
         assert inside.count(name) > 0.5 * sum(row.preset == name for row in rows)
-
-
-def test_what_lies_out_of_a_band_says_why_and_bands_have_what_was_published() -> None:
-    row = laws.Row("path", "storm", 0.9, 1.0, 2.0)
-    assert row.side == "below"
-    assert make_nature.reason(row) in make_nature.table([row])
-    with pytest.raises(KeyError):
-        make_nature.table([laws.Row("decay", "storm", 9.0, 1.0, 2.0)])
-    # Coverage at 10 m/s from both articles; slopes of Cox and Munk at 13.9 m/s; full growth.
-    least, greatest = laws.coverage_band(10.0)
-    assert least * laws.SCATTER == pytest.approx(0.00795, rel=0.01)
-    assert greatest / laws.SCATTER == pytest.approx(0.00987, rel=0.01)
-    along, across = laws.slope_bands(13.9)
-    assert np.mean(along) == pytest.approx(0.0439, rel=0.01)
-    assert np.mean(across) == pytest.approx(0.0297, rel=0.01)
-    (_, height), (_, period) = laws.growth(20.0, 1e6)
-    assert (height, period) == pytest.approx((211.5 * 0.72 / 9.81, 239.8 * 0.72**0.5 / 9.81), rel=0.01)
-    assert laws.growth(20.0, 1e5)[0][0] < laws.growth(20.0, 1e6)[0][0]
-
-
-def test_patches_that_shrink_have_their_decay_time() -> None:
-    """A disc that grows and decays with 6 steps; one that is cut by the picture's side, and a speck, do not count."""
-    y, x = np.mgrid[:64, :64]
-    film = np.zeros((40, 64, 64), bool)
-    for i in range(1, 39):
-        area = 500.0 * min(0.2 * i, math.exp(-(i - 5) / 6.0))
-        film[i] = ((x - 32) ** 2 + (y - 32) ** 2) * math.pi < area
-        film[i, :5, :5] = True
-    film[3, 60, 60] = True
-    assert measure.patch_times(film, 0.5, 4.0) == pytest.approx([3.0], rel=0.06)
-
-
-def test_erlang_b_is_that_of_the_tables() -> None:
-    for workers, offered, blocked in ((1, 1.0, 0.5), (5, 3.0, 0.110), (10, 5.0, 0.0184), (20, 12.0, 0.0098)):
-        assert erlang_b(workers, offered) == pytest.approx(blocked, rel=0.01)
-
-
-def test_one_worker_is_pollaczek_and_khinchine_and_at_full_load_nothing_is_promised() -> None:
-    queue = Queue(1, rate=2.0, service=0.3, variation=0.5, room=2)
-    assert queue.delayed == pytest.approx(0.6)
-    assert queue.mean_wait == pytest.approx(2.0 * 0.3**2 * 1.5 / (2.0 * (1.0 - 0.6)))
-    queue = Queue(2, 10.0, 0.25, 1.0, 4)
-    assert (queue.delayed, queue.mean_wait) == (1.0, math.inf)
-    assert queue.refused > 0.2
-
-
-def test_workers_are_the_fewest_that_do() -> None:
-    queue = workers_for(70.0, 0.25, 0.5)
-    fewer = Queue(queue.workers - 1, 70.0, 0.25, 0.5, 2 * queue.workers - 2)
-    assert queue.refused <= 1e-3
-    assert queue.waits_beyond(1.0) <= 0.01
-    assert fewer.refused > 1e-3 or fewer.waits_beyond(1.0) > 0.01
 
 
 def test_the_documents_table_is_what_the_module_says() -> None:

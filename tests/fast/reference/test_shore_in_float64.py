@@ -102,7 +102,7 @@ def test_a_picture_is_a_shore() -> None:
     ("image", "says"),
     [
         (None, "required for kind"),
-        ("not base64!", "not base64"),
+        ("not base64!", "not a readable PNG"),
         (base64.b64encode(b"GIF89a").decode(), "not a readable PNG"),
         (png(np.zeros((1, 40), np.uint8)), "pixels"),
         (png(np.zeros((200, 200), np.uint8)), "pixels"),

@@ -9,10 +9,7 @@ import numpy as np
 import pytest
 from pydantic import ValidationError
 
-from seafoam.ocean.waves.cascades import cascades
 from seafoam.ocean.waves.ripples import TILES, TURN, WAVES_PER_TILE, ripple_cascades, tiles
-from seafoam.planner import make_plan
-from seafoam.quality import TIERS
 from seafoam.reference import scene_sha256
 from seafoam.scene.base import non_defaults
 from seafoam.scene.foam import Foam, HeightSaturation, SlopeSaturation
@@ -20,7 +17,6 @@ from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 from seafoam.scene.water import Ripples, Water
-from seafoam.sums import summed
 
 
 @pytest.mark.parametrize(
@@ -183,24 +179,3 @@ def test_parts_follow_the_wind_and_a_field_of_a_part_wins() -> None:
     for name, value in OWN.items():
         for own in (0.4, value):
             assert in_effect(scene_of(STILL, {name: own}, *wind)) == pytest.approx({**blown(*wind), name: own}), name
-
-
-def test_more_wind_is_a_rougher_sea_with_faster_clouds_and_more_rows_of_foam() -> None:
-    ocean, before = load_preset("open-ocean").scene.model_dump(mode="json"), (0.0, 0.0, 0.0)
-    follow = dict.fromkeys(name for name in OWN if found(load_preset("open-ocean").scene, name) is not None)
-    for speed in (6.0, 10.0, 16.0):
-        scene = scene_of(ocean, follow, speed, 1.25)
-        rough = summed(tile.variance for tile in cascades(scene.settled.sea, None))
-        uniforms = make_plan(scene, TIERS["standard"]).uniforms
-        (x, z), (rows,) = (rule.rate for rule in uniforms["u_cloud_phase"].rules[:2]), uniforms["u_windrows"].rules
-        after = rough, math.hypot(x, z), rows.value[0]
-        assert all(less < more for less, more in zip(before, after, strict=True))
-        before = after
-
-
-@pytest.mark.parametrize("name", preset_names())
-def test_presets_say_of_the_wind_only_what_differs(name: str) -> None:
-    scene = load_preset(name).scene
-    document = scene.model_dump(mode="json")
-    for field in (field for field in OWN if found(scene, field) is not None):
-        assert scene_of(document, {field: None}, *dict(scene.wind or {}).values()).settled != scene.settled, field

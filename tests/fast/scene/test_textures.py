@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from numpy.typing import NDArray
 from PIL import Image
 
 from seafoam.scene import Sea, Shore, Surf
@@ -130,35 +129,6 @@ def test_what_nothing_can_be_made_of_is_refused() -> None:
     for spec in (*masks, SprayRocks(shore=Shore(slope=0.05, roughness=0.0), steep=0.5)):
         with pytest.raises(UnknownTextureError):
             texture(spec)
-
-
-def of_parts(upper: bytes, lower: bytes, width: int) -> NDArray[np.uint16]:
-    """Texels of both parts, one after the other."""
-    coded = np.frombuffer(gzip.decompress(upper), np.uint8).reshape(-1, width)
-    values = np.zeros(coded.shape, np.int64)
-    for (row, column), added in np.ndenumerate(coded):
-        neighbours = [int(values[row, column - 1])] * (column > 0) + [int(values[row - 1, column])] * (row > 0)
-        if row and column:
-            neighbours.append(sum(neighbours) - int(values[row - 1, column - 1]))
-        values[row, column] = (sorted(neighbours)[len(neighbours) // 2] if neighbours else 0) + int(added) & 63
-    low = np.frombuffer(lower, np.uint8, coded.size).astype(np.int64).reshape(coded.shape)
-    pairs = np.frombuffer(lower, np.uint8, offset=coded.size)
-    pair = np.stack([pairs >> shift & 3 for shift in (0, 2, 4, 6)], axis=-1).reshape(coded.shape)
-    return (values << 10 | pair.astype(np.int64) << 8 | low).astype(np.uint16)
-
-
-@pytest.mark.parametrize("name", ["lace", "vac-24", "bubble:4:64:3"])
-def test_both_parts_are_the_whole_and_the_first_is_small(name: str) -> None:
-    whole = texture(MaskTexture(masks=(name,), table="ranks"))
-    texels = np.frombuffer(whole.data, "<u2").reshape(whole.height, whole.width)
-    upper, lower = whole.part("upper"), whole.part("lower")
-    if name != "vac-24":
-        assert (of_parts(upper, lower, whole.width) == texels).all()
-    assert len(lower) == 10 * texels.size / 8
-    # As good as random, and still no more than its 6 bits.
-    assert len(upper) < 1.01 * 6 * texels.size / 8
-    if name == "lace":
-        assert len(upper) < 0.3 * len(whole.data)
 
 
 def test_the_parts_are_those_that_the_page_joins_and_only_texels_of_16_bits_have_them() -> None:

@@ -85,17 +85,3 @@ def test_default_flickers_no_more_than_twice_its_motion(executor: Executor, repo
     assert min(ratios["halftone"]) > MOST
     fast = clip(executor, preset.scene, preset.time, 1, "fast")
     assert max(map(excess, fast, often[preset.scene.foam.look])) <= MOST
-
-
-def test_foam_at_the_waters_edge_flickers_no_more_than_twice_its_motion(executor: Executor, report: Report) -> None:
-    """The run-up's front crosses pixels: 3 times as much before its foam ended over half a footprint."""
-    preset = load_preset("beach")
-    once, often = (clip(executor, preset.scene, preset.time, samples) for samples in (1, 25))
-    ratios = [excess(one, many) for one, many in zip(once, often, strict=True)]
-    report.add(
-        "Flicker of beach at one sample a pixel over that at 25, 12 frames at 60 Hz",
-        foam=f"{ratios[0]:.2f}",
-        picture=f"{ratios[1]:.2f}",
-        bound=f"{MOST:g}",
-    )
-    assert max(ratios) <= MOST

@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 
 from seafoam.masks.catalogue import load_mask
 from seafoam.masks.formats import quantised, to_u16
-from seafoam.masks.prefilter import footprint_deviations
 from seafoam.masks.torus import Ranks
 from seafoam.render.gl.executor import Executor
 from support.probe import WHOLE, Probe
@@ -34,9 +33,16 @@ vec2 place(vec2 pixel) {{
 HARD = "texelFetch(u_mask, ivec2(fract(uv) * vec2(textureSize(u_mask, 0))), 0).r < u_saturation ? 1.0 : 0.0"
 
 
+def deviations(ranks: Ranks) -> Picture:
+    """By level: root mean square of the standard deviation of the thresholds inside a box of 2^level texels."""
+    side, u = len(ranks), (ranks + 0.5) / ranks.size
+    sizes = [2**level for level in range(side.bit_length())]
+    return np.sqrt([u.reshape(-1, size, side // size, size).var(axis=(1, 3)).mean() for size in sizes])
+
+
 def snippet_of(ranks: Ranks) -> str:
     """The snippet with the numbers of another mask, as the mask laboratory shows it."""
-    own = (math.sqrt(3.0) * np.array(footprint_deviations(ranks))).tolist()
+    own = (math.sqrt(3.0) * deviations(ranks)).tolist()
     numbers = ", ".join(f"{value:.3f}" for value in [*own, *[0.5] * (11 - len(own))])
     return re.sub(r"float\[11\]\([\d., ]+\)", f"float[11]({numbers})", (SNIPPETS / "foam.glsl").read_text())
 

@@ -26,7 +26,7 @@ WIDE_PER_NARROW = 4.0
 def bubble(shape: Shape, spacing: float, rng: np.random.Generator, progress: Progress) -> Ranks:
     """Ranks of the disc field of about a site for every spacing^2 texels; of ``shape``."""
     cells = (round(shape[0] / spacing), round(shape[1] / spacing))
-    order = void_cluster.batched(cells, SITE_SIGMA, rng, lambda part: progress(0.5 * part))
+    order = void_cluster.ordered(cells, SITE_SIGMA, rng, lambda part: progress(0.5 * part))
     birth = (order + 0.5) / order.size
     jitter = JITTER * (rng.random((2, *cells)) - 0.5)
     centres = [(np.arange(side) + 0.5) * (count / side) for side, count in zip(shape, cells, strict=True)]

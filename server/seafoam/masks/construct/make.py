@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from seafoam.masks.construct import bubble, lace, void_cluster
-from seafoam.masks.families import MaskSpec, Method, check_method, check_parameters
+from seafoam.masks.families import METHODS, MaskSpec, check_parameters
 from seafoam.masks.torus import Progress, Ranks, band_passed, filter_noise, gaussian_response, no_progress, rank
 
 
@@ -33,16 +33,17 @@ def make_mask(
 
     Returns uint32 ranks of shape (height, width), each of 0..N-1 once. Raises ``ValueError`` for bad arguments.
     """
-    return build(check_parameters(family, sigma, size, seed, aspect, age), check_method(method), progress)
+    if method not in METHODS:
+        raise ValueError(f"method {method!r} is not one of {', '.join(METHODS)}")
+    return build(check_parameters(family, sigma, size, seed, aspect, age), exact=method == "exact", progress=progress)
 
 
-def build(parameters: MaskSpec, method: Method = "batched", progress: Progress = no_progress) -> Ranks:
+def build(parameters: MaskSpec, *, exact: bool = False, progress: Progress = no_progress) -> Ranks:
     """Construct the mask of checked parameters; otherwise as :func:`make_mask`."""
     rng, shape = np.random.Generator(np.random.PCG64(parameters.seed)), parameters.shape
     match parameters.family:
         case "vac":
-            build = void_cluster.exact if method == "exact" else void_cluster.batched
-            return build(shape, parameters.sigma, rng, progress)
+            return void_cluster.ordered(shape, parameters.sigma, rng, progress, exact=exact)
         case "bubble":
             return bubble.bubble(shape, parameters.sigma, rng, progress)
         case "mix":
@@ -59,8 +60,8 @@ def build(parameters: MaskSpec, method: Method = "batched", progress: Progress =
     return ranks
 
 
-def estimated_seconds(parameters: MaskSpec, method: Method = "batched") -> float:
-    """Time that :func:`build` is not expected to exceed on one core of a recent server, in seconds.
+def estimated_seconds(parameters: MaskSpec) -> float:
+    """Time that :func:`build` in batches is not expected to exceed on one core of a recent server, in seconds.
 
     Fitted to measurements on a Zen 4 class core with about a quarter to spare; good for refusing a request, not
     for a progress bar.
@@ -68,7 +69,7 @@ def estimated_seconds(parameters: MaskSpec, method: Method = "batched") -> float
     tile = parameters.width * parameters.height / 512**2
     match parameters.family:
         case "vac":
-            return 50.0 * tile * (tile + 0.02) if method == "exact" else _batched_seconds(parameters.sigma, tile)
+            return _batched_seconds(parameters.sigma, tile)
         case "bubble" | "mix":
             return 0.5 * tile + _batched_seconds(bubble.SITE_SIGMA, tile / parameters.sigma**2)
         case "lace":

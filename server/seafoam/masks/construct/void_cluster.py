@@ -13,6 +13,7 @@ Three departures from Ulichney's text, none of which changes what is optimised:
 """
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,99 +33,68 @@ Gaussians hardly mind."""
 WINDOW_PER_SIGMA = 1.4
 
 
-def exact(shape: Shape, sigma: float, rng: np.random.Generator, progress: Progress) -> Ranks:
-    """Order the texels one at a time, each time filling the largest void of the whole torus.
+def ordered(shape: Shape, sigma: float, rng: np.random.Generator, progress: Progress, *, exact: bool = False) -> Ranks:
+    """Order the texels, largest voids first; ranks of ``shape``.
 
-    Returns ranks of ``shape``. Takes N passes over N texels: some 45 s at 512 x 512 whatever sigma is.
+    A pass fills the voids that are local minima. Voids further apart than the window hardly see one another, so the
+    spectrum is that of the exact order within a few per cent, at a cost that grows as N sigma^2. exact: a pass fills
+    the largest void of the whole torus: N passes over N texels, some 45 s at 512 x 512 whatever sigma is.
     """
-    return _Ordering(shape, sigma, rng).fill(progress, batched=False)
-
-
-def batched(shape: Shape, sigma: float, rng: np.random.Generator, progress: Progress) -> Ranks:
-    """Order the texels many at a time: a pass fills the voids that are local minima, largest first.
-
-    Returns ranks of ``shape``. Voids further apart than the window hardly see one another, so the spectrum is
-    that of :func:`exact` within a few per cent, at a cost that grows as N sigma^2.
-    """
-    return _Ordering(shape, sigma, rng).fill(progress, batched=True)
+    texels = shape[0] * shape[1]
+    count = min(max(round(SEED_SHARE * texels / sigma**2), SEED_POINTS_LEAST), SEED_POINTS, texels // 4)
+    order = np.empty(texels, np.intp)
+    order[:count] = _initial_order(shape, _width(sigma, texels, count), count, rng)
+    reported = count
+    while count < texels:
+        # The widened Gaussian is kept for an octave of density, then matched again.
+        width = _width(sigma, texels, count)
+        until = texels if width <= sigma else min(2 * count, texels)
+        kernel = wrapped_gaussian(shape, width)
+        spectrum, shifted = np.fft.rfft2(kernel), _shifts(kernel)
+        # The pattern so far, filtered by the Gaussian; infinite where it is filled.
+        energy = _convolve(order[:count], spectrum, shape)
+        energy.ravel()[order[:count]] = np.inf
+        while count < until:
+            if exact:
+                voids = np.array([energy.argmin()])
+                energy += shifted(int(voids[0]))
+            else:
+                voids = local_minima(energy, max(1, round(WINDOW_PER_SIGMA * width)))
+                voids = voids[: min(max(1, math.ceil(batch_share(sigma) * voids.size)), until - count)]
+                energy += _convolve(voids, spectrum, shape)
+            energy.ravel()[voids] = np.inf
+            order[count : count + voids.size] = voids
+            count += voids.size
+            if count - reported > texels // 100:
+                reported = count
+                progress(count / texels)
+    ranks = np.empty(texels, np.uint32)
+    ranks[order] = np.arange(texels, dtype=np.uint32)
+    progress(1.0)
+    return ranks.reshape(shape)
 
 
 def batch_share(sigma: float) -> float:
-    """Share of the local voids that a pass of :func:`batched` fills, 0.5..1."""
+    """Share of the local voids that a pass of :func:`ordered` fills unless it is exact, 0.5..1."""
     beyond = (sigma - BATCH_SIGMA_HALF) / (BATCH_SIGMA_ALL - BATCH_SIGMA_HALF)
     return 0.5 + 0.5 * min(max(beyond, 0.0), 1.0)
 
 
-class _Ordering:
-    """The pattern so far: its order, and its energy (pattern filtered by the Gaussian; infinite where filled)."""
+def _width(sigma: float, texels: int, count: int) -> float:
+    return max(sigma, WIDTH_PER_SPACING * math.sqrt(texels / count))
 
-    def __init__(self, shape: Shape, sigma: float, rng: np.random.Generator) -> None:
-        self.shape = shape
-        self.sigma = sigma
-        self.texels = shape[0] * shape[1]
-        self.order = np.empty(self.texels, np.intp)
-        wanted = round(SEED_SHARE * self.texels / sigma**2)
-        self.count = min(max(wanted, SEED_POINTS_LEAST), SEED_POINTS, self.texels // 4)
-        self._set_width()
-        self.order[: self.count] = _initial_order(shape, self.width, self.count, rng)
 
-    def fill(self, progress: Progress, *, batched: bool) -> Ranks:
-        while self.count < self.texels:
-            # The widened Gaussian is kept for an octave of density, then matched again.
-            self._set_width()
-            until = self.texels if self.width <= self.sigma else min(2 * self.count, self.texels)
-            if batched:
-                self._fill_batches(until, progress)
-            else:
-                self._fill_singly(until, progress)
-        ranks = np.empty(self.texels, np.uint32)
-        ranks[self.order] = np.arange(self.texels, dtype=np.uint32)
-        progress(1.0)
-        return ranks.reshape(self.shape)
+def _shifts(kernel: Field) -> Callable[[int], Field]:
+    """Shifts of a kernel about texel (0, 0), by the flat index of its new centre."""
+    rows, columns = kernel.shape
+    # Any shift of the torus is a view into a 2 x 2 tiling.
+    tiled = np.tile(kernel, (2, 2))
 
-    def _set_width(self) -> None:
-        spacing = math.sqrt(self.texels / self.count)
-        self.width = max(self.sigma, WIDTH_PER_SPACING * spacing)
+    def shifted(point: int) -> Field:
+        y, x = divmod(point, columns)
+        return tiled[rows - y : 2 * rows - y, columns - x : 2 * columns - x]
 
-    def _energy(self, kernel_spectrum: NDArray[np.complex128]) -> Field:
-        filled = self.order[: self.count]
-        energy = _convolve(filled, kernel_spectrum, self.shape)
-        energy.ravel()[filled] = np.inf
-        return energy
-
-    def _fill_singly(self, until: int, progress: Progress) -> None:
-        rows, columns = self.shape
-        kernel = wrapped_gaussian(self.shape, self.width)
-        energy = self._energy(np.fft.rfft2(kernel))
-        # Any shift of the torus is a view into a 2 x 2 tiling.
-        tiled = np.tile(kernel, (2, 2))
-        step = max(1, self.texels // 200)
-        while self.count < until:
-            void = int(energy.argmin())
-            self.order[self.count] = void
-            self.count += 1
-            y, x = divmod(void, columns)
-            energy += tiled[rows - y : 2 * rows - y, columns - x : 2 * columns - x]
-            energy[y, x] = np.inf
-            if self.count % step == 0:
-                progress(self.count / self.texels)
-
-    def _fill_batches(self, until: int, progress: Progress) -> None:
-        share = batch_share(self.sigma)
-        kernel_spectrum = np.fft.rfft2(wrapped_gaussian(self.shape, self.width))
-        energy = self._energy(kernel_spectrum)
-        radius = max(1, round(WINDOW_PER_SIGMA * self.width))
-        reported = self.count
-        while self.count < until:
-            voids = local_minima(energy, radius)
-            voids = voids[: min(max(1, math.ceil(share * voids.size)), until - self.count)]
-            self.order[self.count : self.count + voids.size] = voids
-            self.count += voids.size
-            energy += _convolve(voids, kernel_spectrum, self.shape)
-            energy.ravel()[voids] = np.inf
-            if self.count - reported > self.texels // 100:
-                reported = self.count
-                progress(self.count / self.texels)
+    return shifted
 
 
 def _convolve(points: NDArray[np.intp], kernel_spectrum: NDArray[np.complex128], shape: Shape) -> Field:
@@ -137,12 +107,7 @@ def _initial_order(shape: Shape, sigma: float, count: int, rng: np.random.Genera
     """Ulichney's initial pattern and phase I: relax random points, then order them, loneliest first."""
     rows, columns = shape
     kernel = wrapped_gaussian(shape, sigma)
-    tiled = np.tile(kernel, (2, 2))
-
-    def shifted(point: int) -> Field:
-        y, x = divmod(point, columns)
-        return tiled[rows - y : 2 * rows - y, columns - x : 2 * columns - x]
-
+    shifted = _shifts(kernel)
     points = rng.choice(rows * columns, count, replace=False)
     energy = _convolve(points, np.fft.rfft2(kernel), shape)
     while True:

@@ -44,13 +44,6 @@ class MaskMorphology(BaseModel, frozen=True):
     """Lowest saturation, in steps of :data:`JOIN_STEP`, at which one component contains more than half of the foam."""
     saturations: tuple[FoamShapes, ...]
 
-    def at(self, saturation: float) -> FoamShapes:
-        """The shapes at a saturation. Raises ``KeyError`` if it was not measured."""
-        for entry in self.saturations:
-            if entry.saturation == saturation:
-                return entry
-        raise KeyError(saturation)
-
 
 def measure_morphology(ranks: Ranks) -> MaskMorphology:
     """Measure the patterns ``rank < s N``; about 0.3 s at 512 x 512. ranks: (rows, columns)."""
@@ -77,11 +70,8 @@ def euler_number(foam: Pattern) -> int:
 def hole_areas(ranks: Ranks, saturation: float) -> NDArray[np.int64]:
     """Areas of the holes in the foam at a saturation, (holes,), texels, the smallest first; empty without water.
 
-    ranks: (rows, columns); saturation in [0, 1]. Holes are 4-connected, on the torus. Raises ``ValueError`` for a
-    saturation outside.
+    ranks: (rows, columns); saturation in [0, 1]. Holes are 4-connected, on the torus.
     """
-    if not 0.0 <= saturation <= 1.0:
-        raise ValueError(f"saturation {saturation:g} is outside [0, 1]")
     return np.sort(_areas(ranks >= saturation * ranks.size, diagonal=False))
 
 

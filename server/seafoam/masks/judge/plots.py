@@ -4,6 +4,7 @@ Only matplotlib's object interface is used: pyplot keeps global state, which thr
 """
 
 import io
+from itertools import cycle
 from typing import Literal
 
 from matplotlib.axes import Axes
@@ -42,9 +43,9 @@ def plot_spectrum(spectrum: MaskSpectrum, title: str = "") -> bytes:
         bbox_to_anchor=(1.0, 1.0),
     )
     upper.set_title(title or "Mask spectrum", loc="left", color=INK)
-    reference = spectrum.isotropic_reference
-    for grey, colour in zip(spectrum.greys, _colours(spectrum), strict=True):
-        lower.plot(spectrum.frequency, grey.anisotropy, color=colour, lw=0.7, alpha=0.85)
+    reference = spectrum.isotropic_reference_db
+    for grey, colour in zip(spectrum.greys, cycle(_COLOURS), strict=False):
+        lower.plot(spectrum.frequency, grey.anisotropy_db, color=colour, lw=0.7, alpha=0.85)
     lower.axhline(reference, color=INK, lw=0.9, ls="--", label=f"isotropic: {reference:.4g} dB")
     lower.legend(frameon=False, fontsize="small", loc="upper center")
     lower.set_ylim(reference - 10.0, reference + 14.0)
@@ -63,16 +64,12 @@ def draw_raps(axes: Axes, spectrum: MaskSpectrum, width: float) -> None:
     peak = max(float(grey.raps[full].max()) for grey in spectrum.greys)
     logarithmic = peak > _LINEAR_PEAK
     floor = _LOG_FLOOR if logarithmic else 0.0
-    for grey, colour in zip(spectrum.greys, _colours(spectrum), strict=True):
+    for grey, colour in zip(spectrum.greys, cycle(_COLOURS), strict=False):
         axes.plot(spectrum.frequency, grey.raps, color=colour, lw=width, label=f"{grey.grey:.4g}")
         axes.plot([grey.principal_frequency], [floor], marker="^", ms=5, color=colour, clip_on=False, ls="none")
     if logarithmic:
         axes.set_yscale("log")
     axes.set_ylim(floor, peak * (1.5 if logarithmic else 1.08))
-
-
-def _colours(spectrum: MaskSpectrum) -> list[str]:
-    return [_COLOURS[index % len(_COLOURS)] for index in range(len(spectrum.greys))]
 
 
 def tidy(axes: Axes, which: Literal["major", "both"] = "major") -> None:

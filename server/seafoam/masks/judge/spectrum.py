@@ -18,16 +18,14 @@ from typing import Annotated, Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, PlainSerializer
+from pydantic import BaseModel, BeforeValidator, PlainSerializer
 
-from seafoam.masks.torus import Field as Plane
-from seafoam.masks.torus import Ranks, Shape
+from seafoam.masks.torus import Field, Ranks, Shape
 
 GREY_LEVELS: tuple[float, ...] = (1 / 16, 1 / 8, 1 / 4, 1 / 2, 3 / 4)
 SIGNIFICANT_DIGITS = 5
 LEAST_BINS = 32
-"""Rings of fewer bins are left out of mean and maximal anisotropy: the variance of so few values says little, and
-its logarithm is biased low."""
+"""Rings of fewer bins say little: the variance of so few values, and its logarithm, which is biased low."""
 
 
 def _significant(value: float) -> float | None:
@@ -47,17 +45,7 @@ _Counts = Annotated[
 ]
 
 
-class _Measured(BaseModel):
-    model_config = ConfigDict(
-        frozen=True,
-        arbitrary_types_allowed=True,
-        validate_by_name=True,
-        validate_by_alias=True,
-        serialize_by_alias=True,
-    )
-
-
-class GreySpectrum(_Measured):
+class GreySpectrum(BaseModel, frozen=True, arbitrary_types_allowed=True):
     """Spectrum of the pattern of one grey level. Index i of an array is ring i + 1."""
 
     grey: float
@@ -65,16 +53,16 @@ class GreySpectrum(_Measured):
     """Frequency (cycles per texel) at which ideally spread dots of this grey repeat (Ulichney)."""
     raps: _Numbers
     """Radially averaged power, white noise = 1; (rings,)."""
-    anisotropy: _Numbers = Field(alias="anisotropy_db")
-    """Decibels; NaN where a ring has one bin or no power; (rings,)."""
+    anisotropy_db: _Numbers
+    """NaN where a ring has one bin or no power; (rings,)."""
 
 
-class MaskSpectrum(_Measured):
+class MaskSpectrum(BaseModel, frozen=True, arbitrary_types_allowed=True):
     """Spectra of a mask's patterns at several grey levels."""
 
     segments: Literal[1] = 1
     """K."""
-    isotropic_reference: float = Field(default=0.0, alias="isotropic_reference_db")
+    isotropic_reference_db: float = 0.0
     """Anisotropy (dB) of a perfectly isotropic random pattern: -10 log10 K."""
     frequency_unit: Literal["cycles per texel"] = "cycles per texel"
     frequency: _Numbers
@@ -82,26 +70,6 @@ class MaskSpectrum(_Measured):
     bins: _Counts
     """Bins in each ring, half plane; (rings,)."""
     greys: tuple[GreySpectrum, ...]
-
-    def grey(self, level: float) -> GreySpectrum:
-        """The spectrum at a grey level. Raises ``KeyError`` if it was not measured."""
-        for entry in self.greys:
-            if entry.grey == level:
-                return entry
-        raise KeyError(level)
-
-    def mean_raps(self, level: float, low: float, high: float) -> float:
-        """Mean of RAPS over rings with low < f <= high (cycles per texel)."""
-        inside = (self.frequency > low) & (self.frequency <= high)
-        return float(self.grey(level).raps[inside].mean())
-
-    def mean_anisotropy(self, level: float) -> float:
-        """Mean anisotropy (dB) over rings of at least :data:`LEAST_BINS` bins."""
-        return float(np.nanmean(self.grey(level).anisotropy[self.bins >= LEAST_BINS]))
-
-    def max_anisotropy(self, level: float) -> float:
-        """Greatest anisotropy (dB) of a ring of at least :data:`LEAST_BINS` bins."""
-        return float(np.nanmax(self.grey(level).anisotropy[self.bins >= LEAST_BINS]))
 
 
 def measure_spectrum(ranks: Ranks, *, greys: tuple[float, ...] = GREY_LEVELS) -> MaskSpectrum:
@@ -121,7 +89,7 @@ def measure_spectrum(ranks: Ranks, *, greys: tuple[float, ...] = GREY_LEVELS) ->
         power = (amplitude.real**2 + amplitude.imag**2) / (ranks.size * share * (1.0 - share))
         raps, anisotropy = _ring_statistics(power, ring, count)
         principal = math.sqrt(min(grey, 1.0 - grey))
-        spectra.append(GreySpectrum(grey=grey, principal_frequency=principal, raps=raps, anisotropy=anisotropy))
+        spectra.append(GreySpectrum(grey=grey, principal_frequency=principal, raps=raps, anisotropy_db=anisotropy))
     frequency = np.arange(1, count.size) / min(ranks.shape)
     return MaskSpectrum(frequency=frequency, bins=count[1:], greys=tuple(spectra))
 
@@ -140,7 +108,7 @@ def _rings(shape: Shape) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
     return ring, count
 
 
-def _ring_statistics(power: Plane, ring: NDArray[np.intp], count: NDArray[np.intp]) -> tuple[Plane, Plane]:
+def _ring_statistics(power: Field, ring: NDArray[np.intp], count: NDArray[np.intp]) -> tuple[Field, Field]:
     rings = ring.ravel()
     total = np.bincount(rings, weights=power.ravel())[1:]
     number = count[1:]

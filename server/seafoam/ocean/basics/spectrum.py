@@ -15,6 +15,9 @@ from seafoam.scene import Sea
 
 GAMMA = 3.3
 """Peak enhancement of JONSWAP."""
+AROUND_STEP = 2.0 * math.pi / 720
+AROUND: Floats = (np.arange(720, dtype=np.float64) + 0.5) * AROUND_STEP
+"""Angles over which integrals over a turn are taken, rad, and the step from one to the next."""
 
 
 def peak_frequency(wind: float, fetch: float) -> float:
@@ -58,8 +61,7 @@ def spreading(angle: Floats, exponent: float, against: float) -> Floats:
         weight = np.where(np.cos(angles) < 0.0, against, 1.0)
         return weight * np.abs(np.cos(0.5 * angles)) ** (2.0 * exponent)
 
-    around: Floats = (np.arange(720, dtype=np.float64) + 0.5) * (2.0 * math.pi / 720)
-    return shape(angle) / float(shape(around).sum() * (2.0 * math.pi / 720))
+    return shape(angle) / float(shape(AROUND).sum() * AROUND_STEP)
 
 
 def wave_spectrum(kx: Floats, kz: Floats, sea: Sea, depth: float | None) -> Floats:

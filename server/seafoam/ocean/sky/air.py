@@ -164,10 +164,6 @@ class Atmosphere:
         """(3,) optical depth between the eye and a lamp at this sine of elevation; below the horizon as along it."""
         return _column(np.array(EARTH + EYE), np.array(height)) @ self.extinction
 
-    def transmittance(self, radius: Floats, cosine: Floats) -> Floats:
-        """Share of a sun's light that arrives at a radius (km) from a zenith cosine; (..., 3)."""
-        return self._arriving(disc_shown(radius, cosine), _column(radius, cosine))
-
     def _arriving(self, shown: Floats, column: Floats) -> Floats:
         """Share of a sun's light that arrives, by that of its disc (...,) and the columns of air (..., 4); (..., 3)."""
         return shown[..., None] * np.exp(-column @ self.extinction)
@@ -220,7 +216,7 @@ class Atmosphere:
             rayleigh, mie, lost = self._scattering(_densities(there - EARTH))
             half = np.exp(-0.5 * lost * step[..., None])
             clear = clear * half
-            arrives = self.transmittance(there, local)
+            arrives = self._arriving(disc_shown(there, local), _column(there, local))
             x = np.clip(np.sqrt(np.maximum(there - EARTH, 0.0) / (TOP - EARTH)) * 14.0, 0.0, 13.0)
             more = _read(self._further, x, (np.sign(local) * np.sqrt(np.abs(local)) + 1.0) * 16.0)
             smooth += clear * step[..., None] * (rayleigh * phase * arrives + (rayleigh + mie) * more)

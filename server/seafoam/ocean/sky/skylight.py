@@ -60,10 +60,7 @@ class Glow:
     haze: Series
 
 
-@lru_cache(maxsize=16)
-def atmosphere(mie: float, haze: float) -> Atmosphere:
-    """Return the atmosphere with these optical depths of haze, at the zenith and of the low haze along the horizon."""
-    return Atmosphere(mie, haze)
+atmosphere = lru_cache(maxsize=16)(Atmosphere)
 
 
 def disc_shown(height: float) -> float:
@@ -93,8 +90,8 @@ def _terms(exponents: Exponents, up: Floats, toward: Floats) -> Floats:
 def glow(mie: float, haze: float, height: float, power: Rgb, least: Rgb = DARK) -> Glow:
     """Return the sky's glow from a lamp.
 
-    ``mie``, ``haze``: as in :func:`atmosphere`. ``height``: sine of the lamp's elevation. ``power``: its irradiance
-    above the atmosphere. ``least``: radiance that the sky has without it.
+    ``mie``, ``haze``: as of an :class:`~seafoam.ocean.sky.air.Atmosphere`. ``height``: sine of the lamp's elevation.
+    ``power``: its irradiance above the atmosphere. ``least``: radiance that the sky has without it.
     """
     up = np.repeat(np.linspace(0.0, 1.0, _UPS)[:, None] ** 2, _TURNS, axis=1)
     turn = np.cos(math.pi * (np.arange(_TURNS) + 0.5) / _TURNS)[None, :]

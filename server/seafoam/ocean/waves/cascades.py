@@ -199,8 +199,8 @@ def _gerstner(sea: Sea, depth: float | None, sizes: tuple[float, float]) -> tupl
     steps = [2.0 * math.pi / size for size in sizes]
     if sea.wind_speed > 0.0:
         edges = np.geomspace(0.6 * PEAKS, 0.98 * BAND, GERSTNER_WAVES + 1) * steps[0]
-        around: Floats = (np.arange(720, dtype=np.float64) + 0.5) * (2.0 * math.pi / 720) - math.pi
-        share = np.cumsum(spectrum.spreading(around, sea.spread, sea.against)) * (2.0 * math.pi / 720)
+        around = spectrum.AROUND - math.pi
+        share = np.cumsum(spectrum.spreading(around, sea.spread, sea.against)) * spectrum.AROUND_STEP
         for wave in range(GERSTNER_WAVES):
             inner = np.linspace(edges[wave], edges[wave + 1], 33)
             omega, group, shallow = spectrum.dispersion(inner, depth)

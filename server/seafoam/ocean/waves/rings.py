@@ -14,7 +14,6 @@ from functools import lru_cache
 from seafoam.ocean.basics.dispersion import wavenumber
 from seafoam.ocean.constants import GRAVITY
 from seafoam.scene import Ring, Scene
-from seafoam.sums import summed
 
 SOFT = 0.25
 """Radius of a ring's rounded centre, in wavelengths."""
@@ -112,29 +111,10 @@ def _rounded_up(value: float) -> float:
 
 
 def _greatest(rings: tuple[Train, ...], weight: Callable[[Train], float]) -> float:
-    """Return an upper bound of Σ weight·amplitude at any place and time."""
+    """Return the maximum over all places of Σ weight·bound of the amplitude, from above, to within 2 %."""
     shown = [(train, weight(train)) for train in rings if train.ring.life > 0.0]
     if not shown:
         return 0.0
-    return min(_over_the_plane(shown), _over_time(shown))
-
-
-def _over_time(shown: list[tuple[Train, float]]) -> float:
-    """Return the maximum sum of amplitudes regardless of place: just after some birth, since each amplitude decays."""
-    repeated = summed(w * (t.ring.amplitude - t.ring.dead) for t, w in shown if t.ring.every is not None)
-    once = [(t.ring, w) for t, w in shown if t.ring.every is None]
-    single = 0.0
-    for now, _ in once:
-        ages = [(ring, w, now.birth - ring.birth) for ring, w in once]
-        at_once = summed(
-            w * max(r.amplitude * math.exp(-r.decay * age) - r.dead, 0.0) for r, w, age in ages if age >= 0.0
-        )
-        single = max(single, at_once)
-    return repeated + single
-
-
-def _over_the_plane(shown: list[tuple[Train, float]]) -> float:
-    """Return the maximum over all places of the sum of the rings' bounds, from above, to within 2 %."""
     places = [train.ring.place for train, _ in shown]
     x, z = (0.5 * (min(p[i] for p in places) + max(p[i] for p in places)) for i in (0, 1))
     half = 0.5 * max(max(p[i] for p in places) - min(p[i] for p in places) for i in (0, 1))

@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from seafoam.ocean.basics.dispersion import angular_frequency, wavenumber
-from seafoam.ocean.basics.spectrum import dispersion, frequency_spectrum, spreading
+from seafoam.ocean.basics.spectrum import AROUND, AROUND_STEP, dispersion, frequency_spectrum, spreading
 from seafoam.ocean.waves.cascades import SHORTEST
 from seafoam.scene import FoamLife, ParametricWave, Scene, Sea
 
@@ -82,8 +82,7 @@ def sea_drift(sea: Sea, depth: float | None) -> float:
     factor = np.array([_shallow(k_i, depth) for k_i in k])
     values = 2.0 * omega * k * energy * factor
     total = float(np.sum(0.5 * (values[1:] + values[:-1]) * np.diff(k)))
-    angles = (np.arange(720, dtype=np.float64) + 0.5) * (2.0 * math.pi / 720)
-    along = float((spreading(angles, sea.spread, sea.against) * np.cos(angles)).sum() * (2.0 * math.pi / 720))
+    along = float((spreading(AROUND, sea.spread, sea.against) * np.cos(AROUND)).sum() * AROUND_STEP)
     return total * along
 
 
