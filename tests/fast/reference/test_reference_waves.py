@@ -68,7 +68,7 @@ def test_crossings_are_the_first(eye_y: float) -> None:
     rng = np.random.default_rng(3)
     d = directions(rng, 40, -0.25, -0.02) if eye_y > 0.0 else directions(rng, 40, 0.02, 0.25)
     s = intersect.first_crossing(waves, eye_y, d)
-    start = max(eye_y - waves.top, 0.0, waves.trough - eye_y)
+    start = max(eye_y - waves.bounds.top, 0.0, waves.bounds.trough - eye_y)
     for i in range(d.shape[0]):
         low = start / abs(d[i, 1])
         along = np.linspace(low, min(s[i], low + 200.0), 40_000)[1:-1]

@@ -14,7 +14,6 @@ from seafoam.planner import FramePlan, make_plan
 from seafoam.quality import TIERS
 from seafoam.reference import render
 from seafoam.reference.boats import boat as reference
-from seafoam.reference.boats import floating
 from seafoam.reference.boats import wake as wakes_of
 from seafoam.reference.renderer import camera as cameras
 from seafoam.reference.renderer.shade import SampleShader
@@ -72,8 +71,8 @@ def water_lines(
     origin = (camera.position[0], camera.position[2])
     places, heights = [], []
     for boat, (middle, slope_x, slope_z) in zip(scene.boats, found, strict=True):
-        at = floating.course_of(boat, time, origin)
-        for x, z in floating.hull_points(boat, at):
+        at = reference.course_of(boat, time, origin)
+        for x, z in reference.hull_points(boat, at):
             places.append((x, z))
             heights.append(middle + slope_x * (x - at.place[0]) + slope_z * (z - at.place[1]))
     return places, np.array(heights)
@@ -108,7 +107,7 @@ def test_boats_float_as_in_float64(executor: Executor, report: Report, sea: str,
     for time in (1000003.5,) if scene.sea else (0.0, 1000003.5):
         places, lines = water_lines(scene, poses(executor, plan, time, SKYWARD), time, SKYWARD)
         relief = SampleShader(scene, time, grid, "same-samples", None).surface.relief
-        want = [floating.mean_height(relief.height, place, smoothing) for place in places]
+        want = [reference.mean_height(relief.height, place, smoothing) for place in places]
         off = max(off, float(np.abs(lines - np.array(want)).max()))
     title = "Water line against the float64 surface, reference quality, m"
     report.within(title, sea=sea, smoothing=smoothing, worst=(off, WATER_LINE))

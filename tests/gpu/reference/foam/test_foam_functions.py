@@ -12,24 +12,16 @@ from seafoam.masks.prefilter import OCTAVE_RAMP
 from seafoam.reference import Assets, sampling
 from seafoam.reference.foam import coverage as looked
 from seafoam.reference.foam import looks
+from support.parity import HARD
 from support.probe import Probe, grid_of, stand_in
-from support.scenes import Foam
+from support.scenes import Foam, Look
 
 TOLERANCE = 1e-5
 NUMBERS = "lib/numbers.glsl"
 
 
-HARD = {
-    "textured": lambda f, m, t: looks.textured(f, t),
-    "halftone": lambda f, m, t: looks.halftone(f, m),
-    "fading": lambda f, m, t: looks.fading(f, m),
-    "halftone_textured": looks.halftone_textured,
-    "listing": looks.listing,
-}
-
-
-@pytest.mark.parametrize("look", HARD)
-def test_look_equals_its_float64_form(probe: Probe, look: str) -> None:
+@pytest.mark.parametrize("look", ["textured", *HARD])
+def test_look_equals_its_float64_form(probe: Probe, look: Look) -> None:
     """The look's file with the mask and the texture replaced by inputs."""
     values = grid_of(
         np.concatenate([[0.0, 1e-6, 4.0], np.linspace(0, 4, 81)]),
@@ -42,7 +34,7 @@ def test_look_equals_its_float64_form(probe: Probe, look: str) -> None:
         values,
     )[:, 0]
     f, m, t = values.astype(np.float64).T
-    assert np.abs(got - HARD[look](f, m, t)).max() <= TOLERANCE
+    assert np.abs(got - looks.hard(look, f, m, t)).max() <= TOLERANCE
 
 
 def filtered_consts(mask: Mask, fade: float, octaves: int) -> dict[str, Const]:

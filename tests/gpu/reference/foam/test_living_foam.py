@@ -11,7 +11,7 @@ from seafoam.ocean.waves.stokes import first_harmonic, foam_drift
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference import render
-from seafoam.reference.foam import aging
+from seafoam.reference.foam import coverage
 from seafoam.reference.foam.front import decaying_front
 from seafoam.reference.types import SurfacePoints
 from seafoam.reference.waves.parametric import wave_set
@@ -83,7 +83,7 @@ def test_windrows_share_out_what_there_is(report: Report) -> None:
     scene = Scene(foam=Foam(life=life))
     x, z = places(400_000)
     for s in (0.0, 0.03, 0.4, 0.8, 1.0):
-        rows = aging.gathered(scene, 7.0, (0.0, 0.0), np.full(x.shape, s), x, z)
+        rows = coverage.gathered(scene, 7.0, (0.0, 0.0), np.full(x.shape, s), x, z)
         assert rows.min() >= 0.0
         assert rows.max() <= 1.0
         assert rows.mean() == pytest.approx(s, abs=0.003)
@@ -96,11 +96,11 @@ def test_masks_of_all_ages_cover_what_one_would() -> None:
     f = np.linspace(0.005, 0.99, 2000)
     s = 0.9 * f
     for masks in (1, 2, 3):
-        shares = aging.shares(masks, s, f)
+        shares = coverage.shares(masks, s, f)
         free = np.prod([1.0 - share for _, share in shares], axis=0)
         assert np.abs(1.0 - free - s).max() < 1e-12
         assert np.abs(sum(weight for weight, _ in shares) - 1.0).max() < 1e-12
-    young, torn, streak = (weight for weight, _ in aging.shares(3, s, f))
+    young, torn, streak = (weight for weight, _ in coverage.shares(3, s, f))
     assert (young[f > 0.9] == 1.0).all()
     assert (torn[np.abs(f - math.exp(-0.8)) < 0.02] == 1.0).all()
     assert (streak[f < math.exp(-1.6)] == 1.0).all()

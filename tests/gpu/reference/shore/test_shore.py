@@ -206,7 +206,7 @@ def test_ground_and_the_way_through_the_water(executor: Executor, report: Report
     feet = np.full((x.size, 2), 0.02)
     d = unit(np.stack((z, np.full_like(x, -40.0), x), axis=-1))
     n = np.broadcast_to(unit(np.array([[0.1, 1.0, -0.05]])), d.shape)
-    albedo, path = floor_of(coast(SEA, 0.0).bed(x, z, np.full_like(x, 0.3), d, n, (feet, feet)))
+    albedo, path = floor_of(coast(SEA, 0.0).seen(x, z, np.full_like(x, 0.3), d, n, (feet, feet)))
     body = look + "o_color = vec4(floor_path(shore_place(p), 0.3, d, n, there), there, 0.0);"
     paths = {}
     for steps in (1, 2, 4, 8, 16):

@@ -92,7 +92,7 @@ def test_waves_equal_float64_at_any_time_and_place(
     waves = wave_set(scene, time, origin)
     x, z = places().astype(np.float64).T
     want = np.column_stack((waves.height(x, z), *waves.gradient(x, z)))
-    assert want[:, 0].std() > 0.05 * waves.top
+    assert want[:, 0].std() > 0.05 * waves.bounds.top
     report.within(
         "Parametric waves against float64, 10 000 places, height in m, slope, normal in rad",
         waves=name,
@@ -153,7 +153,7 @@ def test_no_wave_exceeds_its_bounds(seed: int) -> None:
     rng = np.random.default_rng(seed)
     x, z = rng.uniform(-200.0, 200.0, (2, 100_000))
     heights = waves.height(x, z)
-    steepest, most_bent = min(made.max_slope, waves.slope), min(made.max_curvature, waves.curvature)
+    steepest, most_bent = min(made.max_slope, waves.bounds.slope), min(made.max_curvature, waves.bounds.curvature)
     assert heights.max() <= made.max_height
     assert heights.min() >= made.min_height
     assert np.hypot(*waves.gradient(x, z)).max() <= steepest
