@@ -192,9 +192,8 @@ def form(kind: Floats, age: Floats, life: Floats, vary: Floats, other: Floats) -
 
 
 def _light(state: ReferenceState, away: Floats, thrown: Floats, along: Floats) -> tuple[Floats, Floats, Floats]:
-    """Of drops at (n, 3), m from the camera, thrown with velocities (n, 3) and flying along (n, 2) on the picture. The
-    light that they scatter all round, that of the sun that they send on nearly as it came, and the direction to the
-    sun: along, across, and toward the eye; (n, 3) each."""
+    """Light that drops at (n, 3) scatter all round and what they send on nearly as it came, and the direction to the
+    sun: along their flight on the picture, across it, and toward the eye; (n, 3) each."""
     lighting, grid = state.lighting, state.grid
     if lighting is None:
         return np.ones_like(away), np.zeros_like(away), np.zeros_like(away)

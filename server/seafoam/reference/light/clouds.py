@@ -77,9 +77,8 @@ class CloudLayer(_Layer):
 
     @cached_property
     def averages(self) -> tuple[Floats, float]:
-        """Means of what :meth:`_column` has of radiance, weighted by the opacity, of slices above each other and of
-        slices that have only the finer octaves in common, (2, 3); and the mean opacity of the latter less the former's.
-        """
+        """Means of :meth:`_column`'s radiance, weighted by the opacity, of slices above each other and of slices that
+        share the finer octaves alone, (2, 3); and the mean opacity of the latter less the former's."""
         if self.taken == 0.0:
             return np.zeros((2, 3)), 0.0
         fine, lower, here, upper, else_ = _lattice()
@@ -262,7 +261,6 @@ class HighClouds(_Layer):
     """The camera's position in the noise of the streaks and of their patches, along and across, cells; (4,)."""
 
     def toward(self, d: Floats, spread: Spread, depth: Depth) -> tuple[Floats, Floats, Floats]:
-        """As :meth:`CloudLayer.toward`."""
         cirrus = self.cirrus
         light, cover, hidden = np.zeros_like(d), np.zeros(d.shape[0]), np.zeros(d.shape[0])
         above = float(smoothstep(0.5, 0.9, self.eye_y / cirrus.height))

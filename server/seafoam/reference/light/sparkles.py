@@ -79,11 +79,9 @@ class SparkleField:
 
 def sun(light: Light, air: Air, time: float, step: float) -> Glint:
     """The sun on the water of a light at a time (s); ``step`` as for :class:`SparkleField`."""
-    smooth: Glint = (
-        partial(glint, air)
-        if light.specular == "glint"
-        else partial(blinn_phong, air, light.specular_power, light.specular_perturb)
-    )
+    smooth: Glint = partial(glint, air)
+    if light.specular != "glint":
+        smooth = partial(blinn_phong, air, light.specular_power, light.specular_perturb)
     if light.sparkles is None:
         return smooth
     field = SparkleField(light.sparkles, time, step)

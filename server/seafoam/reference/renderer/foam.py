@@ -78,9 +78,8 @@ class FoamStage(ReferenceState):
         to_rest: Pair | None = None,
         octaves: int = OCTAVES_MOST,
     ) -> Floats:
-        """Foam amount at r places of the water, or ``offset`` m (x, z) from them, however its mask is moved; (r,).
-        ``to_rest``: displacement to the water's rest position, m; by default that of the waves. ``octaves``: maximum of
-        the mask's."""
+        """Foam amount at r places of the water, or ``offset`` m from them, of at most so many octaves of a mask; (r,).
+        ``to_rest``: displacement to the water's rest position, m; by default that of the waves."""
         if foam_life(self.scene) is not None:
             by_x, by_z = self.surface.to_rest(x, z) if to_rest is None else to_rest
             rest = x + by_x + offset[0], z + by_z + offset[1]

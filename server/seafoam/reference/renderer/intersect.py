@@ -37,9 +37,7 @@ def first_crossing(relief: ReliefPart, eye_y: float, d: Floats) -> Floats:
         return distance
     low, high, inside = _slab(eye_y, relief.bounds.trough, relief.bounds.top, d[:, 1])
     chosen = np.flatnonzero(inside)
-    if chosen.size:
-        search = _Search(relief, eye_y, d[chosen])
-        distance[chosen] = search.first(low[chosen], high[chosen])
+    distance[chosen] = _Search(relief, eye_y, d[chosen]).first(low[chosen], high[chosen])
     return distance
 
 
@@ -51,15 +49,13 @@ def land_crossing(land: ReliefPart, eye_y: float, d: Floats, low: Floats, high: 
     start, end, inside = _slab(eye_y, 0.0, land.bounds.top, d[:, 1])
     start, end = np.maximum(start, low), np.minimum(end, high)
     chosen = np.flatnonzero(inside & (start < end))
-    if chosen.size:
-        search = _Search(land, eye_y, d[chosen])
-        found = search.first(start[chosen], end[chosen])
-        # The search reports a crossing at its end for rays that leave; only crossings on land count.
-        met = np.isfinite(found)
-        s = np.where(met, found, 0.0)
-        height = land.height(d[chosen, 0] * s, d[chosen, 2] * s)
-        met &= (height > 0.0) & (np.abs(eye_y + d[chosen, 1] * s - height) <= 1e-6)
-        distance[chosen] = np.where(met, found, np.inf)
+    found = _Search(land, eye_y, d[chosen]).first(start[chosen], end[chosen])
+    # The search reports a crossing at its end for rays that leave; only crossings on land count.
+    met = np.isfinite(found)
+    s = np.where(met, found, 0.0)
+    height = land.height(d[chosen, 0] * s, d[chosen, 2] * s)
+    met &= (height > 0.0) & (np.abs(eye_y + d[chosen, 1] * s - height) <= 1e-6)
+    distance[chosen] = np.where(met, found, np.inf)
     return distance
 
 
@@ -128,8 +124,6 @@ class _Search:
         """Bracket the first sign change of each ray in ``before`` and ``after``; return the minima to be searched. A
         minimum is (rays, from, to): G is positive where it was sampled, but may be negative between."""
         dips: list[tuple[Indices, Floats, Floats]] = []
-        if rays.size == 0:
-            return dips
         d, level, sign, s, end = (part[..., rays] for part in (self.d, self.level, side, low, high))
         certain = sure[rays]
         g = sign * self._value(s, *d)
@@ -194,7 +188,7 @@ class _Search:
         result = np.empty(rays.size)
         place = np.arange(rays.size)
         d, s = self.d[:, rays], 0.5 * (a + b)
-        for _ in range(REFINEMENTS if rays.size else 0):
+        for _ in range(REFINEMENTS):
             g = side * self._value(s, *d)
             h_x, h_z = self.relief.gradient(d[0] * s, d[2] * s)
             slope = side * (d[1] - d[0] * h_x - d[2] * h_z)

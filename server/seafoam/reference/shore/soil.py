@@ -238,7 +238,6 @@ def _wrack(shore: Shore, y: Floats, noise: _Noise) -> Floats:
 
 
 def _plants(shore: Shore, noise: _Noise) -> Floats:
-    """Reflectance (r, 3) of plants."""
     d = shore.detail
     drier = d * DRY_PLANTS.grown(noise)
     green = np.array(shore.plants) * _mix(np.ones((drier.size, 3)), np.array([2.3, 1.65, 1.5]), drier)

@@ -84,7 +84,6 @@ def _active(rings: list[OneRing]) -> tuple[OneRing, ...]:
 
 
 def one_ring(ring: Ring, depth: float | None, time: float, origin: Vec2) -> OneRing:
-    """A ring at a time (s) around an origin."""
     since = Fraction(time) - Fraction(ring.birth)
     age = float(since % Fraction(ring.every)) if ring.every is not None else max(float(since), 0.0)
     omega = math.sqrt(GRAVITY * 2.0 * math.pi / ring.wavelength)

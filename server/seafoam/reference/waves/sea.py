@@ -123,7 +123,7 @@ class SeaSurface:
         """Slopes are between texels, and change over a texel's edge, where bilinear patches have kinks; the finest
         feature, half the shortest wave of the finest raised tile at ``TEXELS``, has 4 texels."""
         top, slope, curvature = sum(cascade.limit for cascade in self.cascades[:RAISED]), 0.0, 0.0
-        for tile in self._raised:
+        for tile in self.tiles[:RAISED]:
             step = tile.size / tile.height.shape[0]
             before = [np.roll(tile.height, 1, axis) for axis in (0, 1)]
             across = (float(np.abs(tile.height - one).max()) for one in before)
@@ -131,22 +131,18 @@ class SeaSurface:
             for axis in (0, 1):
                 bend = before[axis] - 2.0 * tile.height + np.roll(tile.height, -1, axis)
                 curvature += 2.0 * float(np.abs(bend).max()) / (step * step)
-        finest = min(4.0 * tile.size / float(tile.height.shape[0]) for tile in self._raised)
+        finest = min(4.0 * tile.size / float(tile.height.shape[0]) for tile in self.tiles[:RAISED])
         return Bounds(top, -top, 1.001 * slope, curvature, finest)
 
-    @property
-    def _raised(self) -> tuple[Tile, ...]:
-        return self.tiles[:RAISED]
-
     def height(self, x: Floats, z: Floats) -> Floats:
-        return sum((self.read(1, tile, tile.height, x, z) for tile in self._raised), np.zeros_like(x))
+        return sum((self.read(1, tile, tile.height, x, z) for tile in self.tiles[:RAISED]), np.zeros_like(x))
 
     def gradient(self, x: Floats, z: Floats) -> Floats:
-        return self._slopes(1, self._raised, x, z)
+        return self._slopes(1, self.tiles[:RAISED], x, z)
 
     def shading(self, x: Floats, z: Floats) -> Floats:
         """Gradient of the raised tiles for shading; (2, r)."""
-        return self._slopes(3, self._raised, x, z)
+        return self._slopes(3, self.tiles[:RAISED], x, z)
 
     def detail(self, x: Floats, z: Floats) -> Floats:
         """Gradient of the tiles that change only the normals; (2, r)."""
@@ -154,9 +150,9 @@ class SeaSurface:
 
     def folds(self, x: Floats, z: Floats) -> list[Floats]:
         """λ div D now and at each earlier time, summed over the raised tiles; (r,) each."""
-        now = 3, [tile.fold for tile in self._raised]
+        now = 3, [tile.fold for tile in self.tiles[:RAISED]]
         return [
-            np.sum([self.read(order, *one, x, z) for one in zip(self._raised, parts, strict=True)], axis=0)
+            np.sum([self.read(order, *one, x, z) for one in zip(self.tiles[:RAISED], parts, strict=True)], axis=0)
             for order, parts in (now, *((1, then) for then in zip(*self.earlier, strict=True)))
         ]
 
@@ -170,7 +166,7 @@ class SeaSurface:
     def to_rest(self, x: Floats, z: Floats) -> Floats:
         """Displacement from (x, z) to the rest position of the water there, m; (2, r)."""
         by = np.zeros((2, x.size))
-        for tile in self._raised:
+        for tile in self.tiles[:RAISED]:
             texels = tile.label_x.shape[0]
             corner = np.arange(0, texels, 2)
             away = tile.label_x[::2, ::2] - corner[None, :], tile.label_z[::2, ::2] - corner[:, None]
