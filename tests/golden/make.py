@@ -30,7 +30,7 @@ from seafoam.reference.foam import front, looks
 from seafoam.reference.noise import pcg
 from seafoam.reference.renderer import camera as cameras
 from seafoam.reference.renderer.sources import height_saturation
-from seafoam.scene import Camera, ToneCurve, load_preset
+from seafoam.scene import Camera, Look, ToneCurve, load_preset
 
 Vectors = list[dict[str, Any]]
 
@@ -163,16 +163,10 @@ def fronts() -> Vectors:
 def amounts() -> Vectors:
     """Amounts of the looks that compare with single texels."""
     f, m, t = (one.ravel() for one in np.meshgrid([0.0, 0.1, 0.3, 0.7, 1.0, 2.2, 4.0], [0.05, 0.3, 0.9], [0.4, 1.0]))
-    found = {
-        "textured": looks.textured(f, t),
-        "halftone": looks.halftone(f, m),
-        "fading": looks.fading(f, m),
-        "halftone_textured": looks.halftone_textured(f, m, t),
-        "listing": looks.listing(f, m, t),
-    }
+    names: tuple[Look, ...] = ("textured", "halftone", "fading", "halftone_textured", "listing")
     return [
-        {"look": name, "f": f.tolist(), "m": m.tolist(), "t": t.tolist(), "amount": a.tolist()}
-        for name, a in found.items()
+        {"look": name, "f": f.tolist(), "m": m.tolist(), "t": t.tolist(), "amount": looks.hard(name, f, m, t).tolist()}
+        for name in names
     ]
 
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from seafoam.accuracy.model import Errors
-from seafoam.reference.light.display import srgb, tone
+from seafoam.reference.light.light import srgb, tone
 from seafoam.scene import Scene, ToneCurve
 
 LEVEL = 255.0

@@ -3,6 +3,7 @@
 And section 8: patterns that noise makes, averaged over footprints.
 """
 
+from functools import reduce
 from itertools import product
 
 import numpy as np
@@ -60,24 +61,30 @@ def value(key: int, x: Floats, z: Floats) -> Floats:
     return near * (1.0 - v) + far * v
 
 
-def perlin(x: Floats, seed: int) -> Floats:
-    """Gradient noise at (r, n), with cells of size 1, n 2 or 3; (r,). Gradients are uniform in the cube [−1, 1]ⁿ."""
+def perlin(x: Floats, seed: int, period: int = PERIOD) -> Pair:
+    """Gradient noise at (r, n), with cells of size 1, n 2 or 3, and for n = 2 its gradient; (r,) and (n, r).
+
+    Its gradients at the cells' corners are uniform in the cube [−1, 1]ⁿ.
+    """
     count, dimensions = x.shape
     bits = BITS[dimensions]
     base = np.floor(x)
-    t = x - base
-    fade = t**3 * (10.0 + t * (6.0 * t - 15.0))
-    cells = base.astype(np.int64)
-    total = np.zeros(count)
+    t = (x - base).T
+    fade, change = t**3 * (10.0 + t * (6.0 * t - 15.0)), 30.0 * t**2 * (1.0 - t) ** 2
+    total, slope = np.zeros(count), np.zeros((dimensions, count))
     for corner in product((0, 1), repeat=dimensions):
-        word = chained(seed, *(cells + np.array(corner)).T, period=PERIOD)
-        weight, rise = np.ones(count), np.zeros(count)
-        for axis, step in enumerate(corner):
-            field = (word >> np.uint64(bits * axis)) & np.uint64(2**bits - 1)
-            rise += (2.0 * field.astype(np.float64) / (2**bits - 1) - 1.0) * (t[:, axis] - step)
-            weight *= fade[:, axis] if step else 1.0 - fade[:, axis]
+        word = chained(seed, *(base.astype(np.int64) + np.array(corner)).T, period=period)
+        fields = ((word >> np.uint64(bits * axis)) & np.uint64(2**bits - 1) for axis in range(dimensions))
+        gradient = [2.0 * field.astype(np.float64) / (2**bits - 1) - 1.0 for field in fields]
+        rise = sum(by * (place - step) for by, place, step in zip(gradient, t, corner, strict=True))
+        shares = [share if step else 1.0 - share for share, step in zip(fade, corner, strict=True)]
+        weight = reduce(np.multiply, shares)
         total += weight * rise
-    return total
+        for axis, step in enumerate(corner if dimensions == 2 else ()):
+            others = (share for other, share in enumerate(shares) if other != axis)
+            by = reduce(np.multiply, others, change[axis] if step else -change[axis])
+            slope[axis] += weight * gradient[axis] + by * rise
+    return total, slope
 
 
 def fractal(x: Floats, width: Floats, count: int, seed: int) -> Floats:
@@ -94,7 +101,7 @@ def octaves(x: Floats, width: Floats, span: tuple[int, int], seed: int) -> Pair:
         if octave >= span[0]:
             kept = 1.0 - smoothstep(0.15, 0.6, width * scale)
             seen = np.flatnonzero(kept > 0.0)
-            total[seen] += strength * kept[seen] * perlin(place[seen], seed + octave)
+            total[seen] += strength * kept[seen] * perlin(place[seen], seed + octave)[0]
             lost -= variance * kept * kept
         finer = [2.0 * place[:, 0] + place[:, 1] + SHIFT[0], 2.0 * place[:, 1] - place[:, 0] + SHIFT[1]]
         if dimensions == 3:
@@ -119,7 +126,7 @@ def patches(
 ) -> Floats:
     """How far patches of foam that noise tears at (x, z) have grown, averaged over footprints; (r,) in [0, 1].
 
-    ``octaves``: the size of cells, and whether they are turned. Places and cells are in units of ``unit`` m.
+    ``octaves``: the size of cells, in units of ``unit`` m as places are, and whether they are turned.
     """
     t_x, t_z = 0.8 * x - 0.6 * z, 0.6 * x + 0.8 * z
     along, down = (side.T for side in footprints) if footprints is not None else np.zeros((2, 2, 1))

@@ -106,13 +106,6 @@ def quantile(table: Floats, s: ArrayLike) -> Floats:
     return np.interp(np.where(upper, 1.0 - root, root), np.linspace(0.0, 1.0, QUANTILE_ENTRIES), table)
 
 
-def footprint_level(foot_u: Floats, foot_v: Floats, size: int) -> Floats:
-    """log₂ of the longer of two footprints (r, 2), 1 a tile, in texels; far below 0 for a footprint of 0."""
-    longer = np.maximum((foot_u * foot_u).sum(axis=1), (foot_v * foot_v).sum(axis=1))
-    level: Floats = 0.5 * np.log2(np.maximum(longer * float(size) ** 2, 1e-60))
-    return level
-
-
 def _wrapped(index: Floats, size: int) -> Indices:
     return np.mod(index, size).astype(np.intp)
 

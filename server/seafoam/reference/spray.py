@@ -15,15 +15,13 @@ from numpy.typing import NDArray
 from seafoam.ocean.coast.rocks import rocks
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.foam.spray import BATCHES
-from seafoam.reference.boats.boat import Fleet
 from seafoam.reference.light.atmosphere import CONTRAST
 from seafoam.reference.noise import Words, number
 from seafoam.reference.renderer import intersect
 from seafoam.reference.renderer.camera import SampleGrid
-from seafoam.reference.renderer.state import Lighting, Surface
+from seafoam.reference.renderer.state import ReferenceState
 from seafoam.reference.sampling import trilinear
-from seafoam.reference.shore.shore import Coast
-from seafoam.reference.types import Floats, Pair, ReliefPart, Rows, Vec2, dot, smoothstep, unit
+from seafoam.reference.types import Floats, Pair, Rows, Vec2, dot, smoothstep, unit
 from seafoam.scene import Scene
 from seafoam.textures.foam import STRANDS, strand_levels
 
@@ -86,16 +84,8 @@ class Drops(Rows):
 class Splats:
     """The drops of a scene's spray on the picture, as ellipses."""
 
-    def __init__(
-        self,
-        scene: Scene,
-        drops: Drops,
-        grid: SampleGrid,
-        surface: Surface,
-        fleet: Fleet | None,
-        lighting: Lighting | None,
-    ) -> None:
-        spray, shore = scene.spray, scene.shore
+    def __init__(self, state: ReferenceState, drops: Drops) -> None:
+        spray, shore, grid = state.scene.spray, state.scene.shore, state.grid
         assert spray is not None
         # Drops of waves come in batches, each of which begins at a time of its own; those at rocks do not.
         on_rocks = shore is not None and shore.surf.height > 0.0 and len(rocks(shore, spray.steep)) > 0
@@ -109,7 +99,7 @@ class Splats:
         depth = away @ grid.ray_z
         chosen = np.flatnonzero(depth >= NEAREST)
         soft = 0.35 * drops.radius[chosen] + 0.02
-        clear, over = _visible(away[chosen], grid.eye_y, soft, surface.relief, surface.coast, fleet)
+        clear, over = _visible(state, away[chosen], soft)
         chosen, over, clear = chosen[clear > 0.0], over[clear > 0.0], clear[clear > 0.0]
         drops, of = drops.subset(chosen), of[chosen]
         away, moving, depth, vary = (part[chosen] for part in (away, moving, depth, vary))
@@ -131,7 +121,7 @@ class Splats:
         stretch = 0.5 * WINDOW * np.minimum(self.half[:, 0] / self.half[:, 1], 2.0)
         # (n, 3): first place in the texture, and texture along half the length.
         self.window = np.stack((number(drops.seed, 10), number(drops.seed, 11), stretch), axis=-1)
-        self.scattered, self.onward, self.sun = _light(lighting, grid, away, drops.velocity, self.along)
+        self.scattered, self.onward, self.sun = _light(state, away, drops.velocity, self.along)
 
     def draw_over(self, picture: Floats, X: Floats, Y: Floats) -> None:
         """Draw the drops over samples (H, W, 3), in place. X, Y (H, W): clip positions of the samples."""
@@ -177,10 +167,7 @@ class Splats:
 
 
 def flight(birth: Floats, velocity: Floats, age: Floats, tau: Floats, weight: Floats, wind: Vec2) -> Pair:
-    """Positions (n, 3), m, and velocities (n, 3), m/s, of drops ``age`` s after their start.
-
-    Ballistics with linear drag; its time constants τ and the weights (n,) each.
-    """
+    """Positions (n, 3), m, and velocities (n, 3), m/s, of drops (n,) s old: ballistics with linear drag."""
     last = np.stack((np.full_like(tau, wind[0]), -weight * tau, np.full_like(tau, wind[1])), axis=-1)
     place = birth + last * age[:, None] + (velocity - last) * (-tau * np.expm1(-age / tau))[:, None]
     return place, last + (velocity - last) * np.exp(-age / tau)[:, None]
@@ -204,12 +191,10 @@ def form(kind: Floats, age: Floats, life: Floats, vary: Floats, other: Floats) -
     return radius, depth, cover
 
 
-def _light(
-    lighting: Lighting | None, grid: SampleGrid, away: Floats, thrown: Floats, along: Floats
-) -> tuple[Floats, Floats, Floats]:
-    """Of drops at (n, 3), m from the camera, thrown with velocities (n, 3) and flying along (n, 2) on the picture. The
-    light that they scatter all round, that of the sun that they send on nearly as it came, and the direction to the
-    sun: along, across, and toward the eye; (n, 3) each."""
+def _light(state: ReferenceState, away: Floats, thrown: Floats, along: Floats) -> tuple[Floats, Floats, Floats]:
+    """Light that drops at (n, 3) scatter all round and what they send on nearly as it came, and the direction to the
+    sun: along their flight on the picture, across it, and toward the eye; (n, 3) each."""
+    lighting, grid = state.lighting, state.grid
     if lighting is None:
         return np.ones_like(away), np.zeros_like(away), np.zeros_like(away)
     air, none = lighting.air, np.zeros((len(away), 2))
@@ -256,12 +241,10 @@ def _ellipses(
     return X, Y, along, size
 
 
-def _visible(
-    away: Floats, eye_y: float, soft: Floats, relief: ReliefPart, coast: Coast | None, fleet: Fleet | None
-) -> Pair:
+def _visible(state: ReferenceState, away: Floats, soft: Floats) -> Pair:
     """What is seen of drops (n, 3): nothing of those below or behind water or ground, or behind a boat; in [0, 1]. And
     their heights over both, m."""
-    x, z = away[:, 0], away[:, 2]
+    x, z, eye_y, relief, coast = away[:, 0], away[:, 2], state.eye_y, state.surface.relief, state.surface.coast
     ground = relief.height(x, z)
     if coast is not None:
         ground = np.maximum(ground, coast.ground(*coast.place(x, z))[0])
@@ -273,7 +256,7 @@ def _visible(
     if coast is not None:
         low, high = coast.within(d)
         behind |= intersect.land_crossing(coast.land, eye_y, d, low, np.minimum(high, BEHIND * far)) < BEHIND * far
-    if fleet is not None:
-        behind |= fleet.trace(np.array([0.0, eye_y, 0.0]), d).t < BEHIND * far
+    if state.fleet is not None:
+        behind |= state.fleet.trace(np.array([0.0, eye_y, 0.0]), d).t < BEHIND * far
     result[above[behind]] = 0.0
     return result, over

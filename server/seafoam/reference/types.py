@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
 from typing import Protocol, Self
 
 import numpy as np
@@ -23,28 +23,22 @@ Sunlight = Callable[[Floats, Footprints], Floats]
 """Share (r,) of the sunlight that reaches places (r, 3), m from the origin, averaged over footprints."""
 
 
+@dataclass(frozen=True)
+class Bounds:
+    """Of a part of the surface: its height is in [trough, top] m, trough at most 0."""
+
+    top: float = 0.0
+    trough: float = 0.0
+    slope: float = 0.0  # the greatest, rounded up
+    curvature: float = 0.0  # the greatest second derivative along any line, rounded up, 1/m
+    shape: float = math.inf  # size of the finest feature, m
+
+
 class ReliefPart(Protocol):
-    """A part of the surface's height, at one time around one origin; heights in [trough, top] m."""
+    """A part of the surface's height, at one time around one origin."""
 
     @property
-    def top(self) -> float:
-        """Upper bound of the height, m."""
-
-    @property
-    def trough(self) -> float:
-        """Lower bound of the height, m; at most 0."""
-
-    @property
-    def slope(self) -> float:
-        """Greatest slope, rounded up."""
-
-    @property
-    def curvature(self) -> float:
-        """Greatest second derivative along any line, rounded up, 1/m."""
-
-    @property
-    def shape(self) -> float:
-        """Size of the finest feature, m."""
+    def bounds(self) -> Bounds: ...
 
     def height(self, x: Floats, z: Floats) -> Floats:
         """Height at (x, z), m from the origin, shape (r,); (r,) m."""
@@ -57,12 +51,10 @@ class Relief:
     """The sum of parts, itself a part."""
 
     def __init__(self, parts: Iterable[ReliefPart]) -> None:
-        self.raised = tuple(part for part in parts if part.top > 0.0)  # the parts that are not flat
-        self.top = sum(part.top for part in self.raised)
-        self.trough = sum(part.trough for part in self.raised)
-        self.slope = sum(part.slope for part in self.raised)
-        self.curvature = sum(part.curvature for part in self.raised)
-        self.shape = min((part.shape for part in self.raised), default=float("inf"))
+        self.raised = tuple(part for part in parts if part.bounds.top > 0.0)  # the parts that are not flat
+        rows = [astuple(part.bounds) for part in self.raised] or [astuple(Bounds())]
+        top, trough, slope, curvature, shape = zip(*rows, strict=True)
+        self.bounds = Bounds(sum(top), sum(trough), sum(slope), sum(curvature), min(shape))
 
     def height(self, x: Floats, z: Floats) -> Floats:
         return sum((part.height(x, z) for part in self.raised), np.zeros_like(x))
@@ -77,6 +69,20 @@ class Rows:
     def subset(self, rows: Bools | Indices) -> Self:
         """Return some of the rows, in order."""
         return type(self)(*(array[rows] for array in vars(self).values()))
+
+
+@dataclass(frozen=True, eq=False)
+class WaterSamples:
+    """Where r rays meet the water."""
+
+    d: Floats  # (r, 3) unit vectors along the rays
+    distance: Floats  # (r,) m
+    x: Floats  # (r,) m from the origin
+    z: Floats
+    height: Floats  # (r,) m
+    footprints: Footprints
+    normal: Floats  # (r, 3) unit vectors, with ripples
+    foam_normal: Floats  # the same with half of the ripples, which foam damps
 
 
 @dataclass(frozen=True)

@@ -18,9 +18,8 @@ from seafoam.reference.foam.front import (
     seen_phases,
 )
 from seafoam.reference.light import light
-from seafoam.reference.light.light import foam_layer, lumpy_cosine
+from seafoam.reference.light.light import foam_layer
 from seafoam.reference.renderer.sources import joined
-from seafoam.reference.types import unit
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.scene import Foam, FoamScattering, Light, ParametricWave, Scene
 
@@ -115,28 +114,6 @@ def test_filtered_coverage_is_the_share_of_the_footprint(texels: float, within: 
 UP = np.array([[0.0, 1.0, 0.0]])
 
 
-def test_a_thick_smooth_layer_without_a_lobe_is_matt_foam() -> None:
-    air = light.air(Light(sun_elevation=0.7))
-    matt = FoamScattering(optical_depth=1000.0, roughness=0.0, forward=0.0)
-    d = unit(np.array([[1.0, -0.5, 0.3]]))
-    got, opacity = foam_layer(air, matt, 0.9, UP, d, np.ones(1))
-    np.testing.assert_allclose(opacity, 1.0, atol=2e-3)
-    np.testing.assert_allclose(got, opacity[:, None] * light.foam(air, 0.9, UP), rtol=1e-12)
-
-
-@pytest.mark.parametrize("slope", [0.2, 0.7, 1.5])
-def test_lumps_have_the_mean_cosine_of_gaussian_slopes(slope: float) -> None:
-    """Mean of max(c + s g, 0) over a Gaussian g; the closed form is within 0.071 s of it."""
-    g = np.linspace(-8.0, 8.0, 20001)
-    weights = np.exp(-0.5 * g * g)
-    weights /= weights.sum()
-    for c in (-0.6, -0.1, 0.0, 0.1, 0.5, 1.0):
-        want = float((np.maximum(c + slope * g, 0.0) * weights).sum())
-        assert abs(float(lumpy_cosine(np.array([c]), slope)[0]) - want) <= 0.071 * slope
-        if c == 0.0:
-            assert float(lumpy_cosine(np.array([c]), slope)[0]) == pytest.approx(want, rel=1e-5)
-
-
 @pytest.mark.parametrize("elevation", [0.02, 0.1, 0.4, 1.5])
 @pytest.mark.parametrize("forward", [0.0, 0.6, 1.0])
 def test_smooth_foam_sends_back_no_more_than_arrives(elevation: float, forward: float) -> None:
@@ -156,14 +133,6 @@ def test_smooth_foam_sends_back_no_more_than_arrives(elevation: float, forward: 
     arrives = air.sun_irradiance * math.sin(elevation)
     assert (flux <= 1.001 * arrives).all()
     assert (flux > 0.01 * arrives).all()
-
-
-def test_foam_before_a_low_sun_is_brighter_than_foam_after_it() -> None:
-    air = light.air(Light(sun_elevation=0.15, sun_azimuth=0.0))
-    toward, away = (unit(np.array([[x, -0.15, 0.0]])) for x in (1.0, -1.0))
-    glow, _ = foam_layer(air, FoamScattering(), 0.9, UP, toward, np.ones(1))
-    plain, _ = foam_layer(air, FoamScattering(), 0.9, UP, away, np.ones(1))
-    assert (glow > 2.0 * plain).all()
 
 
 SIDE = 100
@@ -213,26 +182,3 @@ def test_the_ramp_covers_the_saturation_of_even_thresholds() -> None:
         covered = np.clip((float(ramp_threshold(s)) - u) / OCTAVE_RAMP, 0.0, 1.0).mean()
         assert covered == pytest.approx(s, abs=1e-5)
     assert OCTAVE_RAMP == looks.OCTAVE_RAMP
-
-
-def test_six_octaves_only_resolve_grey() -> None:
-    """On the texels themselves, in whole numbers: each octave is a permutation of the tile, whole and clear stay."""
-    ranks = load_mask("lace").ranks.astype(np.int64)
-    size, count = ranks.shape[0], ranks.size
-    y, x = np.mgrid[:size, :size]
-    # Cover in whole parts of a ramp, which is so many ranks wide.
-    ramp = round(OCTAVE_RAMP * count)
-    left = np.full(ranks.shape, round(0.4 * ramp), np.int64)
-    for _ in range(6):
-        threshold = np.rint(ramp_threshold(left / ramp) * count).astype(np.int64)
-        whole, clear = left == ramp, left == 0
-        own = np.clip(threshold - ranks[y, x], 0, ramp)
-        assert (own[whole] == ramp).all()
-        assert (own[clear] == 0).all()
-        # Rounding of thresholds to ranks, and how far octaves are from independent.
-        assert own.mean() / ramp == pytest.approx(0.4, abs=0.002)
-        left = own
-        x, y = (4 * x - 3 * y) % size, (3 * x + 4 * y) % size
-        assert np.array_equal(np.sort((y * size + x).ravel()), np.arange(count))
-    grey = (left > 0) & (left < ramp)
-    assert grey.mean() < 0.02

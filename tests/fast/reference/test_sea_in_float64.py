@@ -1,7 +1,6 @@
 """Open sea in float64: its waves, bounds, seeds and the cover of its whitecaps."""
 
 import math
-from itertools import pairwise
 from typing import Literal
 
 import numpy as np
@@ -13,7 +12,7 @@ from seafoam.ocean.waves import cascades as sea_tiles
 from seafoam.ocean.waves.cascades import BAND, Cascade
 from seafoam.reference.waves import sea as truth
 from seafoam.reference.waves.sea import TileSample
-from seafoam.scene import Foam, Scene, Sea, WhitecapSaturation, load_preset
+from seafoam.scene import Foam, Scene, Sea, WhitecapSaturation
 from seafoam.textures.store import texture
 from seafoam.textures.waves import SeaSpectrum
 from support.pictures import rms
@@ -61,7 +60,6 @@ def test_the_reference_is_the_sum_of_its_waves(report: Report, name: str) -> Non
         deviation, slope = math.sqrt(of.variance), math.sqrt(of.mean_square_slope)
         away = height - wanted.h
         spline = np.abs(surface.read(3, tile, truth.coefficients(got.d_x), x, z) - wanted.d_x).max()
-        bent = rms(surface.read(3, tile, tile.jacobian, p_x, p_z) - folds)
         # Bilinear between texels, and slopes by a spline that is not interpolating: part of the model.
         report.within(
             "The reference's tiles against direct sums (in standard deviations of height and slope)",
@@ -70,20 +68,7 @@ def test_the_reference_is_the_sum_of_its_waves(report: Report, name: str) -> Non
             displacement=(spline / deviation, 2e-3),
             height=(rms(away) / deviation, 0.02),
             slope=(rms(seen_x - steep_x) / slope, 0.1),
-            jacobian=(bent, 0.01),
         )
-
-
-def test_no_wave_is_counted_twice() -> None:
-    ends = []
-    for of in sea_tiles.cascades(SEAS["fft"], None):
-        there = of.k[np.abs(of.h0) > 0.0]
-        ends.append((float(there.min()), float(there.max())))
-    for (_, high), (low, _) in pairwise(ends):
-        assert high < low
-    sizes = [of.size for of in sea_tiles.cascades(SEAS["fft"], None)]
-    for a, b in pairwise(sizes):
-        assert abs(a / b - round(a / b)) > 0.1
 
 
 def test_a_seed_is_a_sea() -> None:
@@ -108,7 +93,7 @@ def test_a_river_has_no_wave_against_its_wind() -> None:
             assert (along > -1e-9).all(), name
 
 
-@pytest.mark.parametrize("wind", [3.0, 12.0, 30.0, 60.0])
+@pytest.mark.parametrize("wind", [12.0, 60.0])
 def test_slopes_stay_under_the_marchs_bound(wind: float) -> None:
     """The bound is a quantile: over these tiles no pair of neighbouring texels passes it, and no height its limit."""
     for seed in (1, 2):
@@ -140,8 +125,10 @@ LASTING = WhitecapSaturation(lasting=True, decay=3.7)
 @pytest.mark.parametrize(
     ("model", "wind", "foam", "texels"),
     [
-        *((model, wind, WhitecapSaturation(), 256) for model in ("fft", "gerstner") for wind in (5.0, 12.5, 20.0)),
-        *(pytest.param("fft", wind, LASTING, 512, marks=REST if wind > 10.0 else ()) for wind in (7.5, 12.5, 20.0)),
+        ("fft", 5.0, WhitecapSaturation(), 256),
+        ("gerstner", 12.5, WhitecapSaturation(), 256),
+        ("fft", 7.5, LASTING, 512),
+        pytest.param("fft", 20.0, LASTING, 512, marks=REST),
     ],
     ids=lambda value: "" if isinstance(value, WhitecapSaturation) else str(value),
 )
@@ -167,10 +154,3 @@ def test_whitecaps_cover_what_the_wind_raises(
         wind=wind,
         off=(abs(float(np.mean(found)) / wanted - 1.0), 0.2),
     )
-
-
-def test_the_swell_foams_by_the_law() -> None:
-    """Whitecaps are its only foam; presets with several sources are held to the law in their views."""
-    foam = load_preset("swell").scene.foam
-    assert foam is not None
-    assert [source.coverage for source in foam.saturation if isinstance(source, WhitecapSaturation)] == [1.0]

@@ -11,34 +11,11 @@ from scipy import ndimage
 
 from seafoam.ocean.coast.seabed import floor_grid
 from seafoam.ocean.coast.travel import arrival, speed, travel_grid
-from seafoam.reference.shore import shore as truth
 from seafoam.reference.shore.maps import BREAKS, shore_map
-from seafoam.scene import Scene, Shore, Surf, SurfSaturation
+from seafoam.scene import Shore, Surf
 from seafoam.textures.shore import ShoreFloor, shore_profiles
 from seafoam.textures.store import texture
-from support.scenes.coasts import KINDS, SEA, SHORE, coast, png
-
-SURF = SurfSaturation(line=1.0)
-
-
-def test_foam_of_the_water_goes_over_into_that_on_the_ground() -> None:
-    """At the water's edge it is the ground's; the water's own where the edge lies outside of the footprint."""
-    sea, source = coast(SEA, 0.0), SURF
-    x, z = np.random.default_rng(1).uniform(-60.0, 60.0, (2, 100_000))
-    height = sea.height(x, z)
-    ground = sea.ground(*sea.place(x, z))[0]
-    depth = height - ground
-    narrow, wide = ((np.tile((side, 0.0), (x.size, 1)), np.tile((0.0, side), (x.size, 1))) for side in (0.05, 1.0))
-    own = np.minimum(sea.foam(source, x, z, height, None), 1.0)
-    swept = sea.swash_foam(source, x, z, ground, narrow)
-    found = sea.foam(source, x, z, height, narrow)
-    deep = depth > truth.EDGE[1]
-    assert np.abs(found - own)[deep].max() <= 0.01
-    # Patches of the water lie where it rests, those of the ground where they are.
-    assert np.quantile(np.abs(found - swept)[depth <= 0.0], 0.99) <= 0.02
-    shallow = (depth > 0.0) & (depth < 0.25 * truth.EDGE[1]) & (np.abs(swept - own) > 0.3)
-    part = (sea.foam(source, x, z, height, wide) - swept)[shallow] / (own - swept)[shallow]
-    assert np.count_nonzero((part > 0.1) & (part < 0.9)) > 10
+from support.scenes.coasts import KINDS, SHORE, png
 
 
 @pytest.mark.parametrize("sharpness", [0.0, 0.05, 0.15])
@@ -117,13 +94,6 @@ def test_pictures_that_are_none_say_why(image: str | None, says: str) -> None:
         Shore(kind="beach", image=png(np.zeros((16, 16), np.uint8)))
 
 
-def test_a_scene_with_a_broken_picture_names_its_field() -> None:
-    """As every other scene that is not one; the field is named."""
-    with pytest.raises(ValidationError) as caught:
-        Scene.model_validate({"shore": {"kind": "image", "image": "????"}})
-    assert caught.value.errors()[0]["loc"][:1] == ("shore",)
-
-
 SIDE = 256
 BEACH = Shore(
     kind="beach",
@@ -143,14 +113,6 @@ def _depth(shore: Shore) -> NDArray[np.float64]:
         -floor_grid(shore, SIDE)[..., 0], shore.smoothing / texel, mode="nearest"
     )
     return depth
-
-
-@pytest.mark.parametrize("period", [2.0, 7.5, 20.0])
-def test_speed_satisfies_the_dispersion_relation(period: float) -> None:
-    depth = np.geomspace(0.01, 1000.0, 200)
-    rate = 2.0 * math.pi / period
-    k = rate / speed(depth, period)
-    assert np.abs(9.81 * k * np.tanh(k * depth) / rate**2 - 1.0).max() <= 2e-3
 
 
 @pytest.mark.parametrize("heading", [0.0, 0.25, 0.5, 0.8])
@@ -198,16 +160,6 @@ def test_plane_fronts_over_even_depth_are_exact() -> None:
         fixed[[0, -1], :] = fixed[:, [0, -1]] = True
         found = arrival(np.where(fixed, plane, 1e6), fixed, np.full((side, side), 1.0 / pace))
         assert np.abs(found - plane).max() <= 1e-9
-
-
-def test_circles_round_a_point() -> None:
-    """First order: off by less than a texel's delay at 60 texels."""
-    side = 129
-    fixed = np.zeros((side, side), np.bool_)
-    fixed[64, 64] = True
-    found = arrival(np.where(fixed, 0.0, 1e6), fixed, np.ones((side, side)))
-    z, x = np.indices((side, side)) - 64
-    assert np.abs(found - np.hypot(x, z)).max() <= 2.5
 
 
 def test_islands_throw_shadows() -> None:

@@ -6,7 +6,6 @@ means over many drops.
 
 import math
 from functools import partial
-from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -24,7 +23,6 @@ from seafoam.ocean.foam.spray import (
     fold_limits,
     torn_share,
 )
-from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference import spray as flying
 from seafoam.reference.shore.shore import Coast
@@ -34,13 +32,11 @@ from seafoam.reference.waves.rings import ring_set
 from seafoam.reference.waves.sea import sea_surface
 from seafoam.render.gl.executor import Executor
 from seafoam.render.service.jobs import measure
+from seafoam.scene import Camera, Scene
 from seafoam.scene.light import Light
-from seafoam.scene.models import Camera, Scene
-from seafoam.scene.presets import load_preset
 from seafoam.scene.shore import Shore, Surf
 from seafoam.scene.spray import Burst, Spray
 from seafoam.scene.waves import ParametricWave, Ring, Sea, WaveGroups
-from support.pictures import draw
 from support.probe import Probe
 from support.report import Report
 
@@ -87,23 +83,6 @@ def test_flight_equals_its_closed_form(probe: Probe, report: Report, weight: flo
     worst = float(np.abs(got - flown(values, weight)).max())
     # Gravity and drag each carry a drop a hundred metres in float32, and differ by a few.
     report.within("Drops on the GPU against their closed form, m", weight=weight, worst=(worst, 1e-3))
-
-
-def test_the_closed_form_solves_the_equation_of_motion() -> None:
-    """From a drop's birth, x' = v and v' = (w − v)/τ − g, by central differences."""
-    values, step = throws(20_000), 1e-4
-    values[:, 3] = np.maximum(values[:, 3], 0.2)
-    up, across, age, tau = values.T
-    thrown = np.column_stack([across, up, np.zeros_like(up)])
-    begins, before, now, after = (
-        flying.flight(np.zeros_like(thrown), thrown, since, tau, np.full_like(up, 9.81), WIND)
-        for since in (np.zeros_like(age), age - step, age, age + step)
-    )
-    assert max(np.abs(begins[0]).max(), np.abs(begins[1] - thrown).max()) <= 1e-12
-    moved, sped = ((late - early) / (2.0 * step) for early, late in zip(before, after, strict=True))
-    assert np.abs(moved - now[1]).max() <= 1e-5
-    pull = (np.array([WIND[0], 0.0, WIND[1]]) - now[1]) / tau[:, None] - np.array([0.0, 9.81, 0.0])
-    assert np.abs(sped - pull).max() <= 1e-4
 
 
 STORM = Scene(
@@ -345,60 +324,3 @@ def test_a_sea_without_single_waves_throws_drops_where_it_folds(executor: Execut
         assert np.mean(folds < limits[0]) >= 0.95
     calm = STORM.model_copy(update={"sea": sea_of.model_copy(update={"wind": 0.0})})
     assert EFFECT.contribute(calm, TIERS["standard"]).bound is not None  # type: ignore[union-attr]
-
-
-def test_no_drop_is_left_at_rest(executor: Executor, report: Report) -> None:
-    """All that was thrown falls: at the end of its life nothing of a drop is seen, and a burst leaves nothing."""
-    kinds = np.repeat([flying.SHEET, flying.MIST, flying.DRIFT, flying.COLUMN], 50)
-    vary = np.tile(np.linspace(0.0, 1.0, 50), 4)
-    one = np.ones(200)
-    assert flying.form(kinds, 2.5 * one, 2.5 * one, vary, vary)[1].max() == 0.0
-    of, rest = flying.KINDS[kinds.astype(np.intp)], np.zeros((200, 3))
-    _, late = flying.flight(rest, rest, 2.5 * one, 0.8 * of["drag"], of["weight"], (0.0, 0.0))
-    assert late[:, 1].max() < -0.5
-    scene = Scene(spray=Spray(bursts=(Burst(place=(0.0, -30.0)),)), light=Light(), camera=Camera(pitch=-0.1))
-    plans = [make_plan(one, TIERS["standard"]) for one in (scene, scene.model_copy(update={"spray": None}))]
-    changed = []
-    for time in (-0.5, 1.0, 20.0):
-        with_it, bare = (draw(executor, plan, scene.camera, time=time, size=(160, 90)).astype(float) for plan in plans)
-        changed.append(float(np.abs(with_it - bare).mean()))
-    report.add("Light that a burst changes before it, after 1 s and after 20 s", levels=str(np.round(changed, 3)))
-    assert changed[0] == changed[2] == 0.0
-    assert changed[1] > 0.3
-
-
-def test_spray_flickers_no_more_than_twice_what_many_samples_do(executor: Executor, report: Report) -> None:
-    """Under a slow camera: the change from frame to frame that spray adds, with one sample a pixel and with 64."""
-    scene = load_preset("spray-on-rocks").scene.model_copy(
-        update={"camera": Camera(position=(-88.0, 7.0, 48.0), yaw=1.12, pitch=-0.03, fov=0.35)}
-    )
-    added = {}
-    for samples in (1, 64):
-        quality = TIERS["standard"].model_copy(update={"samples": samples})
-        plan, bare = (make_plan(scene.model_copy(update={"spray": spray}), quality) for spray in (scene.spray, None))
-        layers = []
-        for frame in range(4):
-            camera = scene.camera.model_copy(update={"yaw": 1.12 + 0.0004 * frame})
-            pictures = [
-                draw(executor, one, camera, time=1.7, size=(160, 90), output="linear")[..., :3] for one in (plan, bare)
-            ]
-            layers.append(pictures[0] - pictures[1])
-        added[samples] = float(np.mean([np.abs(b - a).mean() for a, b in pairwise(layers)]))
-    report.within("Flicker of spray under a slow camera, one sample over 64", ratio=(added[1] / added[64], 2.0))
-
-
-def test_fewer_drops_cover_as_much(executor: Executor, report: Report) -> None:
-    """What spray changes in a picture."""
-    scene = load_preset("spray-on-rocks").scene
-    sums = {}
-    for count in (2048, 8192, 16384):
-        quality = TIERS["standard"].model_copy(update={"spray_count": count})
-        bare = make_plan(scene.model_copy(update={"spray": None}), quality)
-        pictures = [
-            draw(executor, plan, scene.camera, time=1.7, size=(160, 90), output="linear")
-            for plan in (make_plan(scene, quality), bare)
-        ]
-        sums[count] = float(np.abs(pictures[0][..., :3] - pictures[1][..., :3]).mean())
-        report.add("Light that spray changes, by its drops", drops=str(count), mean=f"{255 * sums[count]:.2f} levels")
-    assert sums[16384] > 1e-3
-    assert all(abs(value / sums[16384] - 1.0) <= 0.2 for value in sums.values())

@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from seafoam.effects.boats.wake import ASIDE
 from seafoam.ocean.waves.wakes import Wake
-from seafoam.reference.boats import floating
+from seafoam.reference.boats.boat import course_of
 from support.scenes import Boat
 
 BOATS = (
@@ -34,7 +34,7 @@ WAKES = (
 def around(boat: Boat, seed: int, count: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Places over a boat's wake at time 0, and beside it."""
     rng = np.random.default_rng(seed)
-    wake, at = Wake(boat), floating.course_of(boat, 0.0, (0.0, 0.0))
+    wake, at = Wake(boat), course_of(boat, 0.0, (0.0, 0.0))
     angle = at.bearing - at.turn * (rng.random(count) * 1.2 * wake.length / boat.radius - 0.05)
     far = boat.radius + rng.uniform(-1.0, 1.0, count) * min(0.45 * boat.radius, ASIDE * wake.length)
     return boat.centre[0] + far * np.cos(angle), boat.centre[1] + far * np.sin(angle)

@@ -9,10 +9,10 @@ from functools import cached_property
 
 import numpy as np
 
-from seafoam.ocean.waves.wakes import LEAST_SPEED, Wake, joint_height, joint_slope, stone_wakes, wakes
-from seafoam.reference.boats.floating import FORMS, HULL_SPEED, STEM, Course, course_of
+from seafoam.ocean.waves.wakes import LEAST_SPEED, Wake, joint_height, joint_slope, wakes
+from seafoam.reference.boats.boat import FORMS, HULL_SPEED, STEM, Course, course_of
 from seafoam.reference.noise import filtered_step, footprint_variance, patches
-from seafoam.reference.types import Bools, Floats, Footprints, Gradient, Pair, Vec2, smoothstep_slope
+from seafoam.reference.types import Bools, Bounds, Floats, Footprints, Gradient, Pair, Vec2, smoothstep_slope
 from seafoam.scene import Boat, Current, Scene, Stone, WakeSaturation
 
 PATCHES = (0.31, False), (0.11, True), (0.037, False)
@@ -26,44 +26,33 @@ class Wakes:
     wakes: tuple[Wake, ...]
 
     @cached_property
-    def top(self) -> float:
-        return joint_height(self.wakes)
-
-    @cached_property
-    def slope(self) -> float:
-        return joint_slope(self.wakes)
-
-    @property
-    def trough(self) -> float:
-        return -self.top
-
-    @property
-    def curvature(self) -> float:
-        return self.slope * max((2.0 * wake.shortest for wake in self.wakes if wake.shows), default=0.0)
-
-    @property
-    def shape(self) -> float:
-        return min((1.0 / wake.shortest for wake in self.wakes if wake.shows), default=math.inf)
+    def bounds(self) -> Bounds:
+        top, slope = joint_height(self.wakes), joint_slope(self.wakes)
+        shortest = max((wake.shortest for wake in self.wakes if wake.shows), default=0.0)
+        return Bounds(top, -top, slope, slope * (2.0 * shortest), 1.0 / shortest if shortest > 0.0 else math.inf)
 
     def along(self, i: int, x: Floats, z: Floats) -> tuple[Floats, Floats, Gradient, Gradient]:
         """Distance of places (x, z) behind the bow of wake i and aside (m), and the gradients of both."""
         raise NotImplementedError
 
     def height(self, x: Floats, z: Floats) -> Floats:
-        total = np.zeros_like(x)
-        for i, wake in enumerate(self.wakes):
-            behind, aside, _, _ = self.along(i, x, z)
-            total += pattern(wake, behind, np.abs(aside))[0]
-        return total
+        return self._sums(x, z)[0, :]
 
     def gradient(self, x: Floats, z: Floats) -> Floats:
-        slope = np.zeros((2, x.size))
+        return self._sums(x, z)[1:]
+
+    def _sums(self, x: Floats, z: Floats) -> Floats:
+        """The height and its derivatives by x and z; (3, r)."""
+        total = np.zeros((3, x.size))
         for i, wake in enumerate(self.wakes):
             behind, aside, on_behind, on_aside = self.along(i, x, z)
-            _, rise, spread = pattern(wake, behind, np.abs(aside))
+            height, rise, spread = pattern(wake, behind, np.abs(aside))
             spread = spread * np.where(aside < 0.0, -1.0, 1.0)
-            slope += [rise * along + spread * across for along, across in zip(on_behind, on_aside, strict=True)]
-        return slope
+            total += [
+                height,
+                *(rise * along + spread * across for along, across in zip(on_behind, on_aside, strict=True)),
+            ]
+        return total
 
 
 @dataclass(frozen=True)
@@ -114,10 +103,7 @@ class WakeSet(Wakes):
 
 
 def contact(boat: Boat, course: Course, x: Floats, z: Floats, torn: Floats, footprints: Footprints | None) -> Floats:
-    """Density of the white water along a hull's water line, averaged over footprints; (r,) in [0, 1.2].
-
-    ``torn``: share of torn foam at each place, in [0, 1].
-    """
+    """Density of white water along a hull's water line, averaged over footprints; (r,) in [0, 1.2]."""
     size, form = boat.length, FORMS[boat.kind]
     (c_x, c_z), (a_x, a_z) = course.place, course.heading
     ahead = ((x - c_x) * a_x + (z - c_z) * a_z) / size
@@ -243,8 +229,3 @@ class StoneSet(Wakes):
             total += share * source.amount * band * (0.3 + 0.9 * torn)
             total += share * source.bow * cushion * (0.3 + torn)
         return np.minimum(total, cap)
-
-
-def stone_set(current: Current, origin: Vec2) -> StoneSet:
-    """The standing waves of a current's stones around an origin (x, z) in m."""
-    return StoneSet(stone_wakes(current), current, origin)

@@ -51,15 +51,12 @@ class Flow:
             flow[:, near] += omega * np.stack((-r_z[near], r_x[near]))
         return flow
 
-    @property
-    def fastest(self) -> float:
-        """Greatest angular velocity of a vortex, rad/s."""
-        zero = np.zeros(1)
-        return max((abs(float(angular_velocity(zero, a, v)[0])) for _, _, a, v in self.vortices), default=0.0)
-
-    def back(self, x: Floats, z: Floats, seconds: float, longest: float = LONGEST) -> Floats:
-        """Where the water at (x, z) was ``seconds`` ago, by Runge-Kutta steps of at most ``longest`` s; (2, r) m."""
-        count = max(math.ceil(seconds / min(longest, TURN / max(self.fastest, 1e-9))), 1)
+    def back(self, x: Floats, z: Floats, seconds: float) -> Floats:
+        """Where the water at (x, z) was ``seconds`` ago, by Runge-Kutta steps; (2, r) m."""
+        fastest = max(
+            (abs(float(angular_velocity(np.zeros(1), a, v)[0])) for _, _, a, v in self.vortices), default=1e-9
+        )
+        count = max(math.ceil(seconds / min(LONGEST, TURN / max(fastest, 1e-9))), 1)
         h, place = seconds / count, np.stack((x, z))
         for _ in range(count):
             a = self.velocity(*place)
@@ -147,13 +144,12 @@ def copies(
         odd = (number - i) % 2 == 1
         apart = tuple(part * tile if odd else 0.0 for part in APART)
         away, turn = np.zeros((x.size, 2)), np.tile(np.eye(2), (x.size, 1, 1))
-        if inside.size:
-            place = q_x[inside], q_z[inside]
-            here = _moved_back(flow, *place, seconds)
-            away[inside] = rim[inside, None] * here
-            for axis, (d_x, d_z) in enumerate(((BESIDE, 0.0), (0.0, BESIDE))):
-                change = (_moved_back(flow, place[0] + d_x, place[1] + d_z, seconds) - here) / BESIDE
-                turn[inside, :, axis] += rim[inside, None] * change
+        place = q_x[inside], q_z[inside]
+        here = _moved_back(flow, *place, seconds)
+        away[inside] = rim[inside, None] * here
+        for axis, (d_x, d_z) in enumerate(((BESIDE, 0.0), (0.0, BESIDE))):
+            change = (_moved_back(flow, place[0] + d_x, place[1] + d_z, seconds) - here) / BESIDE
+            turn[inside, :, axis] += rim[inside, None] * change
         pair.append(Copy(share if odd else 1.0 - share, x + away[:, 0] + apart[0], z + away[:, 1] + apart[1], turn))
     return pair
 

@@ -89,10 +89,7 @@ def gate(rho: Floats, thresholds: Vec2) -> Floats:
 
 
 def front_saturation(X: Floats, Y: Floats, intensity: float, base: float = math.e) -> Floats:
-    """f = E^(cot(ψ/2))/C of ψ = atan2(Y, X), capped at 4, without the gate; of the shape of X.
-
-    At the pole, ψ = 0, f is 4. At X = Y = 0 it is E⁰/C.
-    """
+    """f = E^(cot(ψ/2))/C of ψ = atan2(Y, X), at most 4, as at ψ = 0, and E⁰/C at X = Y = 0; without the gate."""
     half = 0.5 * np.arctan2(Y, X)
     pole = (Y == 0.0) & (X > 0.0)
     sine = np.sin(np.where(pole, 0.5, half))
@@ -128,12 +125,8 @@ def front_integral(intensity: float, base: float = math.e) -> Callable[[Floats],
 def front_saturation_filtered(psi: Floats, width: Floats, intensity: float, base: float = math.e) -> Floats:
     """Mean of min(f, 1) over ψ ± Δ/2, ψ in [−π, π] and Δ = ``width``; in [0, 1], without the gate."""
     # For narrower footprints, cancellation in the difference of two integrals exceeds the filter's effect.
-    sharp = width < 1e-6
-    integral, wide = front_integral(intensity, base), np.where(sharp, 1.0, width)
-    mean = np.clip((integral(psi + 0.5 * wide) - integral(psi - 0.5 * wide)) / wide, 0.0, 1.0)
-    crosses = sharp & (np.abs(psi) < 0.5 * width)
-    jump = np.clip(0.5 + psi / np.where(crosses, width, 1.0), 0.0, 1.0)
-    return np.where(crosses, jump, np.where(sharp, _front(psi, intensity, base), mean))
+    integral, wide = front_integral(intensity, base), np.maximum(width, 1e-6)
+    return np.clip((integral(psi + 0.5 * wide) - integral(psi - 0.5 * wide)) / wide, 0.0, 1.0)
 
 
 def phase_gradient(group: Group) -> Floats:
@@ -222,10 +215,7 @@ class _Fronts:
 
 
 def front_patches(source: FrontSaturation, drift: Vec2, points: SurfacePoints, x: Floats, z: Floats) -> Floats:
-    """What patches, in which fronts foam more or less, add to the sum of the waves at rest positions (x, z); (r,).
-
-    They move with the drift, m/s, and are filtered to the footprints of the points.
-    """
+    """What patches that drift (m/s) add to the sum of the waves at rest positions, filtered to footprints; (r,)."""
     size = source.variation_size
     if source.variation == 0.0:
         return np.zeros_like(x)
@@ -278,8 +268,7 @@ def _mean_over_fronts(
     within = np.where(high < TURN, integral(np.minimum(high, TURN)), whole) - integral(np.maximum(low, 0.0))
     covered = here * within - before * integral(np.minimum(low, 0.0))
     covered = covered + following * np.where(high > TURN, integral(high) - whole, 0.0)
-    narrow = (low > 0.0) & (high < TURN) & (width < 1e-6)
-    return np.where(narrow, here * decaying.left(since), np.clip(covered / width, 0.0, 1.0))
+    return np.clip(covered / width, 0.0, 1.0)
 
 
 def _wrapped(angle: Floats) -> Floats:

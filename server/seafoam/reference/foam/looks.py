@@ -8,6 +8,7 @@ import numpy as np
 
 from seafoam.reference.sampling import SplineSample, quantile, texel
 from seafoam.reference.types import Floats, Pair, smoothstep
+from seafoam.scene import Look
 
 LEAST_HALF = 5e-4
 OCTAVE_RAMP = 0.6  # width of an octave's ramp that the next octave resolves, as a share of the plane
@@ -15,29 +16,16 @@ OCTAVE_SHOWN = (32.0, 64.0)  # footprint in texels of an octave at which it begi
 END = 1.0 / 256.0
 
 
-def textured(f: Floats, t: Floats) -> Floats:
-    """clamp(f, 0, 1)·t (figure 7a)."""
-    return np.clip(f, 0.0, 1.0) * t
-
-
-def halftone(f: Floats, m: Floats) -> Floats:
-    """1 where f > m, else 0 (equation 1)."""
-    return np.where(f > m, 1.0, 0.0)
-
-
-def fading(f: Floats, m: Floats) -> Floats:
-    """clamp(f/2 − m, 0, 1) where f > m, else 0 (equation 2)."""
-    return np.where(f > m, np.clip(0.5 * f - m, 0.0, 1.0), 0.0)
-
-
-def halftone_textured(f: Floats, m: Floats, t: Floats) -> Floats:
-    """clamp(f/2 − m, 0, 1)·t where f > m, else 0 (equation 3)."""
-    return fading(f, m) * t
-
-
-def listing(f: Floats, m: Floats, t: Floats) -> Floats:
-    """clamp(f − m, 0.15, 3)·t where f > m, else 0 (the published code); in [0, 3], added to the water."""
-    return np.where(f > m, np.clip(f - m, 0.15, 3.0) * t, 0.0)
+def hard(look: Look, f: Floats, m: Floats, t: Floats) -> Floats:
+    """The looks of the paper: figure 7a, equations 1 to 3, and the published code, in [0, 3], added to the water."""
+    amounts = {
+        "textured": np.clip(f, 0.0, 1.0) * t,
+        "halftone": np.ones_like(f),
+        "fading": np.clip(0.5 * f - m, 0.0, 1.0),
+        "halftone_textured": np.clip(0.5 * f - m, 0.0, 1.0) * t,
+        "listing": np.clip(f - m, 0.15, 3.0) * t,
+    }
+    return amounts[look] if look == "textured" else np.where(f > m, amounts[look], 0.0)
 
 
 def thinned(A: Floats, t: Floats, texture: float) -> Floats:
@@ -58,18 +46,14 @@ def spline_over_footprint(spline: SplineSample, foot_u: Floats, foot_v: Floats) 
 
 
 def spline_fade(table: Floats, s: Floats, fade: float) -> Floats:
-    """Width of the ramp in values of the B-spline mask, so that the share ``fade`` of the plane is in it below Q(s);
-    (r,)."""
+    """Width of the ramp in values of the B-spline mask: the share ``fade`` of the plane is in it below Q(s); (r,)."""
     part = np.minimum(s, fade)
     return (quantile(table, s) - quantile(table, s - part)) * fade / np.maximum(part, 1e-30)
 
 
 def magnified_coverage(b: Floats, e: Floats, threshold: Floats, width: Floats) -> Floats:
-    """Share of a footprint where a threshold exceeds the B-spline mask, taken as uniform in b ± e; (r,).
-
-    b and e come from :func:`spline_over_footprint`. ``threshold`` is Q(s) and ``width`` its :func:`spline_fade`, or for
-    an octave both are read from the tables of its ramp.
-    """
+    """Share (r,) of a footprint where a threshold (Q(s), its ramp ``width`` wide) exceeds the B-spline mask, taken as
+    uniform in b ± e, of :func:`spline_over_footprint`."""
     half = np.maximum(e, LEAST_HALF)
     return _ramp_mean(threshold, b - half, 2.0 * half, width)
 
@@ -96,10 +80,7 @@ def minified_coverage(
 
 
 def filtered_coverage(s: Floats, minified: Floats, magnified: Floats, size: Floats, whole: bool) -> Floats:
-    """A(s): coverage of a footprint by the thresholded mask, blended from its two forms; in [0, 1].
-
-    ``whole``: coverage 1 at s = 1, as without a fade and in every octave.
-    """
+    """A(s) in [0, 1], blended from its two forms. ``whole``: 1 at s = 1, as without a fade and in every octave."""
     w = minification(size)
     A = w * minified + (1.0 - w) * magnified
     A = A * smoothstep(0.0, END, s)
@@ -110,20 +91,8 @@ def filtered_coverage(s: Floats, minified: Floats, magnified: Floats, size: Floa
 
 
 def octave(u: Floats, v: Floats) -> Pair:
-    """Coordinates or footprints in the next octave: times the Gaussian integer 4 + 3i, five times finer, rotated by
-    37°."""
+    """Coordinates or footprints in the next octave: times the Gaussian integer 4 + 3i, so five times finer."""
     return 4.0 * u - 3.0 * v, 3.0 * u + 4.0 * v
-
-
-def octave_shown(size: Floats) -> Floats:
-    """Weight of an octave for footprints of sides (r, 2) in its texels: 1 up to 32 of them, 0 from 64 on."""
-    return 1.0 - smoothstep(*OCTAVE_SHOWN, size.max(axis=1))
-
-
-def converged_octave(s: Floats, b: Floats, threshold: Floats, width: Floats) -> Floats:
-    """The limit of an octave for infinitely many samples: its ramp over the B-spline mask b, with the filtered ends."""
-    A = np.clip((threshold - b) / width, 0.0, 1.0) * smoothstep(0.0, END, s)
-    return 1.0 - (1.0 - A) * smoothstep(0.0, END, 1.0 - s)
 
 
 def converged_coverage(s: Floats, b: Floats, table: Floats, fade: float) -> Floats:
@@ -165,7 +134,6 @@ def _ramp_mean(threshold: Floats, low: Floats, width: Floats, fade: float | Floa
 
 
 def ramped(x: Floats, fade: float | Floats) -> Floats:
-    """R(x), the integral of the threshold's ramp of width ``fade``: of a saturation the mean coverage of its look, and
-    of all octaves."""
+    """R(x), the integral of a threshold's ramp of width ``fade``: of a saturation, the mean coverage of its look."""
     limited = np.clip(x, 0.0, fade)
     return limited * limited / np.maximum(2.0 * fade, 1e-30) + np.maximum(x - fade, 0.0)

@@ -61,19 +61,6 @@ def toward(azimuth: float, elevation: float) -> Floats:
     return np.array([level * math.cos(azimuth), math.sin(elevation), level * math.sin(azimuth)])
 
 
-def two_looks(d: Floats, deviation: Floats) -> Pair:
-    """Return the unit vectors above and below d (r, 3) that stand for directions that deviate up and down, (r,) rad."""
-    level = np.hypot(d[:, 0], d[:, 2])
-    heading = d[:, [0, 2]] / np.maximum(level, 1e-6)[:, None]
-    up = np.column_stack((-d[:, 1] * heading[:, 0], level, -d[:, 1] * heading[:, 1]))
-    up *= TAP_AIR * np.minimum(deviation, d[:, 1])[:, None]
-    return unit(d + up), unit(d - up)
-
-
-def _step(low: float, high: float, x: float) -> float:
-    return float(smoothstep(low, high, x))
-
-
 def _summed(
     series: skylight.Series, exponents: tuple[skylight.Exponents, skylight.Exponents], x: Floats, s: Floats
 ) -> Floats:
@@ -107,12 +94,12 @@ class LayeredSky:
         # The lamp that lights water and clouds, its irradiance at the sea under a clear sky, and above the air.
         self.lit_by = sun
         self.clear_direct: Floats = power * np.exp(-self.lamps[0].path) * skylight.disc_shown(low)
-        self._above = np.full(3, CLOUD_POWER * _step(-0.06, 0.02, low))
+        self._above = np.full(3, CLOUD_POWER * smoothstep(-0.06, 0.02, low))
         if sky.moon is None:
             return
         to_moon = _axes(sky.moon)[0]
         lit = 0.5 - 0.5 * float(dot(sun, to_moon))
-        shows = lit**2 * _step(0.06, 0.12, -low) * _step(-0.02, 0.02, float(to_moon[1]))
+        shows = lit**2 * smoothstep(0.06, 0.12, -low) * smoothstep(-0.02, 0.02, float(to_moon[1]))
         self.lamps.append(self._lamp(to_moon, MOON_POWER * sky.moon.brightness * shows, skylight.DARK))
         if low < -0.06:
             self.lit_by, self._above = to_moon, self.lamps[1].power
@@ -124,12 +111,12 @@ class LayeredSky:
         glow = skylight.glow(self.mie, self.sky.haze, height, tuple(power.tolist()), least)
         return Lamp(direction, path, power, glow)
 
-    def _cloud_light(self, altitude: float) -> Floats:
-        """The lamp's irradiance at an altitude (m), (3,): through the molecules and the haze above it, which thin with
-        different heights."""
+    def _lit(self, altitude: float) -> tuple[Floats, Floats, Floats, float]:
+        """The lamp, its light at an altitude (m), through the molecules and the haze above it, which thin with
+        different heights, and the radiance of the skylight there, (3,) each; and the camera's height."""
         depth = RAYLEIGH * math.exp(-altitude / RAYLEIGH_HEIGHT) + self.mie * math.exp(-altitude / MIE_HEIGHT)
-        result: Floats = self._above * np.exp(-depth / (max(float(self.lit_by[1]), 0.0) + 0.03))
-        return result
+        light = self._above * np.exp(-depth / (max(float(self.lit_by[1]), 0.0) + 0.03))
+        return self.lit_by, light, 0.6 / math.pi * self.clear_irradiance, self.eye[1]
 
     @cached_property
     def clouds(self) -> CloudLayer | None:
@@ -137,8 +124,7 @@ class LayeredSky:
         layer = self.sky.clouds
         if layer is None:
             return None
-        place = clouds.place(layer, self.time, self.eye)
-        return CloudLayer(layer, self.lit_by, self._cloud_light(layer.height), self._ambient, place, self.eye[1])
+        return CloudLayer(*self._lit(layer.height), layer, clouds.place(layer, self.time, self.eye))
 
     @cached_property
     def high(self) -> HighClouds | None:
@@ -146,13 +132,7 @@ class LayeredSky:
         cirrus = self.sky.cirrus
         if cirrus is None:
             return None
-        place = clouds.streak_place(cirrus, self.time, self.eye)
-        return HighClouds(cirrus, self.lit_by, self._cloud_light(cirrus.height), self._ambient, place, self.eye[1])
-
-    @property
-    def _ambient(self) -> Floats:
-        """Radiance of the skylight on clouds; (3,)."""
-        return 0.6 / math.pi * self.clear_irradiance
+        return HighClouds(*self._lit(cirrus.height), cirrus, clouds.streak_place(cirrus, self.time, self.eye))
 
     @property
     def taken(self) -> float:
@@ -212,8 +192,11 @@ class LayeredSky:
 
         Two directions stand for all in the air, whose light varies most along the horizon; clouds are filtered.
         """
-        high, low = two_looks(d, spread[0])
-        air = 0.5 * (self.clear(high) + self.clear(low))
+        level = np.hypot(d[:, 0], d[:, 2])
+        heading = d[:, [0, 2]] / np.maximum(level, 1e-6)[:, None]
+        up = np.column_stack((-d[:, 1] * heading[:, 0], level, -d[:, 1] * heading[:, 1]))
+        up *= TAP_AIR * np.minimum(spread[0], d[:, 1])[:, None]
+        air = 0.5 * (self.clear(unit(d + up)) + self.clear(unit(d - up)))
         return self.behind_clouds(air, d, (TAP_CLOUDS * spread[0], spread[1]))[0]
 
     def whole(self, d: Floats, pixel: Floats) -> Floats:
@@ -243,8 +226,6 @@ class LayeredSky:
         chord = (d - to_moon) / radius
         far = dot(chord, chord)
         near = np.flatnonzero(far < 1.2)
-        if near.size == 0:
-            return colour, hides
         a, b = dot(chord[near], right), dot(chord[near], up)
         sphere = a[:, None] * right + b[:, None] * up - np.sqrt(np.maximum(1.0 - far[near], 0.0))[:, None] * to_moon
         lit = np.sqrt(np.maximum(dot(sphere, self.lamps[0].direction), 0.0))
@@ -257,7 +238,7 @@ class LayeredSky:
 
     def stars(self, d: Floats, pixel: Floats) -> Floats:
         """Radiance of the stars; (r, 3)."""
-        bright = self.sky.stars * _step(0.05, 0.2, -float(self.lamps[0].direction[1]))
+        bright = self.sky.stars * smoothstep(0.05, 0.2, -float(self.lamps[0].direction[1]))
         result = np.zeros(d.shape)
         if bright == 0.0:
             return result
@@ -270,8 +251,6 @@ class LayeredSky:
         word = chained(0x5EA57A25, face, *cell.T)
         middle = (cell + 0.5) / STAR_CELLS * 2.0 - 1.0
         kept = np.flatnonzero(share(word) < 0.5 * (1.0 + dot(middle, middle)) ** -1.5)
-        if kept.size == 0:
-            return result
         other = [number(word[kept], i) for i in range(1, 5)]
         star = (cell[kept] + 0.25 + 0.5 * np.stack(other[:2], axis=-1)) / STAR_CELLS * 2.0 - 1.0
         chord = turned[kept] - unit(np.column_stack((star, np.ones(kept.size))))

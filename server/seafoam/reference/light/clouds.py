@@ -41,45 +41,44 @@ EYE = (7e-4, 7e-4)
 
 
 @dataclass(frozen=True, eq=False)
-class CloudLayer:
+class _Layer:
     """Clouds at one time over one camera position, under one lamp."""
 
-    clouds: Clouds
     lit_by: Floats  # (3,) unit vector toward the lamp
     light: Floats  # (3,) its irradiance at the height of clouds
     sky: Floats  # (3,) radiance of their ambient light
-    place: Vec3  # the camera's position in the clouds' noise, cells
     eye_y: float
+
+
+@dataclass(frozen=True, eq=False)
+class CloudLayer(_Layer):
+    clouds: Clouds
+    place: Vec3
+    """The camera's position in the clouds' noise, cells."""
 
     @cached_property
     def taken(self) -> float:
         """Mean share of the light from above that clouds block: a column's opacity over the normal law of the noise."""
         if self.clouds.cover == 0.0 or self.clouds.thickness == 0.0:
             return 0.0
-        at, weights = _composite(np.linspace(-8.0, 8.0, 257))
-        weights = weights * np.exp(-0.5 * at * at)
+        nodes, shares = np.polynomial.legendre.leggauss(24)
+        ends = np.linspace(-8.0, 8.0, 257)
+        half = 0.5 * np.diff(ends)[:, None]
+        at = (0.5 * (ends[1:] + ends[:-1])[:, None] + half * nodes).ravel()
+        weights = (half * shares).ravel() * np.exp(-0.5 * at * at)
         return float(weights @ self._column(at)[0] / weights.sum())
 
     @cached_property
     def radiance(self) -> Floats:
         """Mean radiance of clouds; (3,)."""
-        sunny, forward, grey = self.means.mean(axis=0)
+        sunny, forward, grey = self.averages[0].mean(axis=0)
         result: Floats = (sunny + forward / (4.0 * math.pi)) * self.light + grey * self.sky
         return result
 
     @cached_property
-    def means(self) -> Floats:
-        """Means of what :meth:`_column` has of radiance, weighted by the opacity, of slices above each other and of
-        slices that have only the finer octaves in common; (2, 3)."""
-        return self._averaged[0]
-
-    @cached_property
-    def apart(self) -> float:
-        """Mean opacity of slices that have only the finer octaves in common, less that of slices above each other."""
-        return self._averaged[1]
-
-    @cached_property
-    def _averaged(self) -> tuple[Floats, float]:
+    def averages(self) -> tuple[Floats, float]:
+        """Means of :meth:`_column`'s radiance, weighted by the opacity, of slices above each other and of slices that
+        share the finer octaves alone, (2, 3); and the mean opacity of the latter less the former's."""
         if self.taken == 0.0:
             return np.zeros((2, 3)), 0.0
         fine, lower, here, upper, else_ = _lattice()
@@ -120,8 +119,6 @@ class CloudLayer:
         light = (under - seen)[:, None] * shaded * self.radiance
         cover, hidden = (under - seen) * shaded, np.zeros(d.shape[0])
         at = np.flatnonzero(seen > 0.0)
-        if at.size == 0:
-            return light, cover, hidden
         look = d[at]
         distance, slant = distance_to(look, clouds.height - self.eye_y)
         wide = np.maximum(spread[0][at] / slant, spread[1][at])
@@ -129,10 +126,11 @@ class CloudLayer:
         noise, ahead, lost, parted, parted_lost = self._noise(look, distance, slant, width)
         opaque, *shines = self._column(noise, ahead)
         # Blurred clouds shine as their mean does.
-        means = self.means[0][:, None] + (self.means[1] - self.means[0])[:, None] * parted
+        (above, beside), apart = self.averages
+        means = above[:, None] + (beside - above)[:, None] * parted
         sunny, forward, grey = np.stack(shines) + (means - np.stack(shines)) * np.sqrt(lost)
         sunny = sunny + forward * henyey_greenstein(FORWARD, dot(look, self.lit_by))
-        hides = seen[at] * np.clip(opaque + self.edge[2] * lost**1.5 + self.apart * parted * parted_lost, 0.0, 1.0)
+        hides = seen[at] * np.clip(opaque + self.edge[2] * lost**1.5 + apart * parted * parted_lost, 0.0, 1.0)
         covers = hides * np.exp(-0.8 * (1.0 - shaded) * np.minimum(depth(look[:, 1])[:, 0], 60.0))
         light[at] += (sunny[:, None] * self.light + grey[:, None] * self.sky) * covers[:, None]
         cover[at] += covers
@@ -144,7 +142,7 @@ class CloudLayer:
         clouds = self.clouds
         high = clouds.height - self.eye_y
         at = np.flatnonzero(d[:, 1] > 0.0)
-        if clouds.rain == 0.0 or high <= 0.0 or at.size == 0:
+        if clouds.rain == 0.0 or high <= 0.0:
             return light, hidden
         level = np.maximum(np.hypot(d[at, 0], d[at, 2]), 1e-3)
         heading = d[at][:, [0, 2]] / level[:, None]
@@ -176,17 +174,12 @@ class CloudLayer:
         penumbra = PENUMBRA * distance / math.sqrt(slant)
         width = WIDTH * np.sqrt(side2 + penumbra**2) / clouds.size
         noise, lost = octaves(slice_place, width, (0, SHADOW_OCTAVES), 64 * clouds.seed)
-        lost = np.maximum(lost, 0.0)
-        passed = self.passed(noise, lost)
+        # A normal law by the noise, which lacks the variance ``lost``: its mean is one less ``taken``.
+        middle, variance, thickest = self._gap
+        fallen: Floats = special.ndtr((middle - noise) / np.sqrt(variance + np.maximum(lost, 0.0)))
+        passed = thickest + (1.0 - thickest) * fallen
         under = 1.0 - float(smoothstep(0.5, 0.9, self.eye_y / clouds.height))
         return 1.0 + under * clouds.shadows * (passed / max(1.0 - self.taken, LEAST_PASSED) - 1.0)
-
-    def passed(self, noise: Floats, lost: Floats) -> Floats:
-        """Transmittance (r,) of columns of noise (r,), which lacks the variance ``lost`` (r,): a normal law by the
-        noise, whose mean is one less :attr:`taken`."""
-        middle, variance, thickest = self._gap
-        result: Floats = thickest + (1.0 - thickest) * special.ndtr((middle - noise) / np.sqrt(variance + lost))
-        return result
 
     @cached_property
     def _gap(self) -> Vec3:
@@ -199,10 +192,6 @@ class CloudLayer:
         share = (1.0 - self.taken - thickest) / (1.0 - thickest)
         clear = float(special.ndtri(min(max(share, 1e-6), 1.0 - 1e-6)))
         return clear * math.sqrt(1.0 + variance), variance, thickest
-
-    def base(self, noise: Floats) -> Floats:
-        """Density of the clouds' bases, in [0, 1], of unfiltered noise; of its shape."""
-        return smoothstep(self._start[0], self._start[0] + self.clouds.softness, noise)
 
     @property
     def _start(self) -> Floats:
@@ -264,26 +253,19 @@ class CloudLayer:
 
 
 @dataclass(frozen=True, eq=False)
-class HighClouds:
-    """Streaks of ice at one time over one camera position, under one lamp."""
+class HighClouds(_Layer):
+    """Streaks of ice."""
 
     cirrus: Cirrus
-    lit_by: Floats
-    light: Floats
-    sky: Floats
-    place: tuple[float, float, float, float]
-    """The camera's position in the noise of the streaks and of their patches, along and across, cells."""
-    eye_y: float
+    place: tuple[float, ...]
+    """The camera's position in the noise of the streaks and of their patches, along and across, cells; (4,)."""
 
     def toward(self, d: Floats, spread: Spread, depth: Depth) -> tuple[Floats, Floats, Floats]:
-        """As :meth:`CloudLayer.toward`."""
         cirrus = self.cirrus
         light, cover, hidden = np.zeros_like(d), np.zeros(d.shape[0]), np.zeros(d.shape[0])
         above = float(smoothstep(0.5, 0.9, self.eye_y / cirrus.height))
         seen = smoothstep(0.01, 0.1, d[:, 1]) * (1.0 - above)
         at = np.flatnonzero(seen > 0.0)
-        if at.size == 0:
-            return light, cover, hidden
         look = d[at]
         distance, slant = distance_to(look, cirrus.height - self.eye_y)
         width = WIDTH * np.maximum(spread[0][at] / slant, spread[1][at]) * distance / cirrus.size
@@ -311,14 +293,6 @@ def distance_to(look: Floats, high: float) -> Pair:
     return distance, (along + distance) / (EARTH + high)
 
 
-def _composite(ends: Floats) -> Pair:
-    """Nodes and weights of Gauss–Legendre quadrature between each two of ``ends`` (n,)."""
-    nodes, weights = np.polynomial.legendre.leggauss(24)
-    half = 0.5 * np.diff(ends)[:, None]
-    at = 0.5 * (ends[1:] + ends[:-1])[:, None] + half * nodes
-    return at.ravel(), (half * weights).ravel()
-
-
 @lru_cache(maxsize=1)
 def _lattice() -> Floats:
     """Normal numbers (5, n): points of the additive recurrence by powers of the root of x⁶ = x + 1 (Roberts 2018)."""
@@ -333,15 +307,16 @@ def place(clouds: Clouds, time: float, eye: Vec3) -> Vec3:
     return noise_place(clouds.size, clouds.change, velocity, time, (eye[0], eye[2]))
 
 
-def streak_place(cirrus: Cirrus, time: float, eye: Vec3) -> tuple[float, float, float, float]:
-    """A camera position (m) in the noise of streaks and of their patches at a time (s), cells."""
-    c, s = math.cos(cirrus.downwind), math.sin(cirrus.downwind)
-    cells = PERIOD / (2.0 * math.pi)
-
-    def position(share: float, along: bool) -> float:
-        turn = 2.0 * math.pi / (PERIOD * cirrus.size) * share
-        x, z = (c, s) if along else (-s, c)
-        drift = -turn * cirrus.wind_speed if along else 0.0
-        return cells * reduced((turn * x, eye[0]), (turn * z, eye[2]), (drift, time))
-
-    return position(1.0 / STRETCH, True), position(1.0, False), position(0.125, True), position(0.25, False)
+def streak_place(cirrus: Cirrus, time: float, eye: Vec3) -> tuple[float, ...]:
+    """A camera position (m) in the noise of streaks and of their patches at a time (s), cells; (4,)."""
+    c, s, cells, wind = (
+        math.cos(cirrus.downwind),
+        math.sin(cirrus.downwind),
+        PERIOD / (2.0 * math.pi),
+        cirrus.wind_speed,
+    )
+    turns = [2.0 * math.pi / (PERIOD * cirrus.size) * share for share in (1.0 / STRETCH, 1.0, 0.125, 0.25)]
+    ways = zip(turns, ((c, s, wind), (-s, c, 0.0)) * 2, strict=True)
+    return tuple(
+        cells * reduced((turn * x, eye[0]), (turn * z, eye[2]), (-turn * drift, time)) for turn, (x, z, drift) in ways
+    )

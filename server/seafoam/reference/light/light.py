@@ -1,4 +1,4 @@
-"""Section 6: sun, sky, water body, foam and haze.
+"""Sections 6 and 7: sun, sky, water body, foam and haze, tone curves, and the sRGB curve of displays.
 
 Colours are linear RGB along the last axis, directions unit vectors (x, y, z) along the last axis.
 """
@@ -6,7 +6,7 @@ Colours are linear RGB along the last axis, directions unit vectors (x, y, z) al
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import lru_cache, partial
+from functools import lru_cache
 
 import numpy as np
 
@@ -14,8 +14,8 @@ from seafoam.ocean.constants import WATER_INDEX
 from seafoam.reference.light import atmosphere
 from seafoam.reference.light.clouds import FORWARD
 from seafoam.reference.shore.soil import Soil
-from seafoam.reference.types import Floats, Pair, Vec2, Vec3, dot, henyey_greenstein, smoothstep, unit
-from seafoam.scene import FoamScattering, Light, Water
+from seafoam.reference.types import Bounds, Floats, Pair, Vec3, WaterSamples, dot, henyey_greenstein, smoothstep, unit
+from seafoam.scene import FoamScattering, Light, ToneCurve, Water
 
 AIR_MASS_OFFSET, VIEW_AIR_MASS_OFFSET = 0.03, 0.09
 """Of M = 1/(max(y, 0) + offset), the air mass of the sun's light and of view rays of height y, less at the horizon."""
@@ -50,13 +50,19 @@ class Air:
     above: atmosphere.LayeredSky | None = None  # the layered sky of section 9, if the scene has one
 
     def sky(self, d: Floats) -> Floats:
-        """sky(d) without the disc; (..., 3). Directions below the horizon have the horizon's air mass."""
-        return sky(self, d) if self.above is None else self.above.seen(d)
+        """Radiance toward d, without the sun's disc; (..., 3). Directions below the horizon have its air mass."""
+        if self.above is not None:
+            return self.above.seen(d)
+        gamma = dot(d, self.sun)[..., None]
+        air_mass = 1.0 / (np.maximum(d[..., 1], 0.0) + VIEW_AIR_MASS_OFFSET)[..., None]
+        rayleigh = atmosphere.RAYLEIGH * (3.0 / (16.0 * math.pi)) * (1.0 + gamma * gamma)
+        mie = self.mie * henyey_greenstein(FORWARD, gamma)
+        scattered = (rayleigh + mie) / self.depth + FLAT_SHARE
+        return self.air_light * scattered * (1.0 - np.exp(-self.depth * air_mass))
 
     def mirrored(self, d: Floats, spread: Pair) -> Floats:
-        """The sky reflected by water toward directions about d (r, 3), with standard deviations (r,) up and down, and
-        aside, rad, which blur only a layered sky; (r, 3)."""
-        return sky(self, d) if self.above is None else self.above.mirrored(d, spread)
+        """The sky toward directions about d (r, 3), blurred as :data:`Mirror` says if it is layered; (r, 3)."""
+        return self.sky(d) if self.above is None else self.above.mirrored(d, spread)
 
     @property
     def sky_irradiance(self) -> Floats:
@@ -73,16 +79,6 @@ def air(light: Light, time: float = 0.0, eye: Vec3 = (0.0, 0.0, 0.0)) -> Air:
         return plain
     above = atmosphere.LayeredSky(light, light.sky, time, eye)
     return replace(plain, sun=above.lit_by, sun_irradiance=above.direct, above=above)
-
-
-def sky(air: Air, d: Floats) -> Floats:
-    """Radiance of the sky toward d, without the sun's disc; (..., 3)."""
-    gamma = dot(d, air.sun)[..., None]
-    air_mass = 1.0 / (np.maximum(d[..., 1], 0.0) + VIEW_AIR_MASS_OFFSET)[..., None]
-    rayleigh = atmosphere.RAYLEIGH * (3.0 / (16.0 * math.pi)) * (1.0 + gamma * gamma)
-    mie = air.mie * henyey_greenstein(FORWARD, gamma)
-    scattered = (rayleigh + mie) / air.depth + FLAT_SHARE
-    return air.air_light * scattered * (1.0 - np.exp(-air.depth * air_mass))
 
 
 def sun_disc(air: Air, d: Floats) -> Floats:
@@ -141,21 +137,19 @@ def lit_floor(radiance: Floats, path: Floats, depth: Floats) -> Floor:
 class WaterHit:
     """Where r rays meet the water, and the light that reaches these places."""
 
-    d: Floats  # (r, 3) unit vectors away from the camera
-    n: Floats  # (r, 3) unit normals with ripples
-    height: Floats  # (r,) m
-    heights: Vec2  # the least and the greatest height of the whole surface, m
-    floor: Floor | None = None  # None: level, at the depth of the scene's water, or none if it has no depth
-    saturation: Floats | None = None  # (r,) of foam, whose bubbles make the water milky
-    sun: Share = 1.0  # what all that throws shadows leaves of the sun
-    sun_past_foam: Share = 1.0  # what foam beside a place leaves too
-    mirrored: Mirror | None = None  # light that is reflected; None: the sky's
-    glint: Glint | None = None  # None: smooth
+    at: WaterSamples
+    bounds: Bounds  # of the whole surface
+    floor: Floor | None  # None: level, at the depth of the scene's water, or none if it has no depth
+    saturation: Floats | None  # (r,) of foam, whose bubbles make the water milky
+    sun: Floats  # (r,) what all that throws shadows leaves of the sun
+    sun_past_foam: Floats  # (r,) what foam beside a place leaves too
+    mirrored: Mirror  # light that is reflected
+    glint: Glint
 
 
 def water(air: Air, body: Water, hit: WaterHit) -> Floats:
     """Radiance of the water toward the camera, before haze; (r, 3)."""
-    d, n, sigma2 = hit.d, hit.n, body.roughness**2
+    d, n, sigma2 = hit.at.d, hit.at.normal, body.roughness**2
     nv = np.maximum(-dot(n, d), 0.0)
     cv = np.sqrt(nv * nv + sigma2 * (1.0 - nv * nv))
     mirror = fresnel(cv)[:, None]
@@ -167,8 +161,7 @@ def water(air: Air, body: Water, hit: WaterHit) -> Floats:
     inner = (1.0 - mirror) * (within + sun * _crest(air, body, hit))
     # A slope turns the reflected ray by twice its angle; across the plane of incidence less, as the look is flatter.
     spread = np.full(cv.shape, math.sqrt(2.0 * sigma2)), math.sqrt(2.0 * sigma2) * cv
-    mirrored, glitter = hit.mirrored or air.mirrored, hit.glint or partial(glint, air)
-    return inner + mirror * mirrored(_reflected(d, n, sigma2), spread) + sun * glitter(d, n, cv, sigma2)
+    return inner + mirror * hit.mirrored(_reflected(d, n, sigma2), spread) + sun * hit.glint(d, n, cv, sigma2)
 
 
 def foam(air: Air, albedo: float, N: Floats, sun: Share = 1.0) -> Floats:
@@ -184,10 +177,7 @@ def lumpy_cosine(c: Floats, roughness: float) -> Floats:
 def foam_layer(
     air: Air, scattering: FoamScattering, albedo: float, n: Floats, d: Floats, f: Floats, sun: Share = 1.0
 ) -> Pair:
-    """Radiance (r, 3) of foam of saturation f (r,) before haze, and its opacity (r,).
-
-    n, d: unit normals and view rays (r, 3). ``sun``: what is left of the sunlight.
-    """
+    """Radiance (r, 3) before haze of foam of saturation f (r,) and normals n along rays d, and its opacity (r,)."""
     toward_eye = lumpy_cosine(-dot(n, d), scattering.roughness)
     toward_sun = lumpy_cosine(dot(n, air.sun), scattering.roughness)
     depth = scattering.optical_depth * np.clip(f, 0.0, 1.0)
@@ -201,10 +191,7 @@ def foam_layer(
 
 
 def land(air: Air, soil: Soil, d: Floats, level: Floats, sun: Share = 1.0) -> Floats:
-    """Radiance of land before haze, ``sun`` of its sunlight left; (r, 3).
-
-    d and ``level``, the normals without detail: (r, 3) unit vectors.
-    """
+    """Radiance of land before haze along d; (r, 3). ``level``: normals without detail. Unit vectors (r, 3)."""
     nv = np.maximum(-dot(level, d), 0.0)
     cv = np.sqrt(nv * nv + soil.roughness2 * (1.0 - nv * nv))
     mirror = soil.film * fresnel(cv)
@@ -222,7 +209,7 @@ def haze(air: Air, visibility: float, L: Floats, d: Floats, distance: Floats) ->
     """
     if air.above is None:
         through = np.exp(-atmosphere.CONTRAST * distance / visibility)[:, None]
-        behind = sky(air, unit(d * np.array([1.0, 0.0, 1.0])))
+        behind = air.sky(unit(d * np.array([1.0, 0.0, 1.0])))
     else:
         through, behind = air.above.passed(distance), air.above.before(d)
     return L * through + behind * (1.0 - through)
@@ -243,8 +230,7 @@ def _air(sun: Floats, mie: float) -> Air:
 
 @lru_cache(maxsize=64)
 def _sky_irradiance(sun: tuple[float, ...], mie: float) -> Floats:
-    plain = _air(np.array(sun), mie)
-    return atmosphere.over_hemisphere(lambda d: sky(plain, d))
+    return atmosphere.over_hemisphere(_air(np.array(sun), mie).sky)
 
 
 def _column(share: Share) -> Floats:
@@ -264,7 +250,7 @@ def _body(body: Water, down: Floats, cv: Floats, hit: WaterHit) -> Floats:
     if floor is None:
         if body.depth is None:
             return deep
-        path = np.maximum(body.depth + hit.height, 0.0) * (1.0 + 1.0 / _refracted_cosine(cv))
+        path = np.maximum(body.depth + hit.at.height, 0.0) * (1.0 + 1.0 / _refracted_cosine(cv))
         floor = plain_floor(path, np.array(body.floor_albedo))
     return floor(extinction, deep, down)
 
@@ -290,11 +276,11 @@ def _aerated(body: Water, entering: Floats, cv: Floats, clear: Floats, saturatio
 
 def _crest(air: Air, body: Water, hit: WaterHit) -> Floats:
     """L_t: sunlight transmitted by thin crests; (r, 3)."""
-    trough, top = hit.heights
+    trough, top = hit.bounds.trough, hit.bounds.top
     if top <= trough:
-        return np.zeros_like(hit.d)
-    toward = np.maximum(hit.d[:, 0] * air.sun[0] + hit.d[:, 2] * air.sun[2], 0.0)
-    share = body.translucency / math.pi * ((hit.height - trough) / (top - trough)) ** 2 * toward
+        return np.zeros_like(hit.at.d)
+    toward = np.maximum(hit.at.d[:, 0] * air.sun[0] + hit.at.d[:, 2] * air.sun[2], 0.0)
+    share = body.translucency / math.pi * ((hit.at.height - trough) / (top - trough)) ** 2 * toward
     result: Floats = share[:, None] * air.sun_irradiance * np.exp(-CREST_PATH / np.array(body.absorption_length))
     return result
 
@@ -322,3 +308,24 @@ def blinn_phong(air: Air, power: float, perturb: float, d: Floats, n: Floats, cv
     h = unit(air.sun - d + perturb * n * np.array([1.0, 0.0, 1.0]))
     shine: Floats = np.power(np.clip(dot(n, h), 0.0, 1.0), power)
     return air.sun_irradiance / math.pi * LAKE_STRENGTH * LAKE_COLOUR * shine[:, None]
+
+
+def tone(x: Floats, curve: ToneCurve = "filmic") -> Floats:
+    """The tone curve of linear light x ≥ 0 (..., 3), in [0, 1]; of the shape of ``x``. ``curve``: ``light.tone``."""
+    if curve == "filmic":
+        return np.clip(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0)
+    # Photographic: with a long shoulder.
+    squares = (x * x).sum(axis=-1, keepdims=True)
+    norm = (x**3).sum(axis=-1, keepdims=True) / np.maximum(squares, 1e-12)
+    level = _shoulder(norm)
+    hue: Floats = np.maximum(1.0 + 1.2 * (x / np.maximum(norm, 1e-6) - 1.0), 0.0)
+    return np.clip(level * hue + level * level * (_shoulder(x) - level * hue), 0.0, 1.0)
+
+
+def _shoulder(x: Floats) -> Floats:
+    return np.minimum(1.01 * x * (x + 0.02) / (x * (x + 0.42) + 0.05), 1.0)
+
+
+def srgb(x: Floats) -> Floats:
+    """The sRGB curve of linear light in [0, 1]; of the shape of ``x``."""
+    return np.where(x <= 0.0031308, 12.92 * x, 1.055 * np.maximum(x, 0.0031308) ** (1.0 / 2.4) - 0.055)

@@ -30,13 +30,10 @@ class SparkleField:
         self.epoch, self.turn = whole % EPOCHS, float(lives - whole)
         radius_set = 0.5 * sparkles.size
         self.radius = min(max(PIXELS * step, radius_set), MOST)  # of a sparkle, rad
+        # Active sparkles per steradian at w = 1.
+        self.density = math.pi * sparkles.rate * (180.0 / math.pi) ** 2 * sparkles.life
         doubled = math.ceil(math.log2(self.radius / radius_set) - 1e-3)
         self.side = 4.0 * radius_set * 2.0**doubled  # of a cell on the octahedron
-
-    @property
-    def density(self) -> float:
-        """Active sparkles per steradian at w = 1."""
-        return math.pi * self.sparkles.rate * (180.0 / math.pi) ** 2 * self.sparkles.life
 
     def light(self, d: Floats, w: Floats) -> Floats:
         """Radiance of the sparkles toward −d (r, 3) over the sun's irradiance, for a smooth glint w (r,); (r,)."""
@@ -82,11 +79,9 @@ class SparkleField:
 
 def sun(light: Light, air: Air, time: float, step: float) -> Glint:
     """The sun on the water of a light at a time (s); ``step`` as for :class:`SparkleField`."""
-    smooth: Glint = (
-        partial(glint, air)
-        if light.specular == "glint"
-        else partial(blinn_phong, air, light.specular_power, light.specular_perturb)
-    )
+    smooth: Glint = partial(glint, air)
+    if light.specular != "glint":
+        smooth = partial(blinn_phong, air, light.specular_power, light.specular_perturb)
     if light.sparkles is None:
         return smooth
     field = SparkleField(light.sparkles, time, step)

@@ -1,7 +1,6 @@
 """Section 1: the camera, and the rays of its samples."""
 
 import math
-from functools import cached_property
 
 import numpy as np
 
@@ -15,6 +14,7 @@ class SampleGrid:
 
     def __init__(self, camera: Camera, width: int, height: int, samples: int = 1) -> None:
         self.width, self.height, self.samples = width, height, samples
+        self.columns, self.rows = samples * width, samples * height
         sin_yaw, cos_yaw = math.sin(camera.yaw), math.cos(camera.yaw)
         sin_pitch, cos_pitch = math.sin(camera.pitch), math.cos(camera.pitch)
         sin_roll, cos_roll = math.sin(camera.roll), math.cos(camera.roll)
@@ -23,33 +23,14 @@ class SampleGrid:
         right, up = right * cos_roll + up * sin_roll, up * cos_roll - right * sin_roll
         q = math.tan(camera.fov / 2.0)
         self.eye: Floats = np.array(camera.position, np.float64)  # m
+        x, self.eye_y, z = (float(part) for part in camera.position)
+        self.origin: Vec2 = x, z  # the point below the camera, m
         # Derivatives of a ray by clip X and Y, and the ray through the centre of the picture.
         self.ray_x: Floats = q * (width / height) * right
         self.ray_y: Floats = q * up
         self.ray_z: Floats = np.array([sin_yaw * cos_pitch, sin_pitch, -cos_yaw * cos_pitch])
-
-    @property
-    def eye_y(self) -> float:
-        """Height of the camera, m."""
-        return float(self.eye[1])
-
-    @property
-    def origin(self) -> Vec2:
-        """World coordinates (x, z) of the point below the camera, m."""
-        return float(self.eye[0]), float(self.eye[2])
-
-    @property
-    def rows(self) -> int:
-        return self.samples * self.height
-
-    @property
-    def columns(self) -> int:
-        return self.samples * self.width
-
-    @cached_property
-    def steps(self) -> Pair:
-        """Change of a ray from one sample to the next, along a row and along a column; (3,) each."""
-        return 2.0 * self.ray_x / self.columns, 2.0 * self.ray_y / self.rows
+        # Change of a ray from one sample to the next, along a row and along a column; (3,) each.
+        self.steps: Pair = 2.0 * self.ray_x / self.columns, 2.0 * self.ray_y / self.rows
 
     @property
     def depression(self) -> Floats:

@@ -6,12 +6,13 @@ import numpy as np
 
 from seafoam.ocean.waves.stokes import foam_life
 from seafoam.reference import sampling
-from seafoam.reference.foam import aging, cells, looks
+from seafoam.reference.foam import coverage as looked
+from seafoam.reference.foam import looks
 from seafoam.reference.foam.coverage import OCTAVES_MOST, Assets, MaskPoints, coverage, mask_points, tiles
 from seafoam.reference.foam.drift import Copy, copies
 from seafoam.reference.renderer.sources import saturation
-from seafoam.reference.renderer.state import ReferenceState, WaterSamples
-from seafoam.reference.types import Floats, Footprints, Indices, Pair, Vec2, smoothstep
+from seafoam.reference.renderer.state import ReferenceState
+from seafoam.reference.types import Floats, Footprints, Indices, Pair, Vec2, WaterSamples, smoothstep
 from seafoam.scene import DriftSaturation, Foam
 
 LOWEST_SHADE = 0.25  # sine of the sun's elevation below which shadows of foam have constant length
@@ -77,42 +78,38 @@ class FoamStage(ReferenceState):
         to_rest: Pair | None = None,
         octaves: int = OCTAVES_MOST,
     ) -> Floats:
-        """Foam amount at r places of the water, or ``offset`` m (x, z) from them, however its mask is moved; (r,).
-        ``to_rest``: displacement to the water's rest position, m; by default that of the waves. ``octaves``: maximum of
-        the mask's."""
+        """Foam amount at r places of the water, or ``offset`` m from them, of at most so many octaves of a mask; (r,).
+        ``to_rest``: displacement to the water's rest position, m; by default that of the waves."""
         if foam_life(self.scene) is not None:
             by_x, by_z = self.surface.to_rest(x, z) if to_rest is None else to_rest
             rest = x + by_x + offset[0], z + by_z + offset[1]
-            return self._aging(self._windrows(f, x, z), f, rest, footprints, octaves)
+            f = np.clip(f, 0.0, 1.0)
+            s = looks.ramped(f, self.foam.fade) if self.foam.octaves > 1 else f
+            # The converged frame resolves all windrows, so they are not filtered.
+            gathered = looked.gathered(self.scene, self.time, self.surface.afloat, s, x, z)
+            return self._aging(gathered, f, rest, footprints, octaves)
         x, z = x + offset[0], z + offset[1]
         advected = self._advected(x, z)
         if not advected:
             return self._look(f, x, z, footprints, octaves)
         free = np.ones_like(x)
         for copy in advected:
-            part = cells.part(f, copy.weight)
+            part = looked.part(f, copy.weight)
             turned = copy.turned(footprints[0]), copy.turned(footprints[1])
             amount = self._look(part, copy.x, copy.z, turned, octaves)
             free *= np.where(copy.weight > 0.0, 1.0 - amount, 1.0)
         return 1.0 - free
 
-    def _windrows(self, f: Floats, x: Floats, z: Floats) -> Floats:
-        """Coverage of foam of saturation f at (x, z), gathered in windrows; (r,)."""
-        limited = np.clip(f, 0.0, 1.0)
-        s = looks.ramped(limited, self.foam.fade) if self.foam.octaves > 1 else limited
-        # The converged frame resolves all windrows, so they are not filtered.
-        return aging.gathered(self.scene, self.time, self.surface.afloat, s, x, z)
-
     def _aging(self, s: Floats, f: Floats, rest: Pair, footprints: Footprints, octaves: int) -> Floats:
         """Foam amount of a coverage s of masks by age, where the water's rest position is ``rest``; (r,)."""
         foam = self.foam
         points = mask_points(*rest, footprints, foam, (0.0, 0.0))
-        by_u, by_v = aging.drifted(self.scene, self.time, self.surface.afloat)
+        by_u, by_v = looked.drifted(self.scene, self.time, self.surface.afloat)
         points = replace(points, u=points.u + by_u, v=points.v + by_v)
         t = self._texture(*rest, footprints)
         free = np.ones_like(s)
         masks = (self.images, *self.images.older)
-        for mask, (weight, share) in zip(masks, aging.shares(len(masks), s, np.clip(f, 0.0, 1.0)), strict=True):
+        for mask, (weight, share) in zip(masks, looked.shares(len(masks), s, f), strict=True):
             own = np.flatnonzero(weight > 0.0)
             covered = coverage(
                 foam, mask, share[own], points.subset(own), filtering=self.filtering, shares=True, octaves=octaves
@@ -125,16 +122,16 @@ class FoamStage(ReferenceState):
         foam = self.foam
         t = self._texture(x, z, footprints)
         if foam.look == "textured":
-            return looks.textured(f, t)
+            return looks.hard(foam.look, f, f, t)
         points = mask_points(x, z, footprints, foam, self.surface.afloat)
         if not foam.cells or foam_life(self.scene) is not None:
             return self._amount(f, t, points, octaves)
         filtered = foam.look == "filtered"
         free = np.ones_like(x)
-        for corner in cells.corners(*cells.counted(x, z, foam, self.surface.afloat), filtered):
+        for corner in looked.corners(*looked.counted(x, z, foam, self.surface.afloat), filtered):
             own = np.flatnonzero(corner.weight > 0.0)
             turned = corner.turned(points.foot_u), corner.turned(points.foot_v)
-            part = cells.part(f[own], corner.weight[own]) if filtered else f[own]
+            part = looked.part(f[own], corner.weight[own]) if filtered else f[own]
             cell = MaskPoints(corner.u, corner.v, *turned).subset(own)
             free[own] *= 1.0 - self._amount(part, t[own], cell, octaves)
         return 1.0 - free
@@ -153,12 +150,7 @@ class FoamStage(ReferenceState):
         if foam.look == "filtered":
             covered = coverage(foam, self.images, f, points, filtering=self.filtering, octaves=octaves)
             return looks.thinned(covered, t, foam.texture)
-        m = sampling.nearest(self.images.thresholds, points.u, points.v)
-        if foam.look == "halftone":
-            return looks.halftone(f, m)
-        if foam.look == "fading":
-            return looks.fading(f, m)
-        return looks.halftone_textured(f, m, t) if foam.look == "halftone_textured" else looks.listing(f, m, t)
+        return looks.hard(foam.look, f, sampling.nearest(self.images.thresholds, points.u, points.v), t)
 
     def _texture(self, x: Floats, z: Floats, footprints: Footprints) -> Floats:
         foam = self.foam
@@ -171,7 +163,8 @@ class FoamStage(ReferenceState):
             # The second copy is mirrored at a diagonal.
             u, v = places if copy == 0 else places[::-1]
             if self.filtering:
-                level = sampling.footprint_level(footprints[0] / tile, footprints[1] / tile, texture[0].shape[0])
+                longer = np.maximum(*(((side / tile) ** 2).sum(axis=1) for side in footprints))
+                level = 0.5 * np.log2(np.maximum(longer * float(len(texture[0])) ** 2, 1e-60))
                 total += sampling.trilinear(texture, u, v, level)
             else:
                 total += sampling.bilinear(texture[0], u, v)

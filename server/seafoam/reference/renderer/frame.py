@@ -66,7 +66,7 @@ def render(
     shader = SampleShader(scene, time, grid, mode, Assets.for_scene(scene))
     flying = None
     if drops is not None and scene.spray is not None and not shader.covered:
-        flying = Splats(scene, Drops.of(drops), grid, shader.surface, shader.fleet, shader.lighting)
+        flying = Splats(shader, Drops.of(drops))
     X, Y = _clip_positions(grid, mode)
     count = max(1, CHUNK // samples**2) * samples**2
     parts = [shader.shade(X[i : i + count], Y[i : i + count]) for i in range(0, X.size, count)]

@@ -27,45 +27,35 @@ GOLDEN_STEPS = 40
 
 
 def first_crossing(relief: ReliefPart, eye_y: float, d: Floats) -> Floats:
-    """Distance along unit rays d (r, 3) from (0, eye_y, 0) to the surface, m; (r,), infinite where they miss it.
-
-    Crossings in both directions count: rays of a camera under water meet the surface from below.
-    """
+    """Distance along unit rays d (r, 3) from (0, eye_y, 0) to the surface, from either side, m; (r,), ∞: a miss."""
     distance = np.full(d.shape[0], np.inf)
-    if relief.top <= 0.0:
+    if relief.bounds.top <= 0.0:
         slanted = np.abs(d[:, 1]) >= LEVEL
         s: Floats = -eye_y / np.where(slanted, d[:, 1], 1.0)
         met = slanted & (s > 0.0)
         distance[met] = s[met]
         return distance
-    low, high, inside = _slab(eye_y, relief.trough, relief.top, d[:, 1])
+    low, high, inside = _slab(eye_y, relief.bounds.trough, relief.bounds.top, d[:, 1])
     chosen = np.flatnonzero(inside)
-    if chosen.size:
-        search = _Search(relief, eye_y, d[chosen])
-        distance[chosen] = search.first(low[chosen], high[chosen])
+    distance[chosen] = _Search(relief, eye_y, d[chosen]).first(low[chosen], high[chosen])
     return distance
 
 
 def land_crossing(land: ReliefPart, eye_y: float, d: Floats, low: Floats, high: Floats) -> Floats:
-    """Distance along unit rays d (r, 3) to land above y = 0, m; (r,), infinite where they miss it.
-
-    The search is limited to distances from ``low`` to ``high`` (r,) m.
-    """
+    """Distance along unit rays d (r, 3) to land above y = 0, from ``low`` to ``high`` (r,), m; (r,), ∞ for a miss."""
     distance = np.full(d.shape[0], np.inf)
-    if land.top <= 0.0:
+    if land.bounds.top <= 0.0:
         return distance
-    start, end, inside = _slab(eye_y, 0.0, land.top, d[:, 1])
+    start, end, inside = _slab(eye_y, 0.0, land.bounds.top, d[:, 1])
     start, end = np.maximum(start, low), np.minimum(end, high)
     chosen = np.flatnonzero(inside & (start < end))
-    if chosen.size:
-        search = _Search(land, eye_y, d[chosen])
-        found = search.first(start[chosen], end[chosen])
-        # The search reports a crossing at its end for rays that leave; only crossings on land count.
-        met = np.isfinite(found)
-        s = np.where(met, found, 0.0)
-        height = land.height(d[chosen, 0] * s, d[chosen, 2] * s)
-        met &= (height > 0.0) & (np.abs(eye_y + d[chosen, 1] * s - height) <= 1e-6)
-        distance[chosen] = np.where(met, found, np.inf)
+    found = _Search(land, eye_y, d[chosen]).first(start[chosen], end[chosen])
+    # The search reports a crossing at its end for rays that leave; only crossings on land count.
+    met = np.isfinite(found)
+    s = np.where(met, found, 0.0)
+    height = land.height(d[chosen, 0] * s, d[chosen, 2] * s)
+    met &= (height > 0.0) & (np.abs(eye_y + d[chosen, 1] * s - height) <= 1e-6)
+    distance[chosen] = np.where(met, found, np.inf)
     return distance
 
 
@@ -75,10 +65,7 @@ def normal(h_x: Floats, h_z: Floats) -> Floats:
 
 
 def footprint(t: Floats, D: Floats, N: Floats, delta: Floats) -> Floats:
-    """∂P/∂X = t(δ − D (N·δ)/(N·D)) for the step δ (3,) of D from sample to sample; its (x, z) part, (r, 2) m.
-
-    N·D is at most −10⁻³ |N||D|.
-    """
+    """∂P/∂X = t(δ − D (N·δ)/(N·D)) for a step δ (3,) of D, N·D at most −10⁻³ |N||D|; its (x, z) part, (r, 2) m."""
     facing = np.minimum(dot(N, D), -1e-3 * np.sqrt(dot(N, N) * dot(D, D)))
     moved = t[:, None] * (delta - D * (dot(N, delta) / facing)[:, None])
     return moved[:, [0, 2]]
@@ -113,7 +100,9 @@ class _Search:
         """First zero of G between the ends of the slab; (r,) m, infinite where there is none."""
         size, rise = low.size, self.d[1]
         # Rounding must not place a camera above all crests below one.
-        outside = 1.0 if self.eye_y > self.relief.top else -1.0 if self.eye_y < self.relief.trough else 0.0
+        outside = (
+            1.0 if self.eye_y > self.relief.bounds.top else -1.0 if self.eye_y < self.relief.bounds.trough else 0.0
+        )
         side = np.full(size, outside)
         if outside == 0.0:
             side = np.where(self._value(low, *self.d) >= 0.0, 1.0, -1.0)
@@ -121,7 +110,7 @@ class _Search:
         # Every ray that leaves the slab on the other side has crossed, even if rounding of G there says otherwise.
         sure = (np.abs(rise) >= LEVEL) & (side * rise < 0.0) & ((high < FAR) | (outside != 0.0))
         # Rays steeper than any slope have one crossing, between the ends.
-        steep = sure & (side > 0.0) & (-rise > self.relief.slope * self.level)
+        steep = sure & (side > 0.0) & (-rise > self.relief.bounds.slope * self.level)
         before[steep], after[steep] = low[steep], high[steep]
         dips = self._march(np.flatnonzero(~steep), low, high, side, sure, before, after)
         self._search_dips(dips, side, before, after)
@@ -135,15 +124,13 @@ class _Search:
         """Bracket the first sign change of each ray in ``before`` and ``after``; return the minima to be searched. A
         minimum is (rays, from, to): G is positive where it was sampled, but may be negative between."""
         dips: list[tuple[Indices, Floats, Floats]] = []
-        if rays.size == 0:
-            return dips
         d, level, sign, s, end = (part[..., rays] for part in (self.d, self.level, side, low, high))
         certain = sure[rays]
         g = sign * self._value(s, *d)
         s_old, g_old = s, np.full(s.shape, np.inf)
-        closing = self.relief.slope * level - sign * d[1]
+        closing = self.relief.bounds.slope * level - sign * d[1]
         live = np.ones(rays.size, np.bool_)
-        fine = SHAPE_SHARE * self.relief.shape / np.maximum(level, 1e-12)
+        fine = SHAPE_SHARE * self.relief.bounds.shape / np.maximum(level, 1e-12)
         for steps in count(1):
             if steps > FINE_STEPS:
                 fine = fine * GROWTH
@@ -155,7 +142,13 @@ class _Search:
             where = rays[crossed]
             before[where], after[where] = s[crossed], s_new[crossed]
             width = np.maximum(s - s_old, s_new - s) * level
-            suspect = live & ~crossed & (g <= g_old) & (g <= g_new) & (g <= 0.5 * self.relief.curvature * width * width)
+            suspect = (
+                live
+                & ~crossed
+                & (g <= g_old)
+                & (g <= g_new)
+                & (g <= 0.5 * self.relief.bounds.curvature * width * width)
+            )
             if suspect.any():
                 dips.append((rays[suspect], s_old[suspect], s_new[suspect]))
             live &= ~crossed & (s_new < end)
@@ -195,7 +188,7 @@ class _Search:
         result = np.empty(rays.size)
         place = np.arange(rays.size)
         d, s = self.d[:, rays], 0.5 * (a + b)
-        for _ in range(REFINEMENTS if rays.size else 0):
+        for _ in range(REFINEMENTS):
             g = side * self._value(s, *d)
             h_x, h_z = self.relief.gradient(d[0] * s, d[2] * s)
             slope = side * (d[1] - d[0] * h_x - d[2] * h_z)

@@ -8,9 +8,9 @@ from seafoam.reference.foam.front import CAP
 from seafoam.reference.light import light
 from seafoam.reference.renderer import intersect
 from seafoam.reference.renderer.foam import FoamStage
-from seafoam.reference.renderer.state import Lighting, WaterSamples
+from seafoam.reference.renderer.state import Lighting
 from seafoam.reference.shore.shore import Coast
-from seafoam.reference.types import Floats, Pair, dot, unit
+from seafoam.reference.types import Floats, Pair, WaterSamples, dot, unit
 from seafoam.reference.water.seafloor import FARTHEST, FOAM_THROUGH, Seabed
 from seafoam.scene import SurfSaturation
 
@@ -69,12 +69,13 @@ class SampleShader(FoamStage):
         if foam is not None and f is not None and foam.thickness > 0.0:
             left, factor = self._foam_shadow(lighting.air.sun, a, f, samples)
             on_water, on_foam = left * sun, factor * sun
+        coast, at = self.surface.coast, (samples.x, samples.z, samples.height, samples.d, samples.normal)
+        bed = self.seabed if coast is None else coast
         hit = light.WaterHit(
-            samples.d,
-            samples.normal,
-            samples.height,
-            (self.surface.relief.trough, self.surface.relief.top),
-            floor=self._floor(samples),
+            samples,
+            self.surface.relief.bounds,
+            # What is under the water, if its floor is not level and uniform.
+            floor=None if bed is None else bed.seen(*at, samples.footprints),
             saturation=f,
             sun=sun,
             sun_past_foam=on_water,
@@ -90,13 +91,6 @@ class SampleShader(FoamStage):
                 white = glow + (1.0 - opaque)[:, None] * colour
             colour = self._blend(colour, white, a)
         return lighting.haze(colour, samples.d, samples.distance) * self.exposure, amount
-
-    def _floor(self, samples: WaterSamples) -> light.Floor | None:
-        """What is under the water, if its floor is not level and uniform."""
-        place = samples.x, samples.z, samples.height, samples.d, samples.normal, samples.footprints
-        if self.surface.coast is not None:
-            return self.surface.coast.bed(*place)
-        return None if self.seabed is None else self.seabed.seen(*place)
 
     def _land(self, coast: Coast, D: Floats, d: Floats, distance: Floats) -> Pair:
         """Colour (r, 3) and foam amount (r,) where rays D meet land, ``distance`` metres away."""
@@ -189,8 +183,7 @@ class SampleShader(FoamStage):
         return seen
 
     def _mirrored_land(self, lighting: Lighting, coast: Coast, place: Floats, r: Floats, far: Floats) -> Floats:
-        """Radiance (n, 3) of the land that rays r (r, 3) from places (r, 3) meet; writes its distance to ``far`` (r,),
-        m."""
+        """Radiance (n, 3) of land that rays r (r, 3) from places (r, 3) meet; writes how far, m, to ``far`` (r,)."""
         low, high = coast.within(r, place[:, 0], place[:, 2])
         inside = np.flatnonzero(low < high)
         start = place[inside] + low[inside, None] * r[inside]

@@ -2,17 +2,16 @@
 
 import math
 from collections.abc import Callable
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
-from pydantic import BaseModel
 
 from seafoam.extensions import TRUTHS
 from seafoam.ocean.waves.stokes import foam_drift
 from seafoam.reference.foam import front
 from seafoam.reference.foam.drift import drift_saturation
-from seafoam.reference.renderer.state import ReferenceState, WaterSamples
-from seafoam.reference.types import Floats
+from seafoam.reference.renderer.state import ReferenceState
+from seafoam.reference.types import Floats, WaterSamples
 from seafoam.reference.types import SurfacePoints as SurfacePoints
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.reference.waves.sea import whitecap_saturation
@@ -60,37 +59,26 @@ def _front(state: ReferenceState, source: scenes.FrontSaturation, points: Surfac
     return f * front.gate(sum_of.rho, source.group)
 
 
-def _surf(state: ReferenceState, source: scenes.SurfSaturation, points: SurfacePoints) -> Floats:
-    coast = state.surface.coast
-    if coast is None:
-        return np.zeros_like(points.x)
-    return coast.foam(source, points.x, points.z, points.height, points.footprints)
-
-
-def _wake(state: ReferenceState, source: scenes.WakeSaturation, points: SurfacePoints) -> Floats:
-    wakes = state.surface.wakes
-    if wakes is None:
-        return np.zeros_like(points.x)
-    return wakes.foam(source, points.x, points.z, points.cap, points.footprints)
-
-
-_SOURCES: dict[type[BaseModel], Callable[[ReferenceState, Any, SurfacePoints], Floats]] = {
-    scenes.FrontSaturation: _front,
-    scenes.HeightSaturation: lambda state, source, at: height_saturation(
-        at.height + state.surface.waves.level, source.base, source.full
-    ),
-    scenes.SlopeSaturation: lambda state, source, at: slope_saturation(
-        lambda x, z: state.surface.slopes(x, z)[1], at.x, at.z, source.gain, source.base, source.blur
-    ),
-    scenes.WhitecapSaturation: lambda state, source, at: whitecap_saturation(
-        state.scene, source, state.surface.sea, at.x, at.z
-    ),
-    scenes.SurfSaturation: _surf,
-    scenes.DriftSaturation: lambda state, source, at: drift_saturation(
-        state.scene, source, at.time, at.origin, at.x, at.z
-    ),
-    scenes.WakeSaturation: _wake,
-}
+def _of(state: ReferenceState, source: scenes.FoamSource, at: SurfacePoints) -> Floats:
+    """f of one source at points; (r,)."""
+    surface, none = state.surface, np.zeros_like(at.x)
+    match source:
+        case scenes.FrontSaturation():
+            return _front(state, source, at)
+        case scenes.HeightSaturation():
+            return height_saturation(at.height + surface.waves.level, source.base, source.full)
+        case scenes.SlopeSaturation(gain=gain, base=base, blur=blur):
+            return slope_saturation(lambda x, z: surface.slopes(x, z)[1], at.x, at.z, gain, base, blur)
+        case scenes.WhitecapSaturation():
+            return whitecap_saturation(state.scene, source, surface.sea, at.x, at.z)
+        case scenes.DriftSaturation():
+            return drift_saturation(state.scene, source, at.time, at.origin, at.x, at.z)
+        case scenes.SurfSaturation():
+            coast = surface.coast
+            return none if coast is None else coast.foam(source, at.x, at.z, at.height, at.footprints)
+    assert isinstance(source, scenes.WakeSaturation)
+    wakes = surface.wakes
+    return none if wakes is None else wakes.foam(source, at.x, at.z, at.cap, at.footprints)
 
 
 def saturation(state: ReferenceState, foam: scenes.Foam, samples: WaterSamples) -> Floats:
@@ -102,7 +90,7 @@ def saturation(state: ReferenceState, foam: scenes.Foam, samples: WaterSamples) 
     footprints = samples.footprints if filtered and state.filtering else None
     cap = 1.0 if filtered else front.CAP
     points = SurfacePoints(samples.x, samples.z, samples.height, footprints, cap, state.time, state.origin)
-    parts = [_SOURCES[type(source)](state, source, points) for source in foam.saturation]
+    parts = [_of(state, source, points) for source in foam.saturation]
     outside = (part for _, part in state.scene.extensions if type(part) in TRUTHS)
     parts += [TRUTHS[type(part)](part, state.scene, points) for part in outside]
     return joined(parts, foam.combine, cap)

@@ -1,21 +1,21 @@
 """What all samples of a frame share: the surface, its light, and the view."""
 
 import math
-from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
 
 from seafoam.ocean.waves.stokes import follows_orbits
+from seafoam.ocean.waves.wakes import stone_wakes
 from seafoam.reference.boats.boat import Fleet
-from seafoam.reference.boats.wake import StoneSet, WakeSet, stone_set, wake_set
+from seafoam.reference.boats.wake import StoneSet, WakeSet, wake_set
 from seafoam.reference.foam.coverage import Assets
 from seafoam.reference.light import light, sparkles
 from seafoam.reference.renderer import intersect
 from seafoam.reference.renderer.camera import SampleGrid
 from seafoam.reference.shore.shore import Coast, land_shadow
-from seafoam.reference.types import Floats, Footprints, Relief, ReliefPart, Sunlight, Vec2, dot, unit
-from seafoam.reference.water.seafloor import Seabed, ShoreSeabed
+from seafoam.reference.types import Floats, Footprints, Relief, ReliefPart, Sunlight, Vec2, WaterSamples, dot, unit
+from seafoam.reference.water.seafloor import Seabed
 from seafoam.reference.waves.parametric import afloat, gust_field, ripple_set, wave_set
 from seafoam.reference.waves.rings import ring_set, touch_set
 from seafoam.reference.waves.sea import sea_surface
@@ -31,7 +31,8 @@ class Surface:
         self.afloat = afloat(scene, time, origin)  # the origin in the frame of the flowing water, m
         self.waves, self.sea = wave_set(scene, time, self.afloat), sea_surface(scene, time, self.afloat)
         boats = wake_set(scene, time, origin) if scene.boats else None
-        stones = None if scene.current is None else stone_set(scene.current, origin)
+        current = scene.current
+        stones = None if current is None else StoneSet(stone_wakes(current), current, origin)
         # The wakes that leave foam.
         self.wakes: WakeSet | StoneSet | None = stones if stones is not None and stones.wakes else boats
         parts = (self.waves, ring_set(scene, time, origin), boats, stones, self.sea)
@@ -71,7 +72,7 @@ class Lighting:
     def __init__(
         self, settings: Light, time: float, grid: SampleGrid, filtering: bool, coast: Coast | None, fleet: Fleet | None
     ) -> None:
-        self.settings = settings
+        self.settings, self.exposure = settings, float(2.0**settings.exposure)  # the factor on radiance
         self.air = air = light.air(settings, time, (grid.origin[0], grid.eye_y, grid.origin[1]))
         step = max(math.sqrt(float(side @ side)) for side in grid.steps) if filtering else 0.0
         self.glint = sparkles.sun(settings, air, time, step)
@@ -85,11 +86,6 @@ class Lighting:
         # What land and clouds leave of the sun, and what boats leave too.
         self.open_sun, self.sunlight = _product(parts), _product([*parts, *boats])
 
-    @property
-    def exposure(self) -> float:
-        """Factor on radiance."""
-        return float(2.0**self.settings.exposure)
-
     def haze(self, L: Floats, d: Floats, distance: Floats) -> Floats:
         """L (r, 3) seen through (r,) m of air along d (r, 3); (r, 3)."""
         return light.haze(self.air, self.settings.visibility, L, d, distance)
@@ -97,20 +93,6 @@ class Lighting:
 
 def _product(parts: list[Sunlight]) -> Sunlight:
     return lambda place, at: np.prod([np.ones(len(place)), *(part(place, at) for part in parts)], axis=0)
-
-
-@dataclass(frozen=True, eq=False)
-class WaterSamples:
-    """Where r rays meet the water."""
-
-    d: Floats  # (r, 3) unit vectors along the rays
-    distance: Floats  # (r,) m
-    x: Floats  # (r,) m from the origin
-    z: Floats
-    height: Floats  # (r,) m
-    footprints: Footprints
-    normal: Floats  # (r, 3) unit vectors, with ripples
-    foam_normal: Floats  # the same with half of the ripples, which foam damps
 
 
 class ReferenceState:
@@ -132,6 +114,7 @@ class ReferenceState:
         self.lighting = None
         if scene.light is not None:
             self.lighting = Lighting(scene.light, time, grid, self.filtering, coast, self.fleet)
+        self.exposure = 1.0 if self.lighting is None else self.lighting.exposure
         self.covered = self.eye_y < float(relief.height(np.zeros(1), np.zeros(1))[0])
         self.under = scene.water.view_below and self.covered
         self.seabed = None if self.lighting is None else self._seabed(self.lighting)
@@ -142,13 +125,7 @@ class ReferenceState:
         uniform = lighting.settings.caustics is None and water.floor_tile is None
         if not self.under and (coast is not None or water.depth is None or uniform):
             return None
-        parts = self.scene, lighting.air, self.time, self.origin, lighting.sunlight
-        return Seabed(*parts) if coast is None else ShoreSeabed(*parts, coast)
-
-    @property
-    def exposure(self) -> float:
-        """Factor on radiance."""
-        return 1.0 if self.lighting is None else self.lighting.exposure
+        return Seabed(self.scene, lighting.air, self.time, self.origin, lighting.sunlight, coast)
 
     def footprints(self, t: Floats, D: Floats, N: Floats) -> Footprints:
         """Footprints (r, 2) m of samples along both sides, where rays tD meet a surface of normal N."""

@@ -33,10 +33,7 @@ def step_between(low: float, high: float, x: Floats) -> Floats:
 
 
 def signed_distance(land: Bools) -> Floats:
-    """Exact distance of texels to the nearest of the other kind, minus ½, in texels: positive at sea, negative on land.
-
-    Without the other kind: the side of the map.
-    """
+    """Exact distance of texels to the other kind, less ½, negative on land, in texels; without it the map's side."""
     if land.all() or not land.any():
         return np.where(land, -1.0, 1.0) * float(land.shape[1])
     inland: Floats = ndimage.distance_transform_edt(land)

@@ -16,7 +16,18 @@ from seafoam.reference.light.light import Floor, plain_floor
 from seafoam.reference.noise import filtered_step, footprint_variance, grain, patches
 from seafoam.reference.shore import maps
 from seafoam.reference.shore.soil import Soil, detailed
-from seafoam.reference.types import Floats, Footprints, Pair, ReliefPart, Sunlight, Vec2, dot, smoothstep, unit
+from seafoam.reference.types import (
+    Bounds,
+    Floats,
+    Footprints,
+    Pair,
+    ReliefPart,
+    Sunlight,
+    Vec2,
+    dot,
+    smoothstep,
+    unit,
+)
 from seafoam.reference.waves.parametric import reduced
 from seafoam.scene import Shore, SurfSaturation
 
@@ -58,15 +69,6 @@ class Coast:
         self.time = reduced((-2.0 * math.pi / shore.surf.period, time)) / (2.0 * math.pi)
         self.land = Land(self)
 
-    @property
-    def top(self) -> float:
-        """Upper bound of the sea's height, m."""
-        return self.open_sea.top + self.shore.surf.height
-
-    @property
-    def trough(self) -> float:
-        return self.open_sea.trough
-
     def _change(self, values: Floats) -> Floats:
         """Greatest derivative of a map's channel around each texel, per metre: an upper bound of its spline's."""
         texel = self.shore.size / maps.MAP
@@ -75,30 +77,24 @@ class Coast:
         return result
 
     @cached_property
-    def slope(self) -> float:
-        phase, height, skew, share = np.moveaxis(self.field.texels, -1, 0)
-        table = self.profiles.table
+    def bounds(self) -> Bounds:
+        sea, table = self.open_sea.bounds, self.profiles.table
+        phase, rise, skew, share = (self._change(part) for part in np.moveaxis(self.field.texels, -1, 0))
+        tall = ndimage.maximum_filter(self.field.texels[..., 1], 5)
         turn = float(np.abs(np.diff(table, axis=1, append=table[:, :1])).max()) * maps.NODES
         rows = float(np.abs(np.diff(table, axis=0)).max()) * (table.shape[0] - 1)
-        tall = ndimage.maximum_filter(height, 5)
-        own = tall * (turn * self._change(phase) + rows * self._change(skew)) + self._change(height)
-        swing = max(self.open_sea.top, -self.open_sea.trough)
-        shared = swing * float(self._change(share).max()) if swing > 0.0 else 0.0
-        return self.open_sea.slope + shared + 1.01 * float(own.max())
-
-    @cached_property
-    def curvature(self) -> float:
-        phase, height = self.field.texels[..., 0], self.field.texels[..., 1]
-        table = self.profiles.table
+        own = tall * (turn * phase + rows * skew) + rise
+        swing = max(sea.top, -sea.trough)
+        shared = swing * float(share.max()) if swing > 0.0 else 0.0
         bend = float(np.abs(np.diff(table, 2, axis=1)).max()) * maps.NODES * maps.NODES
-        tall = ndimage.maximum_filter(height, 5)
-        return self.open_sea.curvature + 1.3 * float((tall * bend * self._change(phase) ** 2).max())
-
-    @cached_property
-    def shape(self) -> float:
-        height = self.field.texels[..., 1]
-        steps = self._change(self.field.texels[..., 0])[ndimage.maximum_filter(height, 5) > 0.0]
-        return min(self.open_sea.shape, 0.1 / float(steps.max())) if steps.size else self.open_sea.shape
+        steps = phase[tall > 0.0]
+        return Bounds(
+            sea.top + self.shore.surf.height,
+            sea.trough,
+            sea.slope + shared + 1.01 * float(own.max()),
+            sea.curvature + 1.3 * float((tall * bend * phase**2).max()),
+            min(sea.shape, 0.1 / float(steps.max())) if steps.size else sea.shape,
+        )
 
     def place(self, x: Floats, z: Floats) -> Pair:
         """(x, z) relative to the centre of the square, m."""
@@ -120,21 +116,17 @@ class Coast:
         return turns - np.floor(turns)
 
     def height(self, x: Floats, z: Floats) -> Floats:
-        """Height of the sea at (x, z); (r,) m."""
         total, (q_x, q_z) = self.open_sea.height(x, z), self.place(x, z)
         # At the square's edge the shore's waves have height 0 and the sea's have their full height.
         inside = np.flatnonzero((np.abs(q_x) <= 0.5 * self.shore.size) & (np.abs(q_z) <= 0.5 * self.shore.size))
-        if inside.size:
-            here = self.field.value(q_x[inside], q_z[inside])
-            own = np.zeros(inside.size)
-            up = np.flatnonzero(here[:, 1] > 0.0)
-            profile, _, _ = self.profiles(self.turn(here[up, 0]), here[up, 2])
-            own[up] = here[up, 1] * profile
-            total[inside] = total[inside] * here[:, 3] + own
+        here, own = self.field.value(q_x[inside], q_z[inside]), np.zeros(inside.size)
+        up = np.flatnonzero(here[:, 1] > 0.0)
+        profile, _, _ = self.profiles(self.turn(here[up, 0]), here[up, 2])
+        own[up] = here[up, 1] * profile
+        total[inside] = total[inside] * here[:, 3] + own
         return total
 
     def gradient(self, x: Floats, z: Floats) -> Floats:
-        """(h_x, h_z) of the sea at (x, z); (2, r)."""
         H, along, (q_x, q_z) = self.open_sea.height(x, z), self.open_sea.gradient(x, z), self.place(x, z)
         beyond = (np.abs(q_x) > 0.5 * self.shore.size) | (np.abs(q_z) > 0.5 * self.shore.size)
         here, change = self.field.all(q_x, q_z)
@@ -220,10 +212,7 @@ class Coast:
         return here[:, 0], along_x[:, 0], along_z[:, 0], here[:, 1]
 
     def crossing(self, x: Floats, y: Floats, z: Floats, d: Floats, farthest: float) -> Floats:
-        """Distance along rays d (r, 3) from (x, y, z) to the ground, m; (r,), ``farthest`` where they miss it.
-
-        By steps that cannot pass the ground, until they are 10⁻⁹ of the distance.
-        """
+        """Distance along rays d (r, 3) from (x, y, z) to the ground, m; (r,), ``farthest`` for a miss."""
         far = np.zeros_like(x)
         result = np.full_like(x, farthest)
         left = np.arange(x.size)
@@ -235,7 +224,7 @@ class Coast:
             gap = y[left] + s * ray[:, 1] - here
             met = gap <= 1e-9 * (1.0 + s)
             result[left[met]] = s[met]
-            gone = (s > farthest) | ((ray[:, 1] > 0.0) & (y[left] + s * ray[:, 1] > self.land.top))
+            gone = (s > farthest) | ((ray[:, 1] > 0.0) & (y[left] + s * ray[:, 1] > self.land.bounds.top))
             far[left] = s + gap / closing[left]
             left = left[~met & ~gone]
             if left.size == 0:
@@ -243,7 +232,7 @@ class Coast:
         result[left] = far[left]
         return np.minimum(result, farthest)
 
-    def bed(self, x: Floats, z: Floats, H: Floats, d: Floats, n: Floats, footprints: Footprints) -> Floor:
+    def seen(self, x: Floats, z: Floats, H: Floats, d: Floats, n: Floats, footprints: Footprints) -> Floor:
         """The floor along rays d (r, 3) refracted at (x, z), where the water has height H and unit normals n (r, 3)."""
         q_x, q_z = self.place(x, z)
         c = dot(n, d)
@@ -258,7 +247,7 @@ class Coast:
         colour = self.albedo(at_x, at_z, footprints)
         deep = smoothstep(*SHALLOW, -self.floor.value(at_x, at_z)[:, 0])
         near = np.flatnonzero(deep < 1.0)
-        if self.shore.detail > 0.0 and near.size:
+        if self.shore.detail > 0.0:
             soaked, place = np.ones(near.size), (at_x[near], at_z[near])
             sides = footprints[0][near], footprints[1][near]
             soil = detailed(self.shore, place, self.ground(*place), sides, (soaked, soaked), floor=True)
@@ -322,19 +311,14 @@ class Land:
         heights = coast.floor.texels[..., 0]
         step = coast.shore.size / maps.FLOOR
         dry = np.maximum(heights, 0.0)
-        self.top = float(dry.max())
-        self.trough = 0.0
-        self.slope = _steepest(dry, coast.shore.size)
         bends = [float(np.abs(np.diff(heights[1:-1, 1:-1], 2, axis=axis)).max()) for axis in (0, 1)]
-        self.curvature = 3.0 * max(bends) / step**2
-        self.shape = 2.0 * step
+        slope = _steepest(dry, coast.shore.size)
+        self.bounds = Bounds(float(dry.max()), 0.0, slope, 3.0 * max(bends) / step**2, 2.0 * step)
 
     def height(self, x: Floats, z: Floats) -> Floats:
-        """Height of the land, 0 where there is none; (r,) m."""
         return np.maximum(self.coast.floor.value(*self.coast.place(x, z))[:, 0], 0.0)
 
     def gradient(self, x: Floats, z: Floats) -> Floats:
-        """(h_x, h_z); (2, r)."""
         height, *slope, _ = self.coast.ground(*self.coast.place(x, z))
         return np.where(height > 0.0, slope, 0.0)
 

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from seafoam.reference.noise import chained, filtered_step, share
-from seafoam.reference.types import Floats, Footprints, Indices, Pair, Vec2, dot, smoothstep, unit
+from seafoam.reference.noise import chained, filtered_step, perlin, share
+from seafoam.reference.types import Floats, Footprints, Pair, Vec2, dot, smoothstep, unit
 from seafoam.scene import Shore
 
 KEY = 0x51ED270B
@@ -34,11 +34,8 @@ SUNKEN = 8.0  # how much lower the ground below still water lies for its look, m
 
 @dataclass(frozen=True)
 class Pattern:
-    """A pattern on the ground: a weighted sum of octaves of noise, and the range over which it grows to full.
-
-    Weights: of the octaves of 64 and 20 m together, of 6 m, of 2 m, of all finer ones together, and of all by their
-    shares.
-    """
+    """A weighted sum of octaves of noise: of those of 64 and 20 m together, of 6 m, of 2 m, of all finer ones together,
+    and of all by their shares; and the range over which the pattern grows to full."""
 
     broad: float = 0.0
     six: float = 0.0
@@ -88,32 +85,6 @@ class Soil:
     glints: bool  # whether the film mirrors the sun
 
 
-def slopes(key: int, x: Floats, z: Floats) -> tuple[Floats, Floats, Floats]:
-    """Gradient noise with cells of size 1, standard deviation 1, and its gradient; of the shape of ``x``."""
-    i, j = np.floor(x), np.floor(z)
-    u, v = x - i, z - j
-    columns, rows = i.astype(np.int64), j.astype(np.int64)
-
-    def word(column: Indices, row: Indices) -> Pair:
-        drawn = chained(key, column, row)
-        x_part = (drawn & np.uint64(0xFFFF)).astype(np.float64) / 32767.5 - 1.0
-        return x_part, (drawn >> np.uint64(16)).astype(np.float64) / 32767.5 - 1.0
-
-    def fade(t: Floats) -> Pair:
-        return t**3 * (t * (6.0 * t - 15.0) + 10.0), 30.0 * t**2 * (1.0 - t) ** 2
-
-    (w_u, s_u), (w_v, s_v) = fade(u), fade(v)
-    value, along_x, along_z = np.zeros_like(u), np.zeros_like(u), np.zeros_like(u)
-    for a, share_u, change_u in ((0, 1.0 - w_u, -s_u), (1, w_u, s_u)):
-        for b, share_v, change_v in ((0, 1.0 - w_v, -s_v), (1, w_v, s_v)):
-            g_x, g_z = word(columns + a, rows + b)
-            rise = g_x * (u - a) + g_z * (v - b)
-            value += share_u * share_v * rise
-            along_x += share_u * share_v * g_x + change_u * share_v * rise
-            along_z += share_u * share_v * g_z + share_u * change_v * rise
-    return STRENGTH * value, STRENGTH * along_x, STRENGTH * along_z
-
-
 @dataclass(eq=False)
 class _Noise:
     """Octaves of noise under footprints: see shore/soil.glsl@soil."""
@@ -161,7 +132,7 @@ def _add_octaves(result: _Noise, place: Pair, axes: Pair, key: int, weights: Pai
         kept = 1.0 - smoothstep(0.15, 0.6, reach / cell)
         at_x = (turn.real * place[0] - turn.imag * place[1]) / cell
         at_z = (turn.imag * place[0] + turn.real * place[1]) / cell
-        n, n_x, n_z = slopes(key + i, at_x, at_z)
+        n, (n_x, n_z) = (STRENGTH * part for part in perlin(np.column_stack((at_x, at_z)), key + i, 2**32))
         slope = (turn.real * n_x + turn.imag * n_z)[:, None] * axes[0]
         slope = (gain * kept)[:, None] * (slope + (turn.real * n_z - turn.imag * n_x)[:, None] * axes[1])
         result.bands[:, max(0, min(i - 1, 3))] += {0: 0.7, 1: 0.7, 2: 1.0, 3: 1.0}.get(i, 0.6) * gain * kept * n
@@ -267,7 +238,6 @@ def _wrack(shore: Shore, y: Floats, noise: _Noise) -> Floats:
 
 
 def _plants(shore: Shore, noise: _Noise) -> Floats:
-    """Reflectance (r, 3) of plants."""
     d = shore.detail
     drier = d * DRY_PLANTS.grown(noise)
     green = np.array(shore.plants) * _mix(np.ones((drier.size, 3)), np.array([2.3, 1.65, 1.5]), drier)

@@ -43,8 +43,7 @@ def refracted(d: Floats, n: Floats, index: float = WATER_INDEX) -> Floats:
 
 
 def landing(air_: Air, depth: float, h_x: Floats, h_z: Floats, index: float) -> tuple[Floats, Floats, Floats]:
-    """Where sunlight that enters at slopes (h_x, h_z) lands, relative to its entry, (x, z) m; and the transmitted
-    share."""
+    """Where sunlight that enters at slopes (h_x, h_z) lands, (x, z) m from its entry; and the transmitted share."""
     n = unit(np.stack((-h_x, np.ones_like(h_x), -h_z), axis=-1))
     ray = refracted(np.broadcast_to(-air_.sun, n.shape), n, index)
     path = depth / np.maximum(-ray[..., 1], LEAST_FALL)
@@ -70,8 +69,7 @@ def tile_slopes(ripples: Ripples, time: float, count: int) -> Pair:
 def photon_map(scene: Scene, time: float, texels: int = MAP, photons: int = PHOTONS) -> Floats:
     """Irradiance of the floor over that under level water, (texels, texels, 3), rows along z.
 
-    Texel (0, 0) is at the tile's corner, displaced as green light under level water is. ``scene`` has light, caustics,
-    ripples and a depth.
+    Texel (0, 0) is at the tile's corner, displaced as green light under level water is.
     """
     light, ripples, depth = scene.light, scene.water.ripples, scene.water.depth or 0.0
     assert light is not None
@@ -108,12 +106,14 @@ def _splat(u: Floats, v: Floats, weight: Floats, texels: int) -> Floats:
 
 
 class Seabed:
-    """A level floor under a light, at one time around one origin."""
+    """The floor under a light, level or that of a coast, at one time around one origin."""
 
-    def __init__(self, scene: Scene, air: Air, time: float, origin: Vec2, sunlight: Sunlight) -> None:
+    def __init__(
+        self, scene: Scene, air: Air, time: float, origin: Vec2, sunlight: Sunlight, coast: Coast | None
+    ) -> None:
         water, light = scene.water, scene.light
         assert light is not None
-        self.air = air
+        self.air, self.coast = air, coast
         self.water: Water = water
         self.depth = 1e6 if water.depth is None else water.depth
         self.origin = origin
@@ -136,6 +136,9 @@ class Seabed:
 
     def light(self, x: Floats, z: Floats, down: Floats, footprints: Footprints) -> Floats:
         """Radiance (r, 3) of the floor at (x, z), m from the origin, at a depth of ``down`` m."""
+        if self.coast is not None:
+            lit = np.ones((x.size, 3)) * self._reached(x, z, down, footprints)
+            return self.lit(self.coast.albedo(*self.coast.place(x, z), footprints), lit, down)
         if self.water.depth is None:
             return np.zeros((x.size, 3))
         sunlight = self.sunlight(x, z) * self._reached(x, z, down, footprints)
@@ -148,8 +151,7 @@ class Seabed:
         return self.unblocked(enters, footprints)[:, None]
 
     def lit(self, albedo: Floats, sunlight: Floats, down: Floats) -> Floats:
-        """Radiance (r, 3) of ground of an albedo (r, 3) under sunlight, given relative to that under level water (r,
-        3)."""
+        """Radiance (r, 3) of ground of an albedo (r, 3); ``sunlight`` (r, 3) is relative to that under level water."""
         upright = float(self.air.sun[1])
         slant = math.sqrt(1.0 - (1.0 - upright**2) / WATER_INDEX**2)
         sun = self.air.sun_irradiance * max(upright, 0.0) * np.exp(-self.extinction * (down / slant)[:, None])
@@ -186,8 +188,7 @@ class Seabed:
         return JOINT_ALBEDO * (1.0 - limited) + bare * (1.0 + 0.24 * shade)[:, None] * limited
 
     def glow(self, depth: Floats, fall: Floats, reach: Floats) -> Floats:
-        """Light (r, 3) scattered by water along paths of length (r,) m that start at ``depth`` m and descend by
-        ``fall``."""
+        """Light (r, 3) scattered along (r,) m of water from ``depth`` m on, that descend by ``fall`` a metre."""
         lit = ENTERS / math.pi * (self.air.sun_irradiance * max(float(self.air.sun[1]), 0.0) + self.air.sky_irradiance)
         deep = BACKSCATTER * self.water.scattering / self.extinction * lit
         both = np.maximum(1.0 + fall, 1e-12)[:, None]
@@ -196,6 +197,8 @@ class Seabed:
 
     def reach(self, x: Floats, z: Floats, y: Floats, d: Floats) -> Floats:
         """Distance to the floor along rays d (r, 3) from (x, z) at heights y, m; (r,), at most FARTHEST."""
+        if self.coast is not None:
+            return self.coast.crossing(x, y, z, d, FARTHEST)
         if self.water.depth is None:
             return np.full_like(x, FARTHEST)
         return np.minimum(np.maximum(self.depth + y, 0.0) / np.maximum(-d[:, 1], 1e-6), FARTHEST)
@@ -230,21 +233,6 @@ class Seabed:
         wider = (1.0 + far / np.maximum(reach, 1e-3))[:, None]
         down = self.below(x, z, y, back, far, (footprints[0] * wider, footprints[1] * wider))
         return (1.0 - mirror) * (self.air.sky(through) + sun) + mirror * down
-
-
-class ShoreSeabed(Seabed):
-    def __init__(self, scene: Scene, air: Air, time: float, origin: Vec2, sunlight: Sunlight, coast: Coast) -> None:
-        super().__init__(scene, air, time, origin, sunlight)
-        self.coast = coast
-
-    def reach(self, x: Floats, z: Floats, y: Floats, d: Floats) -> Floats:
-        """Distance to the ground along rays d (r, 3), m; (r,), at most FARTHEST."""
-        return self.coast.crossing(x, y, z, d, FARTHEST)
-
-    def light(self, x: Floats, z: Floats, down: Floats, footprints: Footprints) -> Floats:
-        """Radiance (r, 3) of the floor at (x, z), m from the origin, at a depth of ``down`` m."""
-        lit = np.ones((x.size, 3)) * self._reached(x, z, down, footprints)
-        return self.lit(self.coast.albedo(*self.coast.place(x, z), footprints), lit, down)
 
 
 def _joints(x: Floats) -> Floats:

@@ -18,7 +18,7 @@ from seafoam.ocean.waves import groups as wave_groups
 from seafoam.ocean.waves.ripples import ripple_cascades
 from seafoam.ocean.waves.stokes import orbit
 from seafoam.reference.noise import PERIOD, fractal
-from seafoam.reference.types import Floats, Vec2, Vec3, smoothstep_slope
+from seafoam.reference.types import Bounds, Floats, Vec2, Vec3, smoothstep_slope
 from seafoam.scene import ParametricWave, Ripples, Scene
 
 _TWO_PI = 2 * Fraction("3.14159265358979323846264338327950288419716939937510")
@@ -51,16 +51,6 @@ class GroupFactor:
         _, by_u, by_v = self._noise(x, z)
         k_x, k_z = self.along
         return self.contrast * np.stack((k_x * by_u - k_z * by_v, k_z * by_u + k_x * by_v))
-
-    @property
-    def slope(self) -> float:
-        """Greatest derivative along any line, 1/m: that of smoothstep, ³⁄₂ a cell."""
-        return 1.000001 * self.contrast * 1.5 * math.hypot(*self.along)
-
-    @property
-    def curvature(self) -> float:
-        """Greatest second derivative along any line, 1/m²: that of smoothstep, 6 a cell²."""
-        return self.contrast * 6.0 * math.hypot(*self.along) ** 2
 
     def _noise(self, x: Floats, z: Floats) -> tuple[Floats, Floats, Floats]:
         """Value noise and its derivatives per cell."""
@@ -106,20 +96,6 @@ class WaveSet:
     phase: Floats  # θ at the origin at the given time, in [0, 2π)
     groups: GroupFactor | None = None  # factor of the heights; None: 1
 
-    @property
-    def top(self) -> float:
-        """ΣA minus the waves' mean: upper bound of the surface's height, m."""
-        return self._height - self.level
-
-    @property
-    def trough(self) -> float:
-        return -self.level
-
-    @property
-    def _height(self) -> float:
-        """Height of all waves together, m."""
-        return float(self.amplitude.sum())
-
     @cached_property
     def level(self) -> float:
         """Mean of Σ A u^K, m: height of still water over the troughs. The mean of sin^2K is B(K + ½, ½)/π."""
@@ -132,10 +108,23 @@ class WaveSet:
         return [shape for shape in shapes if shape[0] > 0.0]
 
     @cached_property
-    def slope(self) -> float:
-        """Greatest slope, rounded up."""
-        change = 0.0 if self.groups is None else self._height * self.groups.slope
-        return self._steepest + change
+    def bounds(self) -> Bounds:
+        """By sampling each wave; without the infinite second derivative at the cusp of K < 1."""
+        highest, steepest, bends = float(self.amplitude.sum()), 0.0, []
+        for A, K, k in self._shapes:
+            change = wave_derivative(CYCLE, A, K)
+            steepest += k * (STEEPEST if K < 0.5 else 1.001 * float(np.abs(change).max()))
+            bends.append(k * k * np.abs(np.diff(change)).max())
+        slope, curvature = steepest, 1.05 * float(sum(bends)) * BOUND_SAMPLES / (2.0 * math.pi)
+        if self.groups is not None:
+            # Greatest derivatives of the factor: those of smoothstep, 1.5 and 6 a cell.
+            cell = math.hypot(*self.groups.along)
+            rise = 1.000001 * self.groups.contrast * 1.5 * cell
+            slope += highest * rise
+            curvature = curvature + 2.0 * steepest * rise + highest * (self.groups.contrast * 6.0 * cell**2)
+        # The finest crest is √(2/K)/k, 1/k for K < 2.
+        shape = min((math.sqrt(2.0 / max(K, 2.0)) / k for _, K, k in self._shapes), default=math.inf)
+        return Bounds(highest - self.level, -self.level, slope, curvature, shape)
 
     @cached_property
     def relief(self) -> float:
@@ -144,29 +133,6 @@ class WaveSet:
         theta: Floats = 2.0 * angles - 0.5 * math.pi
         squares = [float(np.mean((k * wave_derivative(theta, A, K)) ** 2)) for A, K, k in self._shapes]
         return math.sqrt(2.0 * sum(squares))
-
-    @cached_property
-    def curvature(self) -> float:
-        """Greatest second derivative, rounded up, 1/m, without the infinite one at the cusp of K < 1."""
-        bends = [k * k * np.abs(np.diff(wave_derivative(CYCLE, A, K))).max() for A, K, k in self._shapes]
-        waves = 1.05 * float(sum(bends)) * BOUND_SAMPLES / (2.0 * math.pi)
-        if self.groups is None:
-            return waves
-        return waves + 2.0 * self._steepest * self.groups.slope + self._height * self.groups.curvature
-
-    @cached_property
-    def _steepest(self) -> float:
-        """Greatest slope of waves of one height each, by sampling, rounded up."""
-        total = 0.0
-        for A, K, k in self._shapes:
-            steepest = float(np.abs(wave_derivative(CYCLE, A, K)).max())
-            total += k * (STEEPEST if K < 0.5 else 1.001 * steepest)
-        return total
-
-    @cached_property
-    def shape(self) -> float:
-        """Size of the finest crest, √(2/K)/k (1/k for K < 2), m."""
-        return min((math.sqrt(2.0 / max(K, 2.0)) / k for _, K, k in self._shapes), default=math.inf)
 
     def theta(self, x: Floats, z: Floats) -> Floats:
         """Phases at (x, z), m from the origin, shape (r,): (n, r) rad, not reduced."""
@@ -177,7 +143,6 @@ class WaveSet:
         return self._grouped(self._even_height(x, z), x, z)
 
     def gradient(self, x: Floats, z: Floats) -> Floats:
-        """(h_x, h_z) of the sum at (x, z); (2, r)."""
         slope = np.zeros((2, x.size))
         for i, theta in enumerate(self.theta(x, z)):
             k = np.array([[self.kx[i]], [self.kz[i]]])
@@ -253,10 +218,7 @@ def reduced(*terms: Vec2, plus: float = 0.0) -> float:
 
 
 def noise_place(size: float, change: float, velocity: Vec2, time: float, origin: Vec2) -> Vec3:
-    """An origin (x, z) in m at a time (s) in noise of period ``PERIOD``, with cells of ``size`` m; cells.
-
-    The noise drifts with a velocity (m/s), and changes in ``change`` s.
-    """
+    """An origin (x, z) in m at a time (s) in noise with cells of ``size`` m that drifts and changes; cells."""
     turn, cells = 2.0 * math.pi / (PERIOD * size), PERIOD / (2.0 * math.pi)
     return (
         cells * reduced((turn, origin[0]), (-turn * velocity[0], time)),

@@ -7,13 +7,12 @@ Ages and vectors are differences of float64 numbers, exact up to one rounding. L
 import math
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cached_property
 
 import numpy as np
 
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.waves.rings import ring_curvature, ring_height, ring_slope
-from seafoam.reference.types import Floats, Vec2, smoothstep_slope
+from seafoam.reference.types import Bounds, Floats, Vec2, smoothstep_slope
 from seafoam.reference.waves.parametric import wavenumber
 from seafoam.scene import Ring, Scene
 
@@ -27,16 +26,12 @@ BAND = 1.0  # width of front and tail, in wavelengths
 class OneRing:
     amplitude: float  # amplitude I₀e^(−bs) − d, at least 0, m
     k: float  # wavenumber, rad/m
+    length: float  # wavelength, m
     theta: float  # phase ωs, rad
     front: float  # radius of the front, c s, m
     tail: float  # length of the waves behind the front, m; infinite if they reach the centre
     x: float  # centre, m from the origin
     z: float
-
-    @property
-    def length(self) -> float:
-        """Wavelength, m."""
-        return 2.0 * math.pi / self.k
 
 
 @dataclass(frozen=True)
@@ -44,25 +39,12 @@ class RingSet:
     """The rings of a scene, as a part of its surface."""
 
     rings: tuple[OneRing, ...]
-    top: float
-    slope: float
-    curvature: float
-
-    @property
-    def trough(self) -> float:
-        return -self.top
-
-    @cached_property
-    def shape(self) -> float:
-        """Size of the finest crest, m."""
-        return min((1.0 / ring.k for ring in self.rings), default=math.inf)
+    bounds: Bounds
 
     def height(self, x: Floats, z: Floats) -> Floats:
-        """The sum of every η at (x, z), m from the origin; (r,) m."""
         return self._sums(x, z)[0, :]
 
     def gradient(self, x: Floats, z: Floats) -> Floats:
-        """(h_x, h_z) of the sum at (x, z); (2, r)."""
         return self._sums(x, z)[1:]
 
     def _sums(self, x: Floats, z: Floats) -> Floats:
@@ -78,7 +60,9 @@ class RingSet:
 def ring_set(scene: Scene, time: float, origin: Vec2) -> RingSet:
     """The scene's active rings at a time (s) around an origin (x, z) in m."""
     states = [one_ring(ring, scene.water.depth, time, origin) for ring in scene.rings]
-    return RingSet(_active(states), top=ring_height(scene), slope=ring_slope(scene), curvature=ring_curvature(scene))
+    rings, top = _active(states), ring_height(scene)
+    finest = min((1.0 / ring.k for ring in rings), default=math.inf)
+    return RingSet(rings, Bounds(top, -top, ring_slope(scene), ring_curvature(scene), finest))
 
 
 def touch_set(scene: Scene, time: float, origin: Vec2) -> RingSet:
@@ -92,7 +76,7 @@ def touch_set(scene: Scene, time: float, origin: Vec2) -> RingSet:
             for place, part, middle in zip(touch.place, velocity, origin, strict=True)
         )
         states.append(replace(ring, x=x, z=z))
-    return RingSet(_active(states), top=0.0, slope=0.0, curvature=0.0)
+    return RingSet(_active(states), Bounds())
 
 
 def _active(rings: list[OneRing]) -> tuple[OneRing, ...]:
@@ -100,7 +84,6 @@ def _active(rings: list[OneRing]) -> tuple[OneRing, ...]:
 
 
 def one_ring(ring: Ring, depth: float | None, time: float, origin: Vec2) -> OneRing:
-    """A ring at a time (s) around an origin."""
     since = Fraction(time) - Fraction(ring.birth)
     age = float(since % Fraction(ring.every)) if ring.every is not None else max(float(since), 0.0)
     omega = math.sqrt(GRAVITY * 2.0 * math.pi / ring.wavelength)
@@ -109,6 +92,7 @@ def one_ring(ring: Ring, depth: float | None, time: float, origin: Vec2) -> OneR
     return OneRing(
         amplitude=max(amplitude, 0.0),
         k=k,
+        length=2.0 * math.pi / k,
         theta=omega * age,
         front=omega / k * age,
         tail=math.inf if ring.crests is None else ring.crests * 2.0 * math.pi / k,

@@ -11,7 +11,7 @@ from scipy.ndimage import map_coordinates, spline_filter
 from seafoam.ocean.foam.whitecaps import AGE_STEP, AGE_STEPS, OLD_TEXELS, WhitecapModel, old_times, whitecap_model
 from seafoam.ocean.waves.cascades import BAND, LEAST_JACOBIAN, LOOP, RAISED, Cascade, cascades
 from seafoam.ocean.waves.stokes import foam_drift
-from seafoam.reference.types import Floats, Vec2
+from seafoam.reference.types import Bounds, Floats, Vec2
 from seafoam.scene import Scene, Sea, WhitecapSaturation
 
 TEXELS = 512  # texels along a tile: surface and slopes are bilinear between them, which is part of the model
@@ -63,14 +63,13 @@ def grids(cascade: Cascade, time: float, texels: int, moved: Vec2 = (0.0, 0.0)) 
 
 @dataclass(frozen=True, eq=False)
 class Tile:
-    """A tile as a height field, at texel corners (texels, texels): heights about 0, slopes and Jacobian."""
+    """A tile as a height field, at texel corners (texels, texels): heights about 0 and slopes."""
 
     size: float
     height: Floats
     h_x: Floats
     h_z: Floats
     fold: Floats  # λ div D
-    jacobian: Floats  # det(1 + λ ∂D/∂x)
     label_x: Floats  # rest position of the water at each corner, texels
     label_z: Floats
 
@@ -97,14 +96,13 @@ def tile(cascade: Cascade, time: float, wanted: float, texels: int = TEXELS) -> 
         if max(np.abs(e_x).max(), np.abs(e_z).max()) < 1e-9:
             break
     rest = TileSample(*(at(name, x, z) for name in splines))
-    jacobian = rest.jacobian(choppiness)
-    bounded = np.maximum(jacobian, LEAST_JACOBIAN)
+    bounded = np.maximum(rest.jacobian(choppiness), LEAST_JACOBIAN)
     a_xx, a_zz, a_xz = 1.0 + choppiness * rest.xx, 1.0 + choppiness * rest.zz, choppiness * rest.xz
     h_x, h_z = (a_zz * rest.h_x - a_xz * rest.h_z) / bounded, (a_xx * rest.h_z - a_xz * rest.h_x) / bounded
     length = np.hypot(h_x, h_z)
     kept = np.minimum(1.0, cascade.max_slope / np.maximum(length, 1e-300))
     height = np.clip(rest.h, -cascade.limit, cascade.limit)
-    return Tile(cascade.size, height, h_x * kept, h_z * kept, a_xx + a_zz - 2.0, jacobian, x, z)
+    return Tile(cascade.size, height, h_x * kept, h_z * kept, a_xx + a_zz - 2.0, x, z)
 
 
 @dataclass(frozen=True, eq=False)
@@ -120,53 +118,31 @@ class SeaSurface:
     old: tuple[Floats, ...] = ()
     """The same for the largest tile at each older time, if the scene's foam lasts."""
 
-    @property
-    def top(self) -> float:
-        """Sum of the tiles' upper bounds, m."""
-        return sum(cascade.limit for cascade in self.cascades[:RAISED])
-
-    @property
-    def trough(self) -> float:
-        return -self.top
-
     @cached_property
-    def slope(self) -> float:
-        """Greatest slope between texels, rounded up."""
-        steepest = 0.0
-        for tile in self._raised:
-            across = (np.abs(tile.height - np.roll(tile.height, 1, axis)).max() for axis in (0, 1))
-            steepest += math.hypot(*map(float, across)) * tile.height.shape[0] / tile.size
-        return 1.001 * steepest
-
-    @cached_property
-    def curvature(self) -> float:
-        """Greatest change of slope over a texel, 1/m: bilinear patches have kinks at their edges."""
-        worst = 0.0
-        for tile in self._raised:
+    def bounds(self) -> Bounds:
+        """Slopes are between texels, and change over a texel's edge, where bilinear patches have kinks; the finest
+        feature, half the shortest wave of the finest raised tile at ``TEXELS``, has 4 texels."""
+        top, slope, curvature = sum(cascade.limit for cascade in self.cascades[:RAISED]), 0.0, 0.0
+        for tile in self.tiles[:RAISED]:
             step = tile.size / tile.height.shape[0]
+            before = [np.roll(tile.height, 1, axis) for axis in (0, 1)]
+            across = (float(np.abs(tile.height - one).max()) for one in before)
+            slope += math.hypot(*across) * tile.height.shape[0] / tile.size
             for axis in (0, 1):
-                bend = np.roll(tile.height, 1, axis) - 2.0 * tile.height + np.roll(tile.height, -1, axis)
-                worst += 2.0 * float(np.abs(bend).max()) / (step * step)
-        return worst
-
-    @cached_property
-    def shape(self) -> float:
-        """Half the shortest wave of the finest raised tile at ``TEXELS``, m: 4 texels."""
-        return min(4.0 * tile.size / float(tile.height.shape[0]) for tile in self._raised)
-
-    @property
-    def _raised(self) -> tuple[Tile, ...]:
-        return self.tiles[:RAISED]
+                bend = before[axis] - 2.0 * tile.height + np.roll(tile.height, -1, axis)
+                curvature += 2.0 * float(np.abs(bend).max()) / (step * step)
+        finest = min(4.0 * tile.size / float(tile.height.shape[0]) for tile in self.tiles[:RAISED])
+        return Bounds(top, -top, 1.001 * slope, curvature, finest)
 
     def height(self, x: Floats, z: Floats) -> Floats:
-        return sum((self.read(1, tile, tile.height, x, z) for tile in self._raised), np.zeros_like(x))
+        return sum((self.read(1, tile, tile.height, x, z) for tile in self.tiles[:RAISED]), np.zeros_like(x))
 
     def gradient(self, x: Floats, z: Floats) -> Floats:
-        return self._slopes(1, self._raised, x, z)
+        return self._slopes(1, self.tiles[:RAISED], x, z)
 
     def shading(self, x: Floats, z: Floats) -> Floats:
         """Gradient of the raised tiles for shading; (2, r)."""
-        return self._slopes(3, self._raised, x, z)
+        return self._slopes(3, self.tiles[:RAISED], x, z)
 
     def detail(self, x: Floats, z: Floats) -> Floats:
         """Gradient of the tiles that change only the normals; (2, r)."""
@@ -174,9 +150,9 @@ class SeaSurface:
 
     def folds(self, x: Floats, z: Floats) -> list[Floats]:
         """λ div D now and at each earlier time, summed over the raised tiles; (r,) each."""
-        now = 3, [tile.fold for tile in self._raised]
+        now = 3, [tile.fold for tile in self.tiles[:RAISED]]
         return [
-            np.sum([self.read(order, *one, x, z) for one in zip(self._raised, parts, strict=True)], axis=0)
+            np.sum([self.read(order, *one, x, z) for one in zip(self.tiles[:RAISED], parts, strict=True)], axis=0)
             for order, parts in (now, *((1, then) for then in zip(*self.earlier, strict=True)))
         ]
 
@@ -190,7 +166,7 @@ class SeaSurface:
     def to_rest(self, x: Floats, z: Floats) -> Floats:
         """Displacement from (x, z) to the rest position of the water there, m; (2, r)."""
         by = np.zeros((2, x.size))
-        for tile in self._raised:
+        for tile in self.tiles[:RAISED]:
             texels = tile.label_x.shape[0]
             corner = np.arange(0, texels, 2)
             away = tile.label_x[::2, ::2] - corner[None, :], tile.label_z[::2, ::2] - corner[:, None]

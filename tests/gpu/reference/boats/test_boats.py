@@ -14,15 +14,12 @@ from seafoam.planner import FramePlan, make_plan
 from seafoam.quality import TIERS
 from seafoam.reference import render
 from seafoam.reference.boats import boat as reference
-from seafoam.reference.boats import floating
 from seafoam.reference.boats import wake as wakes_of
 from seafoam.reference.renderer import camera as cameras
-from seafoam.reference.renderer import intersect as surfaces
 from seafoam.reference.renderer.shade import SampleShader
-from seafoam.reference.types import unit
 from seafoam.render.gl.executor import Executor
 from support.exact import EXACT
-from support.pictures import colours, draw, levels, samples
+from support.pictures import draw, levels, samples
 from support.probe import Probe, patched
 from support.report import Report
 from support.scenes import Boat, Camera, Foam, HeightSaturation, Light, ParametricWave, Ring, Scene, Sea, Shore, Water
@@ -39,12 +36,10 @@ SEAS = {
         )
     ),
     "storm": Scene(sea=Sea(wind=22.0, fetch=2.5e5, seed=9)),
-    "gerstner": Scene(sea=Sea(model="gerstner", wind=9.0)),
     "rings": Scene(rings=(Ring(place=(0.0, -20.0), amplitude=0.5, decay=0.1),)),
     "shore": Scene(
         shore=Shore(kind="island", place=(60.0, -10.0), size=160.0, radius=25.0, depth=6.0, slope=0.1, smoothing=3.0)
     ),
-    "level": Scene(),
 }
 
 
@@ -76,8 +71,8 @@ def water_lines(
     origin = (camera.position[0], camera.position[2])
     places, heights = [], []
     for boat, (middle, slope_x, slope_z) in zip(scene.boats, found, strict=True):
-        at = floating.course_of(boat, time, origin)
-        for x, z in floating.hull_points(boat, at):
+        at = reference.course_of(boat, time, origin)
+        for x, z in reference.hull_points(boat, at):
             places.append((x, z))
             heights.append(middle + slope_x * (x - at.place[0]) + slope_z * (z - at.place[1]))
     return places, np.array(heights)
@@ -102,8 +97,7 @@ def test_the_water_line_lies_on_the_drawn_surface(executor: Executor, report: Re
     )
 
 
-@pytest.mark.parametrize("sea", ["parametric", "storm", "rings", "level"])
-@pytest.mark.parametrize("smoothing", [0.0, 2.0])
+@pytest.mark.parametrize(("sea", "smoothing"), [("parametric", 0.0), ("storm", 2.0)])
 def test_boats_float_as_in_float64(executor: Executor, report: Report, sea: str, smoothing: float) -> None:
     """Against the float64 surface, and its mean over discs: height, pitch and roll together, at the hull points."""
     boats = tuple(boat.model_copy(update={"smoothing": smoothing}) for boat in BOATS)
@@ -113,7 +107,7 @@ def test_boats_float_as_in_float64(executor: Executor, report: Report, sea: str,
     for time in (1000003.5,) if scene.sea else (0.0, 1000003.5):
         places, lines = water_lines(scene, poses(executor, plan, time, SKYWARD), time, SKYWARD)
         relief = SampleShader(scene, time, grid, "same-samples", None).surface.relief
-        want = [floating.mean_height(relief.height, place, smoothing) for place in places]
+        want = [reference.mean_height(relief.height, place, smoothing) for place in places]
         off = max(off, float(np.abs(lines - np.array(want)).max()))
     title = "Water line against the float64 surface, reference quality, m"
     report.within(title, sea=sea, smoothing=smoothing, worst=(off, WATER_LINE))
@@ -185,30 +179,6 @@ def test_wakes_equal_their_float64_form(probe: Probe, report: Report) -> None:
             height=(off[0], 2e-4 * boat.wake),
             slope=(off[1:].max(), 1e-3),
         )
-
-
-def test_a_boat_stands_before_what_is_behind_it_and_behind_what_is_before_it(executor: Executor) -> None:
-    """Low over crests that hide half of it: no sample of water before the boat is any other for it."""
-    scene = Scene(
-        waves=(ParametricWave(amplitude=1.6, wavelength=14.0, direction=1.4, exponent=2.0),),
-        boats=(Boat(centre=(0.0, -45.0), radius=20.0, bearing=1.6, speed=0.0, wake=0.0, kind="motor", length=10.0),),
-        camera=Camera(position=(0.0, 1.9, 0.0), pitch=0.0, fov=0.5),
-    )
-    grid = cameras.SampleGrid(scene.camera, 160, 90)
-    shader = SampleShader(scene, 0.0, grid, "same-samples", None)
-    down, along = np.mgrid[0:90, 0:160]
-    X, Y = 2.0 * (along.ravel() + 0.5) / 160 - 1.0, 1.0 - 2.0 * (down.ravel() + 0.5) / 90
-    d = unit(grid.rays(X, Y))
-    water = surfaces.first_crossing(shader.surface.relief, shader.eye_y, d).reshape(90, 160)
-    boat = shader.fleet.trace(np.array([0.0, shader.eye_y, 0.0]), d).t.reshape(90, 160)
-    hidden, shown = (np.isfinite(boat) & nearer for nearer in (water < boat, boat < water))
-    assert hidden.sum() > 100
-    assert shown.sum() > 100
-    bare = scene.model_copy(update={"boats": ()})
-    with_it, without = (samples(executor, one, EXACT, size=(160, 90)) for one in (scene, bare))
-    assert levels(with_it, without)[hidden].max() == 0.0
-    truth = colours(render(scene, time=0.0, width=160, height=90).rgb)
-    assert 255.0 * np.abs(colours(with_it) - truth)[shown].mean() < 0.5
 
 
 OVERLAPPING = Scene(

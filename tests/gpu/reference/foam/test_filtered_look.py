@@ -160,31 +160,6 @@ def test_flights_do_not_pop(executor: Executor, report: Report, height: float) -
         )
 
 
-@pytest.mark.parametrize("height", [2.0, 6.0, 20.0, 45.0])
-def test_a_metre_nearer_resolves_only_grey(executor: Executor, height: float) -> None:
-    """What was whole foam or clear water in a pixel and those round it still is; the cover of it all stays."""
-    scene = lace(0.4, 4)
-    side = 240
-    far = Camera(position=(0.37, height, -0.21), pitch=-math.pi / 2, fov=0.5)
-    nearer = far.model_copy(update={"position": (0.37, height - 1.0, -0.21)})
-    before, after = (amounts(executor, scene, camera, (side, side)) for camera in (far, nearer))
-    # Where pixels of the nearer picture are in the far one.
-    middle = 0.5 * (side - 1.0)
-    place = np.rint(middle + (np.arange(side) - middle) * (height - 1.0) / height).astype(int)
-    rows, columns = np.ix_(place, place)
-    whole, clear = (
-        ndimage.minimum_filter(test, 3, mode="constant", cval=False)[rows, columns]
-        for test in (before > 0.999, before < 0.001)
-    )
-    assert whole.sum() > 20
-    assert clear.sum() > 1000
-    # A texel of a level says where its thresholds lie by two numbers, so specks in it are not seen from far.
-    for off in (1.0 - after[whole], after[clear]):
-        assert np.quantile(off, 0.995) < 0.01
-        assert off.max() < 0.15
-    assert after.mean() == pytest.approx(before[rows, columns].mean(), abs=0.01)
-
-
 def test_foam_by_height_under_the_horizon(executor: Executor, report: Report) -> None:
     """Its mean in the rows under the horizon is that of 256 samples of the halftone look; off the mean height of a
     footprint it was thinner by 0.3."""

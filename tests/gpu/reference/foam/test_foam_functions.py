@@ -1,12 +1,10 @@
 """Functions of shaders/ that foam looks by: coverage of masks, octaves, torn steps, against float64."""
 
-import math
 from dataclasses import replace
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from scipy import ndimage
 
 from seafoam.effects.shader import Const
 from seafoam.masks.catalogue import Mask, mask_by_name
@@ -14,67 +12,16 @@ from seafoam.masks.prefilter import OCTAVE_RAMP
 from seafoam.reference import Assets, sampling
 from seafoam.reference.foam import coverage as looked
 from seafoam.reference.foam import looks
+from support.parity import HARD
 from support.probe import Probe, grid_of, stand_in
-from support.scenes import Foam
+from support.scenes import Foam, Look
 
 TOLERANCE = 1e-5
 NUMBERS = "lib/numbers.glsl"
 
 
-def test_torn_steps_are_means_over_what_was_lost(probe: Probe) -> None:
-    """A smoothstep of a spread x is a wider one, to a thirtieth; and none lost is none wider."""
-    x = np.linspace(-0.5, 1.5, 401, dtype=np.float32)
-    for variance in (0.0, 0.002, 0.02):
-        got = probe(
-            [NUMBERS, "foam/saturation/wake.glsl@torn"],
-            f"y.x = torn_step(0.25, 0.72, x.x, {variance:.9f});",
-            x[:, None],
-        )[:, 0]
-        spread = np.random.default_rng(1).normal(0.0, math.sqrt(variance), 20000)
-        t = np.clip((x[:, None].astype(np.float64) + spread - 0.25) / 0.47, 0.0, 1.0)
-        assert np.abs(got - (t * t * (3.0 - 2.0 * t)).mean(axis=1)).max() <= (0.035 if variance else 1e-6)
-
-
-def test_torn_noise_keeps_what_its_mean_keeps(probe: Probe) -> None:
-    """Against value noise averaged over squares: what is kept of it, and what is lost."""
-    rng = np.random.default_rng(2)
-    cells, fine = 64, 32
-    corner = rng.random((cells, cells))
-    t = (np.arange(fine) + 0.5) / fine
-    t = t * t * (3.0 - 2.0 * t)
-
-    def along(values: NDArray[np.float64]) -> NDArray[np.float64]:
-        parts = values[:, None] * (1.0 - t)[:, None] + np.roll(values, -1, axis=0)[:, None] * t[:, None]
-        return parts.reshape(-1, values.shape[1])
-
-    noise = along(along(corner).T).T - 0.5
-    variance = float((noise**2).mean())
-    assert variance == pytest.approx(0.046, rel=0.1)
-    sides = (0.125, 0.5, 1.0, 2.0)
-    x = np.float32([[side, 0.0] for side in sides])
-    got = probe(
-        [NUMBERS, "foam/saturation/wake.glsl@torn"],
-        "y.xy = torn_noise(vec2(0.5, 0.0), 1.0, 3.0, 1.0, Footprint(vec2(3.0 * x.x, 0.0), vec2(0.0, 3.0 * x.x)));",
-        x,
-    )
-    for (mean, lost), side in zip(got[:, :2], sides, strict=True):
-        kept = (mean - 0.5) / 0.5
-        box = ndimage.uniform_filter(noise, int(side * fine), mode="wrap")
-        assert kept == pytest.approx(float((box * noise).mean()) / variance, abs=0.08)
-        assert lost == pytest.approx(0.046 * (1.0 - kept**2), abs=1e-5)
-
-
-HARD = {
-    "textured": lambda f, m, t: looks.textured(f, t),
-    "halftone": lambda f, m, t: looks.halftone(f, m),
-    "fading": lambda f, m, t: looks.fading(f, m),
-    "halftone_textured": looks.halftone_textured,
-    "listing": looks.listing,
-}
-
-
-@pytest.mark.parametrize("look", HARD)
-def test_look_equals_its_float64_form(probe: Probe, look: str) -> None:
+@pytest.mark.parametrize("look", ["textured", *HARD])
+def test_look_equals_its_float64_form(probe: Probe, look: Look) -> None:
     """The look's file with the mask and the texture replaced by inputs."""
     values = grid_of(
         np.concatenate([[0.0, 1e-6, 4.0], np.linspace(0, 4, 81)]),
@@ -87,7 +34,7 @@ def test_look_equals_its_float64_form(probe: Probe, look: str) -> None:
         values,
     )[:, 0]
     f, m, t = values.astype(np.float64).T
-    assert np.abs(got - HARD[look](f, m, t)).max() <= TOLERANCE
+    assert np.abs(got - looks.hard(look, f, m, t)).max() <= TOLERANCE
 
 
 def filtered_consts(mask: Mask, fade: float, octaves: int) -> dict[str, Const]:

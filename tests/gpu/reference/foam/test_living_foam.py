@@ -11,7 +11,7 @@ from seafoam.ocean.waves.stokes import first_harmonic, foam_drift
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference import render
-from seafoam.reference.foam import aging
+from seafoam.reference.foam import coverage
 from seafoam.reference.foam.front import decaying_front
 from seafoam.reference.types import SurfacePoints
 from seafoam.reference.waves.parametric import wave_set
@@ -25,10 +25,8 @@ from support.scenes import (
     FoamLife,
     FrontSaturation,
     HeightSaturation,
-    Light,
     ParametricWave,
     Scene,
-    load_preset,
 )
 
 Floats = NDArray[np.float64]
@@ -42,60 +40,9 @@ def places(count: int, side: float = 4000.0) -> Floats:
     return np.random.default_rng(3).uniform(0.0, side, (2, count))
 
 
-def patchy(scene: Scene, variation: float, size: float) -> Scene:
-    """The scene with fronts that foam in patches."""
-    update = {"variation": variation, "variation_size": size}
-    sources = tuple(
-        one.model_copy(update=update) if isinstance(one, FrontSaturation) else one for one in scene.foam.saturation
-    )
-    return scene.model_copy(update={"foam": scene.foam.model_copy(update={"saturation": sources})})
-
-
 def drawn(executor: Executor, scene: Scene, time: float, camera: Camera | None = None) -> NDArray[np.float32]:
     """Linear pixels, (54, 96, 4)."""
     return linear(executor, scene, EXACT, camera, time=time, size=(96, 54))
-
-
-@pytest.mark.parametrize(
-    ("name", "variation"),
-    [("default", 0.0), ("default", 0.2), ("storm", 0.0), ("swell", 0.0), ("shallows", 0.0), ("beach", 0.0)],
-)
-def test_frames_are_the_float64_truth(executor: Executor, report: Report, name: str, variation: float) -> None:
-    """Foam amounts of a preset that has all of it, with the same samples."""
-    scene = patchy(load_preset(name).scene, variation, 20.0)
-    life = scene.foam.life.model_copy(update={"windrows": 0.8})
-    scene = scene.model_copy(update={"foam": scene.foam.model_copy(update={"life": life})})
-    want = render(scene, time=2.7, width=96, height=54)
-    off = drawn(executor, scene, 2.7)[..., 3] - want.alpha
-    # Single samples on far crests meet another wave.
-    report.within(
-        "Living foam against float64, one sample a pixel",
-        preset=name,
-        variation=variation,
-        foam=want.alpha.mean(),
-        rmse=(rms(off), 0.01),
-        bias=(abs(off.mean()), 2e-4),
-    )
-
-
-def test_patches_break_up_the_lattice_of_two_waves() -> None:
-    """Two waves and their foam repeat every 20 m along x; with patches they do not, and there is about as much foam."""
-    waves = tuple(
-        ParametricWave(amplitude=0.4, wavelength=10.0, direction=turn, exponent=1.0)
-        for turn in (math.pi / 3, -math.pi / 3)
-    )
-    source = FrontSaturation(intensity=7.0, group=(0.4, 0.9), decay=3.0)
-    scene = Scene(waves=waves, foam=Foam(saturation=(source,), look="filtered"))
-    x, z = np.random.default_rng(5).uniform(-300.0, 300.0, (2, 4000))
-
-    def foam(variation: float, shift: float) -> Any:
-        one = source.model_copy(update={"variation": variation, "variation_size": 25.0})
-        return foam_of(scene, one, 3.0, x + shift, z)
-
-    even, uneven = ([foam(variation, shift) for shift in (0.0, 20.0)] for variation in (0.0, 0.2))
-    assert np.corrcoef(*even)[0, 1] > 0.999
-    assert np.corrcoef(*uneven)[0, 1] < 0.8
-    assert uneven[0].mean() == pytest.approx(even[0].mean(), rel=0.25)
 
 
 def test_foam_drifts_as_a_whole_on_still_water(executor: Executor) -> None:
@@ -136,7 +83,7 @@ def test_windrows_share_out_what_there_is(report: Report) -> None:
     scene = Scene(foam=Foam(life=life))
     x, z = places(400_000)
     for s in (0.0, 0.03, 0.4, 0.8, 1.0):
-        rows = aging.gathered(scene, 7.0, (0.0, 0.0), np.full(x.shape, s), x, z)
+        rows = coverage.gathered(scene, 7.0, (0.0, 0.0), np.full(x.shape, s), x, z)
         assert rows.min() >= 0.0
         assert rows.max() <= 1.0
         assert rows.mean() == pytest.approx(s, abs=0.003)
@@ -149,11 +96,11 @@ def test_masks_of_all_ages_cover_what_one_would() -> None:
     f = np.linspace(0.005, 0.99, 2000)
     s = 0.9 * f
     for masks in (1, 2, 3):
-        shares = aging.shares(masks, s, f)
+        shares = coverage.shares(masks, s, f)
         free = np.prod([1.0 - share for _, share in shares], axis=0)
         assert np.abs(1.0 - free - s).max() < 1e-12
         assert np.abs(sum(weight for weight, _ in shares) - 1.0).max() < 1e-12
-    young, torn, streak = (weight for weight, _ in aging.shares(3, s, f))
+    young, torn, streak = (weight for weight, _ in coverage.shares(3, s, f))
     assert (young[f > 0.9] == 1.0).all()
     assert (torn[np.abs(f - math.exp(-0.8)) < 0.02] == 1.0).all()
     assert (streak[f < math.exp(-1.6)] == 1.0).all()
@@ -183,23 +130,6 @@ def test_foam_behind_a_front_decays_by_the_second(decay: float) -> None:
     assert np.abs(slope[1:-1] * decay + 1.0).max() < 1e-3
 
 
-def test_foam_stays_when_the_group_has_passed(report: Report) -> None:
-    """Where crests met there is foam two fronts later, though none of them foams now; and none goes at once."""
-    scene = Scene(waves=tuple(ParametricWave(amplitude=0.3, wavelength=length) for length in (8.0, 9.5, 11.0)))
-    source = FrontSaturation(intensity=7.0, group=(0.8, 0.95), decay=3.7)
-    x, z = np.linspace(0.0, 300.0, 6000), np.zeros(6000)
-    f, later = (foam_of(scene, source, time, x, z) for time in (5.0, 5.02))
-    now = foam_of(scene, source.model_copy(update={"decay": 0.2}), 5.0, x, z)
-    assert f.max() == 1.0
-    # Fronts add at once; what there is goes by its decay, faster where the waves' sum turns fast, and with the window.
-    report.within(
-        "Foam of fronts that lasts: share under it without what lasts, and what is lost in 20 ms",
-        without=((now > 0.05).mean(), 0.5 * (f > 0.05).mean()),
-        most_lost=((f - later).max(), 0.1),
-        nearly_most=(np.quantile(f - later, 0.99), 0.02),
-    )
-
-
 def test_a_footprint_sees_the_mean_of_what_fronts_left(executor: Executor) -> None:
     """Straight down, where no wave hides: once a pixel as the mean of 64 places."""
     source = FrontSaturation(intensity=7.0, group=(0.2, 0.6), decay=2.0)
@@ -213,39 +143,9 @@ def test_a_footprint_sees_the_mean_of_what_fronts_left(executor: Executor) -> No
     assert rms(off) < 0.06
 
 
-def test_whole_foam_has_no_relief(executor: Executor) -> None:
-    """Nothing is lit otherwise inside foam that is whole, nor where there is none; at its edges it is."""
-    camera = Camera(position=(0.0, 1.5, 0.0), pitch=-0.9)
-    light = Light(sun_elevation=0.6, sun_azimuth=-1.0, exposure=-2.0)
-
-    def picture(s: float, thickness: float) -> NDArray[np.float32]:
-        source = HeightSaturation(base=-s, full=1.0 - s)
-        foam = Foam(saturation=(source,), mask="lace", mask_tile=4.0, thickness=thickness)
-        return drawn(executor, Scene(light=light, foam=foam), 0.0, camera)[..., :3]
-
-    for s in (0.0, 1.0):
-        assert np.abs(picture(s, 0.05) - picture(s, 0.0)).max() < 1e-5
-    edges = picture(0.5, 0.05) - picture(0.5, 0.0)
-    assert edges.max() > 0.01
-    assert edges.min() < -0.01
-
-
-def test_life_that_cannot_be_is_refused_with_its_field() -> None:
-    with pytest.raises(ValueError, match="decay: requires constants 'text'"):
-        FrontSaturation(constants="listing", decay=2.0)
-
-
 def test_masks_of_another_size_and_cells_are_left_out() -> None:
     """Another mask may be chosen for foam that lives: older masks that do not fit go, and so do cells."""
     alone = make_plan(Scene(foam=Foam(mask="lace:4:64:1", life=FoamLife(masks=()))), TIERS["standard"])
     small = make_plan(Scene(foam=Foam(mask="lace:4:64:1", life=FoamLife(), cells=True)), TIERS["standard"])
     assert small.programs == alone.programs
     assert small.textures == alone.textures
-
-
-def test_the_paper_s_looks_know_no_life(executor: Executor) -> None:
-    """`life` is of the filtered look: the others draw what they drew."""
-    foam = Foam(saturation=HALF, look="fading", mask="lace")
-    with_life = foam.model_copy(update={"life": WINDY})
-    a, b = (drawn(executor, Scene(foam=one, light=None), 3.0, DOWN) for one in (foam, with_life))
-    assert np.array_equal(a, b)

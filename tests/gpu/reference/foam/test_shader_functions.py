@@ -9,15 +9,11 @@ import pytest
 from numpy.typing import NDArray
 
 from seafoam.effects.foam.sources import NODES as HEIGHT_NODES
-from seafoam.effects.foam.sources import visible_heights
 from seafoam.effects.shader import Inline
-from seafoam.ocean.basics.dispersion import wavevector
 from seafoam.reference.foam import front
-from seafoam.reference.renderer.sources import height_saturation
 from seafoam.reference.waves import parametric as waves
 from seafoam.textures.waves import FRONT_NODES, FrontIntegral, front_fading, front_full
 from support.probe import Probe, grid_of
-from support.scenes import Foam, HeightSaturation, ParametricWave, Scene
 
 TOLERANCE = 1e-5
 POLE = 5e-7
@@ -121,31 +117,6 @@ def test_seen_phases_equal_their_float64_form(probe: Probe, eye_height: float, r
     assert (np.abs(got[:, 1] - width_seen) <= 5e-5 * width_seen).all()
 
 
-def test_heights_that_falling_rays_see() -> None:
-    """The running maximum against rays that are followed one by one over the waves."""
-    scene = Scene(
-        waves=(ParametricWave(amplitude=1.2, wavelength=18.0, exponent=3.0), ParametricWave(wavelength=11.0)),
-        foam=Foam(saturation=(HeightSaturation(),)),
-    )
-    mean, steepest, seen = visible_heights(scene)
-    (first, a, m), (second, b, n) = (
-        (math.hypot(*wavevector(wave, None)), wave.amplitude, wave.exponent) for wave in scene.waves
-    )
-    x = np.linspace(0.0, 900.0, 90001)
-    h = a * (0.5 + 0.5 * np.cos(first * x)) ** m + b * (0.5 + 0.5 * np.cos(second * x)) ** n
-    assert mean == pytest.approx(h.mean(), abs=0.005 * h.max())
-    assert seen[0] == (pytest.approx(h.max()), 0.0)
-    assert seen[-1] == (pytest.approx(h.mean(), abs=0.005), pytest.approx(h.std(), abs=0.005))
-    for i in (2, 4, 8, 12):
-        fall = steepest * (i / (HEIGHT_NODES - 1)) ** 2
-        over = h + fall * x
-        # Rays in even steps: one that comes in so high meets the first place that stands as high.
-        rays = np.linspace(h.max(), over[-1] - h.max(), 400)
-        met = h[[int(np.argmax(over >= ray)) for ray in rays]]
-        assert seen[i][0] == pytest.approx(met.mean(), abs=0.04)
-        assert seen[i][1] == pytest.approx(met.std(), abs=0.04)
-
-
 @pytest.mark.parametrize("kept", [1.0, 0.7, 0.2, 0.0])
 def test_seen_height_equals_its_float64_form(probe: Probe, kept: float) -> None:
     """On a level footprint that keeps so much of the waves, from 2 m over places 0.1 to 100 m away."""
@@ -185,17 +156,6 @@ def test_seen_height_equals_its_float64_form(probe: Probe, kept: float) -> None:
     heights = middle[:, None] + reach[:, None] * (2.0 * place - 1.0)
     want = np.clip((heights - base) / (full - base), 0.0, 1.0).mean(axis=1)
     assert np.abs(got - want).max() <= 2e-5
-
-
-@pytest.mark.parametrize(("part", "cap"), [("plain", 4.0), ("filtered", 1.0)])
-def test_height_equals_its_float64_form(probe: Probe, part: str, cap: float) -> None:
-    heights = np.linspace(-3.0, 9.0, 3001, dtype=np.float32)
-    base, full = np.float32(0.3), np.float32(2.1)
-    body = "y.x = height_saturation(vec2(0.0), x.x, Footprint(vec2(0.0), vec2(0.0)));"
-    uniforms = {"u_height_base": base, "u_height_full": full}
-    got = probe((NUMBERS, f"foam/saturation/height.glsl@{part}"), body, heights[:, None], uniforms=uniforms)[:, 0]
-    want = height_saturation(heights.astype(np.float64), float(base), float(full))
-    assert np.abs(got - np.minimum(want, cap)).max() <= TOLERANCE
 
 
 ONE_WAVE = {
@@ -241,18 +201,3 @@ def test_wave_profile_equals_its_float64_form(probe: Probe, exponent: float, kin
     # The slope of a cusp is held within 1e-4 of the trough; elsewhere it is exact to the same measure.
     slope, allowed, steep = off(waves.wave_derivative, 1)
     assert (slope <= allowed + 1e-6 * (1.0 + power) * np.maximum(1.0, steep))[to_cusp > 2e-4].all()
-
-
-def test_a_wave_under_a_footprint_is_its_mean_over_the_box(probe: Probe) -> None:
-    """By its two sides a box averages a wave by sin(a/2)/(a/2) each; the Gaussian has as much variance."""
-    sides = grid_of(np.linspace(0.0, math.pi, 33), np.linspace(0.0, math.pi, 33))
-    kept = probe([NUMBERS], "y.x = wave_kept(dot(x.xy, x.xy));", sides)[:, 0]
-    a, b = 0.5 * sides.astype(np.float64).T
-    mean = np.sinc(a / math.pi) * np.sinc(b / math.pi)
-    assert np.abs(kept - mean).max() <= 0.035
-    small = (sides**2).sum(axis=-1) <= 1.0
-    assert np.abs(kept - mean)[small].max() <= 4e-4
-    # What is far larger than the wave leaves nothing of it, and is no underflow.
-    wide = probe([NUMBERS], "y.x = wave_kept(x.x);", np.array([[1e3], [1e30], [3e38]], np.float32))[:, 0]
-    assert (wide >= 0.0).all()
-    assert wide.max() <= 1e-18

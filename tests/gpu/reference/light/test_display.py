@@ -7,7 +7,7 @@ from scipy import ndimage
 
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.reference.light import display
+from seafoam.reference.light import light as display
 from seafoam.reference.types import Floats, smoothstep
 from seafoam.render.gl.executor import Executor
 from support.pictures import ROUNDED

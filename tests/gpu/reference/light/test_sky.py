@@ -12,7 +12,6 @@ from seafoam.effects.light.atmosphere import lamp
 from seafoam.effects.light.light import sky_irradiance, sun_irradiance
 from seafoam.effects.light.overcast import gap_light
 from seafoam.reference import noise
-from seafoam.reference.light import atmosphere
 from seafoam.reference.light import light as reference_light
 from seafoam.render.gl.executor import Executor
 from support.exact import UNFILTERED
@@ -38,7 +37,7 @@ def test_noise_and_its_octaves_equal_their_float64_form(probe: Probe, dimensions
     files, axes = [HASH, f"lib/noise.glsl@perlin_{dimensions}"], {2: "x.xy", 3: "x.xyz"}[dimensions]
     x = places(dimensions)
     got = probe(files, f"y.x = noise_{dimensions}({axes}, 12345u);", x)[:, 0]
-    assert np.abs(got - noise.perlin(x, 12345)).max() <= 1e-5
+    assert np.abs(got - noise.perlin(x, 12345)[0]).max() <= 1e-5
     width = np.random.default_rng(1).choice(np.float32([0.0, 0.02, 0.1, 0.4, 2.0]), x.shape[0])
     padded = np.column_stack((x, np.zeros((x.shape[0], 3 - dimensions)), width))
     off = probe(files, f"y.x = fractal_{dimensions}({axes}, x.w, 6, 77u);", padded)[:, 0]
@@ -46,30 +45,6 @@ def test_noise_and_its_octaves_equal_their_float64_form(probe: Probe, dimensions
     # The finest octave magnifies the rounding of a place by 56. NVIDIA's GPUs are 2.06e-3 away.
     assert np.abs(off).max() <= 2.5e-3
     assert rms(off) <= 2e-4
-
-
-@pytest.mark.parametrize("dimensions", [2, 3])
-def test_noise_is_smooth_normal_and_without_a_seam(dimensions: int) -> None:
-    rng = np.random.default_rng(4)
-    x = rng.uniform(0.0, 250.0, (80_000, dimensions))
-    drawn = noise.fractal(x, np.zeros(len(x)), 6, 5)
-    assert abs(drawn.mean()) <= 0.05
-    assert abs(drawn.std() - 1.0) <= 0.03
-    np.testing.assert_allclose(np.quantile(drawn, (0.1, 0.5, 0.9)), (-1.2816, 0.0, 1.2816), atol=0.06)
-    again = noise.fractal(x[:2000] + 256.0 * rng.integers(-3, 4, (2000, dimensions)), np.zeros(2000), 6, 5)
-    assert np.abs(drawn[:2000] - again).max() <= 1e-9
-    # No step across cells or across the period.
-    rim = np.floor(x[:2000])
-    assert np.abs(noise.perlin(rim - 1e-7, 3) - noise.perlin(rim + 1e-7, 3)).max() <= 1e-6
-
-
-@pytest.mark.parametrize("cover", [0.1, 0.3, 0.5, 0.8])
-def test_clouds_cover_their_share(report: Report, cover: float) -> None:
-    """Of the layer's area, counting what is half as dense as can be; a normal law's quantile sets where they begin."""
-    above = reference_light.air(Light(sky=Sky(clouds=Clouds(cover=cover, softness=1.0)))).above
-    drawn = noise.fractal(np.random.default_rng(6).uniform(0.0, 256.0, (60_000, 3)), np.zeros(60_000), 6, 64)
-    share = float((above.clouds.base(drawn) > 0.156).mean())
-    report.within("Share of the layer that clouds cover", asked=cover, measured=share, off=(abs(share - cover), 0.03))
 
 
 SKIES = (
@@ -118,7 +93,7 @@ def test_nothing_jumps_as_the_sun_goes_down(every: int) -> None:
 
 
 def test_the_sun_goes_round() -> None:
-    """Equinox and solstice, by what every almanac says; and the reference's own way there."""
+    """Equinox and solstice, by what every almanac says."""
     noon = Day(hour=12.0, date=81.0, latitude=0.8)
     azimuth, elevation = sun_angles(noon)
     assert elevation == pytest.approx(math.pi / 2 - 0.8, abs=0.01)
@@ -129,11 +104,6 @@ def test_the_sun_goes_round() -> None:
     assert math.cos(azimuth) == pytest.approx(1.0, abs=1e-3), "the sun rises in the east, +x"
     assert sun_angles(Day(hour=12.0, date=172.0, latitude=math.radians(23.44)))[1] == pytest.approx(1.5708, abs=0.01)
     assert sun_angles(Day(hour=0.0, date=172.0, latitude=1.4))[1] > 0.0, "the midnight sun"
-    rng = np.random.default_rng(3)
-    for hour, date, latitude in rng.uniform((0, 1, -1.57), (24, 366, 1.57), (200, 3)):
-        day = Day(hour=hour, date=date, latitude=latitude, north=0.4)
-        one, other = atmosphere.toward(*sun_angles(day)), atmosphere.toward(*atmosphere.sun_angles(day))
-        assert np.abs(one - other).max() <= 1e-7
 
 
 CUBE = ["lib/texels.glsl@bilinear", "lib/texels.glsl@cube_face", "reflection/cube.glsl@cube"]

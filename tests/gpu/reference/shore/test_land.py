@@ -10,7 +10,7 @@ from seafoam.reference.shore.shore import land_shadow
 from seafoam.render.gl.executor import Executor
 from support.report import Report
 from support.scenes import Light, Scene
-from support.scenes.coasts import SEA, SHORE, coast, floor_of, on_shore, places
+from support.scenes.coasts import SEA, SHORE, coast, on_shore, places
 
 HIGH = SEA.model_copy(
     update={"shore": SHORE.model_copy(update={"height": 60.0, "slope": 0.5, "relief": 1.0, "plants_from": 3.0})}
@@ -62,22 +62,6 @@ def test_soil(side: float, executor: Executor, report: Report) -> None:
     )
 
 
-def test_sand_goes_on_under_the_waters_edge(executor: Executor) -> None:
-    """The floor's colour there is that of soaked land in detail; the shader's is the truth's at all depths."""
-    of = Ground(executor, HIGH)
-    feet = _feet(0.05, of.x.size)
-    down, up = np.tile((0.0, -1.0, 0.0), (of.x.size, 1)), np.tile((0.0, 1.0, 0.0), (of.x.size, 1))
-    want, _ = floor_of(of.sea.bed(of.x, of.z, of.height + 1e-3, down, up, feet))
-    got = _drawn(executor, HIGH, 0.05, "vec4(floor_albedo(q, ground, fp), 0.0)", "surface")[:, :3]
-    assert np.quantile(np.abs(got - want), 0.99) <= 2e-3
-    wet = np.ones_like(of.x), np.ones_like(of.x)
-    soaked = truth.detailed(of.sea.shore, of.at, of.sea.ground(*of.at), feet, wet, floor=True).albedo
-    edge = (of.height > -0.1) & (of.height < 0.5)
-    assert np.count_nonzero(edge) > 50
-    np.testing.assert_allclose(want[edge], soaked[edge], atol=1e-9)
-    assert np.abs(want - soaked)[of.height < -0.6].mean() > 0.005
-
-
 def test_what_the_footprint_hides_goes_over_into_its_mean(executor: Executor, report: Report) -> None:
     """Without detail in sight the mean colour stays: seen from afar land is as bright as the mean of what is near."""
     # Low land: of high land's layers of rock there are too few for a mean.
@@ -91,15 +75,6 @@ def test_what_the_footprint_hides_goes_over_into_its_mean(executor: Executor, re
     )
     worst = max(float(np.abs(mean / near - 1.0).max()) for mean in wide)
     report.within("Mean reflectance of land under footprints of up to 8 m, of that of 5 mm", off=(worst, 0.04))
-
-
-def test_no_detail_is_the_smooth_land(executor: Executor) -> None:
-    plain = HIGH.model_copy(update={"shore": HIGH.shore.model_copy(update={"detail": 0.0})})
-    of = Ground(executor, plain)
-    want = of.sea.soil(*of.at, _feet(0.3, of.x.size), still=False)
-    colour = _drawn(executor, plain, 0.3, "vec4(soil.albedo, soil.film)")
-    assert np.quantile(np.abs(colour - np.column_stack((want.albedo, want.film))), 0.99) <= 1e-3
-    assert want.glints is False
 
 
 @pytest.mark.parametrize(("elevation", "azimuth"), [(0.08, 0.7), (0.25, -2.1), (0.6, 0.0)])

@@ -1,15 +1,11 @@
 """A current carries what floats: as a carried eye sees it, with Doppler's frequencies; and stands still at stones."""
 
-import math
-
-import numpy as np
 import pytest
 
 from seafoam.effects.effect import PlanError
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference import render
-from seafoam.reference.boats.wake import stone_set
 from seafoam.render.gl.executor import Executor
 from support.exact import EXACT, SQUARE
 from support.pictures import levels, samples
@@ -76,27 +72,6 @@ STONES = Current(
     direction=1.2,
     stones=(Stone(place=(-1.0, -9.0), radius=0.6, waves=0.5), Stone(place=(3.0, -14.0), radius=1.0, waves=0.3)),
 )
-
-
-def test_standing_waves_stand_and_are_as_long_as_the_current_is_fast() -> None:
-    """Behind a stone crests lie 2π U²/g apart, where waves run against the current as fast as it carries them."""
-    one = STONES.model_copy(update={"stones": STONES.stones[:1]})
-    stone, (c, s) = one.stones[0], (math.cos(one.direction), math.sin(one.direction))
-    wake = stone_set(one, (0.0, 0.0)).wakes[0]
-    length = 2.0 * math.pi * one.speed**2 / 9.81
-    way = np.linspace(3.0 * length, 5.0 * length, 4001)
-    height = stone_set(one, (0.0, 0.0)).height(stone.place[0] + c * way, stone.place[1] + s * way)
-    crests = way[1:-1][(height[1:-1] > height[:-2]) & (height[1:-1] > height[2:])]
-    assert np.diff(crests) == pytest.approx(length, rel=0.01)
-    assert wake.height <= 1.5 * stone.waves * one.speed**2 / (2.0 * 9.81) + 1e-9
-    rng = np.random.default_rng(4)
-    x, z = rng.uniform(-20.0, 20.0, (2, 40000))
-    waves, step = stone_set(STONES, (0.0, 0.0)), 1e-6
-    assert np.abs(waves.height(x, z)).max() <= waves.top
-    slopes = waves.gradient(x, z)
-    assert np.hypot(*slopes).max() <= waves.slope
-    numeric = (waves.height(x + step, z) - waves.height(x - step, z)) / (2.0 * step)
-    assert np.abs(slopes[0] - numeric).max() < 1e-6
 
 
 @pytest.mark.parametrize("look", ["textured", "filtered"])

@@ -10,17 +10,15 @@ from numpy.typing import NDArray
 from seafoam.ocean.basics.dispersion import wave_level
 from seafoam.ocean.waves.cascades import RAISED, cascades
 from seafoam.planner import make_plan
-from seafoam.reference import render
 from seafoam.reference.boats.wake import wake_set
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.reference.waves.rings import ring_set
 from seafoam.reference.waves.sea import sea_surface
 from seafoam.render.gl.executor import Executor
 from support.exact import EXACT
-from support.pictures import colours, levels, samples
 from support.probe import shown
 from support.report import Report
-from support.scenes import Boat, Camera, Caustics, Light, ParametricWave, Ring, Ripples, Scene, Sea, Water
+from support.scenes import Boat, Camera, ParametricWave, Ring, Scene, Sea
 
 Floats = NDArray[np.float64]
 TIMES = tuple(3.7 * i for i in range(8))
@@ -110,41 +108,3 @@ def test_where_no_ring_and_no_wake_is_water_is_still(executor: Executor) -> None
     rings = (Ring(place=(0.0, 1e5), amplitude=2.0),)
     scene = Scene(rings=rings, boats=(FAR.model_copy(update={"centre": (0.0, 1e5)}),))
     assert all((of(executor, scene, 3.0) == 0.0).all() for of in WAYS.values())
-
-
-POOL = Scene(
-    water=Water(depth=2.4, floor_tile=0.4, scattering=0.05, translucency=0.0, ripples=Ripples(slope=0.06, seed=3)),
-    light=Light(sun_elevation=0.8, sun_azimuth=2.5, exposure=-1.5, caustics=Caustics(dispersion=0.0)),
-)
-DEEP = Scene(
-    water=Water(scattering=0.1, translucency=0.0, absorption_length=(2.0, 3.0, 4.0)), light=Light(exposure=-1.0)
-)
-# Without the light through crests, whose share of the greatest height hangs on all waves of the scene.
-BESIDE = {
-    "caustics on the floor, from above": (POOL, Camera(position=(0.3, 2.5, 0.2), pitch=-1.2)),
-    "caustics on the floor, from under water": (POOL, Camera(position=(0.3, -1.0, 0.2), pitch=-0.6)),
-    "the underside and what it mirrors": (POOL, Camera(position=(0.3, -1.5, 0.2), pitch=0.4)),
-    "deep water, from below": (DEEP, Camera(position=(0.3, -2.0, 0.2), pitch=-0.2)),
-    "the planar mirror": (
-        Scene(
-            water=Water(translucency=0.0),
-            light=Light(reflection="planar"),
-            boats=(Boat(centre=(0.0, -14.0), radius=15.0, speed=0.0),),
-        ),
-        Camera(position=(0.0, 3.0, 12.0), pitch=-0.2),
-    ),
-}
-
-
-@pytest.mark.parametrize("view", BESIDE)
-def test_a_boat_that_moves_far_away_changes_nothing_here(executor: Executor, view: str) -> None:
-    """Neither caustics nor the view from below nor a mirror: still water stays where it is, drawn and in float64."""
-    scene, camera = BESIDE[view]
-    both = scene, scene.model_copy(update={"boats": (*scene.boats, FAR)})
-    exact, beside = (render(one, time=2.7, width=64, height=36, camera=camera).rgb for one in both)
-    assert np.ptp(colours(exact)) > 0.005
-    assert levels(exact, beside).max() <= 255e-9
-    # Two programs round apart, most where light is focused.
-    away = levels(*(samples(executor, one, EXACT, camera, time=2.7, size=(64, 36)) for one in both))
-    assert away.mean() <= 0.02
-    assert (away > 1.0).mean() <= 0.005

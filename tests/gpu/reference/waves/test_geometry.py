@@ -17,16 +17,12 @@ from support.scenes import Camera, Scene, load_preset
 
 SIZE = (96, 54)
 TIME = 2.7
-SHALLOW = load_preset("island-surf").scene
 VIEWS: dict[str, tuple[Scene, Camera | None]] = {
     "default": (load_preset("default").scene, None),
-    "island-surf": (SHALLOW, None),
-    "lake-calm": (load_preset("lake-calm").scene, None),
-    "paper-threshold": (load_preset("paper-threshold").scene, None),
+    "island-surf": (load_preset("island-surf").scene, None),
     # A boat shapes the water under it, and hides none of it.
     "boat-race": (load_preset("boat-race").scene, None),
     "between crests": (load_preset("default").scene, Camera(position=(0.0, 0.5, 0.0), pitch=-0.1)),
-    "default from below": (load_preset("default").scene, Camera(position=(0.0, -4.0, 0.0), pitch=0.5)),
     "a pool from below": (load_preset("pool-caustics").scene, Camera(position=(0.0, -1.0, 0.0), pitch=-0.2)),
 }
 

@@ -11,31 +11,23 @@ from numpy.typing import NDArray
 from seafoam.effects.effect import Contribution
 from seafoam.effects.waves import rings as effect
 from seafoam.effects.waves.rings import TOUCHES
-from seafoam.framegraph.evaluation import FrameState, evaluate
 from seafoam.framegraph.rules import afloat
 from seafoam.ocean.waves.rings import ring_curvature, ring_height, ring_slope, trains
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.reference import render as reference
 from seafoam.reference.waves.rings import RingSet, ring_set, touch_set
 from seafoam.render.gl.executor import Executor
-from support.exact import EXACT, UNFILTERED
-from support.pictures import levels, linear, rmse, samples
+from support.exact import UNFILTERED
+from support.pictures import linear, rmse
 from support.probe import Probe
 from support.report import Report
 from support.scenes import (
-    RINGS_MOST,
     Camera,
     Current,
-    Foam,
     Ring,
-    Ripples,
     Scene,
-    Sea,
-    Shore,
     Touch,
     Water,
-    WhitecapSaturation,
     load_preset,
 )
 
@@ -131,24 +123,6 @@ def test_heights_and_slopes_stay_within_their_bounds() -> None:
     assert closest > 0.2
 
 
-def test_a_hundred_rings_at_one_point(probe: Probe) -> None:
-    """They add up to one a hundred times as high, at their centre and around it, and reach their bound."""
-    origin = (1e7, 1e7)
-    ring = Ring(place=origin, amplitude=0.02, decay=0.3, wavelength=4.0)
-    many = Scene(rings=(ring,) * RINGS_MOST)
-    at = points(many, origin, 1, 2000)
-    at[0] = 0.0
-    for time in (0.0, 1e-6, 2.0, 12.0):
-        got, want = shader(probe, many, time, origin, at), truth(many, time, origin, at)
-        assert np.isfinite(got).all()
-        assert np.abs(got - want).max() <= 5e-5
-    one = Scene(rings=(ring,))
-    assert math.isclose(ring_height(many), RINGS_MOST * ring_height(one), rel_tol=1e-5)
-    assert math.isclose(ring_height(one), 0.02 - ring.dead, rel_tol=1e-5)
-    with pytest.raises(ValueError, match="rings"):
-        Scene(rings=(ring,) * (RINGS_MOST + 1))
-
-
 @pytest.mark.parametrize("birth", [0.0, 1e9, -1e9])
 def test_a_ring_is_born_from_still_water_at_its_centre(probe: Probe, birth: float) -> None:
     """At its birth and before it is level everywhere, its centre included; the slope there stays 0 afterwards."""
@@ -175,19 +149,6 @@ def test_a_dead_ring_leaves_no_trace(probe: Probe) -> None:
     # It goes without a jump: a tenth of a second before, it is lower than a twentieth of what it dies at.
     last = shader(probe, scene, ring.life - 0.1, (0.0, 0.0), at)
     assert 0.0 < np.abs(last[:, 0]).max() <= 0.06 * ring.dead
-
-
-def test_a_repeating_ring_starts_anew(probe: Probe) -> None:
-    ring = Ring(place=(2.0, 1.0), birth=3.0, every=20.0, amplitude=0.3, decay=0.4, wavelength=2.0)
-    scene = Scene(rings=(ring,))
-    at = points(scene, (0.0, 0.0), 1, 500)
-    first = shader(probe, scene, 5.5, (0.0, 0.0), at)
-    assert np.ptp(first[:, 0]) > 0.05
-    for turns in (-50_000_000, 1, 50_000_000):
-        # 20 s times fifty million is a number that float64 holds; 1e9 s and a few are exact to 1.2e-7 s.
-        assert np.abs(shader(probe, scene, 5.5 + 20.0 * turns, (0.0, 0.0), at) - first).max() < 1e-5
-    with pytest.raises(ValueError, match="life"):
-        Ring(every=1.0, decay=0.1)
 
 
 def apart(executor: Executor, scene: Scene, camera: Camera, time: float, size: int) -> float:
@@ -223,19 +184,6 @@ def test_the_map_is_the_sum(executor: Executor, report: Report, preset: str) -> 
     )
 
 
-def test_the_map_does_not_swim(executor: Executor) -> None:
-    """It lies still on the water: from another eye the same places have the same texels, so the plan's passes agree."""
-    scene = load_preset("lake-calm").scene
-    plan = make_plan(scene, TIERS["standard"])
-    (drawn,) = [one for one in plan.passes if one.target == "rings"]
-    states = [
-        FrameState(4.0, Camera(position=place), 1, 1, 1, 1, 0) for place in ((0.0, 2.0, 0.0), (123.4, 2.0, -77.7))
-    ]
-    for name, uniform in drawn.uniforms.items():
-        values = [evaluate(uniform, state) for state in states]
-        assert (values[0] == values[1]).all(), name
-
-
 def test_more_rings_than_a_word_has_bits_are_all_in_the_map(executor: Executor) -> None:
     rings = tuple(
         Ring(place=(8.0 * (i % 8), -8.0 * (i // 8)), birth=-1.0, amplitude=0.2, decay=0.4, wavelength=3.0)
@@ -246,7 +194,6 @@ def test_more_rings_than_a_word_has_bits_are_all_in_the_map(executor: Executor) 
 
 
 TOUCH_FILES = ("lib/numbers.glsl", "waves/rings.glsl@ring", "waves/rings.glsl@touch")
-SIZE = (64, 36)
 FULL = "y.xyz = touches_detail(x.xy, Footprint(vec2(0.0), vec2(0.0)));"
 
 
@@ -302,29 +249,3 @@ def test_what_a_footprint_takes_out_is_roughness(probe: Probe) -> None:
     assert sharp[:, 2].max() < 1e-6
     # Crossing rings interfere, so the sum of squares is theirs only in the mean.
     assert blurred[:, 2].mean() == pytest.approx((sharp[:, :2] ** 2).sum(axis=1).mean(), rel=0.5)
-
-
-WATERS = {
-    "sea": Scene(sea=Sea(wind=7.0), foam=Foam(saturation=(WhitecapSaturation(),))),
-    "shore": Scene(shore=Shore(kind="beach"), water=Water(ripples=Ripples())),
-    "river": Scene(current=Current(speed=1.2), water=Water(ripples=Ripples(), depth=1.5)),
-}
-
-
-@pytest.mark.parametrize("water", WATERS)
-def test_a_touched_water_is_the_references(executor: Executor, report: Report, water: str) -> None:
-    """The rings add to what is there, by as much as in float64, and change nothing where they are not."""
-    x, y, z = (0.0, 3.0, 60.0) if water == "shore" else (0.0, 2.5, 0.0)
-    time, camera = 20.0, Camera(position=(x, y, z), pitch=-0.35)
-    touched = WATERS[water].model_copy(update={"touches": train(time, (x, z))})
-    before, after = (samples(executor, one, EXACT, camera, time=time, size=SIZE) for one in (WATERS[water], touched))
-    truth = reference(touched, time=time, width=SIZE[0], height=SIZE[1], camera=camera)
-    away, change = levels(after, truth.rgb), levels(after, before)
-    assert 0.02 < (change > 2.0).mean() < 0.9
-    assert (change[:3] == 0.0).all(), "the sky is as it was"
-    report.within(
-        "Touched water against the float64 reference, 64 × 36, levels of linear light",
-        water=water,
-        mean=(away.mean(), 0.5),
-        over_2=((away > 2.0).mean(), 0.01),
-    )

@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 from gpu.reference.waves.test_parametric import between
 from seafoam.effects.waves.sea import DISPLACED
 from seafoam.framegraph.evaluation import FrameState, evaluate
-from seafoam.ocean.basics import spectrum as sea_spectrum
 from seafoam.ocean.foam import whitecaps as foam_of_sea
 from seafoam.ocean.waves import cascades as sea_tiles
 from seafoam.planner import FramePlan, make_plan
@@ -154,28 +153,6 @@ def test_the_transform_is_numpys(executor: Executor, report: Report, size: int) 
             imaginary=(np.abs(block[..., 3]).max() / np.abs(block[..., 2]).max(), 1e-5),
             mean=(abs(block[..., 0].mean()) / scale, 1e-6),
         )
-
-
-@pytest.mark.parametrize("wind", [4.0, 10.0, 22.0, 60.0])
-@pytest.mark.parametrize("name", SEAS)
-def test_significant_height(executor: Executor, report: Report, wind: float, name: str) -> None:
-    """From the spectrum, from the waves, and from the field that is drawn: within 2 %."""
-    sea = SEAS[name].model_copy(update={"wind": wind, "fetch": 5e5, "choppiness": 0.0})
-    omega = np.geomspace(0.3, 60.0, 20001) * sea_spectrum.peak_frequency(wind, sea.fetch)
-    wanted = 4.0 * math.sqrt(np.trapezoid(sea_spectrum.frequency_spectrum(omega, wind, sea.fetch), omega))
-    drawn = sea_tiles.cascades(sea, None)
-    waves = 4.0 * math.sqrt(sum(of.variance for of in drawn))
-    raising = sum(of.variance > 0.0 for of in drawn)
-    tiles = [tile(executor, sea, 31.0, f"sea_tile_{i}", sea_size=128)[..., 0] for i in range(raising)]
-    field = 4.0 * math.sqrt(sum(rms(one) ** 2 for one in tiles))
-    report.within(
-        "Significant wave height over the spectrum's, less 1",
-        model=name,
-        wind=wind,
-        spectrum=f"{wanted:.4f} m",
-        waves=(abs(waves / wanted - 1.0), 0.02),
-        field=(abs(field / wanted - 1.0), 0.02),
-    )
 
 
 def test_time_is_a_loop_of_whole_turns(executor: Executor) -> None:
