@@ -39,8 +39,8 @@ class Settings(Described, BaseSettings):
     streams: int = Field(default_factory=lambda: os.cpu_count() or 1, ge=0, le=1000)
     """Number of streams of frames that pages may have at once; 0: none. Absent: the number of cores"""
     deadline: float = Field(default=10.0, gt=0.0, le=3600.0, description="Timeout of a frame, waiting included, s")
-    recycle: int = Field(default=1000, ge=0)
-    """Number of frames after which an idle worker is replaced; 0: never"""
+    recycle: int = Field(default=20_000, ge=0)
+    """Number of frames after which a worker is replaced; 0: never"""
     device_index: int | None = Field(default=None, ge=0)
     """Index of the EGL device to render on; absent: the first"""
     max_side: int = Field(default=4096, ge=1, le=16384, description="Maximum width and height of a frame, pixels")

@@ -5,9 +5,8 @@ prints one line with the remedy, with exit code 1. Commands import heavy modules
 workers import this module too.
 """
 
+import io
 import json
-import os
-import socket
 import sys
 import webbrowser
 from collections.abc import Mapping, Sequence
@@ -15,22 +14,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
 import typer
-from typer.core import TyperCommand
 from typer.exceptions import TyperException
 
 from seafoam.cli.masks import masks
-from seafoam.cli.support import (
-    UNABLE,
-    Command,
-    CommandError,
-    Serve,
-    member_of,
-    prepare,
-    print_table,
-    refuse,
-    say,
-    size_of,
-)
+from seafoam.cli.support import OUTPUT, UNABLE, CommandError, Serve, member_of, print_table, refuse, say, size_of
 from seafoam.extras import UnableError, require
 from seafoam.processes import SCHEDULER
 
@@ -49,9 +36,18 @@ OPEN_CONNECTIONS = 256
 """Connections beyond which the server answers 503 at once: a page uses a dozen; the render queue has its own limit."""
 
 
+def _known(preset: str | None) -> str | None:
+    from seafoam.scene import preset_names
+
+    if preset is not None and preset not in preset_names():
+        raise CommandError(f"PRESET: {preset!r} was not found; available: {', '.join(preset_names())}")
+    return preset
+
+
 # Options of commands that draw frames; absent ones are the preset's.
-Preset = Annotated[str, typer.Argument(help="Name of a preset; `seafoam presets` lists them.")]
-PresetName = Annotated[str | None, typer.Argument(help="Name of a preset; `seafoam presets` lists them.")]
+_PRESET = typer.Argument(help="Name of a preset; `seafoam presets` lists them.", callback=_known)
+Preset = Annotated[str, _PRESET]
+PresetName = Annotated[str | None, _PRESET]
 Size = Annotated[str | None, typer.Option(help="WIDTHxHEIGHT in pixels (default: the preset's).")]
 TierName = Annotated[str, typer.Option(help="fast, standard, high or reference.")]
 LookName = Annotated[str | None, typer.Option(help="Foam look (default: the preset's).")]
@@ -131,22 +127,17 @@ def serve(
         **logs.configure(settings.log_format),
     )
 
-    class Server(uvicorn.Server):
-        async def startup(self, sockets: list[socket.socket] | None = None) -> None:
-            await super().startup(sockets)
-            say(f"Seafoam is at {address}  (API: {address}/docs)")
-            if open_browser:
-                webbrowser.open(address)
-
-    Server(config).run(sockets=[listening])
+    # Who connects at once is answered when the application has started.
+    say(f"Seafoam is at {address}  (API: {address}/docs)")
+    if open_browser:
+        webbrowser.open(address)
+    uvicorn.Server(config).run(sockets=[listening])
 
 
 @app.command()
 def render(
     preset: PresetName = None,
-    output: Annotated[
-        Path | None, typer.Option("--output", "-o", help="Output file; the extension selects the format.")
-    ] = None,
+    output: Annotated[Path | None, OUTPUT] = None,
     again: Annotated[
         Path | None,
         typer.Option(help="Draw this picture from its recipe, and say what differs. Exit code 0: the same bytes."),
@@ -195,7 +186,6 @@ def render(
         return
     if preset is None or output is None:
         raise CommandError(f"{'PRESET' if preset is None else '--output'}: required, unless --again names a picture")
-    _require_preset(preset)
     from seafoam.cli.frames import render_to_file
 
     for line in render_to_file(preset, output, size, given):
@@ -231,8 +221,6 @@ def accuracy(
     require("reports")
     if (preset is None) != every:
         raise CommandError("PRESET or --all: exactly one is required")
-    if preset is not None:
-        _require_preset(preset)
     width, height = size_of(size)
     if not (16 <= width <= 1280 and 16 <= height <= 720):
         raise CommandError(f"--size: must be 16x16 to 1280x720, not {size!r}")
@@ -270,7 +258,6 @@ def plan(
     stage: Annotated[str, typer.Option(help="Of the program: fragment or vertex.")] = "fragment",
 ) -> None:
     """List the passes of a preset's frame plan, or print the GLSL of one of its programs."""
-    _require_preset(preset)
     from seafoam.planner import make_plan
     from seafoam.quality import TIERS
     from seafoam.scene import load_preset
@@ -341,16 +328,12 @@ def sign(address: Annotated[str, typer.Argument(help="Path of the API with its q
         raise CommandError(f"ADDRESS: {error}") from error
 
 
-for each in (*app.registered_commands, *masks.registered_commands):
-    each.cls = Command if each.cls is TyperCommand else each.cls
-
-
 def main(arguments: Sequence[str] | None = None) -> NoReturn:
     """Run the command and exit with 0, 1 if the machine lacks something, 2 for invalid input, 130 if interrupted."""
-    prepare()
-    if not os.path.isabs(os.environ.get("XDG_CACHE_HOME", os.sep)):
-        # The XDG Base Directory Specification has everyone ignore it; Mesa and Matplotlib would write there.
-        del os.environ["XDG_CACHE_HOME"]
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            # What a console cannot show must not end the command.
+            stream.reconfigure(errors="backslashreplace")
     try:
         code = app(arguments, standalone_mode=False)
     except TyperException as error:
@@ -388,10 +371,3 @@ def _settings(options: Mapping[str, Any]) -> "Settings":
         return Settings(**options)
     except ValidationError as error:
         refuse(error, Settings, lambda field: f"--{field}" if field in options else f"SEAFOAM_{field.upper()}")
-
-
-def _require_preset(name: str) -> None:
-    from seafoam.scene import preset_names
-
-    if name not in preset_names():
-        raise CommandError(f"PRESET: {name!r} was not found; available: {', '.join(preset_names())}")

@@ -184,14 +184,13 @@ def _pixels(then: bytes, now: bytes) -> Iterator[str]:
     if old.shape != new.shape or old.dtype != new.dtype:
         yield f"pixels: {_shape(old)} then, {_shape(new)} now"
         return
-    # NaN is no more different from NaN than a number from itself.
-    differs = (old != new) & ~((old != old) & (new != new))
+    differs = old != new
     if not differs.any():
         yield "pixels: the same; the rest of the file differs: recipe, compression or other chunks"
         return
     count = int(differs.any(axis=-1).sum())
     unit = "levels of 255" if old.dtype == np.uint8 else "in linear light"
-    greatest = np.nanmax(np.abs(old.astype(np.float64) - new.astype(np.float64)))
+    greatest = np.abs(old[differs].astype(np.float64) - new[differs].astype(np.float64)).max()
     yield f"pixels: {count:,} of {old.shape[0] * old.shape[1]:,} differ, by at most {greatest:g} {unit}"
 
 

@@ -1,7 +1,6 @@
 """What ``seafoam serve`` sets up for its process: the allocator, where compiled programs are kept, where it listens."""
 
 import ctypes
-import errno
 import os
 import socket
 import sys
@@ -36,12 +35,6 @@ def keep_programs(folder: Path) -> None:
 
 
 BACKLOG = 2048
-_ADVICE = {
-    errno.EADDRINUSE: "choose another port with --port",
-    errno.EACCES: "ports below 1024 need more rights: choose another with --port",
-    errno.EADDRNOTAVAIL: "this machine has no such address: choose one of its own with --host",
-    errno.EAFNOSUPPORT: "this machine has no IPv6: choose an IPv4 address with --host, such as 127.0.0.1",
-}
 
 
 def listen(host: str, port: int) -> tuple[socket.socket, str]:
@@ -53,18 +46,13 @@ def listen(host: str, port: int) -> tuple[socket.socket, str]:
     bare = host.removeprefix("[").removesuffix("]")
     try:
         found = socket.getaddrinfo(bare or "0.0.0.0", port, type=socket.SOCK_STREAM)
-    except (socket.gaierror, UnicodeError) as error:
-        detail = f"--host: {host!r} is neither an address nor a name that this machine knows"
-        raise CommandError(detail, UNABLE) from error
-    # `localhost` is both: who types 127.0.0.1 for it must find the server.
-    family, *_, address = min(found, key=lambda each: each[0] != socket.AF_INET)
-    every = bare == "::" and socket.has_dualstack_ipv6()
-    try:
+        # `localhost` is both: who types 127.0.0.1 for it must find the server.
+        family, *_, address = min(found, key=lambda each: each[0] != socket.AF_INET)
+        every = bare == "::" and socket.has_dualstack_ipv6()
         listening = socket.create_server(address, family=family, backlog=BACKLOG, dualstack_ipv6=every)
-    except OSError as error:
-        advice = _ADVICE.get(error.errno or 0, "choose another address with --host or port with --port")
-        detail = f"cannot listen on {_authority(bare, port)}: {os.strerror(error.errno or 0)}; {advice}"
-        raise CommandError(detail, UNABLE) from error
+    except (OSError, UnicodeError) as error:
+        advice = "choose another address with --host or port with --port"
+        raise CommandError(f"cannot listen on {_authority(bare, port)}: {error}; {advice}", UNABLE) from error
     # asyncio sets this only on sockets that name their protocol; without it every answer waits 40 ms for an ACK.
     listening.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
     shown = {"": "127.0.0.1", "0.0.0.0": "127.0.0.1", "::": "127.0.0.1" if every else "::1"}.get(bare, bare)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from seafoam.cli.support import CommandError, Output, extension_of, print_table, say, write
+from seafoam.cli.support import OUTPUT, CommandError, extension_of, print_table, progress_bar, say, write
 from seafoam.extras import require
 
 if TYPE_CHECKING:
@@ -30,7 +30,7 @@ def list_masks() -> None:
 
 @masks.command("make")
 def make_mask(
-    output: Output,
+    output: Annotated[Path, OUTPUT],
     family: Annotated[str, typer.Option(help="vac, blur, clump, bubble, mix or lace.")] = "vac",
     sigma: Annotated[
         float | None, typer.Option(help="Characteristic length, texels (default: depends on the family).")
@@ -45,9 +45,6 @@ def make_mask(
     bits: Annotated[int, typer.Option(help="Bits per texel of a .png: 16 or 8.")] = 16,
 ) -> None:
     """Make a mask and write it as .png, .npy (float32 thresholds), .u16 (raw) or .dds (R16_UNORM)."""
-    from rich.console import Console
-    from rich.progress import BarColumn, Progress, TaskProgressColumn, TimeElapsedColumn
-
     from seafoam.masks import families, formats
     from seafoam.masks.construct import make as construct
 
@@ -60,10 +57,8 @@ def make_mask(
     encoder = encoders[extension_of(output, tuple(encoders))]
     if bits not in (8, 16):
         raise CommandError(f"--bits: must be one of 8, 16, not {bits}")
-    columns = (BarColumn(), TaskProgressColumn(), TimeElapsedColumn())
-    console = Console(stderr=True)
-    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
-        task = bar.add_task("", total=1.0)
+    with progress_bar() as bar:
+        task = bar.add_task(family, total=1.0)
         try:
             ranks = construct.make_mask(
                 family,

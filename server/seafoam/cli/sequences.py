@@ -5,10 +5,7 @@ from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
 from typing import Any
 
-from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
-
-from seafoam.cli.support import UNABLE, CommandError, option_of
+from seafoam.cli.support import UNABLE, CommandError, option_of, progress_bar
 from seafoam.library.request import InvalidRequestError, PictureRequest
 from seafoam.planner import PlanError
 from seafoam.render.gl import executor as gl
@@ -38,9 +35,7 @@ def spec_of(
     try:
         return sequences.sequence_of(PictureRequest(preset, time=start, **given).job(), stop, fps)
     except InvalidRequestError as error:
-        text = str(error)
-        option = text.replace("preset", "PRESET", 1) if text.startswith("preset") else f"--{text}"
-        raise CommandError(option.replace("--time:", "--start:", 1)) from error
+        raise CommandError(f"--{error}".replace("--time:", "--start:", 1)) from error
     except sequences.OutputError as error:
         raise CommandError(f"{option_of(error.field)}: {error}") from error
 
@@ -63,16 +58,13 @@ def make(
     again: bool,
 ) -> str:
     """Make the sequence, with a progress bar; return the line to print."""
-    console = Console(stderr=True)
-    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
     try:
         making.check_output(spec, output)
-        bar = Progress(*columns, console=console, transient=True, disable=not console.is_terminal)
-        with working as workers, bar:
+        with working as workers, progress_bar() as bar:
             task = bar.add_task("frames", total=spec.count)
 
-            def tell(progress: making.Progress) -> None:
-                bar.update(task, completed=progress.done, total=progress.total, description=progress.stage)
+            def tell(stage: making.Stage, done: int, total: int, _: float | None) -> None:
+                bar.update(task, completed=done, total=total, description=f"{stage} {done}/{total}")
 
             there = making.make_sequence(spec, output, workers, tell=tell, again=again)
             renderer = workers.info["renderer"]

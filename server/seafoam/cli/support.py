@@ -1,60 +1,22 @@
-"""Errors, options, files and text that commands share.
+"""Errors, options, files and text that commands share."""
 
-Consoles have any encoding: what one cannot show is spelt in ASCII instead of ending the command.
-"""
-
-import codecs
-import io
-import math
 import re
 import sys
-import unicodedata
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, NoReturn, TypeVar
+from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
 
 import typer
 from typer.core import TyperCommand
 from typer.exceptions import TyperException
 
 from seafoam.files import write_whole
-from seafoam.numerals import numeral
 
 if TYPE_CHECKING:
     from pydantic import BaseModel, ValidationError
+    from rich.progress import Progress
 
-ERRORS = "seafoam.spelt"
-_SPELT = {
-    "×": "x", "·": "*", "−": "-", "–": "-", "—": "-", "→": "->", "≤": "<=", "≥": ">=", "±": "+-", "°": " deg",
-    "√": "sqrt", "∞": "inf", "“": '"', "”": '"', "‘": "'", "’": "'", "′": "'", "″": '"', "⁄": "/", "⁻": "-", "µ": "u",
-}  # fmt: skip
 _CONTROLS = {code: f"\\x{code:02x}" for code in (*range(32), *range(127, 160))}
-
-
-def spelt(error: UnicodeError) -> tuple[str, int]:
-    """Return ASCII for the characters that cannot be encoded, as ``codecs.register_error`` asks for it."""
-    if not isinstance(error, UnicodeEncodeError):
-        raise error
-    return "".join(map(_spelt, error.object[error.start : error.end])), error.end
-
-
-def _spelt(character: str) -> str:
-    if character in _SPELT:
-        return _SPELT[character]
-    name = unicodedata.name(character, "")
-    if name.startswith("GREEK "):
-        letter = name.split()[3].lower()
-        return letter.capitalize() if character.isupper() else letter
-    plain = unicodedata.normalize("NFKD", character).replace("⁄", "/").encode("ascii", "ignore").decode()
-    return plain or character.encode("unicode-escape").decode()
-
-
-def prepare() -> None:
-    """Let standard output and errors write any text."""
-    codecs.register_error(ERRORS, spelt)
-    for stream in (sys.stdout, sys.stderr):
-        if isinstance(stream, io.TextIOWrapper):
-            stream.reconfigure(errors=ERRORS)
 
 
 def say(text: str, *, err: bool = False) -> None:
@@ -66,7 +28,7 @@ BAD_INPUT = 2
 UNABLE = 1
 E = TypeVar("E", bound=str)
 
-Output = Annotated[Path, typer.Option("--output", "-o", help="Output file; the extension selects the format.")]
+OUTPUT = typer.Option("--output", "-o", help="Output file; the extension selects the format.")
 
 
 class CommandError(TyperException):
@@ -77,24 +39,7 @@ class CommandError(TyperException):
         self.exit_code = exit_code
 
 
-class Command(TyperCommand):
-    """A command whose options take numbers as the API's parameters do."""
-
-    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
-        """Parse the arguments. Raises :class:`CommandError` for a number that is written in another way."""
-        given = self.make_parser(ctx).parse_args(args=list(args))[0]
-        rest = super().parse_args(ctx, args)
-        for name, value in ctx.params.items():
-            # What is not finite is refused with the allowed range.
-            if isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value):
-                try:
-                    numeral(given.get(name))
-                except ValueError as error:
-                    raise CommandError(f"{option_of(name)}: {error}, not {given[name]!r}") from error
-        return rest
-
-
-class Serve(Command):
+class Serve(TyperCommand):
     """``seafoam serve``, whose help lists every setting with its variable and its default."""
 
     def format_help(self, ctx: Any, formatter: Any) -> None:
@@ -119,6 +64,15 @@ def print_table(rows: Iterable[Sequence[str]], *columns: str, unwrapped: str = "
     for row in rows:
         table.add_row(*row)
     Console(**console).print(table)  # type: ignore[arg-type]
+
+
+def progress_bar() -> "Progress":
+    """Return a bar on standard errors, which is gone when the work is done; none where that is no terminal."""
+    from rich.console import Console
+    from rich.progress import Progress
+
+    console = Console(stderr=True)
+    return Progress(console=console, transient=True, disable=not console.is_terminal)
 
 
 def _shown(value: Any) -> str:

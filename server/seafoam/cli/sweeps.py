@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import Any
 
 from rich.console import Console
-from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn
 from rich.table import Column, Table
 
 from seafoam import processes
@@ -17,7 +16,7 @@ from seafoam.accuracy.cache import Store
 from seafoam.accuracy.model import Sweep
 from seafoam.accuracy.sweep import Rig, Subject, SweepSettings, make_sweep
 from seafoam.accuracy.truth import Watcher
-from seafoam.cli.support import CommandError, write
+from seafoam.cli.support import CommandError, progress_bar, write
 from seafoam.render.gl import executor as gl
 from seafoam.render.service import jobs
 from seafoam.scene import presets
@@ -89,9 +88,7 @@ def measured(executor: gl.Executor, subject: Subject, settings: SweepSettings, *
     """The sweep of a subject, from the cache or measured now, with a progress bar."""
     threads = int(os.environ.get("LP_NUM_THREADS") or os.cpu_count() or 1)
     rig = Rig(partial(jobs.measure, executor), executor.info, threads)
-    columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn(), TimeElapsedColumn())
-    console = Console(stderr=True)
-    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
+    with progress_bar() as bar:
         task = bar.add_task(f"{subject.preset or 'scene'}: float64 truth", total=1.0)
 
         def tell(stage: str, share: float, remaining: float | None) -> None:

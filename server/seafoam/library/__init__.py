@@ -6,7 +6,6 @@ server (:func:`connect`).
 
 from seafoam.library.connection import Connection
 from seafoam.library.embedded import HERE
-from seafoam.library.request import named
 from seafoam.library.request import preset as preset
 from seafoam.scene import preset_names
 
@@ -21,7 +20,6 @@ mask_async = HERE.mask_async
 close = HERE.close
 
 
-@named
 def connect(url: str, *, key: str | None = None, timeout: float = 60.0) -> Connection:
     """Return a source that draws on a Seafoam server, at ``http://`` or ``https://``.
 

@@ -2,7 +2,7 @@
 
 import os
 import threading
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor
 
 from seafoam.effects.effect import PlanError
 from seafoam.library.request import InvalidRequestError
@@ -41,7 +41,7 @@ class Embedded(PictureSource):
             owner.submit(self._release).result()
             owner.shutdown()
 
-    def _draw(self, job: FrameJob) -> Future[bytes]:
+    def _draw(self, job: FrameJob) -> bytes:
         with self._lock:
             if self._drew_in not in (None, os.getpid()):
                 raise RuntimeError(
@@ -50,14 +50,14 @@ class Embedded(PictureSource):
                 )
             if self._owner is None:
                 self._owner, self._drew_in = ThreadPoolExecutor(1, "seafoam"), os.getpid()
-            return self._owner.submit(self._drawn, job)
+            drawing = self._owner.submit(self._drawn, job)
+        return drawing.result()
 
     def _mask(self, asked: MaskRequest) -> bytes:
         if not asked.given and asked.name in load_catalogue():
             return to_npy(load_mask(asked.name).ranks)
-        given = {name: value for name, value in vars(asked).items() if name != "name" and value is not None}
         try:
-            return to_npy(make_mask(asked.name, **{"size": CUSTOM_SIZE, **given}))
+            return to_npy(make_mask(asked.name, **{"size": CUSTOM_SIZE, **asked.given}))
         except ValueError as error:
             raise InvalidRequestError(f"mask {error}") from error
 

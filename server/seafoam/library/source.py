@@ -3,9 +3,10 @@
 import asyncio
 import io
 from abc import ABC, abstractmethod
-from concurrent.futures import Future
+from collections.abc import Callable, Coroutine
 from dataclasses import KW_ONLY, dataclass
-from typing import Any
+from functools import wraps
+from typing import Any, Concatenate, ParamSpec, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +14,10 @@ from PIL import Image
 
 from seafoam.library.request import FileRequest, PictureRequest, asking
 from seafoam.render.service.jobs import FrameJob
+
+P = ParamSpec("P")
+R = TypeVar("R")
+S = TypeVar("S")
 
 
 @dataclass(frozen=True)
@@ -28,11 +33,19 @@ class MaskRequest:
     age: float | None = None
 
     @property
-    def given(self) -> dict[str, float]:
+    def given(self) -> dict[str, Any]:
         """What is given beside the name."""
-        width, height = self.size if isinstance(self.size, tuple) else (self.size, self.size)
-        options = {"width": width, "height": height, **vars(self)}
-        return {name: one for name, one in options.items() if name not in ("name", "size") and one is not None}
+        return {name: value for name, value in vars(self).items() if name != "name" and value is not None}
+
+
+def in_a_thread(method: Callable[Concatenate[S, P], R]) -> Callable[Concatenate[S, P], Coroutine[Any, Any, R]]:
+    """Return the method's form that does not block the event loop."""
+
+    @wraps(method)
+    async def called(self: S, /, *args: P.args, **options: P.kwargs) -> R:
+        return await asyncio.to_thread(method, self, *args, **options)
+
+    return called
 
 
 class PictureSource(ABC):
@@ -52,7 +65,9 @@ class PictureSource(ABC):
         a :class:`seafoam.Camera`, or the fields that differ from the scene's. look, mask: of the foam; a mask is a
         shipped one, or ``family:sigma:size:seed[:aspect:age]``.
         """
-        return _image(self._draw(asked.job()).result())
+        image = Image.open(io.BytesIO(self._draw(asked.job())))
+        image.load()
+        return image
 
     @asking(PictureRequest)
     def linear(self, asked: PictureRequest) -> NDArray[np.float32]:
@@ -60,7 +75,7 @@ class PictureSource(ABC):
 
         Options: see :meth:`frame`.
         """
-        return _array(self._draw(asked.job("npy")).result())
+        return _array(self._draw(asked.job("npy")))
 
     @asking(FileRequest)
     def encoded(self, asked: FileRequest) -> bytes:
@@ -68,7 +83,7 @@ class PictureSource(ABC):
 
         format: ``png``, ``webp``, ``exr`` or ``npy``. Other options: see :meth:`frame`.
         """
-        return self._draw(asked.job(asked.format)).result()
+        return self._draw(asked.job(asked.format))
 
     @asking(MaskRequest)
     def mask(self, asked: MaskRequest) -> NDArray[np.float32]:
@@ -81,33 +96,18 @@ class PictureSource(ABC):
         """
         return _array(self._mask(asked))
 
-    @asking(PictureRequest)
-    async def frame_async(self, asked: PictureRequest) -> Image.Image:
-        """:meth:`frame`, without blocking the event loop."""
-        return _image(await asyncio.wrap_future(self._draw(asked.job())))
-
-    @asking(PictureRequest)
-    async def linear_async(self, asked: PictureRequest) -> NDArray[np.float32]:
-        """:meth:`linear`, without blocking the event loop."""
-        return _array(await asyncio.wrap_future(self._draw(asked.job("npy"))))
-
-    @asking(FileRequest)
-    async def encoded_async(self, asked: FileRequest) -> bytes:
-        """:meth:`encoded`, without blocking the event loop."""
-        return await asyncio.wrap_future(self._draw(asked.job(asked.format)))
-
-    @asking(MaskRequest)
-    async def mask_async(self, asked: MaskRequest) -> NDArray[np.float32]:
-        """:meth:`mask`, without blocking the event loop."""
-        return await asyncio.to_thread(lambda: _array(self._mask(asked)))
+    frame_async = in_a_thread(frame)
+    linear_async = in_a_thread(linear)
+    encoded_async = in_a_thread(encoded)
+    mask_async = in_a_thread(mask)
 
     @abstractmethod
     def close(self) -> None:
         """Release what the source holds, after the pictures that it is drawing."""
 
     @abstractmethod
-    def _draw(self, job: FrameJob) -> Future[bytes]:
-        """Start to draw a frame and encode it in its format."""
+    def _draw(self, job: FrameJob) -> bytes:
+        """Draw a frame and encode it in its format."""
 
     @abstractmethod
     def _mask(self, asked: MaskRequest) -> bytes:
@@ -118,12 +118,6 @@ class PictureSource(ABC):
 
     def __exit__(self, *_: Any) -> None:
         self.close()
-
-
-def _image(content: bytes) -> Image.Image:
-    image = Image.open(io.BytesIO(content))
-    image.load()
-    return image
 
 
 def _array(content: bytes) -> NDArray[np.float32]:

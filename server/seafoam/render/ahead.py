@@ -9,7 +9,7 @@ import logging
 import multiprocessing
 import os
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 
 from seafoam.quality import TIERS, Tier
 from seafoam.render.gl.compilers import driver_keeps
@@ -26,14 +26,6 @@ AHEAD: tuple[Tier, ...] = ("fast", "standard")
 """Tiers whose programs are compiled ahead: of the page's frames in motion, and of its frames at rest."""
 
 
-def presets_ahead() -> Iterator[tuple[str, Tier]]:
-    """Yield what is compiled, in its order: the preset with which the page opens first, at all tiers."""
-    for tier in AHEAD:
-        yield "default", tier
-    for tier in AHEAD:
-        yield from ((name, tier) for name in preset_names() if name != "default")
-
-
 def draw_ahead(factory: Callable[[], Renderer], parent: int) -> None:
     """Draw everything once, unless the parent ends before; the body of the process.
 
@@ -42,7 +34,10 @@ def draw_ahead(factory: Callable[[], Renderer], parent: int) -> None:
     os.nice(19)
     os.environ["LP_NUM_THREADS"] = "1"
     renderer = factory()
-    for name, tier in presets_ahead():
+    others = [name for name in preset_names() if name != "default"]
+    # The preset with which the page opens first, at all tiers.
+    pairs = [("default", tier) for tier in AHEAD] + [(name, tier) for tier in AHEAD for name in others]
+    for name, tier in pairs:
         if os.getppid() != parent:
             return
         try:

@@ -2,19 +2,15 @@
 
 Every worker process owns one GL context, created by its first task in the thread that draws for good: a context belongs
 to one thread, so a worker has only one. Dask runs the frames of a lost worker again on the others, and takes waiting
-frames from slow ones; a scheduler that went away and came back is asked for them once more. A frame depends on its job
-alone, so the bytes are the same wherever it is drawn.
+frames from slow ones. A frame depends on its job alone, so the bytes are the same wherever it is drawn.
 """
 
 import os
-import threading
-import time
-from collections.abc import Callable, Generator, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from concurrent.futures import CancelledError
 from contextlib import ExitStack
-from functools import partial
-from itertools import chain, islice
-from queue import Empty, Queue
+from functools import lru_cache, partial
+from itertools import islice
 from typing import TYPE_CHECKING, Any, cast
 
 from seafoam import processes
@@ -28,14 +24,6 @@ if TYPE_CHECKING:
 
 AHEAD = 4
 """Frames for each worker that are asked for before they are needed: enough that none waits, few to lose by a stop."""
-RETURN_SECONDS = 120.0
-"""How long a scheduler that went away is waited for, until it is back with a worker, s."""
-RETURN_POLL = 0.5
-"""Interval of the attempts, s."""
-POLL_SECONDS = 1.0
-"""How long a frame is waited for before the scheduler is looked at again, s."""
-_mine = threading.local()
-_Unit = tuple[int, FrameJob]
 
 
 class DaskWorkers(ExitStack):
@@ -59,79 +47,6 @@ class DaskWorkers(ExitStack):
         super().__init__()
         require("cluster")
         self._scheduler, self._workers, self._mixed, self._factory = scheduler, workers, mixed, factory
-        self.info: Mapping[str, str] = {}
-        self._connect()
-
-    def draw(self, units: Units) -> DrawnFrames:
-        """Draw frames, each as soon as a worker is free, in the order in which they are finished.
-
-        Raises :class:`SequenceError` if the scheduler goes away and does not return within ``RETURN_SECONDS``.
-        """
-        waiting = iter(units)
-        while lost := (yield from self._draw_while_connected(waiting)):
-            self._rejoin()
-            waiting = chain(lost, waiting)
-
-    def _draw_while_connected(self, waiting: Iterator[_Unit]) -> Generator[tuple[int, bytes], None, list[_Unit]]:
-        """Draw until nothing is left; return the frames that were lost with the connection to the scheduler."""
-        finished: Queue[Any] = Queue()
-        running: dict[Any, _Unit] = {}
-        lost: list[_Unit] = []
-
-        def submit(units: Units) -> None:
-            for unit in units:
-                future = self.client.submit(partial(_drawn, self._factory), unit[1], pure=False)
-                running[future] = unit
-                future.add_done_callback(finished.put)
-
-        scheduler = self._scheduler_id()
-        try:
-            submit(islice(waiting, AHEAD * max(1, len(self._addresses()))))
-            while running:
-                try:
-                    future = finished.get(timeout=POLL_SECONDS)
-                except Empty:
-                    # A scheduler that came back between two looks knows nothing of what its predecessor was asked for.
-                    if scheduler != self._scheduler_id():
-                        return [*lost, *running.values()]
-                    continue
-                unit = running.pop(future)
-                try:
-                    content, info = future.result()
-                except (CancelledError, OSError):
-                    if future.status == "error":
-                        raise
-                    lost.append(unit)
-                    continue
-                self._compare(info)
-                submit(islice(waiting, 0 if lost else 1))
-                yield unit[0], content
-        finally:
-            self.client.cancel(list(running))
-        return lost
-
-    def _scheduler_id(self) -> str | None:
-        """Name of the connected scheduler's process; None while there is no connection."""
-        if self.client.status != "running":
-            return None
-        return str(self.client.scheduler_info(n_workers=0)["id"])
-
-    def _rejoin(self) -> None:
-        """Connect anew to a scheduler that went away, when it is back with a worker."""
-        self.close()
-        until = time.monotonic() + RETURN_SECONDS
-        while True:
-            try:
-                return self._connect()
-            except MixedFleetError:
-                raise
-            except SequenceError as error:
-                if time.monotonic() > until:
-                    raise SequenceError(f"the scheduler went away and did not return: {error}") from error
-                time.sleep(RETURN_POLL)
-
-    def _connect(self) -> None:
-        """Connect to the scheduler, or start a cluster here, and compare the workers' renderers."""
         try:
             self.client = self._connected()
             self.callback(self.client.close)
@@ -139,6 +54,39 @@ class DaskWorkers(ExitStack):
         except BaseException:
             self.close()
             raise
+
+    def draw(self, units: Units) -> DrawnFrames:
+        """Draw frames, each as soon as a worker is free, in the order in which they are finished.
+
+        Raises :class:`SequenceError` if the connection to the scheduler is lost.
+        """
+        from distributed import as_completed
+
+        waiting = iter(units)
+        running: dict[Any, int] = {}
+        finished = as_completed(loop=self.client.loop)
+
+        def submit(units: Units) -> None:
+            for index, job in units:
+                future = self.client.submit(partial(_drawn, self._factory), job, pure=False)
+                running[future] = index
+                finished.add(future)
+
+        try:
+            submit(islice(waiting, AHEAD * max(1, len(self._addresses()))))
+            for future in finished:
+                index = running.pop(future)
+                try:
+                    content, info = future.result()
+                except (CancelledError, OSError) as error:
+                    if future.status == "error":
+                        raise
+                    raise SequenceError("the scheduler went away; the same command goes on from here") from error
+                self._compare(info)
+                submit(islice(waiting, 1))
+                yield index, content
+        finally:
+            self.client.cancel(list(running))
 
     def _connected(self) -> "Client":
         from distributed import Client, LocalCluster
@@ -148,14 +96,9 @@ class DaskWorkers(ExitStack):
                 return processes.connected(self._scheduler)
             except processes.NoClusterError as error:
                 raise SequenceError(str(error)) from error
-        cluster = LocalCluster(
-            n_workers=self._workers,
-            threads_per_worker=1,
-            processes=True,
-            host="127.0.0.1",
-            dashboard_address="127.0.0.1:0",
-            env={"LP_NUM_THREADS": str(max(1, (os.cpu_count() or 1) // self._workers))},
-        )
+        threads = {"LP_NUM_THREADS": str(max(1, (os.cpu_count() or 1) // self._workers))}
+        here = {"host": "127.0.0.1", "dashboard_address": "127.0.0.1:0"}
+        cluster = LocalCluster(self._workers, threads_per_worker=1, processes=True, env=threads, **here)
         self.callback(cluster.close)
         return Client(cluster, set_as_default=False)
 
@@ -175,7 +118,7 @@ class DaskWorkers(ExitStack):
             for address in workers
         ]
         reports: list[dict[str, str]] = self.client.gather(asked)
-        self.info = self.info or reports[0]
+        self.info: Mapping[str, str] = reports[0]
         for report in reports:
             self._compare(report)
 
@@ -186,11 +129,10 @@ class DaskWorkers(ExitStack):
             raise MixedFleetError(f"the workers have different renderers: {names}; their frames differ")
 
 
+@lru_cache(maxsize=1)
 def _renderer(factory: Callable[[], Renderer]) -> Renderer:
-    """Return the renderer of this worker, which belongs to this thread."""
-    if not hasattr(_mine, "renderer"):
-        _mine.renderer = factory()
-    return cast(Renderer, _mine.renderer)
+    """Return the renderer of this worker, which belongs to its only thread."""
+    return factory()
 
 
 def _report(factory: Callable[[], Renderer]) -> dict[str, str]:

@@ -98,14 +98,11 @@ class SequenceFolder:
         return document if isinstance(document, dict) else {}
 
     def _hashes(self) -> dict[int, str]:
-        """Return the noted hashes; a line that was torn by a crash, the last or one in between, counts for nothing."""
+        """Return the noted hashes; a line that was torn by a crash counts for nothing, nor does the one behind it."""
         try:
             text = (self.path / HASHES).read_text(encoding="utf-8", errors="replace")
         except FileNotFoundError:
             return {}
-        if text and not text.endswith("\n"):
-            with (self.path / HASHES).open("ab") as file:
-                file.write(b"\n")
         lines = (_LINE.fullmatch(line) for line in text.splitlines())
         return {int(line[2]): line[1] for line in lines if line}
 
@@ -132,17 +129,9 @@ class Output:
         return self.path if self.kind == "frames" else self.path.with_name(f"{self.path.name}.frames")
 
 
-@dataclass(frozen=True, slots=True)
-class Progress:
-    """How far a sequence is. stage: frames are drawn, or the file is written. eta_s: of the stage, s; None: unknown."""
-
-    stage: Stage
-    done: int
-    total: int
-    eta_s: float | None
-
-
-Tell = Callable[[Progress], None]
+Tell = Callable[[Stage, int, int, float | None], None]
+"""Takes how far a sequence is: frames are drawn, or the file is written; how many, of how many, and the remaining time
+of the stage, s; None: unknown."""
 
 
 class _Meter:
@@ -163,7 +152,7 @@ class _Meter:
             raise SequenceStoppedError("the sequence was cancelled")
         now = self._done - self._found
         left = (time.monotonic() - self._began) * (self._total - self._done) / now if now else None
-        self._tell(Progress(self._stage, self._done, self._total, left))
+        self._tell(self._stage, self._done, self._total, left)
 
 
 def make_sequence(
@@ -171,7 +160,7 @@ def make_sequence(
     output: Output,
     workers: Workers,
     *,
-    tell: Tell = lambda _: None,
+    tell: Tell = lambda *_: None,
     stopped: Callable[[], bool] = lambda: False,
     again: bool = False,
 ) -> int:
@@ -209,8 +198,6 @@ def check_output(spec: SequenceSpec, output: Output) -> None:
     job = spec.job
     if output.kind == "mp4":
         check_video(job.width, job.height, output.codec)
-    if output.kind == "webp":
-        durations_of(1, spec.fps)
 
 
 def _write_file(spec: SequenceSpec, output: Output, folder: SequenceFolder, meter: _Meter) -> None:

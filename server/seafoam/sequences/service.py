@@ -17,7 +17,7 @@ from pydantic import BaseModel, Field
 from seafoam.files import write_whole
 from seafoam.render.service.queues import BackgroundFullError, BackgroundQueue
 from seafoam.sequences.formats import Codec
-from seafoam.sequences.making import Kind, Output, Progress, Stage, check_output, make_sequence
+from seafoam.sequences.making import Kind, Output, Stage, check_output, make_sequence
 from seafoam.sequences.spec import SequenceError, SequenceSpec, SequenceStoppedError, Workers
 
 log = logging.getLogger(__name__)
@@ -62,8 +62,7 @@ class _SequenceTask:
     spec: SequenceSpec
     output: Output
     status: SequenceStatus
-    stopped: threading.Event = field(default_factory=threading.Event)
-    removed: bool = False
+    cancelled: threading.Event = field(default_factory=threading.Event)
 
     def update(self, **changes: Any) -> None:
         self.status = self.status.model_copy(update=changes)
@@ -102,7 +101,7 @@ class SequenceService:
         with self._queue.lock:
             if (known := self._known(name)) is not None and known.status not in ("failed", "cancelled"):
                 return known
-            if name in self._tasks and self._tasks[name].removed:
+            if name in self._tasks and self._tasks[name].cancelled.is_set():
                 raise BackgroundFullError("the same sequence is still being cancelled")
             if (unfinished := len(self._unfinished())) >= self._most_waiting:
                 raise BackgroundFullError(f"{unfinished} sequences are already waiting")
@@ -137,15 +136,11 @@ class SequenceService:
                 self._queue.waiting.pop(name, None)
                 self._remove(name)
                 return
-            task.removed = True
-            task.stopped.set()
+            task.cancelled.set()
             task.update(status="cancelled", eta_s=None)
 
     def stop(self) -> None:
         """Stop the sequence that is being made, and wait until it has; its frames stay for the next start."""
-        with self._queue.lock:
-            for task in self._tasks.values():
-                task.stopped.set()
         self._queue.stop()
 
     def _known(self, name: str) -> SequenceStatus | None:
@@ -158,12 +153,15 @@ class SequenceService:
 
     def _run(self, name: str, task: _SequenceTask) -> None:
         with self._queue.lock:
-            if not task.removed:
+            if not task.cancelled.is_set():
                 task.update(status="running", stage="frames")
         try:
             task.output.path.parent.mkdir(parents=True, exist_ok=True)
-            tell = partial(self._tell, task)
-            make_sequence(task.spec, task.output, self._workers(), tell=tell, stopped=task.stopped.is_set)
+
+            def stopped() -> bool:
+                return task.cancelled.is_set() or self._queue.stopped.is_set()
+
+            make_sequence(task.spec, task.output, self._workers(), tell=partial(self._tell, task), stopped=stopped)
             end: dict[str, Any] = {"status": "done", "progress": 1.0, "bytes": task.output.path.stat().st_size}
         except SequenceStoppedError:
             end = {"status": "cancelled"}
@@ -171,7 +169,7 @@ class SequenceService:
             log.exception("A sequence failed")
             end = {"status": "failed", "detail": _reason(error)}
         with self._queue.lock:
-            if task.removed:
+            if task.cancelled.is_set():
                 self._remove(name)
                 return
             task.update(eta_s=None, **end)
@@ -180,15 +178,14 @@ class SequenceService:
                 self._tasks.pop(name)
             self._forget_oldest()
 
-    def _tell(self, task: _SequenceTask, progress: Progress) -> None:
-        share = progress.done / progress.total
-        frames = progress.stage == "frames"
-        whole = (1.0 - _FILE_SHARE) * share if frames else 1.0 - _FILE_SHARE * (1.0 - share)
-        left = None if progress.eta_s is None else round(progress.eta_s, 1)
+    def _tell(self, task: _SequenceTask, stage: Stage, done: int, total: int, eta_s: float | None) -> None:
+        frames = stage == "frames"
+        whole = (1.0 - _FILE_SHARE) * done / total if frames else 1.0 - _FILE_SHARE * (1.0 - done / total)
+        left = None if eta_s is None else round(eta_s, 1)
         with self._queue.lock:
-            if not task.stopped.is_set():
-                drawn = progress.done if frames else task.status.drawn
-                task.update(stage=progress.stage, progress=round(whole, 4), eta_s=left, drawn=drawn)
+            if not task.cancelled.is_set():
+                drawn = done if frames else task.status.drawn
+                task.update(stage=stage, progress=round(whole, 4), eta_s=left, drawn=drawn)
 
     def _forget_oldest(self) -> None:
         """Keep the latest of what no unfinished sequence needs: files, and frames of what failed or was interrupted."""

@@ -43,8 +43,8 @@ LEAST_FPS, GREATEST_FPS = 0.001, 1000.0
 """Frames a second."""
 GREATEST_DENOMINATOR = 1_000_000
 """Of a rate: numerator and denominator fit the 32 bits that containers have."""
-_BROADCAST = Fraction(1000, 1001)
-"""What colour television made of 24 and 30 frames a second, and of their multiples."""
+_BROADCAST = [Fraction(1000 * whole, 1001) for whole in (24, 30, 48, 60, 120, 240)]
+"""What colour television made of whole numbers of frames a second."""
 MOST_FRAMES = 1_000_000
 """Frames of a sequence: their names have six digits."""
 GREATEST_TIME = 1e9
@@ -97,12 +97,17 @@ class SequenceSpec:
 def rate_of(fps: float | str) -> Fraction:
     """Return a rate in frames a second, from a number or a fraction such as ``30000/1001``.
 
-    A number that is a broadcast rate rounded to two decimals or more becomes that: 29.97 is 30000/1001, 23.976 and
-    23.98 are 24000/1001. Any other is what its decimals say. Raises :class:`OutputError`.
+    A number within 0.005 of a broadcast rate becomes that: 29.97 is 30000/1001, 23.976 and 23.98 are 24000/1001. Any
+    other is what its decimals say. Raises :class:`OutputError`.
     """
     ratio = re.fullmatch(r"([0-9]{1,12})/([0-9]{1,12})", str(fps))
     try:
-        rate = Fraction(int(ratio[1]), int(ratio[2])) if ratio else _decimal_rate(float(numeral(fps)))
+        if ratio:
+            rate = Fraction(int(ratio[1]), int(ratio[2]))
+        else:
+            given = float(numeral(fps))
+            near = (rate for rate in _BROADCAST if abs(given - rate) < 0.005)
+            rate = next(near, Fraction(repr(given)).limit_denominator(GREATEST_DENOMINATOR))
     except (ValueError, ZeroDivisionError):
         rate = Fraction(0)
     if not LEAST_FPS <= float(rate) <= GREATEST_FPS or rate.denominator > GREATEST_DENOMINATOR:
@@ -112,18 +117,6 @@ def rate_of(fps: float | str) -> Fraction:
             f"with a denominator of at most {GREATEST_DENOMINATOR}, not {fps:.40}",
         )
     return rate
-
-
-def _decimal_rate(fps: float) -> Fraction:
-    if not 0.0 < fps <= GREATEST_FPS:
-        return Fraction(0)
-    text = f"{fps:.9f}".rstrip("0")
-    decimals = len(text.partition(".")[2])
-    whole = round(fps / _BROADCAST)
-    broadcast = whole * _BROADCAST
-    if decimals >= 2 and (whole % 24 == 0 or whole % 30 == 0) and round(broadcast, decimals) == Fraction(text):
-        return broadcast
-    return Fraction(repr(fps)).limit_denominator(GREATEST_DENOMINATOR)
 
 
 def sequence_of(job: FrameJob, stop: float, fps: float | str) -> SequenceSpec:

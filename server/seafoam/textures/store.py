@@ -58,15 +58,12 @@ class TextureData:
         """
         if self.format != "R16UI":
             raise ValueError(f"part: a texture of format {self.format} has no parts, only R16UI has")
-        return self._upper if part == "upper" else lower_part(self._texels)
-
-    @property
-    def _texels(self) -> NDArray[np.uint16]:
-        return np.frombuffer(self.data, "<u2").reshape(self.height, self.width)
+        return self._parts[part]
 
     @cached_property
-    def _upper(self) -> bytes:
-        return upper_part(self._texels)
+    def _parts(self) -> dict[TexturePart, bytes]:
+        texels = np.frombuffer(self.data, "<u2").reshape(self.height, self.width)
+        return {"upper": upper_part(texels), "lower": lower_part(texels)}
 
 
 @lru_cache(maxsize=64)

@@ -19,8 +19,8 @@ from playwright.sync_api import Page, expect
 
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
+from seafoam.render.encode import read_recipe
 from seafoam.render.encode.formats import encode_exr, encode_webp
-from seafoam.render.encode.png import recipe_in_png
 from support.browser.lanes import Lane
 from support.browser.visits import BLANK, Visit, differs, link, pixels_of, visit
 from support.scenes import load_preset
@@ -52,7 +52,7 @@ def downloaded(page: Page, button: str) -> tuple[bytes, str]:
 
 def other_formats(png: bytes) -> dict[float, bytes]:
     """A WebP and an OpenEXR file with the recipe of a PNG but times of their own, which are the keys, s."""
-    recipe = json.loads(recipe_in_png(png) or "")
+    recipe = json.loads(read_recipe(png))
     texts = {time: json.dumps(recipe | {"time": time}) for time in (1.5, 2.5)}
     return {
         1.5: encode_webp(np.zeros((2, 2, 3), dtype=np.uint8), texts[1.5]),

@@ -3,12 +3,10 @@
 import io
 import json
 
-import numpy as np
 import pytest
 from PIL import Image
 from PIL.PngImagePlugin import PngInfo
 
-from seafoam.cli import frames as module
 from seafoam.render.encode import FRAME_FORMATS, read_recipe
 from support.api_fakes import FakeRenderer
 
@@ -103,9 +101,3 @@ def test_files_without_a_recipe(seafoam, tmp_path):
     for name, status, said in (("plain.png", 2, none), ("text", 2, none), ("none.png", 1, "cannot read")):
         code, _, err = seafoam("render", "--again", tmp_path / name)
         assert (code, said in err) == (status, True)
-
-
-def test_no_number_is_as_equal_as_any(monkeypatch):
-    pixels = np.array([[[np.nan, 1.0]]], np.float32)
-    monkeypatch.setattr(module, "_decoded", lambda content: pixels)
-    assert "the same" in next(module._pixels(b"", b""))

@@ -2,7 +2,6 @@
 
 import io
 import json
-import logging
 import os
 import re
 import signal
@@ -16,7 +15,6 @@ from PIL import Image
 
 from seafoam import doctor
 from seafoam.accuracy import sweep
-from seafoam.api.watch.logs import not_a_probe
 from seafoam.doctor import Finding
 from seafoam.masks.catalogue import load_mask
 from seafoam.masks.construct.make import make_mask
@@ -146,41 +144,12 @@ def test_doctor_looks_at_everything_and_says_what_is_missing(monkeypatch):
     assert not doctor.able_to_render([*found, bad])
 
 
-@pytest.mark.parametrize(
-    ("renderer", "version", "advised"),
-    [
-        ("llvmpipe (LLVM 15.0.6)", "4.5 (Core Profile) Mesa 22.3.6", True),
-        ("llvmpipe (LLVM 19.1.7)", "4.5 (Core Profile) Mesa 24.3.0", False),
-        ("llvmpipe (LLVM 15.0.6)", "4.5 (Core Profile) Mesa 25.0.7-2", False),
-        ("AMD Radeon", "4.6 (Core Profile) Mesa 22.3.6", False),
-    ],
-)
-def test_doctor_advises_a_newer_mesa_where_a_processor_draws(monkeypatch, renderer, version, advised):
-    monkeypatch.setattr(doctor, "ProcessPool", Here)
-    drawn = {"vendor": "Mesa", "renderer": renderer, "version": version}
-    found = [each for each in doctor._renderer(partial(dict, drawn)) if each.what == "Mesa"]
-    assert [each.state for each in found] == ["optional"] * advised
-    assert all("bookworm-backports" in each.remedy for each in found)
-
-
 def test_doctor_exits_by_whether_frames_can_be_rendered(seafoam, monkeypatch):
     for state, code, remedy in (("good", 0, ""), ("optional", 0, "make it"), ("missing", 1, "make it")):
         found = Finding("Thing", state, "as it is", remedy)
         monkeypatch.setattr(doctor, "examine", lambda found=found: [found])
         left, out, _ = seafoam("doctor")
         assert (left, "as it is" in out, remedy in out) == (code, True, True)
-
-
-def test_health_checks_and_frames_of_streams_are_not_logged():
-    def kept(path, status):
-        arguments = ("127.0.0.1:5", "GET", path, "1.1", status)
-        record = logging.LogRecord("uvicorn.access", logging.INFO, "", 0, '%s - "%s %s HTTP/%s" %d', arguments, None)
-        return not_a_probe(record)
-
-    frame = "/api/streams/x/frame.jpg?time=1"
-    logged = {("/api/presets", 200), (frame, 504), ("/api/streams", 201)}
-    silent = {("/healthz", 200), ("/readyz", 503), ("/metrics", 200), (frame, 200), (frame, 204)}
-    assert {each for each in logged | silent if kept(*each)} == logged
 
 
 @pytest.fixture

@@ -59,21 +59,6 @@ def test_bad_input_is_named_with_what_is_allowed(seafoam, monkeypatch, tmp_path,
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.parametrize("text", ["1_0", "１２", " 5", "5 ", "0x10"])
-@pytest.mark.parametrize(
-    ("command", "option"),
-    [
-        (RENDER, "--time"), (RENDER, "--budget-ms"), ("serve", "--port"), ("sequence default -o run", "--stop"),
-        (MAKE, "--seed"), (MAKE, "--sigma"), ("accuracy default", "--rounds"),
-    ],
-)  # fmt: skip
-def test_a_number_is_written_in_one_way(seafoam, command, option, text):
-    code, out, err = seafoam(*command.split(), option, text)
-    assert (code, out, err.count("\n")) == (2, "", 1)
-    assert option in err
-    assert "number" in err or "integer" in err
-
-
 @pytest.mark.parametrize(
     ("name", "value", "allowed"),
     [("WORKERS", "0", "1 to 64"), ("STREAMS", "-1", "0 to 1000"), ("DEADLINE", "soon", "at most 3600")],

@@ -147,15 +147,3 @@ def test_16_bits_are_dithered(format: str, size: tuple[int, int]) -> None:
     pixels = np.random.default_rng(3).integers(0, 65536, (*size, 4)).astype(np.uint16)
     read = np.asarray(Image.open(io.BytesIO(encode(pixels, format))))
     np.testing.assert_array_equal(read, dithered(pixels)[..., :3])
-
-
-@pytest.mark.parametrize(
-    ("shape", "type", "format"),
-    [
-        ((4, 4, 3), np.uint8, "png"), ((4, 4, 4), np.float32, "png"), ((4, 4), np.uint8, "png"),
-        ((4, 4, 4), np.uint16, "exr"),
-    ],
-)  # fmt: skip
-def test_other_pictures_are_refused(shape: tuple[int, ...], type: type, format: str) -> None:
-    with pytest.raises(ValueError, match="requires"):
-        encode(np.zeros(shape, type), format)

@@ -11,9 +11,7 @@ import pytest
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render import ahead
-from seafoam.render.gl.executor import ShaderError
 from seafoam.render.service.frame_cache import InFlight
-from seafoam.render.service.pool import RenderPool
 from seafoam.render.service.queues import STREAMED, PrioritySemaphore, Ticket
 from seafoam.scene import load_preset
 from support.api_fakes import FakeRenderer
@@ -181,23 +179,6 @@ def test_every_preset_is_drawn_once_at_both_tiers_the_page_s_first_preset_first(
     assert renderer.drawn == [make_plan(load_preset(name).scene, TIERS[tier]).sha256 for name, tier in pairs]
 
 
-def test_a_preset_that_does_not_compile_is_named_and_the_others_are_drawn(renderer, monkeypatch, caplog):
-    refused = make_plan(load_preset("swell").scene, TIERS["fast"]).sha256
-    draw = renderer.render
-
-    def render(plan, **how):
-        if plan.sha256 == refused:
-            raise ShaderError("no function 'wave'")
-        return draw(plan, **how)
-
-    monkeypatch.setattr(renderer, "render", render)
-    ahead.draw_ahead(lambda: renderer, os.getppid())
-    assert len(renderer.drawn) == 2 * len(FEW) - 1
-    assert [record.getMessage() for record in caplog.records] == [
-        "swell at fast was not compiled ahead: no function 'wave'"
-    ]
-
-
 def test_nothing_is_drawn_for_a_server_that_has_ended(renderer):
     ahead.draw_ahead(lambda: renderer, -1)
     assert renderer.drawn == []
@@ -219,8 +200,3 @@ def test_the_process_ends_with_its_server(monkeypatch):
         (child,) = compiling()
     child.join(30.0)
     assert not child.is_alive()
-
-
-async def test_nothing_is_compiled_for_a_driver_that_keeps_nothing(monkeypatch):
-    monkeypatch.setenv("MESA_SHADER_CACHE_DISABLE", "true")
-    await ahead.compile_ahead(RenderPool(), FakeRenderer)  # which is not started, and would be waited for

@@ -2,17 +2,13 @@
 
 import os
 import signal
-import subprocess
-import sys
-import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import ExitStack, contextmanager
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from distributed import Client, LocalCluster
+from distributed import LocalCluster
 from masks import bake
 from typer.testing import CliRunner
 
@@ -22,13 +18,27 @@ from seafoam.extras import MissingExtraError
 from seafoam.library.request import PictureRequest
 from seafoam.sequences import fleet as fleet_module
 from seafoam.sequences.fleet import DaskWorkers
-from seafoam.sequences.making import Output, Progress, SequenceFolder, make_sequence
+from seafoam.sequences.making import Output, SequenceFolder, make_sequence
 from seafoam.sequences.spec import InProcess, MixedFleetError, SequenceError, SequenceSpec
 from support.api_fakes import RAISE, FakeRenderer
 from support.command import free_port
 
 HERE = {"processes": False, "protocol": "tcp", "host": "127.0.0.1", "dashboard_address": "127.0.0.1:0"}
 """A cluster whose scheduler and workers are threads of this process, at an address as those of others have."""
+
+
+def test_a_scheduler_that_goes_away_ends_the_sequence_which_goes_on_with_the_next(tmp_path: Path) -> None:
+    output = Output(tmp_path / "away", "frames")
+    with LocalCluster(1, threads_per_worker=1, **HERE) as cluster:
+
+        def stop(stage: str, done: int, *_: object) -> None:
+            if done == 20:
+                cluster.close()
+
+        workers = DaskWorkers(cluster.scheduler_address, factory=FakeRenderer)
+        with workers, pytest.raises(SequenceError, match="goes on"):
+            make_sequence(spec(60), output, workers, tell=stop)
+    assert make_sequence(spec(60), output, InProcess(FakeRenderer())) >= 20
 
 
 def spec(frames: int, start: float = 0.0) -> SequenceSpec:
@@ -56,16 +66,6 @@ def scheduler(fleet: DaskWorkers) -> str:
     return fleet.client.scheduler.address
 
 
-def made_as_here(of: SequenceSpec, folder: Path, workers: DaskWorkers, tell: Callable[[Progress], None]) -> Output:
-    """All frames of a sequence are drawn by workers, with the bytes that this process gives them."""
-    here, there = (Output(folder / name, "frames") for name in ("here", "there"))
-    make_sequence(of, here, InProcess(FakeRenderer()))
-    assert make_sequence(of, there, workers, tell=tell) == 0
-    pictures = [{each.name: each.read_bytes() for each in one.path.glob("frame-*.png")} for one in (here, there)]
-    assert pictures[0] == pictures[1]
-    return there
-
-
 def pids(fleet: DaskWorkers) -> list[int]:
     return list(fleet.client.run(os.getpid).values())
 
@@ -74,76 +74,16 @@ def test_a_lost_worker_loses_no_frame(fleet: DaskWorkers, tmp_path: Path) -> Non
     first, second = pids(fleet)
     assert os.getpid() not in (first, second)
 
-    def tell(progress: Progress) -> None:
-        if progress.done == 60:
+    def tell(stage: str, done: int, *_: object) -> None:
+        if done == 60:
             os.kill(first, signal.SIGKILL)
 
-    output = made_as_here(spec(120), tmp_path, fleet, tell)
+    here, there = (Output(tmp_path / name, "frames") for name in ("here", "there"))
+    make_sequence(spec(120), here, InProcess(FakeRenderer()))
+    assert make_sequence(spec(120), there, fleet, tell=tell) == 0
+    pictures = [{each.name: each.read_bytes() for each in one.path.glob("frame-*.png")} for one in (here, there)]
+    assert pictures[0] == pictures[1]
     assert first not in pids(fleet)
-    # The other's renderer has the same name, so a local run finds all of them.
-    assert make_sequence(spec(120), output, InProcess(FakeRenderer())) == 120
-
-
-@contextmanager
-def started(*arguments: str) -> Iterator[None]:
-    """A process of Dask's command, with the tests' renderer importable."""
-    paths = os.pathsep.join([str(Path(__file__).parents[2]), os.environ.get("PYTHONPATH", "")])
-    command = [sys.executable, "-m", "dask", *arguments]
-    process = subprocess.Popen(command, env={**os.environ, "PYTHONPATH": paths}, stderr=subprocess.DEVNULL)
-    try:
-        yield
-    finally:
-        process.kill()
-        process.wait()
-
-
-@contextmanager
-def cluster(port: int) -> Iterator[None]:
-    """A scheduler and a worker, which are killed."""
-    with (
-        started("scheduler", "--host", "127.0.0.1", "--port", str(port), "--no-dashboard"),
-        started("worker", f"tcp://127.0.0.1:{port}", "--nthreads", "1", "--no-nanny", "--no-dashboard"),
-    ):
-        yield
-
-
-def joined(address: str) -> DaskWorkers:
-    for _ in range(120):
-        try:
-            return DaskWorkers(address, factory=FakeRenderer)
-        except SequenceError:
-            time.sleep(0.5)
-    raise AssertionError("the cluster did not start")
-
-
-def test_a_scheduler_that_comes_back_is_asked_again_and_one_that_stays_away_ends_the_sequence(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
-    """The first is killed with its worker; the second, of this process, ends of itself."""
-    port, output = free_port(), Output(tmp_path / "away", "frames")
-    with ExitStack() as second, ExitStack() as first:
-        first.enter_context(cluster(port))
-        came_back: list[LocalCluster] = []
-
-        def come_back(progress: Progress) -> None:
-            if progress.done == 20 and not came_back:
-                first.close()
-                made = LocalCluster(1, threads_per_worker=1, scheduler_port=port, **HERE)
-                came_back.append(second.enter_context(made))
-
-        def stay_away(progress: Progress) -> None:
-            if progress.done == 20:
-                second.close()
-
-        with joined(f"tcp://127.0.0.1:{port}") as workers:
-            made_as_here(spec(60), tmp_path, workers, come_back)
-            assert came_back
-            monkeypatch.setattr("seafoam.processes.CONNECT_SECONDS", 1.0)
-            monkeypatch.setattr("seafoam.sequences.fleet.RETURN_SECONDS", 1.0)
-            with pytest.raises(SequenceError, match="went away and did not return"):
-                make_sequence(spec(60), output, workers, tell=stay_away)
-    # Its frames are kept.
-    assert make_sequence(spec(60), output, InProcess(FakeRenderer())) >= 20
 
 
 def test_what_a_worker_raises_ends_the_sequence(fleet: DaskWorkers, tmp_path: Path) -> None:
@@ -155,11 +95,6 @@ def test_what_a_worker_raises_ends_the_sequence(fleet: DaskWorkers, tmp_path: Pa
     assert len(list(fleet.draw([(0, spec(1).frame(0))]))) == 1
 
 
-def forget() -> None:
-    """Have this worker make its renderer anew."""
-    vars(fleet_module._mine).clear()
-
-
 @pytest.fixture
 def mixed(fleet: DaskWorkers) -> Iterator[str]:
     """Address of the cluster, whose workers have no renderers yet, and none after the test."""
@@ -167,6 +102,7 @@ def mixed(fleet: DaskWorkers) -> Iterator[str]:
     def forgotten() -> None:
         fleet.client.wait_for_workers(2)  # one may have been lost just now
         addresses = fleet.client.scheduler_info(n_workers=-1)["workers"]
+        forget = fleet_module._renderer.cache_clear
         fleet.client.gather([fleet.client.submit(forget, workers=[each], pure=False) for each in addresses])
 
     forgotten()
@@ -211,24 +147,6 @@ def test_jobs_run_elsewhere(scheduler: str) -> None:
             assert pool.submit(os.getpid).result() != os.getpid()
             with pytest.raises(ZeroDivisionError):
                 pool.submit(divmod, 1, 0).result()
-
-
-def test_a_greeting_with_more_in_it_is_asked_for_again(scheduler: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    class Crowded(Client):
-        left = 2
-
-        def __init__(self, *given: object, **named: object) -> None:
-            if Crowded.left:
-                Crowded.left -= 1
-                raise AssertionError
-            super().__init__(*given, **named)
-
-    monkeypatch.setattr("distributed.Client", Crowded)
-    with processes.connected(scheduler) as client:
-        assert client.submit(divmod, 7, 2).result() == (3, 1)
-    Crowded.left = processes.CONNECT_ATTEMPTS
-    with pytest.raises(processes.NoClusterError, match="4 times"):
-        processes.connected(scheduler)
 
 
 def test_masks_of_a_cluster_are_those_of_this_process(

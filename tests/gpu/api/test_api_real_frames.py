@@ -1,15 +1,10 @@
 """Frames over HTTP and by the command, drawn with GL."""
 
-import http.client
 import io
 import json
 import os
-import threading
-import time
 import urllib.request
-from collections import defaultdict
 from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import OpenEXR
@@ -19,7 +14,7 @@ from starlette.testclient import TestClient
 
 import seafoam
 from seafoam.cli import main
-from support.command import FAKED, free_port, imported, run, served
+from support.command import FAKED, imported, served
 from support.serving import frame, picture, serving
 
 
@@ -76,16 +71,6 @@ def test_a_frame_imports_what_it_needs(tmp_path):
     assert len(found) <= 600, f"{len(found)} modules"
 
 
-def test_a_relative_folder_of_caches_is_ignored(tmp_path, monkeypatch):
-    """By Mesa too, which takes one."""
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.delenv("MESA_SHADER_CACHE_DIR", raising=False)
-    arguments = ["render", "paper-threshold", "--size", "48x27", "--quality", "fast", "-o", "a.png"]
-    done = run(*arguments, XDG_CACHE_HOME="relative", SEAFOAM_CACHE="")
-    assert done.returncode == 0, done.stderr
-    assert os.listdir() == ["a.png"]
-
-
 @pytest.mark.skipif(not os.path.exists("/proc/net/if_inet6"), reason="this machine has no IPv6")
 def test_serve_answers_by_ipv6_and_stops_when_told():
     """By IPv4: tests/gpu/docs/test_snippets.py."""
@@ -94,58 +79,6 @@ def test_serve_answers_by_ipv6_and_stops_when_told():
             assert json.load(response) == {"status": "alive"}
         with seafoam.connect(address) as source:
             assert source.mask("vac-24").shape == (512, 512)
-
-
-def test_a_restart_under_load_tears_no_answer(tmp_path):
-    """Clients see whole answers, refusals, or no server; an address has the same bytes before and after."""
-    port = free_port()
-    how = {"port": port, "code": FAKED, "SEAFOAM_CACHE": str(tmp_path), "SEAFOAM_CACHE_SIZE": str(2**26)}
-    paths = [f"/api/frames/paper-halftone.png?width=64&height=36&quality=fast&time={time}" for time in range(12)]
-    answers, wrong, over = defaultdict(set), [], threading.Event()
-    counts = {"200": 0, "away": 0}
-
-    def client(offset):
-        while not over.is_set():
-            connection = http.client.HTTPConnection("127.0.0.1", port, timeout=60)
-            try:
-                for path in paths[offset:] + paths[:offset]:
-                    connection.request("GET", path)
-                    response = connection.getresponse()
-                    body = response.read()
-                    if response.status == 200:
-                        counts["200"] += 1
-                        answers[path].add(body)
-                    elif response.status != 503 or "Retry-After" not in response.headers:
-                        wrong.append(f"{response.status}: {body[:200]}")
-            except http.client.IncompleteRead as torn:
-                wrong.append(repr(torn))
-            except (OSError, http.client.HTTPException):
-                counts["away"] += 1
-                time.sleep(0.1)
-            finally:
-                connection.close()
-
-    def answered(least):
-        until = time.monotonic() + 120
-        while counts["200"] < least:
-            assert time.monotonic() < until, (counts, wrong)
-            time.sleep(0.05)
-
-    with ThreadPoolExecutor(4) as clients:
-        try:
-            clients.map(client, range(0, 12, 3))
-            with served(**how):
-                answered(50)
-            away, before = counts["away"], counts["200"]
-            with served(**how):
-                answered(before + 50)
-                over.set()
-                clients.shutdown()
-        finally:
-            over.set()
-    assert wrong == []
-    assert away < counts["away"]
-    assert all(len(answers[path]) == 1 for path in paths)
 
 
 def test_a_cluster_measures_accuracy(tmp_path, capsys):

@@ -40,13 +40,12 @@ assert not children()
 print(hashlib.sha256(picture.pixels).hexdigest(), beside)
 """
 COMPILE = """
-from functools import partial
 from dataclasses import replace
 from seafoam.render.gl.compilers import SecondCompiler
-from seafoam.render.gl.executor import compile_work
+from seafoam.render.gl.executor import Executor
 from gpu.executor.test_compilers import _request
 request = _request()
-second = SecondCompiler(partial(compile_work, None))
+second = SecondCompiler(lambda: Executor().compile_frame)
 # It has all but the first.
 second.ask(replace(request, passes=[request.passes[0], *request.passes]))
 second.wait()

@@ -1,12 +1,10 @@
-"""The executor: what it draws, keeps between frames, and times."""
+"""The executor: what it draws, and keeps between frames."""
 
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
-from bench.drawn.passes import kind
-from bench.gpu.timers import PassTimer, loads
 from numpy.typing import NDArray
 from PIL import Image
 
@@ -16,7 +14,6 @@ from seafoam.framegraph.resources import ViewportSize
 from seafoam.planner import FramePlan, make_plan, surface
 from seafoam.quality import TIERS, Quality, SurfaceQuality, Tier
 from seafoam.render.gl.executor import Executor, Output, ShaderError
-from seafoam.render.gl.formats import target_bytes
 from support.pictures import ROUNDED, draw
 from support.scenes import load_preset
 
@@ -114,7 +111,7 @@ def setup_passes(names: list[str]) -> tuple[int, int]:
     return sum(name.startswith("shore: ") for name in names), sum(name.startswith("mask: ") for name in names)
 
 
-def test_what_does_not_change_is_drawn_once_and_kept_for_all_plans_within_bounds_of_bytes(
+def test_what_does_not_change_is_drawn_once_and_kept_for_all_plans_within_bounds(
     fresh: Executor, drawn: Callable[[FramePlan], list[str]], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     scene = load_preset("island-surf").scene
@@ -124,16 +121,11 @@ def test_what_does_not_change_is_drawn_once_and_kept_for_all_plans_within_bounds
     assert (setup_passes(first), setup_passes(second)) == ((16, 23), (1, 0))
     still = {one.name for one in plan.passes if one.when == "setup"}
     assert second == third == [name for name in first if name not in still]
-    sizes = [target_bytes(target) for target in fresh._static._items.values()]
-    assert sorted(sizes) == [256 * 128 * 8, 256 * 256 * 16, 1280 * 1024 * 8]
+    assert len(fresh._static._items) == 3
     for shore, passes in (({"rock": (0.2, 0.1, 0.1)}, 1), ({"smoothing": 9.0}, 14)):
         other = scene.model_copy(update={"shore": scene.shore.model_copy(update=shore)})
         assert setup_passes(drawn(make_plan(other, STANDARD)))[0] == passes
     assert setup_passes(drawn(plan)) == (1, 0)
-    held = len(fresh._static._items)
-    monkeypatch.setattr(fresh._static, "_size", sum(map(target_bytes, fresh._static._items.values())) - 1)
-    drawn(plan)
-    assert len(fresh._static._items) == held - 1
     monkeypatch.setattr(fresh._static, "_size", 0)
     drawn(plan)
     assert setup_passes(drawn(plan)) == (16, 23)
@@ -298,31 +290,3 @@ def test_samples_that_are_lit_by_another_program_give_the_same_picture(
     two, one = (draw(executor, plan, camera, time=found.time, size=(96, 54)).astype(float) for plan in plans)
     assert one.std() > 10.0
     assert np.abs(two - one).max() <= 1.0
-
-
-SIZE = (64, 36)
-
-
-def test_every_pass_of_a_frame_is_timed_and_the_picture_stays(executor: Executor) -> None:
-    found = load_preset("open-ocean")
-    plan, camera = make_plan(found.scene, TIERS["fast"]), found.scene.camera
-    # Draws what is kept.
-    plain = draw(executor, plan, camera, time=found.time, size=SIZE)
-    timer = PassTimer(executor)
-    for _ in range(2):
-        with timer.running():
-            assert (draw(executor, plan, camera, time=found.time, size=SIZE) == plain).all()
-        taken = timer.seconds()
-        assert taken["surface"] > 0.0
-        assert taken.keys() <= {kind(one.name) for one in plan.passes if one.when == "frame"}
-    assert 1 < len(timer._queries) <= sum(one.when == "frame" for one in plan.passes)
-
-
-def test_known_loads_leave_the_context_as_it_was(executor: Executor) -> None:
-    found = load_preset("paper-height")
-    plan, camera = make_plan(found.scene, TIERS["fast"]), found.scene.camera
-    before = draw(executor, plan, camera, time=found.time, size=SIZE)
-    pairs = loads(executor)
-    assert len(pairs) == 2
-    assert all(wall > 0.0 for _, wall in pairs)
-    assert (draw(executor, plan, camera, time=found.time, size=SIZE) == before).all()

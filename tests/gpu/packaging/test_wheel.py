@@ -1,15 +1,13 @@
 """The wheel carries shaders, masks and the built web client; what the documents say works where there is nothing else.
 
-Its environments are outside the repository, with the packages that it declares: without extras, on that Python of this
-machine which the metadata admits and which is the farthest from the tests' own, and on this with each extra alone.
+Its environments are outside the repository, with the packages that it declares: without extras, and with each alone.
 
-Those packages are the tests' own, by links, so that nothing is downloaded for its Python. What the tests have and the
-wheel does not declare is missing there.
+Those packages are the tests' own, by links, so that nothing is downloaded. What the tests have and the wheel does not
+declare is missing there.
 """
 
 import json
 import os
-import re
 import shlex
 import subprocess
 import sys
@@ -17,13 +15,11 @@ import tomllib
 import venv
 import zipfile
 from collections.abc import Iterator
-from functools import cache
 from importlib.metadata import Distribution, distribution
 from pathlib import Path
 
 import pytest
 from packaging.requirements import Requirement
-from packaging.specifiers import SpecifierSet
 from packaging.utils import canonicalize_name
 
 from seafoam.planner import make_plan
@@ -34,40 +30,10 @@ from support.sweep import spread
 
 ROOT = Path(__file__).parents[3]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-Version = tuple[int, int]
-OWN: Version = sys.version_info[:2]
-_TOOLS = ("~/.pyenv/versions", "~/.local/share/uv/python")
-"""Where tools keep the interpreters that they install, beside the PATH."""
 
 
-@cache
-def interpreters() -> dict[Version, Path]:
-    """Return the Pythons of this machine that the metadata admits, by version; that of the tests is its own."""
-    folders = [Path(each) for each in os.get_exec_path()]
-    folders += [found for tool in _TOOLS for found in Path(tool).expanduser().glob("*/bin")]
-    admitted = SpecifierSet(PROJECT["requires-python"])
-    found = {OWN: Path(sys.executable)}
-    for path in (each for folder in folders for each in folder.glob("python3.*")):
-        minor = re.fullmatch(r"python3\.(\d+)", path.name)
-        version = (3, int(minor[1])) if minor else OWN
-        if version not in found and admitted.contains("{}.{}".format(*version)) and _runs(path):
-            found[version] = path
-    return found
-
-
-def _runs(python: Path) -> bool:
-    """Whether it is an interpreter, and no stand-in for one that is not chosen."""
-    return subprocess.run([python, "-c", "import venv"], capture_output=True).returncode == 0
-
-
-def environment(folder: Path, wheel: Path, extra: str = "", python: Path = Path(sys.executable)) -> Path:
-    """Make an environment with the wheel and what it needs, also of an extra. Return its folder of programs.
-
-    python: another than that of the tests has the same versions of the packages, from the registry; where they are
-    not to be had the test is skipped.
-    """
-    if python != Path(sys.executable):
-        return _downloaded(folder, wheel, python)
+def environment(folder: Path, wheel: Path, extra: str = "") -> Path:
+    """Make an environment with the wheel and what it needs, also of an extra. Return its folder of programs."""
     venv.create(folder, with_pip=False)
     programs = folder / ("Scripts" if sys.platform == "win32" else "bin")
     pip = [sys.executable, "-m", "pip", "--python", programs / "python", "install", "-q", "--no-deps", "--no-index"]
@@ -83,19 +49,6 @@ def environment(folder: Path, wheel: Path, extra: str = "", python: Path = Path(
                 if not link.exists():
                     link.symlink_to(Path(str(needed.locate_file(file))))
     return programs
-
-
-def _downloaded(folder: Path, wheel: Path, python: Path) -> Path:
-    subprocess.run([python, "-m", "venv", "--without-pip", folder], check=True, capture_output=True)
-    pins = [f"{each.name}=={each.version}" for each in _needed(distribution("seafoam"), set())]
-    # What is imported is compiled then, a small part of the packages.
-    pip = [sys.executable, "-m", "pip", "--python", folder / "bin" / "python", "install", "-q", "--no-compile"]
-    pip += ["--only-binary", ":all:"]
-    done = subprocess.run([*pip, wheel, *pins], capture_output=True, text=True)
-    if done.returncode:
-        why = next((line for line in done.stderr.splitlines() if line.startswith("ERROR")), "pip failed")
-        pytest.skip(f"{python.name}: the wheels of what the wheel needs cannot be installed: {why}")
-    return folder / "bin"
 
 
 def _needed(own: Distribution, extras: set[str]) -> Iterator[Distribution]:
@@ -197,9 +150,7 @@ print(json.dumps(told))
 
 @pytest.fixture(scope="module")
 def bare(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    found = interpreters()
-    python = found[max(found, key=lambda version: abs(version[1] - OWN[1]))]
-    return environment(tmp_path_factory.mktemp("bare") / "venv", wheel, python=python)
+    return environment(tmp_path_factory.mktemp("bare") / "venv", wheel)
 
 
 def test_the_metadata_names_the_pythons_that_are_tested() -> None:
@@ -207,7 +158,7 @@ def test_the_metadata_names_the_pythons_that_are_tested() -> None:
     minors = sorted(int(each.removeprefix(prefix)) for each in PROJECT["classifiers"] if each.startswith(prefix))
     assert PROJECT["requires-python"] == f">=3.{minors[0]}"
     assert minors == list(range(minors[0], minors[-1] + 1))
-    assert (3, minors[0]) <= OWN <= (3, minors[-1])
+    assert (3, minors[0]) <= sys.version_info[:2] <= (3, minors[-1])
 
 
 def run(command: Path, *arguments: str | Path, within: Path, given: str | None = None) -> str:
@@ -221,7 +172,7 @@ def run(command: Path, *arguments: str | Path, within: Path, given: str | None =
 
 
 def test_commands_without_extras(bare: Path, tmp_path: Path) -> None:
-    """What README says works, or says in one line which extra it needs; plans are those of every other Python."""
+    """What README says works, or says in one line which extra it needs; plans are those of the tests."""
     readme = [smaller(command).removeprefix(".venv/bin/seafoam ") for command in commands("README.md")]
     asked = [each for each in readme if each.startswith(("render", "sequence", "plan", "masks", "accuracy"))]
     assert asked[0].startswith("render default")

@@ -179,7 +179,7 @@ async def _known(request: Request, error: Exception) -> JSONResponse:
             detail = f"{parameter or pointer or 'scene'}: {error.message}"
             errors = [FieldProblem(pointer=pointer, parameter=parameter, detail=detail)]
         case render.FrameTooLargeError():
-            bounds = {"minimum": error.least, "maximum": error.greatest}
+            bounds = {"minimum": 1, "maximum": error.greatest}
             pointer, parameter = (f"/{error.field}", None) if posted else (None, error.field)
             errors = [FieldProblem(pointer=pointer, parameter=parameter, detail=detail, allowed=bounds)]
     wait, remedy = getattr(error, "retry_after", None), getattr(error, "remedy", None)

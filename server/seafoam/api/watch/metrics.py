@@ -69,7 +69,7 @@ class Metrics(Collector):
     def collect(self) -> Iterator[CounterMetricFamily]:
         """Yield the counters that pool and caches keep themselves."""
         restarts = CounterMetricFamily("seafoam_worker_restarts", "Render workers replaced", labels=("reason",))
-        for reason in ("deadline", "crash", "recycled"):
+        for reason in ("deadline", "crash"):
             restarts.add_metric((reason,), self._pool.restarts[reason])
         yield restarts
         origins = CounterMetricFamily("seafoam_frame_origins", "Frames by where they came from", labels=("origin",))

@@ -8,16 +8,8 @@ from xml.etree import ElementTree
 import numpy as np
 from numpy.typing import NDArray
 
-from seafoam.render.encode.formats import (
-    NoRecipeError,
-    Precision,
-    encode_exr,
-    encode_jpeg,
-    encode_webp,
-    recipe_in_exr,
-    recipe_in_webp,
-)
-from seafoam.render.encode.png import dithered, encode_png, recipe_in_png
+from seafoam.render.encode.formats import NoRecipeError, Precision, encode_exr, encode_jpeg, encode_webp, recipe_of
+from seafoam.render.encode.png import dithered, encode_png
 
 __all__ = [
     "BYTES_PER_PIXEL", "ENCODERS", "FRAME_FORMATS", "MEDIA_TYPES", "FrameFormat", "NoRecipeError", "Output",
@@ -58,13 +50,8 @@ def encode(
 
     ``png`` and ``webp`` hold RGB, sRGB-encoded, lossless; PNG says so, and WebP is sRGB without a profile. ``exr``
     holds R, G, B, coverage, normal and distance, ``npy`` the first four, linear, little-endian. The same pixels give
-    the same bytes. Raises ``ValueError`` for another shape or type.
+    the same bytes.
     """
-    allowed = [_TYPES[output_of(format, dither)] for dither in (False, True)]
-    channels = (4, 8) if format == "exr" else (4,)
-    if pixels.ndim != 3 or pixels.shape[2] not in channels or pixels.dtype not in [np.dtype(each) for each in allowed]:
-        names = " or ".join(dict.fromkeys(each.__name__ for each in allowed))
-        raise ValueError(f"{format} requires (height, width, 4) of {names}, not {pixels.shape} of {pixels.dtype}")
     if format == "npy":
         buffer = io.BytesIO()
         np.save(buffer, pixels.astype("<f4", copy=False), allow_pickle=False)
@@ -79,12 +66,9 @@ def encode(
 def read_recipe(content: bytes) -> str:
     """Return the recipe that a PNG, WebP or OpenEXR file carries. Raises :class:`NoRecipeError`."""
     try:
-        found = next((text for read in _READERS if (text := read(content)) is not None), None)
-    except (OSError, RuntimeError, UnicodeDecodeError, ElementTree.ParseError) as error:
+        found = recipe_of(content)
+    except (OSError, RuntimeError, ValueError, ElementTree.ParseError) as error:
         raise NoRecipeError(f"it is damaged: {error}") from error
     if found is None:
         raise NoRecipeError("it is no PNG, WebP or OpenEXR picture with a recipe")
     return found
-
-
-_READERS = (recipe_in_png, recipe_in_webp, recipe_in_exr)

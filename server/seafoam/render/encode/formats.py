@@ -27,7 +27,8 @@ NORMAL = ("N.X", "N.Y", "N.Z")
 """Channels of the unit normal, y up."""
 DISTANCE = "distance"
 """Channel of the distance from the camera, m. Not ``Z``, which readers take along the view axis."""
-_MAGIC = b"v/1\x01"
+_EXR, _PNG = b"v/1\x01", b"\x89PNG"
+"""Beginnings of files."""
 _REC709 = (0.64, 0.33, 0.30, 0.60, 0.15, 0.06, 0.3127, 0.3290)
 """CIE x, y of the primaries and of white (ITU-R BT.709): those of sRGB."""
 _LINEAR = "lin_rec709_scene"
@@ -64,17 +65,6 @@ def encode_exr(pixels: NDArray[np.float32], precision: Precision, recipe: str | 
     return buffer.getvalue()
 
 
-def recipe_in_exr(content: bytes) -> str | None:
-    """Return the recipe of an OpenEXR file, or None. Raises ``RuntimeError`` for a damaged file."""
-    if not content.startswith(_MAGIC):
-        return None
-    import OpenEXR
-
-    file = OpenEXR.File(io.BytesIO(content), header_only=True, num_threads=0)
-    found = file.header().get(KEYWORD)
-    return found if isinstance(found, str) else None
-
-
 EFFORT = 10
 """Pillow's ``quality`` of lossless WebP, 0..100, which controls effort, not loss."""
 _OURS = "urn:seafoam:recipe:"
@@ -96,18 +86,27 @@ def encode_webp(pixels: NDArray[np.uint8], recipe: str | None) -> bytes:
     return buffer.getvalue()
 
 
-def recipe_in_webp(content: bytes) -> str | None:
-    """Return the recipe of a WebP, or None. Raises ``OSError`` or ``ElementTree.ParseError`` for a damaged file."""
-    if content[:4] != b"RIFF" or content[8:12] != b"WEBP":
+def recipe_of(content: bytes) -> str | None:
+    """Return the recipe of a PNG, WebP or OpenEXR file, or None.
+
+    Raises ``OSError``, ``RuntimeError``, ``ValueError`` or ``ElementTree.ParseError`` for a damaged file.
+    """
+    if content.startswith(_EXR):
+        import OpenEXR
+
+        file = OpenEXR.File(io.BytesIO(content), header_only=True, num_threads=0)
+        in_exr: str | None = file.header().get(KEYWORD)
+        return in_exr
+    if not content.startswith((_PNG, b"RIFF")):
         return None
     from PIL import Image
 
-    with Image.open(io.BytesIO(content)) as picture:
+    with Image.open(io.BytesIO(content), formats=("PNG", "WEBP")) as picture:
+        in_png: str | None = picture.info.get(KEYWORD)
         packet = picture.info.get("xmp")
-    if not packet:
-        return None
-    found = ElementTree.fromstring(packet).find(f".//{{{_OURS}}}recipe")
-    return None if found is None else found.text
+    if in_png is not None or not packet:
+        return in_png
+    return ElementTree.fromstring(packet).findtext(f".//{{{_OURS}}}recipe")
 
 
 QUALITY = 85

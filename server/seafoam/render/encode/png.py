@@ -114,18 +114,5 @@ def _stripe(pixels: NDArray[np.uint8 | np.uint16], top: int, bottom: int) -> tup
     return rows, deflate.compress(rows) + deflate.flush(end)
 
 
-def recipe_in_png(content: bytes) -> str | None:
-    """Return the recipe of a PNG, or None. Raises ``UnicodeDecodeError`` for one that is no text."""
-    if not content.startswith(_SIGNATURE):
-        return None
-    at = len(_SIGNATURE)
-    while at + 12 <= len(content):
-        length, kind = struct.unpack_from(">I4s", content, at)
-        data, at = content[at + 8 : at + 8 + length], at + 12 + length
-        if kind == b"iTXt" and data.startswith(_NOTE) and at <= len(content):
-            return data[len(_NOTE) :].decode()
-    return None
-
-
 def _chunk(kind: bytes, data: bytes) -> bytes:
     return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", isal_zlib.crc32(data, isal_zlib.crc32(kind)))

@@ -13,7 +13,6 @@ from contextlib import suppress
 from dataclasses import dataclass
 from itertools import chain, pairwise
 from select import select
-from typing import Protocol
 
 from seafoam.framegraph.plan import FramePlan
 from seafoam.render.gl.formats import Output
@@ -41,10 +40,8 @@ class CompileRequest:
     output: Output
 
 
-class CompileWork(Protocol):
-    """What compiles the programs of those passes of a request that it is given."""
-
-    def __call__(self, request: CompileRequest, passes: Iterable[int]) -> None: ...
+CompileWork = Callable[[CompileRequest, Iterable[int]], None]
+"""What compiles the programs of those passes of a request that it is given."""
 
 
 class SecondCompiler:

@@ -1,7 +1,6 @@
 """Creates and checks the GL context of a process, and sets it to the initial state of OpenGL ES."""
 
 import ctypes
-from ctypes.util import find_library
 from typing import Any
 
 import moderngl
@@ -30,11 +29,7 @@ def create_context(device_index: int | None = None) -> moderngl.Context:
     Desktop GL compiles ES 3.00 source through GL_ARB_ES3_compatibility (core since 4.3), so the same source runs here
     and in WebGL2.
     """
-    settings: dict[str, Any] = {
-        "backend": "egl",
-        "libgl": _library("GL", "libGL.so.1"),
-        "libegl": _library("EGL", "libEGL.so.1"),
-    }
+    settings: dict[str, Any] = {"backend": "egl", "libgl": "libGL.so.1", "libegl": "libEGL.so.1"}
     if device_index is not None:
         settings["device_index"] = device_index
     try:
@@ -56,8 +51,3 @@ def attach_layers(context: moderngl.Context, framebuffer: moderngl.Framebuffer, 
     framebuffer.use()
     for layer in range(array.layers):
         attach(_FRAMEBUFFER, _COLOR_ATTACHMENT0 + layer, array.glo, 0, layer)
-
-
-def _library(name: str, soname: str) -> str:
-    # find_library needs a compiler or ldconfig, which slim images lack; the soname works without.
-    return find_library(name) or soname

@@ -20,9 +20,9 @@ from seafoam.framegraph.evaluation import FrameState, evaluate
 from seafoam.framegraph.plan import Blend, FramePlan, Grid, Mesh, Points, Program, Quads, declared_uniforms
 from seafoam.framegraph.resources import MIPMAPPED, Target, Texture, TextureInput
 from seafoam.framegraph.visibility import drawn_passes, passes_into, reads
-from seafoam.render.gl.compilers import COLD_SECONDS, CompileRequest, CompileWork, SecondCompiler, may_assist
+from seafoam.render.gl.compilers import COLD_SECONDS, CompileRequest, SecondCompiler, may_assist
 from seafoam.render.gl.context import NoRendererError, attach_layers, create_context
-from seafoam.render.gl.formats import FORMAT_BYTES, READ, TARGET_FORMATS, TEXTURE_FORMATS, Cache, Output, target_bytes
+from seafoam.render.gl.formats import FORMAT_BYTES, READ, TARGET_FORMATS, TEXTURE_FORMATS, Cache, Output
 from seafoam.scene import Camera
 from seafoam.textures.store import spec_of, texture
 
@@ -43,8 +43,8 @@ _FILTERS = {
 _PROGRAMS_KEPT = 96
 _TEXTURES_KEPT = 48
 _TARGETS_KEPT = 48
-_STATIC_BYTES = 64 << 20
-"""Limit of the targets that setup passes drew, for this plan and earlier ones."""
+_STATIC_KEPT = 24
+"""Targets that setup passes drew, for this plan and earlier ones: a plan has up to three, the largest 10 MB."""
 
 
 class ShaderError(RuntimeError):
@@ -109,7 +109,8 @@ class Executor:
         if not optimized:
             os.environ.setdefault("GALLIVM_PERF", "nopt")
         self._thread = threading.get_ident()
-        self._second = SecondCompiler(partial(compile_work, device_index)) if assisted and may_assist() else None
+        assisted = assisted and may_assist()
+        self._second = SecondCompiler(lambda: Executor(device_index).compile_frame) if assisted else None
         try:
             self._context = create_context(device_index)
         except NoRendererError:
@@ -128,7 +129,7 @@ class Executor:
         self._programs = Cache(_PROGRAMS_KEPT)
         self._textures = Cache(_TEXTURES_KEPT)
         self._targets = Cache(_TARGETS_KEPT)
-        self._static = Cache(_STATIC_BYTES, target_bytes)
+        self._static = Cache(_STATIC_KEPT)
 
     def render(
         self, plan: FramePlan, *, time: float, camera: Camera, width: int, height: int, output: Output = "rgba8"
@@ -386,11 +387,6 @@ class Executor:
         attach_layers(self._context, framebuffer, array)
         color.release()
         return framebuffer, array, *buffers
-
-
-def compile_work(device_index: int | None) -> CompileWork:
-    """Start the work of a second process."""
-    return Executor(device_index).compile_frame
 
 
 def longest_first(plan: FramePlan, drawn: Mapping[int, bool]) -> list[int]:

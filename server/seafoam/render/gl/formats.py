@@ -40,11 +40,10 @@ FORMAT_BYTES = {"f1": 1, "u1": 1, "u2": 2, "u4": 4, "f2": 2, "f4": 4}
 
 
 class Cache:
-    """GL objects by key; the least recently used are evicted first. ``size``: limit of the sum of their ``weigh``."""
+    """GL objects by key, ``size`` at most; the least recently used are evicted first."""
 
-    def __init__(self, size: int, weigh: Callable[[Any], int] = lambda item: 1) -> None:
+    def __init__(self, size: int) -> None:
         self._size = size
-        self._weigh = weigh
         self._items: OrderedDict[Any, Any] = OrderedDict()
 
     def __contains__(self, key: Any) -> bool:
@@ -62,11 +61,8 @@ class Cache:
 
     def trim(self) -> None:
         """Release objects over the limit; called between frames, when nothing is in use."""
-        total = sum(map(self._weigh, self._items.values()))
-        while total > self._size:
-            item = self._items.popitem(last=False)[1]
-            total -= self._weigh(item)
-            self.release(item)
+        while len(self._items) > self._size:
+            self.release(self._items.popitem(last=False)[1])
 
     def clear(self) -> None:
         while self._items:
@@ -76,11 +72,3 @@ class Cache:
     def release(item: Any) -> None:
         for part in item if isinstance(item, tuple) else (item,):
             part.release()
-
-
-def target_bytes(target: tuple[Any, ...]) -> int:
-    """Return the bytes of the pixels of a target that :meth:`Executor._framebuffer` has created."""
-    framebuffer, color, *depth = target
-    layers = getattr(color, "layers", 1)
-    texel = layers * color.components * FORMAT_BYTES[color.dtype] + 4 * len(depth)
-    return int(framebuffer.width * framebuffer.height * texel)

@@ -10,12 +10,11 @@ class RenderError(Exception):
 
 
 class FrameTooLargeError(RenderError):
-    """The frame exceeds the size limits. ``field``: what to lower; its bounds are inclusive."""
+    """The frame exceeds the size limits. ``field``: what to lower, to 1 to ``greatest``."""
 
-    def __init__(self, field: Literal["width", "height", "quality"], detail: str, least: int, greatest: int) -> None:
+    def __init__(self, field: Literal["width", "height", "quality"], detail: str, greatest: int) -> None:
         super().__init__(detail)
         self.field = field
-        self.least = least
         self.greatest = greatest
 
 
@@ -78,13 +77,13 @@ class FrameLimits:
         for field, value in sides:
             if not 1 <= value <= side:
                 why = "" if side == self.side else f" at {samples} samples per pixel"
-                raise FrameTooLargeError(field, f"{field} must be 1 to {side} pixels{why}, not {value}", 1, side)
+                raise FrameTooLargeError(field, f"{field} must be 1 to {side} pixels{why}, not {value}", side)
         requested = width * height * samples
         if requested > self.samples:
             max_height = max(1, self.samples // (width * samples))
             asked = f"{width} × {height} pixels with {samples} samples each are {requested:,} samples"
             advice = f"the limit is {self.samples:,}: lower width, height or the quality's samples"
-            raise FrameTooLargeError("height", f"{asked}; {advice}", 1, max_height)
+            raise FrameTooLargeError("height", f"{asked}; {advice}", max_height)
 
 
 IN_PROCESS = FrameLimits(side=8192, sampled_side=16384, samples=16384 * 8192)

@@ -1,8 +1,6 @@
 """Frames from the fastest place that has them: memory, disk, a render in flight, or a render worker.
 
-Why no library for the disk: diskcache, the best kept one, holds its entries in SQLite and pickles. It has no checksum,
-a full disk raises from reads and writes and leaves files that its index does not know (its issue 112), a torn database
-makes all entries unusable (67), and reading a pickle runs what is in it. Here every entry is one file of plain bytes.
+Why no library for the disk: docs/operations.md.
 """
 
 import asyncio
@@ -23,7 +21,6 @@ from typing import Any, Generic, TypeVar
 
 from seafoam import files
 from seafoam.render.encode import ENCODERS
-from seafoam.render.service.errors import DeadlineError
 from seafoam.render.service.jobs import EncodedFrame, FrameJob, Origin
 from seafoam.render.service.pool import RenderPool
 from seafoam.render.service.queues import Ticket
@@ -33,12 +30,8 @@ log = logging.getLogger(__name__)
 _MAGIC = b"seafoam1"
 _DIGEST = 32
 _HEADER = len(_MAGIC) + _DIGEST
-_BLOCK = 4096
-"""Files occupy whole blocks of most file systems, bytes."""
 _KEPT_SHARE = 0.9
 """Share of the limit that eviction leaves, so that it does not run at every write."""
-ABANDONED_SECONDS = 3600.0
-"""Age of a temporary file whose writer must have died, s."""
 PAUSE_SECONDS = 60.0
 """Time without writes after one failed, s: a full disk does not empty sooner, and is not made worse."""
 
@@ -80,53 +73,37 @@ class DiskCache:
             os.utime(path)  # the order of eviction
         return content
 
-    def put(self, key: str, content: bytes) -> bool:
-        """Store content under a key, and evict what no longer fits. Returns whether it was stored."""
-        size = _blocks(_HEADER + len(content))
+    def put(self, key: str, content: bytes) -> None:
+        """Store content under a key, and evict what no longer fits."""
+        path, size = self._path(key), _HEADER + len(content)
         if size > self.limit or time.monotonic() < self._paused_until:
-            return False
+            return
         try:
-            self._write(self._path(key), content)
+            path.parent.mkdir(parents=True, exist_ok=True)
+            # A loss of power may leave the name without the content, which its hash then tells.
+            files.write_whole(path, _MAGIC + hashlib.sha256(content).digest() + content)
         except OSError as error:
             self.failures += 1
             self._paused_until = time.monotonic() + PAUSE_SECONDS
             log.warning("The cache in %s cannot be written, and rests for a minute: %s", self.directory, error)
-            return False
+            return
         with self._lock:
             self._total = None if self._total is None else self._total + size
             if self._total is None or self._total > self.limit:
                 self._evict()
-        return True
 
     def _path(self, key: str) -> Path:
         # Folders of a few hundred files: listing one folder of a million is slow on some file systems.
         return self.directory / key[:2] / key
 
-    def _write(self, path: Path, content: bytes) -> None:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        with files.whole(path) as part, part.open("wb") as file:
-            file.write(_MAGIC + hashlib.sha256(content).digest())
-            file.write(content)
-            file.flush()
-            # A loss of power must not leave the name without the content. The folder need not be synchronised:
-            # a name that is lost is a frame drawn again.
-            os.fsync(file.fileno())
-
     def _evict(self) -> None:
-        """Count what is there, other processes' files too, and remove the oldest until it fits."""
+        """Count what is there, files of other processes and of killed ones too, and remove the oldest until it fits."""
         entries: list[tuple[float, int, Path]] = []
-        now = time.time()
         for folder, _, names in os.walk(self.directory):
-            for name in names:
-                path = Path(folder, name)
-                try:
+            for path in (Path(folder, name) for name in names):
+                with contextlib.suppress(OSError):
                     stat = path.stat()
-                except OSError:
-                    continue
-                if not name.startswith(files.PART):
-                    entries.append((stat.st_mtime, _blocks(stat.st_size), path))
-                elif now - stat.st_mtime > ABANDONED_SECONDS:
-                    _remove(path)
+                    entries.append((stat.st_mtime, stat.st_size, path))
         total = sum(size for _, size, _ in entries)
         if total > self.limit:
             for _, size, path in sorted(entries):
@@ -135,10 +112,6 @@ class DiskCache:
                 _remove(path)
                 total -= size
         self._total = total
-
-
-def _blocks(size: int) -> int:
-    return -(-size // _BLOCK) * _BLOCK
 
 
 def _remove(path: Path) -> None:
@@ -216,7 +189,7 @@ class InFlight(Generic[T]):
         if run is None:
             ticket = Ticket(background)
             run = self._runs[key] = _Run(ticket, asyncio.ensure_future(start(ticket)))
-            run.task.add_done_callback(lambda task: self._ended(key, task))
+            run.task.add_done_callback(lambda _: self._forget(key, run))
         run.ticket.background &= background
         run.waiting += 1
         try:
@@ -225,18 +198,15 @@ class InFlight(Generic[T]):
             run.waiting -= 1
             if run.waiting == 0 and not run.task.done():
                 # Before the task has ended: who asks now must not join what is being cancelled.
-                self._forget(key, run.task)
+                self._forget(key, run)
                 run.task.cancel()
 
-    def _ended(self, key: str, task: asyncio.Task[T]) -> None:
-        self._forget(key, task)
-        # Retrieves the exception, which asyncio would report if no caller waits any more.
-        if not task.cancelled():
-            task.exception()
-
-    def _forget(self, key: str, task: asyncio.Task[T]) -> None:
-        if key in self._runs and self._runs[key].task is task:
+    def _forget(self, key: str, run: _Run[T]) -> None:
+        if self._runs.get(key) is run:
             del self._runs[key]
+        # Retrieves the exception, which asyncio would report if no caller waits any more.
+        if run.task.done() and not run.task.cancelled():
+            run.task.exception()
 
 
 class FrameCache:
@@ -280,26 +250,12 @@ class FrameCache:
         """
         if (held := self.at_hand(key)) is not None:
             return held
-        loop = asyncio.get_running_loop()
-        expires = loop.time() + self.pool.deadline
-        while True:
-            joined = key in self._in_flight
-            running = self._in_flight.run(key, lambda ticket: self._make(job, key, ticket), background=background)
-            try:
-                # Who comes first has the pool's deadline, which also ends a renderer that hangs.
-                async with asyncio.timeout_at(expires if joined and not background else None):
-                    frame = await running
-            except TimeoutError:
-                raise DeadlineError("timeout: the frame, which others wait for too, was not finished in time") from None
-            except DeadlineError:
-                # The deadline of those who came first is not the caller's.
-                if not joined or loop.time() >= expires:
-                    raise
-                continue
-            if joined and frame.origin == "drawn":
-                frame = replace(frame, origin="shared")
-            self.origins[frame.origin] += 1
-            return frame
+        joined = key in self._in_flight
+        frame = await self._in_flight.run(key, lambda ticket: self._make(job, key, ticket), background=background)
+        if joined and frame.origin == "drawn":
+            frame = replace(frame, origin="shared")
+        self.origins[frame.origin] += 1
+        return frame
 
     async def close(self) -> None:
         """Wait until what was drawn is written."""

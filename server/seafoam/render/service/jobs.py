@@ -68,19 +68,14 @@ class FrameJob:
         return output_of(self.format, self.dither)
 
     @property
-    def has_geometry(self) -> bool:
-        """Whether its pixels have normal and distance too, float32 as the other four."""
-        return self.format == "exr"
-
-    @property
     def bytes(self) -> int:
-        """Of its pixels before they are encoded."""
-        return self.width * self.height * BYTES_PER_PIXEL[self.output] * (2 if self.has_geometry else 1)
+        """Of its pixels before they are encoded; those of ``exr`` have normal and distance too."""
+        return self.width * self.height * BYTES_PER_PIXEL[self.output] * (2 if self.format == "exr" else 1)
 
     @property
     def plans(self) -> tuple[FramePlan, ...]:
         """Its frame plan, and that of normal and distance, if it has them. Raises ``PlanError``."""
-        makers = (make_plan, make_geometry_plan) if self.has_geometry else (make_plan,)
+        makers = (make_plan, make_geometry_plan) if self.format == "exr" else (make_plan,)
         return tuple(make(self.scene, self.quality) for make in makers)
 
     @property

@@ -30,7 +30,7 @@ from seafoam.render.service import errors
 from seafoam.render.service.jobs import Drawn, EncodedFrame, FrameJob, MeasureJob, Picture, Renderer, encode_frame
 from seafoam.render.service.queues import PrioritySemaphore, Ticket
 from seafoam.render.service.shared_buffer import BufferPool, SharedBuffer
-from seafoam.render.service.worker import Answer, T, start_worker, work_canary, work_frame, work_measure
+from seafoam.render.service.worker import T, start_worker, work_canary, work_frame, work_measure
 
 log = logging.getLogger(__name__)
 
@@ -46,13 +46,14 @@ BACKGROUND_SECONDS = 60.0
 """Time for which a frame in the background may wait, s: for every visitor's."""
 BACKGROUND_QUEUE = 64
 """Capacity of the background's own queue, frames: the thumbnails of a gallery."""
-BUSY_RECYCLE = 20
-"""Multiple of ``recycle`` at which a worker is replaced that was never idle: streams would stand still meanwhile, for
-seconds, and no leak is known (llvmpipe, 4,000 frames of ``default``: 261 to 264 MB)."""
 EARLIEST_RETRY = 1
 """Minimum delay before a retry when the queue is full, s."""
 
 State = Literal["starting", "ready", "unavailable", "stopped"]
+Work = Callable[..., T | errors.RenderError]
+"""A function of workers: its result, or why there is none."""
+DIED = (ProcessExpired, BrokenProcessPool, CancelledFuture)
+"""What a future raises whose worker died."""
 
 
 class RenderPool:
@@ -61,7 +62,8 @@ class RenderPool:
     workers: processes, each with a GL context; at least 1.
     queue: capacity of the queue, frames; absent: twice the number of workers.
     deadline: timeout of a frame, waiting included, s.
-    recycle: frames after which a worker is replaced when the pool is idle, because GL stacks leak; 0: never.
+    recycle: frames after which a worker is replaced, because GL stacks leak; 0: never. Streams stand still meanwhile,
+    for seconds, and no leak is known (llvmpipe, 4,000 frames of ``default``: 261 to 264 MB).
     check_seconds: interval at which an idle pool draws its test picture, and a pool without GL looks for one again.
     factory: creates the renderer, in the worker; must be importable there.
     """
@@ -72,7 +74,7 @@ class RenderPool:
         workers: int = 1,
         queue: int | None = None,
         deadline: float = 10.0,
-        recycle: int = 1000,
+        recycle: int = 20_000,
         check_seconds: float = 60.0,
         factory: Callable[[], Renderer] = Executor,
     ) -> None:
@@ -88,13 +90,12 @@ class RenderPool:
         """Time of the last test picture or frame, of ``time.time()``."""
         self.active = 0
         self._tickets: set[Ticket] = set()
-        self.restarts: Counter[Literal["deadline", "crash", "recycled"]] = Counter()
+        self.restarts: Counter[Literal["deadline", "crash"]] = Counter()
         self._recycle = recycle
         self._check_seconds = check_seconds
         self.threads = max(1, (os.cpu_count() or 1) // workers)
         """Number of threads that a software renderer can use in each worker."""
         self._initargs = (factory, self.threads)
-        self._jobs_of_worker: Counter[int] = Counter()
         self._recent_seconds = 1.0
         self._processes: ProcessPool | None = None
         self._settled = asyncio.Event()
@@ -239,26 +240,23 @@ class RenderPool:
         except TimeoutError:
             raise errors.DeadlineError("timeout: no render worker was free before the frame's deadline") from None
 
-    async def _run(self, work: Callable[..., Answer[T]], args: tuple[Any, ...], expires: float, grace: float = 0) -> T:
+    async def _run(self, work: Work[T], args: tuple[Any, ...], expires: float, grace: float = 0) -> T:
         """Run work in the reserved worker, which is released when it is idle again.
 
         grace: time after which a worker is killed that nobody waits for any more, s.
         """
         try:
-            answer = await self._attempt(work, args, expires, grace)
-        except (ProcessExpired, BrokenProcessPool, CancelledFuture) as error:
+            return await self._attempt(work, args, expires, grace)
+        except DIED as error:
             # A frame depends only on its job, so it can be tried again in another worker.
             log.warning("A render worker died: %r", error)
             await self._take(self._free_workers, expires)
-            try:
-                answer = await self._attempt(work, args, expires, grace)
-            except (ProcessExpired, BrokenProcessPool, CancelledFuture) as again:
-                raise errors.RenderFailedError("the render worker crashed twice") from again
-        return self._accept(answer)
+        try:
+            return await self._attempt(work, args, expires, grace)
+        except DIED as again:
+            raise errors.RenderFailedError("the render worker crashed twice") from again
 
-    async def _attempt(
-        self, work: Callable[..., Answer[T]], args: tuple[Any, ...], expires: float, grace: float
-    ) -> Answer[T]:
+    async def _attempt(self, work: Work[T], args: tuple[Any, ...], expires: float, grace: float) -> T:
         try:
             future = self._schedule(work, args, max(0.01, expires - time.time()) + grace)
         except BaseException:
@@ -274,12 +272,12 @@ class RenderPool:
             done, _ = await asyncio.wait({wrapped}, timeout=max(0.0, expires - time.time()))
             if not done:
                 raise TimeoutError
-            return wrapped.result()
+            return self._accepted(wrapped.result())
         except TimeoutError:
             # Pebble's timeout starts with the worker's start on the job, so this deadline is reached first.
             self._keep(self._replace_if_stuck(future, grace))
             raise self._past_deadline() from None
-        except (ProcessExpired, BrokenProcessPool, CancelledFuture):
+        except DIED:
             if _was_late(future):
                 raise self._past_deadline() from None
             self.restarts["crash"] += 1
@@ -288,12 +286,8 @@ class RenderPool:
     def _past_deadline(self) -> errors.DeadlineError:
         return errors.DeadlineError(f"timeout: the frame was not finished within {self.deadline:g} s")
 
-    def _accept(self, answer: Answer[T]) -> T:
-        self._jobs_of_worker[answer.worker] += 1
-        if self._jobs_of_worker[answer.worker] == BUSY_RECYCLE * self._recycle:
-            del self._jobs_of_worker[answer.worker]
-            self.restarts["recycled"] += 1
-        match answer.value:
+    def _accepted(self, answer: T | errors.RenderError) -> T:
+        match answer:
             case errors.RendererUnavailableError() as error:
                 self._give_up(str(error))
                 raise error
@@ -306,7 +300,7 @@ class RenderPool:
                 self.succeeded_at = time.time()
                 return value
 
-    def _schedule(self, work: Callable[..., Answer[T]], args: tuple[Any, ...], timeout: float) -> Future[Answer[T]]:
+    def _schedule(self, work: Work[T], args: tuple[Any, ...], timeout: float) -> Future[T | errors.RenderError]:
         if self._processes is not None:
             try:
                 return self._processes.schedule(work, args, timeout=timeout)
@@ -316,7 +310,7 @@ class RenderPool:
                 self._drop_processes()
         self._processes = ProcessPool(
             max_workers=self.workers,
-            max_tasks=BUSY_RECYCLE * self._recycle,
+            max_tasks=self._recycle,
             initializer=start_worker,
             initargs=self._initargs,
             context=multiprocessing.get_context("spawn"),
@@ -333,7 +327,7 @@ class RenderPool:
         self.restarts["deadline"] += late
         self._free_workers.release()
 
-    async def _replace_if_stuck(self, future: Future[Answer[T]], grace: float) -> None:
+    async def _replace_if_stuck(self, future: Future[Any], grace: float) -> None:
         await asyncio.sleep(grace + STUCK_SECONDS)
         if not future.done():
             log.error("A render worker could not be stopped; all of them are replaced")
@@ -345,16 +339,8 @@ class RenderPool:
             if self.state != "ready" or (
                 time.time() - self.succeeded_at >= self._check_seconds and not self._free_workers.locked()
             ):
-                self._recycle_idle()
                 await self._check()
             await asyncio.sleep(self._check_seconds)
-
-    def _recycle_idle(self) -> None:
-        """Replace workers that have drawn enough, while nobody waits for their programs."""
-        if self.active == 0 < self._recycle <= max(self._jobs_of_worker.values(), default=0):
-            self._jobs_of_worker.clear()
-            self.restarts["recycled"] += 1
-            self._drop_processes()
 
     async def _check(self) -> None:
         await self._free_workers.acquire()

@@ -2,7 +2,7 @@
 
 Through a pipe the same pixels take five times as long, in pieces of 64 KiB with a change of processes for each. The
 memory has no name and belongs to the parent, so that a worker that dies leaves nothing behind, and it is not limited by
-the size of ``/dev/shm``, which containers keep small. Where the system has no such memory, pixels go through the pipe.
+the size of ``/dev/shm``, which containers keep small.
 """
 
 import itertools
@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 LEAST_BYTES = 1 << 18
-"""Bytes of pixels from which it is worth its system calls."""
+"""Size of the smallest memory, bytes."""
 KEPT_BYTES = 1 << 25
 """Largest memory that is kept for later frames, bytes: memory that is new costs as much time as the copy."""
 KEPT_MAPPINGS = 4
@@ -41,36 +41,25 @@ class SharedPixels:
 
 
 class SharedBuffer:
-    """Memory for one frame, in the parent. ``address``: None where pixels must go through the pipe."""
+    """Memory for one frame, in the parent."""
 
     def __init__(self, size: int) -> None:
-        self.address: BufferAddress | None = None
-        self._file = -1
-        self._memory: mmap.mmap | None = None
-        if size < LEAST_BYTES or not hasattr(os, "memfd_create"):
-            return
-        try:
-            self._file = os.memfd_create("seafoam")
-            os.ftruncate(self._file, size)
-            self._memory = mmap.mmap(self._file, size)
-        except OSError:
-            self.close()
-            return
+        size = max(size, LEAST_BYTES)
+        self._file = os.memfd_create("seafoam")
+        os.ftruncate(self._file, size)
+        self._memory = mmap.mmap(self._file, size)
         self.address = BufferAddress(f"/proc/{os.getpid()}/fd/{self._file}", size, next(_serials))
 
     def received(self, pixels: NDArray[Any] | SharedPixels) -> NDArray[Any]:
         """Return the pixels that a worker sent. They stay valid after :meth:`close`."""
         if not isinstance(pixels, SharedPixels):
             return pixels
-        assert self._memory is not None
         count = int(np.prod(pixels.shape))
         return np.frombuffer(self._memory, pixels.dtype, count).reshape(pixels.shape)
 
     def close(self) -> None:
-        """Close it; the memory is freed when nothing refers to its pixels."""
-        if self._file >= 0:
-            os.close(self._file)
-        self._file, self._memory, self.address = -1, None, None
+        """Close it, once; the memory is freed when nothing refers to its pixels."""
+        os.close(self._file)
 
 
 _serials = itertools.count()
@@ -85,13 +74,13 @@ class BufferPool:
 
     def take(self, size: int) -> SharedBuffer:
         for index, buffer in enumerate(self._free):
-            if buffer.address is not None and size <= buffer.address.size <= 4 * size:
+            if size <= buffer.address.size <= max(4 * size, LEAST_BYTES):
                 return self._free.pop(index)
         return SharedBuffer(size)
 
     def give_back(self, buffer: SharedBuffer) -> None:
         """Take back a buffer to which no worker writes and whose pixels nobody reads any more."""
-        if buffer.address is None or buffer.address.size > KEPT_BYTES:
+        if buffer.address.size > KEPT_BYTES:
             buffer.close()
             return
         self._free.append(buffer)
@@ -107,10 +96,8 @@ _mapped: OrderedDict[int, mmap.mmap] = OrderedDict()
 """A worker's mappings, by serial."""
 
 
-def send(pixels: NDArray[Any], address: BufferAddress | None) -> Any:
+def send(pixels: NDArray[Any], address: BufferAddress) -> Any:
     """Write pixels to the parent's memory, in a worker, and return :class:`SharedPixels`, or else the pixels."""
-    if address is None or pixels.nbytes > address.size:
-        return pixels
     if address.serial not in _mapped:
         try:
             file = os.open(address.path, os.O_RDWR)

@@ -7,8 +7,8 @@ import time
 import traceback
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
-from typing import Generic, NoReturn, TypeVar
+from dataclasses import replace
+from typing import NoReturn, TypeVar
 
 import numpy as np
 
@@ -41,18 +41,6 @@ def draw_canary(renderer: Renderer, scene: Scene | None = None, quality: Quality
         raise NoRendererError(f"{renderer.info['renderer']} draws blank frames; update or reinstall its driver")
 
 
-@dataclass(frozen=True, slots=True)
-class Answer(Generic[T]):
-    """Response of a worker, and which worker sent it.
-
-    value: the result; or :class:`RendererUnavailableError`, :class:`DeadlineError` of a job that arrived too late, or
-    :class:`RenderFailedError` with the traceback, for not all exceptions can be pickled.
-    """
-
-    worker: int
-    value: T | RenderError
-
-
 _renderer: Renderer | RendererUnavailableError = RendererUnavailableError("this process is not a render worker")
 
 
@@ -70,13 +58,13 @@ def start_worker(factory: Callable[[], Renderer], threads: int) -> None:
         _renderer = RendererUnavailableError(f"the renderer does not start: {error!r}")
 
 
-def work_canary() -> Answer[dict[str, str]]:
+def work_canary() -> dict[str, str] | RenderError:
     """Draw what the page opens with, small, so that its programs are compiled, and report the renderer."""
     if isinstance(_renderer, RendererUnavailableError):
-        return Answer(os.getpid(), _renderer)
+        return _renderer
     try:
         draw_canary(_renderer, load_preset("default").scene, TIERS["fast"])
-        return Answer(os.getpid(), dict(_renderer.info))
+        return dict(_renderer.info)
     except Exception:
         _give_way()
 
@@ -125,17 +113,21 @@ def _ended_at(expires: float) -> Iterator[None]:
         signal.setitimer(signal.ITIMER_REAL, 0.0)
 
 
-def _answer(expires: float, work: Callable[[Renderer], T]) -> Answer[T]:
-    """Do work, unless it arrives too late (``expires``: of ``time.time()``). work: may raise DeadlineError itself."""
+def _answer(expires: float, work: Callable[[Renderer], T]) -> T | RenderError:
+    """Do work, unless it arrives too late (``expires``: of ``time.time()``). work: may raise DeadlineError itself.
+
+    Returned, since not all exceptions can be pickled: :class:`RendererUnavailableError`, :class:`DeadlineError` of a
+    job that arrived too late, or :class:`RenderFailedError` with the traceback.
+    """
     if isinstance(_renderer, RendererUnavailableError):
-        return Answer(os.getpid(), _renderer)
+        return _renderer
     try:
         _check_time(expires)
-        return Answer(os.getpid(), work(_renderer))
+        return work(_renderer)
     except DeadlineError as error:
-        return Answer(os.getpid(), error)
+        return error
     except Exception as error:
-        return Answer(os.getpid(), _failed(_renderer, error))
+        return _failed(_renderer, error)
 
 
 def _check_time(expires: float) -> None:
@@ -143,7 +135,7 @@ def _check_time(expires: float) -> None:
         raise DeadlineError("the job has expired")
 
 
-def work_frame(job: FrameJob, expires: float, buffer: BufferAddress | None) -> Answer[Picture]:
+def work_frame(job: FrameJob, expires: float, buffer: BufferAddress) -> Picture | RenderError:
     """Render one frame, unless it has expired; the parent encodes it, beside the next.
 
     expires: of ``time.time()``; from then on the process may only compile. buffer: the parent's memory for the pixels.
@@ -162,7 +154,7 @@ def work_frame(job: FrameJob, expires: float, buffer: BufferAddress | None) -> A
     return _answer(expires, draw)
 
 
-def work_measure(job: MeasureJob, expires: float) -> Answer[tuple[Drawn, ...]]:
+def work_measure(job: MeasureJob, expires: float) -> tuple[Drawn, ...] | RenderError:
     """Measure, unless the job has expired. expires: of ``time.time()``."""
 
     def draw(renderer: Renderer) -> tuple[Drawn, ...]:
