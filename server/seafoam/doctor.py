@@ -2,13 +2,10 @@
 
 import multiprocessing
 import re
-import shutil
-import subprocess
 import sys
 from collections.abc import Callable
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Literal
 
 from pebble import ProcessExpired, ProcessPool
@@ -17,9 +14,6 @@ from seafoam.extras import MissingExtraError, require
 from seafoam.resources import data_dir
 
 PROBE_SECONDS = 60.0
-TOOL_SECONDS = 20.0
-CHROMIUM_NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
-LEAST_NODE = 20
 SOFTWARE = ("llvmpipe", "softpipe", "swiftshader", "swrast")
 BRANCHING = (24, 3)
 """The first Mesa whose llvmpipe leaves out what no pixel of a group needs."""
@@ -51,9 +45,9 @@ def probe_renderer() -> dict[str, str]:
 
 
 def examine(probe: Callable[[], dict[str, str]] = probe_renderer) -> list[Finding]:
-    """Check everything that rendering, the web client and the tests need. Takes seconds; starts a process."""
+    """Check everything that rendering and the server need. Takes seconds; starts a process."""
     python = Finding("Python", "good", sys.version.split()[0])
-    return [python, *_renderer(probe), _masks(), _webclient(), _reports(), _node(), _chromium()]
+    return [python, *_renderer(probe), _masks(), _webclient(), _reports()]
 
 
 def able_to_render(findings: list[Finding]) -> bool:
@@ -124,41 +118,3 @@ def _reports() -> Finding:
     except MissingExtraError as error:
         return Finding("Reports", "optional", str(error).partition("; ")[0], error.remedy)
     return Finding("Reports", "good", "plots and measurements of accuracy")
-
-
-def _node() -> Finding:
-    found = _version_of("node")
-    remedy = f"install Node.js {LEAST_NODE} or later: apt-get install nodejs npm, or nodejs.org"
-    if found is None:
-        return Finding("Node.js", "optional", "not found; only needed to build the web client", remedy)
-    path, version = found
-    major = version.lstrip("v").split(".")[0]
-    if not major.isdigit() or int(major) < LEAST_NODE:
-        return Finding("Node.js", "optional", f"{version} is too old to build the web client", remedy)
-    return Finding("Node.js", "good", f"{version}, {path}")
-
-
-def _chromium() -> Finding:
-    for name in CHROMIUM_NAMES:
-        if found := _version_of(name):
-            path, version = found
-            return Finding("Chromium", "good", f"{version}, {path}")
-    return Finding("Chromium", "optional", "not found; only the browser tests need it", "apt-get install chromium")
-
-
-def _version_of(program: str) -> tuple[Path, str] | None:
-    path = shutil.which(program)
-    if path is None:
-        return None
-    try:
-        shown = subprocess.run(
-            [path, "--version"],
-            capture_output=True,
-            encoding="utf-8",
-            errors="replace",
-            timeout=TOOL_SECONDS,
-            check=True,
-        )
-    except (OSError, subprocess.SubprocessError):
-        return None
-    return Path(path), shown.stdout.strip()

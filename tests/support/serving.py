@@ -32,14 +32,14 @@ LOG = "server.log"
 
 
 @cache
-def document(max_side: int = 4096) -> dict[str, Any]:
-    """What an app says of itself, which takes a second to make; no more of it depends on settings."""
-    return create_app(Settings(max_side=max_side), renderer=FakeRenderer).openapi()
+def document() -> dict[str, Any]:
+    """What an app says of itself, which takes a second to make; none of it depends on settings."""
+    return create_app(Settings(), renderer=FakeRenderer).openapi()
 
 
 def made(renderer, **settings) -> FastAPI:
     app = create_app(Settings(**settings), renderer=renderer)
-    app.openapi = lambda: document(Settings(**settings).max_side)
+    app.openapi = document
     return app
 
 

@@ -7,7 +7,7 @@ from contextlib import asynccontextmanager, suppress
 from functools import partial
 from importlib.metadata import version
 
-from fastapi import Depends, FastAPI
+from fastapi import FastAPI
 from starlette.middleware import Middleware
 from starlette.middleware.errors import ServerErrorMiddleware
 from starlette.middleware.gzip import DEFAULT_EXCLUDED_CONTENT_TYPES, GZipMiddleware
@@ -19,10 +19,9 @@ from seafoam.api.frames.respond import AnswerFromMemory
 from seafoam.api.guard.access_control import AccessControl, OtherOrigins, TokenBuckets
 from seafoam.api.guard.proxy_headers import Proxied
 from seafoam.api.http import answers, errors
-from seafoam.api.http.middleware import AnswerWhenStopped, HeadAsGet, LimitBody, Negotiate, SecurityHeaders
+from seafoam.api.http.middleware import AnswerWhenStopped, HeadAsGet, LimitBody, SecurityHeaders, TagsAndRanges
 from seafoam.api.http.problems import BusyError
-from seafoam.api.http.validation import one_value_each
-from seafoam.api.routers import accuracy, export, frames, health, masks, plans, presets, sequences, streams, textures
+from seafoam.api.routers import accuracy, export, frames, health, masks, presets, sequences, streams, textures
 from seafoam.api.settings import Settings
 from seafoam.api.watch.metrics import NO_TELEMETRY, Metrics, WatchRequests
 from seafoam.api.watch.metrics import traces as configured_traces
@@ -39,11 +38,6 @@ NOT_WORTH_GZIP = (
     "font/*", "video/*",
 )  # fmt: skip
 
-_ROUTERS = tuple(
-    each.router for each in (presets, plans, frames, streams, sequences, accuracy, masks, textures, export)
-)
-_PUBLIC = tuple(route for each in (presets, plans, masks, textures) for route in each.router.routes)
-"""What is data, and no picture or work of the renderer."""
 
 _DESCRIPTION = """
 Water with halftoned foam, after Yingst, Alford and Parberry (2011).
@@ -60,8 +54,8 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
     """Create the server's application.
 
     settings: absent: read from the environment. renderer: factory of the workers' renderer, absent: the GL executor;
-    must be importable, because the workers are spawned. Raises :class:`MissingExtraError` and
-    :class:`UnsupportedTelemetryError` where ``OTEL_*`` variables ask for what is not there.
+    must be importable, because the workers are spawned. Raises :class:`MissingExtraError`
+    where ``OTEL_*`` variables ask for what is not there.
     """
     settings = settings or Settings()
     factory = renderer or partial(Executor, settings.device_index)
@@ -112,16 +106,16 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
         # A scene is one type in the clients' code, whichever way it travels.
         separate_input_output_schemas=False,
         lifespan=lifespan,
-        dependencies=[Depends(one_value_each)],
         middleware=_middleware(settings, metrics),
         telemetry=NO_TELEMETRY if traces is None else traces.requests,
     )
-    for router in _ROUTERS:
+    own = (each.router for each in (frames, streams, sequences, accuracy, masks, textures, export))
+    for router in (presets.router, presets.plans, *own):
         app.include_router(router, responses=answers.problems(400, 401, 429, 500))
     app.include_router(health.router)
     errors.install(app)
     site.install(app)
-    answers.install(app, settings.max_side)
+    answers.install(app)
     return app
 
 
@@ -130,7 +124,7 @@ def _middleware(settings: Settings, metrics: Metrics) -> list[Middleware]:
     return [
         Middleware(Proxied, trusted=settings.trusted_proxies, root_path=settings.root_path.rstrip("/")),
         Middleware(WatchRequests, metrics=metrics, logged=settings.log_format == "json"),
-        Middleware(OtherOrigins, public=() if settings.access.restricted else _PUBLIC, origins=settings.cors_origins),
+        Middleware(OtherOrigins, public=not settings.access.restricted, origins=settings.cors_origins),
         Middleware(HeadAsGet),
         Middleware(SecurityHeaders),
         Middleware(
@@ -141,7 +135,7 @@ def _middleware(settings: Settings, metrics: Metrics) -> list[Middleware]:
         Middleware(AnswerWhenStopped),
         # Starlette's own lies outside of all these, and its answer lacks their headers.
         Middleware(ServerErrorMiddleware, handler=errors.unexpected),
-        Middleware(Negotiate),
+        Middleware(TagsAndRanges),
         Middleware(AnswerFromMemory),
         Middleware(GZipMiddleware, compresslevel=GZIP_LEVEL, exclude_content_types=NOT_WORTH_GZIP),
         Middleware(LimitBody, limit=settings.max_body),

@@ -48,19 +48,6 @@ def _ready(pool: RenderPool) -> Mapping[str, str]:
     return pool.info
 
 
-def sweep_service(settings: Settings, pool: RenderPool, loop: asyncio.AbstractEventLoop) -> SweepService:
-    """Return a service that measures on the pool; coroutines run on ``loop``."""
-
-    def measure(job: MeasureJob) -> tuple[Drawn, ...]:
-        return finished(asyncio.run_coroutine_threadsafe(pool.measure(job), loop), lambda: service.stopped)
-
-    sizes = (settings.accuracy_width, settings.accuracy_height, settings.accuracy_samples, settings.accuracy_rounds)
-    service = SweepService(
-        Store(settings.cache), SweepSettings(*sizes), lambda: Rig(measure, _ready(pool), pool.threads)
-    )
-    return service
-
-
 def retry_seconds(running: Running) -> int:
     """Return the delay before the next request, s."""
     return max(1, min(LONGEST_WAIT, math.ceil(running.eta_s or 2.0)))
@@ -144,7 +131,14 @@ class Context:
         self.traces = traces
         # Apart, so that a mask, which takes seconds, delays no plan, and one that takes minutes no other mask.
         self.plans, self.masks, self.slow_masks = ThreadPool(2, 64), ThreadPool(1, 8), ThreadPool(1, 2)
-        self.sweeps = sweep_service(settings, self.pool, loop)
+
+        def measure(job: MeasureJob) -> tuple[Drawn, ...]:
+            return finished(asyncio.run_coroutine_threadsafe(self.pool.measure(job), loop), lambda: self.sweeps.stopped)
+
+        sizes = (settings.accuracy_width, settings.accuracy_height, settings.accuracy_samples, settings.accuracy_rounds)
+        self.sweeps = SweepService(
+            Store(settings.cache), SweepSettings(*sizes), lambda: Rig(measure, _ready(self.pool), self.pool.threads)
+        )
         workers, directory = PoolWorkers(self.pool, loop), (settings.cache or cache_dir()) / "sequences"
         bounds = {"waiting": settings.sequences_waiting, "kept": settings.sequences_kept}
         self.sequences = SequenceService(directory, lambda: workers, **bounds)
@@ -153,7 +147,6 @@ class Context:
         """Compiles the presets' programs ahead, if the settings say so."""
 
     async def compiled(self, scene: Scene, quality: Quality) -> CompiledPlan:
-        """Run :func:`compile_scene` in a thread."""
         return await self.plans.run(compile_scene, scene, quality)
 
     async def addressed(self, scene: Scene, quality: Quality) -> CompiledPlan:

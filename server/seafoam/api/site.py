@@ -14,7 +14,7 @@ from pathlib import Path
 from fastapi import FastAPI, Request
 from PIL import Image, ImageOps
 from starlette.datastructures import Headers
-from starlette.responses import HTMLResponse, JSONResponse, PlainTextResponse, RedirectResponse, Response
+from starlette.responses import HTMLResponse, PlainTextResponse, RedirectResponse, Response
 from starlette.staticfiles import StaticFiles
 from starlette.types import Scope
 
@@ -61,14 +61,9 @@ async def _waters() -> HTMLResponse:
 
 # A plain function: FastAPI runs it in a thread, so that decoding delays no other request.
 def _link_preview(name: str) -> Response:
-    try:
-        preset = load_preset(name)
-    except KeyError:
+    still = data_dir("webclient") / "stills" / f"{name}.avif"
+    if name not in preset_names() or not still.is_file():
         return _unknown(name)
-    still = data_dir("webclient") / "stills" / f"{preset.name}.avif"
-    if not still.is_file():
-        width, height = PREVIEW
-        return RedirectResponse(f"../api/frames/{preset.name}.png?width={width}&height={height}")
     return Response(_preview(still), media_type="image/jpeg", headers={"Cache-Control": REVALIDATE})
 
 
@@ -137,7 +132,7 @@ class WebClient(StaticFiles):
         """Accept a missing build."""
 
     async def get_response(self, path: str, scope: Scope) -> Response:
-        """Return a file, compressed with Brotli if the build contains that and the client prefers it.
+        """Return a file, compressed with Brotli if the build contains that and the client takes it.
 
         Files under ``assets`` carry their hash in their name, so they never change.
         """
@@ -147,7 +142,7 @@ class WebClient(StaticFiles):
         # Browsers ask for it beside answers that are no page.
         path = "icon.svg" if path == "favicon.ico" else path
         packed = os.path.isfile(folder / f"{path}.br")  # False, too, for a name that no file can have
-        chosen = f"{path}.br" if packed and Headers(scope=scope).get("accept-encoding", "").startswith("br") else path
+        chosen = f"{path}.br" if packed and "br" in Headers(scope=scope).get("accept-encoding", "") else path
         response = await super().get_response(chosen, scope)
         if packed:
             response.headers["Vary"] = "Accept-Encoding"
@@ -162,7 +157,7 @@ def install(app: FastAPI) -> None:
     """Serve the pages on paths that no route of the application matches."""
     for path, page in (
         ("/water/", _waters), ("/water/{name}.jpg", _link_preview), ("/water/{name}", _water), ("/docs", _manual),
-        ("/api/", _operations),
+        ("/api/", _reference),
     ):  # fmt: skip
         app.add_api_route(path, page, include_in_schema=False)
     # The stills' type, which Python 3.11 knows only where the system tells it.
@@ -170,17 +165,8 @@ def install(app: FastAPI) -> None:
     app.router.default = WebClient(directory=data_dir("webclient"), html=True, check_dir=False)
 
 
-async def _operations(request: Request) -> Response:
-    """Return what the API can do, a line each; a browser is led to the API reference."""
-    if "text/html" in request.headers.get("accept", ""):
-        return RedirectResponse("../docs", headers={"Vary": "Accept"})
-    operations = [
-        {"method": method.upper(), "path": path, "summary": operation["description"].partition("\n")[0]}
-        for path, methods in request.app.openapi()["paths"].items()
-        for method, operation in methods.items()
-    ]
-    content = {"reference": "../docs", "description": "../openapi.json", "operations": operations}
-    return JSONResponse(content, headers={"Vary": "Accept", "Cache-Control": REVALIDATE})
+async def _reference() -> Response:
+    return RedirectResponse("../docs")
 
 
 async def _manual() -> Response:

@@ -138,7 +138,7 @@ def test_doctor_looks_at_everything_and_says_what_is_missing(monkeypatch):
     assert (bad.state, bad.detail, bad.remedy) == ("missing", "no OpenGL context: none", "install a driver")
     found = doctor.examine(partial(dict, vendor="A", renderer="B", version="C"))
     findings = {finding.what: finding for finding in found}
-    assert {"Python", "OpenGL", "GLSL ES 3.00", "Masks", "Web client", "Node.js", "Chromium"} <= set(findings)
+    assert {"Python", "OpenGL", "GLSL ES 3.00", "Masks", "Web client", "Reports"} <= set(findings)
     assert "hardware" in findings["OpenGL"].detail
     assert all(finding.remedy for finding in found if finding.state != "good")
     assert not doctor.able_to_render([*found, bad])

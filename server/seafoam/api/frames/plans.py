@@ -58,11 +58,9 @@ class PlanIndex:
         self._held: LruCache[str, PlanSource] = LruCache(KEPT)
 
     def holds(self, plan: str) -> bool:
-        """Whether a plan is in memory."""
         return plan in self._held
 
     def remember(self, plan: str, scene: Scene, quality: Quality) -> None:
-        """Remember what a plan was made from."""
         if self.find(plan) is None:
             source = PlanSource(scene=scene, quality=quality)
             if self._disk is not None:

@@ -16,7 +16,7 @@ from seafoam.accuracy.timing import choose
 from seafoam.api.context import Context, retry_seconds
 from seafoam.api.frames.plans import ADDRESS_KEPT, ResolvedFrame, address_of
 from seafoam.api.http.answers import content, not_modified
-from seafoam.api.http.asgi import HttpMiddleware
+from seafoam.api.http.middleware import HttpMiddleware
 from seafoam.api.http.parameters import FrameParameters, FrameRequest
 from seafoam.api.http.problems import BadRequestError, FieldProblem, NotMeasuredError
 from seafoam.render.encode import MEDIA_TYPES
@@ -41,16 +41,16 @@ FRAME_RESPONSES = content(
 )
 
 
-async def resolved_before(
-    context: Context, request: Request, find: Callable[[], Awaitable[ResolvedFrame]]
-) -> ResolvedFrame:
-    """Return what a request asks for: as found before with the same renderer, or else by ``find``."""
+async def answer_as_before(
+    context: Context, request: Request, find: Callable[[], Awaitable[ResolvedFrame]], *, background: bool = False
+) -> Response:
+    """Answer with what a request asks for: as found before with the same renderer, or else by ``find``."""
     resolved = context.request_cache.get(address_of(request.scope, context.pool.info))
     if resolved is None:
         resolved = await find()
         if len(request.scope["query_string"]) <= ADDRESS_KEPT:
             context.request_cache.put(address_of(request.scope, context.pool.info), resolved)
-    return resolved
+    return await answer(resolved, request, context, background=background)
 
 
 class AnswerFromMemory(HttpMiddleware):

@@ -24,7 +24,6 @@ _FRAME = re.compile(r"/api/streams/([^/]+)/frame\.")
 
 
 def is_frame(path: str) -> bool:
-    """Whether a request's path is that of a stream's frame."""
     return _FRAME.match(path) is not None
 
 
@@ -81,8 +80,6 @@ class Streams:
 
     def __init__(self, limit: int, clock: Callable[[], float] = time.monotonic) -> None:
         self.limit = limit
-        self.seconds_per_megapixel: float | None = None
-        """Of late, from a request to its frame without waiting; None: no frame yet."""
         self._clock = clock
         self._open: dict[str, Stream] = {}
 
@@ -125,12 +122,6 @@ class Streams:
         if (stream := self._open.pop(id, None)) is not None:
             for frame in stream.frames:
                 frame.task.cancel()
-
-    def drawn(self, pixels: int, seconds: float) -> None:
-        """Note how long a frame took, without waiting."""
-        rate = 1e6 * seconds / pixels
-        known = self.seconds_per_megapixel
-        self.seconds_per_megapixel = rate if known is None else known + 0.2 * (rate - known)
 
     def _expire(self) -> None:
         now = self._clock()

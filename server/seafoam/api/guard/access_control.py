@@ -6,23 +6,22 @@ Pages, files and health checks pass rates and keys untouched.
 import math
 import re
 import time
-from collections import OrderedDict
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
-from ipaddress import IPv6Address, ip_address
+from ipaddress import IPv6Address, ip_network
 from urllib.parse import unquote
 
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.middleware.cors import CORSMiddleware
 from starlette.responses import Response
-from starlette.routing import BaseRoute, Route
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from seafoam.api.guard.keys import API, CHALLENGE, SIGNED, Access
-from seafoam.api.http.asgi import HttpMiddleware, altering
 from seafoam.api.http.errors import ProblemType, problem
+from seafoam.api.http.middleware import HttpMiddleware, altering
 from seafoam.api.watch.logs import REQUEST_ID
+from seafoam.render.service.frame_cache import LruCache
 
 CLIENTS_KEPT = 65_536
 """Clients whose buckets are remembered, 16 MB; one that is forgotten has a full bucket again."""
@@ -50,7 +49,7 @@ class TokenBuckets:
         self.rate = rate
         self.burst = burst
         self._clock = clock
-        self._full_at: OrderedDict[str, float] = OrderedDict()
+        self._full_at: LruCache[str, float] = LruCache(CLIENTS_KEPT)
 
     @property
     def policy(self) -> str:
@@ -59,29 +58,21 @@ class TokenBuckets:
 
     def take(self, client: str) -> Standing:
         now = self._clock()
-        full_at = max(self._full_at.get(client, now), now)
+        full_at = max(self._full_at.get(client) or now, now)
         tokens = self.burst - (full_at - now) * self.rate
         # The sums of many requests round.
         if tokens < 1.0 - 1e-6:
             return Standing(False, 0, math.ceil((1.0 - tokens) / self.rate))
-        self._full_at[client] = full_at + 1.0 / self.rate
-        self._full_at.move_to_end(client)
-        if len(self._full_at) > CLIENTS_KEPT:
-            self._full_at.popitem(last=False)
+        self._full_at.put(client, full_at + 1.0 / self.rate)
         return Standing(True, int(tokens - 1.0 + 1e-6), math.ceil(full_at + 1.0 / self.rate - now))
 
 
 def bucket_of(address: str) -> str:
     """Return the name of an address's bucket: the address, or the network of an IPv6 address."""
     try:
-        parsed = ip_address(address)
+        return str(IPv6Address(address).ipv4_mapped or ip_network((address, IPV6_PREFIX), strict=False))
     except ValueError:
         return address
-    if isinstance(parsed, IPv6Address):
-        if parsed.ipv4_mapped is not None:
-            return str(parsed.ipv4_mapped)
-        return str(IPv6Address(int(parsed) >> (128 - IPV6_PREFIX) << (128 - IPV6_PREFIX)))
-    return str(parsed)
 
 
 READABLE_ELSEWHERE = (
@@ -90,21 +81,18 @@ READABLE_ELSEWHERE = (
 )  # fmt: skip
 """Headers that a page of another origin may read, besides those that every page may."""
 _SENT = ("Authorization", "Content-Type", "If-None-Match", REQUEST_ID)
-_GROUP_NAME = re.compile(r"\?P<\w+>")
+_PUBLIC = re.compile(r"/api/((presets|plans)/[^/]+|presets|quality|schema|masks(/.*)?|textures/.*)")
+"""What is data, and no picture or work of the renderer."""
 
 
 class OtherOrigins:
     """ASGI middleware: adds the headers of CORS to every answer, errors included, and answers preflights.
 
-    public: routes that every origin may GET; their other methods, and all other paths, only ``origins`` may use.
+    public: whether every origin may GET what is data; its other methods, and all other paths, only ``origins`` may use.
     """
 
-    def __init__(self, app: ASGIApp, public: Sequence[BaseRoute], origins: Sequence[str]) -> None:
-        patterns = [
-            each.path_regex.pattern for each in public if isinstance(each, Route) and "GET" in (each.methods or ())
-        ]
-        # One pattern for all, in which the names of groups would clash.
-        self.public = re.compile("|".join(_GROUP_NAME.sub("?:", pattern) for pattern in patterns) or r"(?!)")
+    def __init__(self, app: ASGIApp, public: bool, origins: Sequence[str]) -> None:
+        self.public = public
         cors = partial(CORSMiddleware, app, allow_headers=_SENT, expose_headers=READABLE_ELSEWHERE)
         self.for_all = cors(allow_origins=("*",))
         methods = ("GET", "POST", "PUT", "DELETE")
@@ -112,7 +100,7 @@ class OtherOrigins:
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         path = scope["path"].removeprefix(scope.get("root_path", "")) if scope["type"] == "http" else ""
-        await (self.for_all if self.public.match(path) else self.for_some)(scope, receive, send)
+        await (self.for_all if self.public and _PUBLIC.fullmatch(path) else self.for_some)(scope, receive, send)
 
 
 _RATE_EXCEEDED = ProblemType(429, "rate-exceeded", "Too many requests")
@@ -146,7 +134,7 @@ class AccessControl(HttpMiddleware):
             standing = self.rates.take(f"key {name}" if name else bucket_of(address))
         refusal = self._beyond(scope, standing) or self._refusal(scope, signed, name)
 
-        def mark(_: int, headers: MutableHeaders) -> None:
+        def mark(headers: MutableHeaders) -> None:
             if name and "public" in headers.get("cache-control", ""):
                 headers["Cache-Control"] = headers["Cache-Control"].replace("public", "private")
             if signed and "link" in headers:

@@ -9,7 +9,7 @@ from starlette.datastructures import URL, Headers, MutableHeaders
 from starlette.types import ASGIApp, Receive, Scope, Send
 from uvicorn.middleware.proxy_headers import ProxyHeadersMiddleware
 
-from seafoam.api.http.asgi import altering
+from seafoam.api.http.middleware import altering
 
 ROOT_PATH = r"(/[A-Za-z0-9._~-]+)*"
 """Pattern of the path below which a proxy serves this server; empty: at its root."""
@@ -38,7 +38,7 @@ class Proxied:
         scope["app_root_path"] = told if told and trusted and re.fullmatch(ROOT_PATH, told) else self.root_path
         asked = URL(scope=scope)
 
-        def mark(_: int, headers: MutableHeaders) -> None:
+        def mark(headers: MutableHeaders) -> None:
             location = headers.get("location")
             if location and urlsplit(location).netloc == asked.netloc:
                 headers["Location"] = relative(asked.path, location)

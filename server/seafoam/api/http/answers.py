@@ -1,7 +1,4 @@
-"""What answers have in common: cache headers and entity tags, and their description in the OpenAPI document.
-
-The document lacks without help: the problem schema, limits of settings.
-"""
+"""What answers have in common: cache headers and entity tags, and their description in the OpenAPI document."""
 
 from collections.abc import AsyncIterator, Awaitable, Callable, Mapping, Sequence
 from http import HTTPStatus
@@ -26,8 +23,8 @@ NO_STORE = "no-store"
 
 def not_modified(request: Request, tag: str, headers: Mapping[str, str]) -> Response | None:
     """Return a 304 with the headers of a full response if the client's copy is current, else None."""
-    sent = request.headers.get("if-none-match", "")
-    current = sent.strip() == "*" or tag in (part.strip().removeprefix("W/") for part in sent.split(","))
+    sent = request.headers.get("if-none-match", "").split(",")
+    current = tag in (part.strip().removeprefix("W/") for part in sent)
     return Response(status_code=304, headers={"ETag": tag, **headers}) if current else None
 
 
@@ -59,13 +56,6 @@ TEXT = {"type": "string"}
 BINARY = {"type": "string", "format": "binary"}
 NOT_MODIFIED: Responses = {304: {"description": "Not modified: the copy named by If-None-Match is current"}}
 
-_SIZED = (
-    "/api/frames/{preset}.{format}",
-    "/api/plans/{plan}/frames/{time}.{format}",
-    "/api/streams/{stream}/frame.jpg",
-)
-"""Paths whose parameters ``width`` and ``height`` the settings limit."""
-
 
 def problems(*statuses: int) -> Responses:
     """Describe the problems that an operation can answer with."""
@@ -90,30 +80,17 @@ def headers_of(descriptions: Mapping[str, str]) -> dict[str, Any]:
     return {name: {"description": text, "schema": TEXT} for name, text in descriptions.items()}
 
 
-def install(app: FastAPI, max_side: int) -> None:
-    """Add the problem schema and the greatest side of a frame, pixels, to the application's document."""
-
+def install(app: FastAPI) -> None:
+    """Add the problem schema to the application's document, and take out the schemas of what nothing extends."""
     made = app.openapi
 
     def openapi() -> dict[str, Any]:
         if app.openapi_schema is None:
-            _complete(made(), max_side)
+            schemas = made()["components"]["schemas"]
+            problem = Problem.model_json_schema(ref_template="#/components/schemas/{model}")
+            schemas |= problem.pop("$defs") | {"Problem": problem}
+            for unused in (one for one in (SceneExtensions, QualityExtensions) if not one.known):
+                del schemas[unused.__name__]
         return made()
 
     app.openapi = openapi  # type: ignore[method-assign]
-
-
-def _complete(document: dict[str, Any], max_side: int) -> None:
-    schemas = document["components"]["schemas"]
-    problem = Problem.model_json_schema(ref_template="#/components/schemas/{model}")
-    schemas |= problem.pop("$defs") | {"Problem": problem}
-    for unused in (one for one in (SceneExtensions, QualityExtensions) if not one.known):
-        del schemas[unused.__name__]
-    sides = [schemas["FrameRequest"]["properties"][name] for name in ("width", "height")]
-    for path in _SIZED:
-        parameters = document["paths"][path]["get"]["parameters"]
-        sides += [each["schema"] for each in parameters if each["name"] in ("width", "height")]
-    for schema in sides:
-        for alternative in schema.get("anyOf", [schema]):
-            if alternative["type"] == "integer":
-                alternative["maximum"] = max_side

@@ -61,7 +61,6 @@ _BUSY = ProblemType(503, "busy", "The server is busy")
 _INVALID = ProblemType(422, "bad-request", "Invalid request")
 
 PROBLEM_TYPES: dict[type[Exception], ProblemType] = {
-    problems.ExportTooLargeError: ProblemType(422, "export-too-large", "The scene is too large to take home"),
     problems.NotFoundError: _NOT_FOUND,
     UnknownSequenceError: _NOT_FOUND,
     problems.UnsupportedMediaError: ProblemType(415, "unsupported-media-type", "The request body must be JSON"),
@@ -85,8 +84,6 @@ PROBLEM_TYPES: dict[type[Exception], ProblemType] = {
     render.DeadlineError: ProblemType(504, "deadline", "The request timed out"),
 }
 """Maps exceptions to HTTP errors."""
-
-RANGE_PROBLEM = ProblemType(416, "range-not-satisfiable", "The range is outside of the file")
 
 
 def problem(
@@ -153,8 +150,6 @@ def _field_error(item: Mapping[str, Any], body: Any, openapi: Schema, operation:
         return FieldProblem(pointer="", detail=f"invalid JSON: {item['ctx']['error']}{at}")
     path = pointer_of(location, body, item["type"] == "missing")
     pointer = "".join("/" + str(step).replace("~", "~0").replace("/", "~1") for step in path)
-    # What is no text cannot be written; it is shown as it was spelt.
-    pointer = pointer.encode(errors="backslashreplace").decode()
     schema = operation.get("requestBody", {}).get("content", {}).get("application/json", {}).get("schema", {})
     unknown = item["type"] == "extra_forbidden"
     allowed = allowed_at(schema, openapi, path[:-1] if unknown else path, body)
@@ -203,26 +198,13 @@ async def _invalid(request: Request, error: Exception) -> JSONResponse:
 async def _http(request: Request, error: Exception) -> JSONResponse:
     assert isinstance(error, HTTPException)
     detail = error.detail
-    headers = error.headers
-    if error.status_code == HTTPStatus.METHOD_NOT_ALLOWED:
-        detail = f"method {request.method} is not allowed for this path"
-        # Starlette names the methods of the first route with this path alone.
-        path = getattr(request.scope.get("route"), "path_format", "")
-        methods = request.app.openapi()["paths"].get(path, {})
-        headers = {"Allow": ", ".join(sorted(method.upper() for method in methods))} if methods else headers
-    elif error.status_code == HTTPStatus.BAD_REQUEST and error.__cause__ is not None:
+    if error.status_code == HTTPStatus.BAD_REQUEST and error.__cause__ is not None:
         # Of what reading a body may raise, FastAPI knows errors of JSON's grammar alone.
-        match error.__cause__:
-            case UnicodeDecodeError(start=byte):
-                said = f"the body is not UTF-8 at byte {byte}"
-            case RecursionError():
-                said = "the body has too many levels"
-            case _:
-                said = "the body has a number of too many digits"
+        said = "the body is no JSON that can be read: not UTF-8, or too many levels or digits"
         return await _known(request, BadRequestError(FieldProblem(pointer="", detail=said)))
     elif error.status_code == HTTPStatus.NOT_FOUND:
         detail = f"{request.url.path} was not found"
-    return problem(request.url.path, ProblemType(error.status_code), detail, headers=headers)
+    return problem(request.url.path, ProblemType(error.status_code), detail, headers=error.headers)
 
 
 async def unexpected(request: Request, error: Exception) -> JSONResponse:

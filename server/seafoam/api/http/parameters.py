@@ -16,6 +16,8 @@ from seafoam.scene import Camera, Foam, Look, Preset, Scene
 TIME_LIMIT = 1e9
 """Maximum |time|, s."""
 DEFAULT_WIDTH, DEFAULT_HEIGHT = 1280, 720
+MAX_SIDE = 16384
+"""What a server may be set to draw at most, pixels; each has its own limit."""
 
 TierOrAuto = Literal[Tier, "auto"]
 
@@ -116,8 +118,10 @@ class FrameParameters(SceneOverrides):
 
     time: float | None = Field(default=None, ge=-TIME_LIMIT, le=TIME_LIMIT, examples=[12.5])
     """Time, s; absent: the preset's"""
-    width: int | None = Field(default=None, ge=1, description="Width, pixels; absent: the preset's", examples=[640])
-    height: int | None = Field(default=None, ge=1, description="Height, pixels; absent: the preset's", examples=[360])
+    width: int | None = Field(default=None, ge=1, le=MAX_SIDE, examples=[640])
+    """Width, pixels; absent: the preset's"""
+    height: int | None = Field(default=None, ge=1, le=MAX_SIDE, examples=[360])
+    """Height, pixels; absent: the preset's"""
     x: float | None = _axis(0, "Camera position along +x, m; absent: the preset's, as for all camera parameters", 0.0)
     y: float | None = _axis(1, "Camera height above still water, m", 4.5)
     z: float | None = _axis(2, "Camera position along +z, m", -20.0)
@@ -152,8 +156,8 @@ class FrameParameters(SceneOverrides):
 class ViewParameters(Parameters):
     """Size and camera of a frame, none of which has a default."""
 
-    width: int = Field(ge=1, description="Width, pixels", examples=[640])
-    height: int = Field(ge=1, description="Height, pixels", examples=[360])
+    width: int = Field(ge=1, le=MAX_SIDE, description="Width, pixels", examples=[640])
+    height: int = Field(ge=1, le=MAX_SIDE, description="Height, pixels", examples=[360])
     x: float = _axis(0, "Camera position along +x, m", 0.0, required=True)
     y: float = _axis(1, "Camera height above still water, m", 4.5, required=True)
     z: float = _axis(2, "Camera position along +z, m", -20.0, required=True)
@@ -207,32 +211,27 @@ def quality_of(quality: Tier | Quality) -> Quality:
     return quality if isinstance(quality, Quality) else TIERS[quality]
 
 
-class SceneRequest(Described):
-    """A scene, as JSON."""
+class PlanRequest(Described):
+    """A scene and a quality to compile into a frame plan."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
     scene: Scene = Field(examples=[{"waves": [{"model": "parametric"}], "foam": {}}])
     """The scene: waves, foam, water, light and camera"""
-
-
-class PlanRequest(SceneRequest):
-    """A scene and a quality to compile into a frame plan."""
-
     quality: TierOrQuality = "standard"
     """A tier, or the settings that differ from tier standard"""
 
 
-class FrameRequest(SceneRequest):
+class FrameRequest(PlanRequest):
     """A frame to render: scene, quality, time, size and camera."""
 
-    quality: TierAutoOrQuality = "standard"
+    quality: TierAutoOrQuality = "standard"  # type: ignore[assignment]
     """A tier, the settings that differ from tier standard, or auto: the most exact quality predicted to render within
     budget_ms"""
     budget_ms: Budget = None
     time: Time = 0.0
-    width: int = Field(default=DEFAULT_WIDTH, ge=1, description="Width, pixels", examples=[640])
-    height: int = Field(default=DEFAULT_HEIGHT, ge=1, description="Height, pixels", examples=[360])
+    width: int = Field(default=DEFAULT_WIDTH, ge=1, le=MAX_SIDE, description="Width, pixels", examples=[640])
+    height: int = Field(default=DEFAULT_HEIGHT, ge=1, le=MAX_SIDE, description="Height, pixels", examples=[360])
     format: FrameFormat = Field(default="png", description=FORMATS)
     dither: Dither = True
     precision: ExrPrecision = "half"

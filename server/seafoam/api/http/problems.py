@@ -50,10 +50,6 @@ class UnsupportedMediaError(ApiError):
     """The body is not JSON."""
 
 
-class ExportTooLargeError(ApiError):
-    """The textures of a scene to take home exceed the limit."""
-
-
 class NotBuiltError(ApiError):
     """The web client is not built. ``remedy``: how to build it."""
 
@@ -73,7 +69,7 @@ class NotMeasuredError(BusyError):
 
 
 class StreamsFullError(BusyError):
-    """All streams are taken, or the server gives none."""
+    """All streams are taken."""
 
 
 Schema = Mapping[str, Any]

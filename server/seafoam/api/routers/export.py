@@ -6,22 +6,22 @@ lower-case letters, digits and hyphens.
 """
 
 import base64
+import io
 import json
 import re
 import zipfile
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 from fastapi import APIRouter
-from starlette.responses import Response, StreamingResponse
+from starlette.responses import Response
 
 from seafoam.api.context import InContext
 from seafoam.api.frames.plans import CompiledPlan
-from seafoam.api.http.answers import NO_STORE, content, problems
+from seafoam.api.http import answers
 from seafoam.api.http.parameters import ExportRequest, quality_of
-from seafoam.api.http.problems import ExportTooLargeError, NotBuiltError
+from seafoam.api.http.problems import NotBuiltError
 from seafoam.api.http.validation import Strict, known_preset
 from seafoam.framegraph.evaluation import FrameState, evaluate
 from seafoam.framegraph.plan import FramePlan, Pass, declared_uniforms
@@ -32,8 +32,6 @@ from seafoam.textures.store import spec_of, texture
 
 router = APIRouter(prefix="/api", tags=["export"])
 
-TEXTURES_LIMIT = 1 << 26
-"""Bytes of all textures of a plan together."""
 PLAYER = ("index.html", "README.md", "LICENSE", "player.js")
 """Files of the build that every archive has; the first two are templates."""
 EPOCH = (1980, 1, 1, 0, 0, 0)
@@ -42,22 +40,12 @@ LEVEL = 6
 _REGULAR_FILE = 0o100644
 _GLOBAL = "globalThis.seafoamData ??= { textures: {} };\n"
 ANY_RENDERER = {"renderer": "WebGL2", "version": "drawn by the browser that opens it"}
-_RESPONSES = content(
+_RESPONSES = answers.content(
     "A zip archive; its index.html draws the scene when it is opened from the file system. The same request gives the "
     "same bytes",
     "application/zip",
     headers={"Seafoam-Plan": "SHA-256 of the frame plan"},
 )
-
-
-@dataclass(frozen=True, slots=True)
-class Export:
-    """What is taken home: the frame that the page opens with, its plan and its recipe."""
-
-    job: FrameJob
-    compiled: CompiledPlan
-    recipe: str
-    title: str
 
 
 def player_files() -> dict[str, bytes]:
@@ -73,41 +61,32 @@ def player_files() -> dict[str, bytes]:
         raise NotBuiltError(f"the player is not built: {Path(error.filename).name} is missing") from None
 
 
-def texture_bytes(plan: FramePlan) -> dict[str, bytes]:
-    """Return the bytes of the plan's textures by SHA-256. Raises :class:`ExportTooLargeError`."""
-    found: dict[str, bytes] = {}
-    for spec in plan.textures.values():
-        found[spec.sha256] = texture(spec_of(spec.url)).data
-        size = sum(map(len, found.values()))
-        if size > TEXTURES_LIMIT:
-            raise ExportTooLargeError(
-                f"the scene's textures have more than {TEXTURES_LIMIT >> 20} MiB: lower the quality's sizes"
-            )
-    return found
-
-
-def entries(export: Export, textures: dict[str, bytes], player: dict[str, bytes]) -> Iterator[tuple[str, bytes]]:
-    """Yield path and content of every file, in order."""
+def entries(job: FrameJob, compiled: CompiledPlan, player: dict[str, bytes]) -> Iterator[tuple[str, bytes]]:
+    """Yield path and content of every file, in order. job: the frame that the page opens with."""
+    title = load_preset(job.preset).title if job.preset else "A scene"
+    html, readme = (
+        player[name].decode().replace("{{title}}", title).replace("{{plan}}", compiled.sha256) for name in PLAYER[:2]
+    )
     scripts = ["data/plan.js", "data/recipe.js"]
     # Textures with the same bytes share a file, of the first one's name.
-    names: dict[str, str] = {}
-    for name, spec in export.compiled.plan.textures.items():
-        names.setdefault(spec.sha256, f"data/texture-{len(names):02d}-{slug(name)}.js")
-    html = _filled(player["index.html"], export)
-    tags = "".join(f'    <script src="{path}"></script>\n' for path in (*scripts, *names.values()))
+    textures: dict[str, tuple[str, str]] = {}
+    for name, spec in compiled.plan.textures.items():
+        textures.setdefault(spec.sha256, (f"data/texture-{len(textures):02d}-{slug(name)}.js", spec.url))
+    tags = "".join(f'    <script src="{path}"></script>\n' for path in (*scripts, *dict(textures.values())))
     yield "index.html", html.replace("    <!-- data -->\n", tags).encode()
-    yield "README.md", _filled(player["README.md"], export).encode()
+    yield "README.md", readme.encode()
     for name in (*PLAYER[2:], *sorted(set(player) - set(PLAYER))):
         yield name, player[name]
-    yield "data/plan.js", (_GLOBAL + "seafoamData.plan = ").encode() + export.compiled.content + b";\n"
-    yield "data/recipe.js", f"{_GLOBAL}seafoamData.recipe = {export.recipe};\n".encode()
-    for sha256, path in names.items():
-        encoded = base64.b64encode(textures[sha256]).decode()
+    yield "data/plan.js", (_GLOBAL + "seafoamData.plan = ").encode() + compiled.content + b";\n"
+    recipe = job.recipe(ANY_RENDERER, compiled.sha256)
+    yield "data/recipe.js", f"{_GLOBAL}seafoamData.recipe = {recipe};\n".encode()
+    for sha256, (path, url) in textures.items():
+        encoded = base64.b64encode(texture(spec_of(url)).data).decode()
         yield path, f'{_GLOBAL}seafoamData.textures["{sha256}"] =\n  "{encoded}";\n'.encode()
-    for index, (name, program) in enumerate(export.compiled.plan.programs.items()):
+    for index, (name, program) in enumerate(compiled.plan.programs.items()):
         yield f"programs/{index:02d}-{slug(name)}.vert.glsl", program.vertex.text.encode()
         yield f"programs/{index:02d}-{slug(name)}.frag.glsl", program.fragment.text.encode()
-    yield "uniforms.json", json.dumps(uniforms(export), indent=1).encode() + b"\n"
+    yield "uniforms.json", json.dumps(uniforms(job, compiled.plan), indent=1).encode() + b"\n"
 
 
 def slug(name: str) -> str:
@@ -115,16 +94,15 @@ def slug(name: str) -> str:
     return re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-") or "unnamed"
 
 
-def uniforms(export: Export) -> list[dict[str, Any]]:
+def uniforms(job: FrameJob, plan: FramePlan) -> list[dict[str, Any]]:
     """Return each pass with the uniforms that its program declares: type, count, and float32 values in this frame."""
     return [
-        {"pass": one.name, "program": one.program, "target": one.target, "uniforms": _values(export, one, index)}
-        for index, one in enumerate(export.compiled.plan.passes)
+        {"pass": one.name, "program": one.program, "target": one.target, "uniforms": _values(job, plan, one, index)}
+        for index, one in enumerate(plan.passes)
     ]
 
 
-def _values(export: Export, one: Pass, index: int) -> dict[str, Any]:
-    plan, job = export.compiled.plan, export.job
+def _values(job: FrameJob, plan: FramePlan, one: Pass, index: int) -> dict[str, Any]:
     width, height = job.width, job.height
     if one.target != "screen":
         width, height = plan.targets[one.target].size.of_picture(width, height)
@@ -140,47 +118,22 @@ def _values(export: Export, one: Pass, index: int) -> dict[str, Any]:
     return values
 
 
-def _filled(template: bytes, export: Export) -> str:
-    """Return a template with the title and the hash of the plan. The title is a preset's, or fixed."""
-    return template.decode().replace("{{title}}", export.title).replace("{{plan}}", export.compiled.sha256)
+def zipped(job: FrameJob, compiled: CompiledPlan, player: dict[str, bytes]) -> bytes:
+    """Return the archive.
 
-
-class _Sink(list[bytes]):
-    """Keeps what is written until it is taken; cannot seek, so the archive is written from front to back."""
-
-    def write(self, data: bytes) -> int:
-        self.append(bytes(data))
-        return len(data)
-
-    def flush(self) -> None:
-        """Nothing is held back."""
-
-    close = flush
-
-    def take(self) -> bytes:
-        content = b"".join(self)
-        self.clear()
-        return content
-
-
-def zipped(entries: Iterable[tuple[str, bytes]]) -> Iterator[bytes]:
-    """Yield the parts of a zip archive with these entries (path, content) in their order.
-
-    Times, permissions and the system are fixed, so the same entries give the same bytes with the same zlib.
+    Times, permissions and the system are fixed, so the same files give the same bytes with the same zlib.
     """
-    sink = _Sink()
-    with zipfile.ZipFile(sink, "w", zipfile.ZIP_DEFLATED, compresslevel=LEVEL) as archive:
-        for path, content in entries:
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w") as archive:
+        for path, content in entries(job, compiled, player):
             entry = zipfile.ZipInfo(path, EPOCH)
-            entry.compress_type = zipfile.ZIP_DEFLATED
             entry.create_system = 3
             entry.external_attr = _REGULAR_FILE << 16
-            archive.writestr(entry, content, compresslevel=LEVEL)
-            yield sink.take()
-    yield sink.take()
+            archive.writestr(entry, content, zipfile.ZIP_DEFLATED, LEVEL)
+    return buffer.getvalue()
 
 
-@router.post("/export", responses=_RESPONSES | problems(413, 415, 422, 501, 503), response_class=StreamingResponse)
+@router.post("/export", responses=_RESPONSES | answers.problems(413, 415, 422, 501, 503), response_class=Response)
 async def export_scene(body: Strict[ExportRequest], context: InContext) -> Response:
     """Pack a scene sent as JSON with its programs, textures, uniforms and a player."""
     known_preset(body.preset)
@@ -188,15 +141,11 @@ async def export_scene(body: Strict[ExportRequest], context: InContext) -> Respo
     compiled = await context.compiled(body.scene, quality)
     camera = body.camera or body.scene.camera
     job = FrameJob(body.scene, quality, body.time, camera, body.width, body.height, "png", body.preset)
-    title = load_preset(body.preset).title if body.preset else "A scene"
-    made = Export(job, compiled, job.recipe(ANY_RENDERER, compiled.sha256), title)
-    player = player_files()
-    # Before the first byte: what fails now is a problem, what fails later only a broken archive.
-    textures = await context.masks.run(texture_bytes, compiled.plan)
+    content = await context.masks.run(zipped, job, compiled, player_files())
     name = f"seafoam-{body.preset or 'scene'}.zip"
     headers = {
         "Content-Disposition": f'attachment; filename="{name}"',
-        "Cache-Control": NO_STORE,
+        "Cache-Control": answers.NO_STORE,
         "Seafoam-Plan": compiled.sha256,
     }
-    return StreamingResponse(zipped(entries(made, textures, player)), headers=headers, media_type="application/zip")
+    return Response(content, headers=headers, media_type="application/zip")

@@ -12,7 +12,7 @@ from starlette.responses import Response
 from seafoam.accuracy.sweep import Subject
 from seafoam.api.context import InContext
 from seafoam.api.frames.plans import ResolvedFrame
-from seafoam.api.frames.respond import FRAME_RESPONSES, answer, resolve_frame, resolved_before, with_quality
+from seafoam.api.frames.respond import FRAME_RESPONSES, answer, answer_as_before, resolve_frame, with_quality
 from seafoam.api.http import answers
 from seafoam.api.http.parameters import (
     FORMATS,
@@ -74,7 +74,7 @@ async def get_plan_frame(
         job = FrameJob(source.scene, source.quality, time, *view, format, None, query.dither, query.precision)
         return await resolve_frame(job, request, {"Cache-Control": answers.IMMUTABLE}, "../..")
 
-    return await answer(await resolved_before(context, request, resolve), request, context)
+    return await answer_as_before(context, request, resolve)
 
 
 @router.get(
@@ -95,9 +95,9 @@ async def get_frame(
         return await resolve_frame(job, request, headers, "../plans")
 
     # Once more is measured, the same request is answered by another quality.
-    known = query.quality != "auto"
-    resolved = await (resolved_before(context, request, resolve) if known else resolve())
-    return await answer(resolved, request, context)
+    if query.quality == "auto":
+        return await answer(await resolve(), request, context)
+    return await answer_as_before(context, request, resolve)
 
 
 @router.post("/frames", responses=_RESPONSES | answers.problems(413, 415, 422, 500, 501, 503, 504))
@@ -129,4 +129,4 @@ async def get_thumbnail(
         job = FrameJob(scene, TIERS["standard"], loaded.time, scene.camera, width, height, format, preset)
         return await resolve_frame(job, request, {"Cache-Control": answers.REVALIDATE}, "../../plans")
 
-    return await answer(await resolved_before(context, request, resolve), request, context, background=True)
+    return await answer_as_before(context, request, resolve, background=True)

@@ -7,7 +7,7 @@ from typing import Literal
 from fastapi import APIRouter
 from prometheus_client import CONTENT_TYPE_LATEST, generate_latest
 from pydantic import BaseModel, Field
-from starlette.responses import JSONResponse, Response
+from starlette.responses import Response
 
 from seafoam.api.context import InContext
 from seafoam.api.http.answers import NO_STORE, TEXT, content, problems
@@ -55,8 +55,8 @@ async def get_health(_: NoParameters, response: Response) -> Alive:
     return Alive()
 
 
-@router.get("/readyz", response_model=Ready, responses=problems(422, 503))
-async def get_readiness(_: NoParameters, context: InContext) -> Response:
+@router.get("/readyz", responses=problems(422, 503))
+async def get_readiness(_: NoParameters, context: InContext, response: Response) -> Ready:
     """Check whether frames are rendered, by the age of the last one, and by which renderer.
 
     An idle renderer draws a test frame every minute. Plans, masks and the page need none.
@@ -72,7 +72,8 @@ async def get_readiness(_: NoParameters, context: InContext) -> Response:
             f"the last frame was drawn {age:.0f} s ago, which is more than {context.settings.ready_age:g} s",
             retry_after=math.ceil(context.settings.canary),
         )
-    ready = Ready(
+    response.headers["Cache-Control"] = NO_STORE
+    return Ready(
         renderer=RendererInfo.model_validate({key: pool.info[key] for key in RendererInfo.model_fields}),
         last_drawn=round(age, 3),
         ready_age=context.settings.ready_age,
@@ -82,7 +83,6 @@ async def get_readiness(_: NoParameters, context: InContext) -> Response:
         queue=pool.queue,
         compiling_ahead=context.ahead is not None and not context.ahead.done(),
     )
-    return JSONResponse(ready.model_dump(), headers={"Cache-Control": NO_STORE})
 
 
 @router.get(

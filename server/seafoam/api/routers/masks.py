@@ -4,7 +4,7 @@ import asyncio
 import json
 import math
 from collections.abc import AsyncIterator, Awaitable, Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache, partial
 from typing import Annotated, Literal, NamedTuple
 
@@ -44,10 +44,6 @@ ENCODERS: dict[MaskFormat, tuple[str, Callable[[Ranks], bytes]]] = {
     "u16": ("application/octet-stream", formats.to_u16),
     "dds": ("image/vnd-ms.dds", formats.to_dds),
 }
-BACKGROUND_SECONDS = 900.0
-"""Expected construction time above which masks are refused in the background, s: more than any takes."""
-SIGMA_STEPS = 200
-"""Number of steps of sigma that are tried to find those that are fast enough."""
 
 
 class CustomMask(Parameters):
@@ -86,11 +82,6 @@ _EVENTS = answers.content(
 )
 
 
-_CUSTOM = answers.NOT_MODIFIED | answers.problems(422, 503)
-_SHIPPED = answers.NOT_MODIFIED | answers.problems(404, 422, 503)
-_DATA = answers.content("Mask data", *(media for media, _ in ENCODERS.values()))
-
-
 def _shipped(name: str) -> Mask:
     try:
         return catalogue.load_mask(name)
@@ -99,39 +90,24 @@ def _shipped(name: str) -> Mask:
 
 
 def check_custom(query: CustomMask, *, slow: bool = False) -> MaskSpec:
-    """Return the mask's parameters; reject what the family does not allow, with the allowed range.
+    """Return the mask's parameters; reject what the family does not allow and, unless ``slow``, what takes too long.
 
-    Unless ``slow``, reject also what would take too long. Raises :class:`BadRequestError`.
+    Raises :class:`BadRequestError`.
     """
-    width, height = query.width or query.size, query.height or query.size
-    tile = f"{width} × {height} texels"
-    least, greatest = families.sigma_range(query.family, min(width, height))
-    if query.sigma is not None and not least <= query.sigma <= greatest:
-        detail = f"sigma: must be {least:g} to {greatest:g} texels for family {query.family} on {tile}"
-        allowed = {"minimum": least, "maximum": greatest}
-        raise BadRequestError(FieldProblem(parameter="sigma", detail=detail, allowed=allowed))
-    if query.family != "lace":
-        only = f"allowed only for family lace, not {query.family}"
-        refused = [
-            FieldProblem(parameter=name, detail=f"{name}: {only}", allowed={"enum": [unset]})
-            for name, unset in (("aspect", 1.0), ("age", 0.0))
-            if getattr(query, name) != unset
-        ]
-        if refused:
-            raise BadRequestError(*refused)
-    made = families.check_parameters(query.family, query.sigma, (width, height), query.seed, query.aspect, query.age)
+    tile = query.width or query.size, query.height or query.size
+    try:
+        made = families.check_parameters(query.family, query.sigma, tile, query.seed, query.aspect, query.age)
+    except ValueError as error:
+        # Its text begins with the argument's name, and has its range.
+        name, _, said = str(error).partition(" ")
+        raise BadRequestError(FieldProblem(parameter=name, detail=f"{name}: {said}")) from None
     seconds = estimated_seconds(made)
-    limit = BACKGROUND_SECONDS if slow else ON_REQUEST_SECONDS
-    if seconds > limit and not catalogue.is_kept(made):
-        steps = (least + (greatest - least) * step / SIGMA_STEPS for step in range(SIGMA_STEPS + 1))
-        quick = [sigma for sigma in steps if estimated_seconds(replace(made, sigma=sigma)) <= limit]
-        bounds = {"minimum": round(quick[0], 2), "maximum": round(quick[-1], 2)} if quick else None
-        within = f"allowed here: sigma {quick[0]:g} to {quick[-1]:g}" if quick else "use a smaller size"
+    if not slow and seconds > ON_REQUEST_SECONDS and not catalogue.is_kept(made):
         detail = (
-            f"sigma: this mask of {tile} takes about {seconds:.0f} s to generate; the limit of a request is "
-            f"{limit:g} s; {within}. GET /api/masks/custom/events generates it in the background"
+            f"sigma: this mask of {made.width} × {made.height} texels takes about {seconds:.0f} s to generate; a "
+            f"request may take {ON_REQUEST_SECONDS:g} s. GET /api/masks/custom/events generates it in the background"
         )
-        raise BadRequestError(FieldProblem(parameter="sigma", detail=detail, allowed=bounds))
+        raise BadRequestError(FieldProblem(parameter="sigma", detail=detail))
     return made
 
 
@@ -160,10 +136,6 @@ class _Making:
         finally:
             self._followed = False
             task.cancel()
-
-
-def _info(mask: Mask) -> bytes:
-    return json.dumps(mask.entry.model_dump()).encode()
 
 
 @lru_cache(maxsize=32)
@@ -197,10 +169,6 @@ def _custom_mask(query: Annotated[CustomMask, Query()], request: Request, contex
 
 def _shipped_mask(mask: MaskName, _: NoParameters, request: Request, context: InContext) -> _MaskAnswer:
     return _MaskAnswer(lambda: _shipped(mask), request, context)
-
-
-Custom = Annotated[_MaskAnswer, Depends(_custom_mask)]
-Shipped = Annotated[_MaskAnswer, Depends(_shipped_mask)]
 
 
 class _MaskPart(NamedTuple):
@@ -242,24 +210,25 @@ _PARTS = (
 )  # fmt: skip
 
 
-# After the mask's own, whose parameters come first.
-def _format(format: MaskFormatPath) -> MaskFormat:
-    return format
-
-
-def _serve_parts(path: str, kind: str, find: Callable[..., _MaskAnswer], responses: answers.Responses) -> None:
-    """Add the routes of data and of :data:`_PARTS` below the address of a kind of mask. find: a dependency."""
+def _serve_parts(path: str, kind: str, find: Callable[..., _MaskAnswer], *problems: int) -> None:
+    """Add the routes of description, data and :data:`_PARTS` at the address of a kind of mask. find: a dependency."""
     prefix = "get_" if kind == "shipped" else "get_custom_"
+    responses = answers.NOT_MODIFIED | answers.problems(422, 503, *problems)
+    add = partial(router.add_api_route, response_class=Response)
 
-    async def data(
-        mask: Annotated[_MaskAnswer, Depends(find)], format: Annotated[MaskFormat, Depends(_format)]
-    ) -> Response:
+    async def info(mask: Annotated[_MaskAnswer, Depends(find)]) -> Response:
+        return await mask.answer(lambda mask: json.dumps(mask.entry.model_dump()).encode(), "application/json")
+
+    said = f"Get the description of a {kind} mask: size, family, sigma, seed, hash and construction."
+    add(path, info, name=f"{prefix}mask", description=said, responses=responses | {200: {"model": MaskInfo}})
+
+    async def data(mask: Annotated[_MaskAnswer, Depends(find)], format: MaskFormatPath) -> Response:
         media_type, encoder = ENCODERS[format]
         return await mask.answer(lambda mask: encoder(mask.ranks), media_type, f".{format}")
 
+    described = answers.content("Mask data", *(media for media, _ in ENCODERS.values())) | responses
     said = f"Get the data of a {kind} mask."
-    add = partial(router.add_api_route, response_class=Response)
-    add(f"{path}/data.{{format}}", data, name=f"{prefix}data", description=said, responses=_DATA | responses)
+    add(f"{path}/data.{{format}}", data, name=f"{prefix}data", description=said, responses=described)
 
     def answering(part: _MaskPart, media_type: str) -> Callable[..., Awaitable[Response]]:
         async def answer(mask: Annotated[_MaskAnswer, Depends(find)]) -> Response:
@@ -270,7 +239,7 @@ def _serve_parts(path: str, kind: str, find: Callable[..., _MaskAnswer], respons
     for part in _PARTS:
         plain = not part.below.endswith(".png")
         media_type, body = ("application/json", {}) if plain else ("image/png", {"schema": answers.BINARY})
-        described: answers.Responses = {200: {"description": part.description, "content": {media_type: body}}}
+        described = {200: {"description": part.description, "content": {media_type: body}}}
         add(
             f"{path}/{part.below}",
             answering(part, media_type),
@@ -284,12 +253,6 @@ def _serve_parts(path: str, kind: str, find: Callable[..., _MaskAnswer], respons
 async def list_masks(_: NoParameters) -> list[MaskInfo]:
     """List the shipped masks."""
     return list(load_catalogue().values())
-
-
-@router.get("/masks/custom", responses=answers.problems(422, 503) | {200: {"model": MaskInfo}}, response_class=Response)
-async def get_custom_mask(mask: Custom) -> Response:
-    """Generate a custom mask and get its description. Its data is below this path, with the same parameters."""
-    return await mask.answer(_info, "application/json")
 
 
 @router.get("/masks/custom/events", responses=_EVENTS | answers.problems(422, 503), response_class=StreamingResponse)
@@ -307,15 +270,5 @@ async def get_custom_events(query: Annotated[CustomMask, Query()], context: InCo
     return answers.events_of(making.events(task))
 
 
-_serve_parts("/masks/custom", "custom", _custom_mask, _CUSTOM)
-
-
-@router.get(
-    "/masks/{mask}", responses=answers.problems(404, 422, 503) | {200: {"model": MaskInfo}}, response_class=Response
-)
-async def get_mask(mask: Shipped) -> Response:
-    """Get the description of a shipped mask: size, family, sigma, seed, hash and construction."""
-    return await mask.answer(_info, "application/json")
-
-
-_serve_parts("/masks/{mask}", "shipped", _shipped_mask, _SHIPPED)
+_serve_parts("/masks/custom", "custom", _custom_mask)
+_serve_parts("/masks/{mask}", "shipped", _shipped_mask, 404)

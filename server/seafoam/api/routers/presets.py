@@ -1,29 +1,33 @@
 """Scenes and qualities.
 
 ``/api/presets``: the named scenes. ``/api/quality``: tiers and settings. ``/api/schema``: the JSON schemas of both.
-``/api/scenes``: scenes checked and completed.
+``/api/scenes``: scenes checked and completed. ``/api/plans``: scenes compiled for an executor to run.
 """
 
 import json
 import re
-from functools import cache
 from threading import Lock
-from typing import Any
+from typing import Annotated, Any
 
-from fastapi import APIRouter, Request
+from fastapi import APIRouter, Query, Request
 from pydantic import BaseModel, Field
+from starlette.responses import Response
 
 from seafoam.accuracy.model import ParameterInfo
 from seafoam.accuracy.points import every_parameter
 from seafoam.api.context import InContext, ThreadPool
-from seafoam.api.frames.plans import compile_scene
+from seafoam.api.frames.plans import CompiledPlan, compile_scene
+from seafoam.api.http import answers
 from seafoam.api.http.answers import problems
+from seafoam.api.http.parameters import PlanParameters, PlanRequest, quality_of
 from seafoam.api.http.validation import NoParameters, PresetName, Strict, find_preset
 from seafoam.described import Described
+from seafoam.framegraph.plan import FramePlan
 from seafoam.quality import TIERS, Quality, Tier
 from seafoam.scene import Group, Scene, load_preset, preset_names
 
 router = APIRouter(prefix="/api", tags=["presets"])
+plans = APIRouter(prefix="/api", tags=["plans"], default_response_class=Response)
 
 
 class PresetSummary(BaseModel):
@@ -52,29 +56,26 @@ class QualityTiers(BaseModel):
     measured: list[ParameterInfo] = Field(description="Title, owner and measured values of each setting")
 
 
+_summaries: dict[str, PresetSummary] = {}
 _one_at_a_time = Lock()
 
 
 def _summary(name: str) -> PresetSummary:
-    """Return a preset's list entry. Raises ``KeyError``."""
+    """Return a preset's list entry, kept, because its effects require a plan. Raises ``KeyError``."""
     # A list that is asked for while presets are still planned waits for these plans, and does not make them again.
     with _one_at_a_time:
-        return _made_summary(name)
+        if name not in _summaries:
+            preset = load_preset(name)
+            effects = [effect.name for effect in compile_scene(preset.scene, TIERS["standard"]).plan.effects]
+            own = preset.model_dump(include=set(PresetSummary.model_fields))
+            _summaries[name] = PresetSummary(**own, effects=effects)
+        return _summaries[name]
 
 
-@cache
-def _made_summary(name: str) -> PresetSummary:
-    """A preset's list entry, cached, because its effects require a plan."""
-    preset = load_preset(name)
-    compiled = compile_scene(preset.scene, TIERS["standard"])
-    effects = [effect.name for effect in compiled.plan.effects]
-    return PresetSummary(**preset.model_dump(include=set(PresetSummary.model_fields)), effects=effects)
-
-
-async def warm(plans: ThreadPool) -> None:
+async def warm(threads: ThreadPool) -> None:
     """Plan every preset once, so that the first list request is fast; one at a time, so as not to delay others."""
     for name in preset_names():
-        await plans.run(_summary, name)
+        await threads.run(_summary, name)
 
 
 @router.get("/presets", responses=problems(422, 503))
@@ -136,3 +137,40 @@ async def complete_scene(scene: Strict[Scene], context: InContext) -> Scene:
     """Check a scene sent as JSON, and return it with the default of every absent field."""
     await context.compiled(scene, TIERS["standard"])
     return scene
+
+
+_PLAN_HEADERS = {
+    "ETag": "Quoted SHA-256 of the plan, weak where the answer is compressed",
+    "Seafoam-Plan": "SHA-256 of the plan",
+}
+_PLAN: answers.Responses = {
+    200: {
+        "model": FramePlan,
+        "description": "The frame plan; the same scene and quality give the same bytes",
+        "headers": answers.headers_of(_PLAN_HEADERS),
+    }
+}
+
+
+@plans.get("/plans/{preset}", responses=_PLAN | answers.NOT_MODIFIED | problems(404, 422, 501, 503))
+async def get_plan(
+    preset: PresetName, query: Annotated[PlanParameters, Query()], request: Request, context: InContext
+) -> Response:
+    """Get the frame plan of a preset."""
+    scene = query.apply(find_preset(preset).scene)
+    compiled = await context.addressed(scene, TIERS[query.quality])
+    headers = {"Cache-Control": answers.REVALIDATE, "Seafoam-Plan": compiled.sha256}
+    return answers.not_modified(request, f'"{compiled.sha256}"', headers) or _plan(compiled, headers)
+
+
+@plans.post("/plans", responses=_PLAN | problems(413, 415, 422, 501, 503))
+async def make_plan(body: Strict[PlanRequest], context: InContext) -> Response:
+    """Compile a scene sent as JSON into a frame plan."""
+    quality = quality_of(body.quality)
+    compiled = await context.addressed(body.scene, quality)
+    return _plan(compiled, {"Cache-Control": answers.NO_STORE, "Seafoam-Plan": compiled.sha256})
+
+
+def _plan(compiled: CompiledPlan, headers: dict[str, str]) -> Response:
+    tagged = {"ETag": f'"{compiled.sha256}"', **headers}
+    return Response(compiled.content, headers=tagged, media_type="application/json")

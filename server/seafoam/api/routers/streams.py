@@ -1,7 +1,7 @@
 """``/api/streams``: frames in motion, for pages that do not draw themselves."""
 
 import asyncio
-from typing import Annotated, Any
+from typing import Annotated
 
 from fastapi import APIRouter, Path, Query, Request, Response
 from pydantic import Field
@@ -21,8 +21,6 @@ from seafoam.render.service.queues import Ticket
 
 router = APIRouter(prefix="/api/streams", tags=["frames"])
 
-NO_STREAMS_RETRY = 60
-"""Retry-After of a server that gives no streams, s."""
 LATE_FRAMES = 3
 """Frames in a row that may miss their deadline, as while programs are compiled: after them each is an error."""
 _FRAME = content("The frame, lossy, without recipe", "image/jpeg") | {
@@ -36,8 +34,6 @@ class StreamState(Described):
 
     limit: int = Field(description="Number of streams at once")
     open: int = Field(description="Number of streams that are open")
-    megapixels_per_second: float | None
-    """What this server draws and encodes for streams, of late; null: nothing yet"""
 
 
 class OpenStream(StreamState):
@@ -49,8 +45,8 @@ class OpenStream(StreamState):
 
 @router.get("", responses=problems(422))
 async def get_streams(_: NoParameters, context: InContext) -> StreamState:
-    """Get how many streams there are and may be, and how fast this server draws them."""
-    return StreamState(**_state(context))
+    """Get how many streams there are and may be."""
+    return StreamState(limit=context.streams.limit, open=len(context.streams))
 
 
 @router.post("", status_code=201, responses=problems(413, 415, 422, 501, 503))
@@ -63,11 +59,9 @@ async def open_stream(body: Strict[PlanRequest], response: Response, context: In
     # Before the scene is planned, too: a crowd that is refused costs little.
     stream = streams.open(body.scene, await _planned(body, context)) if len(streams) < streams.limit else None
     if stream is None:
-        if streams.limit == 0:
-            raise StreamsFullError("this server gives no streams", NO_STREAMS_RETRY)
         raise StreamsFullError(f"all {streams.limit} streams are taken", streams.retry_after)
     response.headers["Location"] = f"streams/{stream.id}"
-    return OpenStream(id=stream.id, lease=LEASE_SECONDS, **_state(context))
+    return OpenStream(id=stream.id, lease=LEASE_SECONDS, limit=streams.limit, open=len(streams))
 
 
 @router.put("/{stream}", status_code=204, responses=problems(404, 413, 415, 422, 501, 503))
@@ -110,7 +104,6 @@ async def get_stream_frame(
         return Response(status_code=CLIENT_CLOSED_REQUEST)
     found.late = 0
     context.metrics.count_frame(frame, "jpeg")
-    context.streams.drawn(query.width * query.height, sum(frame.timings.values()) - frame.timings["queue"])
     headers = {"Cache-Control": NO_STORE, "Server-Timing": server_timing(frame)}
     return Response(frame.content, headers=headers, media_type="image/jpeg")
 
@@ -138,12 +131,3 @@ def _find(stream: str, context: Context) -> Stream:
     if found is None:
         raise NotFoundError("the stream has ended: open another", "stream")
     return found
-
-
-def _state(context: Context) -> dict[str, Any]:
-    seconds = context.streams.seconds_per_megapixel
-    return {
-        "limit": context.streams.limit,
-        "open": len(context.streams),
-        "megapixels_per_second": None if not seconds else round(1.0 / seconds, 3),
-    }

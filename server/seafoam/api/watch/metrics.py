@@ -17,9 +17,9 @@ from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import Receive, Scope, Send
 
 from seafoam.api.frames.streams import is_frame
-from seafoam.api.http.asgi import CountingSend, HttpMiddleware, altering
+from seafoam.api.http.middleware import CountingSend, HttpMiddleware, altering
 from seafoam.api.watch.logs import PROBES, REQUEST_ID, SANE, log, request_id, too_many
-from seafoam.extras import UnableError, require
+from seafoam.extras import require
 from seafoam.render.service.frame_cache import FrameCache
 from seafoam.render.service.jobs import EncodedFrame, Origin
 from seafoam.render.service.pool import RenderPool, State
@@ -43,7 +43,6 @@ class Metrics(Collector):
         self.requests = counter("seafoam_requests", "Requests answered", ("method", "route", "status"))
         duration = "Time from the start of a request to the last byte of its response"
         self.durations = histogram("seafoam_request_duration_seconds", duration, ("method", "route"))
-        self.sent = counter("seafoam_response_bytes", "Bytes of response bodies", ("route",))
         self.frames = counter("seafoam_frames", "Frames rendered", ("format",))
         stages = "Time per frame and stage: queue, plan, render, read, encode"
         self.stages = histogram("seafoam_frame_stage_seconds", stages, ("stage",))
@@ -101,7 +100,7 @@ class WatchRequests(HttpMiddleware):
         began = time.perf_counter()
         sent = CountingSend(send)
 
-        def mark(_: int, headers: MutableHeaders) -> None:
+        def mark(headers: MutableHeaders) -> None:
             headers[REQUEST_ID] = identity
 
         try:
@@ -112,7 +111,6 @@ class WatchRequests(HttpMiddleware):
             route = getattr(scope.get("route"), "path_format", "(page)")
             self.metrics.requests.labels(method, route, str(sent.status)).inc()
             self.metrics.durations.labels(method, route).observe(seconds)
-            self.metrics.sent.labels(route).inc(sent.bytes)
             if self.logged and not too_many(scope["path"], sent.status):
                 client = scope["state"].get("client") or (scope.get("client") or ("",))[0]
                 fields = {"method": method, "route": route, "path": scope["path"], "status": sent.status}
@@ -122,29 +120,6 @@ class WatchRequests(HttpMiddleware):
 
 NO_TELEMETRY: TelemetryConfig = {"tracing": False, "metrics": False, "logs": False, "auto_configure": False}
 _ENDPOINTS = ("OTEL_EXPORTER_OTLP_TRACES_ENDPOINT", "OTEL_EXPORTER_OTLP_ENDPOINT")
-_PROTOCOLS = ("OTEL_EXPORTER_OTLP_TRACES_PROTOCOL", "OTEL_EXPORTER_OTLP_PROTOCOL")
-_PROTOCOL = "http/protobuf"
-
-
-class UnsupportedTelemetryError(UnableError):
-    """A variable asks for what is not supported."""
-
-
-def configured(environment: Mapping[str, str] = os.environ) -> bool:
-    """Whether an OTLP endpoint is named, and neither the SDK nor the exporter of traces is switched off.
-
-    Raises :class:`UnsupportedTelemetryError` for another exporter or protocol than OTLP over HTTP.
-    """
-    exporter = environment.get("OTEL_TRACES_EXPORTER") or "otlp"
-    off = environment.get("OTEL_SDK_DISABLED", "").lower() == "true" or exporter == "none"
-    if off or not any(environment.get(name) for name in _ENDPOINTS):
-        return False
-    if exporter != "otlp":
-        raise UnsupportedTelemetryError(f"OTEL_TRACES_EXPORTER: must be otlp or none, not {exporter!r}")
-    for name in _PROTOCOLS:
-        if (protocol := environment.get(name) or _PROTOCOL) != _PROTOCOL:
-            raise UnsupportedTelemetryError(f"{name}: must be {_PROTOCOL}, not {protocol!r}")
-    return True
 
 
 class Traces:
@@ -157,18 +132,14 @@ class Traces:
 
     def __init__(self, exporter: "SpanExporter | None" = None) -> None:
         from opentelemetry.exporter.otlp.proto.http.trace_exporter import OTLPSpanExporter
-        from opentelemetry.sdk.resources import SERVICE_NAME, SERVICE_VERSION, Resource
+        from opentelemetry.sdk.resources import SERVICE_NAME, SERVICE_VERSION, OTELResourceDetector, Resource
         from opentelemetry.sdk.trace import TracerProvider
         from opentelemetry.sdk.trace.export import BatchSpanProcessor
 
-        attributes = {SERVICE_VERSION: version("seafoam")}
-        # Given here, it would precede the environment's.
-        if not os.environ.get("OTEL_SERVICE_NAME") and SERVICE_NAME not in os.environ.get(
-            "OTEL_RESOURCE_ATTRIBUTES", ""
-        ):
-            attributes[SERVICE_NAME] = "seafoam"
+        own = Resource.create({SERVICE_NAME: "seafoam", SERVICE_VERSION: version("seafoam")})
+        resource = own.merge(OTELResourceDetector().detect())  # the environment's precede
         # Provider and exporter are closed with the application, not at the end of the process.
-        self._provider = TracerProvider(resource=Resource.create(attributes), shutdown_on_exit=False)
+        self._provider = TracerProvider(resource=resource, shutdown_on_exit=False)
         self._provider.add_span_processor(BatchSpanProcessor(exporter or OTLPSpanExporter()))
         self._tracer = self._provider.get_tracer("seafoam", version("seafoam"))
 
@@ -199,11 +170,12 @@ class Traces:
 
 
 def traces() -> Traces | None:
-    """Return where spans go, None if nothing asks for them.
+    """Return where spans go; None where no OTLP endpoint is named, or SDK or exporter is switched off.
 
-    Raises :class:`~seafoam.extras.MissingExtraError` without the extra ``telemetry``, and what :func:`configured` does.
+    Raises :class:`~seafoam.extras.MissingExtraError` without the extra ``telemetry``.
     """
-    if not configured():
+    off = os.environ.get("OTEL_SDK_DISABLED", "").lower() == "true" or os.environ.get("OTEL_TRACES_EXPORTER") == "none"
+    if off or not any(map(os.environ.get, _ENDPOINTS)):
         return None
     require("telemetry")
     return Traces()

@@ -6,9 +6,6 @@ import time
 import numpy as np
 import pytest
 
-from seafoam.accuracy.cache import Store
-from seafoam.accuracy.sweep import SweepSettings
-from seafoam.accuracy.sweep_service import SweepService
 from seafoam.quality import TIERS
 from seafoam.scene import load_preset
 from support.serving import problem, serving
@@ -112,13 +109,3 @@ def test_a_server_keeps_what_is_finished_and_stops_in_the_middle_of_a_measuremen
         assert client.get(URL).status_code == 202
         time.sleep(0.5)
     assert not (tmp_path / "truth").exists(), "it waited for the measurement"
-
-
-def test_without_gl_there_is_truth_but_no_time(without_gl, monkeypatch, tmp_path):
-    own = SweepService(Store(tmp_path), SweepSettings(*SMALL.values()), without_gl.app.state.context.sweeps._rig)
-    monkeypatch.setattr(without_gl.app.state.context, "sweeps", own)
-    assert without_gl.get(f"{URL}/points").status_code == 200
-    assert without_gl.get(URL).status_code == 503
-    assert without_gl.get(URL).json()["remedy"]
-    assert eventually(lambda: without_gl.get(f"{URL}/truth.npy"))[-1].status_code == 200
-    own.stop()

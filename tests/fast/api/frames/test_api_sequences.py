@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from PIL import Image
 from starlette.testclient import TestClient
 
 from support.api_fakes import RAISE, FakeRenderer
@@ -93,16 +92,6 @@ def test_from_the_request_to_the_file(client: TestClient, described: Any) -> Non
     for known in ({"If-None-Match": f'"x", {tag}'}, {"If-Modified-Since": date}):
         assert client.get(f"/api/sequences/{begun['id']}/file", headers=known).status_code == 304
     assert start(client) == status
-
-
-def test_animations_and_videos(client: TestClient) -> None:
-    files = {}
-    for format in ("webp", "mp4"):
-        name = start(client, format=format)["id"]
-        assert events(client, name)[-1]["status"] == "done"
-        files[format] = client.get(f"/api/sequences/{name}/file")
-    assert Image.open(io.BytesIO(files["webp"].content)).n_frames == 6
-    assert (files["mp4"].headers["content-type"], files["mp4"].content[4:8]) == ("video/mp4", b"ftyp")
 
 
 def test_it_goes_on_after_a_restart(tmp_path: Path) -> None:

@@ -1,7 +1,6 @@
 """Streams of frames: who gets one, which frames are drawn and which given up, and what the rest of the server keeps."""
 
 import asyncio
-import os
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
@@ -13,7 +12,6 @@ from starlette.testclient import TestClient
 
 from seafoam.api.frames.streams import FRAMES_AT_ONCE, IDLE_SECONDS, LEASE_SECONDS, RETRY_SECONDS, Stream, Streams
 from seafoam.api.routers.streams import LATE_FRAMES
-from seafoam.api.settings import Settings
 from seafoam.quality import TIERS
 from seafoam.render.service.errors import DeadlineError
 from seafoam.render.service.queues import Ticket
@@ -75,8 +73,7 @@ def test_a_stream_is_opened_shown_and_ended_which_is_told_and_may_be_done_again(
     drawn(streaming, state["id"])
     assert streaming.delete(f"/api/streams/{state['id']}").status_code == 204
     after = streaming.get("/api/streams").json()
-    assert (after["limit"], after["open"]) == (2, 0)
-    assert after["megapixels_per_second"] > 0.0
+    assert after == {"limit": 2, "open": 0}
     id = opened(streaming)
     for _ in range(2):
         assert streaming.delete(f"/api/streams/{id}").status_code == 204
@@ -106,7 +103,7 @@ def test_where_all_are_taken_the_answer_says_when_to_ask_again_and_nothing_is_pl
 ) -> None:
     first, _ = opened(streaming), opened(streaming)
     refused = streaming.post("/api/streams", json=FAST)
-    assert "all 2 streams" in problem(refused, 503)["detail"]
+    assert problem(refused, 503)["type"] == "urn:seafoam:problem:streams-full"
     assert 1 <= int(refused.headers["Retry-After"]) <= RETRY_SECONDS
     streaming.delete(f"/api/streams/{first}")
     first = opened(streaming)
@@ -114,28 +111,6 @@ def test_where_all_are_taken_the_answer_says_when_to_ask_again_and_nothing_is_pl
     assert streaming.post("/api/streams", json=FAST).status_code == 503
     streaming.delete(f"/api/streams/{first}")
     assert streaming.post("/api/streams", json=FAST).status_code == 500
-
-
-def test_of_twenty_at_once_two_get_a_stream_and_the_others_know_it(streaming, context) -> None:
-    with ThreadPoolExecutor(20) as threads:
-        answers = list(threads.map(lambda _: streaming.post("/api/streams", json=FAST), range(20)))
-    given = [answer for answer in answers if answer.status_code == 201]
-    assert len({answer.json()["id"] for answer in given}) == 2
-    refused = [problem(answer, 503)["type"] for answer in answers if answer not in given]
-    assert refused == ["urn:seafoam:problem:streams-full"] * 18
-
-
-def test_a_server_has_the_number_of_streams_that_is_set_or_that_of_the_cores(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.delenv("SEAFOAM_STREAMS", raising=False)
-    assert Settings().streams == os.cpu_count()
-    monkeypatch.setenv("SEAFOAM_STREAMS", "7")
-    assert Settings().streams == 7
-    client = answering()
-    client.app.state.context.streams.limit = 0
-    refused = client.post("/api/streams", json=FAST)
-    assert problem(refused, 503)["detail"] == "this server gives no streams"
-    assert int(refused.headers["Retry-After"]) >= LEASE_SECONDS
-    assert client.get("/api/streams").json() == {"limit": 0, "open": 0, "megapixels_per_second": None}
 
 
 # Leases
@@ -164,19 +139,6 @@ def test_a_stream_that_is_not_asked_ends_and_its_place_is_free() -> None:
     ids = {stream_of(Streams(1)).id for _ in range(100)} | {stream.id, stream_of(streams).id}
     assert len(ids) == 102
     assert min(map(len, ids)) >= 16
-
-
-async def test_a_frame_that_takes_longer_than_the_lease_keeps_its_stream() -> None:
-    clock = Clock()
-    streams = Streams(1, clock)
-    stream = stream_of(streams)
-    async with stream.place(Ticket(stream=True), lambda ticket: False):
-        clock.now += 5 * LEASE_SECONDS
-        assert (len(streams), streams.retry_after) == (1, RETRY_SECONDS)
-    streams.renew(stream)
-    for seconds, left in ((LEASE_SECONDS - 1.0, 1), (2.0, 0)):
-        clock.now += seconds
-        assert len(streams) == left
 
 
 def test_a_late_frame_does_not_end_its_stream_and_where_none_comes_it_is_said(streaming, context, monkeypatch) -> None:
@@ -229,9 +191,6 @@ def test_a_size_beyond_the_limits_is_refused_before_it_is_drawn() -> None:
         (error,) = told["errors"]
         assert told["type"] == "urn:seafoam:problem:frame-too-large"
         assert (error["parameter"], error["allowed"]) == (parameter, {"minimum": 1, "maximum": most})
-    described = client.get("/openapi.json").json()["paths"]["/api/streams/{stream}/frame.jpg"]["get"]
-    sides = [each["schema"]["maximum"] for each in described["parameters"] if each["name"] in SMALL]
-    assert sides == [64, 64]
 
 
 # Which frames are drawn

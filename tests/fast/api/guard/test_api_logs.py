@@ -18,7 +18,7 @@ from starlette.testclient import TestClient
 from seafoam.api.frames.plans import ResolvedFrame
 from seafoam.api.frames.respond import answer
 from seafoam.api.watch import logs, metrics
-from seafoam.api.watch.metrics import Traces, UnsupportedTelemetryError, configured
+from seafoam.api.watch.metrics import Traces
 from seafoam.extras import MissingExtraError
 from seafoam.render.service.jobs import EncodedFrame, Origin
 from support.command import imported
@@ -98,27 +98,6 @@ def test_frames_of_streams_are_logged_if_they_are_refused(monkeypatch: pytest.Mo
     assert [(line["path"], line["status"]) for line in logged()] == [(path, 422), ("/api/streams", 204)]
 
 
-def test_an_exception_is_part_of_its_line() -> None:
-    try:
-        raise ValueError("two\nlines")
-    except ValueError as error:
-        record = logging.LogRecord("x", logging.ERROR, "", 0, "failed: %s", ("it",), (type(error), error, None))
-    line = json.loads(logs.JsonLines().format(record))
-    assert (line["message"], line["level"]) == ("failed: it", "error")
-    assert "ValueError: two\nlines" in line["exception"]
-
-
-def test_json_replaces_uvicorns_own_log_and_as_text_uvicorn_writes_the_lines(
-    monkeypatch: pytest.MonkeyPatch, logged: Logged
-) -> None:
-    made: dict[str, object] = {}
-    monkeypatch.setattr(logging, "basicConfig", lambda **options: made.update(options))
-    assert logs.configure("json") == {"log_config": None, "access_log": False}
-    assert isinstance(made["handlers"][0].formatter, logs.JsonLines)
-    answering().get("/api/quality")
-    assert logged() == []
-
-
 ENDPOINT = {"OTEL_EXPORTER_OTLP_ENDPOINT": "http://127.0.0.1:4318"}
 PARENT = "00-0af7651916cd43dd8448eb211c80319c-b7ad6b7169203331-01"
 
@@ -137,16 +116,17 @@ def traces(monkeypatch: pytest.MonkeyPatch, exporter: InMemorySpanExporter) -> I
     made.close()
 
 
-def test_the_standard_variables_switch_it_on_and_what_is_not_supported_is_refused() -> None:
-    otlp = {"OTEL_TRACES_EXPORTER": "otlp", "OTEL_EXPORTER_OTLP_PROTOCOL": "http/protobuf"}
-    for on in (ENDPOINT, {"OTEL_EXPORTER_OTLP_TRACES_ENDPOINT": "http://a/v1/traces"}, ENDPOINT | otlp):
-        assert configured(on), on
+def test_the_standard_variables_switch_it_on(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(metrics, "Traces", lambda: "on")
     none = {"OTEL_TRACES_EXPORTER": "none"}
-    for off in ({}, {"OTEL_SERVICE_NAME": "sea"}, ENDPOINT | {"OTEL_SDK_DISABLED": "true"}, ENDPOINT | none):
-        assert not configured(off), off
-    for name, value in (("OTEL_TRACES_EXPORTER", "console"), ("OTEL_EXPORTER_OTLP_PROTOCOL", "grpc")):
-        with pytest.raises(UnsupportedTelemetryError, match=rf"{name}: must be .*, not '{value}'"):
-            configured({**ENDPOINT, name: value})
+    for variables, on in (
+        (ENDPOINT, True), ({"OTEL_EXPORTER_OTLP_TRACES_ENDPOINT": "http://a/v1/traces"}, True),
+        ({}, False), (ENDPOINT | {"OTEL_SDK_DISABLED": "true"}, False), (ENDPOINT | none, False),
+    ):  # fmt: skip
+        with monkeypatch.context() as patched:
+            for name, value in variables.items():
+                patched.setenv(name, value)
+            assert (metrics.traces() == "on") is on, variables
 
 
 def test_without_the_packages_the_error_names_them(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -3,7 +3,6 @@
 import json
 import os
 import re
-import shlex
 import shutil
 import signal
 import subprocess
@@ -153,13 +152,6 @@ def test_the_proxy_knows_the_servers_paths(paths: set[str]) -> None:
             assert any(path == place if kind else path.startswith(place) for path in paths), place
 
 
-def test_streams_go_to_the_renderers_that_all_else_goes_to() -> None:
-    upstreams = dict(re.findall(r"upstream (\w+) \{(.*?)\}", text("nginx.conf"), re.DOTALL))
-    renderers, streams = (re.findall(r"server (\S+);", upstreams[name]) for name in ("renderers", "streams"))
-    assert renderers == streams
-    assert "ip_hash;" in upstreams["streams"]
-
-
 def test_the_proxy_knows_the_servers_headers_and_limits(compose: Any) -> None:
     conf = text("nginx.conf")
     assert set(re.findall(r"proxy_hide_header (\S+);", conf)) <= set(READABLE_ELSEWHERE)
@@ -196,15 +188,6 @@ def test_the_container_is_not_root_writes_where_it_may_and_trusts_the_proxy_alon
     (network,) = compose["networks"]["inside"]["ipam"]["config"]
     assert variables("compose.yaml")["TRUSTED_PROXIES"] == network["subnet"]
     assert "ports" not in compose["services"]["seafoam"]
-
-
-def test_the_image_holds_the_locked_packages() -> None:
-    (command,) = re.findall(r"uv pip compile ((?:.|\n)*?) \\\n &&", text("Dockerfile"))
-    words = shlex.split(command.replace("\\\n", " "))
-    assert words[words.index("--constraint") + 1] == "requirements.lock"
-    extras = {words[place + 1] for place, word in enumerate(words) if word == "--extra"}
-    project = (DEPLOY.parents[1] / "pyproject.toml").read_text(encoding="utf-8")
-    assert all(re.search(rf"(?m)^{extra} = \[", project) for extra in extras)
 
 
 @pytest.mark.skipif(shutil.which("systemd-analyze") is None, reason="systemd-analyze is not installed")

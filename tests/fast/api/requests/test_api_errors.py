@@ -29,33 +29,28 @@ def one_of(*values):
 
 
 SIDE, TIME, FOV, PLACE = between(1, 4096), between(-1e9, 1e9), between(0.01, 2.6), between(-1e7, 1e7)
+WHOLE = between(1, 16384)
 QUALITIES = one_of("fast", "standard", "high", "reference", "auto")
 FORMATS = one_of("png", "webp", "exr", "npy")
 PARAMETERS = [
-    (f"{FRAME}?width=0", "width", SIDE), (f"{FRAME}?width=4097", "width", SIDE), (f"{FRAME}?width=1.5", "width", SIDE),
+    (f"{FRAME}?width=0", "width", WHOLE), (f"{FRAME}?width=4097", "width", SIDE),
     (f"{FRAME}?time=1000000001", "time", TIME), (f"{FRAME}?time=nan", "time", TIME),
-    (f"{FRAME}?time=soon", "time", TIME), (f"{FRAME}?quality=best", "quality", QUALITIES),
-    (f"{FRAME}?y=-2000", "y", between(-1000.0, 1e5)), (f"{FRAME}?fov=3", "fov", FOV),
+    (f"{FRAME}?quality=best", "quality", QUALITIES), (f"{FRAME}?y=-2000", "y", between(-1000.0, 1e5)),
+    ("/api/frames/lake-calm.png?look=halftone", "look", "no foam"),
     (f"{FRAME}?dither=maybe", "dither", {"type": "boolean"}),
     (f"{FRAME}?precision=double", "precision", one_of("half", "float")), (f"{FRAME}?mask=zzz", "mask", None),
     (f"{FRAME}?mask=clump:2:1024:1", "mask", "32, 64, 128, 256, 512 texels"),
-    ("/api/plans/default?mask=zzz", "mask", None), ("/api/frames/default.gif", "format", FORMATS),
+    ("/api/frames/default.gif", "format", FORMATS),
     ("/api/presets/default/thumbnail.png?width=2000", "width", between(16, 640)),
-    (f"{CUSTOM}?family=vac&size=64&sigma=9", "sigma", between(0.5, 8.0)),
+    (f"{CUSTOM}?family=vac&size=64&sigma=9", "sigma", "0.5..8"),
     (f"{CUSTOM}?family=veil", "family", one_of("vac", "blur", "clump", "bubble", "mix", "lace")),
-    (f"{CUSTOM}?family=lace&sigma=3", "sigma", between(4.0, 24.0)),
-    (f"{CUSTOM}?family=lace&age=1.5", "age", between(0.0, 1.0)),
-    (f"{CUSTOM}?family=vac&aspect=2", "aspect", one_of(1.0)),
+    (f"{CUSTOM}?family=vac&aspect=2", "aspect", "only for lace"),
     (f"{CUSTOM}?family=vac&seed=-1", "seed", between(0, 2**32 - 1)),
     (f"/api/plans/{'0' * 63}/frames/1.png?{VIEW}", "plan", None), (f"{PLANNED}/2e9.png?{VIEW}", "time", TIME),
-    (f"{PLANNED}/noon.png?{VIEW}", "time", TIME), (f"{PLANNED}/1.png?width=8&height=8&{WHERE}", "fov", FOV),
-    (f"{STREAMED}?time=1&width=0&height=8&{WHERE}&fov=1", "width", SIDE), (f"{STREAMED}?time=2e9&{VIEW}", "time", TIME),
+    (f"{PLANNED}/1.png?width=8&height=8&{WHERE}", "fov", FOV),
     (f"{STREAMED}?time=1&width=8&height=8&{WHERE.replace('x=0', 'x=1e8')}&fov=1", "x", PLACE),
-    (f"{STREAMED}?time=1&width=8&height=8&{WHERE}", "fov", FOV),
     (f"{STREAMED}?time=1&{VIEW}&format=png", "format", "pitch"),
-    *((f"{url}?widht=3", "widht", None) for url in ("/api/presets", "/healthz", "/metrics", "/api/masks/vac-6")),
-    (f"{FRAME}?widht=3", "widht", "width"), ("/api/plans/default?widht=3", "widht", None),
-    (f"{FRAME}?width=8&width=9", "width", None),
+    ("/healthz?widht=3", "widht", None), (f"{FRAME}?widht=3", "widht", "width"),
 ]  # fmt: skip
 FRAMES, SEQUENCES, EXPORT = "/api/frames", "/api/sequences", "/api/export"
 BASES = {
@@ -67,42 +62,30 @@ BASES = {
 }
 """A body that is taken, by path."""
 MEMBERS = [
-    (FRAMES, {"width": 0}, "/width", SIDE), (FRAMES, {"width": "64"}, "/width", SIDE),
-    (FRAMES, {"width": True}, "/width", SIDE), (FRAMES, {"time": 2e9}, "/time", TIME),
+    (FRAMES, {"width": 5000}, "/width", SIDE), (FRAMES, {"width": "64"}, "/width", WHOLE),
+    (FRAMES, {"width": True}, "/width", WHOLE), (FRAMES, {"time": 2e9}, "/time", TIME),
     (FRAMES, {"preset": "atlantis"}, "/preset", "default"), (FRAMES, {"quality": "best"}, "/quality", QUALITIES),
     (FRAMES, {"quality": {"samples": 5}}, "/quality/samples", one_of(1, 4, 9, 16, 25, 36, 49, 64)),
     (FRAMES, {"quality": {"samples_max": True}}, "/quality/samples_max", one_of(1, 4, 16)),
-    (FRAMES, {"quality": {"samples_budget": 4.0}}, "/quality/samples_budget", between(0.1, 3.0)),
     (FRAMES, {"scene": {"waves": [{"amplitude": 99}]}}, "/scene/waves/0/amplitude", between(0.0, 50.0)),
     (
         FRAMES, {"scene": {"foam": {"saturation": [{"source": "front"}, {"source": "height", "base": 999}]}}},
         "/scene/foam/saturation/1/base", between(-100.0, 100.0),
     ),
-    *(
-        (FRAMES, {"scene": {"touches": [touch]}}, f"/scene/touches/0/{place}", allowed)
-        for touch, place, allowed in (
-            ({"strength": 0.6}, "strength", between(0.0, 0.5)), ({"place": [0.0, 2e7]}, "place/1", PLACE),
-            ({"radius": 1.0}, "radius", "strength"),
-        )
-    ),
+    (FRAMES, {"scene": {"touches": [{"place": [0.0, 2e7]}]}}, "/scene/touches/0/place/1", PLACE),
     ("/api/plans", {"scene": {"waters": {}}}, "/scene/waters", "water"),
     ("/api/plans", {"scene": {"waves": [{"model": "gerstner"}]}}, "/scene/waves/0/model", "parametric"),
-    ("/api/plans", {"scene": {"waves": [{"wavelength": 0.0}]}}, "/scene/waves/0/wavelength", None),
     ("/api/plans", {"scene": {"foam": {"saturation": []}}}, "/scene/foam/saturation", None),
     ("/api/plans", {"scene": {"foam": {"look": "dotted"}}}, "/scene/foam/look", "filtered"),
     ("/api/plans", {"scene": {"camera": {"position": [1, 2]}}}, "/scene/camera/position/2", None),
-    ("/api/plans", {"scene": {"foam": {"mask": "zzz"}}}, "/scene/foam/mask", None),
     ("/api/plans", {"scene": {"extensions": {"windrows": {}}}}, "/scene/extensions/windrows", None),
-    ("/api/streams", {"scene": {"water": {"roughness": -1}}}, "/scene/water/roughness", None),
-    (SEQUENCES, {"stop": 0.0}, "/stop", "above the start"), (SEQUENCES, {"stop": 2e9}, "/stop", "1000000000"),
+    (SEQUENCES, {"stop": 0.0}, "/stop", "above the start"),
     (SEQUENCES, {"stop": 1000.0}, "/stop", "24,000 frames exceed the limit of 3,600"),
     (SEQUENCES, {"fps": 0.0}, "/fps", "0.001"), (SEQUENCES, {"fps": "30000 / 1001"}, "/fps", "[0-9]"),
-    (SEQUENCES, {"fps": "1/0"}, "/fps", "30000/1001"), (SEQUENCES, {"fps": None}, "/fps", "number"),
+    (SEQUENCES, {"fps": "1/0"}, "/fps", "30000/1001"),
     (SEQUENCES, {"width": 25, "format": "mp4"}, "/width", "even"),
     (SEQUENCES, {"height": 62, "width": 64, "format": "mp4", "codec": "av1"}, "/height", "at least 64"),
-    (SEQUENCES, {"width": 9000}, "/width", "1 to 4096"),
     (SEQUENCES, {"scene": {"foam": {"mask": "zzz"}}}, "/scene/foam/mask", "zzz"),
-    (SEQUENCES, {"fsp": 3}, "/fsp", "fsp"), (EXPORT, {"time": 1e10}, "/time", TIME),
     (EXPORT, {"preset": "atlantis"}, "/preset", "default"), (EXPORT, {"unknown": 1}, "/unknown", "scene"),
 ]  # fmt: skip
 
@@ -143,27 +126,24 @@ def test_a_body_that_is_no_object_of_finite_numbers_of_another_kind_or_too_large
     for body in ("", "{", "[]", "7", "null", '"scene"', '{"scene": ' + "9" * 5000 + "}"):
         refused(422, body)
     refused(415, "{}", "text/plain")
-    # As announced, and as it arrives.
-    for method in ("GET", "POST"):
-        problem(client.request(method, "/api/plans", content=b" " * 300_000), 413)
+    refused(413, b" " * 300_000)
     refused(413, (b" " * 50_000 for _ in range(8)))
 
 
 @pytest.mark.parametrize(
     ("url", "parameter"),
     [
-        *((url, None) for url in ("/api/nope", "/nope", "/assets/none.js")),
-        *((f"/api/textures/{name}", None) for name in ("nope", "mask/nope/ranks", "mask/vac-6/nope", "%00", "../x")),
+        *((url, None) for url in ("/api/nope", "/assets/none.js")),
+        *((f"/api/textures/{name}", None) for name in ("nope", "mask/nope/ranks", "mask/vac-6/nope", "../x")),
         *((f"/api/textures/{name}", None) for name in ("front-integral/x/y", "mask/clump:2:96:1/atlas")),
         *((url, "preset") for url in ("/api/presets/nope", "/api/plans/nope", "/api/frames/nope.png")),
-        *((f"/api/accuracy/nope{path}", "preset") for path in ("", ".csv", ".png", "/points", "/truth.npy")),
-        *((f"/api/masks/{name}", "mask") for name in ("nope", "nope/data.png", "vac:3:64:1")),
+        *((f"/api/masks/{name}", "mask") for name in ("nope/data.png", "vac:3:64:1")),
     ],
 )
 def test_a_wrong_name_is_not_found_and_comes_with_the_right_ones(client, url, parameter):
     told = problem(client.get(url), 404)
     if parameter is None:
-        assert "%" in url or ".." in url or told["instance"] == url
+        assert ".." in url or told["instance"] == url
         return
     (error,) = told["errors"]
     assert error["parameter"] == parameter
@@ -175,13 +155,6 @@ def test_a_wrong_method(client):
         response = client.request(method, url)
         problem(response, 405)
         assert response.headers["Allow"]
-
-
-def test_a_slow_mask_is_refused_with_the_range_that_is_quick(client):
-    (error,) = problem(client.get("/api/masks/custom/data.png?family=vac&sigma=24&size=512"), 422)["errors"]
-    assert error["parameter"] == "sigma"
-    assert error["allowed"]["minimum"] == 0.5
-    assert 2.0 < error["allowed"]["maximum"] < 24.0
 
 
 def test_the_pixel_budget_counts_samples(client):

@@ -1,23 +1,18 @@
 """What is not a frame: presets, plans, textures, quality, pages, previews of links, health, metrics."""
 
-import asyncio
 import hashlib
 import html
 import json
 import re
 from itertools import pairwise
-from typing import Any, get_args
+from typing import get_args
 
-import pytest
 from prometheus_client.parser import text_string_to_metric_families
 from starlette.testclient import TestClient
 
-from seafoam.api.context import ThreadPool
-from seafoam.api.routers.presets import _made_summary, warm
 from seafoam.api.site import PREVIEW
 from seafoam.framegraph.plan import FramePlan
 from seafoam.quality import TIERS
-from seafoam.resources import data_dir
 from seafoam.scene import Group, Scene, load_preset, preset_names
 from support.serving import answering, picture, problem
 
@@ -99,17 +94,6 @@ def test_head_answers_what_get_would_without_the_body(client):
         assert [head.headers.get(name) for name in names] == [got.headers.get(name) for name in names]
 
 
-def test_quality_names_tiers_and_the_range_and_owner_of_every_parameter(client):
-    quality = client.get("/api/quality").json()
-    assert list(quality["tiers"]) == ["fast", "standard", "high", "reference"]
-    assert quality["tiers"]["standard"] == TIERS["standard"].model_dump(mode="json")
-    assert quality["parameters"]["properties"]["ripples_size"]["maximum"] == 1024
-    (ripples,) = (one for one in quality["measured"] if one["pointer"] == "/ripples")
-    assert ripples == {
-        "owner": "ripples", "pointer": "/ripples", "title": "ripples", "cause": "geometry", "steps": ["tile", "exact"],
-    }  # fmt: skip
-
-
 def test_the_manual_loads_nothing_from_elsewhere_and_a_browser_finds_the_icon(client):
     page = client.get("/docs").text
     addresses = re.findall(r"""(?:src=|href=|data-description=)["']([^"']+)""", page)
@@ -185,8 +169,6 @@ def test_metrics_count_requests_by_route_and_frames_by_stage(client):
     stages = ("queue", "plan", "render", "read", "encode")
     once += [("seafoam_frame_stage_seconds_count", ("stage", stage)) for stage in stages]
     assert {key: after[key] - before.get(key, 0.0) for key in once} == dict.fromkeys(once, 1)
-    sent = "seafoam_response_bytes_total", route
-    assert after[sent] > before.get(sent, 0.0)
     pool = {"seafoam_workers": 1, "seafoam_queue_limit": 2, "seafoam_queue_waiting": 0}
     assert {name: after[name,] for name in pool} == pool
     assert after["seafoam_renderer_state", ("state", "ready")] == 1
@@ -207,28 +189,8 @@ def test_openapi_describes_every_operation_with_its_problems(client):
     assert "HTTPValidationError" not in text
 
 
-def test_presets_are_planned_before_a_visitor_asks() -> None:
-    asked: list[str] = []
-
-    class Noted(ThreadPool):
-        async def run(self, function: Any, *args: Any, **kwargs: Any) -> Any:
-            asked.append(args[0])
-            return function(*args, **kwargs)
-
-    asyncio.run(warm(Noted(1, 1)))
-    assert asked == list(preset_names())
-    planned = _made_summary.cache_info()
-    assert planned.currsize == len(asked)
-    asyncio.run(warm(Noted(1, 1)))
-    assert _made_summary.cache_info().misses == planned.misses
-
-
-STILLS = data_dir("webclient") / "stills"
-
-
-@pytest.mark.parametrize("name", preset_names())
-def test_each_preset_has_a_page_with_its_title_text_and_picture(client: TestClient, name: str) -> None:
-    preset = load_preset(name)
+def test_a_preset_has_a_page_with_its_title_text_and_picture(client: TestClient) -> None:
+    preset, name = load_preset("storm"), "storm"
     response = client.get(f"/water/{name}")
     assert (response.status_code, response.headers["Content-Type"].partition(";")[0]) == (200, "text/html")
     assert "Content-Security-Policy" in response.headers
@@ -236,33 +198,19 @@ def test_each_preset_has_a_page_with_its_title_text_and_picture(client: TestClie
     assert f'data-preset="{name}"' in page
     assert html.unescape(page.split("<title>")[1].split("</title>")[0]) == f"{preset.title} · Seafoam"
     tags = re.findall(r'<meta (?:name|property)="([\w:-]+)" content="([^"]*)"', page)
-    found = {name: html.unescape(content) for name, content in tags}
+    found = {tag: html.unescape(content) for tag, content in tags}
     title, url = f"{preset.title} · Seafoam", f"http://testserver/water/{name}"
     assert found["description"] == found["og:description"] == preset.summary
     assert (found["og:title"], found["og:url"], found["twitter:card"]) == (title, url, "summary_large_image")
-    # What the picture is made of.
-    assert (found["og:image"], (STILLS / f"{name}.avif").is_file()) == (f"{url}.jpg", True)
-
-
-def test_a_picture_of_a_preset_is_as_services_show_it(client: TestClient) -> None:
-    response = client.get("/water/storm.jpg")
+    assert found["og:image"] == f"{url}.jpg"
+    response = client.get(found["og:image"])
     assert response.headers["Content-Type"] == "image/jpeg"
     assert (picture(response).format, picture(response).size) == ("JPEG", PREVIEW)
     assert len(response.content) < 400_000
 
 
-def test_the_files_of_a_presets_page_are_the_pages_own(client: TestClient) -> None:
-    page = client.get("/water/coastline").text
-    assert page.index("<base") < page.index("href=", page.index("<base") + 20)
-    assert '<base href="../" />' in page
-    addresses = re.findall(r'(?:src|href)="(\./[^"]+)"', page)
-    assert len(addresses) >= 4
-    for address in addresses:
-        assert client.get(f"/water/../{address}").status_code == 200, address
-
-
 def test_an_unknown_water_is_told_by_a_page(client: TestClient) -> None:
-    for suffix in ("", ".jpg"):
+    for suffix in ("", ".jpg", "%00.jpg"):
         response = client.get(f"/water/%3Cb%3Eatlantis{suffix}")
         assert (response.status_code, response.headers["Content-Type"].partition(";")[0]) == (404, "text/html")
         assert "Content-Security-Policy" in response.headers
