@@ -53,7 +53,7 @@ BROWSER = "Hard cases on SwiftShader"
 GUARDS = "Guards of hard cases taken out"
 """How the titles of the tests' tables begin (tests/gpu/numerics, tests/browser)."""
 Figures = dict[str, dict[str, Any]]
-"""By a case's name: ``of``, what was measured; ``mean`` (levels, null: not compared) and ``over_2`` (%) against the
+"""By a case's name: ``of``, what was measured; ``mean`` (levels) and ``over_2`` (%) against the
 reference, ``swiftshader`` (levels), ``without``: what tests say of the case without its guard."""
 
 
@@ -74,9 +74,8 @@ def merged(figures: Mapping[str, Mapping[str, Any]], tables: Mapping[str, list[d
         for title, rows in tables.items():
             own = [row for row in rows if row.get("case") == case.name]
             if own and title.startswith(REFERENCE):
-                apart = own[0]["mean"] == "apart"
-                figure["mean"] = None if apart else float(own[0]["mean"])
-                figure["over_2"] = None if apart else float(own[0]["over_2"].removesuffix(" %"))
+                figure["mean"] = float(own[0]["mean"])
+                figure["over_2"] = float(own[0]["over_2"].removesuffix(" %"))
             elif own and title.startswith(BROWSER):
                 figure["swiftshader"] = max(float(row["mean"]) for row in own)
             elif own and title.startswith(GUARDS):
@@ -92,14 +91,11 @@ def table(figures: Mapping[str, Mapping[str, Any]]) -> str:
     for effect in EFFECTS:
         for case in cases_of(effect).hard:
             figure = figures[case.name]
-            now = (
-                f"{figure['mean']:.4f} levels, {figure['over_2']:.2f} % over 2" if figure["mean"] is not None else None
-            )
             cells = [
                 f"{effect.name}: {case.name}",
                 case.guard,
-                case.unseen or figure["without"],
-                now or "sound; not compared (below)",
+                figure["without"],
+                f"{figure['mean']:.4f} levels, {figure['over_2']:.2f} % over 2",
                 f"{figure['swiftshader']:.2f}" if "swiftshader" in figure else "–",
             ]
             joined = " | ".join(cell.replace("|", r"\|") for cell in cells)

@@ -17,7 +17,7 @@ from seafoam.effects.effect import Contribution
 from seafoam.effects.foam import front
 from seafoam.effects.shader import MARCH_AHEAD, Const, Inline, Piece, SlotFile, Source, path_of, refine
 from seafoam.framegraph.plan import FramePlan, Fullscreen, Pass, Program, State, declared_uniforms
-from seafoam.framegraph.resources import TargetInput, TextureInput
+from seafoam.framegraph.resources import sampler_of, source_of
 from seafoam.framegraph.rules import COMPONENTS, Constant, Uniform, number
 from seafoam.planner import make_plan, slots
 from seafoam.planner.glsl import assemble, read_file, slot_pieces, source_text
@@ -83,7 +83,7 @@ class _Parts:
     files: dict[Piece, SlotFile] = field(default_factory=dict)
     consts: Consts = field(default_factory=dict)
     uniforms: dict[str, Uniform] = field(default_factory=dict)
-    inputs: dict[str, TextureInput | TargetInput] = field(default_factory=dict)
+    inputs: dict[str, str] = field(default_factory=dict)
 
     def add(self, given: Contribution) -> None:
         self.files |= {file.path: file for file in given.slots}
@@ -132,8 +132,9 @@ def uber_plan(scene: Scene, quality: Quality, *, exact_ripples: bool = True) -> 
     declared = declared_uniforms(uber.program.fragment)
     textures = {name: texture for source in uber.plans for name, texture in source.textures.items()}
     targets = {name: target for source in uber.plans for name, target in source.targets.items()}
-    available = {START: TargetInput(target="start")} | uber.parts.inputs | own.inputs
-    inputs = {name: source for name, source in available.items() if name in declared}
+    named = {sampler_of(name): name for name in (*textures, *targets)}
+    available = named | {START: "start"} | uber.parts.inputs | own.inputs
+    inputs = {sampler: source_of(name, textures) for sampler, name in available.items() if sampler in declared}
     # A plan of level water intersects a plane and has no start target: all its rays begin at 0.
     free = () if any(spec.target == "start" for spec in plan.passes) else (NO_START,)
     return plan.model_copy(

@@ -3,7 +3,6 @@
 import math
 
 from support.cases import Cases, HardCase, reduced
-from support.hard.mutations import guards
 from support.scenes import Boat, Camera, Foam, Light, ParametricWave, Scene, Shore, SlopeSaturation, Surf, Water
 
 _NEAR = Boat(centre=(0.0, -14.0), radius=15.0, bearing=1.6, speed=0.0)
@@ -52,14 +51,6 @@ _HARD_BOAT = (
             "boats/hull.glsl": {"max(enter.w, least)": "enter.w", "leave > least": "true", ") > least": ") > -1e9"}
         },
     ),
-    HardCase(
-        "rays along a boat's own axes",
-        Scene(boats=(_NEAR.model_copy(update={"bearing": 0.0, "centre": (-15.0, -12.0)}),), light=Light()),
-        guard="quadratic coefficients of at least 1e-7, cosines to planes of at least 1e-9 (boats/hull.glsl@hull)",
-        camera=Camera(position=(0.0, 0.7, 0.0), pitch=0.0, fov=0.6),
-        without={"boats/hull.glsl": {"a = max(a, 1e-7);": "", "abs(rate) < 1e-9": "false"}},
-        missed_by=guards("waves", "functions_are_guarded[rays abeam]"),
-    ),
 )
 
 _FAST = Boat(centre=(0.0, -30.0), radius=30.0, bearing=1.2, speed=4.0, wake=0.3)
@@ -78,21 +69,6 @@ _HARD_WAKE = (
         guard="a wake has height only where the square root in its phase exceeds 0 (boats/wake.glsl@pattern)",
         camera=_ABOVE,
         without={"boats/wake.glsl": {"at.x <= 0.0 || square <= 0.0": "at.x <= 0.0"}},
-    ),
-    HardCase(
-        "the centre of a boat's circle, and straight behind it",
-        Scene(boats=(_FAST.model_copy(update={"radius": 13.5}),)),
-        guard="distance from the centre at least a tenth of the radius, tangent at most 5000 (boats/wake.glsl@way, "
-        "boats/wake.glsl@pattern)",
-        camera=_ABOVE.model_copy(update={"position": (0.0, 20.0, -30.0)}),
-        without={
-            "boats/wake.glsl": {
-                "max(length(from), 0.1 * radius)": "length(from)",
-                "max(q, 1e-4)": "q",
-                "max(q * q, 1e-8)": "(q * q)",
-            }
-        },
-        missed_by=guards("waves", "wakes_at_the_centre_and_on_the_course"),
     ),
 )
 

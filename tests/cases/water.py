@@ -4,8 +4,7 @@ import math
 from itertools import product
 from typing import Any
 
-from support.cases import Bounds, Cases, HardCase, reduced
-from support.hard.mutations import guards, reference
+from support.cases import Cases, HardCase, reduced
 from support.scenes import Camera, Caustics, Foam, HeightSaturation, Light, ParametricWave, Ripples, Scene, Shore, Water
 
 _HARD_WATER = (
@@ -101,21 +100,6 @@ _INVISIBLE_SEAFLOOR = (
     Scene(waves=(ParametricWave(),), water=Water(depth=500.0, ripples=Ripples())),
 )
 
-_HARD_SEAFLOOR = (
-    HardCase(
-        "five centimetres of black water",
-        Scene(
-            water=Water(depth=0.05, absorption_length=(0.01, 0.01, 0.01), scattering=0.5, ripples=Ripples(slope=0.6)),
-            waves=(ParametricWave(amplitude=50.0, wavelength=0.05),),
-        ),
-        guard="cv is at most 1 under the root (water/body.glsl@floor)",
-        camera=Camera(position=(0.0, 60.0, 0.0), pitch=-0.6),
-        coarse_apart="slopes of 6000 magnify the error of SwiftShader's sine, 2e-4",
-        without={"water/body.glsl": {"= refracted_cosine(min(cv, 1.0), INDEX)": "= refracted_cosine(cv, INDEX)"}},
-        missed_by=guards("light", "light_at_grazing_incidence_comes_from_the_floor_as_along_the_water"),
-    ),
-)
-
 _PLAIN = Caustics(dispersion=0.0)
 
 _LIGHT = Light(sun_elevation=1.0, exposure=-2.5, caustics=_PLAIN)
@@ -131,21 +115,6 @@ _INVISIBLE_CAUSTICS = (
 )
 
 _HARD_CAUSTICS = (
-    HardCase(
-        "the floor in the focus",
-        Scene(water=Water(depth=4.0, scattering=0.0, ripples=Ripples(slope=0.08)), light=_LIGHT),
-        guard="a triangle is at most 12 times as bright as under level water (water/caustics.glsl@grid_vertex)",
-        times=(2.0,),
-        camera=_DOWN,
-        # Half floats add up a hundred photons a texel, each sum rounded.
-        bounds=Bounds(mean=0.5, share=0.03),
-        # SwiftShader's sine, good to 2e-4, moves lines of light in a focus, a pixel wide.
-        coarse_share=0.15,
-        without={
-            "water/caustics.glsl": {"max(abs(a.x * b.y - a.y * b.x), 1.0 / CAUSTIC_MOST)": "abs(a.x * b.y - a.y * b.x)"}
-        },
-        missed_by=guards("ground", "a_grid_is_no_brighter_in_a_focus_than_photons"),
-    ),
     HardCase(
         "caustics of a sun on the horizon",
         Scene(water=Water(depth=1.0, ripples=Ripples(slope=0.1)), light=Light(sun_elevation=0.0, caustics=_PLAIN)),
@@ -172,20 +141,6 @@ _HARD_CAUSTICS = (
         Camera(position=(-1e7, 2.0, 1e7), pitch=-1.2),
         times=(1e9,),
     ),
-    HardCase(
-        "colours as far apart as they go",
-        Scene(
-            water=Water(depth=6.0, absorption_length=(50.0, 50.0, 50.0), ripples=Ripples(slope=0.06)),
-            light=Light(sun_elevation=0.3, exposure=-1.0, caustics=Caustics(dispersion=10.0)),
-        ),
-        guard="the grid extends beyond the tile as far as light of any colour is displaced (effects/water/caustics.py)",
-        times=(2.0,),
-        camera=_DOWN,
-        # SwiftShader's sine, good to 2e-4, moves lines of light in a focus, a pixel wide.
-        coarse_share=0.2,
-        without={"effects/water/caustics.py": {"margin, size = tile.margin(cells)": "margin, size = 0"}},
-        missed_by=reference("light/caustics", "no_seam_shows[caustics_cells-grid]"),
-    ),
 )
 
 _VARIANTS = tuple(
@@ -202,6 +157,6 @@ CASES = {
         always_visible="a camera under the surface sees nothing else, and a plan is valid for any camera height",
         hard=_HARD_BELOW,
     ),
-    "floor": Cases(invisible=_INVISIBLE_SEAFLOOR, hard=_HARD_SEAFLOOR),
+    "floor": Cases(invisible=_INVISIBLE_SEAFLOOR),
     "caustics": Cases(invisible=_INVISIBLE_CAUSTICS, hard=_HARD_CAUSTICS, variants=_VARIANTS),
 }

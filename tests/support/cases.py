@@ -30,7 +30,7 @@ EYE = Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12)
 class HardCase:
     """A scene, a time and a camera that provoke a failure, and the guard against it, which ``without`` takes out.
 
-    Its pictures are compared, and need be no more than sound (finite, not negative) where the case says why not.
+    Its pictures show the guard. One that no picture shows is for a test of its function (``tests/gpu/numerics``).
     """
 
     name: str
@@ -40,34 +40,16 @@ class HardCase:
     camera: Camera = EYE
     bounds: Bounds = Bounds(mean=0.5, share=0.01)
     """Against the float64 reference, at the tests' exact quality."""
-    apart: str = ""
-    """Why the reference's picture is another one; empty: it is the same within ``bounds``."""
-    coarse_share: float | None = None
-    """Of pixels off by more than 2 levels of the display where sines are good to 2e-4 (SwiftShader), in [0, 1]; None:
-    as of presets with such a look."""
-    coarse_apart: str = ""
-    """Why the picture is another one there; empty: it is the same within ``coarse_share``."""
     without: Replaced = field(default_factory=dict)
-    """The guard taken out: the pictures must fail then, or ``missed_by``."""
-    missed_by: str = ""
-    """The test that fails without the guard, as pytest names it from the repository's root; empty: the case itself."""
-    error: str = ""
-    """Words of the error with which a process ends that has no guard and draws no picture; empty: it draws one."""
-    unseen: str = ""
-    """Why neither a picture nor a function's value shows the guard; empty: ``without`` does."""
+    """The guard taken out: the pictures must fail then."""
 
 
 def reduced(
-    name: str,
-    scene: Scene,
-    what: str,
-    camera: Camera = EYE,
-    times: tuple[float, ...] = (-1e9, 1e9),
-    missed_by: str = "",
+    name: str, scene: Scene, what: str, camera: Camera = EYE, times: tuple[float, ...] = (-1e9, 1e9)
 ) -> HardCase:
     """A case of thirty years or ten thousand kilometres; ``what``: what is reduced in float64, which GLSL has not."""
     guard = f"{what} reduced in float64 (framegraph/evaluation.py)"
-    return HardCase(name, scene, guard, times, camera, without=IN_FLOAT32, missed_by=missed_by)
+    return HardCase(name, scene, guard, times, camera, without=IN_FLOAT32)
 
 
 @dataclass(frozen=True)

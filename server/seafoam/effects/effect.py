@@ -13,7 +13,7 @@ from pydantic import BaseModel
 
 from seafoam.effects.shader import Const, Piece, SlotFile, SlotRef
 from seafoam.framegraph.plan import Blend, Fullscreen, Mesh, View
-from seafoam.framegraph.resources import Filter, Input, Target, WrapMode, target_inputs
+from seafoam.framegraph.resources import Filter, Target, WrapMode
 from seafoam.framegraph.rules import Uniform
 from seafoam.quality import Quality, QualityParameters
 from seafoam.scene import Foam, Part, Scene
@@ -36,10 +36,10 @@ T = TypeVar("T")
 class PassSpec:
     """A pass that an effect adds; ``vertex`` and ``fragment`` list the files of its shaders.
 
-    A :class:`SlotRef` among them also adds the inputs of its slot. ``read``: sampler -> the target that it reads;
-    ``inputs``: what others read. ``target``: by default that of the program's name. ``mesh``: what is drawn, by default
-    the whole target. ``stage``: drawn before the surface, or after surface and sky into :data:`ABOVE`, which is cleared
-    before the first of these passes, or after the linear frame is finished, for its display.
+    ``read``: sampler -> the target or texture that it reads, where :attr:`Resources.inputs` does not tell. ``target``:
+    by default that of the program's name. ``mesh``: what is drawn, by default the whole target. ``stage``: drawn before
+    the surface, or after surface and sky into :data:`ABOVE`, which is cleared before the first of these passes, or
+    after the linear frame is finished, for its display.
     """
 
     name: str
@@ -50,7 +50,6 @@ class PassSpec:
     target: str = ""
     vertex: tuple[Piece | SlotRef, ...] = ("vertex/vertex.glsl@fullscreen",)
     mesh: Mesh = field(default_factory=Fullscreen)
-    inputs: dict[str, Input] = field(default_factory=dict)
     stage: Literal["before", "after", "finished"] = "before"
     blend: Blend = "none"
     clear: bool = False
@@ -62,7 +61,6 @@ class PassSpec:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "target", self.target or self.program)
-        object.__setattr__(self, "inputs", {**self.inputs, **target_inputs(self.read)})
 
 
 @dataclass(frozen=True)
@@ -83,7 +81,8 @@ class Resources:
     chosen_consts: dict[str, Const] = field(default_factory=dict)
     """Constants that differ where a pixel chosen by adaptive sampling is drawn with more samples than the others."""
     uniforms: dict[str, Uniform] = field(default_factory=dict)
-    inputs: dict[str, Input] = field(default_factory=dict)
+    inputs: dict[str, str] = field(default_factory=dict)
+    """Sampler -> the target or texture that it reads, if that is not the one of its name without ``u_``."""
     textures: dict[str, TextureUse] = field(default_factory=dict)
     """Name in the plan -> texture."""
     targets: dict[str, Target] = field(default_factory=dict)
@@ -101,10 +100,9 @@ class Resources:
         return replace(self, **changes)
 
 
-def drawn_map(spec: PassSpec, target: Target, *samplers: str) -> Resources:
-    """Return a target with the pass that draws it. ``samplers``: by which the surface's shader reads it."""
-    inputs = target_inputs(dict.fromkeys(samplers, spec.target))
-    return Resources(inputs=inputs, targets={spec.target: target}, passes=(spec,))
+def drawn_map(spec: PassSpec, target: Target) -> Resources:
+    """Return a target with the pass that draws it."""
+    return Resources(targets={spec.target: target}, passes=(spec,))
 
 
 @dataclass(frozen=True)

@@ -10,8 +10,6 @@ from numpy.typing import NDArray
 from seafoam.framegraph.rules import COMPONENTS, CameraRule, Clamp, Constant, Loop, Phase, Rule, Uniform, Viewport, Wrap
 from seafoam.scene import Camera
 
-TAU = 2.0 * math.pi
-
 
 @dataclass(frozen=True)
 class FrameState:
@@ -39,12 +37,7 @@ def evaluate_rule(rule: Rule, state: FrameState) -> tuple[float, ...]:
         case Constant():
             return rule.value
         case Phase():
-            phase = math.fmod(_sum(rule, state), TAU)
-            if phase > math.pi:
-                phase -= TAU
-            elif phase < -math.pi:
-                phase += TAU
-            return (phase,)
+            return (math.remainder(_sum(rule, state), 2.0 * math.pi),)
         case Wrap():
             return (_modulo(_sum(rule, state), rule.period),)
         case Loop():
@@ -54,9 +47,8 @@ def evaluate_rule(rule: Rule, state: FrameState) -> tuple[float, ...]:
         case CameraRule():
             return _camera(rule, state)
         case Viewport():
-            picture = rule.of == "picture"
-            width = state.width if picture else state.target_width
-            height = state.height if picture else state.target_height
+            target, picture = (state.target_width, state.target_height), (state.width, state.height)
+            width, height = picture if rule.of == "picture" else target
             return float(rule.times * width), float(rule.times * height)
         case _:
             return (float(state.pass_index),)
@@ -68,9 +60,7 @@ def _sum(rule: Phase | Wrap | Clamp, state: FrameState) -> float:
 
 
 def _modulo(value: float, period: float) -> float:
-    remainder = math.fmod(value, period)
-    if remainder < 0.0:
-        remainder += period
+    remainder = value % period
     # A tiny negative remainder plus the period is rounded to the period itself.
     return 0.0 if remainder >= period else remainder
 

@@ -14,8 +14,6 @@ from pydantic import Field
 from seafoam.framegraph.resources import Target, TargetInput, Texture, TextureInput
 from seafoam.framegraph.rules import PlanPart, Uniform
 
-PLAN_VERSION = 1
-
 
 class SourceFile(PlanPart):
     """A file of the assembled source, and the line (from 1) at which it starts."""
@@ -150,7 +148,7 @@ class EffectNote(PlanPart):
 class FramePlan(PlanPart):
     """A compiled scene. The same scene and quality give the same bytes."""
 
-    version: int = PLAN_VERSION
+    version: int = 1
     effects: tuple[EffectNote, ...]
     skipped: tuple[EffectNote, ...]
     programs: dict[str, Program]

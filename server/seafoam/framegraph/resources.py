@@ -1,9 +1,10 @@
 """Textures and targets of a frame plan, and how they are read."""
 
-from collections.abc import Mapping
+import re
+from collections.abc import Container
 from typing import Annotated, Final, Literal, Self
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
 from seafoam.framegraph.rules import PlanPart
 
@@ -24,9 +25,14 @@ Input = TextureInput | TargetInput
 """What a sampler reads."""
 
 
-def target_inputs(targets: Mapping[str, str]) -> dict[str, Input]:
-    """Return inputs by sampler. ``targets``: sampler -> name of the target that it reads."""
-    return {sampler: TargetInput(target=target) for sampler, target in targets.items()}
+def sampler_of(name: str) -> str:
+    """Return the sampler that reads a target or texture if nothing else is said: ``u_start_wide`` "start, wide"."""
+    return f"u_{re.sub(r'[ ,]+', '_', name)}"
+
+
+def source_of(name: str, textures: Container[str]) -> Input:
+    """Return what reads the texture or target of a name."""
+    return TextureInput(texture=name) if name in textures else TargetInput(target=name)
 
 
 class ViewportSize(PlanPart):
@@ -86,12 +92,6 @@ class Target(PlanPart):
     filter: Filter = "nearest"
     wrap: WrapMode = "clamp_to_edge"
     layers: int = Field(default=1, ge=1, le=4)
-
-    @model_validator(mode="after")
-    def _layers_are_plain(self) -> Self:
-        if self.layers > 1 and self.filter == MIPMAPPED:
-            raise ValueError("a target with layers has no mip levels")
-        return self
 
 
 class Texture(PlanPart):

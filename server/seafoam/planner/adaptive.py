@@ -10,7 +10,7 @@ from itertools import chain
 
 from seafoam.effects.shader import PLACE, Piece
 from seafoam.framegraph.plan import Fullscreen, Pass, Program
-from seafoam.framegraph.resources import FixedSize, Target, ViewportSize, target_inputs
+from seafoam.framegraph.resources import FixedSize, Target, TargetInput, ViewportSize
 from seafoam.framegraph.rules import Uniform, Viewport, vector
 from seafoam.planner.frame import Frame, Stage, fullscreen
 from seafoam.planner.glsl import FULLSCREEN
@@ -30,7 +30,6 @@ _BITS = "adaptive/choice.glsl@bits"
 _AT_CHOSEN = (_KIND, "adaptive/choice.glsl@place")
 _ROWS = (_KIND, "adaptive/list.glsl@rows_vertex")
 _SAMPLES, _BENEATH, _ABOVE = "chosen samples", "chosen beneath", "chosen above"
-_LISTS = {"u_chosen_cells": "chosen cells", "u_chosen_groups": "chosen groups", "u_chosen_rows": "chosen rows"}
 
 
 @dataclass(frozen=True)
@@ -60,16 +59,22 @@ class _Additions:
         name: str,
         target: str,
         files: tuple[str, ...],
-        reads: Mapping[str, str],
+        reads: Mapping[str, str] | None = None,
         *,
+        size: FixedSize | ViewportSize | None = None,
         rows: bool = False,
         uniforms: Mapping[str, Uniform] | None = None,
     ) -> None:
-        """Add a pass over the whole target, or the ``rows`` of selected pixels; its files name its program."""
+        """Add a pass over the whole target, or the ``rows`` of selected pixels; its files name its program.
+
+        ``size``: of a target that is new.
+        """
+        if size is not None:
+            self.targets[target] = Target(size=size, format="RGBA32F")
         program = ", ".join(files)
         if program not in self.programs:
             self.programs[program] = self.frame.program(files, _ROWS if rows else FULLSCREEN)
-        drawn = fullscreen(name, program, target, target_inputs(reads))
+        drawn = fullscreen(name, program, target, reads)
         self.passes.append(drawn.model_copy(update={"uniforms": dict(uniforms or {})}))
 
     def redrawn(self, again: Redrawn) -> str:
@@ -108,9 +113,8 @@ def additional_samples(
         added.targets[_SAMPLES] = Target(size=finer, format=quality.target)
     for count in counts:
         _draw(added, count, ((scene, drawn), (after, _ABOVE)), first=count == counts[0])
-    added.targets[linear] = Target(size=ViewportSize(), format="RGBA32F")
-    files = (_BITS, "adaptive/list.glsl@resolve")
-    added.add("means of the samples", linear, files, {"u_frame": means, "u_samples": _SAMPLES, **_LISTS})
+    files, reads = (_BITS, "adaptive/list.glsl@resolve"), {"u_frame": means, "u_samples": _SAMPLES}
+    added.add("means of the samples", linear, files, reads, size=ViewportSize())
     sizes = {
         "u_target": Uniform(type="vec2", rules=(Viewport(),)),
         "u_picture": Uniform(type="vec2", rules=(Viewport(of="picture"),)),
@@ -120,50 +124,38 @@ def additional_samples(
 
 def _choose(added: _Additions, means: str) -> None:
     """Passes of contrast, of the threshold that the budget allows, and of the selection: bits and running sums."""
-    parts, single = FixedSize.square(PARTS), FixedSize.square(1)
-    cells, groups = ViewportSize(part=4), ViewportSize(part=4, narrow=16)
-    rows = ViewportSize(part=4, narrow=1 << 14)
-    added.targets |= {
-        "contrast": Target(size=ViewportSize(), format="RGBA16F"),
-        "choice counts": Target(size=parts, format="RGBA32F"),
-        **{f"choice limits {k}": Target(size=single, format="RGBA32F") for k in range(ROUNDS)},
-        "choice": Target(size=cells, format="RGBA32F"),
-        "chosen cells": Target(size=cells, format="RGBA32F"),
-        "chosen groups": Target(size=groups, format="RGBA32F"),
-        "chosen rows": Target(size=rows, format="RGBA32F"),
-    }
-    contrast, counts = {"u_contrast": "contrast"}, {"u_counts": "choice counts"}
+    parts, single, cells = FixedSize.square(PARTS), FixedSize.square(1), ViewportSize(part=4)
+    groups, rows = ViewportSize(part=4, narrow=16), ViewportSize(part=4, narrow=1 << 14)
+    added.targets["contrast"] = Target(size=ViewportSize(), format="RGBA16F")
     added.add("contrast", "contrast", ("adaptive/count.glsl@contrast",), {"u_frame": means})
     for k in range(ROUNDS):
         thresholds = "adaptive/choice.glsl@next_limits" if k else "adaptive/choice.glsl@first_limits"
         limits = {"u_limits": f"choice limits {k - 1}"} if k else {}
-        added.add(
-            f"samples at limits {k}", "choice counts", (thresholds, "adaptive/count.glsl@count"), contrast | limits
-        )
-        added.add(f"limits {k}", f"choice limits {k}", (thresholds, "adaptive/count.glsl@limit"), counts | limits)
+        count, limit = (thresholds, "adaptive/count.glsl@count"), (thresholds, "adaptive/count.glsl@limit")
+        added.add(f"samples at limits {k}", "choice counts", count, limits, size=parts)
+        limits |= {"u_counts": "choice counts"}
+        added.add(f"limits {k}", f"choice limits {k}", limit, limits, size=single)
     files = ("adaptive/choice.glsl@choice", "adaptive/list.glsl@cells")
-    added.add("choice of pixels", "choice", files, contrast | {"u_limit": f"choice limits {ROUNDS - 1}"})
-    added.add("chosen by cell", "chosen cells", (_BITS, "adaptive/list.glsl@within"), {"u_choice": "choice"})
-    files = (_BITS, "adaptive/list.glsl@groups")
-    added.add("chosen by group", "chosen groups", files, {"u_chosen_cells": "chosen cells"})
-    added.add("chosen by row", "chosen rows", ("adaptive/list.glsl@rows",), {"u_chosen_groups": "chosen groups"})
+    added.add("choice of pixels", "choice", files, {"u_limit": f"choice limits {ROUNDS - 1}"}, size=cells)
+    added.add("chosen by cell", "chosen cells", (_BITS, "adaptive/list.glsl@within"), size=cells)
+    added.add("chosen by group", "chosen groups", (_BITS, "adaptive/list.glsl@groups"), size=groups)
+    added.add("chosen by row", "chosen rows", ("adaptive/list.glsl@rows",), size=rows)
 
 
 def _draw(added: _Additions, count: int, layers: tuple[tuple[tuple[Redrawn, ...], str], ...], *, first: bool) -> None:
     """Passes that list the pixels with ``count`` samples and draw these. ``first``: into cleared targets."""
     side = 2 if count == 4 else 4
     pixels = f"pixels of {count}"
-    added.targets[pixels] = Target(size=ViewportSize(part=side // 2), format="RGBA32F")
-    listed = {"u_chosen": vector((float(side), 1.0, 1.0))}
+    listed, size = {"u_chosen": vector((float(side), 1.0, 1.0))}, ViewportSize(part=side // 2)
     files = (_KIND, _BITS, "adaptive/list.glsl@pixels")
-    added.add(f"list of {pixels} samples", pixels, files, _LISTS, rows=True, uniforms=listed)
+    added.add(f"list of {pixels} samples", pixels, files, size=size, rows=True, uniforms=listed)
 
     # Blocks of 4 samples fill the target's rows from the bottom, blocks of 16 from the top.
     uniforms = {
         "u_chosen": vector((float(side), float(side), 1.0 if side == 2 else -1.0)),
         "u_viewport": Uniform(type="vec2", rules=(Viewport(of="picture", times=side),)),
     }
-    lists = target_inputs({"u_chosen_rows": "chosen rows", "u_chosen_pixels": pixels})
+    lists = {"u_chosen_pixels": TargetInput(target=pixels)}
     for group, target in layers:
         for redrawn in group:
             clear = first and redrawn.original.state.clear
@@ -181,6 +173,6 @@ def _draw(added: _Additions, count: int, layers: tuple[tuple[tuple[Redrawn, ...]
         compose = (
             "lib/numbers.glsl", "output/frame.glsl@beneath", "output/frame.glsl@above", "output/frame.glsl@compose"
         )  # fmt: skip
-        reads = {"u_beneath": _BENEATH, "u_above": _ABOVE, "u_chosen_rows": "chosen rows"}
+        reads = {"u_beneath": _BENEATH, "u_above": _ABOVE}
         name = f"what stands before the water, {count} samples"
         added.add(name, _SAMPLES, compose, reads, rows=True, uniforms=uniforms)

@@ -4,9 +4,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from seafoam.effects.effect import AssemblyError, Contribution, Effect, Resources
+from seafoam.effects.effect import Contribution, Effect, Resources
 from seafoam.effects.shader import SlotFile, path_of
 from seafoam.framegraph.plan import EffectNote
+from seafoam.framegraph.resources import sampler_of
 from seafoam.framegraph.rules import afloat
 from seafoam.quality import Quality
 from seafoam.scene import Scene
@@ -84,27 +85,23 @@ class _LeftOut:
 
 def _joined(given: Sequence[tuple[str, Contribution]], scene: Scene, left_out: _LeftOut) -> Collection:
     """The contributions of effects, with their names, as one. Raises :class:`AssemblyError` if two differ."""
-    joined, slots = Resources(), list[SlotFile]()
-    for name, one in given:
-        try:
-            joined = joined.joined(one)
-        except AssemblyError as error:
-            raise AssemblyError(f"effect {name}: {error}") from None
+    every, slots = [one for _, one in given], list[SlotFile]()
+    for one in every:
         replaced = {file.slot for file in one.slots if file.instead}
         slots = [*(file for file in slots if file.slot not in replaced), *one.slots]
-    every = [one for _, one in given]
     bounded = [one for one in every if not any(file.slot == "bounds" for file in one.slots)]
     grounds = [one.min_ground for one in every if one.min_ground is not None]
     numbers: dict[str, Any] = {name: summed(getattr(one, name) for one in every) for name in _SUMMED}
     numbers |= {name: max(getattr(one, name) for one in (Contribution(why=""), *every)) for name in _GREATEST}
+    own = {name: (*map(sampler_of, (*one.targets, *one.textures)), *one.inputs) for name, one in given}
     return Collection(
         **numbers,
-        **vars(replace(joined, slots=tuple(slots))),
+        **vars(replace(Resources().joined(*every), slots=tuple(slots))),
         scene=scene,
         effects=tuple(EffectNote(name=name, why=one.why, files=_files(one)) for name, one in given),
         skipped=tuple(left_out.notes.values()),
         bound_fields=frozenset(left_out.fields).union(*(one.depends for one in every)),
-        readers={sampler: name for name, one in given for sampler in one.inputs},
+        readers={sampler: name for name, samplers in own.items() for sampler in samplers},
         bounds=(
             summed(one.max_height for one in bounded),
             summed(one.max_slope for one in bounded),

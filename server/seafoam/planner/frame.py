@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from seafoam.effects.effect import ABOVE, PassSpec, Resources, drawn_map
 from seafoam.effects.shader import COMMON, MARCH_AHEAD, Const, Piece, SlotFile, SlotRef, Source, refine
 from seafoam.framegraph.plan import Eyes, Fullscreen, Pass, Program, State
-from seafoam.framegraph.resources import FixedSize, Input, Target, ViewportSize, target_inputs
+from seafoam.framegraph.resources import FixedSize, Target, TargetInput, ViewportSize, source_of
 from seafoam.framegraph.rules import Uniform
 from seafoam.planner.collect import Collection
 from seafoam.planner.glsl import FULLSCREEN, assemble, slot_pieces
@@ -158,10 +158,10 @@ class Frame:
             placed, consts["FROM_OVER"] = one_sided(placed, self.waves), over
         return Program(vertex=assemble(placed, consts), fragment=assemble(self.pieces(fragment), self.consts))
 
-    def found_over(self, name: str, program: str, target: str, state: State, inputs: Mapping[str, Input]) -> Pass:
+    def found_over(self, name: str, program: str, target: str, state: State) -> Pass:
         """Return a pass over the whole target for a camera over the water."""
         eye = OVER if self.below else "any"
-        return fullscreen(name, program, target, inputs).model_copy(update={"eye": eye, "state": state})
+        return fullscreen(name, program, target).model_copy(update={"eye": eye, "state": state})
 
     def effect_programs(self) -> dict[str, Program]:
         programs: dict[str, Program] = {}
@@ -181,14 +181,13 @@ class Frame:
 
     def passes_of(self, spec: PassSpec) -> list[Pass]:
         """Return the pass of a spec, or several if its shader differs for cameras over and under the water."""
-        reads_slots = any(isinstance(part, SlotRef) for part in (*spec.vertex, *spec.fragment))
         always = Pass(
             name=spec.name,
             when="frame",
             program=spec.program,
             target=spec.target,
             mesh=spec.mesh,
-            inputs={**self.collection.inputs, **spec.inputs} if reads_slots else spec.inputs,
+            inputs={sampler: source_of(name, self.collection.textures) for sampler, name in spec.read.items()},
             uniforms=spec.uniforms,
             view=spec.view,
             state=State(clear=spec.clear or spec in self.above[:1], blend=spec.blend),
@@ -203,8 +202,10 @@ def underwater(program: str) -> str:
     return f"{program}, underwater"
 
 
-def fullscreen(name: str, program: str, target: str, inputs: Mapping[str, Input]) -> Pass:
-    return Pass(name=name, when="frame", program=program, target=target, mesh=Fullscreen(), inputs=dict(inputs))
+def fullscreen(name: str, program: str, target: str, reads: Mapping[str, str] | None = None) -> Pass:
+    """Return a pass over the whole target. ``reads``: sampler -> the target that it reads, if not that of its name."""
+    inputs = {sampler: TargetInput(target=name) for sampler, name in (reads or {}).items()}
+    return Pass(name=name, when="frame", program=program, target=target, mesh=Fullscreen(), inputs=inputs)
 
 
 def one_sided(vertex: Sequence[Piece], waves: Sequence[Piece]) -> list[Piece]:
@@ -259,15 +260,15 @@ def _starts(sampled: ViewportSize, *, measured: bool) -> Resources:
     search: tuple[Piece | SlotRef, ...] = (*COMMON, *map(SlotRef, ("waves", "beyond", "bounds", "start")))
     near = PassSpec("where rays begin", "start", (*search, "surface/start.glsl@start_anew", "surface/start.glsl@pass"))
     if not measured:
-        return drawn_map(near, tiles(START_TILE), "u_start")
+        return drawn_map(near, tiles(START_TILE))
     slots = map(SlotRef, ("waves", "bounds", "short bounds"))
     now = PassSpec("bounds of the surface", "surface_now", (*COMMON, *slots, "surface/bounds.glsl@now_pass"))
     # Measured maps are steep and searched in many steps: first for wider tiles.
     wide = replace(near, name="where wide beams of rays begin", program="start, wide", target="start, wide")
     files = (*search, "surface/start.glsl@start_within", "surface/start.glsl@pass")
-    within = replace(near, fragment=files, inputs=target_inputs({"u_start_wide": "start, wide"}))
+    within = replace(near, fragment=files)
     return Resources(slots=(SlotFile("now", "surface/bounds.glsl@now_measured"),)).joined(
-        drawn_map(now, Target(size=FixedSize.square(1), format="RGBA16F"), "u_surface_now"),
+        drawn_map(now, Target(size=FixedSize.square(1), format="RGBA16F")),
         drawn_map(wide, tiles(WIDE_TILE)),
-        drawn_map(within, tiles(START_TILE), "u_start"),
+        drawn_map(within, tiles(START_TILE)),
     )

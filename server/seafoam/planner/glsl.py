@@ -3,7 +3,6 @@
 import hashlib
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cache, lru_cache
 
 from seafoam.effects.shader import Const, Inline, Piece, SlotFile, Source
@@ -35,15 +34,12 @@ Consts = Mapping[str, Const]
 def read_file(path: str) -> str:
     """Return the source of a file of ``shaders/``, or of one of its parts: ``FILE.glsl@PART``.
 
-    Raises ``FileNotFoundError``, also for a part that the file does not have.
+    Raises ``FileNotFoundError``, and ``KeyError`` for a part that the file does not have.
     """
     named = _OF_PART.fullmatch(path)
     if not named:
         return (data_dir("shaders") / path).read_text(encoding="utf-8")
-    parts = parts_of(named["file"])
-    if named["part"] not in parts:
-        raise FileNotFoundError(f"{path}: no such part, there are {', '.join(parts)}")
-    return parts[named["part"]]
+    return parts_of(named["file"])[named["part"]]
 
 
 @cache
@@ -93,60 +89,30 @@ def assemble(pieces: Iterable[Piece], consts: Consts) -> Shader:
 
     Only constants that occur in the source are defined.
     """
-    joined = tuple(pieces)
-    joined = (*(file for word, file in READS.items() if any(_contains(piece, word) for piece in joined)), *joined)
-    names = sorted(_body(joined).words & consts.keys())
-    return _shader(PROLOGUE + "".join(const_line(name, consts[name]) for name in names), joined)
+    given = tuple(Source(piece) if isinstance(piece, str) else piece for piece in pieces)
+    first = (Source(file) for word, file in READS.items() if any(word in _text(piece) for piece in given))
+    parts = tuple(dict.fromkeys((*first, *given)))
+    words = frozenset[str]().union(*map(_words, parts))
+    head = PROLOGUE + "".join(const_line(name, consts[name]) for name in sorted(words & consts.keys()))
+    return _shader(head, parts)
+
+
+def _text(piece: Source | Inline) -> str:
+    return source_text(piece) if isinstance(piece, Source) else piece.text
 
 
 @lru_cache(maxsize=2048)
-def _contains(piece: Piece, word: str) -> bool:
-    source = Source(piece) if isinstance(piece, str) else piece
-    return word in (source.text if isinstance(source, Inline) else source_text(source))
-
-
-@dataclass(frozen=True)
-class _Body:
-    """Source after the constants. ``lines``: of each file, its path and the line breaks before it."""
-
-    text: str
-    words: frozenset[str]
-    lines: tuple[tuple[str, int], ...]
+def _words(piece: Source | Inline) -> frozenset[str]:
+    return frozenset(_WORD.findall(_text(piece)))
 
 
 @lru_cache(maxsize=512)
-def _body(pieces: tuple[Piece, ...]) -> _Body:
-    parts: list[tuple[str, str]] = []
-    seen: set[Source] = set()
-    for piece in pieces:
-        if isinstance(piece, Inline):
-            parts.append(("", piece.text))
-            continue
-        source = piece if isinstance(piece, Source) else Source(piece)
-        if source not in seen:
-            seen.add(source)
-            parts.append((source.path, source_text(source)))
-    lines: list[tuple[str, int]] = []
-    count = 0
-    for path, part in parts:
-        count += 1
-        if path:
-            lines.append((path, count))
-        count += part.count("\n")
-    words = frozenset[str]().union(*(_words(part) for _, part in parts))
-    return _Body("".join(f"\n{part}" for _, part in parts), words, tuple(lines))
-
-
-@lru_cache(maxsize=512)
-def _shader(head: str, pieces: tuple[Piece, ...]) -> Shader:
+def _shader(head: str, parts: tuple[Source | Inline, ...]) -> Shader:
     """The shader of a prologue with its constants: plans of one scene at other qualities share most of theirs."""
-    body = _body(pieces)
-    text = head + body.text
-    first = head.count("\n") + 1
-    files = tuple(SourceFile(path=path, line=first + line) for path, line in body.lines)
-    return Shader(text=text, sha256=hashlib.sha256(text.encode()).hexdigest(), files=files)
-
-
-@lru_cache(maxsize=1024)
-def _words(text: str) -> frozenset[str]:
-    return frozenset(_WORD.findall(text))
+    text, files = head, []
+    for part in parts:
+        text += "\n"
+        if isinstance(part, Source):
+            files.append(SourceFile(path=part.path, line=text.count("\n") + 1))
+        text += _text(part)
+    return Shader(text=text, sha256=hashlib.sha256(text.encode()).hexdigest(), files=tuple(files))

@@ -4,8 +4,8 @@ from collections import Counter
 from collections.abc import Mapping
 
 from seafoam.effects.effect import AssemblyError, PlanError, TextureUse
-from seafoam.framegraph.plan import Fullscreen, Pass, Program, State, declared_uniforms
-from seafoam.framegraph.resources import Target, Texture
+from seafoam.framegraph.plan import Pass, Program, declared_uniforms
+from seafoam.framegraph.resources import Input, Texture
 from seafoam.framegraph.rules import CameraRule, Uniform, Viewport, number, significant, vector
 from seafoam.planner.collect import Collection
 from seafoam.textures.store import texture, url_of
@@ -45,8 +45,10 @@ def texture_entry(use: TextureUse) -> Texture:
     )
 
 
-def with_inputs(drawn: Pass, programs: Mapping[str, Program], uniforms: Mapping[str, Uniform]) -> Pass:
-    """Return the pass with only the inputs that its program reads.
+def with_inputs(
+    drawn: Pass, programs: Mapping[str, Program], uniforms: Mapping[str, Uniform], known: Mapping[str, Input]
+) -> Pass:
+    """Return the pass with the inputs that its program reads: its own, and of those it has not the ``known`` ones.
 
     Raises :class:`AssemblyError` if a uniform has no rule or a sampler no input.
     """
@@ -56,17 +58,16 @@ def with_inputs(drawn: Pass, programs: Mapping[str, Program], uniforms: Mapping[
     for name in sorted(declared.keys() - samplers):
         if name not in uniforms and name not in drawn.uniforms:
             raise AssemblyError(f"pass {drawn.name}: uniform {name} has no rule")
-    missing = samplers - drawn.inputs.keys()
+    sources = {**known, **drawn.inputs}
+    missing = samplers - sources.keys()
     if missing:
         raise AssemblyError(f"pass {drawn.name}: no source for {sorted(missing)}")
-    inputs = {name: source for name, source in drawn.inputs.items() if name in samplers}
-    return drawn.model_copy(update={"inputs": inputs})
+    return drawn.model_copy(update={"inputs": {name: sources[name] for name in sorted(samplers)}})
 
 
 def declared_in(uniforms: Mapping[str, Uniform], programs: Mapping[str, Program]) -> dict[str, Uniform]:
-    declared: set[str] = set()
-    for program in programs.values():
-        declared |= declared_uniforms(program.vertex).keys() | declared_uniforms(program.fragment).keys()
+    shaders = (shader for program in programs.values() for shader in (program.vertex, program.fragment))
+    declared = set[str]().union(*map(declared_uniforms, shaders))
     return {name: uniform for name, uniform in sorted(uniforms.items()) if name in declared}
 
 
@@ -99,16 +100,4 @@ def refuse_too_many_samplers(program: Program, readers: Mapping[str, str]) -> No
             "",
             f"too many effects together: one shader would read {len(samplers)} textures, and WebGL2 guarantees "
             f"{MAX_SAMPLERS} ({counts}); leave out one of these",
-        )
-
-
-def refuse_integers(drawn: Pass, targets: Mapping[str, Target]) -> None:
-    """Raise :class:`AssemblyError` if a pass clears, blends or filters integers, which is undefined in GL."""
-    target = targets.get(drawn.target)
-    if target is None or target.format != "RG32UI":
-        return
-    if drawn.state != State() or drawn.mesh != Fullscreen() or target.depth or target.filter != "nearest":
-        raise AssemblyError(
-            f"pass {drawn.name}: a target of integers must be drawn as a whole, without depth or blending, and "
-            "read by texelFetch"
         )

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from seafoam.effects.effect import ABOVE, BENEATH, FINISHED
 from seafoam.effects.shader import COMMON, PLACE, Piece, SlotRef, Source, constant_function
 from seafoam.framegraph.plan import Pass, State
-from seafoam.framegraph.resources import Target, TargetInput, ViewportSize, target_inputs
+from seafoam.framegraph.resources import Target, TargetInput, ViewportSize
 from seafoam.planner.adaptive import Redrawn, additional_samples
 from seafoam.planner.frame import Frame, Stage, from_under, fullscreen, underwater
 from seafoam.planner.glsl import slot_pieces
@@ -37,11 +37,11 @@ def picture(frame: Frame) -> tuple[Stage, str]:
         stages += [Stage(after), _composed(frame, first, linear)]
     elif frame.narrow:
         files = ["lib/numbers.glsl", _ENLARGED, "output/enlarge.glsl@picture"]
-        drawn = fullscreen("enlarged", "enlarge", "enlarged", target_inputs({"u_narrow": _SAMPLES}))
+        drawn = fullscreen("enlarged", "enlarge", "enlarged", {"u_narrow": _SAMPLES})
         stages.append(_alone(frame, drawn, files, Target(size=ViewportSize(), format=frame.quality.target)))
         linear = "enlarged"
     if frame.side > 1:
-        drawn = fullscreen("mean of the samples", "resolve", "linear", target_inputs({"u_samples": _SAMPLES}))
+        drawn = fullscreen("mean of the samples", "resolve", "linear")
         target = Target(size=ViewportSize(), format="RGBA32F")
         stages.append(_alone(frame, drawn, ["output/frame.glsl@resolve"], target))
         linear = "linear"
@@ -60,8 +60,7 @@ def _composed(frame: Frame, beneath: str, target: str) -> Stage:
     size, part = ViewportSize(scale=frame.side), min(spec.part for spec in frame.above)
     over = "output/frame.glsl@above_coarse" if part > 1 else "output/frame.glsl@above"
     files: list[Piece] = ["lib/numbers.glsl", under, over, "output/frame.glsl@compose"]
-    reads = target_inputs({read: beneath, "u_above": ABOVE})
-    drawn = fullscreen("what stands before the water", "compose", target, reads)
+    drawn = fullscreen("what stands before the water", "compose", target, {read: beneath})
     coarse = size.model_copy(update={"part": part})
     veil = Target(size=coarse, format="RGBA16F", filter="linear" if part > 1 else "nearest")
     above = Stage(targets={ABOVE: veil})
@@ -88,12 +87,11 @@ def _display(frame: Frame, linear: str) -> Stage:
     finished = []
     for drawn in frame.effect_passes("finished"):
         ends = {name for name, source in drawn.inputs.items() if source == TargetInput(target=FINISHED)}
-        inputs = {**drawn.inputs, **target_inputs(dict.fromkeys(ends, linear))}
+        inputs = {**drawn.inputs, **dict.fromkeys(ends, TargetInput(target=linear))}
         finished.append(drawn.model_copy(update={"inputs": inputs}))
-    inputs = {**frame.collection.inputs, **target_inputs({"u_linear": linear})}
     files = [piece for slot in (GLARE, TONE) for piece in slot_pieces(slot, frame.marched)]
     return Stage(
-        passes=[*finished, fullscreen("tone", "present", "screen", inputs)],
+        passes=[*finished, fullscreen("tone", "present", "screen", {"u_linear": linear})],
         programs={"present": frame.program([*files, "output/frame.glsl@present"])},
     )
 
@@ -102,7 +100,7 @@ def geometry(frame: Frame) -> tuple[Stage, str]:
     """The scene's passes, up to what the rays of pixels' centres meet, and the target of that."""
     over = (*_SURFACE, SlotRef("find"), SlotRef("land"), SlotRef("first"), "output/frame.glsl@geometry")
     programs = {**frame.effect_programs(), _GEOMETRY: frame.program(over, over=True)}
-    drawn = frame.found_over(_GEOMETRY, _GEOMETRY, _GEOMETRY, State(), frame.collection.inputs)
+    drawn = frame.found_over(_GEOMETRY, _GEOMETRY, _GEOMETRY, State())
     passes = [*frame.effect_passes("before"), drawn]
     if frame.below:
         floor: Piece = "shore/floor.glsl@floor_normal" if frame.shore else _LEVEL_FLOOR

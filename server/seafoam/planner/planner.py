@@ -8,6 +8,7 @@ from seafoam.effects.effect import PlanError
 from seafoam.effects.light.atmosphere import direct
 from seafoam.effects.registry import CHANGED
 from seafoam.framegraph.plan import FramePlan
+from seafoam.framegraph.resources import sampler_of, source_of
 from seafoam.framegraph.visibility import everywhere
 from seafoam.planner import link
 from seafoam.planner.collect import collect
@@ -69,11 +70,11 @@ def linked_plan(
         # Of what is kept in textures this alone is as good without.
         exact = asked.model_copy(update={"clouds_mirrored": "exact"})
         return linked_plan(scene, exact, passes_of, economy=economy)
-    for drawn in stage.passes:
-        link.refuse_integers(drawn, stage.targets)
     uniforms = {**given.uniforms, **link.camera_uniforms(given), **stage.uniforms}
     textures = {name: link.texture_entry(use) for name, use in given.textures.items()}
-    linked = [link.with_inputs(drawn, stage.programs, uniforms) for drawn in stage.passes]
+    read = {sampler_of(name): name for name in (*textures, *stage.targets)} | given.inputs
+    known = {sampler: source_of(name, textures) for sampler, name in read.items()}
+    linked = [link.with_inputs(drawn, stage.programs, uniforms, known) for drawn in stage.passes]
     timed, kept = with_setup(linked, stage.programs, uniforms, stage.targets, textures)
     used = link.declared_in(uniforms, stage.programs)
     plan = FramePlan(

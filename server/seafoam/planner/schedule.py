@@ -15,9 +15,6 @@ from seafoam.framegraph.resources import FixedSize, Target, TargetInput, Texture
 from seafoam.framegraph.rules import CameraRule, Clamp, Loop, Phase, Rule, Uniform, Viewport, Wrap
 from seafoam.framegraph.visibility import reads
 
-_NO_CAMERA = (0.0, 0.0)
-"""Wavevector of rules that do not depend on the camera's position."""
-
 
 def with_setup(
     passes: Sequence[Pass],
@@ -65,28 +62,17 @@ def _static_targets(passes: Sequence[Pass], steady: Sequence[bool], targets: Map
     writers: dict[str, list[int]] = {}
     for index, drawn in enumerate(passes):
         writers.setdefault(drawn.target, []).append(index)
-    static = {
-        name
-        for name, by in writers.items()
-        if name in targets
-        and isinstance(targets[name].size, FixedSize)
-        and all(steady[index] for index in by)
-        and _covers(passes[by[0]])
-    }
+    fixed = {name for name, target in targets.items() if isinstance(target.size, FixedSize)}
+    still = {name for name, by in writers.items() if all(steady[i] for i in by) and _covers(passes[by[0]])}
+    static = fixed & still
+    read = [(index, drawn.target, name) for index, drawn in enumerate(passes) for name in reads(drawn)]
     while True:
-        changing: set[str] = set()
-        for index, drawn in enumerate(passes):
-            for name in reads(drawn):
-                by = writers.get(name, [])
-                # A target that is read before its first or last pass has other content in the next frame.
-                before = bool(by) and by[0] < index
-                if drawn.target in static and not (name in static and before):
-                    changing.add(drawn.target)
-                elif drawn.target not in static and name in static and not (before and by[-1] < index):
-                    changing.add(name)
-        if not changing:
+        # A target that is read before its first or last pass has other content in the next frame.
+        moved = {into for index, into, name in read if name not in static or writers[name][0] >= index}
+        moved |= {name for index, into, name in read if into not in static and index <= writers.get(name, [-1])[-1]}
+        if not static & moved:
             return static
-        static -= changing
+        static -= moved
 
 
 def _covers(drawn: Pass) -> bool:
@@ -104,7 +90,7 @@ def _steady(rule: Rule) -> bool:
     """Whether a rule gives the same numbers in every frame, in a target of fixed size."""
     match rule:
         case Phase() | Clamp() | Wrap():
-            return not rule.rate and rule.k == _NO_CAMERA
+            return not rule.rate and rule.k == (0.0, 0.0)
         case Loop() | CameraRule() | Viewport(of="picture"):
             return False
         case _:

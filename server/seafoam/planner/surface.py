@@ -6,7 +6,7 @@ from functools import cached_property
 from seafoam.effects.shader import COMMON, PLACE, Piece, SlotFile, SlotRef
 from seafoam.effects.waves.sea import WHITECAP_WIND
 from seafoam.framegraph.plan import Fullscreen, Grid, Pass, Program, State
-from seafoam.framegraph.resources import Input, Target, TargetInput, target_inputs
+from seafoam.framegraph.resources import Target
 from seafoam.planner import slots
 from seafoam.planner.adaptive import Redrawn
 from seafoam.planner.frame import MARCH, MARCHED, OVER, PLANE, Frame, Stage, find, from_under, fullscreen, underwater
@@ -37,8 +37,6 @@ class Scenery:
         self.sampled: tuple[Piece, ...] = (*COMMON, PLACE_SHIFTED if frame.narrow else PLACE)
         # Land extends above the horizon, where the sea's mesh does not.
         self.mesh = frame.quality.surface.method == "mesh" and not frame.level and not frame.shore
-        met: dict[str, Input] = {"u_met": TargetInput(target="met")} if frame.shore else {}
-        self.inputs = {**frame.collection.inputs, **met}
         self.files = self._files()
         self.combine: slots.Combine = frame.scene.foam.combine if frame.scene.foam else "max"
         self.slots = slots.surface_slots(self.combine, frame.shore)
@@ -170,15 +168,10 @@ class Scenery:
         lit, found = self._surfaces(), []
         if self.kept:
             found = [self._samples_pass(drawn) for drawn in lit]
-            inputs = {**lit[0].inputs, **target_inputs({"u_surface_samples": SAMPLES})}
-            lit = [drawn.model_copy(update={"inputs": inputs}) for drawn in lit]
         if not self.frame.shore:
             return [*found, *lit, self._sky_pass]
 
-        def over(name: str, program: str, target: str, state: State) -> Pass:
-            return self.frame.found_over(name, program, target, state, lit[0].inputs)
-
-        first, equal = State(depth=True, clear=True), State(depth=True, equal=True)
+        over, first, equal = self.frame.found_over, State(depth=True, clear=True), State(depth=True, equal=True)
         if self.kept:
             shown = over(f"where land shows, {LAND_SAMPLES}", "land, shown", SAMPLES, first)
             found = [shown, *found, over(LAND_SAMPLES, LAND_SAMPLES, SAMPLES, equal)]
@@ -196,7 +189,7 @@ class Scenery:
     def _sky_pass(self) -> Pass:
         # A mesh ends before the horizon, and rays of a camera between crests may miss the water.
         view = "any" if self.mesh else "rising"
-        return fullscreen(SKY, SKY, self.target, {}).model_copy(update={"view": view, "state": State(depth=True)})
+        return fullscreen(SKY, SKY, self.target).model_copy(update={"view": view, "state": State(depth=True)})
 
     def _surfaces(self) -> list[Pass]:
         frame, cells = self.frame, self.frame.quality.surface.cells
@@ -208,7 +201,6 @@ class Scenery:
             program=SURFACE,
             target=self.target,
             mesh=Grid(rows=cells, columns=cells) if self.mesh else Fullscreen(),
-            inputs=self.inputs,
             # With a shore, the pass that tells where land shows has cleared.
             state=State(depth=True, clear=not frame.shore),
         )

@@ -4,7 +4,6 @@ import math
 
 from seafoam.scene import Drift, DriftSaturation, Foam, FoamLife, FrontSaturation, HeightSaturation, Vortex
 from support.cases import Cases, HardCase, reduced
-from support.hard.mutations import guards, reference
 from support.scenes import Camera, Light, ParametricWave, Scene, Shore
 
 _INVISIBLE_FRONT = (
@@ -13,40 +12,6 @@ _INVISIBLE_FRONT = (
 )
 
 _HARD_FRONT = (
-    HardCase(
-        "the pole of every crest, C 0.25",
-        Scene(
-            waves=(ParametricWave(amplitude=0.0, wavelength=2.0),),
-            foam=Foam(saturation=(FrontSaturation(intensity=0.25),), look="halftone"),
-        ),
-        guard="f = 4 where the phase is exactly 0, the pole; exponent clamped to [-80, 80] "
-        "(foam/saturation/front.glsl@profile)",
-        camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
-        without={
-            "foam/saturation/front.glsl": {
-                "signal.y == 0.0 ? 80.0 :": "",
-                "clamp((rho + signal.x) / signal.y, -80.0, 80.0)": "(rho + signal.x) / signal.y",
-            }
-        },
-        missed_by="tests/gpu/numerics/test_hard_cases.py::test_front_at_its_pole_and_beyond_the_schemas_c[0.25]",
-    ),
-    HardCase(
-        "the pole of the listing, C 100",
-        Scene(
-            waves=(ParametricWave(amplitude=0.0, wavelength=2.0),),
-            foam=Foam(saturation=(FrontSaturation(intensity=100.0, constants="listing"),), look="listing"),
-        ),
-        guard="the cotangent of half the phase instead of the published tangent (foam/saturation/front.glsl@profile)",
-        camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
-        without={
-            "foam/saturation/front.glsl": {
-                "exp(u_front_log_base * exponent)": (
-                    "exp(-u_front_log_base * tan(0.5 * atan(signal.y, signal.x) + 0.5 * PI))"
-                )
-            }
-        },
-        missed_by="tests/gpu/numerics/test_hard_cases.py::test_front_at_its_pole_and_beyond_the_schemas_c[0.25]",
-    ),
     reduced(
         "patches anywhere, at any time",
         Scene(
@@ -55,54 +20,6 @@ _HARD_FRONT = (
         ),
         "the camera's position in the noise",
         Camera(position=(-1e7, 3.0, 1e7), yaw=1.0, pitch=-0.3),
-    ),
-    HardCase(
-        "a gate without width",
-        Scene(
-            waves=(ParametricWave(amplitude=0.3), ParametricWave(amplitude=0.3, direction=0.5)),
-            foam=Foam(
-                saturation=(FrontSaturation(group=(0.5, 0.5)), HeightSaturation(base=-0.5, full=2.0)),
-                look="halftone",
-                combine="max",
-            ),
-        ),
-        guard="upper group threshold at least 1e-4 above the lower one (effects/foam/front.py)",
-        without={"effects/foam/front.py": {"max(front.group[1], front.group[0] + 1e-4)": "front.group[1]"}},
-        missed_by=guards("foam", "groups_foam_over_a_range"),
-    ),
-    HardCase(
-        "footprints from a hair to the horizon",
-        Scene(
-            waves=(ParametricWave(amplitude=0.01, wavelength=0.05), ParametricWave(amplitude=0.3, wavelength=2000.0)),
-            foam=Foam(),
-        ),
-        guard="whole periods counted separately, Gauss quadrature over short intervals "
-        "(foam/saturation/front.glsl@filtered)",
-        times=(0.0, 1e9),
-        camera=Camera(position=(0.0, 0.8, 0.0), pitch=-0.2),
-        without={"foam/saturation/front.glsl": {"if (i == j && !crosses)": "if (false)"}},
-        missed_by=guards("foam", "functions_are_guarded[a front under a hair]"),
-    ),
-    HardCase(
-        "waves that hide their backs, an eye as high as their crests",
-        Scene(
-            waves=(
-                ParametricWave(amplitude=0.5, wavelength=8.0, exponent=2.0),
-                ParametricWave(amplitude=0.2, wavelength=5.0, direction=0.6),
-            ),
-            foam=Foam(),
-        ),
-        guard="divisor of a ray's fall over the waves' slope at least 1e-20, phase intervals at least 1e-5 rad "
-        "(foam/saturation/front.glsl@filtered)",
-        times=(0.0, 1e9),
-        camera=Camera(position=(0.37, 0.4375, -0.21), yaw=1.2, pitch=-0.05),
-        without={
-            "foam/saturation/front.glsl": {
-                "max(relief * length(p), 1e-20)": "(relief * length(p))",
-                "1.0 - q16, 1e-6), 1e-5)": "1.0 - q16, 1e-6), 0.0)",
-            }
-        },
-        missed_by=guards("foam", "functions_are_guarded[a front as high as the eye]"),
     ),
 )
 
@@ -123,32 +40,6 @@ _INVISIBLE_DRIFT = (Scene(foam=_FOAM_DRIFT), Scene(drift=_EDDY, foam=Foam(satura
 
 _HARD_DRIFT = (
     HardCase(
-        "the centre of a vortex in the middle of a pixel",
-        Scene(light=_LIGHT, drift=_EDDY, foam=_FOAM_DRIFT),
-        guard="a series for (1 - e^-y)/y at small y, where the difference cancels (foam/drift.glsl@flow)",
-        times=(0.0, 17.0),
-        camera=Camera(position=(0.0, 4.0, -10.0), pitch=-math.pi / 2),
-        # SwiftShader's sine, good to 2e-4, moves threads of foam round a vortex, a pixel wide.
-        coarse_share=0.12,
-        without={"foam/drift.glsl": {"y < 0.05 ?": "y < 0.0 ?"}},
-        missed_by=reference("foam/drift", "flow_equals_float64_right_into_the_centre"),
-    ),
-    HardCase(
-        "a hundred texels a step",
-        Scene(light=_LIGHT, drift=_with(current=(17.0, -5.0)), foam=_FOAM_DRIFT),
-        guard="texels are traced back along the flow, so that each has a value for any step "
-        "(foam/drift_passes.glsl@backward)",
-        times=(3.0,),
-        camera=_VIEW,
-        without={
-            "effects/foam/drift.py": {
-                'self.forward = quality.drift == "forward"': 'self.forward = quality.drift != "exact"',
-                'look != "filtered" or quality.drift == "forward"': 'look != "filtered" or quality.drift != "exact"',
-            }
-        },
-        missed_by=reference("foam/drift", "backward_is_one_everywhere_where_forward_gaps_and_piles"),
-    ),
-    HardCase(
         "a vortex that turns twice a second",
         Scene(
             light=_LIGHT,
@@ -165,19 +56,6 @@ _HARD_DRIFT = (
                 )
             }
         },
-    ),
-    HardCase(
-        "a vortex that has ground its foam finer than texels",
-        Scene(
-            light=_LIGHT,
-            drift=_with(current=(0.0, 0.0), vortices=(Vortex(place=(0.0, -6.0), radius=1.2, speed=2.0),)),
-            foam=Foam(saturation=(DriftSaturation(life=60.0, patch=1.0),), mask="clump", mask_tile=4.0),
-        ),
-        guard="patches blend to their mean where a texel is larger than a patch (foam/drift_passes.glsl@backward)",
-        times=(50.0,),
-        camera=Camera(position=(0.0, 6.0, -6.0), pitch=-math.pi / 2),
-        without={"foam/drift_passes.glsl": {"mix(sum, u_drift_coverage, smoothstep(0.5, 2.0, reach))": "sum"}},
-        missed_by=guards("foam", "foam_that_is_ground_fine_does_not_flicker"),
     ),
     reduced(
         "drifting foam ten thousand kilometres away, after thirty years",
@@ -209,15 +87,6 @@ _HARD_DRIFT = (
         times=(12.0,),
         camera=_VIEW,
         without={"effects/foam/drift.py": {': 1.0 if foam.look == "filtered" else SATURATION_CAP': ": SATURATION_CAP"}},
-    ),
-    HardCase(
-        "no current and no vortex",
-        Scene(light=_LIGHT, drift=_with(current=(0.0, 0.0), vortices=()), foam=_FOAM_DRIFT),
-        guard="without vortices the shader's array holds one of speed 0 (effects/foam/drift.py)",
-        times=(12.0,),
-        camera=_VIEW,
-        without={"effects/foam/drift.py": {".vortices or (Vortex(place=drift.place, speed=0.0),)": ".vortices"}},
-        error="greater than or equal to 1",
     ),
 )
 

@@ -4,52 +4,15 @@ import math
 
 from seafoam.scene import Cirrus, Clouds, Light, Moon, Sky
 from support.cases import Cases, HardCase, reduced
-from support.hard.mutations import BRIGHTEST, guards
-from support.scenes import Camera, Foam, HeightSaturation, ParametricWave, Ripples, Scene, Water
+from support.scenes import Camera, ParametricWave, Ripples, Scene, Water
 
 _HARD_LIGHT = (
-    HardCase(
-        "sun at the horizon",
-        Scene(light=Light(sun_elevation=0.0, turbidity=10.0), water=Water(ripples=Ripples())),
-        guard="offsets of 0.03 and 0.09 in the air masses (docs/formulae.md, section 6)",
-        camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 2, pitch=0.0),
-        without={
-            "light/sky.glsl": {"(max(d.y, 0.0) + 0.09)": "max(d.y, 0.0)"},
-            "effects/light/atmosphere.py": {"(max(height, 0.0) + 0.03)": "max(height, 0.0)"},
-        },
-        error="ZeroDivisionError",
-    ),
     HardCase(
         "sun at the zenith",
         Scene(light=Light(sun_elevation=math.pi / 2, turbidity=10.0), water=Water(ripples=Ripples())),
         guard="offsets of 0.03 and 0.09 in the air masses (docs/formulae.md, section 6)",
         camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 2, pitch=0.0),
         without={"light/sky.glsl": {"(max(d.y, 0.0) + 0.09)": "max(d.y, 0.0)"}},
-    ),
-    HardCase(
-        "straight up and straight down, no heading",
-        Scene(
-            light=Light(sun_elevation=math.pi / 2),
-            foam=Foam(saturation=(HeightSaturation(base=-1.0, full=1.0),), look="textured"),
-        ),
-        guard="horizontal directions are divided by at least 1e-6 (light/sky.glsl@analytic)",
-        camera=Camera(position=(0.0, 3.0, 0.0), pitch=-math.pi / 2, roll=1.0, fov=0.01),
-        without={"light/sky.glsl": {"max(length(d.xz), 1e-6)) * u_air_horizon": "length(d.xz)) * u_air_horizon"}},
-        missed_by=guards("light", "the_horizon_is_no_heading_straight_down"),
-    ),
-    HardCase(
-        "the brightest disc, ten stops up",
-        Scene(light=Light(sun_elevation=0.1, exposure=10.0)),
-        guard="light is at most 65504, the greatest half float (light/sky.glsl@main, surface/main.glsl@main)",
-        camera=Camera(position=(0.0, 5.0, 0.0), yaw=math.pi / 2, pitch=0.1, fov=0.1),
-        without=BRIGHTEST,
-    ),
-    HardCase(
-        "ten stops down at night",
-        Scene(light=Light(sun_elevation=-math.pi / 2, exposure=-10.0), water=Water(ripples=Ripples())),
-        guard="the air's light is at least 0.002 (effects/light/atmosphere.py)",
-        without={"effects/light/atmosphere.py": {"NIGHT = 0.002": "NIGHT = 0.0"}},
-        missed_by=guards("light", "no_night_is_black_in_half_floats"),
     ),
     HardCase(
         "no lamp at all: the sun down, the moon not yet counted",

@@ -2,9 +2,8 @@
 
 import math
 
-from seafoam.scene import TOUCHES_MOST, Current, ParametricWave, Ring, Ripples, Sea, Stone, Touch, Water
+from seafoam.scene import Current, ParametricWave, Ring, Ripples, Sea, Stone, Touch, Water
 from support.cases import Cases, HardCase, reduced
-from support.hard.mutations import TIME, guards
 from support.scenes import Camera, Foam, Gusts, HeightSaturation, Scene, SlopeSaturation
 
 _VIEW = Camera(position=(0.0, 3.2, 0.0), pitch=-0.35)
@@ -17,7 +16,6 @@ _AWAY = _STONE.model_copy(update={"place": (9.9e6 + 0.3, -9.9e6 - 7.0)})
 _INVISIBLE_RINGS = (
     Scene(rings=(Ring(amplitude=1e-4), Ring(amplitude=0.0))),
     Scene(rings=(Ring(amplitude=1e-4),), foam=Foam(saturation=(HeightSaturation(),), look="halftone")),
-    Scene(rings=(Ring(amplitude=1.00001e-4, wavelength=3.0),), water=Water(translucency=0.0)),
     Scene(rings=(_STONE,), light=None),
 )
 
@@ -80,33 +78,6 @@ _INVISIBLE_TOUCH = (
 )
 
 _HARD_TOUCH = (
-    HardCase(
-        "as many touches as there may be, at one place",
-        Scene(touches=(Touch(strength=0.004, time=-0.5),) * TOUCHES_MOST),
-        guard="slopes without height, so no ray misses a crest (waves/rings.glsl@touch)",
-        camera=_NEAR,
-        without={
-            "waves/rings.glsl": {
-                "vec3 touches_detail(vec2 p, Footprint fp) {": (
-                    "vec3 touched(vec2 p, Footprint fp, bool high);\n"
-                    "vec3 touches_waves(vec2 p) {\n"
-                    "    return touched(p, Footprint(vec2(0.0), vec2(0.0)), true);\n"
-                    "}\n"
-                    "vec4 touches_shading(vec2 p, Footprint fp) {\n"
-                    "    return vec4(touched(p, fp, true).x, touched(p, fp, false));\n"
-                    "}\nvec3 touched(vec2 p, Footprint fp, bool high) {"
-                ),
-                "sum += vec3(kept": "sum += high ? vec3(ring.x, ring.y * ring.z * way) : vec3(kept",
-            },
-            "effects/waves/rings.py": {
-                'SlotFile("detail"': 'SlotFile("waves"',
-                "bound=effect.Bound.zero_if(": (
-                    "max_height=0.004, min_height=-0.004, max_slope=1.0, bound=effect.Bound.zero_if("
-                ),
-            },
-        },
-        missed_by=guards("waves", "no_ray_misses_a_ring_of_touches"),
-    ),
     reduced(
         "touches ten thousand kilometres away",
         Scene(touches=_moved_touch(_TRAIN, (1e7 - 8.0, -1e7 + 8.0)), water=Water(ripples=Ripples())),
@@ -122,16 +93,15 @@ _HARD_TOUCH = (
         camera=_NEAR,
         without={"waves/rings.glsl": {"amplitude <= 0.0 || rho": "rho", "touch.w <= 0.0 || !ring": "!ring"}},
     ),
-    HardCase(
+    reduced(
         "touches of a river thirty years after its current set in",
         Scene(
             current=Current(speed=2.0, direction=0.6),
             touches=tuple(touch.model_copy(update={"time": 9e8 + touch.time}) for touch in _TRAIN),
         ),
-        guard="velocity times the time of the touch and velocity times time cancel in float64 (effects/waves/rings.py)",
+        "the way of a ring with the river since its touch",
+        _NEAR,
         times=(9e8,),
-        camera=_NEAR,
-        without=TIME,
     ),
 )
 
@@ -142,7 +112,6 @@ _VARIANTS = (
 
 _INVISIBLE_RIPPLES = (
     Scene(water=Water(ripples=Ripples(slope=0.0))),
-    Scene(water=Water(ripples=Ripples(slope=4e-7))),
     Scene(waves=(ParametricWave(),), foam=Foam(), water=Water(ripples=Ripples()), light=None),
 )
 
@@ -153,16 +122,6 @@ _HARD_RIPPLES = (
         "phases, and the camera's position in each tile and in the noise,",
         Camera(position=(-1e7, 1.2, 1e7), yaw=1.0, pitch=-0.3),
         times=(-1e9, 1e9, 1e9 + 1e-6),
-    ),
-    HardCase(
-        "the steepest ripples, all one way",
-        Scene(
-            water=Water(ripples=Ripples(slope=0.6, spread=0.0)),
-            foam=Foam(saturation=(HeightSaturation(base=-1.0, full=1.0),)),
-        ),
-        guard="the cosine of incidence is at least the roughness (light/shade.glsl@lit)",
-        without={"light/shade.glsl": {"float cv = sqrt(nv * nv + sigma2 * aside2)": "float cv = nv"}},
-        missed_by=guards("waves", "no_facet_that_faces_away_glitters"),
     ),
 )
 

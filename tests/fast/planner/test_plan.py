@@ -12,9 +12,8 @@ from typing import Any, get_args
 import pytest
 
 import seafoam
-from seafoam.framegraph.plan import State
-from seafoam.framegraph.resources import Target, ViewportSize
-from seafoam.planner import AssemblyError, FramePlan, PlanError, link, make_plan, planner
+from seafoam.framegraph.resources import ViewportSize
+from seafoam.planner import FramePlan, PlanError, make_plan, planner
 from seafoam.planner.glsl import PART, parts_of
 from seafoam.quality import TIERS, Quality, SurfaceQuality
 from seafoam.resources import data_dir
@@ -174,19 +173,6 @@ def test_a_scene_loads_its_mask_and_draws_the_atlas_once() -> None:
     assert {one.when for one in made} == {"setup"}
     assert plan.kept.keys() == other.kept.keys() == {"mask_atlas"}
     assert other.kept != plan.kept
-    # Whole numbers are not cleared, blended or tested.
-    link.refuse_integers(made[-1], plan.targets)
-    for state in (State(clear=True), State(blend="add"), State(depth=True)):
-        with pytest.raises(AssemblyError, match="integers"):
-            link.refuse_integers(made[-1].model_copy(update={"state": state}), plan.targets)
-
-
-def test_a_target_with_layers_has_no_mip_levels() -> None:
-    plain: dict[str, Any] = {"size": ViewportSize(), "format": "RGBA16F"}
-    Target(**plain, layers=4, depth=True)
-    Target(**plain, filter="linear_mipmap_linear")
-    with pytest.raises(ValueError, match="layers"):
-        Target(**plain, filter="linear_mipmap_linear", layers=2)
 
 
 def chosen(**changes: object) -> Quality:

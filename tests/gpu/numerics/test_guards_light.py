@@ -3,10 +3,6 @@
 import numpy as np
 
 from seafoam.effects.shader import Inline
-from seafoam.quality import TIERS
-from seafoam.render.gl.executor import Executor
-from support.hard.pictures import BY_NAME
-from support.pictures import samples
 from support.probe import Probe, stand_in
 
 FLOOR = "uniform vec3 u_floor_albedo;\nuniform float u_floor_depth;\n"
@@ -46,10 +42,3 @@ def test_light_at_grazing_incidence_comes_from_the_floor_as_along_the_water(prob
         uniforms={"u_floor_albedo": (1.0, 1.0, 1.0), "u_floor_depth": 0.5},
     )
     assert (got[0] == got[1]).all()
-
-
-def test_no_night_is_black_in_half_floats(executor: Executor) -> None:
-    case = BY_NAME["ten stops down at night"]
-    got = samples(executor, case.scene, TIERS["standard"], case.camera, time=0.0, size=(48, 27))
-    # Blue is the last colour to be lost.
-    assert (got[..., 2] > 0.0).mean() > 0.5

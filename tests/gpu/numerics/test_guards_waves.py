@@ -3,20 +3,21 @@
 import numpy as np
 import pytest
 
+from cases.spray import ON_ROCKS, ROCK
 from gpu.reference.foam.test_shader_functions import ONE_WAVE
 from seafoam.effects.shader import Inline
 from seafoam.ocean.waves.cascades import RAISED, cascades
 from seafoam.planner import make_plan
 from seafoam.planner.glsl import read_file
 from seafoam.quality import TIERS
-from seafoam.reference import render
 from seafoam.render.gl.executor import Executor
+from support.cases import EYE, HardCase
 from support.exact import EXACT
 from support.hard.guarded import Guarded
-from support.hard.pictures import BY_NAME, QUALITIES, SIZE, truth_of
+from support.hard.pictures import SIZE, truth_of
 from support.pictures import draw, draw_target, levels, samples
 from support.probe import Probe, stand_in
-from support.scenes import Camera, Scene, Sea
+from support.scenes import Light, Ripples, Scene, Sea, Spray, Water
 
 NUMBERS = "lib/numbers.glsl"
 
@@ -122,32 +123,25 @@ def test_no_wave_is_higher_than_the_march_takes_it_to_be(executor: Executor) -> 
 
 
 def test_sums_of_drops_stay_below_the_greatest_half_float(executor: Executor) -> None:
-    case = BY_NAME["spray before the brightest sun, ten stops up"]
-    plan = make_plan(case.scene, TIERS["standard"])
+    bright = Light(sun_elevation=0.5, sun_azimuth=-1.5, exposure=10.0)
+    plan = make_plan(Scene(shore=ROCK, spray=Spray(), light=bright), TIERS["standard"])
     shown = plan.model_copy(update={"linear": "spray_thick"})
-    got = draw(executor, shown, case.camera, time=case.times[-1], size=(96, 54), output="linear")
+    got = draw(executor, shown, ON_ROCKS, time=1.2, size=(96, 54), output="linear")
     assert got.max() < 0.5 * 65504.0
 
 
 def test_no_facet_that_faces_away_glitters(executor: Executor) -> None:
-    case = BY_NAME["the steepest ripples, all one way"]
-    got = samples(executor, case.scene, QUALITIES["exact"], case.camera, time=0.0, size=(96, 54))
+    scene = Scene(water=Water(ripples=Ripples(slope=0.6, spread=0.0)))
+    got = samples(executor, scene, EXACT, EYE, time=0.0, size=(96, 54))
     assert got.max() < 1000.0
 
 
 def test_drops_are_the_references(executor: Executor) -> None:
-    case = BY_NAME["drops of a thousandth of a sample"]
-    (time,) = case.times
-    got = samples(executor, case.scene, EXACT, case.camera, time=time, size=SIZE)
+    """Of a thousandth of a sample: a drop is at least 1.5 samples wide, and hides as much of them."""
+    light = Light(sun_elevation=0.5, sun_azimuth=-1.5, exposure=-2.0)
+    scene = Scene(shore=ROCK, spray=Spray(size=0.002, mist=0.0), light=light)
+    case = HardCase("tiny drops", scene, "", times=(1.2,), camera=ON_ROCKS)
+    got = samples(executor, scene, EXACT, ON_ROCKS, time=1.2, size=SIZE)
     away = levels(got, truth_of(executor, case)[0])
     assert away.mean() <= 0.03
     assert (away > 2.0).mean() <= 0.003
-
-
-def test_no_ray_misses_a_ring_of_touches(executor: Executor) -> None:
-    """As from the case's own place, but nearer."""
-    scene = BY_NAME["as many touches as there may be, at one place"].scene
-    camera = Camera(position=(0.0, 2.0, 0.0), pitch=-0.32, fov=0.1)
-    got = samples(executor, scene, EXACT, camera, time=0.0, size=SIZE)
-    away = levels(got, render(scene, time=0.0, width=SIZE[0], height=SIZE[1], camera=camera).rgb)
-    assert (away > 2.0).mean() <= 0.01

@@ -3,8 +3,8 @@
 import math
 
 from seafoam.effects import effect
-from seafoam.effects.bounds import body_limit, max_displacement
-from seafoam.effects.effect import ABOVE, Bound, Contribution, PassSpec, QualityParameter, Resources, drawn_map
+from seafoam.effects.bounds import max_displacement
+from seafoam.effects.effect import ABOVE, Contribution, PassSpec, QualityParameter, Resources, drawn_map
 from seafoam.effects.light.light import ILLUMINATION
 from seafoam.effects.shader import COMMON, PLACE, Const, Piece, SlotFile, SlotRef, constant_function
 from seafoam.effects.shore.maps import FIND_LAND
@@ -91,7 +91,7 @@ def _pose(scene: Scene) -> Resources:
     support = "boats/pose.glsl@afloat" if scene.shore is None else "boats/pose.glsl@aground"
     files = ("lib/numbers.glsl", SlotRef("waves"), COURSE, support, "boats/pose.glsl@pass")
     target = Target(size=FixedSize(width=len(scene.boats), height=1), format="RGBA32F", layers=3)
-    return drawn_map(PassSpec("how boats float", "boat_pose", files), target, "u_boat_pose")
+    return drawn_map(PassSpec("how boats float", "boat_pose", files), target)
 
 
 def _picture_pass(scene: Scene) -> PassSpec:
@@ -136,7 +136,6 @@ def _shadows(scene: Scene, boats: tuple[Boat, ...], quality: Quality) -> Contrib
         why="rays to the sun from the water around boats",
         slots=(SlotFile("sunlight", "boats/drawn.glsl@shadow", needs=TRACE),),
         consts={"SUN_UNDER_SAIL": UNDER_SAIL},
-        bound=Bound.zero_if(body_limit(scene) == 0.0, "no sunlight"),
     )
 
 

@@ -8,7 +8,7 @@ from seafoam.effects.boats.boat import COURSE
 from seafoam.effects.bounds import BLOCK
 from seafoam.effects.effect import Bound, Contribution, PassSpec, QualityParameter, Resources, drawn_map, part_effect
 from seafoam.effects.shader import Inline, Piece, SlotFile, Source
-from seafoam.framegraph.resources import FixedSize, Target, target_inputs
+from seafoam.framegraph.resources import FixedSize, Target
 from seafoam.framegraph.rules import constants, number, rounded, significant
 from seafoam.ocean.waves.wakes import NEAR, Wake, joint_height, joint_slope, wakes
 from seafoam.quality import Quality
@@ -116,7 +116,7 @@ def _map(kind: WakeKind, count: int, size: int) -> Resources:
     return drawn_map(along, Target(size=map_size, format="RGBA16F", filter="linear")).joined(
         drawn_map(of_blocks, Target(size=blocks, format="RGBA16F")),
         drawn_map(of_all, Target(size=bounds_size, format="RGBA16F")),
-        Resources(inputs=kind.renamed(target_inputs({"u_wake_map": name, "u_wake_bounds": f"{name}_bounds"}))),
+        Resources(inputs=kind.renamed({"u_wake_map": name, "u_wake_bounds": f"{name}_bounds"})),
     )
 
 

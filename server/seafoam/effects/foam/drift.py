@@ -7,7 +7,7 @@ from seafoam.effects import effect
 from seafoam.effects.bounds import SATURATION_CAP
 from seafoam.effects.shader import VALUE_NOISE, Const, Piece, SlotFile, Source
 from seafoam.framegraph.plan import Points
-from seafoam.framegraph.resources import FixedSize, Target, target_inputs
+from seafoam.framegraph.resources import FixedSize, Target
 from seafoam.framegraph.rules import Loop, array, constants, number, rounded, significant, to_camera, vector
 from seafoam.ocean.waves.stokes import steady_drift
 from seafoam.quality import Quality
@@ -58,30 +58,20 @@ def draw(scene: Scene, foam: Foam, source: DriftSaturation, quality: Quality) ->
         },
         bound=effect.Bound.zero_if(source.amount == 0.0, "the foam's amount is 0", (amount,)),
     )
-    return common.joined(_per_sample(advection) if quality.drift == "exact" else _from_map(advection))
-
-
-def _per_sample(advection: "_Advection") -> effect.Resources:
-    flow = ("foam/drift.glsl@square", "foam/drift.glsl@clock", "foam/drift.glsl@flow")
-    back = ("foam/drift.glsl@ago", "foam/drift.glsl@back", "foam/saturation/drift.glsl@rim")
-    files = (*flow, *VALUE_NOISE, "foam/drift.glsl@patches", *back)
-    return effect.Resources(
-        slots=(SlotFile("saturation", "foam/saturation/drift.glsl@exact", prefix="drift", needs=files),),
-        uniforms={**advection.flow, **advection.patches},
-    )
-
-
-def _from_map(advection: "_Advection") -> effect.Resources:
-    files = ("foam/drift.glsl@square", "foam/drift.glsl@clock", "foam/saturation/drift.glsl@rim")
-    maps = {"u_drift_map": "drift", "u_drift_coarse": "drift_coarse"}
-    if not advection.forward:
-        maps["u_drift_way"] = "drift_way"
-    return effect.Resources(
-        slots=(SlotFile("saturation", "foam/saturation/drift.glsl@map", prefix="drift", needs=files),),
-        inputs=target_inputs(maps),
+    files: tuple[Piece, ...] = ("foam/drift.glsl@square", "foam/drift.glsl@clock")
+    if quality.drift == "exact":
+        back = ("foam/drift.glsl@ago", "foam/drift.glsl@back", "foam/saturation/drift.glsl@rim")
+        needs = (*files, "foam/drift.glsl@flow", *VALUE_NOISE, "foam/drift.glsl@patches", *back)
+        slot = SlotFile("saturation", "foam/saturation/drift.glsl@exact", prefix="drift", needs=needs)
+        return common.joined(effect.Resources(slots=(slot,), uniforms={**advection.flow, **advection.patches}))
+    needs = (*files, "foam/saturation/drift.glsl@rim")
+    own = effect.Resources(
+        slots=(SlotFile("saturation", "foam/saturation/drift.glsl@map", prefix="drift", needs=needs),),
+        inputs={"u_drift_map": "drift"},
         targets=advection.targets(),
         passes=advection.passes(),
     )
+    return common.joined(own)
 
 
 class _Advection:
@@ -148,21 +138,16 @@ class _Advection:
         return {**targets, "drift_way": way, "drift_still": parts, "drift_older": parts}
 
     def passes(self) -> tuple[effect.PassSpec, ...]:
-        files, means = (
-            (*_NUMBERS, "foam/drift.glsl@flow", "foam/drift_passes.glsl@flow"),
-            "foam/drift_passes.glsl@coarse",
-        )
+        files = (*_NUMBERS, "foam/drift.glsl@flow", "foam/drift_passes.glsl@flow")
         return (
             effect.PassSpec("flow of drift", "drift_flow", files, {}, {**self.square, **self.flow, **self.texel}),
             *(self._forward() if self.forward else self._backward()),
-            effect.PassSpec("drift, means", "drift_coarse", (means,), {"u_drift_map": "drift"}),
+            effect.PassSpec("drift, means", "drift_coarse", ("foam/drift_passes.glsl@coarse",)),
         )
 
     def _backward(self) -> tuple[effect.PassSpec, ...]:
         """Every texel traced back along the flow to where its water was when each generation appeared."""
         square, clock, texel, spec = self.square, self.clock, self.texel, effect.PassSpec
-        flow = {"u_drift_flow": "drift_flow"}
-        parts = {**flow, "u_drift_still": "drift_still"}
         way = (*_NUMBERS, "foam/drift.glsl@clock", *_FLOW_MAP, "foam/drift.glsl@ago", "foam/drift.glsl@rest")
         youngest = (*way, "foam/drift_passes.glsl@way")
         patches = (*way, *VALUE_NOISE, "foam/drift.glsl@patches", "foam/drift_passes.glsl@backward")
@@ -171,16 +156,10 @@ class _Advection:
         back, further = (*still, "foam/drift_passes.glsl@still"), (*still, "foam/drift_passes.glsl@still_older")
         all_uniforms = {**square, **clock, **self.patches, **texel, **self.coverage}
         return (
-            spec("drift, parts of a generation back", "drift_still", back, flow, {**square, **texel}),
-            spec("drift, two generations further back", "drift_still_older", further, parts, square, "drift_older"),
-            spec("drift, ways of the youngest", "drift_way", youngest, parts, {**square, **clock, **texel}),
-            spec(
-                "drift, followed back",
-                "drift",
-                patches,
-                {**flow, "u_drift_way": "drift_way", "u_drift_older": "drift_older"},
-                all_uniforms,
-            ),
+            spec("drift, parts of a generation back", "drift_still", back, {}, {**square, **texel}),
+            spec("drift, two generations further back", "drift_still_older", further, {}, square, "drift_older"),
+            spec("drift, ways of the youngest", "drift_way", youngest, {}, {**square, **clock, **texel}),
+            spec("drift, followed back", "drift", patches, {}, all_uniforms),
         )
 
     def _forward(self) -> tuple[effect.PassSpec, ...]:
@@ -198,7 +177,7 @@ class _Advection:
                 f"drift, move {i + 1} of {self.moves}",
                 "drift_move",
                 ("foam/drift_passes.glsl@forward",),
-                {"u_drift_flow": "drift_flow", "u_drift_from": order[i % 2]},
+                {"u_drift_from": order[i % 2]},
                 moved,
                 target=order[(i + 1) % 2],
                 vertex=(*clock, *_FLOW_MAP, "foam/drift_passes.glsl@forward_vertex"),

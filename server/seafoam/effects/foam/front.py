@@ -4,13 +4,12 @@ import math
 from dataclasses import replace
 
 from seafoam.effects.bounds import SATURATION_CAP, parametric_wave_height
-from seafoam.effects.effect import Bound, Contribution, SaturationSource, TextureUse, foam_effect
-from seafoam.effects.shader import PERLIN_3, Const, Piece, SlotFile, drifting_noise
+from seafoam.effects.effect import Bound, Contribution, Resources, SaturationSource, TextureUse, foam_effect
+from seafoam.effects.shader import PERLIN_3, Piece, SlotFile, drifting_noise
 from seafoam.effects.waves.parametric import front_files, profile_square, scaled_files, shares_phase
-from seafoam.framegraph.resources import TextureInput
 from seafoam.framegraph.rules import Phase, Uniform, array, constants, number, rounded, significant, vector
 from seafoam.ocean.basics.dispersion import angular_frequency, wavevector
-from seafoam.ocean.waves.groups import group_velocity, in_groups
+from seafoam.ocean.waves.groups import group_velocity
 from seafoam.ocean.waves.stokes import foam_drift, follows_orbits, orbit
 from seafoam.quality import Quality
 from seafoam.scene import Foam, FrontSaturation, Scene
@@ -38,90 +37,65 @@ def draw(scene: Scene, foam: Foam, front: FrontSaturation, quality: Quality) -> 
     if front.decay is not None:
         contribution = _decaying(scene, front, front.decay, filtered=filtered)
     else:
-        contribution = _present(scene, front, f"{foam.pointer(front)}/intensity")
-        if filtered:
-            contribution = _averaged(scene, front, contribution)
+        contribution = _present(scene, front, f"{foam.pointer(front)}/intensity", filtered=filtered)
     return replace(contribution, bound=bound)
 
 
-def _present(scene: Scene, front: FrontSaturation, intensity_field: str) -> Contribution:
-    own: dict[str, Const] = {} if shares_phase(scene) else {"FRONT_COUNT": len(scene.waves)}
-    return Contribution(
+def _present(scene: Scene, front: FrontSaturation, pointer: str, *, filtered: bool) -> Contribution:
+    """Foam of the fronts that there are: where they are, or averaged over footprints by a table of its integral."""
+    delta, turn, log_base = _CONSTANTS[front.constants]
+    needs = (*_phase_files(scene), "foam/saturation/front.glsl@gate", "foam/saturation/front.glsl@profile")
+    plain = SlotFile("saturation", "foam/saturation/front.glsl@plain", prefix="front", needs=needs)
+    present = Contribution(
         why=f"front saturation of {_waves(scene)}, constants of the {front.constants}",
-        slots=(
-            SlotFile("saturation", "foam/saturation/front.glsl@plain", prefix="front", needs=_present_files(scene)),
-        ),
-        consts={**own, "FRONT_GATED": _gated(front)},
+        slots=() if filtered else (plain,),
+        consts={"FRONT_COUNT": len(scene.waves), "FRONT_GATED": _gated(front)},
         uniforms={
             **_phase_uniforms(scene, front.constants),
-            "u_front_log_base": number(_CONSTANTS[front.constants][2]),
+            "u_front_log_base": number(log_base),
             "u_front_group": _group(front),
-            "u_front_intensity": number(front.intensity, intensity_field),
+            # The table contains the intensity too, so that the uniform cannot change alone.
+            "u_front_intensity": number(front.intensity, None if filtered else pointer),
         },
     )
-
-
-def _present_files(scene: Scene) -> tuple[Piece, ...]:
-    return (*_phase_files(scene), "foam/saturation/front.glsl@gate", "foam/saturation/front.glsl@profile")
-
-
-def _averaged(scene: Scene, front: FrontSaturation, present: Contribution) -> Contribution:
-    """``present`` averaged over footprints by a table of its integral."""
-    delta, turn, log_base = _CONSTANTS[front.constants]
+    if not filtered:
+        return present
+    seen = (*needs, "foam/saturation/front.glsl@seen")
     integral = FrontIntegral(intensity=front.intensity, log_base=log_base)
-    needs = (*_present_files(scene), "foam/saturation/front.glsl@seen")
-    return replace(
-        present,
-        why=f"{present.why}, averaged over footprints",
-        slots=(SlotFile("saturation", "foam/saturation/front.glsl@filtered", prefix="front", needs=needs),),
+    averaged = Resources(
+        slots=(SlotFile("saturation", "foam/saturation/front.glsl@filtered", prefix="front", needs=seen),),
         consts={
-            **present.consts,
             "FRONT_CREST": 2.0 * delta - math.pi / 2.0,
             "FRONT_NODES": FRONT_NODES,
             "FRONT_FULL": front_full(front.intensity, log_base),
             "FRONT_FADING": front_fading(front.intensity, log_base),
         },
-        uniforms={
-            **present.uniforms,
-            # The table contains the intensity too, so the uniform cannot change alone.
-            "u_front_intensity": number(front.intensity),
-            "u_front_relief": number(significant(_relief(scene, turn / (2.0 * math.pi)))),
-        },
-        inputs={"u_front_integral": TextureInput(texture="front_integral")},
+        uniforms={"u_front_relief": number(significant(_relief(scene, turn / (2.0 * math.pi))))},
         textures={"front_integral": TextureUse(integral, wrap="clamp_to_edge")},
     )
+    return replace(present, why=f"{present.why}, averaged over footprints").joined(averaged)
 
 
 def _decaying(scene: Scene, front: FrontSaturation, decay: float, *, filtered: bool) -> Contribution:
     """Foam that remains where fronts have left it, and decays to 1/e in ``decay`` s."""
-    shared = shares_phase(scene)
+    shared, drift = shares_phase(scene), foam_drift(scene)
     waves, mean_rate = _past_waves(scene, shared)
-    uniforms = _phase_uniforms(scene, "text")
     orbits: tuple[Piece, ...] = ("foam/saturation/front.glsl@way_none",)
-    if follows_orbits(scene) and shared:
-        orbits = ("foam/saturation/front.glsl@way_shared",)
-    elif follows_orbits(scene):
-        orbits = scaled_files(scene, "foam/saturation/front.glsl@way_own", "waves/groups.glsl@way")
-        # Horizontal amplitude of each wave's orbits, as a vector along its heading, m.
-        orbit_of = [(orbit(wave, scene.water.depth), wave.direction) for wave in scene.waves]
-        ends = (rounded((r * math.cos(d), r * math.sin(d))) for r, d in orbit_of)
-        uniforms["u_front_orbit"] = constants("vec2", ends)
-    if in_groups(scene):
-        # The way of a group of waves past water that drifts, m/rad of the waves' mean phase.
-        ways = (part - drift for part, drift in zip(group_velocity(scene), foam_drift(scene), strict=True))
-        uniforms["u_front_advance"] = vector(rounded(way / mean_rate for way in ways))
+    if follows_orbits(scene):
+        own = scaled_files(scene, "foam/saturation/front.glsl@way_own", "waves/groups.glsl@way")
+        orbits = ("foam/saturation/front.glsl@way_shared",) if shared else own
+    # Horizontal amplitude of each wave's orbits, as a vector along its heading, m.
+    orbit_of = [(orbit(wave, scene.water.depth), wave.direction) for wave in scene.waves]
+    # The way of a group of waves past water that drifts, m/rad of the waves' mean phase.
+    ways = [(part - past) / mean_rate for part, past in zip(group_velocity(scene), drift, strict=True)]
     life = significant(mean_rate * decay)
     born = significant(front_full(front.intensity, 1.0))
     patchy = front.variation > 0.0 and _gated(front)
     gate = ("foam/saturation/front.glsl@gate", "foam/saturation/front.glsl@seen")
     needs: tuple[Piece, ...] = (*_phase_files(scene), *front_files(scene), *gate, *orbits)
     patches = (*PERLIN_3, "foam/saturation/front.glsl@patches") if patchy else ("foam/saturation/front.glsl@even",)
-    if patchy:
-        # The noise of the patches drifts as foam does.
-        drift_x, drift_z = foam_drift(scene)
-        speed, heading = math.hypot(drift_x, drift_z), math.atan2(drift_z, drift_x)
-        uniforms["u_front_patch_phase"] = drifting_noise(front.variation_size, speed, heading, PATCH_CHANGE)
-        uniforms["u_front_patch"] = vector(rounded((front.variation_size, front.variation)))
+    # The noise of the patches drifts as foam does.
+    speed, heading = math.hypot(*drift), math.atan2(drift[1], drift[0])
     return Contribution(
         why=f"foam of {_waves(scene)} left by the last three fronts, {decay:g} s to 1/e",
         slots=(SlotFile("saturation", "foam/saturation/front.glsl@living", prefix="front", needs=(*needs, *patches)),),
@@ -132,14 +106,18 @@ def _decaying(scene: Scene, front: FrontSaturation, decay: float, *, filtered: b
             "FRONT_CREST": math.pi / 2.0,
             "FRONT_BORN": born,
             "FRONT_LIFE": life,
-            **({"FRONT_SEED": _SEED} if patchy else {}),
+            "FRONT_SEED": _SEED,
             "FRONT_WHOLE": significant(born + life * -math.expm1((born - 2.0 * math.pi) / life)),
         },
         uniforms={
-            **uniforms,
+            **_phase_uniforms(scene, "text"),
+            "u_front_orbit": constants("vec2", (rounded((r * math.cos(d), r * math.sin(d))) for r, d in orbit_of)),
+            "u_front_advance": vector(rounded(ways)),
             "u_living": constants("vec4", waves),
             "u_front_relief": number(significant(_relief(scene, 1.0))),
             "u_front_group": _group(front),
+            "u_front_patch_phase": drifting_noise(front.variation_size, speed, heading, PATCH_CHANGE),
+            "u_front_patch": vector(rounded((front.variation_size, front.variation))),
         },
     )
 

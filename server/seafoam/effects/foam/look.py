@@ -7,14 +7,12 @@ import math
 from dataclasses import dataclass
 
 from seafoam.effects import shader
-from seafoam.effects.bounds import foam_limit, greatest_saturation
-from seafoam.effects.effect import Bound, Contribution, PlanError, QualityParameter, Resources, TextureUse, part_effect
+from seafoam.effects.bounds import no_foam
+from seafoam.effects.effect import Contribution, PlanError, QualityParameter, Resources, TextureUse, part_effect
 from seafoam.effects.foam import drift
 from seafoam.effects.foam.mask_atlas import atlas_of
 from seafoam.effects.foam.sources import surf_limit
-from seafoam.effects.registry import saturation_fields
 from seafoam.effects.shader import HASH, PERLIN_2, Piece, SlotFile, Source, constant_function, drifting_phases
-from seafoam.framegraph.resources import TextureInput
 from seafoam.framegraph.rules import Uniform, Wrap, array, number, vector
 from seafoam.masks.catalogue import Mask, drawn_mask
 from seafoam.masks.prefilter import OCTAVE_RAMP
@@ -36,8 +34,11 @@ _AT_REST = constant_function("vec2", "carry", "vec2 p")
 """No displacement by waves, near a coast as elsewhere."""
 CELLS = 4096
 """Number of cells along each side of their lattice after which their rotations repeat."""
-_MASK_TABLES: dict[str, MaskTable] = {"u8": "ranks-8", "half": "thresholds-half", "u16": "ranks"}
-_MASK_TEXELS = {"u8": "foam/mask.glsl@texel_u8", "half": "foam/mask.glsl@texel_half", "u16": "foam/mask.glsl@texel_u16"}
+_MASKS: dict[str, tuple[MaskTable, str]] = {
+    "u8": ("ranks-8", "foam/mask.glsl@texel_u8"),
+    "half": ("thresholds-half", "foam/mask.glsl@texel_half"),
+    "u16": ("ranks", "foam/mask.glsl@texel_u16"),
+}
 _LOOKS = {
     "halftone": "foam/look.glsl@halftone",
     "halftone_textured": "foam/look.glsl@halftone_textured",
@@ -60,16 +61,9 @@ def _living(scene: Scene, foam: Foam, life: FoamLife, quality: Quality) -> Contr
         carry = "foam/carry.glsl@surf" if breaks else "foam/carry.glsl@shore"
         slots.append(SlotFile("shore carry", carry if life.carried else _AT_REST))
     drift = foam_drift(scene)
-    uniforms: dict[str, Uniform] = {}
-    if life.row_strength > 0.0:
-        c, s = math.cos(life.downwind), math.sin(life.downwind)
-        across = 1.0 / life.windrow_spacing
-        rows = ((c * across / WINDROW_LENGTH, s * across / WINDROW_LENGTH), (-s * across, c * across))
-        uniforms = {
-            "u_windrow_phase": drifting_phases(rows, drift, 2.0 * math.pi / shader.NOISE_CELLS),
-            "u_windrow_matrix": vector((*rows[0], *rows[1])),
-            "u_windrows": number(life.row_strength, "/foam/life/windrows"),
-        }
+    c, s = math.cos(life.downwind), math.sin(life.downwind)
+    across = 1.0 / life.windrow_spacing
+    rows = ((c * across / WINDROW_LENGTH, s * across / WINDROW_LENGTH), (-s * across, c * across))
     return Contribution(
         why=f"foam drifts at {math.hypot(*drift):.2g} m/s"
         + (", moved by the waves' orbits" if life.carried else "")
@@ -77,7 +71,11 @@ def _living(scene: Scene, foam: Foam, life: FoamLife, quality: Quality) -> Contr
         + (f", in windrows {life.windrow_spacing:g} m apart" if life.row_strength > 0.0 else ""),
         slots=tuple(slots),
         consts={"WINDROW_RIDGE": WINDROW_RIDGE, "WINDROW_SEED": WINDROW_SEED},
-        uniforms=uniforms,
+        uniforms={
+            "u_windrow_phase": drifting_phases(rows, drift, 2.0 * math.pi / shader.NOISE_CELLS),
+            "u_windrow_matrix": vector((*rows[0], *rows[1])),
+            "u_windrows": number(life.row_strength, "/foam/life/windrows"),
+        },
     )
 
 
@@ -87,14 +85,9 @@ def _draw(scene: Scene, foam: Foam, quality: Quality) -> Contribution:
     if masks:
         parts.append(_mask_place(scene, foam, masks[0][1]))
     if masks and foam.look != "filtered":
-        ranks = MaskTexture(masks=(foam.mask,), table=_MASK_TABLES[quality.mask])
-        parts.append(
-            _Part(
-                needs=(_MASK_TEXELS[quality.mask], "foam/mask.glsl@exact"),
-                inputs={"u_mask_ranks": TextureInput(texture="mask_ranks")},
-                textures={"mask_ranks": TextureUse(ranks)},
-            )
-        )
+        table, texel = _MASKS[quality.mask]
+        ranks = TextureUse(MaskTexture(masks=(foam.mask,), table=table))
+        parts.append(_Part(needs=(texel, "foam/mask.glsl@exact"), textures={"mask_ranks": ranks}))
     if _textured(foam):
         parts.append(_texture(foam, quality))
     elif foam.look == "filtered":
@@ -110,7 +103,7 @@ def _draw(scene: Scene, foam: Foam, quality: Quality) -> Contribution:
             SlotFile("albedo", "foam/shading.glsl@albedo"),
         ),
         uniforms={"u_foam_albedo": number(foam.albedo, "/foam/albedo")},
-        bound=_bound(foam, scene),
+        bound=no_foam(foam, scene),
     )
     return contribution.joined(*parts)
 
@@ -142,41 +135,34 @@ def _masks(foam: Foam) -> list[tuple[str, Mask]]:
     return [first, *(named for named in older if named[1].ranks.shape == first[1].ranks.shape)]
 
 
-def _turned(foam: Foam) -> tuple[float, float]:
-    """Cosine and sine of the mask's rotation, over the side of its tile (1/m)."""
-    return math.cos(foam.mask_angle) / foam.mask_tile, math.sin(foam.mask_angle) / foam.mask_tile
-
-
 def _cells(scene: Scene, foam: Foam) -> bool:
     return foam.look != "textured" and foam.cells and foam_life(scene) is None
 
 
 def _mask_place(scene: Scene, foam: Foam, mask: Mask) -> _Part:
     """Coordinates on the mask: of water that drifts, of cells, or fixed in the world."""
-    c, s = _turned(foam)
-    needs: tuple[Piece, ...]
-    if foam_life(scene) is not None:
-        needs = ("foam/mask.glsl@carried",)
-        uniforms = {"u_mask_phase": drifting_phases(((c, s), (-s, c)), foam_drift(scene), 2.0 * math.pi)}
-    elif foam.cells:
-        needs, uniforms = (HASH, "foam/cells.glsl@cell"), _cell_uniforms(foam)
-    else:
-        needs = ("foam/mask.glsl@coordinates",)
-        uniforms = {"u_mask_offset": array("vec2", [Wrap(k=(c, s)), Wrap(k=(-s, c))], 1)}
-    uniforms["u_mask_matrix"] = vector((c, s, -s, c))
-    return _Part(needs=needs, consts={"MASK_SIZE": mask.ranks.shape[0]}, uniforms=uniforms)
-
-
-def _cell_uniforms(foam: Foam) -> dict[str, Uniform]:
-    c, s = _turned(foam)
-    # From tiles to steps along two sides of the lattice's triangles.
+    # Of the mask's rotation, over the side of its tile (1/m).
+    c, s = math.cos(foam.mask_angle) / foam.mask_tile, math.sin(foam.mask_angle) / foam.mask_tile
+    # From tiles to steps along two sides of the triangles of the cells' lattice.
     first = (c + s / math.sqrt(3.0), s - c / math.sqrt(3.0))
     second = (-2.0 / math.sqrt(3.0) * s, 2.0 / math.sqrt(3.0) * c)
-    return {
-        "u_cell_matrix": vector((*first, *second)),
-        "u_cell_offset": array("vec2", [Wrap(k=first), Wrap(k=second)], 1),
-        "u_cell_index": array("vec2", [Wrap(k=first, period=CELLS), Wrap(k=second, period=CELLS)], 1),
-    }
+    needs: tuple[Piece, ...] = ("foam/mask.glsl@coordinates",)
+    if foam_life(scene) is not None:
+        needs = ("foam/mask.glsl@carried",)
+    elif foam.cells:
+        needs = (HASH, "foam/cells.glsl@cell")
+    return _Part(
+        needs=needs,
+        consts={"MASK_SIZE": mask.ranks.shape[0]},
+        uniforms={
+            "u_mask_matrix": vector((c, s, -s, c)),
+            "u_mask_phase": drifting_phases(((c, s), (-s, c)), foam_drift(scene), 2.0 * math.pi),
+            "u_mask_offset": array("vec2", [Wrap(k=(c, s)), Wrap(k=(-s, c))], 1),
+            "u_cell_matrix": vector((*first, *second)),
+            "u_cell_offset": array("vec2", [Wrap(k=first), Wrap(k=second)], 1),
+            "u_cell_index": array("vec2", [Wrap(k=first, period=CELLS), Wrap(k=second, period=CELLS)], 1),
+        },
+    )
 
 
 def _filtered_mask(scene: Scene, foam: Foam, masks: list[tuple[str, Mask]], quality: Quality) -> _Part:
@@ -220,7 +206,6 @@ def _texture(foam: Foam, quality: Quality) -> _Part:
         needs=files,
         consts={"FOAM_TEXTURE_SIZE": foam_texture().shape[0]},
         uniforms=uniforms,
-        inputs={"u_foam_texture": TextureInput(texture="foam_texture")},
         textures={"foam_texture": use},
     )
 
@@ -257,18 +242,6 @@ def _why(scene: Scene, foam: Foam, quality: Quality) -> str:
         + (", advected by the drift" if drift.advects_mask(scene, quality) else "")
         + (", drifting and ageing" if foam_life(scene) is not None else "")
     )
-
-
-def _bound(foam: Foam, scene: Scene) -> Bound | None:
-    most = greatest_saturation(foam, scene)
-    fields = saturation_fields(scene)
-    if most == 0.0:
-        return Bound(0.0, "the saturation is 0 everywhere", fields)
-    if foam.look == "textured":
-        value = min(most, 1.0) * foam_limit(foam, scene)
-        fields += ("/foam/albedo", "/light/exposure")
-        return Bound(value, f"the saturation is at most {most:.2g}", fields)
-    return None
 
 
 LIVING = part_effect("foam that lives", _living, "/foam/life", afloat=("u_windrow_phase",))

@@ -7,7 +7,7 @@ bit-identical on all executors. Foam with a history has several masks: their atl
 from collections.abc import Sequence
 
 from seafoam.effects.effect import PassSpec, Resources, TextureUse
-from seafoam.framegraph.resources import FixedSize, Input, Target, TargetInput, TextureInput
+from seafoam.framegraph.resources import FixedSize, Target
 from seafoam.framegraph.rules import number
 from seafoam.masks.catalogue import Mask
 from seafoam.textures.masks import MaskTable, MaskTexture
@@ -30,7 +30,7 @@ def atlas_of(named: Sequence[tuple[str, Mask]], kind: MaskTable) -> Resources:
         used[f"mask_quantiles{_suffix(i)}"] = _table((name,), "quantiles")
     return Resources(
         consts={"MASK_STEP": max(65536 // masks[0].ranks.size, 1)},
-        inputs={"u_mask_atlas": TargetInput(target=ATLAS), "u_mask_quantiles": TextureInput(texture=tables)},
+        inputs={"u_mask_quantiles": tables},
         textures={**used, tables: _table(names, kind)},
         targets=_targets(masks),
         passes=_all_passes(masks),
@@ -68,18 +68,17 @@ def _all_passes(masks: Sequence[Mask]) -> tuple[PassSpec, ...]:
             "mask: atlases of all ages",
             "mask_stack",
             ("foam/mask_passes.glsl@stack",),
+            {f"u_mask_atlas_{i}": alone[index] for i, index in enumerate(which)},
             target=ATLAS,
-            inputs={f"u_mask_atlas_{i}": TargetInput(target=alone[index]) for i, index in enumerate(which)},
         ),
     )
 
 
 def _passes(mask: Mask, index: int, atlas: str) -> tuple[PassSpec, ...]:
     size, moments = mask.ranks.shape[0], MOMENTS + _suffix(index)
-    ranks: dict[str, Input] = {"u_mask_ranks": TextureInput(texture=f"mask_ranks{_suffix(index)}")}
-    files = ("foam/mask_passes.glsl@moments",)
-    inputs = {**ranks, "u_mask_quantiles": TextureInput(texture=f"mask_quantiles{_suffix(index)}")}
-    specs = [PassSpec("mask: moments", "mask_moments", files, target=moments, inputs=inputs)]
+    ranks = {"u_mask_ranks": f"mask_ranks{_suffix(index)}"}
+    files, read = ("foam/mask_passes.glsl@moments",), {**ranks, "u_mask_quantiles": f"mask_quantiles{_suffix(index)}"}
+    specs = [PassSpec("mask: moments", "mask_moments", files, read, target=moments)]
     source, side, row, level = moments, size // 2, 0, 0
     while side >= 1:
         level += 1
@@ -88,8 +87,8 @@ def _passes(mask: Mask, index: int, atlas: str) -> tuple[PassSpec, ...]:
         name, files = f"mask: moments, level {level}", ("foam/mask_passes.glsl@halve",)
         specs.append(PassSpec(name, "mask_halve", files, {"u_mask_moments": source}, sizes, target))
         source, row, side = target, size - 2 * side, side // 2
-    files, read = ("foam/mask_passes.glsl@atlas",), {"u_mask_moments": moments, "u_mask_levels": source}
-    last = PassSpec("mask: atlas", "mask_atlas", files, read, target=atlas, inputs=ranks)
+    files, read = ("foam/mask_passes.glsl@atlas",), {**ranks, "u_mask_moments": moments, "u_mask_levels": source}
+    last = PassSpec("mask: atlas", "mask_atlas", files, read, target=atlas)
     return (*specs, last)
 
 

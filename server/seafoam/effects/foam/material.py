@@ -2,15 +2,16 @@
 
 import math
 
-from seafoam.effects.bounds import FOAM_ASYMMETRY, body_limit, foam_limit, greatest_saturation
-from seafoam.effects.effect import Bound, Contribution, QualityParameter, part_effect
-from seafoam.effects.registry import saturation_fields
+from seafoam.effects.bounds import no_foam
+from seafoam.effects.effect import Contribution, QualityParameter, part_effect
 from seafoam.effects.shader import SlotFile
 from seafoam.framegraph.rules import number, significant
 from seafoam.ocean.waves.stokes import foam_life
 from seafoam.quality import Quality
 from seafoam.scene import Foam, FoamScattering, Scene, Water
 
+ASYMMETRY = 0.75
+"""Asymmetry parameter g of the Henyey-Greenstein phase function of light that foam scatters once."""
 SHADE = 0.6
 """Share of the sun's light that foam blocks; the rest passes through it."""
 
@@ -28,7 +29,7 @@ def _relief(scene: Scene, foam: Foam, thickness: float, quality: Quality) -> Con
         slots=(SlotFile("relief", "foam/shading.glsl@relief", needs=(beside,)),),
         consts={"FOAM_SHADE": SHADE},
         uniforms={"u_foam_thickness": number(thickness, "/foam/thickness")},
-        bound=_bound(foam, scene, "no foam that could cast a shadow"),
+        bound=no_foam(foam, scene),
     )
 
 
@@ -39,15 +40,15 @@ def _scattering(scene: Scene, foam: Foam, layer: FoamScattering, quality: Qualit
         why=f"foam of an optical depth of {layer.optical_depth:g}",
         slots=(SlotFile("foam layer", "foam/shading.glsl@scattering"),),
         consts={
-            "FOAM_ASYMMETRY": FOAM_ASYMMETRY,
-            "FOAM_PHASE": significant((1.0 - FOAM_ASYMMETRY**2) / (4.0 * math.pi)),
+            "FOAM_ASYMMETRY": ASYMMETRY,
+            "FOAM_PHASE": significant((1.0 - ASYMMETRY**2) / (4.0 * math.pi)),
         },
         uniforms={
             "u_foam_depth": number(layer.optical_depth, "/foam/scattering/optical_depth"),
             "u_foam_lumps": number(significant(2.0 / math.pi * layer.roughness**2)),
             "u_foam_forward": number(layer.forward, "/foam/scattering/forward"),
         },
-        bound=_bound(foam, scene, "no foam"),
+        bound=no_foam(foam, scene),
     )
 
 
@@ -55,12 +56,6 @@ def _aeration(scene: Scene, water: Water, aeration: float, quality: Quality) -> 
     foam = scene.foam
     if foam is None or scene.light is None:
         return None
-    most = min(greatest_saturation(foam, scene), 1.0)
-    # Light crosses the layer twice, on a path of at most three times its depth: refracted rays are never flatter.
-    whitened = 1.0 - math.exp(-3.0 * aeration * water.plume_depth * most)
-    why = "almost no bubbles, no foam above them, or no light on them"
-    fields = ("/light/exposure", "/water/aeration", "/water/plume_depth", *saturation_fields(scene))
-    bound = Bound(whitened * body_limit(scene), why, fields)
     return Contribution(
         why=f"bubbles down to {water.plume_depth:g} m under foam",
         slots=(SlotFile("plume", "water/body.glsl@bubbles", needs=("light/shade.glsl@optics", "lib/refraction.glsl")),),
@@ -68,14 +63,8 @@ def _aeration(scene: Scene, water: Water, aeration: float, quality: Quality) -> 
             "u_aeration": number(aeration, "/water/aeration"),
             "u_plume_depth": number(water.plume_depth, "/water/plume_depth"),
         },
-        # Caustics make a floor brighter than the bound of uniform light.
-        bound=None if scene.light.caustics is not None else bound,
+        bound=no_foam(foam, scene),
     )
-
-
-def _bound(foam: Foam, scene: Scene, why: str) -> Bound:
-    covered = greatest_saturation(foam, scene) > 0.0
-    return Bound(body_limit(scene) + foam_limit(foam, scene) if covered else 0.0, why, saturation_fields(scene))
 
 
 RELIEF = part_effect(

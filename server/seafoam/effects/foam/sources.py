@@ -67,25 +67,22 @@ def visible_heights(scene: Scene) -> tuple[float, float, list[tuple[float, float
 def draw_height(scene: Scene, foam: Foam, height: HeightSaturation, quality: Quality) -> Contribution:
     pointer = foam.pointer(height)
     file = "foam/saturation/height.glsl@filtered" if foam.look == "filtered" else "foam/saturation/height.glsl@plain"
-    consts: dict[str, Const] = {}
-    uniforms: dict[str, Uniform] = {}
+    own: dict[str, Uniform] = {}
     needs: tuple[str, ...] = ()
     # Shores refract waves, and an open sea resolves its heights until its largest waves are smaller than a pixel.
-    if foam.look == "filtered" and scene.sea is None and scene.shore is None:
-        raised = [wave for wave in scene.waves if wave.amplitude > 0.0]
-        if raised:
-            file, needs = "foam/saturation/height.glsl@seen", ("foam/saturation/height.glsl@level",)
-            mean, steepest, seen = visible_heights(scene)
-            kx, kz = wavevector(max(raised, key=lambda wave: wave.amplitude), scene.water.depth)
-            consts["HEIGHT_NODES"] = NODES
-            uniforms["u_height_wave"] = vector((kx, kz, significant(mean), significant(1.0 / max(steepest, 1e-30))))
-            uniforms["u_height_seen"] = constants("vec2", map(rounded, seen))
+    raised = [wave for wave in scene.waves if wave.amplitude > 0.0]
+    if raised and foam.look == "filtered" and scene.sea is None and scene.shore is None:
+        file, needs = "foam/saturation/height.glsl@seen", ("foam/saturation/height.glsl@level",)
+        mean, steepest, seen = visible_heights(scene)
+        kx, kz = wavevector(max(raised, key=lambda wave: wave.amplitude), scene.water.depth)
+        wave = vector((kx, kz, significant(mean), significant(1.0 / max(steepest, 1e-30))))
+        own = {"u_height_wave": wave, "u_height_seen": constants("vec2", map(rounded, seen))}
     return Contribution(
         why=f"height saturation between {height.base:g} and {height.full:g} m",
         slots=(SlotFile("saturation", file, prefix="height", needs=needs),),
-        consts=consts,
+        consts={"HEIGHT_NODES": NODES},
         uniforms={
-            **uniforms,
+            **own,
             "u_height_level": number(significant(paper_level(scene))),
             "u_height_base": number(height.base, f"{pointer}/base"),
             "u_height_full": number(height.full, f"{pointer}/full"),
@@ -108,21 +105,16 @@ def draw_slope(scene: Scene, foam: Foam, slope: SlopeSaturation, quality: Qualit
     # Without slope filtering a wider footprint has no effect.
     blurred = _WIDENED if quality.slope_places == 1 and quality.surface.filter else "foam/saturation/slope.glsl@blurred"
     file = blurred if slope.blur > 0.0 else "foam/saturation/slope.glsl@plain"
-    consts: dict[str, Const] = {"SLOPE_MOST": 1.0 if foam.look == "filtered" else 4.0}
-    if file == _WIDENED:
-        consts["SLOPE_WIDENED"] = WIDENED
     pointer = foam.pointer(slope)
-    uniforms: dict[str, Uniform] = {
-        "u_slope_gain": number(slope.gain, f"{pointer}/gain"),
-        "u_slope_base": number(slope.base, f"{pointer}/base"),
-    }
-    if slope.blur > 0.0:
-        uniforms["u_slope_blur"] = number(slope.blur)
     return Contribution(
         why=f"slope saturation, {slope.gain:g} times 1 - n.y of the normal",
         slots=(SlotFile("saturation", file, prefix="slope", needs=("foam/saturation/slope.glsl@lack",)),),
-        consts=consts,
-        uniforms=uniforms,
+        consts={"SLOPE_MOST": 1.0 if foam.look == "filtered" else SATURATION_CAP, "SLOPE_WIDENED": WIDENED},
+        uniforms={
+            "u_slope_gain": number(slope.gain, f"{pointer}/gain"),
+            "u_slope_base": number(slope.base, f"{pointer}/base"),
+            "u_slope_blur": number(slope.blur),
+        },
         bound=Bound.zero_if(slope_limit(slope, scene) == 0.0, "the surface has no waves, so no slope"),
     )
 
@@ -199,12 +191,14 @@ def draw_wake(scene: Scene, foam: Foam, wake: WakeSaturation, quality: Quality) 
             )
         )
     needs = (*VALUE_NOISE, _TORN[filtered], *WAY, _CONTACT if wake.contact else _NO_CONTACT)
-    hulls = {"u_contact_hull": constants("vec3", (HULLS[boat.kind] for boat in scene.boats))}
     return Contribution(
         why=f"foam behind boats, {wake.life:g} s to 1/e",
         slots=(SlotFile("saturation", "foam/saturation/wake.glsl@wake", prefix="wake", needs=needs),),
         consts=consts,
-        uniforms={"u_wake_foam": constants("vec4", amounts), **(hulls if wake.contact else {})},
+        uniforms={
+            "u_wake_foam": constants("vec4", amounts),
+            "u_contact_hull": constants("vec3", (HULLS[boat.kind] for boat in scene.boats)),
+        },
     )
 
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from seafoam.effects import effect
 from seafoam.effects.effect import Contribution, PassSpec, QualityParameter, Resources, drawn_map
-from seafoam.effects.shader import Const, SlotFile
+from seafoam.effects.shader import SlotFile
 from seafoam.effects.waves import sea as waves
 from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target
 from seafoam.framegraph.rules import Uniform, constants, number, rounded, significant, vector
@@ -35,8 +35,6 @@ def draw(scene: Scene, foam: Foam, source: WhitecapSaturation, quality: Quality)
     model = whitecap_model(scene.sea, source, scene.water.depth, steps, quality.age_step, quality.sea_size, smooth)
     if model is None:
         return Contribution.invisible("a sea whose waves do not break, or a coverage of 0")
-    # The Jacobian of the sample just shaded is reused, unless foam by slope evaluates the waves at other places first.
-    shared = foam.source(SlopeSaturation) is None
     needs: tuple[str, ...] = ("foam/saturation/whitecap.glsl@whitecap",)
     if steps > 0:
         needs += ("foam/saturation/whitecap.glsl@old" if model.old_shares else "foam/saturation/whitecap.glsl@no_old",)
@@ -44,7 +42,15 @@ def draw(scene: Scene, foam: Foam, source: WhitecapSaturation, quality: Quality)
     present = Contribution(
         why=f"foam where the Jacobian is below {1.0 + model.now[0]:.2f}",
         slots=(SlotFile("saturation", _TIMES[steps], prefix="whitecap", needs=needs),),
-        consts={"FOLD_TIMES": steps + 1, "FOLD_SHARED": shared},
+        consts={
+            "FOLD_TIMES": steps + 1,
+            # The Jacobian of the sample just shaded is reused, unless foam by slope shades other places first.
+            "FOLD_SHARED": foam.source(SlopeSaturation) is None,
+            "AGE_SIZE": quality.sea_size // 2,
+            "AGE_ROWS": steps // 4,
+            "OLD_SIZE": OLD_TEXELS,
+            "AGE_DRIFTS": foam_drift(scene) != (0.0, 0.0),
+        },
         uniforms={
             "u_whitecap": constants("vec2", map(rounded, (model.now, model.earlier))),
             "u_whitecap_variance": vector(rounded((*(part / slopes for part in model.variance), slopes))),
@@ -52,27 +58,14 @@ def draw(scene: Scene, foam: Foam, source: WhitecapSaturation, quality: Quality)
             "u_whitecap_share": constants("float", map(significant, model.shares)),
         },
     )
-    return present if steps == 0 else _with_history(present, scene, scene.sea, raised, quality, model)
-
-
-def _with_history(
-    present: Contribution, scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Quality, model: WhitecapModel
-) -> Contribution:
-    """``present`` with foam of earlier times: recent ones of all tiles and, if foam lasts, old ones of the largest."""
-    steps = quality.age_steps
-    earlier = [_recent(scene, sea, raised, quality)]
-    earliest = steps * quality.age_step
+    if steps == 0:
+        return present
+    # Recent times of all tiles and, if foam lasts, old ones of the largest.
+    earlier, earliest = [_recent(scene, scene.sea, raised, quality)], steps * quality.age_step
     if model.old_shares:
-        earlier.append(_old(scene, sea, raised, quality, model))
+        earlier.append(_old(scene, scene.sea, raised, quality, model))
         earliest = old_times(steps, quality.age_step)[-1]
-    consts: dict[str, Const] = {
-        "AGE_SIZE": quality.sea_size // 2,
-        "AGE_ROWS": steps // 4,
-        "OLD_SIZE": OLD_TEXELS,
-        "AGE_DRIFTS": foam_drift(scene) != (0.0, 0.0),
-    }
-    present = replace(present, why=f"{present.why}, and was in the last {earliest:g} s")
-    return present.joined(Resources(consts=consts), *earlier)
+    return replace(present, why=f"{present.why}, and was in the last {earliest:g} s").joined(*earlier)
 
 
 def _recent(scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Quality) -> Resources:
@@ -99,7 +92,7 @@ def _recent(scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Qualit
         target="age_tiles",
     )
     target = waves.tile_target(quality, size).model_copy(update={"size": over})
-    return jacobians.resources(sea, raised).joined(drawn_map(carried, target, "u_age_tiles"))
+    return jacobians.resources(sea, raised).joined(drawn_map(carried, target))
 
 
 def _old(scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Quality, model: WhitecapModel) -> Resources:
@@ -130,7 +123,7 @@ def _old(scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Quality, 
     )
     side = FixedSize.square(quality.sea_size // 2)
     target = Target(size=side, format="RGBA16F", filter=MIPMAPPED, wrap="repeat")
-    return jacobians.resources(sea, raised).joined(drawn_map(foam, target, "u_old_foam"))
+    return jacobians.resources(sea, raised).joined(drawn_map(foam, target))
 
 
 def _time_uniforms(

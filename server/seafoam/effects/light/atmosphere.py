@@ -26,7 +26,7 @@ NIGHT = 0.002
 """Irradiance of the air's light at night."""
 ASYMMETRY = 0.76
 """Asymmetry parameter g of the haze's Henyey-Greenstein phase function."""
-_NODES = 96
+NODES = 96
 """Steps of the sky's integral in elevation and azimuth."""
 
 
@@ -122,13 +122,13 @@ def glows(light: Light) -> dict[str, tuple[Direction, skylight.Glow]]:
 def clear_irradiance(light: Light) -> Floats:
     """(3,) irradiance of the clear sky on level water, by the midpoint rule (96 × 96)."""
     # Equal steps in the root of the height: the sky changes fastest at the horizon.
-    root = (np.arange(_NODES) + 0.5) / _NODES
-    height = np.repeat((root * root)[:, None], _NODES, axis=1)
-    turn = np.cos((np.arange(_NODES) + 0.5) * (math.pi / _NODES))
+    root = (np.arange(NODES) + 0.5) / NODES
+    height = np.repeat((root * root)[:, None], NODES, axis=1)
+    turn = np.cos((np.arange(NODES) + 0.5) * (math.pi / NODES))
     along = np.sqrt(1.0 - height * height) * turn
     total = np.zeros(3)
     for toward, glow in glows(light).values():
         gamma = along * math.hypot(toward[0], toward[2]) + height * toward[1]
         rings = skylight.radiance(glow, height, along, gamma, ASYMMETRY).mean(axis=1)
-        total += root**3 @ rings * (4.0 * math.pi / _NODES)
+        total += root**3 @ rings * (4.0 * math.pi / NODES)
     return read_only(total)

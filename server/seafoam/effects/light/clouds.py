@@ -21,7 +21,6 @@ _SKY = (*COMMON, SlotRef("sky"), "light/sky.glsl@mirrored_pass")
 _MIRRORED = drawn_map(
     PassSpec("clouds that the water mirrors", "clouds_mirrored", _SKY),
     Target(size=FixedSize.square(MAP_SIDE), format="RGBA16F", filter=MIPMAPPED),
-    "u_clouds_mirrored",
 ).joined(
     Resources(slots=(SlotFile("mirrored", "light/sky.glsl@mirrored_map"),), consts={"CLOUDS_SIDE": MAP_SIDE}),
 )
@@ -91,13 +90,6 @@ def _streak(high: Cirrus, heading: tuple[float, float], along: bool, share: floa
     return Phase(offset=0.0, rate=-k * high.wind_speed if along else 0.0, k=(k * axis[0], k * axis[1]))
 
 
-def _clear(scene: Scene) -> Scene:
-    assert scene.light is not None
-    assert scene.light.sky is not None
-    sky = scene.light.sky.model_copy(update={"clouds": None})
-    return scene.model_copy(update={"light": scene.light.model_copy(update={"sky": sky})})
-
-
 def _shadows(scene: Scene, light: Light, sky: Sky, clouds: Clouds, strength: float, quality: Quality) -> Contribution:
     if clouds.cover * clouds.thickness == 0.0:
         return Contribution.invisible("there are no clouds")
@@ -135,7 +127,6 @@ EFFECT = part_effect(
     "/light/sky/clouds",
     QualityParameter("/cloud_octaves", "octaves of the cloud noise", (2, 3, 4, 5, 6), "geometry"),
     QualityParameter("/clouds_mirrored", "clouds that the water mirrors", ("map", "exact"), "filtering"),
-    without=_clear,
 )
 SHADOWS = part_effect(
     "shadows of clouds",

@@ -8,9 +8,9 @@ from dataclasses import replace
 
 from seafoam.effects.effect import FINISHED, Bound, Contribution, PassSpec, QualityParameter, part_effect
 from seafoam.effects.light import atmosphere
-from seafoam.effects.light.light import brightest_sun, sun_disc
+from seafoam.effects.light.light import sun_disc, sun_irradiance
 from seafoam.effects.shader import HASH, SlotFile, Source
-from seafoam.framegraph.resources import Target, TargetInput, ViewportSize
+from seafoam.framegraph.resources import Target, ViewportSize
 from seafoam.framegraph.rules import Loop, Uniform, array, number, rounded, significant, vector
 from seafoam.quality import Quality
 from seafoam.scene import Light, Scene, Sparkles
@@ -34,15 +34,9 @@ def smooth_glint(light: Light) -> tuple[str, tuple[str, ...], dict[str, Uniform]
     return "light/glitter.glsl@blinn_phong", ("light/shade.glsl@irradiance",), uniforms
 
 
-def brightest_glint(scene: Scene) -> float:
-    """Return the greatest radiance of the sun, reflected or in the sky, display white = 1; 0 without a light."""
-    if scene.light is None:
-        return 0.0
-    # The peak of the specular lobe for a level surface at grazing angle, where cv equals the roughness; the factor 4
-    # covers surfaces whose roughness includes unresolved waves.
-    sigma = scene.water.roughness
-    brightest: float = max(brightest_sun(scene.light)) * math.exp2(scene.light.exposure)
-    return brightest * max(1.0 / (math.pi * sigma**3), 1.0 / 6.8e-5)
+def _no_lamp(light: Light) -> Bound | None:
+    fields = ("/light/exposure", "/water/roughness")
+    return Bound.zero_if(not sun_irradiance(light).any(), "the lamp is below the horizon", fields)
 
 
 def _draw(scene: Scene, light: Light, quality: Quality) -> Contribution:
@@ -51,7 +45,7 @@ def _draw(scene: Scene, light: Light, quality: Quality) -> Contribution:
         why="glitter of the moon" if atmosphere.moon_is_lamp(light) else "glitter of the sun",
         slots=(SlotFile("glitter", path, needs=needs), SlotFile("disc", "light/sky.glsl@sun_disc")),
         uniforms={"u_sun_disc": vector(rounded(sun_disc(light))), **uniforms},
-        bound=Bound(brightest_glint(scene), "the lamp is below the horizon", ("/light/exposure", "/water/roughness")),
+        bound=_no_lamp(light),
     )
 
 
@@ -62,8 +56,6 @@ def density(sparkles: Sparkles) -> float:
 
 def _sparkles(scene: Scene, light: Light, sparkles: Sparkles, quality: Quality) -> Contribution:
     radius = 0.5 * sparkles.size
-    # Up to four sparkles overlap, each with up to 1.9 times its mean brightness in the middle of its life.
-    peak = 4.0 * 1.9 / (math.pi / 3.0 * radius * radius * density(sparkles))
     path, needs, uniforms = smooth_glint(light)
     smooth = Source(path, (("glitter_light", "smooth_glitter"),))
     return Contribution(
@@ -78,11 +70,7 @@ def _sparkles(scene: Scene, light: Light, sparkles: Sparkles, quality: Quality) 
             "u_sparkle_life": number(sparkles.life),
             "u_sparkle_time": array("float", [Loop(period=sparkles.life), Loop(period=sparkles.life * EPOCHS)], 2),
         },
-        bound=Bound(
-            brightest_glint(scene) * max(peak, 1.0),
-            "the lamp is below the horizon",
-            ("/light/exposure", "/water/roughness"),
-        ),
+        bound=_no_lamp(light),
     )
 
 
@@ -105,7 +93,7 @@ def _glare(scene: Scene, light: Light, share: float, quality: Quality) -> Contri
         slots=(SlotFile("glare", "output/glare.glsl@spread"),),
         consts={"GLARE_LEVELS": GLARE_LEVELS},
         uniforms={"u_glare_share": number(share)},
-        inputs={"u_glare": TargetInput(target=names[0])},
+        inputs={"u_glare": names[0]},
         targets={
             name: Target(size=ViewportSize(part=size), format="RGBA16F", filter="linear")
             for name, size in zip(names, sizes, strict=True)

@@ -7,7 +7,7 @@ import numpy as np
 
 from seafoam.effects.effect import Bound, Contribution, part_effect
 from seafoam.effects.light import atmosphere, overcast
-from seafoam.effects.light.atmosphere import ASYMMETRY, RAYLEIGH, SUN_POWER, air_mass, lamp, mie_depth
+from seafoam.effects.light.atmosphere import ASYMMETRY, NODES, RAYLEIGH, SUN_POWER, air_mass, lamp, mie_depth
 from seafoam.effects.shader import HASH, PERLIN_2, SlotFile, Source
 from seafoam.framegraph.rules import Constant, Uniform, array, number, rounded, significant, vector
 from seafoam.ocean.arrays import Floats, read_only, smooth
@@ -25,8 +25,6 @@ _DISC_SOLID_ANGLE = 6.8e-5
 """Solid angle of the sun's disc, sr."""
 _MAX_DISC = 3000.0
 """Radiance at which the disc is clamped, well within the range of half floats."""
-_NODES = 96
-"""Steps of the sky's integral in elevation and azimuth."""
 STAR_POWER = 1.0
 """Brightness of the brightest stars at night."""
 
@@ -125,7 +123,7 @@ def sky_irradiance(light: Light) -> Floats:
     if light.sky is not None:
         return _rgb(overcast.irradiance(light))
     sun, parts = lamp(light), air_parts(light)
-    steps = (np.arange(_NODES) + 0.5) / _NODES
+    steps = (np.arange(NODES) + 0.5) / NODES
     # Equal steps in sin² of the elevation contain the cosine of incidence: cos dΩ = ½ d(y²) dφ.
     y = np.sqrt(steps)[:, None]
     gamma = (np.sqrt(1.0 - y * y) * math.hypot(sun[0], sun[2]) * np.cos(math.pi * steps) + y * sun[1])[..., None]

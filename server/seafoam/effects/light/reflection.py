@@ -1,10 +1,8 @@
 """Reflections of more than the sky, by a cube map or a mirrored camera. docs/formulae.md, sections 10 and 10b."""
 
-import math
-
 from seafoam.effects.boats.boat import COURSE, LIGHT, TRACE
-from seafoam.effects.effect import Bound, Contribution, PassSpec, QualityParameter, drawn_map, part_effect
-from seafoam.effects.light.light import ILLUMINATION, air_light, sky_irradiance, sun_irradiance
+from seafoam.effects.effect import Contribution, PassSpec, QualityParameter, drawn_map, part_effect
+from seafoam.effects.light.light import ILLUMINATION
 from seafoam.effects.shader import COMMON, VALUE_NOISE, Piece, SlotFile, SlotRef, constant_function
 from seafoam.effects.shore.maps import MAXIMA
 from seafoam.effects.shore.shore import LAND_LIGHT, soil_files
@@ -55,7 +53,7 @@ def _cubemap(scene: Scene, light: Light, reflection: str, quality: Quality) -> C
     if quality.cube == "exact":
         slot = SlotFile("reflection", "reflection/mirror.glsl@exact", needs=scenery)
         why = "reflects sky and land, traced for each sample"
-        return Contribution(why=why, slots=(slot,), bound=_bound(scene, light))
+        return Contribution(why=why, slots=(slot,))
     faces = ("lib/texels.glsl@cube_face", "reflection/cube.glsl@cube")
     needs = ("lib/texels.glsl@bilinear", *faces, "reflection/cube.glsl@texel")
     size = FixedSize(width=3 * quality.cube_size, height=2 * quality.cube_size)
@@ -63,25 +61,12 @@ def _cubemap(scene: Scene, light: Light, reflection: str, quality: Quality) -> C
         why=f"reflects sky{' and land' if shore else ''} from a cube map of six faces of {quality.cube_size}²",
         slots=(SlotFile("reflection", "reflection/cube.glsl@cubemap", needs=needs),),
         consts={"CUBE_SIZE": quality.cube_size},
-        bound=_bound(scene, light),
     ).joined(
         drawn_map(
             PassSpec("cube map", "cube", (*SURROUNDINGS, *scenery, *faces, "reflection/cube.glsl@pass")),
             Target(size=size, format="RGBA16F"),
-            "u_cube",
         )
     )
-
-
-def _bound(scene: Scene, light: Light) -> Bound | None:
-    """Reflected light is no brighter than fully lit white land or the brightest sky."""
-    factor = 2.0**light.exposure
-    if light.sky is not None:
-        return None
-    land = max(sun_irradiance(light) + sky_irradiance(light)) / math.pi
-    # The brightest point of the sky, where all light is scattered forward.
-    brightest = max(air_light(light)) * 2.6
-    return Bound(factor * max(land, brightest), "there is no light to reflect", ("/light/exposure",))
 
 
 def _planar(scene: Scene, light: Light, reflection: str, quality: Quality) -> Contribution | None:
@@ -117,7 +102,6 @@ def _planar(scene: Scene, light: Light, reflection: str, quality: Quality) -> Co
                 f"planar mirror, {size} texels", "mirror", (*SURROUNDINGS, *met, "reflection/mirror.glsl@map_pass")
             ),
             Target(size=FixedSize.square(size), format="RGBA16F"),
-            "u_mirror",
         )
     )
 

@@ -63,9 +63,9 @@ def rounded_up(value: float) -> float:
 def _measured(shore: Shore, map_texels: int, floor_texels: int, nodes: int) -> Limits:
     floor = floor_grid(shore, floor_texels)[..., 0]
     texel = shore.size / map_texels
-    fields = _wave_fields(shore, floor, map_texels)
-    slope, curvature = _steepest_waves(shore, fields, texel, nodes)
-    open_share = _gradient(smoothstep(0.0, 0.6 * shore.deep, fields.depth), texel)
+    depth, heights, phases, skews = _wave_fields(shore, floor, map_texels)
+    slope, curvature = _steepest_waves(shore, heights, phases, skews, texel, nodes)
+    open_share = _gradient(smoothstep(0.0, 0.6 * shore.deep, depth), texel)
     # A lagoon's ring takes 0.9 of the share over a quarter of its radius; a smoothstep is at most 1.5 steep.
     shelter = 1.5 * 0.9 / (0.25 * shore.radius) if shore.kind == "lagoon" else 0.0
     return Limits(
@@ -79,23 +79,11 @@ def _measured(shore: Shore, map_texels: int, floor_texels: int, nodes: int) -> L
     )
 
 
-@dataclass(frozen=True)
-class _WaveFields:
-    """What determines the shore waves, at every texel of the map; (texels, texels) each."""
-
-    distance: Floats
-    """Smoothed distance from the coast, m; negative on land."""
-    depth: Floats
-    """Smoothed water depth, m; negative on land."""
-    height: Floats
-    """Greatest wave height, m."""
-    turns: Floats
-    """Gradient of the phase, (texels, texels, 2) periods/m; between texels it is no steeper."""
-    skew: Floats
-    """Row of the profile table over its last row: 0 symmetric, 1 the skew of a breaking wave."""
-
-
-def _wave_fields(shore: Shore, floor: Floats, map_texels: int) -> _WaveFields:
+def _wave_fields(shore: Shore, floor: Floats, map_texels: int) -> tuple[Floats, Floats, Floats, Floats]:
+    """What determines the shore waves, at every texel of the map, (texels, texels) each: the smoothed depth, m,
+    negative on land; the waves' greatest height, m; the gradient of their phase, (texels, texels, 2) periods/m, which
+    is no steeper between texels; and their row of the profile table over the last, 1 that of a breaking wave.
+    """
     from scipy import ndimage
 
     surf = shore.surf
@@ -108,13 +96,9 @@ def _wave_fields(shore: Shore, floor: Floats, map_texels: int) -> _WaveFields:
     # Green's law where the wave has not broken.
     shoal = np.where(depth >= breaking_depth, (breaking_depth / np.maximum(depth, breaking_depth)) ** 0.25, broken)
     inland = smoothstep(-1.2 * max(surf.height, 0.05) / shore.slope, 0.0, distance)
-    return _WaveFields(
-        distance,
-        depth,
-        height=surf.height * shoal * inland * (1.0 - smoothstep(0.45 * shore.deep, 0.9 * shore.deep, depth)),
-        turns=_phase_gradient(shore, distance, map_texels),
-        skew=1.0 - smoothstep(breaking_depth, 2.5 * breaking_depth, depth),
-    )
+    height: Floats = surf.height * shoal * inland * (1.0 - smoothstep(0.45 * shore.deep, 0.9 * shore.deep, depth))
+    skew = 1.0 - smoothstep(breaking_depth, 2.5 * breaking_depth, depth)
+    return depth, height, _phase_gradient(shore, distance, map_texels), skew
 
 
 def _phase_gradient(shore: Shore, distance: Floats, map_texels: int) -> Floats:
@@ -142,19 +126,21 @@ def _coast_distance(shore: Shore, heights: Floats) -> Floats:
     return distance
 
 
-def _steepest_waves(shore: Shore, fields: _WaveFields, texel: float, nodes: int) -> tuple[float, float]:
+def _steepest_waves(
+    shore: Shore, heights: Floats, phases: Floats, skews: Floats, texel: float, nodes: int
+) -> tuple[float, float]:
     """Greatest slope of the shore waves in any phase, and their greatest second derivative, 1/m."""
     surf = shore.surf
     # Every second texel suffices for fields this smooth.
-    waves = np.zeros(fields.height.shape, np.bool_)
-    waves[::2, ::2] = fields.height[::2, ::2] > 0.05 * surf.height
+    waves = np.zeros(heights.shape, np.bool_)
+    waves[::2, ::2] = heights[::2, ::2] > 0.05 * surf.height
     if not waves.any():
         return 0.0, 0.0
-    height, turns = fields.height[waves][:, None], fields.turns[waves]
-    height_slope, skew_slope = _gradient(fields.height, texel)[waves], _gradient(fields.skew, texel)[waves]
+    height, turns = heights[waves][:, None], phases[waves]
+    height_slope, skew_slope = _gradient(heights, texel)[waves], _gradient(skews, texel)[waves]
     table = shore_profiles(nodes, surf.skew, surf.sharpness).astype(np.float64)
     # The profile's row below each skew, and the share of the next row.
-    at = fields.skew[waves] * (ROWS - 1)
+    at = skews[waves] * (ROWS - 1)
     row = np.minimum(at.astype(np.intp), ROWS - 2)
     share = (at - row)[:, None]
     by_phase = (np.roll(table, -1, axis=1) - table) * nodes

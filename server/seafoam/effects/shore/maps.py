@@ -7,7 +7,7 @@ import math
 
 from seafoam.effects.effect import PassSpec
 from seafoam.effects.shader import Piece, refine
-from seafoam.framegraph.resources import FixedSize, Target, TextureInput
+from seafoam.framegraph.resources import FixedSize, Target
 from seafoam.framegraph.rules import Phase, Rule, Uniform, array, number, significant, vector
 from seafoam.quality import Quality
 from seafoam.scene import Shore
@@ -54,7 +54,7 @@ def map_passes(shore: Shore, quality: Quality, sunlit_from: tuple[str, ...]) -> 
     around = ("shore/land.glsl@tree", *sunlit_from, "shore/maps.glsl@around")
     land = (
         _pass("highest land", ("shore/land.glsl@tree", "shore/march.glsl@maxima_pass"), "land_cells"),
-        _pass("highest land around", around, "land_maxima", {"u_land_cells": "land_cells"}),
+        _pass("highest land around", around, "land_maxima"),
     )
     return (*land, *flood, distance, *_blur_passes(shore, quality.shore_map), _wave_pass(shore))
 
@@ -65,19 +65,10 @@ def _pass(
     target: str,
     read: dict[str, str] | None = None,
     uniforms: dict[str, Uniform] | None = None,
-    textures: tuple[str, ...] = (),
 ) -> PassSpec:
-    """A pass that reads the height field, the targets ``read``: sampler -> target, and more of the shore's textures."""
-    more = {f"u_{texture}": TextureInput(texture=texture) for texture in textures}
-    return PassSpec(
-        f"shore: {name}",
-        f"shore_{name.split(',')[0].replace(' ', '_')}",
-        files,
-        target=target,
-        inputs={"u_shore_floor": TextureInput(texture="shore_floor"), **more},
-        read=read or {},
-        uniforms=uniforms or {},
-    )
+    """``name``: up to a comma that of the program too; ``read``: sampler -> target."""
+    program = f"shore_{name.split(',')[0].replace(' ', '_')}"
+    return PassSpec(f"shore: {name}", program, files, read or {}, uniforms or {}, target)
 
 
 def _flood_passes(texels: int) -> tuple[list[PassSpec], str]:
@@ -124,7 +115,6 @@ def _wave_pass(shore: Shore) -> PassSpec:
             "u_surf_exposure": number(surf.exposure),
             **mask_uniforms(),
         },
-        ("shore_travel",) if surf.refraction else (),
     )
 
 

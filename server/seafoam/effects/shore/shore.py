@@ -14,7 +14,6 @@ from seafoam.effects.shore.limits import Limits, limits, rounded_up
 from seafoam.effects.shore.maps import FIND_LAND, GROUND, MARCH_GROUND, MAXIMA, blur_deviation, map_passes, map_targets
 from seafoam.effects.water.water import bed_sun
 from seafoam.effects.waves.parametric import max_profile_slope
-from seafoam.framegraph.resources import TargetInput, TextureInput, target_inputs
 from seafoam.framegraph.rules import Phase, Uniform, array, constants, number, rounded, significant, vector
 from seafoam.ocean.basics.dispersion import wavevector
 from seafoam.ocean.waves.cascades import RAISED, cascades
@@ -48,17 +47,6 @@ def soil_files(shore: Shore) -> tuple[str, ...]:
     return (*SLOPES, "shore/soil.glsl@soil_struct", "shore/soil.glsl@soil")
 
 
-def soil_uniforms(shore: Shore) -> dict[str, Uniform]:
-    if shore.detail <= 0.0:
-        return {}
-    period = shore.surf.period
-    return {
-        "u_land_detail": number(shore.detail),
-        "u_land_strand": number(significant(0.4 * shore.surf.height + 0.12)),
-        "u_land_dries": vector((significant(FILM_DRIES / period), significant(SAND_DRIES / period))),
-    }
-
-
 def _shadows(scene: Scene, shore: Shore, drawn: bool, quality: Quality) -> Contribution | None:
     light = scene.light
     if light is None:
@@ -70,7 +58,6 @@ def _shadows(scene: Scene, shore: Shore, drawn: bool, quality: Quality) -> Contr
         slots=(SlotFile("open sun", "shore/sunlit.glsl@sunlit", prefix="land", needs=needs),),
         consts={"SHADOW_STEPS": quality.shadow_steps},
         uniforms={"u_land_sun": vector(rounded(sights(light)))},
-        inputs={"u_land_maxima": TargetInput(target="land_maxima")},
         bound=Bound.zero_if(not _lit(light), "the sun is below the horizon")
         or Bound.zero_if(limits(shore, quality).land_top <= -0.6 * shore.deep, "no land is above the water"),
     )
@@ -109,13 +96,7 @@ def _draw(scene: Scene, shore: Shore, quality: Quality) -> Contribution:
         consts=_consts(shore, quality, cells),
         uniforms={
             **_uniforms(shore, bounds, steepest, curvature),
-            **soil_uniforms(shore),
             **({} if scene.light is None else bed_sun(scene.light)),
-        },
-        inputs={
-            "u_shore_floor": TextureInput(texture="shore_floor"),
-            "u_shore_profiles": TextureInput(texture="shore_profiles"),
-            **target_inputs({"u_shore_map": "shore_map", "u_land_maxima": "land_maxima"}),
         },
         textures={
             "shore_floor": TextureUse(ShoreFloor(shore=shore, texels=quality.shore_floor), wrap="clamp_to_edge"),
@@ -202,26 +183,23 @@ def _uniforms(shore: Shore, bounds: Limits, steepest: float, curvature: float) -
         "u_shore_plants": vector(shore.plants, "/shore/plants"),
         "u_shore_time": array("float", [Phase(offset=0.0, rate=-2.0 * math.pi / surf.period, k=(0.0, 0.0))], 1),
         "u_shore_swash": number(significant(0.3 * surf.height)),
+        "u_land_detail": number(shore.detail),
+        "u_land_strand": number(significant(0.4 * surf.height + 0.12)),
+        "u_land_dries": vector((significant(FILM_DRIES / surf.period), significant(SAND_DRIES / surf.period))),
     }
 
 
 def _steepest(scene: Scene, bounds: Limits) -> tuple[float, float]:
     """Upper bounds of what the shore adds to the surface's slope and to its second derivative, 1/m."""
-    swing = max_displacement(scene)
-    share = bounds.open_share_slope
-    # The open sea's share enters its slope twice, and varies smoothly over the length of its own ramp.
-    curvature = bounds.wave_curvature + 2.0 * share * _open_slope(scene) + 6.0 * share**2 * swing
-    return rounded_up(bounds.wave_slope + share * swing), rounded_up(curvature)
-
-
-def _open_slope(scene: Scene) -> float:
-    """Upper bound of the slope of the open sea's waves."""
-    steepest = ring_slope(scene)
+    swing, share, open_slope = max_displacement(scene), bounds.open_share_slope, ring_slope(scene)
     for wave in scene.waves:
-        steepest += wave.amplitude * math.hypot(*wavevector(wave, scene.water.depth)) * max_profile_slope(wave.exponent)
+        k = math.hypot(*wavevector(wave, scene.water.depth))
+        open_slope += wave.amplitude * k * max_profile_slope(wave.exponent)
     if scene.sea is not None and scene.sea.wind_speed > 0.0:
-        steepest += summed(tile.max_slope for tile in cascades(scene.sea, scene.water.depth)[:RAISED])
-    return steepest
+        open_slope += summed(tile.max_slope for tile in cascades(scene.sea, scene.water.depth)[:RAISED])
+    # The open sea's share enters its slope twice, and varies smoothly over the length of its own ramp.
+    curvature = bounds.wave_curvature + 2.0 * share * open_slope + 6.0 * share**2 * swing
+    return rounded_up(bounds.wave_slope + share * swing), rounded_up(curvature)
 
 
 def _bound(scene: Scene, shore: Shore, top: float) -> Bound | None:

@@ -14,13 +14,12 @@ from seafoam.effects.waves.parametric import earlier_wave_files, group_bounds, m
 from seafoam.effects.waves.rings import ring_uniforms
 from seafoam.effects.waves.sea import BLOCKS, WaterDrawing, drawn_tiles
 from seafoam.framegraph import rules
-from seafoam.framegraph.resources import TextureInput, target_inputs
 from seafoam.ocean.basics.dispersion import angular_frequency
 from seafoam.ocean.coast.rocks import ROCKS, rocks
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.foam import spray as model
 from seafoam.ocean.waves.cascades import RAISED, Cascade
-from seafoam.ocean.waves.groups import group_velocity, in_groups
+from seafoam.ocean.waves.groups import group_velocity
 from seafoam.quality import Quality
 from seafoam.scene import ParametricWave, Scene, Sea, Shore, Spray
 from seafoam.sums import summed
@@ -50,12 +49,12 @@ class Births(Resources):
     beat: float = 0.0
 
 
-def births(scene: Scene, quality: Quality, spray: Spray) -> Births | str:
-    """Return everything that throws water up in a scene, or why nothing does."""
+def births(scene: Scene, quality: Quality, spray: Spray) -> Births | None:
+    """Return everything that throws water up in a scene."""
     steady = _ashore(scene, quality, spray, scene.shore) if scene.shore else _open(scene, quality, spray)
-    sources = [source for source in (_bursts(spray), steady) if isinstance(source, Births)]
+    sources = [source for source in (_bursts(spray), steady) if source is not None]
     if not sources:
-        return str(steady)
+        return None
     # Of two sources each has half of the drops.
     half, first, last = quality.spray_count // 2, sources[0].function, sources[-1].function
     asked = f"{first}(i, drop)" if first == last else f"i < {half} ? {first}(i, drop) : {last}(i - {half}, drop)"
@@ -80,10 +79,10 @@ def _raised(scene: Scene) -> list[ParametricWave]:
     return [wave for wave in scene.waves if wave.amplitude > 0.0]
 
 
-def _ashore(scene: Scene, quality: Quality, spray: Spray, shore: Shore) -> Births | str:
-    """Surf on rocks or, without rocks, on a beach; or why there is none."""
+def _ashore(scene: Scene, quality: Quality, spray: Spray, shore: Shore) -> Births | None:
+    """Surf on rocks or, without rocks, on a beach."""
     if shore.surf.height == 0.0:
-        return "no surf on the shore"
+        return None
     return _rocks(scene, spray, shore) if _on_rocks(scene, spray) else _surf(scene, quality, spray, shore)
 
 
@@ -108,16 +107,13 @@ def _surf(scene: Scene, quality: Quality, spray: Spray, shore: Shore) -> Births:
     return surf.joined(water, _grids(spray))
 
 
-def _rocks(scene: Scene, spray: Spray, shore: Shore) -> Births | str:
+def _rocks(scene: Scene, spray: Spray, shore: Shore) -> Births:
     # At the coast waves are at most 1.2 times their breaking height, by Green's law.
     fastest = spray.speed * math.sqrt(GRAVITY * 1.2 * shore.surf.height / 0.3)
-    words = f"surf on rocks starts drops at {fastest:.2g} m/s at most"
-    if fastest <= spray.threshold:
-        return words
     period = shore.surf.period
     earlier, waves = _earlier(scene)
     surf = Births(
-        words=words,
+        words=f"surf on rocks starts drops at {fastest:.2g} m/s at most",
         function="rock_born",
         files=(SlotRef("waves"), "spray/births.glsl@shore_then", *earlier, "spray/births.glsl@rocks"),
         consts={"SPRAY_ROCKS": ROCKS, "SPRAY_DELAY": DELAY},
@@ -129,7 +125,6 @@ def _rocks(scene: Scene, spray: Spray, shore: Shore) -> Births | str:
             # A drop's life ends before the next crest arrives.
             "u_spray_surf_life": rules.number(min(spray.life, period - DELAY)),
         },
-        inputs={"u_spray_rocks": TextureInput(texture="spray_rocks")},
         textures={"spray_rocks": TextureUse(SprayRocks(shore=shore, steep=spray.steep), wrap="clamp_to_edge")},
     )
     return surf.joined(waves)
@@ -149,15 +144,14 @@ def _shore_uniforms(shore: Shore) -> dict[str, rules.Uniform]:
     }
 
 
-def _open(scene: Scene, quality: Quality, spray: Spray) -> Births | str:
-    """Breaking waves of the open water, or why there are none."""
-    fastest, raised = fastest_rise(scene), _raised(scene)
-    fronts = bool(raised) and fastest > spray.threshold
+def _open(scene: Scene, quality: Quality, spray: Spray) -> Births | None:
+    """Breaking waves of the open water."""
+    fastest = fastest_rise(scene)
+    fronts = fastest > spray.threshold
     tiles = drawn_tiles(scene, quality)[:RAISED]
     limits = None if scene.sea is None or not tiles else model.fold_limits(scene.sea, spray, scene.water.depth)
     if not fronts and limits is None:
-        rise = f"the water rises at {fastest:.2g} m/s at most" if raised else "no single waves"
-        return f"{rise}, and no sea whose waves could break"
+        return None
     parts = {"folds of the sea": limits, f"fronts that rise at {fastest:.2g} m/s at most": fronts}
     words = " and ".join(part for part, there in parts.items() if there)
     files, water = _earlier_water(scene, quality, limits)
@@ -199,8 +193,7 @@ def _earlier(scene: Scene) -> tuple[list[Piece | SlotRef], Resources]:
     uniforms = ring_uniforms(scene, "u_spray_ring") if scene.rings else {}
     if raised:
         uniforms["u_parametric_rate"] = rules.constants("float", map(angular_frequency, raised))
-    if in_groups(scene):
-        uniforms["u_wave_groups_velocity"] = rules.vector(rules.rounded(group_velocity(scene)))
+    uniforms["u_wave_groups_velocity"] = rules.vector(rules.rounded(group_velocity(scene)))
     return files, Resources(uniforms=uniforms)
 
 
@@ -255,8 +248,7 @@ def _seas(sea: Sea, quality: Quality, tiles: tuple[Cascade, ...], limits: tuple[
         read=texels,
         stage="after",
     )
-    inputs = target_inputs({"u_spray_seas": water.target})
-    own = Resources(consts={"SPRAY_TEXELS": texels}, uniforms=shared, inputs=inputs)
+    own = Resources(consts={"SPRAY_TEXELS": texels}, uniforms=shared, inputs={"u_spray_seas": water.target})
     return water.resources(sea, tiles).joined(own)
 
 

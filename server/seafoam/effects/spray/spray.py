@@ -9,7 +9,7 @@ from seafoam.effects.shader import COMMON, HASH, PLACE, Inline, Piece, SlotRef, 
 from seafoam.effects.shore.maps import FIND_LAND
 from seafoam.effects.spray.births import Births, births
 from seafoam.framegraph.plan import Quads
-from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Input, Target, TargetInput, TextureInput, ViewportSize
+from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, ViewportSize
 from seafoam.framegraph.rules import Viewport, array, number, rounded, significant, vector
 from seafoam.quality import Quality
 from seafoam.scene import DROPS, Scene, Spray
@@ -24,17 +24,15 @@ FINER = 3.7
 WINDOW = 0.4
 """Share of the strands' texture that a drop shows across."""
 _TABLE: tuple[Piece | SlotRef, ...] = (HASH, "spray/drawn.glsl@flight", "spray/births.glsl@table")
-_BIRTHS: dict[str, Input] = {"u_spray_births": TargetInput(target="spray_births")}
 
 
 def _draw(scene: Scene, spray: Spray, quality: Quality) -> Contribution:
-    quality = _suited(scene, quality)
+    quality, part = _suited(scene, quality)
     found = births(scene, quality, spray)
-    if isinstance(found, str):
-        return Contribution.invisible(found)
+    if found is None:
+        return Contribution.invisible("no waves break, and no bursts throw water up")
     speed, heading, count = spray.wind_speed, spray.downwind, quality.spray_count
     table = Target(size=FixedSize(width=COLUMNS, height=count // COLUMNS), format="RGBA32F", layers=_PARTS)
-    part = _part(scene, quality)
     size = ViewportSize(scale=math.isqrt(quality.samples), part=part)
     thick = Target(size=size, format="RGBA16F", filter="linear" if part > 1 else "nearest")
     contribution = Contribution(
@@ -60,46 +58,38 @@ def _draw(scene: Scene, spray: Spray, quality: Quality) -> Contribution:
         textures={"spray_strands": TextureUse(SprayStrands(), filter=MIPMAPPED)},
         targets={"spray_births": table, "spray_air": table, "spray_thick": thick},
     )
-    return contribution.joined(found, Resources(passes=_passes(scene, quality, found)))
+    return contribution.joined(found, Resources(passes=_passes(scene, quality, found, part)))
 
 
-def _is_veil(scene: Scene) -> bool:
-    """Whether crests of an open sea alone throw water up: thin veils, where rocks and bursts tear it into strings."""
-    return scene.shore is None and scene.spray is not None and not scene.spray.bursts
+def _suited(scene: Scene, quality: Quality) -> tuple[Quality, int]:
+    """Return the quality, and how many pixels of the picture are as wide and as high as one of the water in the air.
 
-
-def _suited(scene: Scene, quality: Quality) -> Quality:
-    """Return the quality with half of the drops for veils beside wide pixels: of ``storm`` 9.17 levels of error
-    instead of 8.78 at 0.97 of the frame's time, where rocks would have 7.8 instead of 3.0."""
-    halved = _is_veil(scene) and quality.pixel_width > 1
-    return quality.model_copy(update={"spray_count": quality.spray_count // 2}) if halved else quality
-
-
-def _part(scene: Scene, quality: Quality) -> int:
-    """Return how many pixels of the picture are as wide and as high as one of the water in the air.
-
-    Twice as coarse, veils err as much as before (``storm`` 9.17 levels) and take two fifths of the time; what rocks or
+    Crests of an open sea alone throw up thin veils, where rocks and bursts tear the water into strings. Beside wide
+    pixels veils have half of the drops (``storm`` errs 9.17 levels instead of 8.78 at 0.97 of the frame's time, where
+    rocks would 7.8 instead of 3.0), and are twice as coarse (the same error in two fifths of the time); what rocks or
     bursts throw up is so coarse only beside pixels at least three wide.
     """
-    return 2 if quality.pixel_width > (1 if _is_veil(scene) else 2) else 1
+    veil = scene.shore is None and scene.spray is not None and not scene.spray.bursts
+    if veil and quality.pixel_width > 1:
+        return quality.model_copy(update={"spray_count": quality.spray_count // 2}), 2
+    return quality, 2 if quality.pixel_width > 2 else 1
 
 
-def _passes(scene: Scene, quality: Quality, found: Births) -> tuple[PassSpec, ...]:
+def _passes(scene: Scene, quality: Quality, found: Births, part: int) -> tuple[PassSpec, ...]:
     """Births, where drops are now, their optical depths, and what these hide."""
     births_files = (HASH, "spray/drawn.glsl@flight", "spray/births.glsl@thrown", *found.files, "spray/births.glsl@pass")
     return (
-        PassSpec("births of drops", "spray_births", (*COMMON, *births_files), inputs=found.inputs, stage="after"),
+        PassSpec("births of drops", "spray_births", (*COMMON, *births_files), stage="after"),
         _air_pass(scene, quality),
         _water_pass(scene, quality),
         PassSpec(
             "spray",
             "spray_over",
             (*COMMON, PLACE, "spray/air.glsl@thick"),
-            {"u_spray_thick": "spray_thick"},
             target=ABOVE,
             stage="after",
             blend="over",
-            part=_part(scene, quality),
+            part=part,
         ),
     )
 
@@ -118,7 +108,6 @@ def _air_pass(scene: Scene, quality: Quality) -> PassSpec:
         "drops in the air",
         "spray_air",
         (*files, *lit, *_TABLE, *land, *over, "spray/air.glsl@air"),
-        inputs=_BIRTHS,
         # Rays are those of the picture, not of the table.
         uniforms={"u_viewport": array("vec2", (rays,), 1)},
         stage="after",
@@ -132,7 +121,6 @@ def _water_pass(scene: Scene, quality: Quality) -> PassSpec:
         "water in the air",
         "spray",
         ("spray/drawn.glsl@drop",),
-        {"u_spray_air": "spray_air"},
         target="spray_thick",
         vertex=(
             *COMMON,
@@ -143,7 +131,6 @@ def _water_pass(scene: Scene, quality: Quality) -> PassSpec:
             "spray/drawn.glsl@vertex",
         ),
         mesh=Quads(count=quality.spray_count),
-        inputs={**_BIRTHS, "u_spray_strands": TextureInput(texture="spray_strands")},
         stage="after",
         blend="add",
         clear=True,

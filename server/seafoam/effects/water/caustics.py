@@ -12,7 +12,7 @@ from seafoam.effects.light.atmosphere import lamp
 from seafoam.effects.shader import SlotFile
 from seafoam.effects.waves.ripples import ripple_phases
 from seafoam.framegraph.plan import Grid, Points
-from seafoam.framegraph.resources import FixedSize, Target, TargetInput
+from seafoam.framegraph.resources import FixedSize, Target
 from seafoam.framegraph.rules import Uniform, array, constants, in_tile, number, rounded, significant, vector
 from seafoam.ocean.arrays import Floats
 from seafoam.ocean.constants import WATER_INDEX
@@ -157,7 +157,6 @@ def _draw(scene: Scene, light: Light, caustics: Caustics, quality: Quality) -> C
             "u_caustic_tile": number(tile.side),
             "u_caustic_place": array("vec2", in_tile(tile.side, offset=(-tile.level[0], -tile.level[1])), 1),
         },
-        inputs={"u_caustics": TargetInput(target="caustics")},
         # Sunlight reflected by a white floor under the lowest water, focused as far as a texel can resolve it.
         bound=Bound(
             _MAX_FOCUS * floor_limit(scene, light, least, sky=False),
@@ -196,10 +195,11 @@ def _photons(tile: _Tile, colours: Mapping[str, float], side: int, texels: int) 
         for name, difference in colours.items()
     ]
     lights = {f"u_caustic_{name}": f"caustic_{name if name in colours else 'white'}" for name in COLOURS}
+    fold = PassSpec("caustics: map", "caustic_map", ("water/caustics.glsl@fold",), lights, target="caustics")
     return Resources(
         consts={"CAUSTIC_PHOTONS": side, "CAUSTIC_RIM": RIM},
         targets=_targets((f"caustic_{name}" for name in colours), texels + 2 * RIM, texels),
-        passes=(*passes, _map_pass("water/caustics.glsl@fold", lights, {})),
+        passes=(*passes, fold),
     )
 
 
@@ -220,7 +220,7 @@ def _grid(
         mesh = Grid(rows=cells + 2 * margin, columns=cells + 2 * margin)
         uniforms = {**light.uniforms, "u_caustic_channels": channels}
         passes.append(replace(light, mesh=mesh, clear=not passes, uniforms=uniforms))
-    read, files = {"u_caustic_light": "caustic_light"}, ("water/caustics.glsl@smooth_rows",)
+    rows, columns = ("water/caustics.glsl@smooth_rows",), ("water/caustics.glsl@smooth_columns",)
     return Resources(
         consts={
             "CAUSTIC_CELLS": cells,
@@ -236,10 +236,8 @@ def _grid(
         },
         passes=(
             *passes,
-            PassSpec("caustics: rows", "caustic_rows", files, read, {"u_caustic_across": across}),
-            _map_pass(
-                "water/caustics.glsl@smooth_columns", {"u_caustic_rows": "caustic_rows"}, {"u_caustic_along": along}
-            ),
+            PassSpec("caustics: rows", "caustic_rows", rows, {}, {"u_caustic_across": across}),
+            PassSpec("caustics: map", "caustic_map", columns, {}, {"u_caustic_along": along}, "caustics"),
         ),
     )
 
@@ -257,7 +255,6 @@ def _light_pass(tile: _Tile, colour: str, difference: float, vertex: str, fragme
         "caustic_light",
         vertex=("lib/refraction.glsl", "water/caustics.glsl@landing", vertex),
         fragment=(fragment,),
-        read={"u_caustic_slopes": "caustic_slopes"},
         uniforms={
             "u_caustic_depth": number(significant(tile.depth)),
             "u_caustic_flat": vector(rounded(tile.level)),
@@ -266,11 +263,6 @@ def _light_pass(tile: _Tile, colour: str, difference: float, vertex: str, fragme
         },
         blend="add",
     )
-
-
-def _map_pass(shader: str, lights: Mapping[str, str], weights: dict[str, Uniform]) -> PassSpec:
-    """The pass that makes the map from the light. ``lights``: sampler -> target."""
-    return PassSpec("caustics: map", "caustic_map", (shader,), target="caustics", read=lights, uniforms=weights)
 
 
 EFFECT = part_effect(

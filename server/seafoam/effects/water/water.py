@@ -5,9 +5,10 @@ docs/formulae.md, sections 6 and 11.
 
 import math
 
-from seafoam.effects.bounds import FLOOR_FIELDS, crest_limit, floor_limit, max_surface_height, min_surface_height
+from seafoam.effects.bounds import FLOOR_FIELDS, floor_limit, max_surface_height, min_surface_height
 from seafoam.effects.effect import Bound, Contribution, part_effect
 from seafoam.effects.light.atmosphere import lamp_angles
+from seafoam.effects.light.light import brightest_sun
 from seafoam.effects.shader import VALUE_NOISE, SlotFile
 from seafoam.framegraph.rules import Uniform, array, in_tile, number, significant, vector
 from seafoam.ocean.constants import WATER_INDEX
@@ -105,16 +106,21 @@ def bed_sun(light: Light) -> dict[str, Uniform]:
 
 def _crest_light(scene: Scene, light: Light, quality: Quality) -> Contribution:
     highest, lowest = max_surface_height(scene), min_surface_height(scene)
+    water, level = scene.water, math.cos(lamp_angles(light)[1])
+    through = (
+        water.translucency / math.pi * sun * math.exp(-6.0 / length) * level
+        for sun, length in zip(brightest_sun(light), water.absorption_length, strict=True)
+    )
     return Contribution(
         why=f"crests of up to {highest:g} m transmit sunlight",
         slots=(SlotFile("crest", "light/shade.glsl@translucent", needs=("light/shade.glsl@irradiance",)),),
         uniforms={
-            "u_translucency": number(scene.water.translucency, "/water/translucency"),
+            "u_translucency": number(water.translucency, "/water/translucency"),
             "u_crest_trough": number(significant(lowest)),
             "u_crest_height": number(1.0 / (highest - lowest) if highest - lowest > 1e-37 else 0.0),
         },
         bound=Bound(
-            crest_limit(scene),
+            float(max(through)) * math.exp2(light.exposure) if highest > 0.0 else 0.0,
             "no crests, no sunlight, or water that absorbs all of it",
             ("/light/exposure", "/water/absorption_length", "/water/translucency"),
         ),

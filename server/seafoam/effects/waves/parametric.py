@@ -3,7 +3,7 @@
 import math
 from functools import lru_cache
 
-from seafoam.effects.bounds import parametric_wave_height, waves_bound
+from seafoam.effects.bounds import parametric_wave_height, unlit
 from seafoam.effects.effect import UNBOUNDED, Contribution, Effect, QualityParameter, Resources
 from seafoam.effects.shader import HASH, Const, Piece, SlotFile, Source, constant_function
 from seafoam.framegraph.rules import Phase, Wrap, array, constants, number, rounded, significant, vector
@@ -189,7 +189,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "u_parametric_mean": constants("vec3", means),
             "u_parametric_level": number(significant(level)),
         },
-        bound=waves_bound(scene, max_slope, height),
+        bound=unlit(scene),
         max_height=height - level,
         min_height=-level,
         max_slope=max_slope,
@@ -204,5 +204,4 @@ EFFECT = Effect(
     fields=("/waves", "/wave_groups"),
     afloat=("u_parametric_phase", PLACE),
     parameters=(QualityParameter("/waves", "maximum number of waves", (2, 4, 8, 16), "geometry"),),
-    without=lambda scene: scene.model_copy(update={"waves": ()}),
 )

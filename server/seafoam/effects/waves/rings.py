@@ -7,10 +7,10 @@ import math
 from collections.abc import Callable, Sequence
 
 from seafoam.effects import effect
-from seafoam.effects.bounds import measured_bounds, waves_bound
+from seafoam.effects.bounds import measured_bounds, unlit
 from seafoam.effects.shader import Const, SlotFile
 from seafoam.framegraph import rules
-from seafoam.framegraph.resources import FixedSize, Target, target_inputs
+from seafoam.framegraph.resources import FixedSize, Target
 from seafoam.framegraph.rules import Clamp, Constant, Rule, Term, Uniform, array, constants, number, significant
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.waves.rings import FRONT, SOFT, Train, ring_curvature, ring_height, ring_slope, trains
@@ -61,11 +61,8 @@ def ring_uniforms(scene: Scene, name: str) -> dict[str, Uniform]:
     return {key.replace("u_ring", name): uniform for key, uniform in _ring_uniforms(_shown(scene)).items()}
 
 
-_Square = tuple[float, float, float]
-"""A level square: its corner of least x and z, and its side, m."""
-
-
-def _square_around(shown: Sequence[Train]) -> _Square:
+def _square_around(shown: Sequence[Train]) -> tuple[float, float, float]:
+    """A level square: its corner of least x and z, and its side, m."""
     low, high = (
         tuple(pick(t.ring.place[i] + sign * t.reach for t in shown) for i in (0, 1))
         for pick, sign in ((min, -1.0), (max, 1.0))
@@ -80,16 +77,16 @@ def _draw(scene: Scene, rings: tuple[model.Ring, ...], quality: Quality) -> effe
     square = _square_around(shown)
     texel = square[2] / quality.rings_size
     summed = quality.rings == "exact" or texel * _MIN_TEXELS > min(train.length for train in shown)
-    height, max_slope = ring_height(scene), ring_slope(scene)
+    height = ring_height(scene)
     unseen = effect.Bound.zero_if(height == 0.0, f"no ring is higher than {model.DEAD:g} m at any time")
     how = "summed at each sample" if summed else f"drawn into a map of {square[2]:g} m in each frame"
     contribution = effect.Contribution(
         why=f"{len(shown)} ring{'s' if len(shown) > 1 else ''}, {how}",
         consts={"RING_COUNT": len(shown), "RING_BLOCK": min(len(shown), 32), **RING_CONSTS},
-        bound=unseen or waves_bound(scene, max_slope, 2.0 * height),
+        bound=unseen or unlit(scene),
         max_height=height,
         min_height=-height,
-        max_slope=max_slope,
+        max_slope=ring_slope(scene),
         max_curvature=ring_curvature(scene),
         map_error=0.0 if summed else height * effect.HALF_FLOAT,
         # Steps are bounded by the slopes of rings and sea together: with a sea, rays near the horizon take eight times
@@ -102,7 +99,7 @@ def _draw(scene: Scene, rings: tuple[model.Ring, ...], quality: Quality) -> effe
     return contribution.joined(effect.Resources(slots=(slot,), uniforms=_ring_uniforms(shown)))
 
 
-def _map(shown: Sequence[Train], square: _Square, size: int) -> effect.Resources:
+def _map(shown: Sequence[Train], square: tuple[float, float, float], size: int) -> effect.Resources:
     """A map of the rings, ``size`` texels along each side of the square, and its measured bounds."""
     corner_x, corner_z, side = square
     texel = side / size
@@ -115,25 +112,25 @@ def _map(shown: Sequence[Train], square: _Square, size: int) -> effect.Resources
             "u_ring_corner": array("vec2", rules.to_camera(corner_x, corner_z), 1),
             "u_ring_side": number(side),
         },
-        inputs=target_inputs({"u_ring_bounds": "rings_bounds"}),
+        inputs={"u_ring_bounds": "rings_bounds", "u_ring_map": "rings", "u_ring_grain": "rings_grain"},
     )
 
     def to_corner(x: float, z: float) -> tuple[Constant, Constant]:
         return Constant(value=(corner_x - x,)), Constant(value=(corner_z - z,))
 
-    def drawn(target: str, file: str, texels: int, sampler: str) -> effect.Resources:
+    def drawn(target: str, file: str, texels: int) -> effect.Resources:
         spec = effect.PassSpec(
             f"{target.replace('_', ', ')}, {side:g} m map",
             target,
             ("lib/numbers.glsl", "waves/rings.glsl@ring", "waves/rings.glsl@reaching", file),
             uniforms={**_ring_uniforms(shown, to_corner), "u_ring_texel": number(side / texels)},
         )
-        return effect.drawn_map(spec, Target(size=FixedSize.square(texels), format="RGBA16F", filter="linear"), sampler)
+        return effect.drawn_map(spec, Target(size=FixedSize.square(texels), format="RGBA16F", filter="linear"))
 
     return place.joined(
-        drawn("rings", "waves/rings.glsl@map_pass", size, "u_ring_map"),
+        drawn("rings", "waves/rings.glsl@map_pass", size),
         # The map's error varies from wave to wave, not within one, so half the resolution is enough for it.
-        drawn("rings_grain", "waves/rings.glsl@grain_pass", size // 2, "u_ring_grain"),
+        drawn("rings_grain", "waves/rings.glsl@grain_pass", size // 2),
         measured_bounds("rings", size, texel, stride=2 if min(of.length for of in shown) >= 4.0 * texel else 1),
     )
 

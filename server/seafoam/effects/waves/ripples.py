@@ -3,7 +3,6 @@
 import math
 from collections.abc import Sequence
 
-from seafoam.effects.bounds import slope_sensitivity
 from seafoam.effects.effect import Bound, Contribution, PassSpec, QualityParameter, Resources, drawn_map, part_effect
 from seafoam.effects.shader import PERLIN_3, SlotFile, Source, drifting_noise
 from seafoam.framegraph.resources import FixedSize, Target
@@ -56,7 +55,9 @@ def _draw(scene: Scene, water: Water, ripples: Ripples, quality: Quality) -> Con
         why=f"{count} ripples, {how}",
         consts={"RIPPLE_WAVES": WAVES_PER_TILE, "RIPPLE_COPIES": copies},
         uniforms={"u_ripples_band": _bands(cascades)},
-        bound=_bound(scene, ripples),
+        # Ripples have slopes but no height.
+        bound=Bound.zero_if(scene.light is None, "the scene has no light, and ripples show by their shading alone")
+        or Bound.zero_if(ripples.slope == 0.0, "the ripples have no slope"),
     )
     if not summed:
         return contribution.joined(
@@ -104,20 +105,8 @@ def _maps(cascades: tuple[tuple[Ripple, ...], ...], sides: tuple[float, ...], si
         }
         files = ("lib/numbers.glsl", "waves/ripples.glsl@tile_pass")
         drawn = PassSpec(f"ripples, {side:g} m tile", "ripples", files, {}, uniforms, target=f"ripples_{i}")
-        maps = maps.joined(drawn_map(drawn, target, f"u_ripples_{i}"))
+        maps = maps.joined(drawn_map(drawn, target))
     return maps
-
-
-def _bound(scene: Scene, ripples: Ripples) -> Bound | None:
-    """Ripples have slopes but no height, so only shading shows them."""
-    if scene.light is None:
-        return Bound(0.0, "the scene has no light, and ripples show by their shading alone")
-    max_slope = summed(wave.slope for cascade in ripple_cascades(ripples) for wave in cascade)
-    fields: tuple[str, ...] = ("/light/exposure", "/water/roughness")
-    if ripples.gusts is not None:
-        max_slope *= 1.0 + ripples.gusts.strength
-        fields = (*fields, "/water/ripples/gusts/strength")
-    return Bound(slope_sensitivity(scene) * max_slope, f"the greatest slope is {max_slope:.1g}", fields)
 
 
 EFFECT = part_effect(

@@ -8,10 +8,10 @@ from itertools import cycle, islice
 from typing import Literal
 
 from seafoam.effects import effect
-from seafoam.effects.bounds import max_surface_height, measured_bounds, min_surface_height, waves_bound
+from seafoam.effects.bounds import measured_bounds, unlit
 from seafoam.effects.effect import Contribution, PassSpec, QualityParameter, Resources, TextureUse, drawn_map
 from seafoam.effects.shader import Const, Inline, Piece, SlotFile
-from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, TextureInput, target_inputs
+from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target
 from seafoam.framegraph.rules import Loop, Phase, Uniform, array, constants, in_tile, number, significant, vector
 from seafoam.ocean.waves.cascades import BAND, LEAST_JACOBIAN, LOOP, RAISED, Cascade, cascades
 from seafoam.ocean.waves.stokes import follows_orbits
@@ -87,7 +87,7 @@ class WaterDrawing:
                 **dict.fromkeys(columns, self._layers(self.size, self.size // 4)),
             },
             passes=(
-                replace(first, inputs={"u_sea_spectrum": TextureInput(texture="sea_spectrum")}),
+                first,
                 *self._fft(spectra, rows, columns),
             ),
         )
@@ -121,18 +121,8 @@ class WaterDrawing:
                 name = f"{self.transforms}: {kind}, {1 << step} to {radix << step}"
                 program = f"fft_{radix}" if step else "fft_spread" if spreads else "fft_first"
                 files = (_COMPLEX, _FOUR, f"{_PASSES}fft", *((f"{_PASSES}{last}",) if step else first))
-                place, twiddles = (float(bits), float(step), float(axis)), TextureInput(texture="fft_twiddles")
-                uniforms = {"u_fft": vector(place)}
-                yield PassSpec(
-                    name,
-                    program,
-                    files,
-                    {"u_fft_from": source},
-                    uniforms,
-                    target,
-                    inputs={"u_fft_twiddles": twiddles},
-                    stage=self.stage,
-                )
+                uniforms = {"u_fft": vector((float(bits), float(step), float(axis)))}
+                yield PassSpec(name, program, files, {"u_fft_from": source}, uniforms, target, stage=self.stage)
                 source = target
 
 
@@ -244,9 +234,7 @@ def _draw(scene: Scene, sea: Sea, quality: Quality) -> Contribution:
         slots=_slots(scene, quality, len(tiles)),
         consts={**_consts(sea, tiles, quality), "SEA_READ": READ if quality.samples > 1 else READ_ALONE},
         chosen_consts={"SEA_READ": READ},
-        bound=waves_bound(
-            scene, summed(tile.max_slope for tile in tiles), max_surface_height(scene) - min_surface_height(scene)
-        ),
+        bound=unlit(scene),
         max_height=max_height,
         min_height=-max_height,
         depends=("/water/roughness",) if quality.pixel_width > 3 else (),
@@ -348,15 +336,15 @@ def _height_map(sea: Sea, index: int, tile: Cascade, quality: Quality) -> Resour
     place = {f"u_sea_offset_{index}": array("vec2", in_tile(tile.size), 1), f"u_sea_size_{index}": number(tile.size)}
     if index >= RAISED:
         return drawn_map(drawn, tile_target(quality, size)).joined(Resources(uniforms=place))
-    raised = Resources(uniforms=place, inputs=target_inputs({f"u_sea_bounds_{index}": f"{name}_bounds"}))
+    raised = Resources(uniforms=place, inputs={f"u_sea_bounds_{index}": f"{name}_bounds"})
     bounds = measured_bounds(name, size, tile.size / size)
-    return drawn_map(drawn, tile_target(quality, size), f"u_sea_tile_{index}").joined(raised, bounds)
+    return drawn_map(drawn, tile_target(quality, size)).joined(raised, bounds)
 
 
 def _mip_maps(tiles: Sequence[Cascade], quality: Quality) -> Resources:
     """The tiles' slopes as shading reads them: prefiltered maps, or the tiles themselves if nothing is filtered."""
     if not quality.surface.filter:
-        return Resources(inputs=target_inputs({f"u_sea_seen_{i}": f"sea_tile_{i}" for i in range(len(tiles))}))
+        return Resources(inputs={f"u_sea_seen_{i}": f"sea_tile_{i}" for i in range(len(tiles))})
     target = Target(size=FixedSize.square(seen_size(quality)), format="RGBA16F", filter=MIPMAPPED, wrap="repeat")
     seen = Resources()
     for i, tile in enumerate(tiles):
@@ -370,7 +358,7 @@ def _mip_maps(tiles: Sequence[Cascade], quality: Quality) -> Resources:
             {"u_sea_full": f"sea_tile_{i}"},
             target=f"sea_seen_{i}",
         )
-        seen = seen.joined(drawn_map(drawn, target, f"u_sea_seen_{i}"))
+        seen = seen.joined(drawn_map(drawn, target))
     return seen
 
 
@@ -382,7 +370,7 @@ def _orbits(sea: Sea, raised: Sequence[Cascade], quality: Quality) -> Resources:
     drawn = PassSpec("orbits of the sea", "sea_orbit", files, {"u_sea_displaced": DISPLACED}, blocks, "sea_orbits")
     target = tile_target(quality, side).model_copy(update={"size": size})
     carry = Resources(slots=(SlotFile("carry", "foam/carry.glsl@sea", prefix="sea"),))
-    return drawn_map(drawn, target, "u_sea_orbits").joined(carry)
+    return drawn_map(drawn, target).joined(carry)
 
 
 EFFECT = effect.part_effect(
@@ -393,5 +381,4 @@ EFFECT = effect.part_effect(
     QualityParameter("/sea_tiles", "sea tiles", (2, 3, 4), "geometry"),
     QualityParameter("/sea_digits", "number format of the sea tiles", ("half", "float"), "precision"),
     afloat=tuple(f"u_sea_offset_{index}" for index in range(4)),
-    without=lambda scene: scene.model_copy(update={"sea": None}),
 )
