@@ -16,9 +16,10 @@ from seafoam.ocean.waves.wakes import joint_height, wakes
 from seafoam.reference import Mode, Sprayed, render
 from seafoam.reference.light import light
 from seafoam.reference.types import Floats, unit
+from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Foam, FrontSaturation, HeightSaturation, Look
 from seafoam.scene.light import Light, Sky
-from seafoam.scene.models import Camera, Scene
+from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 from seafoam.scene.spray import Spray
 from seafoam.scene.water import Ripples, Water

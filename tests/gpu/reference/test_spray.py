@@ -34,8 +34,9 @@ from seafoam.reference.waves.rings import ring_set
 from seafoam.reference.waves.sea import sea_surface
 from seafoam.render.gl.executor import Executor
 from seafoam.render.service.jobs import measure
+from seafoam.scene.camera import Camera
 from seafoam.scene.light import Light
-from seafoam.scene.models import Camera, Scene
+from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 from seafoam.scene.shore import Shore, Surf
 from seafoam.scene.spray import Burst, Spray
