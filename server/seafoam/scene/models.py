@@ -4,30 +4,20 @@ An effect whose part is absent is off. Unknown keys are rejected. Every number d
 OpenAPI document, the panel of the web client and the validation errors are all generated from these descriptions.
 """
 
-from typing import Annotated, Self
+from typing import Self
 
 from pydantic import Field
 
 from seafoam.extensions import Extensible, Extensions
-from seafoam.scene.base import Angle, Elevation, Part, Place, Radians, settled
+from seafoam.scene.base import Part, settled
 from seafoam.scene.boats import BOATS_MOST, Boat
+from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Drift, Foam
 from seafoam.scene.light import Light, Wind
 from seafoam.scene.shore import Shore
 from seafoam.scene.spray import Spray
 from seafoam.scene.water import Current, Water
 from seafoam.scene.waves import RINGS_MOST, TOUCHES_MOST, ParametricWave, Ring, Sea, Touch, WaveGroups
-
-
-class Camera(Part):
-    """A pinhole camera. Yaw 0 looks toward −z, a positive yaw turns toward +x, a positive pitch looks up."""
-
-    position: tuple[Place, Annotated[float, Field(ge=-1000.0, le=1e5)], Place] = (0.0, 6.0, 0.0)
-    """Position of the camera, m; y is measured from still water"""
-    yaw: Angle = Field(default=0.0, description="Yaw, rad from −z toward +x")
-    pitch: Elevation = Field(default=-0.15, description="Pitch, rad; positive looks up")
-    roll: Radians = Field(default=0.0, ge=-3.1416, le=3.1416, description="Roll about the view axis, rad")
-    fov: Radians = Field(default=0.8727, ge=0.01, le=2.6, description="Vertical field of view, rad")
 
 
 class SceneExtensions(Extensions):
