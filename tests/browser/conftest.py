@@ -9,7 +9,7 @@ from playwright.sync_api import Page, Playwright, expect, sync_playwright
 
 from support.browser.lanes import HOST, Lane, launched, opened
 from support.browser.proxy import proxied
-from support.browser.visits import Visit, visit
+from support.browser.visits import PHONE, UNMOVED, Visit, visit
 from support.command import served
 
 # Beside other tests, what a page shows takes longer than the 5 s that Playwright would wait.
@@ -53,13 +53,6 @@ def llvmpipe(playwright: Playwright) -> Iterator[Lane]:
     browser.close()
 
 
-@pytest.fixture(scope="session")
-def swiftshader(playwright: Playwright) -> Iterator[Lane]:
-    browser = launched(playwright, "SwiftShader")
-    yield Lane("SwiftShader", browser)
-    browser.close()
-
-
 @pytest.fixture(scope="module")
 def page(llvmpipe: Lane, server: str) -> Iterator[Page]:
     """The page on the server's own renderer."""
@@ -68,17 +61,23 @@ def page(llvmpipe: Lane, server: str) -> Iterator[Page]:
     made.close()
 
 
-@pytest.fixture(scope="package")
-def other(swiftshader: Lane, server: str) -> Iterator[Page]:
+@pytest.fixture(scope="module")
+def other(playwright: Playwright, server: str) -> Iterator[Page]:
     """The page on another renderer."""
-    made = opened(swiftshader, server)
-    yield made
-    made.close()
+    with launched(playwright, "SwiftShader") as browser:
+        yield opened(Lane("SwiftShader", browser), server)
 
 
 @pytest.fixture(scope="session")
 def shared(llvmpipe: Lane, server: str) -> Iterator[Visit]:
     with visit(llvmpipe, server) as made:
+        yield made
+
+
+@pytest.fixture(scope="session")
+def shared_phone(llvmpipe: Lane, server: str) -> Iterator[Visit]:
+    context = {"has_touch": True, "is_mobile": True, "reduced_motion": "reduce"}
+    with visit(llvmpipe, server, UNMOVED, size=PHONE, **context) as made:
         yield made
 
 

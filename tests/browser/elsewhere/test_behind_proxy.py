@@ -1,5 +1,4 @@
-"""The page behind a proxy, by a name and over plain HTTP, and under its security policy: it, laboratories, the API
-reference."""
+"""The page behind a proxy, by a name and over plain HTTP, and under its security policy: it, and the API reference."""
 
 from typing import Any
 
@@ -88,14 +87,3 @@ def test_the_policy_is_in_force_and_the_api_reference_tries_operations_under_it(
         page.evaluate("() => document.body.setAttribute('style', 'color: red')")
         until(page, "() => window.blocked.length > 0")
         assert "style-src-attr" in blocked(page)[0]
-
-
-def test_the_mask_laboratory_copies_and_a_browser_that_copies_nothing_is_told(llvmpipe: Lane, behind: str) -> None:
-    with visit(llvmpipe, behind, "masks/", settle=False) as made:
-        status = made.page.get_by_role("status")
-        made.press("Copy code")
-        expect(status.filter(has_text="Copied.")).to_be_visible()
-        assert pasted(made.page).strip() == made.page.locator(".take-home pre").inner_text().strip()
-        made.page.evaluate("() => { document.execCommand = () => false; }")
-        made.press("Copy code")
-        expect(status.filter(has_text="Select the code to copy it.")).to_be_visible()

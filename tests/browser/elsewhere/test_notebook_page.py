@@ -5,7 +5,7 @@ The page comes through a proxy and over plain HTTP, as a notebook's may, where b
 
 import base64
 import json
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
@@ -14,7 +14,7 @@ from playwright.sync_api import Page
 
 from seafoam.notebook import Water
 from support.browser.lanes import Lane, complaints_of
-from support.browser.visits import pixels_of
+from support.browser.visits import drag, pixels_of
 
 # What a notebook's front end does: keeps the traits, tells Python what changed, and passes messages on.
 MODEL = """async ({ state }) => {
@@ -91,6 +91,14 @@ class Cell:
             before = now
         raise AssertionError("the picture does not come to rest")
 
+    def until(self, done: Callable[[], bool]) -> None:
+        """Until Python has been told."""
+        for _ in range(120):
+            if done():
+                return
+            self.page.wait_for_timeout(250)
+        raise AssertionError("Python was not told")
+
     def seen(self) -> np.ndarray:
         shot = self.page.locator(".seafoam-picture").screenshot()
         return pixels_of(shot).astype(float)
@@ -115,91 +123,48 @@ def cell(llvmpipe: Lane, behind: str) -> Iterator[Cell]:
         assert [url for url in asked if url.startswith("http") and not url.startswith(f"{behind}/")] == []
 
 
-def test_it_draws_what_python_has(cell: Cell) -> None:
+def test_it_draws_what_python_has_and_changes(cell: Cell) -> None:
     assert cell.page.evaluate("() => crypto.randomUUID === undefined")
     assert cell.asked[0] == "plan"
     assert "texture" in cell.asked
-    assert cell.seen().std() > 5
-
-
-def test_python_changes_the_picture(cell: Cell) -> None:
-    before = cell.seen()
+    first = cell.seen()
+    assert first.std() > 5
     cell.water.time = 9.0
     cell.push("time")
     cell.settle()
-    later = cell.seen()
-    assert np.abs(later - before).mean() > 1
-    cell.water.scene = "paper-height"
-    cell.push("scene", "camera")
-    cell.settle()
-    assert np.abs(cell.seen() - later).mean() > 1
-    assert cell.page.locator(".seafoam-message").is_hidden()
-
-
-def test_a_field_that_stands_in_the_plan_needs_no_other(cell: Cell) -> None:
-    cell.water.scene = "paper-halftone"
-    cell.push("scene", "camera")
-    cell.settle()
-    before, plans = cell.seen(), cell.asked.count("plan")
-    foam = cell.water.scene.foam
-    cell.water.scene = cell.water.scene.model_copy(update={"foam": foam.model_copy(update={"albedo": 0.2})})
+    later, plans = cell.seen(), cell.asked.count("plan")
+    assert np.abs(later - first).mean() > 1
+    # A field that stands in the plan needs no other; another water does.
+    scene = cell.water.scene
+    cell.water.scene = scene.model_copy(update={"foam": scene.foam.model_copy(update={"albedo": 0.2})})
     cell.push("scene")
     cell.settle()
-    assert np.abs(cell.seen() - before).mean() > 0.5
+    assert np.abs(cell.seen() - later).mean() > 0.5
     assert cell.asked.count("plan") == plans
-
-
-def test_a_drag_moves_the_camera_in_python(cell: Cell) -> None:
-    before = cell.water.camera
-    box = cell.page.locator(".seafoam-picture").bounding_box()
-    cell.page.mouse.move(box["x"] + 300, box["y"] + 200)
-    cell.page.mouse.down()
-    cell.page.mouse.move(box["x"] + 380, box["y"] + 200, steps=4)
-    cell.page.mouse.up()
-    cell.settle()
-    cell.page.wait_for_timeout(1200)
-    assert cell.water.camera.yaw != before.yaw
-
-
-def test_time_runs_and_python_follows(cell: Cell) -> None:
-    began = cell.water.time
-    cell.page.get_by_role("button", name="Play").click()
-    for _ in range(40):
-        cell.page.wait_for_timeout(250)
-        if cell.water.time > began:
-            break
-    assert cell.water.playing
-    assert cell.water.time > began
-    cell.page.get_by_role("button", name="Pause").click()
-    cell.settle()
-    assert not cell.water.playing
-
-
-def test_the_panel_edits_the_scene_in_python(cell: Cell) -> None:
-    cell.page.get_by_role("button", name="Scene").click()
-    look = cell.page.get_by_label("look", exact=True)
-    look.wait_for()
-    look.select_option("fading")
-    cell.page.wait_for_timeout(300)
-    foam = cell.water.scene.foam
-    assert foam.look == "fading"
-    assert cell.water.panel
-    cell.settle()
-    heights = [cell.page.locator(f".seafoam-{part}").bounding_box()["height"] for part in ("side", "picture")]
-    assert heights[0] == pytest.approx(heights[1], abs=1)
-    cell.page.get_by_role("button", name="Scene").click()
-    assert cell.page.locator(".seafoam-side").is_hidden()
-
-
-def test_what_cannot_be_drawn_is_said(cell: Cell) -> None:
-    foam = cell.water.scene.foam
-    good = cell.water.scene
-    cell.water.scene = good.model_copy(update={"foam": foam.model_copy(update={"mask": "vac-99"})})
+    cell.water.scene = scene.model_copy(update={"foam": scene.foam.model_copy(update={"mask": "vac-99"})})
     cell.push("scene")
     message = cell.page.locator(".seafoam-message")
     message.wait_for()
     assert "vac-99" in message.inner_text()
-    cell.water.scene = good
-    cell.push("scene")
+    cell.water.scene = "paper-height"
+    cell.push("scene", "camera")
     message.wait_for(state="hidden")
-    assert cell.seen().std() > 5
+    cell.settle()
+    assert np.abs(cell.seen() - later).mean() > 1
+
+
+def test_python_follows_what_is_done_on_the_page(cell: Cell) -> None:
+    began, yaw = cell.water.time, cell.water.camera.yaw
+    box = cell.page.locator(".seafoam-picture").bounding_box()
+    drag(cell.page, (box["x"] + 300, box["y"] + 200), (box["x"] + 380, box["y"] + 200))
+    cell.until(lambda: cell.water.camera.yaw != yaw)
+    cell.page.get_by_role("button", name="Play").click()
+    cell.until(lambda: cell.water.playing and cell.water.time > began)
+    cell.page.get_by_role("button", name="Pause").click()
+    cell.page.get_by_role("button", name="Scene").click()
+    cell.page.get_by_label("look", exact=True).select_option("fading")
+    cell.until(lambda: cell.water.scene.foam.look == "fading")
+    assert not cell.water.playing
+    assert cell.water.panel
+    heights = [cell.page.locator(f".seafoam-{part}").bounding_box()["height"] for part in ("side", "picture")]
+    assert heights[0] == pytest.approx(heights[1], abs=1)

@@ -8,31 +8,19 @@ import os
 import shutil
 import subprocess
 import urllib.request
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 import numpy as np
 import pytest
 
 from support.browser.engines import Engine, Firefox, WebKit
 from support.browser.visits import DESKTOP, OVERLAPS, PHONE, link, pixels_of
-from support.sweep import REST
 
 WIDTH, HEIGHT, TIME = 160, 90, 2.7
 PRESETS = ("paper-threshold", "default")
 """All 30 draw the server's pixels (once measured); these are fast ones of two kinds."""
-ENGINES: dict[str, type[Firefox] | type[WebKit]] = {"firefox": Firefox, "webkit": WebKit}
-SIZES = {"desktop": DESKTOP, "phone": PHONE}
+SIZES: dict[type[Engine], tuple[int, int]] = {Firefox: DESKTOP, WebKit: PHONE}
 SETTLED = "window.seafoam?.state().settled === true"
-
-
-def engines_at(**usual: str) -> pytest.MarkDecorator:
-    """These engines at these sizes; the sweep has the others."""
-    cases = [
-        pytest.param(engine, size, id=f"{engine}-{name}", marks=() if name in usual.get(engine, "") else REST)
-        for engine in ENGINES
-        for name, size in SIZES.items()
-    ]
-    return pytest.mark.parametrize(("engine", "size"), cases, indirect=["engine"])
 
 
 @pytest.fixture(scope="module")
@@ -51,30 +39,15 @@ def display() -> Iterator[str]:
         process.wait(timeout=20)
 
 
-@pytest.fixture(scope="module")
-def engines(display: str) -> Iterator[Callable[[str], Engine]]:
-    """Browsers by name, each started once, and anew when it hangs: one test fails then, and not those after it."""
-    running: dict[str, Engine] = {}
-
-    def started(name: str) -> Engine:
-        if name in running and running[name].hung:
-            running.pop(name).close()
-        if name not in running:
-            running[name] = ENGINES[name](display)
-        return running[name]
-
-    yield started
-    for browser in running.values():
-        browser.close()
+@pytest.fixture(scope="module", params=SIZES)
+def engine(display: str, request: pytest.FixtureRequest) -> Iterator[Engine]:
+    browser = request.param(display)
+    yield browser
+    browser.close()
 
 
-@pytest.fixture(params=ENGINES)
-def engine(request: pytest.FixtureRequest, engines: Callable[[str], Engine]) -> Engine:
-    return engines(request.param)
-
-
-@engines_at(firefox="desktop", webkit="phone")
-def test_the_page(engine: Engine, server: str, size: tuple[int, int]) -> None:
+def test_the_page(engine: Engine, server: str) -> None:
+    size = SIZES[type(engine)]
     engine.size(*size)
     engine.visit(f"{server}/{link(time=TIME)}")
     engine.until(SETTLED)
@@ -87,7 +60,7 @@ def test_the_page(engine: Engine, server: str, size: tuple[int, int]) -> None:
     surfaces_open_beside_the_picture(engine, size)
     a_lost_context_comes_back(engine)
     the_server_draws_where_it_is_asked_to(engine)
-    for other in (*SIZES.values(), size):
+    for other in (DESKTOP, PHONE):
         engine.size(*other)
         nothing_lies_over_anything(engine, other)
     assert engine.complaints == []
@@ -205,8 +178,8 @@ def sound(engine: Engine, size: tuple[int, int]) -> None:
     assert engine.complaints == []
 
 
-@engines_at(firefox="phone", webkit="desktop")
-def test_chapter_and_laboratories(engine: Engine, server: str, size: tuple[int, int]) -> None:
+def test_chapter_and_laboratories(engine: Engine, server: str) -> None:
+    size = DESKTOP if isinstance(engine, WebKit) else PHONE
     engine.size(*size)
     engine.visit(f"{server}/learn/")
     engine.until("document.querySelector('figure[data-figure] .plate') !== null")

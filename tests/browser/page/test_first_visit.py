@@ -112,7 +112,7 @@ def test_the_picture_stays_on_a_slow_network_and_the_last_choice_counts(small: V
     assert (filtered != before).any()
 
 
-USUAL = {"default flags": "desktop", "llvmpipe": "desktop", "WebGL off": "phone"}
+USUAL = {"default flags": "desktop", "WebGL off": "phone"}
 """The windows that every run tries; the sweep has the others."""
 SOFTWARE = ("SwiftShader", "llvmpipe", "WebGL off")
 """Starts that draw without a GPU on every machine."""

@@ -16,7 +16,7 @@ HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
 };
 """
 ADDRESS = link(preset="paper-threshold", time=1.0)
-FRAMES, PRESETS = "**/api/frames", "**/api/presets/*"
+FRAMES = "**/api/frames"
 
 
 @pytest.fixture(scope="module")
@@ -83,30 +83,10 @@ def test_time_camera_settings_and_presets_work(served: Visit) -> None:
     served.settings().get_by_label("mask", exact=True).select_option(index=2)
     changed()
     page.get_by_role("button", name="Close settings").click()
-    held = Held(page, PRESETS)
-    page.evaluate("(hash) => { location.hash = hash; }", link(time=1.0))
-    held.arrived()
-    assert served.state()["busy"]
-    held.let_go()
+    served.follow(link(time=1.0))
     changed()
     expect(page.locator("#title")).not_to_have_text("")
     assert served.state()["preset"] == "paper-halftone"
-
-
-def test_the_water_on_the_page_is_chosen_while_another_loads(served: Visit) -> None:
-    served.settle()
-    page, before = served.page, served.state()["preset"]
-    held = Held(page, PRESETS)
-    page.locator("#gallery [role=option]").first.evaluate("(option) => option.click()")
-    held.arrived()
-    assert served.state()["busy"]
-    page.locator("#gallery [aria-selected=true]").evaluate("(option) => option.click()")
-    assert not served.state()["busy"]
-    with page.expect_response(PRESETS):
-        held.let_go()
-    served.frames(2)
-    served.settle()
-    assert served.state()["preset"] == before
 
 
 def test_two_looks_are_compared(served: Visit) -> None:

@@ -13,7 +13,7 @@ from playwright.sync_api import Page
 from seafoam.effects import register, unregister
 from seafoam.effects.effect import Effect
 from seafoam.planner import make_plan
-from seafoam.quality import TIERS, Quality
+from seafoam.quality import TIERS
 from seafoam.reference import render
 from seafoam.render.gl.executor import Executor
 from support.browser.lanes import rendered
@@ -97,17 +97,6 @@ def test_the_example_is_as_its_truth(executor: Executor, example: Effect, look: 
     # A threshold that a sample just misses turns that sample: the mean holds, and nearly every pixel.
     assert off.mean() < 1.0 / 255.0
     assert (off < 2.0 / 255.0).mean() > 0.99
-
-
-def test_the_examples_quality_changes_what_is_drawn(example: Effect) -> None:
-    scene = Scene.model_validate({"foam": Foam(look="filtered"), "extensions": PART})
-    for value in (True, False):
-        quality = Quality.model_validate({"extensions": {"windrows": {"filter": value}}})
-        text = make_plan(scene, quality).programs["surface"].fragment.text
-        assert f"ROWS_FILTER = {str(value).lower()}" in text
-    assert make_plan(scene, Quality()) == make_plan(
-        scene, Quality.model_validate({"extensions": {"windrows": {"filter": True}}})
-    )
 
 
 def test_contributing_shows_the_very_files_that_run() -> None:

@@ -7,16 +7,23 @@ from numpy.typing import NDArray
 from playwright.sync_api import Page
 
 from seafoam.effects import EFFECTS
+from seafoam.effects.shader import Inline
+from seafoam.framegraph.plan import FramePlan, Fullscreen, Pass, Program
+from seafoam.framegraph.resources import TargetInput, Texture, TextureInput
 from seafoam.framegraph.visibility import applies_to, eye_of
 from seafoam.planner import make_plan
+from seafoam.planner.glsl import assemble
 from seafoam.quality import TIERS, Quality, SurfaceQuality
 from seafoam.render.gl.executor import Executor
+from seafoam.textures.masks import MaskTexture
+from seafoam.textures.store import texture, url_of
 from support.browser.lanes import answered, rendered
 from support.cases import HardCase, cases_of
 from support.exact import UNFILTERED
 from support.pictures import draw
+from support.probe import WHOLE
 from support.report import REPORT
-from support.scenes import Camera, Scene, load_preset, preset_names
+from support.scenes import Camera, Foam, HeightSaturation, Scene, load_preset, preset_names
 from support.sweep import crossed, rested, spread
 
 TIMES = (0.0, 2.7, 1e9)
@@ -188,3 +195,43 @@ def test_hard_cases_are_sound_on_another_renderer(other: Page, executor: Executo
         assert black[0] <= black[1] + 0.01
         assert mean <= allowed["mean"]
         assert over <= allowed["share_over_2"]
+
+
+COMPARE = Inline("""uniform usampler2D u_drawn;
+uniform usampler2D u_made;
+out vec4 o_color;
+void main() {
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    uvec2 drawn = texelFetch(u_drawn, at, 0).rg;
+    bool same = drawn == texelFetch(u_made, at, 0).rg;
+    o_color = vec4(same ? 0.0 : 1.0, float(drawn.x & 255u) / 255.0, float(drawn.y & 255u) / 255.0, 1.0);
+}
+""")
+
+
+def comparing(mask: str) -> FramePlan:
+    """A plan whose picture is red where the drawn atlas is not the one of the server's resource."""
+    foam = Foam(saturation=(HeightSaturation(base=-1.0, full=1.0),), look="filtered", mask=mask)
+    plan = make_plan(Scene(foam=foam, light=None), TIERS["standard"])
+    spec = MaskTexture(masks=(mask,), table="atlas")
+    made = texture(spec)
+    read = {"u_drawn": TargetInput(target="mask_atlas"), "u_made": TextureInput(texture="made")}
+    how = {"when": "frame", "program": "compare", "target": "screen", "mesh": Fullscreen()}
+    size = {"width": made.width, "height": made.height, "levels": 1}
+    resource = {"url": url_of(spec), "sha256": made.sha256, "format": made.format, **size}
+    parts = {
+        "passes": (*(one for one in plan.passes if one.when == "setup"), Pass(name="compare", inputs=read, **how)),
+        "programs": {**plan.programs, "compare": Program(vertex=WHOLE, fragment=assemble([COMPARE], {}))},
+        "textures": {**plan.textures, "made": Texture(**resource, filter="nearest", wrap="repeat")},
+    }
+    return plan.model_copy(update=parts)
+
+
+def test_the_drawn_atlas_is_the_made_one(executor: Executor, other: Page) -> None:
+    """On the other renderer: the server's own draws those of all masks, and Chromium on it presets that have one."""
+    plan, camera = comparing("clump"), Camera()
+    size = (plan.textures["made"].width, plan.textures["made"].height)
+    pixels = rendered(other, plan, time=0.0, size=size, camera=camera)
+    assert not pixels[..., 0].any()
+    assert pixels[:, :512, 1].std() > 50.0
+    assert np.array_equal(pixels, draw(executor, plan, camera, time=0.0, size=size))

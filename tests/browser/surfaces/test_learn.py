@@ -1,19 +1,18 @@
 """The chapter "How foam pops" and the foam laboratory, as a visitor reads and moves them."""
 
 import re
-from urllib.parse import parse_qsl, urldefrag, urljoin, urlsplit
+from urllib.parse import urldefrag, urljoin, urlsplit
 
 import numpy as np
-import pytest
 from playwright.sync_api import Locator, Page
 
 from support.browser.axe import violations
 from support.browser.lanes import Lane
-from support.browser.visits import BLANK, FINGER, PHONE, TARGETS, Pixels, differs, pixels_of, visit
+from support.browser.visits import FINGER, PHONE, TARGETS, Pixels, differs, pixels_of, visit
 
 FIGURES = ("saturation", "threshold", "popping", "masks", "equations", "picture")
-MOVING = ("saturation", "threshold", "popping", "equations", "picture")
-DESKTOP = (1440, 900)
+MOVING = ("popping", "picture")
+DESKTOP = (1024, 800)
 LEARN, LABORATORY = "learn", "learn/laboratory/"
 PAGES = {LEARN: "", LABORATORY: "#strips[data-live=true]", "masks/": ".side[aria-busy=false]"}
 """What each has once it is whole."""
@@ -43,23 +42,14 @@ def test_the_chapter_reads_without_a_script_and_every_link_leads_to_what_it_name
     with visit(llvmpipe, server, LEARN, size=DESKTOP, settle=False, java_script_enabled=False) as made:
         page = made.page
         assert page.url == f"{server}/{LEARN}/"
-        text = page.inner_text("main")
-        assert len(text.split()) > 700
-        for said in (
-            "Foam does not fade",
-            "spread a table of numbers",
-            "Equation 2",
-            "white noise",
-            "What to take home",
-        ):
-            assert said in text
+        assert len(page.inner_text("main").split()) > 700
         assert page.locator("math").count() >= 8
-        assert page.locator("figure[data-figure]").count() == len(FIGURES)
-        # Each with a picture that stands in for it.
-        for picture in page.locator("figure img").all():
-            response = page.request.get(urljoin(page.url, picture.get_attribute("src") or ""))
-            assert response.headers["content-type"] == "image/webp"
-            assert len(picture.get_attribute("alt") or "") > 40
+        # A picture stands in for each figure.
+        pictures = page.locator("figure[data-figure] img")
+        assert pictures.count() == len(FIGURES)
+        assert all(
+            pictures.evaluate_all("(all) => all.map(({ naturalWidth, alt }) => naturalWidth && alt.length > 40)")
+        )
         # Every formula has its code beside it.
         for formula in page.locator(".formula-block").all():
             assert formula.locator("a[href*='source/']").count() >= 1
@@ -118,8 +108,8 @@ def test_figures_live_while_they_are_seen_and_bubbles_pop_in_the_laboratory(llvm
         )
         page.get_by_role("button", name="Pause").click()
         assert "paused=1" in page.url
-        height = page.evaluate("() => document.documentElement.scrollHeight")
-        assert height <= DESKTOP[1], "one screen"
+        page.set_viewport_size({"width": 1440, "height": 900})
+        assert page.evaluate("() => document.documentElement.scrollHeight") <= 900, "one screen"
 
 
 def changes(page: Page) -> None:
@@ -144,68 +134,19 @@ def changes(page: Page) -> None:
     page.locator("[data-look=filtered]").wait_for()
 
 
-def test_without_webgl_the_picture_stands(llvmpipe: Lane, server: str) -> None:
-    blind = (
-        "HTMLCanvasElement.prototype.getContext = ((own) => function (kind, ...rest) {"
-        " return kind === 'webgl2' ? null : own.call(this, kind, ...rest); })(HTMLCanvasElement.prototype.getContext);"
-    )
-    with visit(llvmpipe, server, BLANK, size=DESKTOP, settle=False) as made:
-        page = made.page
-        page.add_init_script(blind)
-        page.goto(f"{server}/{LEARN}/")
-        figure = page.locator("figure[data-figure=picture]")
-        figure.scroll_into_view_if_needed()
-        page.locator("figure[data-figure=picture][data-live=false]").wait_for()
-        assert figure.locator("img").is_visible()
-        assert "WebGL 2 is not available" in figure.inner_text()
-        seen(page, "equations")
-
-
-@pytest.mark.parametrize("size", [DESKTOP, PHONE], ids=["desktop", "phone"])
-def test_chapter_and_laboratories_work_fit_and_axe_finds_nothing(
-    llvmpipe: Lane, server: str, size: tuple[int, int]
-) -> None:
-    """By day on a desktop, by night on a phone."""
-    phone = size == PHONE
-    context = {"reduced_motion": "reduce", "color_scheme": "dark" if phone else "light"}
-    with visit(llvmpipe, server, LEARN, size=size, settle=False, has_touch=phone, is_mobile=phone, **context) as made:
+def test_chapter_and_laboratories_work_fit_a_phone_and_axe_finds_nothing(llvmpipe: Lane, server: str) -> None:
+    """By day and by night."""
+    context = {"reduced_motion": "reduce", "has_touch": True, "is_mobile": True}
+    with visit(llvmpipe, server, LEARN, size=PHONE, settle=False, **context) as made:
         page = made.page
         for path, live in PAGES.items():
-            if path != LEARN:
+            if path == LEARN:
+                changes(page)
+            else:
                 page.goto(f"{server}/{path}")
                 page.locator(live).first.wait_for(timeout=60_000)
-            elif phone:
-                for name in FIGURES:
-                    seen(page, name)
-            else:
-                changes(page)
-            assert violations(page) == [], path
-            assert page.evaluate("() => document.documentElement.scrollWidth") <= size[0], path
-            assert not phone or [one for one in page.evaluate(TARGETS) if one[2] < FINGER] == [], path
-
-
-def test_the_laboratory_is_in_its_address(llvmpipe: Lane, server: str) -> None:
-    address = f"{LABORATORY}#c=9&k=5&mask=bubble&fade=0.4&paused=1&time=3.25&base=99"
-    with visit(llvmpipe, server, address, size=DESKTOP, settle=False) as made:
-        page = made.page
-        page.locator("#strips[data-live=true]").wait_for()
-        assert page.get_by_role("slider", name="C, divisor").get_attribute("aria-valuetext") == "9.0"
-        assert page.get_by_role("combobox", name="Mask", exact=True).input_value() == "bubble"
-        # Out of range: as at the start.
-        assert page.get_by_role("slider", name="E, rise and fall").get_attribute("aria-valuetext") == "2.72"
-        strips = page.locator("#strips")
-        before = strips.evaluate(IN_SIGHT)
-        page.get_by_role("button", name="listing").click()
-        page.wait_for_function(
-            f"([strips, before]) => ({IN_SIGHT})(strips) !== before", arg=[strips.element_handle(), before]
-        )
-        state = page.url
-        assert dict(parse_qsl(urlsplit(state).fragment)) == {
-            **{"c": "9", "k": "5", "mask": "bubble", "fade": "0.4", "paused": "1", "time": "3.250"},
-            **{"delta": "1.07", "base": "2.718"},
-        }
-        shown = strips.evaluate(IN_SIGHT)
-        page.goto(BLANK)
-        page.goto(state)
-        page.locator("#strips[data-live=true]").wait_for()
-        assert page.locator("#strips").evaluate(IN_SIGHT) == shown, "the link restores the picture"
+            for scheme in ("dark", "light"):
+                page.emulate_media(color_scheme=scheme, reduced_motion="reduce")
+                assert violations(page) == [], (path, scheme)
+            assert page.evaluate("() => document.documentElement.scrollWidth") <= PHONE[0], path
+            assert [one for one in page.evaluate(TARGETS) if one[2] < FINGER] == [], path

@@ -70,6 +70,8 @@ def link(**parts: Any) -> str:
 
 
 START = link()
+UNMOVED = "#quality=fast&scale=0.25&preset=paper-halftone"
+"""Who wants no motion finds it at rest; small pictures, for what lies over them."""
 
 
 def pixels_of(png: bytes) -> Pixels:
