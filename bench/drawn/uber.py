@@ -130,8 +130,8 @@ def uber_plan(scene: Scene, quality: Quality, *, exact_ripples: bool = True) -> 
     for name in _WAVES.findall(text):
         uniforms[name] = _padded(uniforms[name])
     declared = declared_uniforms(uber.program.fragment)
-    textures = {name: texture for source in uber.plans for name, texture in source.textures.items()}
-    targets = {name: target for source in uber.plans for name, target in source.targets.items()}
+    textures = {name: texture for source in (*uber.plans, plan) for name, texture in source.textures.items()}
+    targets = {name: target for source in (*uber.plans, plan) for name, target in source.targets.items()}
     named = {sampler_of(name): name for name in (*textures, *targets)}
     available = named | {START: "start"} | uber.parts.inputs | own.inputs
     inputs = {sampler: source_of(name, textures) for sampler, name in available.items() if sampler in declared}
@@ -142,8 +142,8 @@ def uber_plan(scene: Scene, quality: Quality, *, exact_ripples: bool = True) -> 
             "programs": {**plan.programs, "surface": uber.program},
             # Nor do these mean anything to it.
             "uniforms": {name: number(0.0) for name in _MARCHED} | plan.uniforms | uniforms,
-            "textures": textures | plan.textures,
-            "targets": targets | plan.targets,
+            "textures": textures,
+            "targets": targets,
             "passes": (
                 *free,
                 *(
