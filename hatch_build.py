@@ -18,4 +18,6 @@ class DataHook(BuildHookInterface):
             path = Path(self.root, source)
             if not path.is_dir():
                 raise FileNotFoundError(f"{source} is missing: run 'make webclient' before building the wheel")
-            build_data["force_include"][str(path)] = f"seafoam/_data/{name}"
+            for file in path.rglob("*"):
+                if file.is_file() and file.suffix not in (".py", ".pyc"):
+                    build_data["force_include"][str(file)] = f"seafoam/_data/{name}/{file.relative_to(path)}"

@@ -91,7 +91,7 @@ async def start_sequence(body: Strict[SequenceRequest], context: InContext) -> S
     await context.compiled(body.scene, spec.job.quality)
     await context.pool.wait_until_settled()
     status = await context.plans.run(context.sequences.submit, spec, body.format, body.codec)
-    headers = {"Location": f"/api/sequences/{status.id}", "Cache-Control": answers.NO_STORE}
+    headers = {"Location": f"sequences/{status.id}", "Cache-Control": answers.NO_STORE}
     return JSONResponse(status.model_dump(mode="json"), 202, headers)  # type: ignore[return-value]
 
 

@@ -41,7 +41,7 @@ def start(client: TestClient, **changes: Any) -> dict[str, Any]:
     response = client.post("/api/sequences", json=asked(**changes))
     assert response.status_code == 202, response.text
     body = response.json()
-    assert response.headers["location"] == f"/api/sequences/{body['id']}"
+    assert response.headers["location"] == f"sequences/{body['id']}"
     assert response.headers["cache-control"] == "no-store"
     return body
 
