@@ -143,6 +143,7 @@ class Firefox(Engine):
         self.call("input.performActions", context=self.tab, actions=actions)
 
     def close(self) -> None:
+        self.portal.call(self.connection.close)
         # It may have hung. Whoever still waits for its answer is told that it has gone.
         self.process.kill()
         self.process.wait(timeout=30)
