@@ -16,16 +16,44 @@ OCTAVE_SHOWN = (32.0, 64.0)  # footprint in texels of an octave at which it begi
 END = 1.0 / 256.0
 
 
+def textured(f: Floats, t: Floats) -> Floats:
+    """clamp(f, 0, 1)·t (figure 7a)."""
+    return np.clip(f, 0.0, 1.0) * t
+
+
+def halftone(f: Floats, m: Floats) -> Floats:
+    """1 where f > m, else 0 (equation 1)."""
+    return np.where(f > m, 1.0, 0.0)
+
+
+def fading(f: Floats, m: Floats) -> Floats:
+    """clamp(f/2 − m, 0, 1) where f > m, else 0 (equation 2)."""
+    return np.where(f > m, np.clip(0.5 * f - m, 0.0, 1.0), 0.0)
+
+
+def halftone_textured(f: Floats, m: Floats, t: Floats) -> Floats:
+    """clamp(f/2 − m, 0, 1)·t where f > m, else 0 (equation 3)."""
+    return fading(f, m) * t
+
+
+def listing(f: Floats, m: Floats, t: Floats) -> Floats:
+    """clamp(f − m, 0.15, 3)·t where f > m, else 0 (the published code); in [0, 3], added to the water."""
+    return np.where(f > m, np.clip(f - m, 0.15, 3.0) * t, 0.0)
+
+
 def hard(look: Look, f: Floats, m: Floats, t: Floats) -> Floats:
-    """The looks of the paper: figure 7a, equations 1 to 3, and the published code, in [0, 3], added to the water."""
-    amounts = {
-        "textured": np.clip(f, 0.0, 1.0) * t,
-        "halftone": np.ones_like(f),
-        "fading": np.clip(0.5 * f - m, 0.0, 1.0),
-        "halftone_textured": np.clip(0.5 * f - m, 0.0, 1.0) * t,
-        "listing": np.clip(f - m, 0.15, 3.0) * t,
-    }
-    return amounts[look] if look == "textured" else np.where(f > m, amounts[look], 0.0)
+    """The amount of a look that compares with single texels, by its name."""
+    match look:
+        case "textured":
+            return textured(f, t)
+        case "halftone":
+            return halftone(f, m)
+        case "fading":
+            return fading(f, m)
+        case "halftone_textured":
+            return halftone_textured(f, m, t)
+        case _:
+            return listing(f, m, t)
 
 
 def thinned(A: Floats, t: Floats, texture: float) -> Floats:

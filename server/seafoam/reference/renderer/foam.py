@@ -6,7 +6,7 @@ import numpy as np
 
 from seafoam.ocean.waves.stokes import foam_life
 from seafoam.reference import sampling
-from seafoam.reference.foam import coverage as looked
+from seafoam.reference.foam import coverage as cover
 from seafoam.reference.foam import looks
 from seafoam.reference.foam.coverage import OCTAVES_MOST, Assets, MaskPoints, coverage, mask_points, tiles
 from seafoam.reference.foam.drift import Copy, copies
@@ -86,7 +86,7 @@ class FoamStage(ReferenceState):
             f = np.clip(f, 0.0, 1.0)
             s = looks.ramped(f, self.foam.fade) if self.foam.octaves > 1 else f
             # The converged frame resolves all windrows, so they are not filtered.
-            gathered = looked.gathered(self.scene, self.time, self.surface.afloat, s, x, z)
+            gathered = cover.gathered(self.scene, self.time, self.surface.afloat, s, x, z)
             return self._aging(gathered, f, rest, footprints, octaves)
         x, z = x + offset[0], z + offset[1]
         advected = self._advected(x, z)
@@ -94,7 +94,7 @@ class FoamStage(ReferenceState):
             return self._look(f, x, z, footprints, octaves)
         free = np.ones_like(x)
         for copy in advected:
-            part = looked.part(f, copy.weight)
+            part = cover.part(f, copy.weight)
             turned = copy.turned(footprints[0]), copy.turned(footprints[1])
             amount = self._look(part, copy.x, copy.z, turned, octaves)
             free *= np.where(copy.weight > 0.0, 1.0 - amount, 1.0)
@@ -104,12 +104,12 @@ class FoamStage(ReferenceState):
         """Foam amount of a coverage s of masks by age, where the water's rest position is ``rest``; (r,)."""
         foam = self.foam
         points = mask_points(*rest, footprints, foam, (0.0, 0.0))
-        by_u, by_v = looked.drifted(self.scene, self.time, self.surface.afloat)
+        by_u, by_v = cover.drifted(self.scene, self.time, self.surface.afloat)
         points = replace(points, u=points.u + by_u, v=points.v + by_v)
         t = self._texture(*rest, footprints)
         free = np.ones_like(s)
         masks = (self.images, *self.images.older)
-        for mask, (weight, share) in zip(masks, looked.shares(len(masks), s, f), strict=True):
+        for mask, (weight, share) in zip(masks, cover.shares(len(masks), s, f), strict=True):
             own = np.flatnonzero(weight > 0.0)
             covered = coverage(
                 foam, mask, share[own], points.subset(own), filtering=self.filtering, shares=True, octaves=octaves
@@ -128,10 +128,10 @@ class FoamStage(ReferenceState):
             return self._amount(f, t, points, octaves)
         filtered = foam.look == "filtered"
         free = np.ones_like(x)
-        for corner in looked.corners(*looked.counted(x, z, foam, self.surface.afloat), filtered):
+        for corner in cover.corners(*cover.counted(x, z, foam, self.surface.afloat), filtered):
             own = np.flatnonzero(corner.weight > 0.0)
             turned = corner.turned(points.foot_u), corner.turned(points.foot_v)
-            part = looked.part(f[own], corner.weight[own]) if filtered else f[own]
+            part = cover.part(f[own], corner.weight[own]) if filtered else f[own]
             cell = MaskPoints(corner.u, corner.v, *turned).subset(own)
             free[own] *= 1.0 - self._amount(part, t[own], cell, octaves)
         return 1.0 - free
