@@ -116,7 +116,7 @@ test-fast:
 
 sweep: setup-test
 	@$(MAKE) --no-print-directory -j3 SHARE=sweep test-live test-gpu test-fast
-	cd $(WEB) && MACHINES=1000 ../$(NODE) npm test --silent -- tests/resolution.test.ts
+	cd $(WEB) && MACHINES=1000 ../$(NODE) npm test --silent -- tests/display/resolution.test.ts
 
 bench: setup-test
 	$(BIN)/python -m bench
