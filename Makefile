@@ -17,10 +17,12 @@ unexport PYTHONDONTWRITEBYTECODE
 WEB_SOURCES := $(shell find $(addprefix $(WEB)/,src public masks learn build) -type f 2>/dev/null) $(WEB)/index.html docs/formulae.md $(wildcard docs/snippets/*) \
 	$(WEB)/package-lock.json $(WEB)/vite.config.ts $(WEB)/vite.library.config.ts $(WEB)/tsconfig.json
 
-# Three groups of tests at once, each under 2 GB: browsers and the pool of workers, what draws, and all else.
+# Four groups of tests at once, each under 2 GB: browsers and the pool of workers, what is drawn against float64, what else
+# draws, and all else. Two cores wait with three, for browsers and for processes that are started and killed.
 POOL := tests/fast/api/frames/test_api_pool.py
 LIVE := tests/browser $(POOL)
 FAST := tests/fast --ignore=$(POOL)
+TRUTH := tests/gpu/reference
 
 # Tests that make many plans: half of the time that quick takes.
 PLANS := tests/fast/planner tests/fast/project
@@ -34,15 +36,15 @@ SHARE := not sweep
 GRANTED = $(if $(filter not,$(SHARE)),--group $(@:test-%=%))
 
 # Groups run at once on two cores: threads of BLAS would wait for one another, and use up the time of all.
-test-live test-gpu test-fast quick-plans quick-rest: export OPENBLAS_NUM_THREADS = 1
+test-live test-truth test-gpu test-fast quick-plans quick-rest: export OPENBLAS_NUM_THREADS = 1
 
-.PHONY: demo test quick quick-plans quick-rest lint lint-then-web sweep test-live test-gpu test-fast test-web bench gpu setup setup-test webclient wheel bake docs stills learn-stills fronts lock clean
+.PHONY: demo test quick quick-plans quick-rest lint lint-then-web sweep test-live test-truth test-gpu test-fast test-web bench gpu setup setup-test webclient wheel bake docs stills learn-stills fronts lock clean
 
 demo: setup
 	$(BIN)/seafoam serve --port $(PORT) --open
 
 test: setup-test
-	@$(MAKE) --no-print-directory -j4 lint-then-web test-live test-gpu test-fast
+	@$(MAKE) --no-print-directory -j5 lint-then-web test-live test-truth test-gpu test-fast
 
 # One after the other, beside the tests: each of them takes one processor.
 lint-then-web: lint
@@ -108,14 +110,17 @@ test-web: setup-test
 test-live:
 	$(BIN)/pytest -q -p no:cacheprovider -m "$(SHARE)" $(GRANTED) $(LIVE)
 
+test-truth:
+	$(BIN)/pytest -q -p no:cacheprovider -m "$(SHARE)" $(GRANTED) $(TRUTH)
+
 test-gpu:
-	$(BIN)/pytest -q -p no:cacheprovider -m "$(SHARE)" $(GRANTED) tests/gpu
+	$(BIN)/pytest -q -p no:cacheprovider -m "$(SHARE)" $(GRANTED) tests/gpu --ignore=$(TRUTH)
 
 test-fast:
 	$(BIN)/pytest -q -p no:cacheprovider -m "$(SHARE)" $(GRANTED) $(FAST)
 
 sweep: setup-test
-	@$(MAKE) --no-print-directory -j3 SHARE=sweep test-live test-gpu test-fast
+	@$(MAKE) --no-print-directory -j4 SHARE=sweep test-live test-truth test-gpu test-fast
 	cd $(WEB) && MACHINES=1000 ../$(NODE) npm test --silent -- tests/display/resolution.test.ts
 
 bench: setup-test

@@ -1,8 +1,8 @@
 """Quality: how exactly a scene is computed."""
 
-from typing import Any, Literal
+from typing import Annotated, Any, Literal, get_args
 
-from pydantic import Field
+from pydantic import BeforeValidator, ConfigDict, Field
 
 from seafoam.described import Described
 from seafoam.extensions import Extensible, Extensions
@@ -10,8 +10,17 @@ from seafoam.extensions import Extensible, Extensions
 Tier = Literal["fast", "standard", "high", "reference"]
 
 
-class QualityParameters(Described, extra="forbid", frozen=True, allow_inf_nan=False):
+def _no_truth_value(value: Any) -> Any:
+    """Reject ``False``, which equals 0 and would otherwise pass, against the schema."""
+    if isinstance(value, bool):
+        raise ValueError("must be a number")
+    return value
+
+
+class QualityParameters(Described):
     """Base class of groups of quality settings."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
 
 class SurfaceQuality(QualityParameters):
@@ -44,7 +53,7 @@ class Quality(Extensible, QualityParameters):
     foam_taps: Literal[4, 16] = 16
     """Mask texels that the filtered look averages under minification: 4 (2 × 2) or 16 (4 × 4); fewer is faster and
     noisier"""
-    foam_octaves: Literal[1, 2, 3, 4] = 4
+    foam_octaves: Annotated[Literal[1, 2, 3, 4], BeforeValidator(_no_truth_value)] = 4
     """Maximum number of octaves of the foam mask; more show finer foam near the camera"""
     foam_texture: Literal["sampler", "texels"] = "sampler"
     """How the foam texture is filtered. sampler: by the GL, from 8 bits, with weights of some 8 bits; texels: in
@@ -62,7 +71,7 @@ class Quality(Extensible, QualityParameters):
     """Number of tiles of an FFT sea, the largest first; fewer leave out the shortest waves"""
     sea_digits: Literal["half", "float"] = "half"
     """Floating-point format of the tiles of the open sea: 16-bit (half) or 32-bit (float)"""
-    age_steps: Literal[0, 4, 8] = 8
+    age_steps: Annotated[Literal[0, 4, 8], BeforeValidator(_no_truth_value)] = 8
     """Number of earlier times at which the folds of the sea are evaluated, for foam left by past breakers"""
     age_step: float = Field(default=0.35, ge=0.02, le=5.0, description="Interval between these times, s")
     shore_map: Literal[64, 128, 256, 512] = 256
@@ -96,7 +105,7 @@ class Quality(Extensible, QualityParameters):
     """Maximum age of drifting foam, s; older foam is not drawn"""
     drift_step: float = Field(default=1.0, ge=0.05, le=10.0)
     """Maximum time step of the integration along the flow, s"""
-    sparkle_cells: Literal[1, 4] = 4
+    sparkle_cells: Annotated[Literal[1, 4], BeforeValidator(_no_truth_value)] = 4
     """Sparkle cells evaluated per sample: 1 (its own) or 4 (all that can reach it)"""
     spray_count: Literal[2048, 4096, 8192, 16384] = 16384
     """Number of spray drops, over an open sea half as many where pixels are wide; fewer drops are drawn larger, so that
@@ -116,16 +125,16 @@ class Quality(Extensible, QualityParameters):
     """Reflection of boats. map: from a planar mirror that is drawn each frame; traced: by rays from the water"""
     reflection_size: int = Field(default=256, ge=32, le=2048)
     """Side of the planar mirror, texels; of land alone in water with ripples at most 128"""
-    slope_places: Literal[1, 5] = 1
+    slope_places: Annotated[Literal[1, 5], BeforeValidator(_no_truth_value)] = 1
     """Points at which the slope for blurred slope foam is read: 5, or 1 with a footprint as wide as the blur"""
-    boat_readings: Literal[1, 7] = 7
+    boat_readings: Annotated[Literal[1, 7], BeforeValidator(_no_truth_value)] = 7
     """Wave heights read around each hull point of a boat"""
-    boat_samples: Literal[1, 4, 9] = 4
+    boat_samples: Annotated[Literal[1, 4, 9], BeforeValidator(_no_truth_value)] = 4
     """Rays per sample where boats are, to antialias their edges against water and sky"""
     boat_shadows: bool = Field(default=True, description="Shadows of boats on water, foam and a floor")
     samples: Literal[1, 4, 9, 16, 25, 36, 49, 64] = 1
     """Samples per pixel, on a square grid; without light, where they cost little, 49 instead of 25"""
-    samples_max: Literal[1, 4, 16] = 1
+    samples_max: Annotated[Literal[1, 4, 16], BeforeValidator(_no_truth_value)] = 1
     """Maximum number of samples for a pixel that stands out from its neighbours (adaptive sampling); a value not above
     `samples` turns it off"""
     samples_budget: float = Field(default=2.0, ge=0.1, le=3.0)
@@ -133,7 +142,7 @@ class Quality(Extensible, QualityParameters):
     samples_threshold: float = Field(default=0.004, ge=0.001, le=1.0)
     """Contrast with its neighbours above which a pixel gets more samples; white on black is 1. Raised automatically
     where the budget would be exceeded"""
-    pixel_width: Literal[1, 2, 3, 4] = 2
+    pixel_width: Annotated[Literal[1, 2, 3, 4], BeforeValidator(_no_truth_value)] = 2
     """Width of a drawn pixel, in pixels of the picture. 2 to 4: water, land and sky are drawn at full height and a part
     of the width, along which water that is seen from near its level has the least detail, and then enlarged. Half of
     it, rounded up, with drifting foam, on calm water and where the camera looks down by more than 0.5 rad; at most 3
@@ -215,6 +224,8 @@ TIERS: dict[Tier, Quality] = {
         samples=25,
     ),
 }
+
+assert set(TIERS) == set(get_args(Tier))
 
 EXACT = Quality(
     **_FINEST,

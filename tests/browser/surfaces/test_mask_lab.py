@@ -69,7 +69,7 @@ def test_parameters_make_another_mask_and_what_the_server_refuses_is_told(lab: V
     page.get_by_label("First mask: family").select_option("bubble")
     expect(status).to_contain_text("bubble, σ 2", timeout=30_000)
     page.get_by_role("slider", name="First mask: sigma, texels").fill("20")
-    expect(status).to_contain_text("must be 2 to 8 texels", timeout=30_000)
+    expect(status).to_contain_text("outside 2..8 texels", timeout=30_000)
     lab.complaints[:] = [said for said in lab.complaints if "422" not in said]
 
 
