@@ -26,9 +26,9 @@ TRUTH := tests/gpu/reference
 
 # Tests that make many plans: half of the time that quick takes.
 PLANS := tests/fast/planner tests/fast/project
-# What quick leaves to the whole run: float64 frames, sweeps, and processes that are started, killed and awaited.
-SLOW := $(addprefix tests/fast/,accuracy cli reference $(addprefix api/frames/test_api_,pool.py accuracy.py sequences.py) \
-	sequences/test_fleet.py)
+# What quick leaves to the whole run: float64 frames, sweeps, masks made anew, and processes that are started, killed and awaited.
+SLOW := $(addprefix tests/fast/,accuracy cli masks reference api/guard api/requests/test_api_hostile.py meta/test_work.py \
+	$(addprefix api/frames/test_api_,pool.py accuracy.py sequences.py) sequences/test_fleet.py)
 
 # What of the large tables of like cases to run: tests/support/sweep.py.
 SHARE := not sweep
@@ -50,12 +50,16 @@ test: setup-test
 lint-then-web: lint
 	@$(MAKE) --no-print-directory test-web
 
-# tests/fast but the slow ones in two halves, with one the lint and a small picture of every preset.
+# tests/fast but the slow ones in two halves, with one the lint and with the other a small picture of every preset.
 quick: setup-test
 	@$(MAKE) --no-print-directory -j2 quick-plans quick-rest
 
 quick-plans:
 	$(BIN)/pytest -q -p no:cacheprovider -m "$(SHARE)" $(PLANS)
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/lint-imports
 
 quick-rest: $(WEB)/node_modules/.checked
 	$(BIN)/pytest -q -p no:cacheprovider -m "$(SHARE)" tests/fast tests/gpu/smoke $(addprefix --ignore=,$(PLANS) $(SLOW))
@@ -98,10 +102,6 @@ $(WEB)/dist/index.html: $(WEB_SOURCES) $(WEB)/node_modules/.installed
 	@touch $@
 
 lint: setup-test
-	$(BIN)/ruff check .
-	$(BIN)/ruff format --check .
-	$(BIN)/mypy
-	$(BIN)/lint-imports
 	cd $(WEB) && ../$(NODE) npm run lint --silent
 
 test-web: setup-test
