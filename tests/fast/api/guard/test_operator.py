@@ -175,6 +175,8 @@ def test_the_container_is_not_root_writes_where_it_may_and_trusts_the_proxy_alon
     assert re.search(r"(?m)^HEALTHCHECK", stages[-1])
     # Otherwise each of its processes would compile all it imports.
     assert "PYTHONDONTWRITEBYTECODE" not in stages[-1] or "\nENV UV_COMPILE_BYTECODE=1\n" in stages[-2]
+    makefile = (DEPLOY.parents[1] / "Makefile").read_text(encoding="utf-8")
+    assert "\nunexport PYTHONDONTWRITEBYTECODE\n" in makefile
     (probe,) = re.findall(r"http://127\.0\.0\.1:(\d+/\w+)'", stages[-1])
     assert f"/{probe.partition('/')[2]}" in paths
     assert probe.partition("/")[0] == variables("Dockerfile")["PORT"]
