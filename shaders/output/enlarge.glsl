@@ -5,11 +5,10 @@
 // that no edge has a rim; and a share of the rows above and below. Lines of pixels four wide hold no shape that a cubic would find. Of
 // light as it is seen, below 1 however bright: a glint is one bright pixel to its neighbours and not a thousand. A, foam's coverage,
 // alike.
-uniform sampler2D u_narrow;
-uniform vec2 u_viewport;
+uniform sampler2D u_samples;
 
 vec4 seen(int column, int row) {
-    vec4 drawn = texel_at(u_narrow, ivec2(clamp(column, 0, textureSize(u_narrow, 0).x - 1), row));
+    vec4 drawn = texel_at(u_samples, ivec2(clamp(column, 0, textureSize(u_samples, 0).x - 1), row));
     vec3 light = max(drawn.rgb, 0.0);
     return vec4(light / (1.0 + max(light.r, max(light.g, light.b))), drawn.a);
 }
@@ -28,7 +27,7 @@ vec4 between(float x, int row) {
 }
 
 vec4 enlarged() {
-    ivec2 size = textureSize(u_narrow, 0);
+    ivec2 size = textureSize(u_samples, 0);
     int row = int(gl_FragCoord.y);
     float middle = gl_FragCoord.x / u_viewport.x * float(size.x) - 0.5;
     float shift = (row & 1) == 0 ? -ROW_SHIFT : ROW_SHIFT;
@@ -45,12 +44,4 @@ vec4 enlarged() {
         found = mix(found, 0.5 * (seen(beside, above) + seen(beside, below)), share * 4.0 * f * (1.0 - f));
     }
     return vec4(min(found.rgb / max(1.0 - max(found.r, max(found.g, found.b)), 1e-4), BRIGHTEST), found.a);
-}
-
-// @part picture
-// The picture alone.
-out vec4 o_color;
-
-void main() {
-    o_color = enlarged();
 }

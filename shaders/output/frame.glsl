@@ -1,13 +1,11 @@
 // From samples to the frame, and its display; the frame's geometry as numbers.
 
-// @part compose
-// What was drawn after surface and sky (premultiplied alpha), laid over them. A stays the water's foam amount.
-out vec4 o_color;
+// @part finished
+// The finished frame in linear light, at a pixel. A: the water's foam amount.
+uniform sampler2D u_linear;
 
-void main() {
-    vec4 under = beneath();
-    vec4 over = above();
-    o_color = vec4(min(under.rgb * (1.0 - min(over.a, 1.0)) + over.rgb, BRIGHTEST), under.a);
+vec4 finished() {
+    return texel_at(u_linear, ivec2(gl_FragCoord.xy));
 }
 
 // @part beneath
@@ -19,19 +17,43 @@ vec4 beneath() {
 }
 
 // @part above
-// What stands before surface and sky, at each pixel.
+// What stands before surface and sky (premultiplied alpha), at a place in pixels.
 uniform sampler2D u_above;
 
-vec4 above() {
-    return texel_at(u_above, ivec2(gl_FragCoord.xy));
+vec4 above(vec2 pixel) {
+    return texel_at(u_above, ivec2(pixel));
 }
+
+// @part viewport
+// Width and height of the picture, pixels.
+uniform vec2 u_viewport;
 
 // @part above_coarse
 // The same where it has fewer pixels.
 uniform sampler2D u_above;
 
-vec4 above() {
-    return textureLod(u_above, gl_FragCoord.xy / u_viewport, 0.0);
+vec4 above(vec2 pixel) {
+    return textureLod(u_above, pixel / u_viewport, 0.0);
+}
+
+// @part laid
+// One laid over the other; A stays that of the lower.
+vec4 laid(vec4 under, vec4 over) {
+    return vec4(min(under.rgb * (1.0 - min(over.a, 1.0)) + over.rgb, BRIGHTEST), under.a);
+}
+
+// @part composed
+// The finished frame, of what stands before surface and sky and of these.
+vec4 finished() {
+    return laid(beneath(), above(gl_FragCoord.xy));
+}
+
+// @part write
+// The finished frame as a picture.
+out vec4 o_color;
+
+void main() {
+    o_color = finished();
 }
 
 // @part resolve
@@ -52,7 +74,6 @@ void main() {
 
 // @part present
 // Linear light to the screen: tone curve, then the sRGB transfer curve (IEC 61966-2-1), by hand since formats disagree on it.
-uniform sampler2D u_linear;
 out vec4 o_color;
 
 // x in [0, 1]. 1.055 x^(5/12) - 0.055 as a polynomial in x^(1/4), to 0.002 of a level: a power costs as much as two roots and more.
@@ -63,8 +84,7 @@ vec3 srgb(vec3 x) {
 }
 
 void main() {
-    vec3 linear = texel_at(u_linear, ivec2(gl_FragCoord.xy)).rgb;
-    o_color = vec4(srgb(tone(max(with_glare(linear), 0.0))), 1.0);
+    o_color = vec4(srgb(tone(max(with_glare(finished().rgb), 0.0))), 1.0);
 }
 
 // @part geometry

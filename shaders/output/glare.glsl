@@ -14,24 +14,47 @@ float level_share(float rows) {
     return 1.0 - smoothstep(0.08, 0.25, 1.0 / rows);
 }
 
+// @part mean
+// Mean of the finished frame over a block of 4 x 4 pixels, each at most so bright.
+uniform sampler2D u_linear;
+
+vec3 block_mean(ivec2 block, float most) {
+    ivec2 last = textureSize(u_linear, 0) - 1;
+    vec3 sum = vec3(0.0);
+    for (int j = 0; j < 4; ++j) {
+        for (int i = 0; i < 4; ++i) {
+            sum += min(texel_at(u_linear, min(4 * block + ivec2(i, j), last)).rgb, most);
+        }
+    }
+    return sum / 16.0;
+}
+
+// @part mean_narrow
+// The same of a frame that is not enlarged yet: of what is drawn of its rows.
+uniform sampler2D u_samples;
+
+vec3 block_mean(ivec2 block, float most) {
+    ivec2 last = textureSize(u_samples, 0) - 1;
+    vec3 sum = vec3(0.0);
+    for (int j = 0; j < 4; ++j) {
+        for (int i = 0; i < BLOCK_COLUMNS; ++i) {
+            vec2 pixel = vec2(4 * block + ivec2(0, j)) + vec2((float(i) + 0.5) * (4.0 / float(BLOCK_COLUMNS)), 0.5);
+            ivec2 drawn = min(ivec2(pixel * vec2(1.0 / PIXEL_WIDTH, 1.0)), last);
+            sum += min(over_narrow(texel_at(u_samples, drawn), pixel).rgb, most);
+        }
+    }
+    return sum / float(4 * BLOCK_COLUMNS);
+}
+
 // @part first
 // What spreads of the finished frame: means of 4 x 4 pixels. docs/formulae.md, section 7.
-uniform sampler2D u_frame;
 out vec4 o_color;
 
 // Light that a sum of levels still holds in a half float; a pixel so bright is white at any exposure.
 const float GLARE_MOST = 4096.0;
 
 void main() {
-    ivec2 last = textureSize(u_frame, 0) - 1;
-    ivec2 corner = ivec2(gl_FragCoord.xy) * 4;
-    vec3 sum = vec3(0.0);
-    for (int j = 0; j < 4; ++j) {
-        for (int i = 0; i < 4; ++i) {
-            sum += min(texel_at(u_frame, min(corner + ivec2(i, j), last)).rgb, GLARE_MOST);
-        }
-    }
-    o_color = vec4(sum / 16.0, 1.0);
+    o_color = vec4(block_mean(ivec2(gl_FragCoord.xy), GLARE_MOST), 1.0);
 }
 
 // @part half

@@ -23,8 +23,6 @@ BENEATH = "beneath"
 """The target of surface and sky if passes of stage ``after`` follow, which can read it."""
 ABOVE = "above"
 """The target of passes of stage ``after``: half floats, premultiplied colour that is blended over :data:`BENEATH`."""
-FINISHED = "finished frame"
-"""Stands for the target of the finished linear frame among the inputs of passes of stage ``finished``."""
 HALF_FLOAT = 2.0**-11
 """Relative rounding error of a half float."""
 UNBOUNDED = 1e9
@@ -39,7 +37,7 @@ class PassSpec:
     ``read``: sampler -> the target or texture that it reads, where :attr:`Resources.inputs` does not tell. ``target``:
     by default that of the program's name. ``mesh``: what is drawn, by default the whole target. ``stage``: drawn before
     the surface, or after surface and sky into :data:`ABOVE`, which is cleared before the first of these passes, or
-    after the linear frame is finished, for its display.
+    after the linear frame is finished, for its display; the slot ``block mean`` reads it.
     """
 
     name: str

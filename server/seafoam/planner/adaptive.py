@@ -170,9 +170,8 @@ def _draw(added: _Additions, count: int, layers: tuple[tuple[tuple[Redrawn, ...]
             }
             added.passes.append(redrawn.original.model_copy(update=changes))
     if layers[1][0]:
-        compose = (
-            "lib/numbers.glsl", "output/frame.glsl@beneath", "output/frame.glsl@above", "output/frame.glsl@compose"
-        )  # fmt: skip
+        under_over = ("output/frame.glsl@beneath", "output/frame.glsl@above", "output/frame.glsl@laid")
+        compose = ("lib/numbers.glsl", *under_over, "output/frame.glsl@composed", "output/frame.glsl@write")
         reads = {"u_beneath": _BENEATH, "u_above": _ABOVE}
         name = f"what stands before the water, {count} samples"
         added.add(name, _SAMPLES, compose, reads, rows=True, uniforms=uniforms)

@@ -6,7 +6,17 @@ from copy import copy
 from dataclasses import dataclass, field, replace
 
 from seafoam.effects.effect import ABOVE, PassSpec, Resources, drawn_map
-from seafoam.effects.shader import COMMON, MARCH_AHEAD, Const, Piece, SlotFile, SlotRef, Source, refine
+from seafoam.effects.shader import (
+    COMMON,
+    MARCH_AHEAD,
+    Const,
+    Piece,
+    SlotFile,
+    SlotRef,
+    Source,
+    constant_function,
+    refine,
+)
 from seafoam.framegraph.plan import Eyes, Fullscreen, Pass, Program, State
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, ViewportSize, source_of
 from seafoam.framegraph.rules import Uniform
@@ -114,8 +124,10 @@ class Frame:
             "ROWS_SHARE": _rows_share(collection, quality.pixel_width),
             "DOTTED": is_dotted(collection.scene),
             "FOOTPRINT_X": footprint if self.narrow else 1.0,
+            # Of a frame that is drawn narrow, as many as lie in a block; what stands before it has more.
+            "BLOCK_COLUMNS": 4 if self.above and self.coarse == 1 else -(-4 // quality.pixel_width),
         }
-        self.met = _met_files(collection.slots, self.level)
+        self.met = [*_met_files(collection.slots, self.level), *(self._finished() if self.narrow else ())]
         """Files of a pass that only finds what rays meet: it has a texture more to spare than others."""
         self.marched = [file for file in self.met if file.slot != GENTLER.name]
         """Files of passes, and for cameras that are not over all crests, which use no mesh."""
@@ -178,6 +190,29 @@ class Frame:
     def above(self) -> list[PassSpec]:
         """Passes that are blended over surface and sky; the first clears their target."""
         return [spec for spec in self.collection.passes if spec.stage == "after" and spec.target == ABOVE]
+
+    @property
+    def coarse(self) -> int:
+        """How many pixels are as wide and as high as one of what stands before surface and sky."""
+        return min((spec.part for spec in self.above), default=1)
+
+    @property
+    def laid(self) -> tuple[Piece, ...]:
+        """Files that lay what stands before surface and sky over ``beneath()``, if anything does."""
+        over = "output/frame.glsl@above_coarse" if self.coarse > 1 else "output/frame.glsl@above"
+        return (over, "output/frame.glsl@laid", "output/frame.glsl@composed") if self.above else ()
+
+    def _finished(self) -> list[SlotFile]:
+        """Files that read the finished frame where it is drawn narrow: no picture of its full size is written."""
+        first = ("lib/numbers.glsl", "output/frame.glsl@viewport")
+        above = self.laid[:-1]
+        seen = "laid(under, above(pixel))" if above else "under"
+        over = constant_function("vec4", "over_narrow", "vec4 under, vec2 pixel", seen)
+        *drawn, last = Source("output/enlarge.glsl@enlarged", (("enlarged", "beneath" if above else "finished"),)), *self.laid
+        return [
+            SlotFile("block mean", "output/glare.glsl@mean_narrow", needs=(*first, *above, over)),
+            SlotFile("finished", last, needs=(*first, *drawn)),
+        ]
 
     def passes_of(self, spec: PassSpec) -> list[Pass]:
         """Return the pass of a spec, or several if its shader differs for cameras over and under the water."""

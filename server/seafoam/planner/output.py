@@ -4,10 +4,10 @@ what a picture's pixels show rather than its light: distance and normal, for com
 
 from collections.abc import Sequence
 
-from seafoam.effects.effect import ABOVE, BENEATH, FINISHED
-from seafoam.effects.shader import COMMON, PLACE, Piece, SlotRef, Source, constant_function
+from seafoam.effects.effect import ABOVE, BENEATH
+from seafoam.effects.shader import COMMON, PLACE, Piece, SlotRef, constant_function
 from seafoam.framegraph.plan import Pass, State
-from seafoam.framegraph.resources import Target, TargetInput, ViewportSize
+from seafoam.framegraph.resources import Target, TargetFormat, ViewportSize
 from seafoam.planner.adaptive import Redrawn, additional_samples
 from seafoam.planner.frame import Frame, Stage, from_under, fullscreen, underwater
 from seafoam.planner.glsl import slot_pieces
@@ -16,7 +16,7 @@ from seafoam.planner.surface import Scenery
 
 _SAMPLES = "samples"
 """The target of all samples, in a square for each pixel."""
-_ENLARGED = "output/enlarge.glsl@enlarged"
+_WRITE = "output/frame.glsl@write"
 _GEOMETRY = "geometry"
 """Target, program and pass."""
 _LEVEL_FLOOR = constant_function("vec3", "floor_normal", "vec2 p", "vec3(0.0, 1.0, 0.0)")
@@ -30,46 +30,41 @@ def picture(frame: Frame) -> tuple[Stage, str]:
     scenery = Scenery(frame, first)
     surface = Target(size=frame.sampled, format=frame.quality.target, depth=True)
     before = Stage(frame.effect_passes("before"), frame.effect_programs(), frame.collection.targets)
-    stages, linear = [before, scenery.stage(), Stage(targets={first: surface})], first
+    stages, linear = [before, scenery.stage(), Stage(after, targets={first: surface})], _SAMPLES
     if after:
         # Boats and drops have upright edges: they are drawn at full width.
-        linear = "composed" if frame.narrow else _SAMPLES
-        stages += [Stage(after), _composed(frame, first, linear)]
-    elif frame.narrow:
-        files = ["lib/numbers.glsl", _ENLARGED, "output/enlarge.glsl@picture"]
-        drawn = fullscreen("enlarged", "enlarge", "enlarged", {"u_narrow": _SAMPLES})
-        stages.append(_alone(frame, drawn, files, Target(size=ViewportSize(), format=frame.quality.target)))
-        linear = "enlarged"
-    if frame.side > 1:
-        drawn = fullscreen("mean of the samples", "resolve", "linear")
-        target = Target(size=ViewportSize(), format="RGBA32F")
-        stages.append(_alone(frame, drawn, ["output/frame.glsl@resolve"], target))
+        coarse = ViewportSize(scale=frame.side, part=frame.coarse)
+        veil = Target(size=coarse, format="RGBA16F", filter="linear" if frame.coarse > 1 else "nearest")
+        stages.append(Stage(targets={ABOVE: veil}))
+    if after and not frame.narrow:
+        drawn = fullscreen("what stands before the water", "compose", linear)
+        files = ["output/frame.glsl@beneath", *frame.laid, _WRITE]
+        stages.append(_alone(frame, drawn, files, ViewportSize(scale=frame.side)))
+    if frame.narrow:
+        # For who asks for light; the display reads the samples themselves.
         linear = "linear"
+        stages.append(_alone(frame, fullscreen("finished frame", "finish", linear), [SlotRef("finished"), _WRITE]))
+    if frame.side > 1:
+        linear = "linear"
+        drawn = fullscreen("mean of the samples", "resolve", linear)
+        stages.append(_alone(frame, drawn, ["output/frame.glsl@resolve"], format="RGBA32F"))
     # Without light an additional sample costs less than its selection.
     if frame.quality.chosen_samples and frame.scene.light is not None:
         stages.append(additional_samples(frame, linear, "finished", scenery.redrawn(), _redrawn_overlays(frame)))
         linear = "finished"
-    return Stage.joined(*stages, _display(frame, linear)), linear
+    return Stage.joined(*stages, _display(frame)), linear
 
 
-def _composed(frame: Frame, beneath: str, target: str) -> Stage:
-    """The pass that lays what stands before the scenery over it, which it enlarges if that is narrow."""
-    read, under = "u_beneath", Source("output/frame.glsl@beneath")
-    if frame.narrow:
-        read, under = "u_narrow", Source(_ENLARGED, (("enlarged", "beneath"),))
-    size, part = ViewportSize(scale=frame.side), min(spec.part for spec in frame.above)
-    over = "output/frame.glsl@above_coarse" if part > 1 else "output/frame.glsl@above"
-    files: list[Piece] = ["lib/numbers.glsl", under, over, "output/frame.glsl@compose"]
-    drawn = fullscreen("what stands before the water", "compose", target, {read: beneath})
-    coarse = size.model_copy(update={"part": part})
-    veil = Target(size=coarse, format="RGBA16F", filter="linear" if part > 1 else "nearest")
-    above = Stage(targets={ABOVE: veil})
-    return above.joined(_alone(frame, drawn, files, Target(size=size, format=frame.quality.target)))
-
-
-def _alone(frame: Frame, drawn: Pass, files: Sequence[Piece], target: Target) -> Stage:
-    """A pass with the target that it alone draws into."""
-    return Stage([drawn], {drawn.program: frame.program(files)}, {drawn.target: target})
+def _alone(
+    frame: Frame,
+    drawn: Pass,
+    files: Sequence[Piece | SlotRef],
+    size: ViewportSize | None = None,
+    format: TargetFormat | None = None,
+) -> Stage:
+    """A pass with the target that it alone draws into, by default of the picture's size."""
+    target = Target(size=size or ViewportSize(), format=format or frame.quality.target)
+    return Stage([drawn], {drawn.program: frame.program(["lib/numbers.glsl", *files])}, {drawn.target: target})
 
 
 def _redrawn_overlays(frame: Frame) -> tuple[Redrawn, ...]:
@@ -82,16 +77,11 @@ def _redrawn_overlays(frame: Frame) -> tuple[Redrawn, ...]:
     return tuple(found)
 
 
-def _display(frame: Frame, linear: str) -> Stage:
+def _display(frame: Frame) -> Stage:
     """Passes that show the finished frame: those of effects, and tone mapping."""
-    finished = []
-    for drawn in frame.effect_passes("finished"):
-        ends = {name for name, source in drawn.inputs.items() if source == TargetInput(target=FINISHED)}
-        inputs = {**drawn.inputs, **dict.fromkeys(ends, TargetInput(target=linear))}
-        finished.append(drawn.model_copy(update={"inputs": inputs}))
-    files = [piece for slot in (GLARE, TONE) for piece in slot_pieces(slot, frame.marched)]
+    files = [*(piece for slot in (GLARE, TONE) for piece in slot_pieces(slot, frame.marched)), SlotRef("finished")]
     return Stage(
-        passes=[*finished, fullscreen("tone", "present", "screen", {"u_linear": linear})],
+        passes=[*frame.effect_passes("finished"), fullscreen("tone", "present", "screen")],
         programs={"present": frame.program([*files, "output/frame.glsl@present"])},
     )
 

@@ -73,6 +73,7 @@ def linked_plan(
     uniforms = {**given.uniforms, **link.camera_uniforms(given), **stage.uniforms}
     textures = {name: link.texture_entry(use) for name, use in given.textures.items()}
     read = {sampler_of(name): name for name in (*textures, *stage.targets)} | given.inputs
+    read["u_linear"] = linear
     known = {sampler: source_of(name, textures) for sampler, name in read.items()}
     linked = [link.with_inputs(drawn, stage.programs, uniforms, known) for drawn in stage.passes]
     timed, kept = with_setup(linked, stage.programs, uniforms, stage.targets, textures)

@@ -210,6 +210,10 @@ BELOW = Slot("below")
 """Main function for a camera under the surface."""
 GLARE = Slot("glare", constant_function("vec3", "with_glare", "vec3 light", "light"))
 TONE = Slot("tone", "output/tone.glsl@clamp")
+BLOCK_MEAN = Slot("block mean", "output/glare.glsl@mean")
+"""Mean of the finished frame over a block of 4 x 4 pixels."""
+FINISHED = Slot("finished", "output/frame.glsl@finished")
+"""The finished frame in linear light, at a pixel."""
 SKY_SLOTS = (LAYERED, MOON, CIRRUS, CLOUDS, RAIN, SKY)
 """Components of ``sky_light``, in source order."""
 SKY_PASS_SLOTS = (*SKY_SLOTS, DISC, MOON_DISC, STARS, SKY_MAIN)
@@ -259,7 +263,7 @@ def slots_named(name: str, shore: bool = False) -> tuple[Slot, ...]:
         "find": {"find", *(slot.name for slot in MARCH_SLOTS)},
         "sky": {slot.name for slot in SKY_SLOTS},
     }.get(name, {name})
-    every = (*surface_slots("max", shore), *UNDER_SLOTS, BOUNDS, SHORT_BOUNDS, START)
+    every = (*surface_slots("max", shore), *UNDER_SLOTS, BOUNDS, SHORT_BOUNDS, START, BLOCK_MEAN, FINISHED)
     slots = tuple(slot for slot in every if slot.name in names)
     if not slots:
         raise KeyError(name)

@@ -6,12 +6,12 @@ import itertools
 import math
 from dataclasses import replace
 
-from seafoam.effects.effect import FINISHED, Bound, Contribution, PassSpec, QualityParameter, part_effect
+from seafoam.effects.effect import Bound, Contribution, PassSpec, QualityParameter, part_effect
 from seafoam.effects.light import atmosphere
 from seafoam.effects.light.light import sun_disc, sun_irradiance
-from seafoam.effects.shader import HASH, SlotFile, Source
+from seafoam.effects.shader import HASH, SlotFile, SlotRef, Source
 from seafoam.framegraph.resources import Target, ViewportSize
-from seafoam.framegraph.rules import Loop, Uniform, array, number, rounded, significant, vector
+from seafoam.framegraph.rules import Loop, Uniform, Viewport, array, number, rounded, significant, vector
 from seafoam.quality import Quality
 from seafoam.scene import Light, Scene, Sparkles
 
@@ -79,9 +79,11 @@ def _glare(scene: Scene, light: Light, share: float, quality: Quality) -> Contri
     sizes = [4 << k for k in range(GLARE_LEVELS)]
     names = [f"glare {size}" for size in sizes]
     pairs = list(itertools.pairwise(names))
-    first, half, add = ("output/glare.glsl@first",), (_TAPS, "output/glare.glsl@half"), (_TAPS, "output/glare.glsl@add")
+    first = SlotRef("block mean"), "output/glare.glsl@first"
+    half, add = (_TAPS, "output/glare.glsl@half"), (_TAPS, "output/glare.glsl@add")
+    picture = {"u_viewport": Uniform(type="vec2", rules=(Viewport(of="picture"),))}
     passes = (
-        PassSpec(f"{names[0]}: of the frame", "glare, first", first, {"u_frame": FINISHED}, target=names[0]),
+        PassSpec(f"{names[0]}: of the frame", "glare, first", first, uniforms=picture, target=names[0]),
         *(PassSpec(f"{b}: mean of {a}", "glare, half", half, {"u_finer": a}, target=b) for a, b in pairs),
         *(
             PassSpec(f"{a}: with {b}", "glare, add", add, {"u_coarser": b}, target=a, blend="add")
