@@ -212,7 +212,7 @@ def test_pixels_are_less_wide_where_rows_have_detail() -> None:
     assert several == make_plan(scene, chosen(pixel_width=1, samples=4))
 
 
-WIDE, FINE = ("enlarge", "compose"), ("surface samples", "surface")
+WIDE, FINE = ("finish",), ("surface samples", "surface")
 """Programs of which one has a constant: that which shows wide pixels, and that which finds the water."""
 
 
