@@ -1,4 +1,4 @@
-# make demo: everything it takes, then the page.   make test: everything it takes, then every test.
+# make demo: everything it takes, then the page.   make test: everything it takes, then the tests.
 # make quick: what to run while working, minutes on two cores.
 # make sweep: the rest of the large tables of like cases, of which make test runs an even share; before a release.
 # make gpu: on a machine with a GPU, five minutes: draws all, compares, measures, and writes docs/gpu.md.
@@ -32,8 +32,10 @@ SLOW := $(addprefix tests/fast/,accuracy cli masks reference api/guard api/reque
 
 # What of the large tables of like cases to run: tests/support/sweep.py.
 SHARE := not sweep
-# Of make test, what a group may do: tests/support/run/work.py.
-GRANTED = $(if $(filter not,$(SHARE)),--group $(@:test-%=%))
+# Which half of the files of tests: the commit says it, TURN=all are both. tests/support/run/turns.py
+TURN ?= $(or $(shell git rev-parse --short HEAD 2>/dev/null),all)
+# Of a half, what a group may do: tests/support/run/work.py.
+GRANTED = --turn $(TURN) $(if $(filter all,$(TURN)),,--group $(@:test-%=%))
 
 # Groups run at once on two cores: threads of BLAS would wait for one another, and use up the time of all.
 test-live test-truth test-gpu test-fast quick-plans quick-rest: export OPENBLAS_NUM_THREADS = 1
@@ -120,7 +122,7 @@ test-fast:
 	$(BIN)/pytest -q -p no:cacheprovider -m "$(SHARE)" $(GRANTED) $(FAST)
 
 sweep: setup-test
-	@$(MAKE) --no-print-directory -j4 SHARE=sweep test-live test-truth test-gpu test-fast
+	@$(MAKE) --no-print-directory -j4 SHARE=sweep TURN=all test-live test-truth test-gpu test-fast
 	cd $(WEB) && MACHINES=1000 ../$(NODE) npm test --silent -- tests/display/resolution.test.ts
 
 bench: setup-test

@@ -15,6 +15,7 @@ from seafoam.render.gl.executor import Executor
 from support.probe import Probe
 from support.report import REPORT, Report
 from support.run.room import LIMIT, Room, give_back, resident
+from support.run.turns import ALL, waits
 from support.run.work import Work
 from support.sweep import REST, leave_to_sweep
 
@@ -52,6 +53,10 @@ def pytest_configure(config: pytest.Config) -> None:
         project = tomllib.loads((config.rootpath / "pyproject.toml").read_text(encoding="utf-8"))
         granted = project["tool"]["seafoam"]["budget"]["work"].get(group)
     config.pluginmanager.register(Work(granted))
+
+
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    return waits(collection_path, config.getoption("turn")) or None
 
 
 @pytest.hookimpl(wrapper=True, tryfirst=True)
@@ -127,6 +132,7 @@ def report() -> Report:
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     """Where to write what the tests measured, and what may be done."""
+    parser.addoption("--turn", default=ALL, help="the commit, which says what half of the files of tests runs; or all")
     parser.addoption("--group", help="fail if the run does more work than pyproject.toml grants this group")
     parser.addoption("--figures", type=Path, help="write what the tests measure to this file too, as JSON")
 

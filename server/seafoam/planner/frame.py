@@ -208,7 +208,8 @@ class Frame:
         above = self.laid[:-1]
         seen = "laid(under, above(pixel))" if above else "under"
         over = constant_function("vec4", "over_narrow", "vec4 under, vec2 pixel", seen)
-        *drawn, last = Source("output/enlarge.glsl@enlarged", (("enlarged", "beneath" if above else "finished"),)), *self.laid
+        under = "beneath" if above else "finished"
+        *drawn, last = Source("output/enlarge.glsl@enlarged", (("enlarged", under),)), *self.laid
         return [
             SlotFile("block mean", "output/glare.glsl@mean_narrow", needs=(*first, *above, over)),
             SlotFile("finished", last, needs=(*first, *drawn)),
