@@ -19,7 +19,7 @@ WEB_SOURCES := $(shell find $(addprefix $(WEB)/,src public masks learn build) -t
 
 # Four groups of tests at once, each under 2 GB: browsers and the pool of workers, what is drawn against float64, what else
 # draws, and all else. Two cores wait with three, for browsers and for processes that are started and killed.
-POOL := tests/fast/api/frames/test_api_pool.py
+POOL := tests/fast/api/pool
 LIVE := tests/browser $(POOL)
 FAST := tests/fast --ignore=$(POOL)
 TRUTH := tests/gpu/reference
@@ -28,13 +28,13 @@ TRUTH := tests/gpu/reference
 PLANS := tests/fast/planner tests/fast/project
 # What quick leaves to the whole run: float64 frames, sweeps, masks made anew, and processes that are started, killed and awaited.
 SLOW := $(addprefix tests/fast/,accuracy cli masks reference api/guard api/requests/test_api_hostile.py meta/test_work.py \
-	$(addprefix api/frames/test_api_,pool.py accuracy.py sequences.py) sequences/test_fleet.py)
+	api/pool api/frames/test_api_accuracy.py api/frames/test_api_sequences.py sequences/test_fleet.py)
 
 # What of the large tables of like cases to run: tests/support/sweep.py.
 SHARE := not sweep
-# Which half of the files of tests: the commit says it, TURN=all are both. tests/support/run/turns.py
+# Which third of the files of tests: the commit says it, TURN=all are all. tests/support/run/turns.py
 TURN ?= $(or $(shell git rev-parse --short HEAD 2>/dev/null),all)
-# Of a half, what a group may do: tests/support/run/work.py.
+# Of a third, what a group may do: tests/support/run/work.py.
 GRANTED = --turn $(TURN) $(if $(filter all,$(TURN)),,--group $(@:test-%=%))
 
 # Groups run at once on two cores: threads of BLAS would wait for one another, and use up the time of all.
