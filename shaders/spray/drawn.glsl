@@ -68,9 +68,10 @@ SprayForm spray_form(float kind, float age, float life, float vary, float other)
         return SprayForm(grown, 0.2, 1.5, 0.9 * ends * begins / (0.4 + grown * grown), 0.85, 0.7);
     }
     if (kind == SPRAY_DRIFT) {
-        // A veil: strands that are long and sharp would stand as a comb.
-        float grown = (0.3 + 0.7 * vary) * (1.0 + 4.0 * x);
-        return SprayForm(grown, 0.3, 3.0, 0.5 * (1.0 - x) * ends * begins / (0.3 + grown), 1.0, 1.0);
+        // A veil: strands that are long and sharp would stand as a comb, and what is dense while small as dashes.
+        float grown = (0.8 + 0.8 * vary) * (1.0 + 3.0 * x);
+        float thick = 0.45 * (1.0 - x) * ends * smoothstep(0.0, 0.2, x);
+        return SprayForm(grown, 0.3, 3.0, thick / (0.3 + grown), 1.0, 1.0);
     }
     if (kind == SPRAY_COLUMN) {
         float grown = (0.6 + 0.8 * vary) * (1.0 + 1.6 * x);
@@ -178,7 +179,8 @@ void main() {
     v_strands = vec4(spray_part(word, 10u), spray_part(word, 11u), window * min(drawn.x / drawn.y, 2.0), level);
     v_fine = 1.0 - clamp((sharp + 2.0) / 2.0, 0.0, 1.0);
     // What spans so much of the view is a cloud that the eye is in.
-    float around = traits.y == SPRAY_COLUMN ? 0.0 : smoothstep(0.06, 0.2, size.x / unit);
+    vec2 wide_as = traits.y == SPRAY_DRIFT ? vec2(0.013, 0.06) : vec2(0.06, 0.2);
+    float around = traits.y == SPRAY_COLUMN ? 0.0 : smoothstep(wide_as.x, wide_as.y, size.x / (SPRAY_WIDER * unit));
     float opacity = traits.x * air.w * smoothstep(0.3, 1.0, depth) * (1.0 - around);
     float hides = 1.0 - exp(-form.depth * opacity);
     v_form = vec3(-log(1.0 - min(thin * hides, 0.999)), form.cover, mix(form.soft, 1.0, level / 5.0));

@@ -28,8 +28,9 @@ from seafoam.textures.foam import STRANDS, strand_levels
 SHEET, MIST, DRIFT, COLUMN = 0.0, 1.0, 2.0, 3.0  # kinds of drops
 NEAREST = 0.3
 NARROWEST = 0.75  # half the least width and length, samples
-AROUND = 0.06, 0.2
-"""Tangents of half the angle of a drop's length from which on it fades, and where it is gone."""
+AROUND = np.array([(0.06, 0.2), (0.06, 0.2), (0.013, 0.06), (1e9, 2e9)])
+"""Tangents of half the angle of a drop's length from which on it fades, and where it is gone, by kind: that of a column
+never."""
 BEHIND = 0.999
 WINDOW = 0.4
 FINER = 3.7
@@ -39,7 +40,7 @@ KINDS = np.array(
     [
         (1.0, GRAVITY, 0.35, 0.35, 0.9, 1.4, 0.15, 2.5, 0.22),
         (1.0, 1.5, 0.9, 0.5, 0.5, 2.2, 0.2, 1.5, 0.7),
-        (0.5, 2.5, 0.9, 0.3, 0.7, 4.0, 0.3, 3.0, 1.0),
+        (0.5, 2.5, 0.9, 0.8, 0.8, 3.0, 0.3, 3.0, 1.0),
         (4.0, GRAVITY, 0.0, 0.6, 0.8, 1.6, 0.15, 3.0, 0.3),
     ],
     [(name, np.float64) for name in ["drag", "weight", "wait", "least", "more", "grows", "moment", "longest", "soft"]],
@@ -113,7 +114,8 @@ class Splats:
         sharp = np.log2(0.5 * WINDOW * STRANDS / self.half[:, 1])
         self.level = np.clip(sharp, 0.0, 5.0)  # of the strands' texture
         tangent = size[:, 0] * math.sqrt(float(grid.ray_y @ grid.ray_y)) / (0.5 * grid.rows)
-        apart = np.where(drops.kind == COLUMN, 1.0, 1.0 - smoothstep(*AROUND, tangent))
+        fades, gone = AROUND[drops.kind.astype(np.intp)].T
+        apart = 1.0 - smoothstep(0.0, 1.0, (tangent - fades) / (gone - fades))
         hides = 1.0 - np.exp(-thick * drops.strength * clear * smoothstep(NEAREST, 1.0, depth) * apart)
         self.depth = -np.log(1.0 - np.minimum(thin * hides, 0.999))  # optical depth of the middle
         self.soft = of["soft"] + (1.0 - of["soft"]) * self.level / 5.0
@@ -183,7 +185,7 @@ def form(kind: Floats, age: Floats, life: Floats, vary: Floats, other: Floats) -
     depths = (
         1.2 * ends * begins,
         0.9 * ends * begins / (0.4 + radius * radius),
-        0.5 * (1.0 - x) * ends * begins / (0.3 + radius),
+        0.45 * (1.0 - x) * ends * smoothstep(0.0, 0.2, x) / (0.3 + radius),
         1.8 * ends * smoothstep(0.0, 0.02, x) / (0.4 + 0.6 * radius),
     )
     covers = (0.8 - 0.62 * torn) * (0.6 + 0.4 * other), 0.85, 1.0, 1.1 - 0.8 * spread
