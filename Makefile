@@ -26,8 +26,9 @@ TRUTH := tests/gpu/reference
 
 # Tests that make many plans: half of the time that quick takes.
 PLANS := tests/fast/planner tests/fast/project
-# What quick leaves to the whole run: float64 frames, sweeps, masks made anew, and processes that are started, killed and awaited.
-SLOW := $(addprefix tests/fast/,accuracy cli masks reference api/guard api/requests/test_api_hostile.py meta/test_work.py \
+# What quick leaves to the whole run: float64 frames, sweeps, masks made anew, a GPU's compiler, and processes that are started,
+# killed and awaited.
+SLOW := $(addprefix tests/fast/,project/test_compiler.py accuracy cli masks reference api/guard api/requests/test_api_hostile.py meta/test_work.py \
 	api/pool api/frames/test_api_accuracy.py api/frames/test_api_sequences.py sequences/test_fleet.py)
 
 # What of the large tables of like cases to run: tests/support/sweep.py.
@@ -36,6 +37,13 @@ SHARE := not sweep
 TURN ?= $(or $(shell git rev-parse --short HEAD 2>/dev/null),all)
 # Of a third, what a group may do: tests/support/run/work.py.
 GRANTED = --turn $(TURN) $(if $(filter all,$(TURN)),,--group $(@:test-%=%))
+
+define LINT
+$(BIN)/ruff check .
+$(BIN)/ruff format --check .
+$(BIN)/mypy
+$(BIN)/lint-imports
+endef
 
 # Groups run at once on two cores: threads of BLAS would wait for one another, and use up the time of all.
 test-live test-truth test-gpu test-fast quick-plans quick-rest: export OPENBLAS_NUM_THREADS = 1
@@ -52,23 +60,17 @@ test: setup-test
 lint-then-web: lint
 	@$(MAKE) --no-print-directory test-web
 
-# tests/fast but the slow ones in two halves, with one the lint and with the other a small picture of every preset.
+# tests/fast but the slow ones, of those that are not of plans the commit's third; with the one half the lint, with the other a small
+# picture of every preset.
 quick: setup-test
 	@$(MAKE) --no-print-directory -j2 quick-plans quick-rest
 
 quick-plans:
-	$(BIN)/pytest -q -p no:cacheprovider -m "$(SHARE)" $(PLANS)
-	$(BIN)/ruff check .
-	$(BIN)/ruff format --check .
-	$(BIN)/mypy
-	$(BIN)/lint-imports
+	$(BIN)/pytest -q -p no:cacheprovider -m "$(SHARE)" $(PLANS) $(addprefix --ignore=,$(SLOW))
+	$(LINT)
 
 quick-rest: $(WEB)/node_modules/.checked
-	$(BIN)/pytest -q -p no:cacheprovider -m "$(SHARE)" tests/fast tests/gpu/smoke $(addprefix --ignore=,$(PLANS) $(SLOW))
-	$(BIN)/ruff check .
-	$(BIN)/ruff format --check .
-	$(BIN)/mypy
-	$(BIN)/lint-imports
+	$(BIN)/pytest -q -p no:cacheprovider -m "$(SHARE)" --turn $(TURN) tests/fast tests/gpu/smoke $(addprefix --ignore=,$(PLANS) $(SLOW))
 
 # Types, lint and unit tests of the client, unless nothing of it changed since they passed.
 $(WEB)/node_modules/.checked: $(WEB_SOURCES) $(wildcard $(WEB)/tests/*) $(WEB)/eslint.config.js | $(WEB)/dist/index.html
@@ -104,6 +106,7 @@ $(WEB)/dist/index.html: $(WEB_SOURCES) $(WEB)/node_modules/.installed
 	@touch $@
 
 lint: setup-test
+	$(LINT)
 	cd $(WEB) && ../$(NODE) npm run lint --silent
 
 test-web: setup-test

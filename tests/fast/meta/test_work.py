@@ -1,6 +1,8 @@
 """A run of tests that does more than its group is granted, or in which a process grows too large, fails and says so;
-which files it runs."""
+which files, and what else, it runs."""
 
+import os
+import subprocess
 import sys
 from itertools import combinations
 from pathlib import Path
@@ -79,3 +81,20 @@ def test_every_file_of_tests_runs_with_every_commit_or_with_one_in_three() -> No
     assert set[Path]().union(*parts) == files == {file for file in files if not turns.waits(file, turns.ALL)}
     assert all(one & other == always for one, other in combinations(parts, 2))
     assert len(always) < len(files) / 5
+
+
+def test_make_test_lints_checks_types_and_runs_every_group() -> None:
+    plain = {key: value for key, value in os.environ.items() if not key.startswith("MAKE")}
+    asked = ["make", "-n", "test", "TURN=1"]
+    told = subprocess.run(asked, cwd=turns.TESTS.parent, env=plain, capture_output=True, text=True, check=True).stdout
+    groups = [f"--group {group} " for group in ("live", "truth", "gpu", "fast")]
+    for command in (
+        "ruff check .",
+        "ruff format --check .",
+        "/mypy",
+        "/lint-imports",
+        "npm run lint",
+        "npm test",
+        *groups,
+    ):
+        assert command in told, command
