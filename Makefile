@@ -59,6 +59,7 @@ test: setup-test
 # One after the other, beside the tests: each of them takes one processor.
 lint-then-web: lint
 	@$(MAKE) --no-print-directory test-web
+	@touch $(WEB)/node_modules/.checked
 
 # tests/fast but the slow ones, of those that are not of plans the commit's third; with the one half the lint, with the other a small
 # picture of every preset.
