@@ -199,8 +199,9 @@ class Frame:
     @property
     def laid(self) -> tuple[Piece, ...]:
         """Files that lay what stands before surface and sky over ``beneath()``, if anything does."""
-        over = "output/frame.glsl@above_coarse" if self.coarse > 1 else "output/frame.glsl@above"
-        return (over, "output/frame.glsl@laid", "output/frame.glsl@composed") if self.above else ()
+        coarse = ("output/frame.glsl@viewport", "output/frame.glsl@above_coarse")
+        over = coarse if self.coarse > 1 else ("output/frame.glsl@above",)
+        return (*over, "output/frame.glsl@laid", "output/frame.glsl@composed") if self.above else ()
 
     def _finished(self) -> list[SlotFile]:
         """Files that read the finished frame where it is drawn narrow: no picture of its full size is written."""
