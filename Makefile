@@ -26,10 +26,11 @@ TRUTH := tests/gpu/reference
 
 # Tests that make many plans: half of the time that quick takes.
 PLANS := tests/fast/planner tests/fast/project
-# What quick leaves to the whole run: float64 frames, sweeps, masks made anew, a GPU's compiler, and processes that are started,
-# killed and awaited.
-SLOW := $(addprefix tests/fast/,project/test_compiler.py accuracy cli masks reference api/guard api/requests/test_api_hostile.py meta/test_work.py \
-	api/pool api/frames/test_api_accuracy.py api/frames/test_api_sequences.py sequences/test_fleet.py)
+# What quick leaves to the whole run: float64 frames, sweeps, masks and documents made anew, generated requests, a GPU's
+# compiler, and processes that are started, killed and awaited.
+SLOW := $(addprefix tests/fast/,project/test_compiler.py project/test_generated.py accuracy cli masks reference api/guard api/pool \
+	api/requests/test_api_hostile.py api/requests/test_api_drawn.py api/frames/test_api_accuracy.py api/frames/test_api_sequences.py \
+	meta/test_work.py sequences/test_fleet.py)
 
 # What of the large tables of like cases to run: tests/support/sweep.py.
 SHARE := not sweep
