@@ -19,12 +19,13 @@ void main() {
     ivec2 size = textureSize(u_bounded, 0);
     ivec2 corner = ivec2(gl_FragCoord.xy) * BOUNDS_BLOCK;
     vec3 bounds = vec3(-65000.0, 0.0, 0.0);
-    for (int j = 0; j < BOUNDS_BLOCK; j += BOUNDS_STRIDE) {
-        for (int i = 0; i < BOUNDS_BLOCK; i += BOUNDS_STRIDE) {
-            ivec2 at = (corner + ivec2(i, j)) % size;
+    for (int j = 0; j < BOUNDS_BLOCK.y; j += BOUNDS_STRIDE) {
+        for (int i = 0; i < BOUNDS_BLOCK.x; i += BOUNDS_STRIDE) {
+            ivec2 at = corner + ivec2(i, j);
+            ivec2 next = (at + 1) & (size - 1);
             vec3 here = texelFetch(u_bounded, at, 0).xyz;
-            vec3 along_x = texelFetch(u_bounded, ivec2((at.x + 1) % size.x, at.y), 0).xyz - here;
-            vec3 along_z = texelFetch(u_bounded, ivec2(at.x, (at.y + 1) % size.y), 0).xyz - here;
+            vec3 along_x = texelFetch(u_bounded, ivec2(next.x, at.y), 0).xyz - here;
+            vec3 along_z = texelFetch(u_bounded, ivec2(at.x, next.y), 0).xyz - here;
             // The greater eigenvalue of the second derivatives.
             float half_sum = 0.5 * (along_x.y + along_z.z);
             float half_difference = 0.5 * (along_x.y - along_z.z);

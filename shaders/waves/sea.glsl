@@ -30,7 +30,8 @@ vec3 sea_waves(vec2 p) {
 
 // The raised tiles under a footprint, added up, slopes, unresolved mean square slope, divergence.
 vec4 sea_resolved(vec2 p, Footprint fp) {
-    return sea_seen(u_sea_seen_0, u_sea_size_0, sea_place_0(p), fp) + sea_seen(u_sea_seen_1, u_sea_size_1, sea_place_1(p), fp);
+    return sea_seen(u_sea_seen_0, u_sea_size_0, sea_place_0(p), fp, SEA_SEEN, SEA_FINER)
+        + sea_seen(u_sea_seen_1, u_sea_size_1, sea_place_1(p), fp, SEA_SEEN, SEA_FINER);
 }
 
 // The same of the place that was shaded last: foam there need not read it again.
@@ -100,7 +101,7 @@ vec2 sea_place_2(vec2 p) {
 
 // Gradient, and the unresolved mean square slope.
 vec3 sea_detail(vec2 p, Footprint fp) {
-    return sea_seen(u_sea_seen_2, u_sea_size_2, sea_place_2(p), fp).xyz;
+    return sea_seen(u_sea_seen_2, u_sea_size_2, sea_place_2(p), fp, SEA_DETAIL, SEA_DETAIL_FINER).xyz;
 }
 
 // @part detail_two
@@ -122,15 +123,16 @@ vec2 sea_place_3(vec2 p) {
 
 // Gradient, and the unresolved mean square slope.
 vec3 sea_detail(vec2 p, Footprint fp) {
-    return sea_seen(u_sea_seen_2, u_sea_size_2, sea_place_2(p), fp).xyz + sea_seen(u_sea_seen_3, u_sea_size_3, sea_place_3(p), fp).xyz;
+    return sea_seen(u_sea_seen_2, u_sea_size_2, sea_place_2(p), fp, SEA_DETAIL, SEA_DETAIL_FINER).xyz
+        + sea_seen(u_sea_seen_3, u_sea_size_3, sea_place_3(p), fp, SEA_DETAIL, SEA_DETAIL_FINER).xyz;
 }
 
 // @part seen
 // What a footprint sees of a tile of sea, which seen_pass or seen_same_pass drew: mean slopes, the unresolved mean square slope, mean divergence.
-// side: of the tile (m); at: place in it, in tiles.
-vec4 sea_seen(sampler2D tile, float side, vec2 at, Footprint fp) {
-    float level = max(sea_level(side, fp) + SEA_FINER, 0.0);
-    vec4 here = textureLod(tile, at + 0.5 / float(SEA_SEEN), level);
+// side: of the tile (m); at: place in it, in tiles; texels: along it; finer: log2 of those for each of the height field's.
+vec4 sea_seen(sampler2D tile, float side, vec2 at, Footprint fp, int texels, float finer) {
+    float level = max(sea_level(side, fp) + finer, 0.0);
+    vec4 here = textureLod(tile, at + 0.5 / float(texels), level);
     // Everything is resolved between two texels; what the sampler takes out there is its own error.
     float unresolved = min(level, 1.0) * max(here.z - dot(here.xy, here.xy), 0.0);
     return vec4(here.xy, unresolved, here.w);
@@ -138,7 +140,7 @@ vec4 sea_seen(sampler2D tile, float side, vec2 at, Footprint fp) {
 
 // @part seen_exact
 // A tile of sea at a place: slopes, nothing unresolved, divergence. side: of the tile (m); at: place in it, in tiles.
-vec4 sea_seen(sampler2D tile, float side, vec2 at, Footprint fp) {
+vec4 sea_seen(sampler2D tile, float side, vec2 at, Footprint fp, int texels, float finer) {
     vec4 here = sea_smooth(tile, at);
     return vec4(here.yz, 0.0, here.w);
 }
@@ -150,7 +152,7 @@ uniform sampler2D u_sea_full;
 out vec4 o_seen;
 
 void main() {
-    vec4 here = sea_smooth(u_sea_full, floor(gl_FragCoord.xy) / float(SEA_SEEN));
+    vec4 here = sea_smooth(u_sea_full, floor(gl_FragCoord.xy) / float(SEA_DETAIL));
     o_seen = vec4(here.yz, dot(here.yz, here.yz), here.w);
 }
 

@@ -23,6 +23,8 @@ FLOOR_FIELDS = ("/light/exposure", "/water/absorption_length", "/water/scatterin
 """Fields that :func:`floor_limit` depends on and that can change without a new plan."""
 BLOCK = 16
 """Side of the blocks whose maxima are found first, texels."""
+ACROSS = 128
+"""Blocks beside one another, at most: rasterizers on processors give squares of 64 pixels to one thread each."""
 
 
 def parametric_wave_height(scene: Scene) -> float:
@@ -92,16 +94,19 @@ def measured_bounds(source: str, size: int, texel: float, stride: int = 1) -> Re
     """Targets and passes of a map's bounds. ``SOURCE_bounds`` holds height (m), slope and second derivative (1/m).
 
     ``source``: a target of ``size``² texels of ``texel`` m that holds height and the slopes along x and z; ``size`` is
-    a multiple of :data:`BLOCK`. ``stride``: only every so many texels along each side are read; the shortest wave must
-    be at least four times as long.
+    a power of 2, at least :data:`BLOCK`. ``stride``: only every so many texels along each side are read, 1 or 2; the
+    shortest wave must be at least four times as long.
     """
     blocks, bounds = f"{source}_blocks", f"{source}_bounds"
-    sizes = Inline(f"const int BOUNDS_BLOCK = {BLOCK};\nconst int BOUNDS_STRIDE = {stride};\n")
+    across = min(ACROSS, size // 2)
+    down = max((size // BLOCK) ** 2 // across, 1)
+    block = f"const ivec2 BOUNDS_BLOCK = ivec2({size // across}, {size // down});\n"
+    sizes = Inline(f"{block}const int BOUNDS_STRIDE = {stride};\n")
     files, texels = (sizes, "surface/bounds.glsl@pass"), {"u_bounded_texel": number(texel)}
     name = f"{source}, greatest of blocks"
-    of_blocks = PassSpec(name, f"bounds_{stride}", files, {"u_bounded": source}, texels, target=blocks)
+    of_blocks = PassSpec(name, f"bounds_{size}_{stride}", files, {"u_bounded": source}, texels, target=blocks)
     join = ("surface/bounds.glsl@join",)
     of_all = PassSpec(f"{source}, greatest of all", "bounds_join", join, {"u_blocks": blocks}, target=bounds)
-    return drawn_map(of_blocks, Target(size=FixedSize.square(-(-size // BLOCK)), format="RGBA16F")).joined(
+    return drawn_map(of_blocks, Target(size=FixedSize(width=across, height=down), format="RGBA16F")).joined(
         drawn_map(of_all, Target(size=FixedSize.square(1), format="RGBA16F"))
     )

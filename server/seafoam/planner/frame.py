@@ -39,9 +39,9 @@ floor's caustics, and between two samples of which one is foam, black or white. 
 buys 1 to 2 % of the error for 4 % of the time, and on calm water, whose glints are rows of their own."""
 CALM = 0.01
 """Standard deviation of the ripples' slope below which the mirrored sun is a narrow column, upright in the picture."""
-START_TILE, WIDE_TILE = 4, 16
+START_TILE, WIDE_TILE = 4, 24
 """Sides of the tiles of pixels whose rays share a start distance, and of those from whose start distances these are
-searched where a search costs much."""
+searched where a search costs much: with 16 in place of 24 both passes of storm take a fifth longer, with 32 a tenth."""
 OVER: Eyes = ("over", "between")
 """Camera heights over the water. Between the highest crest and the deepest trough the camera can be on either side:
 there the passes for both are drawn, and vertex shaders of the wrong side place their triangles outside the picture."""

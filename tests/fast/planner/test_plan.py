@@ -247,7 +247,7 @@ def test_programs_and_tiles_suit_the_scene() -> None:
         assert ("surface samples" in made(preset, TIERS[tier]).programs) is ((preset, tier) in two), (preset, tier)
     assert "surface samples" not in made("storm", chosen(foam_relief=True)).programs
     for preset, stride in (("lake-calm", 1), ("explosion", 2)):
-        assert f"bounds_{stride}" in made(preset, STANDARD).programs
+        assert f"bounds_512_{stride}" in made(preset, STANDARD).programs
     # Which tiles the roughness hides: a slider of it asks for another plan.
     assert "/water/roughness" not in made("storm", TIERS["fast"]).live
     assert "/water/roughness" in made("storm", STANDARD).live

@@ -193,6 +193,14 @@ def seen_size(quality: Quality) -> int:
     return 2 * quality.sea_size if _smoothed(quality) and quality.pixel_width == 1 else quality.sea_size
 
 
+def detail_size(quality: Quality) -> int:
+    """Return the side of the map for shading of a tile that only tilts the normal, texels.
+
+    For wide pixels no finer than the tile itself: storm errs as much, open-ocean 2 % more, for 2.5 % of the time.
+    """
+    return seen_size(quality) if quality.pixel_width == 1 else min(seen_size(quality), displaced_size(quality))
+
+
 def tile_target(quality: Quality, size: int) -> Target:
     """Return the target of a tile that the surface reads by interpolation."""
     full = quality.sea_digits == "float"
@@ -266,6 +274,8 @@ def _consts(sea: Sea, tiles: Sequence[Cascade], quality: Quality) -> dict[str, C
         "SEA_DISPLACED": displaced_size(quality),
         "SEA_SEEN": seen_size(quality),
         "SEA_FINER": math.log2(seen_size(quality) / quality.sea_size),
+        "SEA_DETAIL": detail_size(quality),
+        "SEA_DETAIL_FINER": math.log2(detail_size(quality) / quality.sea_size),
         "SEA_BAND": BAND,
         "SEA_LOOP": LOOP,
         "SEA_NEWTON": 0 if sea.choppiness == 0.0 else NEWTON if quality.pixel_width == 1 else NEWTON_WIDE,
@@ -345,7 +355,6 @@ def _mip_maps(tiles: Sequence[Cascade], quality: Quality) -> Resources:
     """The tiles' slopes as shading reads them: prefiltered maps, or the tiles themselves if nothing is filtered."""
     if not quality.surface.filter:
         return Resources(inputs={f"u_sea_seen_{i}": f"sea_tile_{i}" for i in range(len(tiles))})
-    target = Target(size=FixedSize.square(seen_size(quality)), format="RGBA16F", filter=MIPMAPPED, wrap="repeat")
     seen = Resources()
     for i, tile in enumerate(tiles):
         # What only tilts the normal has no more texels than the map of displaced water.
@@ -358,6 +367,8 @@ def _mip_maps(tiles: Sequence[Cascade], quality: Quality) -> Resources:
             {"u_sea_full": f"sea_tile_{i}"},
             target=f"sea_seen_{i}",
         )
+        size = FixedSize.square(seen_size(quality) if i < RAISED else detail_size(quality))
+        target = Target(size=size, format="RGBA16F", filter=MIPMAPPED, wrap="repeat")
         seen = seen.joined(drawn_map(drawn, target))
     return seen
 
