@@ -21,6 +21,8 @@ PROJECT: dict[str, Any] = tomllib.loads((ROOT / "pyproject.toml").read_text(enco
 BUDGET: dict[str, dict[str, Any]] = PROJECT["tool"]["seafoam"]["budget"]
 CODE = (".py", ".ts", ".tsx")
 KILOBYTE = 1000
+SHORTEST_SHADER = 8
+"""Lines: what is shorter belongs to a file of its effect."""
 Graph = Mapping[str, Set[str]]
 """By module: the modules that it imports."""
 
@@ -160,6 +162,8 @@ def test_shaders_keep_to_their_number_of_files(files: list[str]) -> None:
     rows = BUDGET["files"]["ceilings"]
     counted = Counter(row for name in files if (row := row_of(name, rows)))
     keep("files", counted, "join files that are always used together")
+    shaders = [name for name in files if name.startswith("shaders/") and name.endswith(".glsl")]
+    assert not [name for name in shaders if (ROOT / name).read_bytes().count(b"\n") < SHORTEST_SHADER]
 
 
 def test_budgets_keep_to_their_goals() -> None:
