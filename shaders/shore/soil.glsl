@@ -181,6 +181,20 @@ Soil land_soil(vec2 q, vec4 ground, Footprint fp, vec2 wet) {
     return Soil(normalize(vec3(-leans.x, 1.0, -leans.y)), min(albedo, 0.95), film);
 }
 
+// @part splashed
+// Land on which drops of spray fall: darker, and a film of water on what of its relief lies as the ground does. docs/formulae.md, section 8.
+uniform float u_land_splash; // height up to which it is all wet, m
+
+Soil land_soil(vec2 q, vec4 ground, Footprint fp, vec2 wet) {
+    Soil soil = land_soil_dry(q, ground, fp, wet);
+    float splashed = 1.0 - smoothstep(u_land_splash, 2.0 * u_land_splash, ground.x);
+    vec3 level = normalize(vec3(-ground.y, 1.0, -ground.z));
+    // What the swash wetted is dark already.
+    soil.albedo *= 1.0 - 0.5 * splashed * (1.0 - smoothstep(0.25, 0.6, wet.x));
+    soil.film = max(soil.film, 0.3 * splashed * smoothstep(0.85, 1.0, dot(soil.normal, level)));
+    return soil;
+}
+
 // @part soil_plain
 // Land without detail: smooth, its colours by height and slope.
 Soil land_soil(vec2 q, vec4 ground, Footprint fp, vec2 wet) {

@@ -10,7 +10,7 @@ from seafoam.effects.water.water import bed_sun
 from seafoam.ocean.arrays import smoothstep
 from seafoam.ocean.basics.dispersion import wavenumber
 from seafoam.ocean.basics.spectrum import frequency_spectrum, peak_frequency
-from seafoam.ocean.coast.rocks import rocks
+from seafoam.ocean.coast.rocks import rocks, splash_height
 from seafoam.ocean.coast.seabed import floor_grid
 from seafoam.ocean.constants import GRAVITY, WATER_INDEX
 from seafoam.ocean.foam.whitecaps import whitecaps
@@ -25,6 +25,7 @@ from seafoam.scene.boats import Boat
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore
+from seafoam.scene.spray import Spray
 from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave, Ring, Sea
 
@@ -198,3 +199,16 @@ def test_ozone_keeps_the_zenith_blue_and_the_belt_of_venus_stands_over_the_shado
     shadow, belt = THIN.sky(up, gamma, height)[0]
     assert belt[0] > 1.3 * shadow[0]
     assert belt[0] / belt[2] > shadow[0] / shadow[2]
+
+
+def test_rock_is_wet_as_high_as_a_mean_drop_rises() -> None:
+    shore, spray = Shore(kind="island", slope=0.9), Spray(speed=4.5, steep=0.0)
+    speed = 0.65 * 0.7 * 0.625 * spray.speed * math.sqrt(GRAVITY * shore.surf.height / 0.3)
+    height, step = 0.0, 1e-4
+    while speed > 0.0:
+        height += speed * step
+        speed -= (GRAVITY + speed / 0.8) * step
+    assert splash_height(shore, spray) == pytest.approx(height, rel=1e-3)
+    assert splash_height(shore, None) == 0.0
+    assert splash_height(shore, spray.model_copy(update={"steep": 2.0})) == 0.0
+    assert splash_height(shore, spray.model_copy(update={"threshold": 100.0})) == 0.0

@@ -38,8 +38,8 @@ _NO_LAND = constant_function("float", "land_met", "vec3 o, vec3 d, out vec3 ligh
 _NO_GUESS = constant_function("float", "mirror_guess", "vec3 place, vec3 r", "-1.0")
 
 
-def lit_land(shore: Shore) -> tuple[str, ...]:
-    look = (*soil_files(shore), LAND_LIGHT[shore.detail > 0.0])
+def lit_land(scene: Scene, shore: Shore) -> tuple[Piece, ...]:
+    look = (*soil_files(scene), LAND_LIGHT[shore.detail > 0.0])
     return (*ILLUMINATION, "lib/refraction.glsl", *look, "reflection/mirror.glsl@land")
 
 
@@ -47,9 +47,9 @@ def _cubemap(scene: Scene, light: Light, reflection: str, quality: Quality) -> C
     if reflection != "cubemap":
         return None
     shore = scene.shore
-    scenery: tuple[str, ...] = ("reflection/mirror.glsl@open",)
+    scenery: tuple[Piece, ...] = ("reflection/mirror.glsl@open",)
     if shore is not None:
-        scenery = (*SHORE, *lit_land(shore), "reflection/mirror.glsl@land_around")
+        scenery = (*SHORE, *lit_land(scene, shore), "reflection/mirror.glsl@land_around")
     if quality.cube == "exact":
         slot = SlotFile("reflection", "reflection/mirror.glsl@exact", needs=scenery)
         why = "reflects sky and land, traced for each sample"
@@ -77,7 +77,7 @@ def _planar(scene: Scene, light: Light, reflection: str, quality: Quality) -> Co
     boats: tuple[Piece, ...] = (*TRACE, *LIGHT, "reflection/mirror.glsl@boats_met") if scene.boats else (_NO_BOATS,)
     land: tuple[Piece, ...] = (_NO_LAND,)
     if scene.shore is not None:
-        land = (*SHORE, *lit_land(scene.shore), "reflection/mirror.glsl@land_met")
+        land = (*SHORE, *lit_land(scene, scene.shore), "reflection/mirror.glsl@land_met")
     met = (*boats, *land, "reflection/mirror.glsl@met")
     objects = " and ".join(name for name, there in (("boats", scene.boats), ("land", scene.shore)) if there)
     if quality.reflection == "traced":

@@ -9,13 +9,14 @@ from seafoam.effects.bounds import FLOOR_FIELDS, floor_limit, max_displacement
 from seafoam.effects.effect import Bound, Contribution, QualityParameter, TextureUse, part_effect
 from seafoam.effects.light.atmosphere import lamp
 from seafoam.effects.light.light import sun_irradiance
-from seafoam.effects.shader import MARCH_AHEAD, SLOPES, VALUE_NOISE, Const, SlotFile
+from seafoam.effects.shader import MARCH_AHEAD, SLOPES, VALUE_NOISE, Const, Piece, SlotFile, Source
 from seafoam.effects.shore.limits import Limits, limits, rounded_up
 from seafoam.effects.shore.maps import FIND_LAND, GROUND, MARCH_GROUND, MAXIMA, blur_deviation, map_passes, map_targets
 from seafoam.effects.water.water import bed_sun
 from seafoam.effects.waves.parametric import max_profile_slope
 from seafoam.framegraph.rules import Phase, Uniform, array, constants, number, rounded, significant, vector
 from seafoam.ocean.basics.dispersion import wavevector
+from seafoam.ocean.coast.rocks import splash_height
 from seafoam.ocean.waves.cascades import RAISED, cascades
 from seafoam.ocean.waves.rings import ring_slope
 from seafoam.quality import Quality
@@ -40,11 +41,16 @@ SUNLIT_FROM = (*GROUND, "shore/sunlit.glsl@sunlit_from")
 NO_SHADOWS = ("shore/sunlit.glsl@sunlit_from_none",)
 
 
-def soil_files(shore: Shore) -> tuple[str, ...]:
+def soil_files(scene: Scene) -> tuple[Piece, ...]:
     """Files of the land's material; the noise library and shore/ground.glsl@ground come before them."""
-    if shore.detail <= 0.0:
+    assert scene.shore is not None
+    if scene.shore.detail <= 0.0:
         return ("shore/soil.glsl@soil_struct", "shore/soil.glsl@soil_plain")
-    return (*SLOPES, "shore/soil.glsl@soil_struct", "shore/soil.glsl@soil")
+    soil = "shore/soil.glsl@soil"
+    if splash_height(scene.shore, scene.spray) == 0.0:
+        return (*SLOPES, "shore/soil.glsl@soil_struct", soil)
+    dry = Source(soil, (("land_soil", "land_soil_dry"),))
+    return (*SLOPES, "shore/soil.glsl@soil_struct", dry, "shore/soil.glsl@splashed")
 
 
 def _shadows(scene: Scene, shore: Shore, drawn: bool, quality: Quality) -> Contribution | None:
@@ -92,10 +98,11 @@ def _draw(scene: Scene, shore: Shore, quality: Quality) -> Contribution:
     profiles = ShoreProfiles(nodes=quality.shore_profile, skew=surf.skew, sharpness=surf.sharpness)
     return Contribution(
         why=f"{shore.kind}, {shore.size:g} m square" + (f", waves of {surf.height:g} m" if surf.height > 0.0 else ""),
-        slots=_slots(shore, lit=scene.light is not None),
-        consts=_consts(shore, quality, cells),
+        slots=_slots(scene, shore),
+        consts={**_consts(shore, quality, cells), "FILM_ROUGHNESS": _roughness(scene, shore)},
         uniforms={
             **_uniforms(shore, bounds, steepest, curvature),
+            **_splash(scene, shore),
             **({} if scene.light is None else bed_sun(scene.light)),
         },
         textures={
@@ -116,16 +123,29 @@ def _draw(scene: Scene, shore: Shore, quality: Quality) -> Contribution:
     )
 
 
-def _slots(shore: Shore, *, lit: bool) -> tuple[SlotFile, ...]:
+def _roughness(scene: Scene, shore: Shore) -> float:
+    """Mean square slope of the film of water on land."""
+    if shore.detail <= 0.0:
+        return 0.02
+    return 0.003 if splash_height(shore, scene.spray) == 0.0 else 0.04
+
+
+def _splash(scene: Scene, shore: Shore) -> dict[str, Uniform]:
+    height = splash_height(shore, scene.spray)
+    return {"u_land_splash": number(significant(height))} if height > 0.0 else {}
+
+
+def _slots(scene: Scene, shore: Shore) -> tuple[SlotFile, ...]:
+    lit = scene.light is not None
     waves = ("shore/ground.glsl@place", *GROUND, *VALUE_NOISE, "shore/waves.glsl@field")
     # Water without light takes its colour by the same file, but does not fill the slot of the water's body.
     body = () if lit else ("shore/floor.glsl@body",)
-    plain, detailed = ("shore/floor.glsl@shallow_plain",), (*soil_files(shore), "shore/floor.glsl@shallow")
+    plain, detailed = ("shore/floor.glsl@shallow_plain",), (*soil_files(scene), "shore/floor.glsl@shallow")
     shallow = detailed if shore.detail > 0.0 else plain
     through = ("lib/refraction.glsl", "shore/ground.glsl@ground", *shallow, *body)
     light = LAND_LIGHT[shore.detail > 0.0] if lit else "shore/land.glsl@land_flat"
     wet = "shore/soil.glsl@wet" if shore.detail > 0.0 and shore.surf.height > 0.0 else "shore/soil.glsl@wet_still"
-    soil = ("shore/ground.glsl@ground", *soil_files(shore), wet)
+    soil = ("shore/ground.glsl@ground", *soil_files(scene), wet)
     start = ("surface/bounds.glsl@pyramid", "shore/ground.glsl@ground", *MAXIMA)
     floor = ("water/seafloor.glsl@even", "shore/ground.glsl@bed")
     underwater = (
@@ -160,7 +180,6 @@ def _consts(shore: Shore, quality: Quality, cells: int) -> dict[str, Const]:
         "LAND_COARSEST": LAND_COARSEST,
         "LAND_ROUNDS": LAND_ROUNDS,
         "LAND_OCTAVES": quality.land_octaves,
-        "FILM_ROUGHNESS": 0.003 if shore.detail > 0.0 else 0.02,
     }
 
 

@@ -7,12 +7,15 @@ import numpy as np
 
 from seafoam.ocean.arrays import Floats, read_only
 from seafoam.ocean.coast.seabed import floor_grid
-from seafoam.scene import Shore
+from seafoam.ocean.constants import GRAVITY
+from seafoam.scene import Shore, Spray
 
 ROCKS = 1024
 """Number of points at which drops start."""
 _TEXELS = 256
 _SEED = 7
+_MEAN = 0.65 * 0.7 * 0.625
+"""Mean speed of drops, in the greatest: of bursts, of their jets, and of the drops of a jet."""
 
 
 def rocks(shore: Shore, steep: float) -> Floats:
@@ -22,6 +25,21 @@ def rocks(shore: Shore, steep: float) -> Floats:
     repeated; (0, 4) if there are none. Rounded to 1/1024.
     """
     return _rocks(shore.ground, steep)
+
+
+def splash_height(shore: Shore, spray: Spray | None) -> float:
+    """Height over still water up to which drops wet rock, m; 0 if none is thrown on rock.
+
+    What a drop of the mean speed at waves of the breaking height rises against linear drag, τ(v − gτ ln(1 + v/(gτ))),
+    of the default τ: that of a scene may change without a new plan. docs/formulae.md, section 8.
+    """
+    if spray is None or shore.surf.height == 0.0:
+        return 0.0
+    fastest = spray.speed * math.sqrt(GRAVITY * shore.surf.height / 0.3)
+    if fastest <= spray.threshold or len(rocks(shore, spray.steep)) == 0:
+        return 0.0
+    falls, speed, tau = GRAVITY * Spray().drag, _MEAN * fastest, Spray().drag
+    return tau * (speed - falls * math.log1p(speed / falls))
 
 
 @lru_cache(maxsize=16)

@@ -5,6 +5,7 @@ from typing import Literal
 
 import numpy as np
 
+from seafoam.ocean.coast.rocks import splash_height
 from seafoam.ocean.waves.stokes import follows_orbits
 from seafoam.ocean.waves.wakes import stone_wakes
 from seafoam.reference.boats.boat import Fleet
@@ -37,7 +38,10 @@ class Surface:
         self.wakes: WakeSet | StoneSet | None = stones if stones is not None and stones.wakes else boats
         parts = (self.waves, ring_set(scene, time, origin), boats, stones, self.sea)
         open_sea = Relief(part for part in parts if part is not None)
-        self.coast = None if scene.shore is None else Coast(scene.shore, time, origin, open_sea)
+        self.coast: Coast | None = None
+        if scene.shore is not None:
+            splash = splash_height(scene.shore, scene.spray)
+            self.coast = Coast(scene.shore, time, origin, open_sea, splash=splash)
         # The sum of all that raises the water.
         self.relief: ReliefPart = open_sea if self.coast is None else self.coast
         repeats, ripples = scene.light is not None and scene.light.caustics is not None, scene.water.ripples

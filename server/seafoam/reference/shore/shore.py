@@ -15,7 +15,7 @@ from seafoam.ocean.constants import WATER_INDEX
 from seafoam.reference.light.light import Floor, plain_floor
 from seafoam.reference.noise import filtered_step, footprint_variance, grain, patches
 from seafoam.reference.shore import maps
-from seafoam.reference.shore.soil import Soil, detailed
+from seafoam.reference.shore.soil import Soil, detailed, splashed
 from seafoam.reference.types import (
     Bounds,
     Floats,
@@ -59,8 +59,9 @@ def _swing(here: Floats, phase: Floats, turn: Floats) -> Floats:
 class Coast:
     """The shore of a scene at a time, x and z from an origin (m); its sea, with all waves, is a part of the surface."""
 
-    def __init__(self, shore: Shore, time: float, origin: Vec2, open_sea: ReliefPart) -> None:
+    def __init__(self, shore: Shore, time: float, origin: Vec2, open_sea: ReliefPart, *, splash: float = 0.0) -> None:
         self.shore = shore
+        self.splash = splash
         self.open_sea = open_sea
         self.offset = tuple(math.remainder(a - b, maps.PERIOD) for a, b in zip(origin, shore.place, strict=True))
         self.floor = maps.floor_spline(shore)
@@ -279,7 +280,8 @@ class Coast:
         by_height = self.wet(height), 0.6 * self.wet(height)
         if self.shore.detail > 0.0:
             wet = by_height if still else self.wetness(q_x, q_z, height)
-            return detailed(self.shore, (q_x, q_z), ground, footprints, wet)
+            dry = detailed(self.shore, (q_x, q_z), ground, footprints, wet)
+            return dry if self.splash == 0.0 else splashed(dry, self.splash, ground, wet[0])
         normal = unit(np.stack((-g_x, np.ones_like(g_x), -g_z), axis=-1))
         return Soil(normal, self.albedo(q_x, q_z, footprints), by_height[1], PLAIN_FILM_ROUGHNESS2, glints=False)
 

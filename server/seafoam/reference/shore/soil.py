@@ -1,7 +1,7 @@
 """Section 8: land in detail, and how wet the swash left it."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -29,6 +29,7 @@ DIP = np.array([0.21, -0.13])  # slope of the layers of rock, negative
 WRACK = np.array([0.08, 0.06, 0.04])
 FILM_ROUGHNESS2 = 0.003  # mean square slope of the film of water on sand
 LAYERS = 7.0, 1.7, 0.37  # thickness of the layers of rock, m
+SPLASHED_ROUGHNESS2 = 0.04  # the same where drops fall on land
 SUNKEN = 8.0  # how much lower the ground below still water lies for its look, m
 
 
@@ -213,6 +214,16 @@ def detailed(
     leans = gradient + (d * (1.0 - 0.9 * film))[:, None] * slope
     normal = unit(np.stack((-leans[:, 0], np.ones_like(y), -leans[:, 1]), axis=-1))
     return Soil(normal, np.minimum(albedo, 0.95), film, FILM_ROUGHNESS2, glints=True)
+
+
+def splashed(soil: Soil, height: float, ground: tuple[Floats, Floats, Floats, Floats], wet: Floats) -> Soil:
+    """Land on which drops fall up to a height (m, twice that for the last); ``wet`` (r,): dark by the swash."""
+    y, g_x, g_z, _ = ground
+    part = 1.0 - smoothstep(height, 2.0 * height, y)
+    level = unit(np.stack((-g_x, np.ones_like(y), -g_z), axis=-1))
+    albedo = soil.albedo * (1.0 - 0.5 * part * (1.0 - smoothstep(0.25, 0.6, wet)))[:, None]
+    film = np.maximum(soil.film, 0.3 * part * smoothstep(0.85, 1.0, dot(soil.normal, level)))
+    return replace(soil, albedo=albedo, film=film, roughness2=SPLASHED_ROUGHNESS2)
 
 
 def _sand(shore: Shore, place: Pair, steep: Floats, noise: _Noise, footprints: Footprints, damp: Floats) -> Pair:
