@@ -115,7 +115,7 @@ _HARD_SEA = (
     ),
     HardCase(
         "a breath of wind, and no wave on the largest tile",
-        Scene(sea=Sea(wind=0.4, fetch=100.0, spread=100.0, against=0.0), water=Water(ripples=Ripples())),
+        Scene(sea=Sea(wind=0.2, fetch=100.0, spread=100.0, against=0.0), water=Water(ripples=Ripples())),
         guard="the divisor is at least 1e-30 where slopes are clamped (waves/sea_passes.glsl@tile_pass)",
         camera=_NEAR,
         without={
