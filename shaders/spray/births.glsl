@@ -256,9 +256,9 @@ bool rock_born(int i, out Drop drop) {
     drop.kind = spray_part(drop.word, 5u) < u_spray_mist ? SPRAY_MIST : SPRAY_SHEET;
     // Mist is a veil: puffs that are dense and small stand before the rock as smears. What tears into strings is narrow.
     bool veil = drop.kind == SPRAY_MIST;
-    drop.radius = (veil ? 7.5 : 3.2) * u_spray_size * SPRAY_WIDER;
+    drop.radius = (veil ? 5.3 : 3.2) * u_spray_size * SPRAY_WIDER;
     drop.life = u_spray_surf_life;
-    drop.strength = veil ? 0.09 : 0.8;
+    drop.strength = veil ? 0.15 : 0.8;
     return drop.age >= 0.0 && drop.age < drop.life && start > u_spray_threshold;
 }
 
