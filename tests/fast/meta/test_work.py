@@ -2,6 +2,7 @@
 which files, and what else, it runs."""
 
 import os
+import re
 import subprocess
 import sys
 from itertools import combinations
@@ -11,6 +12,7 @@ import pytest
 
 from support.run import turns
 
+ROOT = Path(__file__).parents[3]
 CONFTEST = """
 from support.run.room import Room
 from support.run.work import Work
@@ -98,3 +100,9 @@ def test_make_test_lints_checks_types_and_runs_every_group() -> None:
         *groups,
     ):
         assert command in told, command
+
+
+def test_every_test_that_a_fault_has_is_there() -> None:
+    named = re.findall(r"`(tests/[\w/]+\.py)::(\w+)`", (ROOT / "docs" / "tests.md").read_text(encoding="utf-8"))
+    assert named
+    assert [(f, name) for f, name in named if f"def {name}(" not in (ROOT / f).read_text(encoding="utf-8")] == []
