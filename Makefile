@@ -37,7 +37,7 @@ SHARE := not sweep
 # Which third of the files of tests: the commit says it, TURN=all are all. tests/support/run/turns.py
 TURN ?= $(or $(shell git rev-parse --short HEAD 2>/dev/null),all)
 # Of a third, what a group may do: tests/support/run/work.py.
-GRANTED = --turn $(TURN) $(if $(filter all,$(TURN)),,--group $(@:test-%=%))
+GRANTED = $(if $(SPENT),--spent $(SPENT)) --turn $(TURN) $(if $(filter all,$(TURN)),,--group $(@:test-%=%))
 
 define LINT
 $(BIN)/ruff check .

@@ -52,7 +52,7 @@ def pytest_configure(config: pytest.Config) -> None:
     if (group := config.getoption("group")) is not None:
         project = tomllib.loads((config.rootpath / "pyproject.toml").read_text(encoding="utf-8"))
         granted = project["tool"]["seafoam"]["budget"]["work"].get(group)
-    config.pluginmanager.register(Work(granted))
+    config.pluginmanager.register(Work(granted, config.getoption("spent")))
 
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
@@ -134,6 +134,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     """Where to write what the tests measured, and what may be done."""
     parser.addoption("--turn", default=ALL, help="the commit, which says what half of the files of tests runs; or all")
     parser.addoption("--group", help="fail if the run does more work than pyproject.toml grants this group")
+    parser.addoption("--spent", type=Path, help="add the processor time of each file of tests to this file")
     parser.addoption("--figures", type=Path, help="write what the tests measure to this file too, as JSON")
 
 

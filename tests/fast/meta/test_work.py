@@ -2,6 +2,7 @@
 which files, and what else, it runs."""
 
 import os
+import re
 import subprocess
 import sys
 from itertools import combinations
@@ -11,6 +12,7 @@ import pytest
 
 from support.run import turns
 
+ROOT = Path(__file__).parents[3]
 CONFTEST = """
 from support.run.room import Room
 from support.run.work import Work
@@ -98,3 +100,11 @@ def test_make_test_lints_checks_types_and_runs_every_group() -> None:
         *groups,
     ):
         assert command in told, command
+
+
+def test_every_test_that_a_fault_has_is_there() -> None:
+    text = (ROOT / "docs" / "tests.md").read_text(encoding="utf-8")
+    named = [(f, f"def {name}(") for f, name in re.findall(r"`(tests/[\w/]+\.py)::(\w+)`", text)]
+    named += re.findall(r"`(webclient/tests/[\w/]+\.test\.ts)::([^`]+)`", text)
+    assert len(named) > 50
+    assert [(f, said) for f, said in named if said not in (ROOT / f).read_text(encoding="utf-8")] == []

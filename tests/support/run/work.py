@@ -4,6 +4,7 @@ A run of a group that does more than pyproject.toml grants it fails: ``[tool.sea
 browsers do by themselves is counted by their number alone.
 """
 
+import json
 import multiprocessing.process
 import os
 import subprocess
@@ -38,8 +39,8 @@ SLOWEST = 12
 class Work:
     """The plugin: counts, compares with ``granted`` if it is given, and tells which files took most processor time."""
 
-    def __init__(self, granted: Mapping[str, int] | None) -> None:
-        self._granted = granted
+    def __init__(self, granted: Mapping[str, int] | None, spent: Path | None = None) -> None:
+        self._granted, self._file_of_spent = granted, spent
         self._done: Counter[str] = Counter()
         self._patch = pytest.MonkeyPatch()
         self._spent: Counter[str] = Counter()
@@ -77,6 +78,9 @@ class Work:
     @pytest.hookimpl(trylast=True)
     def pytest_sessionfinish(self, session: pytest.Session) -> None:
         self._turn("end")
+        if self._file_of_spent is not None:
+            with self._file_of_spent.open("a", encoding="utf-8") as file:  # of all groups, a line each: spent.py
+                file.write(json.dumps(self._spent) + "\n")
         self._patch.undo()
         if self.over():
             session.exitstatus = pytest.ExitCode.TESTS_FAILED
