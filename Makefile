@@ -27,7 +27,7 @@ TRUTH := tests/gpu/reference
 # Tests that make many plans: half of the time that quick takes.
 PLANS := tests/fast/planner tests/fast/project
 # What quick leaves to the whole run: float64 frames, sweeps, masks and documents made anew, generated requests, a GPU's
-# compiler, and processes that are started, killed and awaited.
+# compiler, plans of the finest tiers, frames of minutes, and processes that are started, killed and awaited.
 SLOW := $(addprefix tests/fast/,project/test_compiler.py project/test_generated.py accuracy cli masks reference api/guard api/pool \
 	api/requests/test_api_hostile.py api/requests/test_api_drawn.py api/frames/test_api_accuracy.py api/frames/test_api_sequences.py \
 	meta/test_work.py sequences/test_fleet.py)
@@ -68,11 +68,11 @@ quick: setup-test
 	@$(MAKE) --no-print-directory -j2 quick-plans quick-rest
 
 quick-plans:
-	$(BIN)/pytest -q -p no:cacheprovider -m "$(SHARE)" $(PLANS) $(addprefix --ignore=,$(SLOW))
+	$(BIN)/pytest -q -p no:cacheprovider -m "$(SHARE)" $(PLANS) $(addprefix --ignore=,$(SLOW)) -k "not -high] and not -reference]"
 	$(LINT)
 
 quick-rest: $(WEB)/node_modules/.checked
-	$(BIN)/pytest -q -p no:cacheprovider -m "$(SHARE)" --turn $(TURN) tests/fast tests/gpu/smoke $(addprefix --ignore=,$(PLANS) $(SLOW))
+	$(BIN)/pytest -q -p no:cacheprovider -m "$(SHARE)" --turn $(TURN) tests/fast tests/gpu/smoke $(addprefix --ignore=,$(PLANS) $(SLOW)) -k "not foam_is_seen and not first_minute"
 
 # Types, lint and unit tests of the client, unless nothing of it changed since they passed.
 $(WEB)/node_modules/.checked: $(WEB_SOURCES) $(wildcard $(WEB)/tests/*) $(WEB)/eslint.config.js | $(WEB)/dist/index.html
