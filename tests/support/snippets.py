@@ -14,6 +14,7 @@ NOT_RUN = {
     "make bench": "half an hour; -m bench is run by tests/fast/project/test_bench.py in parts",
     "make gpu": "five minutes, for a machine with a GPU; tests/fast/project/test_bench.py has its parts",
     ".venv/bin/python -m bench": "minutes to half an hour; that its options exist is tested here",
+    ".venv/bin/python tests/support/run/spent.py": "reads what the whole of the tests left",
     ".venv/bin/pytest": "the tests themselves; that the files exist is tested here",
     ".venv/bin/python docs/make_stability.py": "needs what browsers measured; test_generated.py has its own",
     ".venv/bin/python docs/make_paper.py": "tests/fast/project/test_generated.py makes the same tables",
