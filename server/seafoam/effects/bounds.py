@@ -98,6 +98,8 @@ def measured_bounds(source: str, size: int, texel: float, stride: int = 1) -> Re
     shortest wave must be at least four times as long.
     """
     blocks, bounds = f"{source}_blocks", f"{source}_bounds"
+    if size < BLOCK or size & (size - 1):
+        raise ValueError(f"size {size}: a power of 2, at least {BLOCK}, is measured")
     across = min(ACROSS, size // 2)
     down = max((size // BLOCK) ** 2 // across, 1)
     block = f"const ivec2 BOUNDS_BLOCK = ivec2({size // across}, {size // down});\n"

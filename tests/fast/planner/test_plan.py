@@ -248,6 +248,8 @@ def test_programs_and_tiles_suit_the_scene() -> None:
     assert "surface samples" not in made("storm", chosen(foam_relief=True)).programs
     for preset, stride in (("lake-calm", 1), ("explosion", 2)):
         assert f"bounds_512_{stride}" in made(preset, STANDARD).programs
+    # Blocks of its bounds cover a map whose side is a power of 2.
+    assert made("explosion", chosen(rings_size=600)).targets["rings"].size.width == 512
     # Which tiles the roughness hides: a slider of it asks for another plan.
     assert "/water/roughness" not in made("storm", TIERS["fast"]).live
     assert "/water/roughness" in made("storm", STANDARD).live

@@ -75,7 +75,9 @@ def _square_around(shown: Sequence[Train]) -> tuple[float, float, float]:
 def _draw(scene: Scene, rings: tuple[model.Ring, ...], quality: Quality) -> effect.Contribution:
     shown = _shown(scene)
     square = _square_around(shown)
-    texel = square[2] / quality.rings_size
+    # A power of 2, as the passes that measure its bounds ask: a row over would be left out of them.
+    size = 1 << (quality.rings_size.bit_length() - 1)
+    texel = square[2] / size
     summed = quality.rings == "exact" or texel * _MIN_TEXELS > min(train.length for train in shown)
     height = ring_height(scene)
     unseen = effect.Bound.zero_if(height == 0.0, f"no ring is higher than {model.DEAD:g} m at any time")
@@ -94,7 +96,7 @@ def _draw(scene: Scene, rings: tuple[model.Ring, ...], quality: Quality) -> effe
         march_factor=1 if scene.sea is None else 8,
     )
     if not summed:
-        return contribution.joined(_map(shown, square, quality.rings_size))
+        return contribution.joined(_map(shown, square, size))
     slot = SlotFile("waves", "waves/rings.glsl@exact", prefix="rings", needs=("waves/rings.glsl@ring",))
     return contribution.joined(effect.Resources(slots=(slot,), uniforms=_ring_uniforms(shown)))
 
