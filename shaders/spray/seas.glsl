@@ -97,25 +97,26 @@ float sea_then(vec2 p, int batch) {
 
 // @part times
 // Times of the births of batches.
-uniform vec2 u_spray_scale;  // l 2 pi / side of the first and second tile, rad/m
-uniform float u_spray_time[2];
+uniform vec2 u_spray_scale; // l 2 pi / side of the first and second tile, rad/m
 uniform float u_spray_step;
 
-// Seconds since the birth of a batch.
+// Seconds from the birth of a batch to that of the last.
 float spray_before(int batch) {
-    return u_spray_time[0] + float(batch) * u_spray_step;
+    return float(batch) * u_spray_step;
 }
 
 // @part gerstner_pass
 // Height, displacement and divergence of a tile's waves when each batch of drops was born, as coefficients of a cubic B-spline:
 // (h, Dx, Dz, F), F = l div D.
+uniform float u_spray_time[2];
+
 vec4 water(ivec2 at, int tile, int time) {
     ivec2 waves = gerstner_waves(tile);
     float scale = tile == 0 ? u_spray_scale.x : u_spray_scale.y;
     vec4 sum = vec4(0.0);
     for (int i = waves.x; i < waves.y; ++i) {
         vec4 wave = u_gerstner[i];
-        vec2 turn = whole_sine_cosine(wrap_phase(gerstner_theta(i, at, BLOCK_SIZE) + wave.w * spray_before(time)));
+        vec2 turn = whole_sine_cosine(wrap_phase(gerstner_theta(i, at, BLOCK_SIZE) + wave.w * (u_spray_time[0] + spray_before(time))));
         float number = length(wave.xy);
         sum += wave.z * vec4(turn.y, -turn.x * wave.xy / number, -scale * number * turn.y);
     }
@@ -123,8 +124,8 @@ vec4 water(ivec2 at, int tile, int time) {
 }
 
 // @part spectrum_pass
-// Spectra of the sea when each batch of drops was born: (h + i Dx, Dz + i F), F = l div D = -l |k| h. Divided by the cubic B-spline's
-// response.
+// Spectra of the sea when each batch of drops was born, the frame's time being the last birth: (h + i Dx, Dz + i F),
+// F = l div D = -l |k| h. Divided by the cubic B-spline's response.
 vec4 spectra(vec2 k, int tile, int time) {
     vec2 spline = (2.0 + cos(k * (TAU / float(BLOCK_SIZE)))) / 3.0;
     vec2 h = amplitude(ivec2(k), tile, spray_before(time)) / (spline.x * spline.y);

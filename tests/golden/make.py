@@ -45,6 +45,7 @@ RULES: list[Rule] = [
     Loop(period=60.0),
     Loop(period=0.1),
     Loop(period=7.3, offset=-2.25),
+    Loop(period=7.3, offset=-2.25, step=0.7),
     Clamp(offset=-1e9, rate=1.0, low=0.0, high=55.3),
     Clamp(offset=-3.5, k=(-1.0, 0.0), low=-1e8, high=1e8),
     Clamp(offset=12.0, rate=-0.25, k=(0.0, 1.0), low=-40.0, high=9.0),

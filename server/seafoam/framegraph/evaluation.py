@@ -41,7 +41,8 @@ def evaluate_rule(rule: Rule, state: FrameState) -> tuple[float, ...]:
         case Wrap():
             return (_modulo(_sum(rule, state), rule.period),)
         case Loop():
-            return (_modulo(state.time + rule.offset, rule.period),)
+            time = state.time if rule.step is None else state.time - _modulo(state.time, rule.step)
+            return (_modulo(time + rule.offset, rule.period),)
         case Clamp():
             return (min(max(_sum(rule, state), rule.low), rule.high),)
         case CameraRule():

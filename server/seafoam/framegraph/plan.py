@@ -6,6 +6,7 @@ Shaders, and passes: what is drawn, how, and where it can be visible.
 import hashlib
 import json
 import re
+from collections.abc import Mapping
 from functools import lru_cache
 from typing import Annotated, Literal
 
@@ -116,9 +117,10 @@ class Pass(PlanPart):
 
     name: str
     when: Literal["setup", "frame"]
-    """When the pass is drawn. setup: neither time, camera nor picture size affects the pass or what it reads; it is
-    drawn when its target is first needed, and again only if a live field among its uniforms, or those of what it reads,
-    changes. frame: in every frame that needs its target. All passes into one target have the same value"""
+    """When the pass is drawn. setup: neither camera nor picture size affects the pass or what it reads, and time only
+    by rules with a step; it is drawn when its target is first needed, and again only if a number of these rules, or a
+    live field, among its uniforms or those of what it reads changes. frame: in every frame that needs its target. All
+    passes into one target have the same value"""
     eye: Eyes = "any"
     """Camera heights for which the pass is drawn. over: at the plan's top or higher; under: below its trough; between:
     neither. Passes for two of them draw nothing from the other side of the water"""
@@ -133,6 +135,12 @@ class Pass(PlanPart):
     uniforms: dict[str, Uniform] = Field(default_factory=dict)
     """Uniforms of this pass only; they override the plan's"""
     state: State = State()
+
+
+def uniforms_of(drawn: Pass, program: Program, uniforms: Mapping[str, Uniform]) -> dict[str, Uniform]:
+    """Return the uniforms that a pass's program declares, its own or the plan's."""
+    declared = declared_uniforms(program.vertex) | declared_uniforms(program.fragment)
+    return {name: drawn.uniforms.get(name) or uniforms[name] for name, sampler in declared.items() if not sampler}
 
 
 class EffectNote(PlanPart):
@@ -158,7 +166,8 @@ class FramePlan(PlanPart):
     kept: dict[str, str]
     """Targets of setup passes that other passes read -> SHA-256 of everything that determines their pixels: programs,
     numbers, textures, meshes, states and formats, including those of their inputs. Plans with the same hash can share
-    the target as long as no live field changes. All other targets of setup passes are intermediate"""
+    the target as long as no live field and no number of a rule with a step changes. All other targets of setup passes
+    are intermediate"""
     uniforms: dict[str, Uniform]
     linear: str = Field(description="Target that holds the finished linear frame: exposed RGB, A = foam coverage")
     samples: int = Field(description="Samples per pixel")

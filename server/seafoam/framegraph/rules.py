@@ -48,11 +48,15 @@ class Wrap(PlanPart):
 
 
 class Loop(PlanPart):
-    """t + ``offset`` modulo ``period``, in float64: [0, period)."""
+    """t + ``offset`` modulo ``period``, in float64: [0, period).
+
+    ``step``: t is the last multiple of it, so that the number stays for as many seconds, and what is drawn by it, too.
+    """
 
     rule: Literal["loop"] = "loop"
     period: float
     offset: float = 0.0
+    step: float | None = Field(default=None, gt=0.0, exclude_if=lambda step: step is None)
 
 
 class Term(PlanPart):

@@ -1,8 +1,8 @@
-"""Finds the passes that are drawn only once, and what determines their pixels.
+"""Finds the passes that are not drawn in every frame, and what determines their pixels.
 
-A pass is static if neither it nor its inputs depend on time, camera or picture size. Only targets that nothing else
-draws into are kept: all passes into them must be static, the first must replace their whole content, and no other pass
-may read them before the last.
+A pass is static if neither it nor its inputs depend on camera or picture size, and on time only in steps. Only targets
+that nothing else draws into are kept: all passes into them must be static, the first must replace their whole content,
+and no other pass may read them before the last.
 """
 
 import hashlib
@@ -10,7 +10,7 @@ import json
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from seafoam.framegraph.plan import Fullscreen, Pass, Program, declared_uniforms
+from seafoam.framegraph.plan import Fullscreen, Pass, Program, uniforms_of
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, Texture
 from seafoam.framegraph.rules import CameraRule, Clamp, Loop, Phase, Rule, Uniform, Viewport, Wrap
 from seafoam.framegraph.visibility import reads
@@ -28,7 +28,7 @@ def with_setup(
     The latter by name, with the SHA-256 of everything that determines their pixels
     (:attr:`seafoam.framegraph.plan.FramePlan.kept`).
     """
-    used = [_uniforms_of(drawn, programs[drawn.program], uniforms) for drawn in passes]
+    used = [uniforms_of(drawn, programs[drawn.program], uniforms) for drawn in passes]
     still = [all(_steady(rule) for uniform in own.values() for rule in uniform.rules) for own in used]
     steady = [drawn.eye == "any" and drawn.view == "any" and of for drawn, of in zip(passes, still, strict=True)]
     static = _static_targets(passes, steady, targets)
@@ -81,17 +81,14 @@ def _covers(drawn: Pass) -> bool:
     return state.clear or (isinstance(drawn.mesh, Fullscreen) and state.blend == "none" and not state.depth)
 
 
-def _uniforms_of(drawn: Pass, program: Program, uniforms: Mapping[str, Uniform]) -> dict[str, Uniform]:
-    declared = declared_uniforms(program.vertex) | declared_uniforms(program.fragment)
-    return {name: drawn.uniforms.get(name) or uniforms[name] for name, sampler in declared.items() if not sampler}
-
-
 def _steady(rule: Rule) -> bool:
-    """Whether a rule gives the same numbers in every frame, in a target of fixed size."""
+    """Whether a rule gives the same numbers in every frame, or in those of some seconds, in a target of fixed size."""
     match rule:
         case Phase() | Clamp() | Wrap():
             return not rule.rate and rule.k == (0.0, 0.0)
-        case Loop() | CameraRule() | Viewport(of="picture"):
+        case Loop():
+            return rule.step is not None
+        case CameraRule() | Viewport(of="picture"):
             return False
         case _:
             return True

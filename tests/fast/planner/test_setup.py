@@ -61,6 +61,7 @@ class TestInference:
             (Clamp(offset=2.0, rate=1.0, low=0.0, high=1.0), False),
             (Clamp(offset=2.0, k=(0.0, 1.0), low=0.0, high=1.0), False),
             (Loop(period=3.0), False),
+            (Loop(period=3.0, step=0.5), True),
         ],
     )
     def test_a_rule_of_time_or_place_moves_a_pass_and_all_that_reads_it(self, rule: Rule, still: bool) -> None:

@@ -85,7 +85,7 @@ def fresh(executor: Executor) -> Executor:
 
 
 @pytest.fixture
-def drawn(fresh: Executor, monkeypatch: pytest.MonkeyPatch) -> Callable[[FramePlan], list[str]]:
+def drawn(fresh: Executor, monkeypatch: pytest.MonkeyPatch) -> Callable[..., list[str]]:
     """Draws a frame and gives the names of its passes."""
     names: list[str] = []
     draw_pass = fresh._draw
@@ -97,10 +97,10 @@ def drawn(fresh: Executor, monkeypatch: pytest.MonkeyPatch) -> Callable[[FramePl
     monkeypatch.setattr(fresh, "_draw", counted)
     times = iter(range(100))
 
-    def frame(plan: FramePlan) -> list[str]:
+    def frame(plan: FramePlan, time: float | None = None) -> list[str]:
         names.clear()
         camera = load_preset("island-surf").scene.camera
-        draw(fresh, plan, camera, time=float(next(times)), size=(16, 9))
+        draw(fresh, plan, camera, time=float(next(times)) if time is None else time, size=(16, 9))
         return list(names)
 
     return frame
@@ -139,10 +139,21 @@ def test_a_target_whose_passes_failed_is_not_kept(fresh: Executor) -> None:
     programs = {**plan.programs, "shore_blur": broken.model_copy(update={"fragment": fragment})}
     with pytest.raises(ShaderError):
         draw(fresh, plan.model_copy(update={"programs": programs}), scene.camera, time=0.0, size=(16, 9))
-    assert not fresh._static._items
+    assert all(one.drawn is None for one in fresh._static._items.values())
 
 
-@pytest.mark.parametrize("preset", ["island-surf", "drift-vortices"])
+def test_what_time_changes_in_steps_is_drawn_when_a_step_begins(
+    fresh: Executor, drawn: Callable[..., list[str]]
+) -> None:
+    plan = make_plan(load_preset("storm").scene, STANDARD)
+    births = [one.name for one in plan.passes if "at the births of drops" in one.name]
+    assert len(births) == 9 and {one.when for one in plan.passes if one.name in births} == {"setup"}
+    # A batch of drops is born at every whole second.
+    frames = [[name for name in drawn(plan, time) if name in births] for time in (3.0, 3.9, 4.1, 4.2, 3.9, -0.5)]
+    assert frames == [births, [], births, [], births, births]
+
+
+@pytest.mark.parametrize("preset", ["island-surf", "drift-vortices", "storm"])
 def test_a_frame_after_others_is_that_of_a_fresh_executor(preset: str, fresh: Executor) -> None:
     scene = load_preset(preset).scene
     plan = make_plan(scene, STANDARD)
@@ -176,18 +187,20 @@ def narrowed(
     return draw(executor, plan, found.scene.camera, time=found.time, size=size, output=output).astype(np.float64)
 
 
-def along_rows(seen: NDArray[np.float64], x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Rows (height, columns, 4) at places x (height, width) along them, columns: Catmull and Rom's cubic."""
+def along_rows(seen: NDArray[np.float64], x: NDArray[np.float64], cubic: bool) -> NDArray[np.float64]:
+    """Rows (height, columns, 4) at places x (height, width) along them, columns: Catmull and Rom's cubic, or lines."""
     columns, first = seen.shape[1], np.floor(x).astype(int)
     f = (x - first)[..., None]
     p = [np.take_along_axis(seen, np.clip(first + step, 0, columns - 1)[..., None], 1) for step in (-1, 0, 1, 2)]
     rise, begins, ends = p[2] - p[1], 0.5 * (p[2] - p[0]), 0.5 * (p[3] - p[1])
+    if not cubic:
+        return p[1] + f * rise
     found = p[1] + f * begins + f**2 * (3.0 * rise - 2.0 * begins - ends) + f**3 * (begins + ends - 2.0 * rise)
     return np.clip(found, np.minimum(p[1], p[2]), np.maximum(p[1], p[2]))
 
 
-def enlarged(picture: NDArray[np.float64], width: int) -> NDArray[np.float64]:
-    """What is shown of (height, columns, 4), the top row first: docs/formulae.md, section 1."""
+def enlarged(picture: NDArray[np.float64], width: int, wide: int) -> NDArray[np.float64]:
+    """What is shown of (height, columns, 4), the top row first; wide: width of a column. docs/formulae.md, section 1."""
     colors = np.maximum(picture[..., :3], 0.0)
     seen = np.concatenate([colors / (1.0 + colors.max(-1, keepdims=True)), picture[..., 3:]], -1)
     height, columns = seen.shape[:2]
@@ -195,12 +208,12 @@ def enlarged(picture: NDArray[np.float64], width: int) -> NDArray[np.float64]:
     rows = np.arange(height)[::-1]
     shift = np.where(rows % 2 == 0, -0.25, 0.25)[:, None]
     middle = (np.arange(width) + 0.5) / width * columns - 0.5
-    own = along_rows(seen, middle - shift)
+    own = along_rows(seen, middle - shift, wide < 4)
     f = (middle - shift) % 1.0
     mirrored = np.pad(np.arange(height), 1, mode="reflect")
     beside = np.clip(np.floor(middle + shift + 0.5).astype(int), 0, columns - 1)[..., None]
     around = sum(np.take_along_axis(seen[side], beside, 1) for side in (mirrored[:-2], mirrored[2:])) / 2.0
-    share = (0.1 * 4.0 * f * (1.0 - f))[..., None]
+    share = ((0.1 if wide < 4 else 0.0) * 4.0 * f * (1.0 - f))[..., None]
     found = (1.0 - share) * own + share * around
     return np.concatenate([found[..., :3] / (1.0 - found[..., :3].max(-1, keepdims=True)), found[..., 3:]], -1)
 
@@ -211,7 +224,7 @@ def test_what_is_drawn_narrow_is_enlarged_by_a_cubic_and_the_rows_beside(executo
     for size in SIZES:
         samples = narrowed(executor, "default", quality, size, "samples")
         assert samples.shape[:2] == (size[1], -(-size[0] // width))
-        want = enlarged(samples, size[0])
+        want = enlarged(samples, size[0], width)
         np.testing.assert_allclose(narrowed(executor, "default", quality, size, "linear"), want, rtol=2e-4, atol=1e-5)
 
 

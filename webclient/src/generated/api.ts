@@ -57,7 +57,7 @@ export interface FramePlan {
     textures: { [key: string]: Texture };
     targets: { [key: string]: Target };
     passes: Pass[];
-    /** Targets of setup passes that other passes read -> SHA-256 of everything that determines their pixels: programs, numbers, textures, meshes, states and formats, including those of their inputs. Plans with the same hash can share the target as long as no live field changes. All other targets of setup passes are intermediate */
+    /** Targets of setup passes that other passes read -> SHA-256 of everything that determines their pixels: programs, numbers, textures, meshes, states and formats, including those of their inputs. Plans with the same hash can share the target as long as no live field and no number of a rule with a step changes. All other targets of setup passes are intermediate */
     kept: { [key: string]: string };
     uniforms: { [key: string]: Uniform };
     /** Target that holds the finished linear frame: exposed RGB, A = foam coverage */
@@ -77,12 +77,16 @@ export interface FramePlan {
 export interface Fullscreen { rule: "fullscreen"; }
 /** rows × columns cells, two triangles each; attribute ``a_grid`` (vec2) covers [0, 1]², columns first. */
 export interface Grid { rule: "grid"; rows: number; columns: number; }
-/** t + ``offset`` modulo ``period``, in float64: [0, period). */
-export interface Loop { rule: "loop"; period: number; offset: number; }
+/**
+ * t + ``offset`` modulo ``period``, in float64: [0, period).
+ *
+ * ``step``: t is the last multiple of it, so that the number stays for as many seconds, and what is drawn by it, too.
+ */
+export interface Loop { rule: "loop"; period: number; offset: number; step?: number | null; }
 /** One draw call. */
 export interface Pass {
     name: string;
-    /** When the pass is drawn. setup: neither time, camera nor picture size affects the pass or what it reads; it is drawn when its target is first needed, and again only if a live field among its uniforms, or those of what it reads, changes. frame: in every frame that needs its target. All passes into one target have the same value */
+    /** When the pass is drawn. setup: neither camera nor picture size affects the pass or what it reads, and time only by rules with a step; it is drawn when its target is first needed, and again only if a number of these rules, or a live field, among its uniforms or those of what it reads changes. frame: in every frame that needs its target. All passes into one target have the same value */
     when: "setup" | "frame";
     /** Camera heights for which the pass is drawn. over: at the plan's top or higher; under: below its trough; between: neither. Passes for two of them draw nothing from the other side of the water */
     eye: "any" | ("over" | "between" | "under")[];

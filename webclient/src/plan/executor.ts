@@ -7,7 +7,7 @@ import { type CachedTarget, checkFormats, deleteTarget, makeMesh, makeScreen, ma
 import { type Program, whenDone } from "../gl/program";
 import type { Json } from "../scene/json";
 import { type Bindings, bindInputs, bindSamplers, discardOnError, loadPrograms, programNames, releaseAll, unbindSamplers, uploadUniforms } from "./programs";
-import { liveRule } from "./rules";
+import { evaluate, isLive, isStepped, liveRule } from "./rules";
 import { drawnPasses, type Eye, eyeOf, passesInto, targetsRead } from "./view";
 
 /** Camera heights whose passes can stand in: between crest and trough, those of the other side draw nothing. */
@@ -206,7 +206,7 @@ export class Executor {
     const read = new Set(drawn.flatMap(({ bound, visible }) => (visible ? targetsRead(bound.pass) : [])));
     for (const [name, digest] of Object.entries(this.plan.kept)) {
       if (!read.has(name)) continue;
-      const key = this.cacheKey(name, digest, frame.scene);
+      const key = this.cacheKey(name, digest, frame);
       const held = this.cached.get(name);
       if (held?.key === key) continue;
       const make = () => ({ ...this.makeFixedTarget(name), drawn: false });
@@ -231,13 +231,14 @@ export class Executor {
     }
   }
 
-  /** Key of a cached target's contents: the plan's digest, and the live values that its passes read. */
-  private cacheKey(name: string, digest: string, scene: Json | null): string {
+  /** Key of a cached target's contents: the plan's digest, and the numbers that its passes read of live fields and steps of time. */
+  private cacheKey(name: string, digest: string, frame: Frame): string {
     const contents = this.rough ? ROUGH + digest : digest;
-    const liveRules = passesInto(this.plan, this.setupPasses, [name]).flatMap((index) =>
-      (this.passes.get(index)?.bindings.uniforms ?? []).filter(({ live }) => live).flatMap(({ uniform }) => uniform.rules),
-    );
-    return liveRules.length === 0 ? contents : `${contents} ${JSON.stringify(liveRules.map((rule) => liveRule(rule, scene)))}`;
+    const rules = passesInto(this.plan, this.setupPasses, [name])
+      .flatMap((index) => this.passes.get(index)?.bindings.uniforms ?? [])
+      .flatMap(({ uniform }) => (uniform.rules.some((rule) => isLive(rule) || isStepped(rule)) ? uniform.rules : []));
+    const state = { ...frame, targetWidth: 0, targetHeight: 0, passIndex: 0 };
+    return rules.length === 0 ? contents : `${contents} ${JSON.stringify(rules.map((rule) => evaluate(liveRule(rule, frame.scene), state)))}`;
   }
 
   private makeFixedTarget(name: string): Target {

@@ -70,7 +70,7 @@ export function evaluate(rule: Rule, state: FrameState): readonly number[] {
     case "phase": return [phase(rule.offset + rule.rate * state.time + (rule.k[0] * ox + rule.k[1] * oz))];
     case "wrap":
       return [modulo(rule.offset + (rule.rate ?? 0) * state.time + (rule.k[0] * ox + rule.k[1] * oz), rule.period)];
-    case "loop": return [modulo(state.time + rule.offset, rule.period)];
+    case "loop": return [modulo((rule.step ? state.time - modulo(state.time, rule.step) : state.time) + rule.offset, rule.period)];
     case "clamp": {
       const value = rule.offset + rule.rate * state.time + (rule.k[0] * ox + rule.k[1] * oz);
       return [Math.min(Math.max(value, rule.low), rule.high)];
@@ -106,6 +106,9 @@ export function planCovers(plan: Pick<FramePlan, "live">, planned: Json, request
     value !== null && [CAMERA_POINTER, ...plan.live].some((field) => isWithin(pointer, field)),
   );
 }
+
+/** Whether a rule's number changes with time, but not in every frame. */
+export const isStepped = (rule: Rule) => rule.rule === "loop" && typeof rule.step === "number";
 
 /** Whether a rule has numbers that follow the scene's fields. */
 export function isLive(rule: Rule): boolean {

@@ -130,7 +130,7 @@ export function Passes(props: PassesProps) {
   const { plan } = props;
   const kinds = [
     { when: "frame", title: "In every frame" },
-    { when: "setup", title: "Once: neither time nor camera enters" },
+    { when: "setup", title: "Kept: not drawn in every frame" },
   ] as const;
   return (
     <>

@@ -105,6 +105,18 @@ describe("setup passes", () => {
     }
   });
 
+  it("are drawn again when a step of time begins that they hang on", async () => {
+    const { gpu, draws } = driver();
+    const stepped: Uniform = { type: "float", count: 1, rules: [{ rule: "loop", period: 10, offset: 0, step: 2 }] };
+    const base = plan();
+    const executor = await load(gpu, { ...base, uniforms: { ...base.uniforms, u_colour: stepped } });
+    for (const [time, count] of [[2, 3], [3.9, 1], [4, 3], [5, 1], [-0.1, 3]] as const) {
+      const before = draws.length;
+      executor.draw(frame(time));
+      expect(draws.length - before).toBe(count);
+    }
+  });
+
   it("are not drawn again for what they do not hang on", async () => {
     const { gpu, draws } = driver();
     const fixed: Uniform = { type: "float", count: 1, rules: [{ rule: "constant", value: [0.5], field: null }] };

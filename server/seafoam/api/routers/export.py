@@ -24,7 +24,7 @@ from seafoam.api.http.parameters import ExportRequest, quality_of
 from seafoam.api.http.problems import NotBuiltError
 from seafoam.api.http.validation import Strict, known_preset
 from seafoam.framegraph.evaluation import FrameState, evaluate
-from seafoam.framegraph.plan import FramePlan, Pass, declared_uniforms
+from seafoam.framegraph.plan import FramePlan, Pass, uniforms_of
 from seafoam.render.service.jobs import FrameJob
 from seafoam.resources import data_dir
 from seafoam.scene import load_preset
@@ -107,15 +107,11 @@ def _values(job: FrameJob, plan: FramePlan, one: Pass, index: int) -> dict[str, 
     if one.target != "screen":
         width, height = plan.targets[one.target].size.of_picture(width, height)
     state = FrameState(job.time, job.camera, job.width, job.height, width, height, index)
-    program = plan.programs[one.program]
-    declared = declared_uniforms(program.vertex) | declared_uniforms(program.fragment)
-    values = {}
-    for name in sorted(name for name, sampler in declared.items() if not sampler):
-        uniform = one.uniforms.get(name) or plan.uniforms.get(name)
-        if uniform is not None:
-            said = [float(value) for value in evaluate(uniform, state)]
-            values[name] = {"type": uniform.type, "count": uniform.count, "values": said}
-    return values
+    used = sorted(uniforms_of(one, plan.programs[one.program], plan.uniforms).items())
+    return {
+        name: {"type": uniform.type, "count": uniform.count, "values": evaluate(uniform, state).tolist()}
+        for name, uniform in used
+    }
 
 
 def zipped(job: FrameJob, compiled: CompiledPlan, player: dict[str, bytes]) -> bytes:

@@ -12,7 +12,7 @@ from seafoam.effects.shader import Inline, Piece, SlotRef, constant_function
 from seafoam.effects.shore.maps import MASK_WAVES, mask_uniforms
 from seafoam.effects.waves.parametric import earlier_wave_files, group_bounds, max_profile_slope
 from seafoam.effects.waves.rings import ring_uniforms
-from seafoam.effects.waves.sea import BLOCKS, WaterDrawing, drawn_tiles
+from seafoam.effects.waves.sea import BLOCKS, WaterDrawing, drawn_tiles, loop_time
 from seafoam.framegraph import rules
 from seafoam.ocean.basics.dispersion import angular_frequency
 from seafoam.ocean.coast.rocks import ROCKS, rocks
@@ -91,7 +91,7 @@ def _on_rocks(scene: Scene, spray: Spray) -> bool:
 
 
 def _surf(scene: Scene, quality: Quality, spray: Spray, shore: Shore) -> Births:
-    files, water = _earlier_water(scene, quality, None)
+    files, water = _earlier_water(scene, quality, spray, None)
     breaking = ("spray/births.glsl@breaking_surf", "spray/births.glsl@open")
     surf = Births(
         words="surf on a beach",
@@ -154,7 +154,7 @@ def _open(scene: Scene, quality: Quality, spray: Spray) -> Births | None:
         return None
     parts = {"folds of the sea": limits, f"fronts that rise at {fastest:.2g} m/s at most": fronts}
     words = " and ".join(part for part, there in parts.items() if there)
-    files, water = _earlier_water(scene, quality, limits)
+    files, water = _earlier_water(scene, quality, spray, limits)
     crest, torn, heading, strong = (0.0, 0.0), 0.0, 0.0, 0.0
     if scene.sea is not None and tiles:
         crest, torn = model.crest_velocity(scene.sea), model.torn_share(scene.sea, spray)
@@ -174,7 +174,7 @@ def _open(scene: Scene, quality: Quality, spray: Spray) -> Births | None:
 
 
 def _earlier_water(
-    scene: Scene, quality: Quality, limits: tuple[float, float] | None
+    scene: Scene, quality: Quality, spray: Spray, limits: tuple[float, float] | None
 ) -> tuple[list[Piece | SlotRef], Resources]:
     """Files of the open water at the births of batches, and what they need."""
     earlier, waves = _earlier(scene)
@@ -183,7 +183,7 @@ def _earlier_water(
     # A shore's files declare the places in the tiles.
     places = [] if scene.shore is not None else [_SEA_PLACES]
     files = ["lib/texels.glsl@cubic_spline", BLOCKS, *places, "spray/seas.glsl@sea_waves", *earlier]
-    return files, waves.joined(_seas(scene.sea, quality, drawn_tiles(scene, quality)[:RAISED], limits))
+    return files, waves.joined(_seas(scene.sea, quality, spray, drawn_tiles(scene, quality)[:RAISED], limits))
 
 
 def _earlier(scene: Scene) -> tuple[list[Piece | SlotRef], Resources]:
@@ -224,7 +224,9 @@ def _grids(spray: Spray) -> Resources:
     )
 
 
-def _seas(sea: Sea, quality: Quality, tiles: tuple[Cascade, ...], limits: tuple[float, float] | None) -> Resources:
+def _seas(
+    sea: Sea, quality: Quality, spray: Spray, tiles: tuple[Cascade, ...], limits: tuple[float, float] | None
+) -> Resources:
     # Half for the widest pixels: errors of storm grow by 1 %, the frame takes 5 % less.
     texels = min(quality.sea_size, model.SEA_TEXELS) // (2 if quality.pixel_width > 3 else 1)
     chops = [tile.choppiness(sea.choppiness) for tile in tiles]
@@ -245,7 +247,11 @@ def _seas(sea: Sea, quality: Quality, tiles: tuple[Cascade, ...], limits: tuple[
         by_wave=("waves at the births of drops", "spray_gerstner", (_TIMES, "spray/seas.glsl@gerstner_pass")),
         by_spectrum=("spectrum at the births of drops", "spray_spectrum", (_TIMES, "spray/seas.glsl@spectrum_pass")),
         transforms="sea at the births of drops",
-        uniforms={"u_spray_scale": rules.vector((scale[0], scale[-1]))},
+        uniforms={
+            "u_spray_scale": rules.vector((scale[0], scale[-1])),
+            # A sea by FFT is drawn anew when a batch is born, not in every frame.
+            **({} if sea.model == "gerstner" else loop_time(spray.life / model.BATCHES)),
+        },
         read=texels,
         stage="after",
     )

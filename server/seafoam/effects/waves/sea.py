@@ -79,7 +79,7 @@ class WaterDrawing:
         side = min(2 * BAND, self.size)
         spectra, *rows = f"{self.target}_spectra", f"{self.target}_rows", f"{self.second}_rows"
         columns = self.second, self.target
-        first = self._first(self.by_spectrum, ("spectrum", "spectra_pass"), _LOOP_TIME, spectra)
+        first = self._first(self.by_spectrum, ("spectrum", "spectra_pass"), loop_time(), spectra)
         return Resources(
             targets={
                 spectra: self._layers(side // 4, side),
@@ -126,11 +126,10 @@ class WaterDrawing:
                 source = target
 
 
-_LOOP_TIME = {
-    "u_sea_loop": Uniform(type="float", rules=(Loop(period=LOOP),)),
-    "u_sea_fine": Uniform(type="float", rules=(Loop(period=LOOP / 1024.0),)),
-}
-"""Time in the loop, s, modulo the loop and modulo its 1024th part."""
+def loop_time(step: float | None = None) -> dict[str, Uniform]:
+    """Time in the loop, s, modulo the loop and modulo its 1024th part. ``step``: that of the last multiple of it."""
+    periods = {"u_sea_loop": LOOP, "u_sea_fine": LOOP / 1024.0}
+    return {name: array("float", [Loop(period=period, step=step)], 1) for name, period in periods.items()}
 
 
 def _gerstner_uniforms(tiles: Sequence[Cascade], size: int) -> dict[str, Uniform]:

@@ -17,8 +17,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from seafoam.framegraph.evaluation import FrameState, evaluate
-from seafoam.framegraph.plan import Blend, FramePlan, Grid, Mesh, Points, Program, Quads, declared_uniforms
+from seafoam.framegraph.plan import Blend, FramePlan, Grid, Mesh, Pass, Points, Program, Quads, uniforms_of
 from seafoam.framegraph.resources import MIPMAPPED, Target, Texture, TextureInput
+from seafoam.framegraph.rules import Loop, Uniform
 from seafoam.framegraph.visibility import drawn_passes, passes_into, reads
 from seafoam.render.gl.compilers import COLD_SECONDS, CompileRequest, SecondCompiler, may_assist
 from seafoam.render.gl.context import NoRendererError, attach_layers, create_context
@@ -97,6 +98,21 @@ class _Linked:
         self.program.release()
 
 
+@dataclass
+class _Kept:
+    """A target that setup passes draw, their uniforms by rules with a step, and the numbers that it was drawn by."""
+
+    target: tuple[Any, ...]
+    stepped: tuple[Uniform, ...]
+    drawn: bytes | None = None
+
+    def numbers(self, frame: FrameState) -> bytes:
+        return b"".join(evaluate(uniform, frame).tobytes() for uniform in self.stepped)
+
+    def release(self) -> None:
+        Cache.release(self.target)
+
+
 class Executor:
     """Draws plans. Owns the process's GL context; raises :class:`NoRendererError` if there is none.
 
@@ -154,7 +170,7 @@ class Executor:
             if name not in setup
         }
         framebuffers["screen"] = self._screen(width, height, output)
-        framebuffers |= self._set_up(plan, drawn, camera)
+        framebuffers |= self._set_up(plan, drawn, FrameState(time, camera, 1, 1, 1, 1, 0))
         frame = FrameState(time, camera, width, height, width, height, 0)
         # All frame passes are drawn, since plans share their targets and may have overwritten those of earlier frames.
         for index, visible in drawn.items():
@@ -252,31 +268,37 @@ class Executor:
                 "a GL context draws only in the thread that created it; in others it draws nothing, without an error"
             )
 
-    def _set_up(self, plan: FramePlan, drawn: Iterable[int], camera: Camera) -> dict[str, tuple[Any, ...]]:
+    def _set_up(self, plan: FramePlan, drawn: Iterable[int], frame: FrameState) -> dict[str, tuple[Any, ...]]:
         """Return the kept targets that passes of ``drawn`` read, with the content that setup passes draw.
 
-        Targets that no earlier frame has drawn, of this plan or of one with the same hash, are drawn now; they do not
-        depend on the frame.
+        Targets that no earlier frame has drawn, of this plan or of one with the same hash, or that it drew with other
+        numbers of rules with a step, are drawn now; on nothing else of the frame they depend.
         """
         setup = {index: plan.passes[index] for index in drawn if plan.passes[index].when == "setup"}
         wanted = {name for index in drawn if index not in setup for name in reads(plan.passes[index])}
         needed = {name: digest for name, digest in plan.kept.items() if name in wanted}
-        missing = {digest: name for name, digest in needed.items() if digest not in self._static}
+        kept: dict[str, _Kept] = {}
+        for name, digest in needed.items():
+            make = partial(self._keep, plan, name, passes_into(setup, [name]))
+            kept[name] = self._static.get(digest, make)
+        missing = {name: numbers for name, one in kept.items() if (numbers := one.numbers(frame)) != one.drawn}
         if missing:
-            steps = passes_into(setup, missing.values())
+            steps = passes_into(setup, missing)
             into = {step.target: self._target(step.target, plan.targets[step.target]) for step in steps.values()}
-            created = {digest: self._create(plan.targets[name]) for digest, name in missing.items()}
-            into |= {name: created[digest] for digest, name in missing.items()}
-            try:
-                for index in steps:
-                    self._draw(plan, index, into, FrameState(0.0, camera, 1, 1, 1, 1, index))
-            except BaseException:
-                for target in created.values():
-                    Cache.release(target)
-                raise
-            for digest, target in created.items():
-                self._static.put(digest, target)
-        return {name: self._static.get(digest) for name, digest in needed.items()}
+            into |= {name: kept[name].target for name in missing}
+            for name in missing:
+                kept[name].drawn = None
+            for index in steps:
+                self._draw(plan, index, into, frame)
+            for name, numbers in missing.items():
+                kept[name].drawn = numbers
+        return {name: one.target for name, one in kept.items()}
+
+    def _keep(self, plan: FramePlan, name: str, steps: Mapping[int, Pass]) -> "_Kept":
+        """Return the kept target ``name``, which ``steps`` are to draw."""
+        used = [uniforms_of(step, plan.programs[step.program], plan.uniforms).values() for step in steps.values()]
+        stepped = tuple(uniform for own in used for uniform in own if _stepped(uniform))
+        return _Kept(self._create(plan.targets[name]), stepped)
 
     def _draw(self, plan: FramePlan, index: int, framebuffers: dict[str, tuple[Any, ...]], frame: FrameState) -> None:
         """Draw a pass of a frame, which is given but for the pass and the size of its target."""
@@ -305,9 +327,8 @@ class Executor:
             image.use(unit)
             program[name] = unit
         # Uniforms that the compiler has removed are declared in the source but missing in the program.
-        for name in declared_uniforms(model.vertex) | declared_uniforms(model.fragment):
-            if name in program and name not in step.inputs:
-                uniform = step.uniforms.get(name) or plan.uniforms[name]
+        for name, uniform in uniforms_of(step, model, plan.uniforms).items():
+            if name in program:
                 member = cast(moderngl.Uniform, program[name])
                 # Drivers shorten arrays whose last elements are never read.
                 values = evaluate(uniform, state)[: member.array_length * member.dimension]
@@ -399,6 +420,10 @@ def longest_first(plan: FramePlan, drawn: Mapping[int, bool]) -> list[int]:
         if visible:
             ways.setdefault((step.program, step.state.model_copy(update={"clear": False}), form), index)
     return sorted(ways.values(), key=lambda index: -len(plan.programs[plan.passes[index].program].fragment.text))
+
+
+def _stepped(uniform: Uniform) -> bool:
+    return any(isinstance(rule, Loop) and rule.step is not None for rule in uniform.rules)
 
 
 def _key(program: Program) -> tuple[str, str]:

@@ -56,9 +56,6 @@ class Cache:
         self._items.move_to_end(key)
         return self._items[key]
 
-    def put(self, key: Any, item: Any) -> None:
-        self._items[key] = item
-
     def trim(self) -> None:
         """Release objects over the limit; called between frames, when nothing is in use."""
         while len(self._items) > self._size:
