@@ -43,7 +43,7 @@ void main() {
     int row = at.y / (side + 1);
     sea_block = row == 0 ? u_sea_block : u_sea_other;
     vec2 corner = float(SEA_DISPLACED) / float(side) * vec2(at.x, (at.y - row * (side + 1)) & (side - 1));
-    o_tile = vec4(sea_block.y * (resting(corner) - corner), 0.0, 0.0);
+    o_tile = vec4(sea_block.y * (rested(corner, corner, SEA_NEWTON_ORBIT) - corner), 0.0, 0.0);
 }
 
 // @part shore

@@ -354,12 +354,29 @@ vec2 unstretched(vec3 a, vec2 v) {
     return vec2(a.y * v.x - a.z * v.y, a.x * v.y - a.z * v.x) / max(a.x * a.y - a.z * a.z, SEA_LEAST_JACOBIAN);
 }
 
-// Where the water rests that is at p, texels.
-vec2 resting(vec2 p) {
-    vec2 x = p;
-    for (int i = 0; i < SEA_NEWTON; ++i) {
+// Where the water rests that is at p, texels; x: where it is looked for first.
+vec2 rested(vec2 p, vec2 x, int steps) {
+    for (int i = 0; i < steps; ++i) {
         Displaced here = displaced(x);
         x -= unstretched(stretch(here), x + sea_block.z / sea_block.y * here.value.yz - p);
     }
     return x;
+}
+
+// @part resting
+// The same, looked for from p itself.
+vec2 resting(vec2 p) {
+    return rested(p, p, SEA_NEWTON);
+}
+
+// @part resting_found
+// The same, looked for from where the map of orbits has it, if it has the tile.
+uniform sampler2D u_sea_orbits; // x, z: to the resting place, m
+
+vec2 resting(vec2 p) {
+    if (sea_block.x > 1.5) {
+        return rested(p, p, SEA_NEWTON);
+    }
+    vec2 way = sea_fetch_four(u_sea_orbits, p / float(SEA_DISPLACED), int(sea_block.x)).xy;
+    return rested(p, p + way / sea_block.y, SEA_NEWTON_FOUND);
 }

@@ -147,7 +147,8 @@ def test_what_time_changes_in_steps_is_drawn_when_a_step_begins(
 ) -> None:
     plan = make_plan(load_preset("storm").scene, STANDARD)
     births = [one.name for one in plan.passes if "at the births of drops" in one.name]
-    assert len(births) == 9 and {one.when for one in plan.passes if one.name in births} == {"setup"}
+    assert len(births) == 9
+    assert {one.when for one in plan.passes if one.name in births} == {"setup"}
     # A batch of drops is born at every whole second.
     frames = [[name for name in drawn(plan, time) if name in births] for time in (3.0, 3.9, 4.1, 4.2, 3.9, -0.5)]
     assert frames == [births, [], births, [], births, births]
@@ -200,7 +201,7 @@ def along_rows(seen: NDArray[np.float64], x: NDArray[np.float64], cubic: bool) -
 
 
 def enlarged(picture: NDArray[np.float64], width: int, wide: int) -> NDArray[np.float64]:
-    """What is shown of (height, columns, 4), the top row first; wide: width of a column. docs/formulae.md, section 1."""
+    """What is shown of (height, columns, 4), the top row first; wide: of a column. docs/formulae.md, section 1."""
     colors = np.maximum(picture[..., :3], 0.0)
     seen = np.concatenate([colors / (1.0 + colors.max(-1, keepdims=True)), picture[..., 3:]], -1)
     height, columns = seen.shape[:2]

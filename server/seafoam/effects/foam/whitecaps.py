@@ -86,7 +86,7 @@ def _recent(scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Qualit
     carried = PassSpec(
         "earlier folds",
         "age_tile",
-        (*waves.RESAMPLED, "waves/age.glsl@tile_pass"),
+        (*waves.resampled(scene, quality), "waves/age.glsl@tile_pass"),
         {"u_sea_displaced": waves.DISPLACED, "u_age_folds": jacobians.target},
         waves.raised_blocks(sea, raised, quality),
         target="age_tiles",
@@ -113,7 +113,7 @@ def _old(scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Quality, 
     foam = PassSpec(
         "foam of long ago",
         "old_foam",
-        (*waves.RESAMPLED, "waves/age.glsl@old_foam_pass"),
+        (*waves.resampled(scene, quality), "waves/age.glsl@old_foam_pass"),
         read={"u_sea_displaced": waves.DISPLACED, "u_old_folds": jacobians.target},
         uniforms={
             "u_sea_block": waves.tile_block(sea, largest, 0, quality),

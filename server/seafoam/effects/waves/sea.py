@@ -43,8 +43,7 @@ DISPLACED = "sea_a"
 """The target with the displacements of the water."""
 BLOCKS = f"{_PASSES}blocks"
 """File that reads blocks of water."""
-RESAMPLED = ("lib/texels.glsl@cubic_spline", BLOCKS, f"{_PASSES}resample_pass")
-"""Files that find the rest position of the water at a place, and what moves with it."""
+_RESAMPLED = ("lib/texels.glsl@cubic_spline", BLOCKS, f"{_PASSES}resample_pass")
 
 
 @dataclass(frozen=True)
@@ -161,6 +160,16 @@ def raised_blocks(sea: Sea, raised: Sequence[Cascade], quality: Quality) -> dict
     return {"u_sea_block": blocks[0], "u_sea_other": blocks[-1]}
 
 
+def resampled(scene: Scene, quality: Quality) -> tuple[str, ...]:
+    """Return files that find the rest position of the water at a place, and what moves with it.
+
+    They begin from the map of orbits, which is as exact as two Newton steps, where there is one.
+    """
+    if follows_orbits(scene) and quality.sea_digits == "half":
+        return (*_RESAMPLED, "waves/sea_passes.glsl@fetch_linear", "waves/sea_passes.glsl@resting_found")
+    return (*_RESAMPLED, "waves/sea_passes.glsl@resting")
+
+
 def sea_quality(scene: Scene, quality: Quality) -> Quality:
     """Return the quality with no more texels along a tile than make a visible difference in the scene."""
     breaks = scene.sea is not None and scene.sea.wind_speed >= WHITECAP_WIND
@@ -253,9 +262,9 @@ def _draw(scene: Scene, sea: Sea, quality: Quality) -> Contribution:
     )
     return contribution.joined(
         _displaced_water(sea, scene.water.depth, tiles, displaced_size(quality)),
-        *(_height_map(sea, i, tile, quality) for i, tile in enumerate(tiles)),
-        _mip_maps(tiles, quality),
         _orbits(sea, raised, quality) if follows_orbits(scene) else Resources(),
+        *(_height_map(scene, i, tile, quality) for i, tile in enumerate(tiles)),
+        _mip_maps(tiles, quality),
     )
 
 
@@ -268,6 +277,7 @@ def _why(sea: Sea, tiles: Sequence[Cascade], size: int) -> str:
 
 def _consts(sea: Sea, tiles: Sequence[Cascade], quality: Quality) -> dict[str, Const]:
     gerstner = sea.model == "gerstner"
+    steps = 0 if sea.choppiness == 0.0 else NEWTON if quality.pixel_width == 1 else NEWTON_WIDE
     return {
         "SEA_SIZE": quality.sea_size,
         "SEA_DISPLACED": displaced_size(quality),
@@ -277,7 +287,9 @@ def _consts(sea: Sea, tiles: Sequence[Cascade], quality: Quality) -> dict[str, C
         "SEA_DETAIL_FINER": math.log2(detail_size(quality) / quality.sea_size),
         "SEA_BAND": BAND,
         "SEA_LOOP": LOOP,
-        "SEA_NEWTON": 0 if sea.choppiness == 0.0 else NEWTON if quality.pixel_width == 1 else NEWTON_WIDE,
+        "SEA_NEWTON": steps,
+        "SEA_NEWTON_FOUND": max(steps - 1, 0),
+        "SEA_NEWTON_ORBIT": 0 if sea.choppiness == 0.0 else NEWTON,
         "SEA_LEAST_JACOBIAN": LEAST_JACOBIAN,
         "SEA_LEVELS": quality.sea_size.bit_length() - 4,
         "GERSTNER_WAVES": max(len([wave for tile in tiles for wave in tile.waves]), 1) if gerstner else 2,
@@ -326,17 +338,18 @@ def _displaced_water(sea: Sea, depth: float | None, tiles: Sequence[Cascade], si
     return replace(water.resources(sea, tiles), textures={} if sea.model == "gerstner" else textures)
 
 
-def _height_map(sea: Sea, index: int, tile: Cascade, quality: Quality) -> Resources:
+def _height_map(scene: Scene, index: int, tile: Cascade, quality: Quality) -> Resources:
     """Height and slopes of a tile over the level plane, and its measured bounds if it displaces the surface."""
+    assert scene.sea is not None
     name = f"sea_tile_{index}"
     size = quality.sea_size if index < RAISED else displaced_size(quality)
     drawn = PassSpec(
         f"sea, {tile.size:g} m tile",
         "sea_tile",
-        (*RESAMPLED, "waves/sea_passes.glsl@tile_pass"),
+        (*resampled(scene, quality), "waves/sea_passes.glsl@tile_pass"),
         {"u_sea_displaced": DISPLACED},
         {
-            "u_sea_block": tile_block(sea, tile, index, quality),
+            "u_sea_block": tile_block(scene.sea, tile, index, quality),
             "u_sea_corner": number(displaced_size(quality) / size),
             "u_sea_limit": vector((significant(tile.limit), significant(tile.max_slope))),
         },
@@ -376,7 +389,7 @@ def _orbits(sea: Sea, raised: Sequence[Cascade], quality: Quality) -> Resources:
     """Horizontal displacement of the water, which carries foam: the tiles on top of each other in one map."""
     side = quality.sea_size // 2
     size = FixedSize(width=side, height=RAISED * (side + 1))
-    files, blocks = (*RESAMPLED, "foam/carry.glsl@sea_orbit"), raised_blocks(sea, raised, quality)
+    files, blocks = (*_RESAMPLED, "foam/carry.glsl@sea_orbit"), raised_blocks(sea, raised, quality)
     drawn = PassSpec("orbits of the sea", "sea_orbit", files, {"u_sea_displaced": DISPLACED}, blocks, "sea_orbits")
     target = tile_target(quality, side).model_copy(update={"size": size})
     carry = Resources(slots=(SlotFile("carry", "foam/carry.glsl@sea", prefix="sea"),))
