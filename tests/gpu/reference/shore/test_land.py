@@ -4,12 +4,13 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from seafoam.ocean.coast.rocks import splash_height
 from seafoam.reference.light import light as sky
 from seafoam.reference.shore import soil as truth
 from seafoam.reference.shore.shore import land_shadow
 from seafoam.render.gl.executor import Executor
 from support.report import Report
-from support.scenes import Light, Scene
+from support.scenes import Light, Scene, load_preset
 from support.scenes.coasts import SEA, SHORE, coast, on_shore, places
 
 HIGH = SEA.model_copy(
@@ -60,6 +61,27 @@ def test_soil(side: float, executor: Executor, report: Report) -> None:
         film=(most(colour[:, 3] - want.film), 2e-3),
         wetness=(most(wet), 1e-3),
     )
+
+
+def test_rock_is_dark_where_spray_wets_it(executor: Executor, report: Report) -> None:
+    """Of spray-on-rocks: up to the splash's height half as bright as dry, with a film; from twice of it on as dry."""
+    wet = load_preset("spray-on-rocks").scene.settled
+    assert wet.shore is not None
+    height, splash = Ground(executor, wet).height, splash_height(wet.shore, wet.spray)
+    soaked, bare = (
+        _drawn(executor, scene, 0.3, "vec4(soil.albedo, wet.x < 0.05 ? soil.film : -1.0)")
+        for scene in (wet, wet.model_copy(update={"spray": None}))
+    )
+    share = soaked[:, 1] / np.maximum(bare[:, 1], 1e-6)
+    never = soaked[:, 3] >= 0.0
+    low, high = ((height > 0.02) & (height < splash) & never, (height > 2.0 * splash) & never)
+    report.add(
+        "Wet rock over dry: low, high", points=str(low.sum()), got=f"{share[low].mean():.3f} {share[high].mean():.3f}"
+    )
+    assert splash > 0.3
+    assert share[low] == pytest.approx(0.5, abs=0.02)
+    assert soaked[low, 3].mean() > bare[low, 3].mean() + 0.05
+    assert share[high] == pytest.approx(1.0, abs=1e-3)
 
 
 def test_what_the_footprint_hides_goes_over_into_its_mean(executor: Executor, report: Report) -> None:
