@@ -20,6 +20,7 @@ NOT_RUN = {
     ".venv/bin/python docs/make_paper.py": "tests/fast/project/test_generated.py makes the same tables",
     ".venv/bin/python docs/make_tiers.py": "half an hour; tests/fast/accuracy/test_reports.py reads what it wrote",
     "python docs/make_whitecaps.py": "minutes",
+    ".venv/bin/python docs/looks/make_second_look.py": "minutes, and an older checkout or frames of a sequence",
     ".venv/bin/seafoam serve": "the server that the other snippets ask",
     ".venv/bin/seafoam accuracy": "minutes; tests/gpu/accuracy measures small ones",
     ".venv/bin/python -c": "docs/python.md begins with the same, and is run",

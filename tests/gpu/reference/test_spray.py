@@ -25,6 +25,7 @@ from seafoam.ocean.foam.spray import (
 )
 from seafoam.quality import TIERS
 from seafoam.reference import spray as flying
+from seafoam.reference.noise import number
 from seafoam.reference.shore.shore import Coast
 from seafoam.reference.types import Relief
 from seafoam.reference.waves.parametric import wave_set
@@ -32,7 +33,7 @@ from seafoam.reference.waves.rings import ring_set
 from seafoam.reference.waves.sea import sea_surface
 from seafoam.render.gl.executor import Executor
 from seafoam.render.service.jobs import measure
-from seafoam.scene import Camera, Scene
+from seafoam.scene import Camera, Scene, load_preset
 from seafoam.scene.light import Light
 from seafoam.scene.shore import Shore, Surf
 from seafoam.scene.spray import Burst, Spray
@@ -324,3 +325,104 @@ def test_a_sea_without_single_waves_throws_drops_where_it_folds(executor: Execut
         assert np.mean(folds < limits[0]) >= 0.95
     calm = STORM.model_copy(update={"sea": sea_of.model_copy(update={"wind": 0.0})})
     assert EFFECT.contribute(calm, TIERS["standard"]).bound is not None  # type: ignore[union-attr]
+
+
+def aloft(
+    executor: Executor, scene: Scene, time: float
+) -> tuple[flying.Drops, NDArray[np.float64], NDArray[np.float64]]:
+    """Drops in the air, where they are (n, 3), m from the eye's place at sea level, and their optical depths and radii
+    (2, n)."""
+    spray = scene.spray
+    assert spray is not None
+    drops = flying.Drops.of(births(executor, scene, time).astype(np.float32))
+    of, vary = flying.KINDS[drops.kind.astype(np.intp)], number(drops.seed, 6)
+    wind = (spray.wind_speed * math.cos(spray.downwind), spray.wind_speed * math.sin(spray.downwind))
+    tau = of["drag"] * spray.drag * (0.6 + 0.8 * vary)
+    place = flying.flight(drops.birth, drops.velocity, drops.age, tau, of["weight"], wind)[0]
+    waited = (
+        drops.age
+        if spray.bursts or scene.shore
+        else drops.age - spray.life / BATCHES * number(drops.seed, 8) * of["wait"]
+    )
+    radius, depth, _ = flying.form(drops.kind, waited, drops.life, vary, number(drops.seed, 9))
+    return drops, place, np.stack((depth * drops.strength, radius * drops.radius))
+
+
+def test_spindrift_is_a_low_veil_along_the_wind(executor: Executor, report: Report) -> None:
+    """Of storm, by what drops hide: densest within 15 m of the crest that it was torn off, from there on thinner and
+    gone at 30 m (the swell is 183 m long); over raised water, and low."""
+    scene = load_preset("storm").scene.settled
+    spray, sea_of, origin = scene.spray, scene.sea, (scene.camera.position[0], scene.camera.position[2])
+    assert spray is not None
+    assert sea_of is not None
+    downwind, crest = (math.cos(spray.downwind), math.sin(spray.downwind)), np.array(crest_velocity(sea_of))
+    every = []
+    for time in (44.0, 44.25, 44.5, 44.75):  # of batches of 1 s
+        drops, place, (depth, radius) = aloft(executor, scene, time)
+        assert (drops.kind == flying.DRIFT).all()
+        gone = (place[:, ::2] - drops.birth[:, ::2] - crest * drops.age[:, None]) @ downwind
+        every.append(np.stack((gone, depth * radius**2)))
+    away, hides = np.concatenate(every, axis=1)
+    share = np.histogram(away, [-1.0, 5.0, 10.0, 15.0, 20.0, 30.0], weights=hides)[0] / hides.sum()
+    sea, anywhere = sea_surface(scene, time, origin), np.random.default_rng(1).uniform(-150.0, 150.0, (2, 5000))
+    assert sea is not None
+    waves = wave_set(scene, time, origin)
+    water, level = (sea.height(*at) + waves.height(*at) for at in (place[:, ::2].T, anywhere))
+    over, seen = place[:, 1] - water, every[-1][1] * (place[:, 1] > water)
+    raised = (np.average(water, weights=seen) - level.mean()) / level.std()
+    low, lowest = (float(np.average(over < most, weights=seen)) for most in (4.0, 1.0))
+    report.add(
+        "Spindrift of storm: shares of each 5 m from its crest; deviations by which its water is up; below 1 and 4 m",
+        got=f"{np.round(share, 3)}; {raised:.2f}; {lowest:.2f}, {low:.2f}",
+    )
+    assert share.sum() == pytest.approx(1.0)
+    assert share[:3].sum() > 0.6
+    assert max(share[1], share[2]) > share[3] > share[4]
+    assert raised > 0.25
+    assert lowest > 0.6
+    assert low > 0.98
+
+
+def test_an_explosion_is_a_column_then_a_surge_then_a_ring(executor: Executor) -> None:
+    """Of the preset from its opening on, and again 45 s later: heights (m) of what is thrown up, the surge's width, and
+    the radius at which the ring is highest."""
+    found = load_preset("explosion")
+    scene, opening = found.scene.settled, found.time
+    (x, _, z), (middle_x, middle_z) = scene.camera.position, scene.rings[0].place
+    turns, radii = np.linspace(0.0, 2.0 * math.pi, 24, endpoint=False), np.arange(1.0, 40.0, 0.5)
+    ring = radii[:, None, None] * np.stack((np.cos(turns), np.sin(turns)), axis=-1) + (middle_x - x, middle_z - z)
+    column, surge, crest, again = {}, {}, {}, {}
+    for after in (0.0, 1.0, 3.0, 5.0, 14.0, 45.0):
+        drops, place, (depth, _) = aloft(executor, scene, opening + after)
+        seen = (place[:, 1] > 0.0) & (depth > 0.0)
+        height, out = place[:, 1], np.hypot(place[:, 0] + x - middle_x, place[:, 2] + z - middle_z)
+        column[after] = height[seen & (drops.kind == flying.COLUMN)].max(initial=0.0)
+        surge[after] = [part[seen & (drops.kind == flying.MIST)].max(initial=0.0) for part in (height, out)]
+        water = ring_set(scene, opening + after, (x, z)).height(*ring.reshape(-1, 2).T).reshape(radii.size, -1)
+        crest[after], again[after] = radii[np.abs(water).mean(axis=1).argmax()], (height, water)
+    assert column[0.0] > 6.0
+    assert column[1.0] < 2.0
+    assert surge[1.0][0] < 2.0
+    assert surge[1.0][1] > surge[0.0][1] > 10.0
+    assert column[3.0] == column[5.0] == surge[3.0][0] == 0.0
+    assert 4.0 < crest[0.0] < crest[3.0] < crest[5.0] < 20.0
+    assert column[14.0] > 10.0
+    for first, second in zip(again[0.0], again[45.0], strict=True):
+        assert first == pytest.approx(second, abs=0.02)
+
+
+def test_sheets_go_up_rocks_and_fall_back_between_waves(executor: Executor) -> None:
+    """Of spray-on-rocks, by the highest hundredth (m over still water): up with each wave and down before the next;
+    mist outlasts them."""
+    found = load_preset("spray-on-rocks")
+    tops: dict[float, list[float]] = {}
+    for after in (0.0, 0.8, 1.6, 4.0, 8.0):
+        drops, place, (depth, _) = aloft(executor, found.scene.settled, found.time + after)
+        seen = (place[:, 1] > 0.0) & (depth > 0.0)
+        heights = [place[seen & (drops.kind == kind), 1] for kind in (flying.SHEET, flying.MIST)]
+        tops[after] = [float(np.quantile(one, 0.99)) if one.size else 0.0 for one in heights]
+    assert min(tops[0.0][0], tops[0.8][0]) > 5.0
+    assert tops[0.8][0] > tops[1.6][0]
+    assert tops[1.6][1] > 10.0
+    assert tops[4.0] == [0.0, 0.0]
+    assert tops[8.0][0] > 3.0

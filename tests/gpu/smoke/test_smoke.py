@@ -65,11 +65,13 @@ def test_as_much_foam_is_seen_as_the_wind_makes(executor: Executor, report: Repo
 
 
 def test_the_boat_is_seen_all_the_first_minute(executor: Executor) -> None:
+    """Against frames with the boat behind the camera: without a boat the plan has other pixels, which differ too."""
     scene = load_preset("boat-in-storm").scene
-    with_boat, without = (views(executor, one, MINUTE) for one in (scene, scene.model_copy(update={"boats": ()})))
-    for one, other in zip(with_boat, without, strict=True):
+    behind = scene.boats[0].model_copy(update={"centre": (0.0, 300.0)})
+    seen, unseen = (views(executor, one, MINUTE) for one in (scene, scene.model_copy(update={"boats": (behind,)})))
+    for one, other in zip(seen, unseen, strict=True):
         changed = np.abs(colours(one) - colours(other)).max(axis=-1) > 0.1
-        assert changed.mean() > 0.01
+        assert changed.mean() > 0.005
         # With its reflection and shadow; the page's controls cover the foot of the picture.
         assert np.nonzero(changed)[0].mean() < 2.0 / 3.0 * LARGER[1]
 

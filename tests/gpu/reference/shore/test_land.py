@@ -4,12 +4,13 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from seafoam.ocean.coast.rocks import splash_height
 from seafoam.reference.light import light as sky
 from seafoam.reference.shore import soil as truth
 from seafoam.reference.shore.shore import land_shadow
 from seafoam.render.gl.executor import Executor
 from support.report import Report
-from support.scenes import Light, Scene
+from support.scenes import Light, Scene, load_preset
 from support.scenes.coasts import SEA, SHORE, coast, on_shore, places
 
 HIGH = SEA.model_copy(
@@ -60,6 +61,32 @@ def test_soil(side: float, executor: Executor, report: Report) -> None:
         film=(most(colour[:, 3] - want.film), 2e-3),
         wetness=(most(wet), 1e-3),
     )
+
+
+def test_rock_is_dark_where_spray_wets_it(executor: Executor, report: Report) -> None:
+    """Of spray-on-rocks: up to the splash's height half as bright as dry, with a film; less so up to twice of it."""
+    wet = load_preset("spray-on-rocks").scene.settled
+    assert wet.shore is not None
+    height, splash = Ground(executor, wet).height, splash_height(wet.shore, wet.spray)
+    soaked, bare = (
+        _drawn(executor, scene, 0.3, "vec4(soil.albedo, wet.x < 0.05 ? soil.film : -1.0)")
+        for scene in (wet, wet.model_copy(update={"spray": None}))
+    )
+    share = soaked[:, 1] / np.maximum(bare[:, 1], 1e-6)
+    never = (height > 0.02) & (soaked[:, 3] >= 0.0)
+    low, middle, high = (
+        never & (height > least * splash) & (height < most * splash)
+        for least, most in ((0.0, 1.0), (1.4, 1.6), (1.7, 9.0))
+    )
+    shares = [float(share[part].mean()) for part in (low, middle, high)]
+    report.add(
+        "Wet rock over dry: below the splash, about 1.5 and over 1.7 of its height", got=str(np.round(shares, 3))
+    )
+    assert splash > 0.3
+    assert share[low] == pytest.approx(0.5, abs=0.02)
+    assert soaked[low, 3].mean() > bare[low, 3].mean() + 0.05
+    assert shares[1] == pytest.approx(0.75, abs=0.05)
+    assert shares[2] > 0.85
 
 
 def test_what_the_footprint_hides_goes_over_into_its_mean(executor: Executor, report: Report) -> None:
