@@ -145,3 +145,27 @@ vec3 noise_slopes(uint key, vec2 x) {
         at_a + w.x * at_b + w.y * at_c + w.x * w.y * twist,
         a + w.x * (b - a) + w.y * (c - a) + w.x * w.y * (a - b - c + e) + s * vec2(at_b + w.y * twist, at_c + w.x * twist));
 }
+
+// @part slopes_3
+// Gradient noise in space (Perlin 2002: quintic fade), one cell a unit, standard deviation 1, and its gradient first. It repeats after 256
+// cells.
+vec4 noise_slopes_3(vec3 x, uint key) {
+    vec3 base = floor(x);
+    vec3 t = x - base;
+    vec3 w = t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
+    vec3 s = 30.0 * t * t * (1.0 - t) * (1.0 - t);
+    vec4 sum = vec4(0.0);
+    for (int corner = 0; corner < 8; ++corner) {
+        ivec3 step_to = ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
+        uvec3 cell = uvec3((ivec3(base) + step_to) & 255);
+        uint word = noise_hash(noise_hash(noise_hash(key ^ cell.x) ^ cell.y) ^ cell.z);
+        vec3 way = vec3(float(word & 1023u), float((word >> 10u) & 1023u), float((word >> 20u) & 1023u)) / 511.5 - 1.0;
+        vec3 far = vec3(step_to);
+        vec3 share = mix(1.0 - w, w, far);
+        float rise = dot(way, t - far);
+        sum.w += share.x * share.y * share.z * rise;
+        sum.xyz += share.x * share.y * share.z * way + rise * mix(-s, s, far) * share.yxx * share.zzy;
+    }
+    // Over the standard deviation of the sum.
+    return 5.233 * sum;
+}
