@@ -165,7 +165,7 @@ uniform float u_boulder_wet; // height over still water that is all wet, m
 const uint BOULDER_KEY = 0x51ED270Bu;
 const float BOULDER_CELL = 1.9; // of the first octave, m
 // Of each octave: share of the pattern, and height of the relief over its cell.
-const vec2 BOULDER_OCTAVES[4] = vec2[4](vec2(0.62, 0.05), vec2(0.52, 0.08), vec2(0.44, 0.10), vec2(0.38, 0.09));
+const vec2 BOULDER_OCTAVES[4] = vec2[4](vec2(0.62, 0.05), vec2(0.52, 0.07), vec2(0.44, 0.07), vec2(0.38, 0.06));
 
 vec3 boulder_in_air(vec3 light, vec3 d, float distance_to_eye) {
     return hazed(light, horizon_light(d), distance_to_eye);
@@ -180,6 +180,7 @@ vec3 boulder_light(int met, vec4 paint, vec3 place, vec3 d) {
     float width = depth * 2.0 * length(u_ray_y) / u_viewport.y / max(-dot(n, d), 0.3);
     float pattern = 0.0;
     float broad = 0.0;
+    float ragged = 0.0;
     float cracks = 0.0;
     vec3 relief = vec3(0.0);
     float cell = BOULDER_CELL;
@@ -188,6 +189,7 @@ vec3 boulder_light(int met, vec4 paint, vec3 place, vec3 d) {
         vec4 m = noise_slopes_3(x * u_boulder_place[i].z / cell + u_boulder_cuts[BOULDER_ROWS * (i + 1) - 1], BOULDER_KEY + uint(k));
         pattern += BOULDER_OCTAVES[k].x * kept * m.w;
         broad += k < 2 ? kept * m.w : 0.0;
+        ragged += k > 0 ? kept * m.w : 0.0;
         float gap = max(1.0 - 5.0 * abs(m.w), 0.0);
         cracks += k == 1 || k == 2 ? mix(0.0575, gap * gap, kept) : 0.0;
         relief -= BOULDER_OCTAVES[k].y * kept * m.w * inversesqrt(m.w * m.w + 0.04) * m.xyz;
@@ -195,13 +197,13 @@ vec3 boulder_light(int met, vec4 paint, vec3 place, vec3 d) {
     }
     relief -= dot(relief, n) * n;
     vec3 rough = normalize(n - relief);
-    vec3 level = normalize(n - 0.4 * relief);
+    vec3 level = normalize(n - 0.6 * relief);
     vec3 rock = u_boulder_rock * max(1.0 + 0.3 * pattern, 0.2) * (1.0 - 0.35 * min(cracks, 1.0));
     rock *= mix(vec3(1.0), vec3(1.12, 1.0, 0.86), clamp(0.5 * broad, -1.0, 1.0));
-    float wet = 1.0 - smoothstep(u_boulder_wet, 2.0 * u_boulder_wet, place.y - 0.3 * u_boulder_wet * broad);
-    rock *= mix(1.0, BOULDER_WET, wet);
+    float wet = 1.0 - smoothstep(u_boulder_wet, 2.0 * u_boulder_wet, place.y - 0.3 * u_boulder_wet * ragged);
+    rock *= mix(1.25, BOULDER_WET, wet);
     // No film under water; and what mirrors downward mirrors dark water.
-    float film = place.y > u_boulder_foot.x ? wet * mix(0.35, 0.9, smoothstep(0.8, 1.0, dot(rough, n))) : 0.0;
+    float film = place.y > u_boulder_foot.x ? wet * mix(0.1, 0.8, smoothstep(0.8, 1.0, dot(rough, n))) : 0.0;
     film *= mix(0.25, 1.0, smoothstep(-0.1, 0.1, reflect(d, level).y));
     float sun = dot(n, u_sun_direction) > 0.0 ? open_sun(place, Footprint(vec2(0.0), vec2(0.0))) : 0.0;
     return land_light(d, level, Soil(rough, min(rock, 0.95), film), sun);

@@ -19,9 +19,9 @@ from seafoam.scene import Current, Scene, Shore, Stone
 
 LIKE = 0.9
 """Size of the ellipsoid that throws a stone's shadow, in that of its dome."""
-WET = 0.5
+WET = 0.3
 """Reflectance of wet rock in that of dry rock."""
-ROUGHNESS = 0.04
+ROUGHNESS = 0.02
 """Mean square slope of the film on wet rock, as on land that spray wets."""
 DEEPEST = 30.0
 """Depth down to which stones stand in water without a floor, m."""
