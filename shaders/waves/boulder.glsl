@@ -203,7 +203,7 @@ vec3 boulder_light(int met, vec4 paint, vec3 place, vec3 d) {
     float wet = 1.0 - smoothstep(u_boulder_wet, 2.0 * u_boulder_wet, place.y - 0.3 * u_boulder_wet * ragged);
     rock *= mix(1.25, BOULDER_WET, wet);
     // No film under water; and what mirrors downward mirrors dark water.
-    float film = place.y > u_boulder_foot.x ? wet * mix(0.1, 0.8, smoothstep(0.8, 1.0, dot(rough, n))) : 0.0;
+    float film = smoothstep(-u_boulder_wet, 0.0, place.y) * wet * mix(0.1, 0.8, smoothstep(0.8, 1.0, dot(rough, n)));
     film *= mix(0.25, 1.0, smoothstep(-0.1, 0.1, reflect(d, level).y));
     float sun = dot(n, u_sun_direction) > 0.0 ? open_sun(place, Footprint(vec2(0.0), vec2(0.0))) : 0.0;
     return land_light(d, level, Soil(rough, min(rock, 0.95), film), sun);
