@@ -32,10 +32,10 @@ def cuts(stone: Stone) -> Floats:
     k = np.arange(SIDES + TOPS)
     heading = 2.0 * math.pi * (a[-1] + np.where(k < SIDES, (k + 0.8 * a[:-2]) / SIDES, a[:-2]))
     level = np.stack((np.cos(heading), np.zeros_like(heading), np.sin(heading)), axis=-1)
-    lean, near = 0.1 + 0.8 * b[:-2, None] ** 2, 0.75 + 0.5 * c[:-2, None]
+    lean, near = 0.15 + 0.9 * b[:-2, None] ** 2, 0.6 + 0.6 * c[:-2, None]
     up = np.array([0.0, 1.0, 0.0])
     sides = (level + lean * up) / near
-    tops = ((0.15 + 0.6 * lean) * level + up) / ((0.45 + 0.5 * near) * dome_height(stone) / stone.radius)
+    tops = ((0.2 + 0.5 * lean) * level + up) / ((0.3 + 0.65 * near) * dome_height(stone) / stone.radius)
     planes = np.where(k[:, None] < SIDES, sides, tops)
     return np.round(np.concatenate((planes, [64.0 * np.array([a[-2], b[-2], c[-2]])])) * 2.0**20) / 2.0**20
 
