@@ -155,16 +155,21 @@ vec4 noise_slopes_3(vec3 x, uint key) {
     vec3 w = t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
     vec3 s = 30.0 * t * t * (1.0 - t) * (1.0 - t);
     vec4 sum = vec4(0.0);
-    for (int corner = 0; corner < 8; ++corner) {
-        ivec3 step_to = ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
-        uvec3 cell = uvec3((ivec3(base) + step_to) & 255);
-        uint word = noise_hash(noise_hash(noise_hash(key ^ cell.x) ^ cell.y) ^ cell.z);
-        vec3 way = vec3(float(word & 1023u), float((word >> 10u) & 1023u), float((word >> 20u) & 1023u)) / 511.5 - 1.0;
-        vec3 far = vec3(step_to);
-        vec3 share = mix(1.0 - w, w, far);
-        float rise = dot(way, t - far);
-        sum.w += share.x * share.y * share.z * rise;
-        sum.xyz += share.x * share.y * share.z * way + rise * mix(-s, s, far) * share.yxx * share.zzy;
+    ivec3 cell = ivec3(base);
+    for (int i = 0; i < 2; ++i) {
+        uint row = noise_hash(key ^ uint(cell.x + i & 255));
+        for (int j = 0; j < 2; ++j) {
+            uint column = noise_hash(row ^ uint(cell.y + j & 255));
+            for (int k = 0; k < 2; ++k) {
+                uint word = noise_hash(column ^ uint(cell.z + k & 255));
+                vec3 way = vec3(float(word & 1023u), float((word >> 10u) & 1023u), float((word >> 20u) & 1023u)) / 511.5 - 1.0;
+                vec3 far = vec3(i, j, k);
+                vec3 share = mix(1.0 - w, w, far);
+                float rise = dot(way, t - far);
+                sum.w += share.x * share.y * share.z * rise;
+                sum.xyz += share.x * share.y * share.z * way + rise * mix(-s, s, far) * share.yxx * share.zzy;
+            }
+        }
     }
     // Over the standard deviation of the sum.
     return 5.233 * sum;

@@ -21,12 +21,16 @@ vec4 boulder_norm(int i, vec3 x) {
     return sum;
 }
 
+// Height from which on a stone can be seen.
+float boulder_foot() {
+    return u_eye_height > u_boulder_foot.y ? u_boulder_foot.x : u_boulder_foot.z;
+}
+
 // Where a ray from + t d, in radii, is in the box of a stone that is `spread` wider for every length of way.
 vec2 boulder_span(int i, vec3 from, vec3 d, float spread) {
     vec4 of = u_boulder_place[i];
-    float foot = u_eye_height > u_boulder_foot.y ? u_boulder_foot.x : u_boulder_foot.z;
     vec3 pad = vec3(spread * (length(from) + 2.0));
-    vec3 low = vec3(-BOULDER_REACH, foot / of.z, -BOULDER_REACH) - pad;
+    vec3 low = vec3(-BOULDER_REACH, boulder_foot() / of.z, -BOULDER_REACH) - pad;
     vec3 high = vec3(BOULDER_REACH, of.w / of.z, BOULDER_REACH) + pad;
     vec3 over = 1.0 / mix(d, vec3(1e-6), lessThan(abs(d), vec3(1e-6)));
     vec3 one = (low - from) * over;
@@ -81,27 +85,57 @@ vec3 reflected_light(vec3 place, vec3 r, vec3 spread) {
     return light;
 }
 
-// @part box
-// The box that holds a stone.
-const vec3 BOULDER_BOX_MIDDLE = vec3(0.0);
-const vec3 BOULDER_BOX_HALF = vec3(1.0);
+// @part vertex
+// Rectangles of the picture that hold the boxes of stones, and three samples more for rays beside the middle ones: one rectangle where they
+// overlap, so that no sample is drawn twice. Drivers without branches would trace stones in every sample of the picture, to find none.
+const float BOULDER_NEAREST = 1e-2; // of a corner before the eye, m
+const vec4 BOULDER_NOWHERE = vec4(2.0);
 
-struct BoulderFrame {
-    vec3 at;
-    vec3 ahead;
-    vec3 up;
-    vec3 right;
-};
-
-BoulderFrame boulder_frame(int i) {
+vec4 boulder_box(int i) {
     vec4 of = u_boulder_place[i];
-    float foot = u_eye_height > u_boulder_foot.y ? u_boulder_foot.x : u_boulder_foot.z;
-    return BoulderFrame(vec3(-of.x, 0.5 * (of.w + foot), -of.y), vec3(BOULDER_REACH, 0.0, 0.0),
-        vec3(0.0, 0.5 * (of.w - foot) / of.z, 0.0), vec3(0.0, 0.0, BOULDER_REACH));
+    vec2 squares = vec2(dot(u_ray_x, u_ray_x), dot(u_ray_y, u_ray_y));
+    vec4 box = vec4(1e30, 1e30, -1e30, -1e30);
+    float nearest = 1e30;
+    float farthest = -1e30;
+    // Of the water around, no place is farther than 0.7 radii from one of these, and there it is not steeper than 0.5.
+    float low = waves(-of.xy).x;
+    for (int k = 0; k < 8; ++k) {
+        float turn = TAU * float(k) / 8.0;
+        low = min(low, waves(0.9 * of.z * vec2(cos(turn), sin(turn)) - of.xy).x);
+    }
+    float foot = max(boulder_foot(), u_eye_height > u_boulder_foot.y ? low - 0.35 * of.z - 0.02 : -1e9);
+    for (int corner = 0; corner < 8; ++corner) {
+        vec2 side = BOULDER_REACH * of.z * (vec2(corner & 1, corner >> 1 & 1) * 2.0 - 1.0) - of.xy;
+        vec3 place = vec3(side.x, (corner < 4 ? of.w : foot) - u_eye_height, side.y);
+        float depth = dot(place, u_ray_z);
+        vec2 clip = vec2(dot(place, u_ray_x), dot(place, u_ray_y)) / (squares * max(depth, BOULDER_NEAREST));
+        box = vec4(min(box.xy, clip), max(box.zw, clip));
+        nearest = min(nearest, depth);
+        farthest = max(farthest, depth);
+    }
+    vec4 pad = vec4(-1.0, -1.0, 1.0, 1.0) * 6.0 / u_viewport.xyxy;
+    // A box that is partly behind the eye may show anywhere, one that is wholly behind it nowhere.
+    box = nearest <= BOULDER_NEAREST ? vec4(-1.0, -1.0, 1.0, 1.0) : clamp(box + pad, -1.0, 1.0);
+    return farthest <= 0.0 ? BOULDER_NOWHERE : box;
 }
 
-float boulder_size(int i) {
-    return u_boulder_place[i].z;
+void main() {
+    vec4 box[BOULDER_COUNT];
+    for (int i = 0; i < BOULDER_COUNT; ++i) {
+        box[i] = boulder_box(i);
+    }
+    for (int again = 1; again < BOULDER_COUNT; ++again) {
+        for (int i = 1; i < BOULDER_COUNT; ++i) {
+            for (int j = 0; j < i; ++j) {
+                if (all(lessThan(box[i].xy, box[j].zw)) && all(lessThan(box[j].xy, box[i].zw))) {
+                    box[j] = vec4(min(box[i].xy, box[j].xy), max(box[i].zw, box[j].zw));
+                    box[i] = BOULDER_NOWHERE;
+                }
+            }
+        }
+    }
+    vec4 own = box[gl_VertexID / 6];
+    gl_Position = vec4(mix(own.xy, own.zw, greaterThan(quad_corner(), vec2(0.0))), FULLSCREEN_DEPTH, 1.0);
 }
 
 // @part meet
@@ -207,4 +241,55 @@ vec3 boulder_light(int met, vec4 paint, vec3 place, vec3 d) {
     film *= mix(0.25, 1.0, smoothstep(-0.1, 0.1, reflect(d, level).y));
     float sun = dot(n, u_sun_direction) > 0.0 ? open_sun(place, Footprint(vec2(0.0), vec2(0.0))) : 0.0;
     return land_light(d, level, Soil(rough, min(rock, 0.95), film), sun);
+}
+
+// @part over_met
+// What stands before a stone where a pass has found what the samples of the picture meet, water or land: nothing is looked for again. Between
+// four of these samples the inverse of the way to a plane is linear in the picture.
+uniform sampler2D u_met; // tau, and what is there: 0 nothing
+
+vec2 boulder_middle = vec2(0.0);  // in texels
+vec3 boulder_plane = vec3(0.0);   // there, 1 / tau, and its change from texel to texel
+
+vec2 boulder_texel(vec3 ray) {
+    vec2 clip = vec2(dot(ray, u_ray_x) / dot(u_ray_x, u_ray_x), dot(ray, u_ray_y) / dot(u_ray_y, u_ray_y));
+    return (0.5 * clip + 0.5) * vec2(textureSize(u_met, 0)) - 0.5;
+}
+
+float boulder_met(int column, int row) {
+    vec2 met = texel_at(u_met, clamp(ivec2(column, row), ivec2(0), textureSize(u_met, 0) - 1)).rg;
+    return met.g > 0.0 ? 1.0 / max(met.r, 1e-6) : 0.0;
+}
+
+void boulder_water(vec3 ray, float farthest) {
+    boulder_middle = boulder_texel(ray);
+    int low = int(floor(boulder_middle.y));
+    float up = boulder_middle.y - float(low);
+    vec4 near;
+    vec2 across;
+    for (int j = 0; j < 2; ++j) {
+        int row = low + j;
+        float column = boulder_middle.x - (BOULDER_SHIFTED ? (row & 1) == 0 ? -ROW_SHIFT : ROW_SHIFT : 0.0);
+        int left = int(floor(column));
+        vec2 pair = vec2(boulder_met(left, row), boulder_met(left + 1, row));
+        across[j] = column - float(left);
+        near = j == 0 ? vec4(pair, 0.0, 0.0) : vec4(near.xy, pair);
+    }
+    vec2 rows = mix(near.xz, near.yw, across);
+    boulder_plane = vec3(mix(rows.x, rows.y, up), mix(near.y - near.x, near.w - near.z, up), rows.y - rows.x);
+    float least = min(min(near.x, near.y), min(near.z, near.w));
+    float most = max(max(near.x, near.y), max(near.z, near.w));
+    if (least < 0.8 * most) {
+        // An edge of land or of a crest lies between them: that of the nearest.
+        vec2 row = up < 0.5 ? near.xy : near.zw;
+        boulder_plane = vec3((up < 0.5 ? across.x : across.y) < 0.5 ? row.x : row.y, 0.0, 0.0);
+    }
+}
+
+bool boulder_hidden(vec3 ray, float t) {
+    return t * (boulder_plane.x + dot(boulder_plane.yz, boulder_texel(ray) - boulder_middle)) > length(ray);
+}
+
+vec3 boulder_before(vec3 light, vec3 d, float t) {
+    return boulder_in_air(light, d, t);
 }

@@ -9,7 +9,6 @@ from seafoam.effects.bounds import max_surface_height, min_surface_height
 from seafoam.effects.effect import ABOVE, Contribution, PassSpec, part_effect
 from seafoam.effects.light.light import ILLUMINATION
 from seafoam.effects.shader import COMMON, HASH, PLACE, Piece, SlotFile, SlotRef, Source, constant_function
-from seafoam.effects.shore.maps import FIND_LAND
 from seafoam.effects.water.water import WATER
 from seafoam.framegraph.plan import BoundingSphere, Quads
 from seafoam.framegraph.rules import Constant, Rule, array, constants, number, significant, to_camera, vector
@@ -30,10 +29,7 @@ VEIL = (SHAPE, "waves/boulder.glsl@veil")
 RENAMED = (
     *((f"boat_{name}", f"boulder_{name}") for name in ("ray", "water", "plane", "hidden", "before", "light", "in_air")),
     *(("near_boats", "near_boulders"), ("meet_boat", "meet_boulder"), ("boat_behind_land", "boulder_behind_land")),
-    *(("NO_BOAT", "NO_BOULDER"), ("BOAT_RAYS", "BOULDER_RAYS"), ("BOAT_COUNT", "BOULDER_COUNT")),
-    *(("BoatFrame", "BoulderFrame"), ("boat_frame", "boulder_frame"), ("BOAT_NEAREST", "BOULDER_NEAREST")),
-    *((f"BOAT_BOX_{side}", f"BOULDER_BOX_{side}") for side in ("MIDDLE", "HALF")),
-    (r"u_boat_form\[i\]\.x", "boulder_size(i)"),
+    *(("NO_BOAT", "NO_BOULDER"), ("BOAT_RAYS", "BOULDER_RAYS")),
 )
 """Names in the files of boats, which are drawn alike."""
 
@@ -65,6 +61,7 @@ def _draw(scene: Scene, current: Current, stones: tuple[Stone, ...], quality: Qu
             "BOULDER_ROWS": rows,
             "BOULDER_REACH": BOULDER_REACH,
             "BOULDER_STEPS": 8,
+            "BOULDER_SHIFTED": quality.pixel_width > 1,
             "BOULDER_LIKE": LIKE,
             "BOULDER_WET": WET,
             "BOULDER_ROUGHNESS": ROUGHNESS,
@@ -90,18 +87,27 @@ def _pass(scene: Scene, stones: tuple[Stone, ...], ground: float) -> PassSpec:
         noise = (HASH, "lib/noise.glsl@slopes_3")
         light = ("lib/refraction.glsl", *ILLUMINATION, "shore/soil.glsl@soil_struct", film, *noise)
         look = (SlotRef("open sun"), *light, "waves/boulder.glsl@light")
-    no_land = constant_function("bool", "boulder_behind_land", "vec3 ray, float farthest", "false")
-    land = (no_land,) if scene.shore is None else (*FIND_LAND, _as_boats("land"))
-    first = (*COMMON, PLACE, SlotRef("waves"), SlotRef("find"), SHAPE, "waves/boulder.glsl@meet")
-    common: tuple[Piece | SlotRef, ...] = (*first, SlotRef("sky"), *look, *land)
-    under = ("light/shade.glsl@optics", SlotRef("underside"), WATER, SlotRef("reach"), _as_boats("under"))
+    over: tuple[Piece | SlotRef, ...] = ("waves/boulder.glsl@over_met",)
+    if scene.shore is None:
+        no_land = constant_function("bool", "boulder_behind_land", "vec3 ray, float farthest", "false")
+        over = (SlotRef("find"), no_land, _as_boats("over"))
+    common: tuple[Piece | SlotRef, ...] = (*COMMON, PLACE, SlotRef("waves"), SHAPE, "waves/boulder.glsl@meet")
+    common = (*common, SlotRef("sky"), *look)
+    under = (
+        "light/shade.glsl@optics",
+        SlotRef("find"),
+        SlotRef("underside"),
+        WATER,
+        SlotRef("reach"),
+        _as_boats("under"),
+    )
     return PassSpec(
         "stones",
         "boulders",
-        (*common, _as_boats("over"), _as_boats("main")),
+        (*common, *over, _as_boats("main")),
         under=() if scene.light is None else (*common, *under, _as_boats("main")),
-        vertex=(*COMMON, SHAPE, "waves/boulder.glsl@box", "vertex/vertex.glsl@quad", _as_boats("vertex")),
-        mesh=Quads(count=1),
+        vertex=(*COMMON, SlotRef("waves"), SHAPE, "vertex/vertex.glsl@quad", "waves/boulder.glsl@vertex"),
+        mesh=Quads(count=len(stones)),
         target=ABOVE,
         stage="after",
         blend="over",
