@@ -111,6 +111,7 @@ def _pass(scene: Scene, stones: tuple[Stone, ...], ground: float) -> PassSpec:
         target=ABOVE,
         stage="after",
         blend="over",
+        shines=False,
         view=tuple(_bounding_sphere(stone, ground) for stone in stones),
     )
 
