@@ -145,3 +145,32 @@ vec3 noise_slopes(uint key, vec2 x) {
         at_a + w.x * at_b + w.y * at_c + w.x * w.y * twist,
         a + w.x * (b - a) + w.y * (c - a) + w.x * w.y * (a - b - c + e) + s * vec2(at_b + w.y * twist, at_c + w.x * twist));
 }
+
+// @part slopes_3
+// Gradient noise in space (Perlin 2002: quintic fade), one cell a unit, standard deviation 1, and its gradient first. It repeats after 256
+// cells.
+vec4 noise_slopes_3(vec3 x, uint key) {
+    vec3 base = floor(x);
+    vec3 t = x - base;
+    vec3 w = t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
+    vec3 s = 30.0 * t * t * (1.0 - t) * (1.0 - t);
+    vec4 sum = vec4(0.0);
+    ivec3 cell = ivec3(base);
+    for (int i = 0; i < 2; ++i) {
+        uint row = noise_hash(key ^ uint(cell.x + i & 255));
+        for (int j = 0; j < 2; ++j) {
+            uint column = noise_hash(row ^ uint(cell.y + j & 255));
+            for (int k = 0; k < 2; ++k) {
+                uint word = noise_hash(column ^ uint(cell.z + k & 255));
+                vec3 way = vec3(float(word & 1023u), float((word >> 10u) & 1023u), float((word >> 20u) & 1023u)) / 511.5 - 1.0;
+                vec3 far = vec3(i, j, k);
+                vec3 share = mix(1.0 - w, w, far);
+                float rise = dot(way, t - far);
+                sum.w += share.x * share.y * share.z * rise;
+                sum.xyz += share.x * share.y * share.z * way + rise * mix(-s, s, far) * share.yxx * share.zzy;
+            }
+        }
+    }
+    // Over the standard deviation of the sum.
+    return 5.233 * sum;
+}

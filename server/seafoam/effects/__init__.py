@@ -11,7 +11,7 @@ from seafoam.effects.registry import declare, load, outside, register, unregiste
 from seafoam.effects.shore import shore
 from seafoam.effects.spray import spray
 from seafoam.effects.water import caustics, water
-from seafoam.effects.waves import current, parametric, rings, ripples, sea
+from seafoam.effects.waves import boulders, current, parametric, rings, ripples, sea
 
 EFFECTS: tuple[Effect, ...] = (
     parametric.EFFECT,
@@ -54,6 +54,7 @@ EFFECTS: tuple[Effect, ...] = (
     reflection.PLANAR,
     current.EFFECT,
     current.STANDING_WAVES,
+    boulders.EFFECT,
     rings.TOUCHES,
 )
 """All effects of the package."""

@@ -56,6 +56,8 @@ class PassSpec:
     """Files of the fragment shader for a camera under the water; empty: those of ``fragment`` for it too."""
     part: int = 1
     """Of a pass into :data:`ABOVE`: how many pixels may be as wide and as high as one of what it draws."""
+    shines: bool = True
+    """Of such a pass: whether it may draw what is thin and bright, so that glare asks for each of its pixels."""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "target", self.target or self.program)

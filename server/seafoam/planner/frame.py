@@ -125,7 +125,9 @@ class Frame:
             "DOTTED": is_dotted(collection.scene),
             "FOOTPRINT_X": footprint if self.narrow else 1.0,
             # Of a frame that is drawn narrow, as many as lie in a block; what stands before it has more.
-            "BLOCK_COLUMNS": 4 if self.above and self.coarse == 1 else -(-4 // quality.pixel_width),
+            "BLOCK_COLUMNS": 4
+            if self.coarse == 1 and any(spec.shines for spec in self.above)
+            else -(-4 // quality.pixel_width),
         }
         self.met = [*_met_files(collection.slots, self.level), *(self._finished() if self.narrow else ())]
         """Files of a pass that only finds what rays meet: it has a texture more to spare than others."""

@@ -61,8 +61,8 @@ def value(key: int, x: Floats, z: Floats) -> Floats:
     return near * (1.0 - v) + far * v
 
 
-def perlin(x: Floats, seed: int, period: int = PERIOD) -> Pair:
-    """Gradient noise at (r, n), with cells of size 1, n 2 or 3, and for n = 2 its gradient; (r,) and (n, r).
+def perlin(x: Floats, seed: int, period: int = PERIOD, *, sloped: bool = False) -> Pair:
+    """Gradient noise at (r, n), with cells of size 1, n 2 or 3; (r,). For n = 2, or ``sloped``, its gradient; (n, r).
 
     Its gradients at the cells' corners are uniform in the cube [−1, 1]ⁿ.
     """
@@ -80,7 +80,7 @@ def perlin(x: Floats, seed: int, period: int = PERIOD) -> Pair:
         shares = [share if step else 1.0 - share for share, step in zip(fade, corner, strict=True)]
         weight = reduce(np.multiply, shares)
         total += weight * rise
-        for axis, step in enumerate(corner if dimensions == 2 else ()):
+        for axis, step in enumerate(corner if sloped or dimensions == 2 else ()):
             others = (share for other, share in enumerate(shares) if other != axis)
             by = reduce(np.multiply, others, change[axis] if step else -change[axis])
             slope[axis] += weight * gradient[axis] + by * rise

@@ -55,12 +55,14 @@ STONES_MOST = 8
 
 
 class Stone(Part):
-    """A stone just under the surface: standing waves and white water lie behind it. The stone itself is not drawn."""
+    """A stone in a current: standing waves and white water lie behind it. Its shape is a hash of its place."""
 
     place: tuple[Place, Place] = Field(default=(0.0, -12.0), description="Centre (x, z), m")
     radius: float = Field(default=0.6, ge=0.1, le=10.0, description="Radius, m")
     waves: Share = 0.4
     """Amplitude of the waves at the stone, as a fraction of the velocity head U²/2g; 0: none"""
+    height: float = Field(default=0.5, ge=0.0, le=1.5)
+    """Height over still water, about, as a fraction of the radius; 0: just under the surface, not drawn"""
 
 
 class Current(Part):

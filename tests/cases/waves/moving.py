@@ -1,10 +1,21 @@
-"""Test scenes of rings, touches, ripples and currents: hard cases, and scenes that cannot show them."""
+"""Test scenes of rings, touches, ripples, currents and their stones: hard cases, and scenes that cannot show them."""
 
 import math
 
 from seafoam.scene import Current, ParametricWave, Ring, Ripples, Sea, Stone, Touch, Water
 from support.cases import Cases, HardCase, reduced
-from support.scenes import Camera, Foam, Gusts, HeightSaturation, Scene, SlopeSaturation
+from support.scenes import (
+    Camera,
+    Foam,
+    Gusts,
+    HeightSaturation,
+    Light,
+    Scene,
+    Shore,
+    SlopeSaturation,
+    Surf,
+    WakeSaturation,
+)
 
 _VIEW = Camera(position=(0.0, 3.2, 0.0), pitch=-0.35)
 
@@ -152,10 +163,37 @@ _INVISIBLE_STANDING = (
     Scene(current=Current(stones=(Stone(waves=0.0),))),
 )
 
+_OVER = Current(stones=(Stone(place=(-0.6, -7.0), height=0.9), Stone(place=(1.0, -9.0), radius=1.1, height=0.4)))
+_SUNK = Current(stones=(Stone(height=0.0),))
+_BANK = Shore(kind="island", place=(30.0, -40.0), size=160.0, radius=20.0, depth=6.0, surf=Surf(height=0.0))
+_FAR = tuple(stone.model_copy(update={"place": (1e7 - 8.6, -1e7 + 1.0)}) for stone in _OVER.stones[:1])
+_HARD_STONES = (
+    reduced(
+        "a stone ten thousand kilometres away",
+        Scene(current=Current(stones=_FAR), waves=(ParametricWave(amplitude=0.1),)),
+        "the vector from a stone to the camera",
+        Camera(position=(1e7 - 8.0, 2.0, -1e7 + 8.0), pitch=-0.25),
+        times=(0.0,),
+    ),
+    HardCase(
+        "eye in a stone, and one behind it",
+        Scene(current=Current(stones=(Stone(place=(0.0, 0.3), radius=0.8, height=0.3), Stone(place=(0.0, 6.0))))),
+        guard="a ray meets no stone behind the eye (waves/boulder.glsl@shape)",
+        camera=Camera(position=(0.0, 1.2, 0.0), pitch=-0.6),
+        without={"waves/boulder.glsl": {"max(enter.z, 0.0)": "enter.z", "way >= 0.0 &&": ""}},
+    ),
+)
+_STONE_VARIANTS = (
+    Scene(current=_OVER, foam=Foam(saturation=(WakeSaturation(),)), light=None),
+    Scene(current=_OVER, shore=_BANK, light=Light(reflection="planar"), water=Water(depth=6.0)),
+    Scene(current=_OVER, waves=_WAVES, light=Light()),
+)
+
 CASES = {
     "rings": Cases(invisible=_INVISIBLE_RINGS, hard=_HARD_RINGS),
     "touch": Cases(invisible=_INVISIBLE_TOUCH, hard=_HARD_TOUCH, variants=_VARIANTS),
     "ripples": Cases(invisible=_INVISIBLE_RIPPLES, hard=_HARD_RIPPLES),
     "current": Cases(invisible=(Scene(waves=_WAVES, current=Current(speed=0.0)),), hard=_HARD_CURRENT),
     "standing waves": Cases(invisible=_INVISIBLE_STANDING),
+    "stones": Cases(invisible=(Scene(current=_SUNK),), hard=_HARD_STONES, variants=_STONE_VARIANTS),
 }

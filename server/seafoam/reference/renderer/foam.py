@@ -33,17 +33,20 @@ class FoamStage(ReferenceState):
         assert self.assets is not None
         return self.assets
 
-    def _hulls(self, o: Floats, d: Floats, nearer: Floats) -> tuple[Indices, Floats, Floats]:
-        """Which of the rays d (r, 3) from o meet boats less than ``nearer`` (r,) m away; the boats' radiance (n, 3), 0
-        without light, and distances (n,), m."""
-        if self.fleet is None:
-            return np.zeros(0, np.intp), np.zeros((0, 3)), np.zeros(0)
-        hit = self.fleet.trace(o, d)
-        seen = np.flatnonzero(hit.t < nearer)
-        if self.lighting is None:
-            return seen, np.zeros((seen.size, 3)), hit.t[seen]
-        start, lit = np.broadcast_to(o, d.shape)[seen], self.lighting
-        return seen, self.fleet.light(lit.air, lit.open_sun, start, d[seen], hit.subset(seen)), hit.t[seen]
+    def _hulls(self, o: Floats, d: Floats, nearer: Floats, *, mirrored: bool = False) -> tuple[Indices, Floats, Floats]:
+        """Which of the rays d (r, 3) from o meet boats, or unless ``mirrored`` stones, less than ``nearer`` (r,) m
+        away; their radiance (n, 3), 0 without light, and distances (n,), m."""
+        far, radiance = nearer.copy(), np.zeros_like(d)
+        solids = (self.fleet, None if mirrored else self.boulders)
+        for solid in (solid for solid in solids if solid is not None):
+            hit = solid.trace(o, d)
+            seen = np.flatnonzero(hit.t < far)
+            far[seen] = hit.t[seen]
+            if self.lighting is not None:
+                start, lit = np.broadcast_to(o, d.shape)[seen], self.lighting
+                radiance[seen] = solid.light(lit.air, lit.open_sun, start, d[seen], hit.subset(seen))
+        met = np.flatnonzero(far < nearer)
+        return met, radiance[met], far[met]
 
     def _foam(self, samples: WaterSamples) -> tuple[Floats, Floats | None]:
         """Foam amount at r samples, in [0, 3] for the look ``listing``, else in [0, 1], and saturation f; (r,) each."""

@@ -172,13 +172,15 @@ class SampleShader(FoamStage):
         if reflection == "cubemap" and coast is not None:
             return self._around(lighting, coast, r, spread)
         seen = lighting.air.mirrored(r, spread)
+        if reflection == "sky" and self.boulders is not None:
+            return self.boulders.mirrored(lighting.air, place, r, spread[0], seen)
         if reflection != "planar":
             return seen
         to_land = np.full(r.shape[0], np.inf)
         if coast is not None:
             ashore = self._mirrored_land(lighting, coast, place, r, to_land)
             seen[np.isfinite(to_land)] = ashore
-        met, radiance, far = self._hulls(place, r, to_land)
+        met, radiance, far = self._hulls(place, r, to_land, mirrored=True)
         seen[met] = lighting.haze(radiance, r[met], far)
         return seen
 

@@ -5,6 +5,7 @@ from typing import Literal
 
 import numpy as np
 
+from seafoam.ocean.coast.boulders import boulders
 from seafoam.ocean.coast.rocks import splash_height
 from seafoam.ocean.waves.stokes import follows_orbits
 from seafoam.ocean.waves.wakes import stone_wakes
@@ -17,6 +18,7 @@ from seafoam.reference.renderer.camera import SampleGrid
 from seafoam.reference.shore.shore import Coast, land_shadow
 from seafoam.reference.types import Floats, Footprints, Relief, ReliefPart, Sunlight, Vec2, WaterSamples, dot, unit
 from seafoam.reference.water.seafloor import Seabed
+from seafoam.reference.waves.boulders import Boulders
 from seafoam.reference.waves.parametric import afloat, gust_field, ripple_set, wave_set
 from seafoam.reference.waves.rings import ring_set, touch_set
 from seafoam.reference.waves.sea import sea_surface
@@ -70,12 +72,19 @@ class Surface:
 
 
 class Lighting:
-    """A light on a coast and a fleet at one time around one origin. ``filtering``: sparkles are at least as large as
-    samples are apart."""
+    """A light on a coast, a fleet and stones at one time around one origin. ``filtering``: sparkles are at least as
+    large as samples are apart."""
 
     def __init__(
-        self, settings: Light, time: float, grid: SampleGrid, filtering: bool, coast: Coast | None, fleet: Fleet | None
+        self,
+        settings: Light,
+        time: float,
+        grid: SampleGrid,
+        filtering: bool,
+        coast: Coast | None,
+        solid: tuple[Fleet | None, Boulders | None],
     ) -> None:
+        fleet, stones = solid
         self.settings, self.exposure = settings, float(2.0**settings.exposure)  # the factor on radiance
         self.air = air = light.air(settings, time, (grid.origin[0], grid.eye_y, grid.origin[1]))
         step = max(math.sqrt(float(side @ side)) for side in grid.steps) if filtering else 0.0
@@ -86,8 +95,10 @@ class Lighting:
         layer = None if air.above is None else air.above.clouds
         if layer is not None and layer.clouds.shadows > 0.0 and layer.taken > 0.0:
             parts.append(layer.sunlight)
+        if stones is not None:
+            parts.append(lambda place, _: stones.sunlight(place, air.sun))
         boats: list[Sunlight] = [] if fleet is None else [lambda place, _: fleet.sunlight(place, air.sun)]
-        # What land and clouds leave of the sun, and what boats leave too.
+        # What land, clouds and stones leave of the sun, and what boats leave too.
         self.open_sun, self.sunlight = _product(parts), _product([*parts, *boats])
 
     def haze(self, L: Floats, d: Floats, distance: Floats) -> Floats:
@@ -115,9 +126,11 @@ class ReferenceState:
         if scene.boats:
             ground = None if coast is None else lambda x, z: coast.ground(*coast.place(x, z))[0]
             self.fleet = Fleet(scene, time, self.origin, relief.height, ground)
+        self.boulders = Boulders(scene, grid) if boulders(scene.current) else None
         self.lighting = None
         if scene.light is not None:
-            self.lighting = Lighting(scene.light, time, grid, self.filtering, coast, self.fleet)
+            solid = self.fleet, self.boulders
+            self.lighting = Lighting(scene.light, time, grid, self.filtering, coast, solid)
         self.exposure = 1.0 if self.lighting is None else self.lighting.exposure
         self.covered = self.eye_y < float(relief.height(np.zeros(1), np.zeros(1))[0])
         self.under = scene.water.view_below and self.covered

@@ -92,7 +92,10 @@ def test_water_at_stones_against_float64(executor: Executor, look: Look) -> None
 
 
 def test_stones_bring_nothing_to_water_that_rests_and_are_refused_where_it_is_shallow() -> None:
-    still = Scene(current=STONES.model_copy(update={"speed": 0.0}), foam=Foam(saturation=(WakeSaturation(),)))
+    low = tuple(stone.model_copy(update={"height": 0.0}) for stone in STONES.stones)
+    still = Scene(
+        current=STONES.model_copy(update={"speed": 0.0, "stones": low}), foam=Foam(saturation=(WakeSaturation(),))
+    )
     assert "stone" not in "".join(
         program.fragment.text for program in make_plan(still, TIERS["standard"]).programs.values()
     )
