@@ -33,16 +33,16 @@ LENGTH = 4.0
 FRONT = 1.5
 """Where the section ends in the trough."""
 _COS, _SIN = math.cos(TILT), math.sin(TILT)
-_XX, _XZ, _ZZ = (
+XX, XZ, ZZ = (
     _COS**2 + ASPECT**2 * _SIN**2,
     (ASPECT**2 - 1.0) * _COS * _SIN,
     _SIN**2 + ASPECT**2 * _COS**2,
 )
-"""Of the ellipse: _XX x² + 2 _XZ x z + _ZZ z² is the square of the long semi-axis, x and z from the centre."""
-HALF_WIDTH, HALF_HEIGHT = (LONG * math.sqrt(axis) / ASPECT for axis in (_ZZ, _XX))
-VERTICAL = HALF_HEIGHT + _XZ / _ZZ * HALF_WIDTH
+"""Of the ellipse: XX x² + 2 XZ x z + ZZ z² is the square of the long semi-axis, x and z from the centre."""
+HALF_WIDTH, HALF_HEIGHT = (LONG * math.sqrt(axis) / ASPECT for axis in (ZZ, XX))
+VERTICAL = HALF_HEIGHT + XZ / ZZ * HALF_WIDTH
 """Height at which the face is vertical."""
-LANDS = HALF_HEIGHT - _XZ / _ZZ * HALF_WIDTH
+LANDS = HALF_HEIGHT - XZ / ZZ * HALF_WIDTH
 """Height at which the tip lands: of the ellipse's foremost point."""
 SLOPE = 8.0 / (3.0 * math.sqrt(3.0) * LENGTH)
 """Greatest slope of the back."""
@@ -102,15 +102,15 @@ class PlungingSection:
     @property
     def toe(self) -> float:
         """x where the face is level with the trough: of the ellipse's lowest point."""
-        return self.centre[0] + _XZ / _XX * HALF_HEIGHT
+        return self.centre[0] + XZ / XX * HALF_HEIGHT
 
     def inside(self, x: Floats, z: Floats) -> NDArray[np.bool_]:
         """Whether points are in the water; of their shape."""
         (c_x, c_z), (tip, _), behind = self.centre, self.tip, self.hindmost
         z_c = np.minimum(z, VERTICAL) - c_z
         # Over the vertical place the face goes on straight up; rounding there must not make a root of less than 0.
-        root = np.sqrt(np.maximum((_XZ * z_c) ** 2 - _XX * (_ZZ * z_c**2 - LONG**2), 0.0))
-        body = x <= np.where(z < VERTICAL, c_x - (_XZ * z_c + root) / _XX, behind)
+        root = np.sqrt(np.maximum((XZ * z_c) ** 2 - XX * (ZZ * z_c**2 - LONG**2), 0.0))
+        body = x <= c_x - (XZ * z_c + root) / XX
         width = max(tip - behind, 1e-12)
         left = np.clip(1.0 - (x - behind) / width, 0.0, 1.0)
         thick = (_top(np.float64(behind)) - VERTICAL) * (1.0 - np.sqrt(1.0 - left**2))
@@ -145,7 +145,7 @@ class PlungingSection:
 
 def _touching() -> tuple[tuple[float, float], tuple[float, float]]:
     """Hindmost and lowest point of the ellipse from its centre."""
-    return (-HALF_WIDTH, _XZ / _ZZ * HALF_WIDTH), (_XZ / _XX * HALF_HEIGHT, -HALF_HEIGHT)
+    return (-HALF_WIDTH, XZ / ZZ * HALF_WIDTH), (XZ / XX * HALF_HEIGHT, -HALF_HEIGHT)
 
 
 def _top(x: Floats | np.float64) -> Floats:
