@@ -11,6 +11,7 @@ from pydantic import Field
 from seafoam.extensions import Extensible, Extensions
 from seafoam.scene.base import Part, settled
 from seafoam.scene.boats import BOATS_MOST, Boat
+from seafoam.scene.breaker import Breaker
 from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Drift, Foam
 from seafoam.scene.light import Light, Wind
@@ -46,6 +47,7 @@ class Scene(Extensible, Part):
     """Flow that carries the foam of a drift saturation; absent: no flow"""
     spray: Spray | None = Field(default=None, description="Drops thrown up by waves and surf; absent: none")
     boats: tuple[Boat, ...] = Field(default=(), max_length=BOATS_MOST, description="Boats on the water")
+    breaker: Breaker | None = Field(default=None, description="A plunging crest; absent: none")
     light: Light | None = Field(default_factory=Light)
     """Sun, sky and haze; null: unlit, white foam on black"""
     camera: Camera = Field(default_factory=Camera)

@@ -17,6 +17,7 @@ from seafoam.reference.renderer.camera import SampleGrid
 from seafoam.reference.shore.shore import Coast, land_shadow
 from seafoam.reference.types import Floats, Footprints, Relief, ReliefPart, Sunlight, Vec2, WaterSamples, dot, unit
 from seafoam.reference.water.seafloor import Seabed
+from seafoam.reference.waves.breaker import PlungingCrest
 from seafoam.reference.waves.parametric import afloat, gust_field, ripple_set, wave_set
 from seafoam.reference.waves.rings import ring_set, touch_set
 from seafoam.reference.waves.sea import sea_surface
@@ -115,6 +116,8 @@ class ReferenceState:
         if scene.boats:
             ground = None if coast is None else lambda x, z: coast.ground(*coast.place(x, z))[0]
             self.fleet = Fleet(scene, time, self.origin, relief.height, ground)
+        crest = scene.breaker
+        self.crest = PlungingCrest(crest, time, self.origin) if crest is not None and crest.height > 0.0 else None
         self.lighting = None
         if scene.light is not None:
             self.lighting = Lighting(scene.light, time, grid, self.filtering, coast, self.fleet)

@@ -1,0 +1,95 @@
+"""A plunging crest: a solid on the still water, which rays meet in one pass. docs/formulae.md, section 17."""
+
+import math
+
+from seafoam.effects.effect import ABOVE, Contribution, PassSpec, Resources, part_effect
+from seafoam.effects.light.light import ILLUMINATION
+from seafoam.effects.shader import COMMON, PERLIN_2, PLACE, Piece, SlotRef, Source, constant_function
+from seafoam.effects.shore.maps import FIND_LAND
+from seafoam.framegraph.plan import BoundingSphere, Quads
+from seafoam.framegraph.rules import Constant, Wrap, array, number, rounded, significant, to_camera, vector
+from seafoam.ocean.waves import plunging
+from seafoam.quality import Quality
+from seafoam.scene import Breaker, Scene
+
+STEPS = 64
+"""Intervals of a ray's way through the crest's box in which its entry is looked for."""
+STREAK = 0.35
+"""Scale of foam along the water's way, which draws it out."""
+LUMP, SEED = 0.45, 1983
+"""Size of the first lumps of what the jet throws up, and their seed."""
+_SHAPE = tuple(f"PLUNGING_{name}" for name in (
+    "BORE LENGTH LEAN LONG XX XZ HALF_WIDTH HALF_HEIGHT VERTICAL FOREMOST THROW SHOULDER LEANING TAIL TAPER FRONT"
+).split())  # fmt: skip
+_FILE = "waves/breaker.glsl@"
+_SECTION = (*PERLIN_2, f"{_FILE}section")
+_NO_CARRY = constant_function("vec2", "carry", "vec2 p")
+_NO_LAND = constant_function("bool", "crest_behind_land", "vec3 ray, float farthest", "false")
+_LAND = (*FIND_LAND, Source("boats/drawn.glsl@land", (("boat_behind_land", "crest_behind_land"),)))
+
+
+def _draw(scene: Scene, crest: Breaker, quality: Quality) -> Contribution:
+    if crest.height == 0.0:
+        return Contribution.invisible("the crest has no height")
+    form = plunging.overturning(crest)
+    # In steps of its own height: what is reduced is exact at any time.
+    front = Wrap(
+        k=(0.0, 0.0), offset=plunging.SHOULDER - form.rate * crest.start, period=form.period, rate=form.rate
+    )
+    course = Constant(value=rounded((math.cos(crest.heading), math.sin(crest.heading))))
+    return Contribution(
+        why=f"a crest {crest.height:g} m high plunges",
+        consts={
+            **{name: float(getattr(plunging, name.removeprefix("PLUNGING_"))) for name in _SHAPE},
+            "CREST_SIDE": 1.0 if crest.peels == "right" else -1.0,
+            "CREST_STEPS": STEPS,
+            "CREST_STREAK": STREAK,
+            "CREST_LUMP": LUMP,
+            "CREST_SEED": SEED,
+        },
+        uniforms={
+            "u_breaker_front": array("float", [front], 1),
+            "u_breaker_form": vector(rounded((crest.height, form.landing, form.length, form.advance))),
+            "u_breaker_place": array("vec4", [*to_camera(*crest.place), course], 1),
+            "u_breaker_glow": number(scene.water.translucency, "/water/translucency"),
+        },
+    ).joined(Resources(passes=(_pass(scene, crest, form),)))
+
+
+def _pass(scene: Scene, crest: Breaker, form: plunging.Overturning) -> PassSpec:
+    foam = ("look", "over", "albedo", "sky", "mirrored", "open sun", "sunlight")
+    lit: tuple[Piece, ...] = (f"{_FILE}dark",) if scene.light is None else ("lib/refraction.glsl", *ILLUMINATION, f"{_FILE}light")
+    light: tuple[Piece | SlotRef, ...] = (*lit, *map(SlotRef, ("plume", "glitter", "shade", "foam layer")))
+    fragment: tuple[Piece | SlotRef, ...] = (
+        *(*COMMON, PLACE, *_SECTION, SlotRef("waves"), SlotRef("detail"), SlotRef("find"), _NO_CARRY),
+        *map(SlotRef, foam),
+        *(f"{_FILE}trace", f"{_FILE}look", *light),
+        *((_NO_LAND,) if scene.shore is None else _LAND),
+        f"{_FILE}main",
+    )
+    return PassSpec(
+        "plunging crest",
+        "breaker",
+        fragment,
+        under=(*COMMON, f"{_FILE}none"),
+        vertex=(*COMMON, *_SECTION, "vertex/vertex.glsl@quad", f"{_FILE}vertex"),
+        mesh=Quads(count=1),
+        target=ABOVE,
+        stage="after",
+        blend="over",
+        view=(_bounding_sphere(crest, form),),
+    )
+
+
+def _bounding_sphere(crest: Breaker, form: plunging.Overturning) -> BoundingSphere:
+    """Sphere around the crest wherever it is on its way: it begins with the front before its first end."""
+    ahead = form.advance * 0.5 * (form.length + plunging.TAIL * form.landing - plunging.SHOULDER)
+    reach = form.advance * 0.5 * (form.length + plunging.TAIL * form.landing + plunging.SHOULDER)
+    c, s = math.cos(crest.heading), math.sin(crest.heading)
+    along = (0.5 if crest.peels == "right" else -0.5) * form.length
+    middle = crest.place[0] + crest.height * (ahead * c - along * s), crest.place[1] + crest.height * (ahead * s + along * c)
+    radius = crest.height * math.hypot(reach + plunging.LENGTH, 0.5 * form.length, 1.0)
+    return BoundingSphere(centre=(middle[0], 0.0, middle[1]), radius=significant(1.001 * radius + 0.1))
+
+
+EFFECT = part_effect("plunging crest", _draw, "/breaker")

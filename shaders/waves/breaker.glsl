@@ -1,0 +1,369 @@
+// A plunging crest: its section, where rays meet it, and how it looks. docs/formulae.md, section 17.
+
+// @part section
+// The crest as a solid. Places are (x, y, s): along its travel from its first vertical face, up, and along it, in its heights.
+uniform float u_breaker_front; // from where the crest has not risen to where its face is vertical, along it
+uniform vec4 u_breaker_form;   // height (m), way along it until the jet lands, length, advance over the way along it
+uniform vec4 u_breaker_place;  // from where it begins to overturn to the eye x, z (m), direction of its travel
+
+const float CREST_LOWEST = 2e-4;
+const float CREST_LEAST = 1e-3; // of a height that divides
+const int CREST_TOP = 0;
+const int CREST_FACE = 1;
+const int CREST_UNDER = 2;
+const int CREST_LUMPS = 3;
+const int CREST_WHOLE = 4;
+
+struct Crest {
+    float high;  // height
+    float lean;  // share of the unbroken face's lean
+    float land;  // way behind the first vertical face, in ways until the jet lands
+    float lumps; // height of what is thrown up
+};
+
+float crest_front() {
+    return u_breaker_front - PLUNGING_SHOULDER;
+}
+
+Crest crest_at(float s) {
+    float ahead = s - crest_front();
+    float land = max(-ahead, 0.0) / u_breaker_form.y;
+    float taper = PLUNGING_TAPER * u_breaker_form.z;
+    float ends = smoothstep(0.0, taper, s) * smoothstep(0.0, taper, u_breaker_form.z - s);
+    float left = ends * (1.0 - smoothstep(4.0, PLUNGING_TAIL, land));
+    float high = left * (1.0 - smoothstep(0.5, PLUNGING_SHOULDER, ahead)) * (1.0 - 0.55 * smoothstep(1.6, 4.0, land));
+    return Crest(high, smoothstep(0.0, PLUNGING_LEANING, ahead), land, left * smoothstep(0.9, 2.2, land));
+}
+
+float crest_phase(Crest c) {
+    return min(c.land, 1.0);
+}
+
+float crest_tip(Crest c) {
+    return PLUNGING_THROW * crest_phase(c);
+}
+
+float crest_behind(Crest c) {
+    return -PLUNGING_BORE * crest_phase(c);
+}
+
+// Height of the back, and before a crest that has begun to overturn of the jet's top.
+float crest_top(Crest c, float x) {
+    float behind = min(x, 0.0) / PLUNGING_LENGTH;
+    float ahead = c.land > 0.0 ? max(x, 0.0) : 0.0;
+    float back = max(1.0 - behind * behind, 0.0);
+    return back * back - (1.0 - PLUNGING_FOREMOST) * ahead * ahead;
+}
+
+// x of the face: of the ellipse, straight up over its vertical place, and ahead where it leans.
+float crest_face(Crest c, float y) {
+    float up = clamp(y, 0.0, PLUNGING_VERTICAL) - PLUNGING_HALF_HEIGHT;
+    // Rounding at the lowest place must not make a root of less than 0.
+    float root = sqrt(max(PLUNGING_XX * PLUNGING_LONG * PLUNGING_LONG - 3.0 * up * up, 0.0));
+    float lean = PLUNGING_LEAN * sqrt(1.0 - sqrt(clamp(y, 0.0, 1.0)));
+    return crest_behind(c) + PLUNGING_HALF_WIDTH - (PLUNGING_XZ * up + root) / PLUNGING_XX + c.lean * lean;
+}
+
+// Way to the jet's tip, in shares of its width.
+float crest_left(Crest c, float x) {
+    return clamp((crest_tip(c) - x) / max(crest_tip(c) - crest_behind(c), CREST_LEAST), 0.0, 1.0);
+}
+
+float crest_jet(Crest c, float left) {
+    return (crest_top(c, crest_behind(c)) - PLUNGING_VERTICAL) * (1.0 - sqrt(1.0 - left * left));
+}
+
+// What the jet throws up where it has landed, which grows wide and covers what is left of the crest.
+float crest_lumps(Crest c, float x, float y, float s) {
+    float past = clamp(c.land - 1.0, 0.0, 3.0);
+    float v = (x - 1.25 + 0.3 * past) / (0.6 + 0.5 * past);
+    float most = 0.5 * c.lumps * max(1.0 - v * v, 0.0);
+    if (most <= 0.0 || y > 1.7 * most) {
+        return most;
+    }
+    float noise = fractal_2(vec2(s, x + 0.6 * crest_front()) / CREST_LUMP, 0.0, 3, uint(CREST_SEED));
+    return most * (1.0 + 0.45 * clamp(noise, -1.5, 1.5));
+}
+
+// Ways out of what is under the top, behind the face, in the jet, and thrown up.
+vec4 crest_gaps(vec3 p) {
+    Crest c = crest_at(p.z);
+    float high = max(c.high, CREST_LEAST);
+    vec2 at = p.xy / high;
+    float top = crest_top(c, at.x);
+    float jet = max(top - crest_jet(c, crest_left(c, at.x)) - at.y, at.x - crest_tip(c));
+    return vec4(high * vec3(at.y - top, at.x - crest_face(c, at.y), jet), p.y - crest_lumps(c, p.x, p.y, p.z));
+}
+
+float crest_gap(vec4 gaps, int part) {
+    return part == CREST_WHOLE ? min(max(gaps.x, min(gaps.y, gaps.z)), gaps.w) : gaps[part];
+}
+
+// Which part gives the whole its gap.
+int crest_part(vec4 gaps) {
+    float beside = min(gaps.y, gaps.z);
+    int crest = gaps.x >= beside ? CREST_TOP : gaps.y <= gaps.z ? CREST_FACE : CREST_UNDER;
+    return gaps.w <= max(gaps.x, beside) ? CREST_LUMPS : crest;
+}
+
+// The crest's axes: along its travel, up, and along it.
+mat3 crest_axes() {
+    vec2 ahead = u_breaker_place.zw;
+    return mat3(vec3(ahead.x, 0.0, ahead.y), vec3(0.0, 1.0, 0.0), CREST_SIDE * vec3(-ahead.y, 0.0, ahead.x));
+}
+
+// A place, m from under the eye, along the crest's axes.
+vec3 crest_place(vec3 place) {
+    vec3 from = (place + vec3(u_breaker_place.x, 0.0, u_breaker_place.y)) * crest_axes() / u_breaker_form.x;
+    return from - vec3(u_breaker_form.w * crest_front(), 0.0, 0.0);
+}
+
+// Corners of the box of all that there is.
+vec3 crest_low() {
+    return vec3(-PLUNGING_LENGTH, CREST_LOWEST, max(crest_front() - PLUNGING_TAIL * u_breaker_form.y, 0.0));
+}
+
+vec3 crest_high() {
+    return vec3(PLUNGING_FRONT, 1.0, min(u_breaker_form.z, crest_front() + PLUNGING_SHOULDER));
+}
+
+// @part vertex
+// The rectangle of the picture that holds the crest's box, and three samples more.
+const float CREST_NEAREST = 1e-2; // of a corner before the eye, m
+
+void main() {
+    vec2 squares = vec2(dot(u_ray_x, u_ray_x), dot(u_ray_y, u_ray_y));
+    vec2 least = vec2(1e30);
+    vec2 most = vec2(-1e30);
+    float nearest = 1e30;
+    float farthest = -1e30;
+    vec3 low = crest_low();
+    vec3 high = crest_high();
+    for (int corner = 0; corner < 8; ++corner) {
+        vec3 local = mix(low, high, vec3(corner & 1, (corner >> 1) & 1, corner >> 2));
+        local.x += u_breaker_form.w * crest_front();
+        vec3 place = u_breaker_form.x * crest_axes() * local - vec3(u_breaker_place.x, u_eye_height, u_breaker_place.y);
+        float depth = dot(place, u_ray_z);
+        vec2 clip = vec2(dot(place, u_ray_x), dot(place, u_ray_y)) / (squares * max(depth, CREST_NEAREST));
+        least = min(least, clip);
+        most = max(most, clip);
+        nearest = min(nearest, depth);
+        farthest = max(farthest, depth);
+    }
+    // A box that is partly behind the eye may show anywhere, one that is wholly behind it, or has no length, nowhere.
+    bool shows = farthest > 0.0 && low.z < high.z;
+    vec2 pad = 6.0 / u_viewport;
+    vec2 from = nearest <= CREST_NEAREST ? vec2(-1.0) : clamp(least - pad, -1.0, 1.0);
+    vec2 to = nearest <= CREST_NEAREST ? vec2(1.0) : clamp(most + pad, -1.0, 1.0);
+    gl_Position = shows ? vec4(mix(from, to, greaterThan(quad_corner(), vec2(0.0))), FULLSCREEN_DEPTH, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
+}
+
+// @part trace
+// Where a ray enters the crest from the air, in its heights along d, and which part of it; false where it does not.
+const int CREST_HALVINGS = 12;
+
+// In an interval at whose ends the gaps are these. Entered is the whole, or between two places in the air the jet alone, by its top or from
+// under it: it is thinner than the steps.
+bool enter_crest(vec3 o, vec3 d, vec2 span, vec4 before, vec4 after, out float t, out int part) {
+    t = 1e9;
+    for (int i = 0; i < 3; ++i) {
+        int kind = i == 0 ? CREST_TOP : i == 1 ? CREST_UNDER : CREST_WHOLE;
+        if (crest_gap(before, kind) <= 0.0 || crest_gap(after, kind) >= 0.0) {
+            continue;
+        }
+        vec2 held = span;
+        for (int j = 0; j < CREST_HALVINGS; ++j) {
+            float middle = 0.5 * (held.x + held.y);
+            held = crest_gap(crest_gaps(o + middle * d), kind) > 0.0 ? vec2(middle, held.y) : vec2(held.x, middle);
+        }
+        vec3 at = o + held.y * d;
+        vec4 there = crest_gaps(at);
+        Crest c = crest_at(at.z);
+        bool top = at.x <= crest_tip(c) * max(c.high, CREST_LEAST);
+        bool under = there.x < 0.0 && there.y > 0.0;
+        if (held.y < t && (kind == CREST_WHOLE || (kind == CREST_TOP ? top : under))) {
+            t = held.y;
+            part = kind == CREST_WHOLE ? crest_part(there) : kind;
+        }
+    }
+    return t < 1e9;
+}
+
+bool meet_crest(vec3 o, vec3 d, out float t, out int part) {
+    vec3 way = mix(d, vec3(1e-9), lessThan(abs(d), vec3(1e-9)));
+    vec3 low = (crest_low() - o) / way;
+    vec3 high = (crest_high() - o) / way;
+    vec3 enters = min(low, high);
+    vec3 leaves = max(low, high);
+    float near = max(max(max(enters.x, enters.y), enters.z), 0.0);
+    float far = min(min(leaves.x, leaves.y), leaves.z);
+    if (near >= far) {
+        return false;
+    }
+    float before = near;
+    vec4 gaps = crest_gaps(o + near * d);
+    for (int i = 1; i <= CREST_STEPS; ++i) {
+        float after = mix(near, far, float(i) / float(CREST_STEPS));
+        vec4 there = crest_gaps(o + after * d);
+        if (enter_crest(o, d, vec2(before, after), gaps, there, t, part)) {
+            return true;
+        }
+        before = after;
+        gaps = there;
+    }
+    return false;
+}
+
+// Unit normal along the crest's axes.
+vec3 crest_normal(vec3 p, int part) {
+    const float STEP = 2e-3;
+    vec3 n;
+    for (int i = 0; i < 3; ++i) {
+        vec3 by = vec3(0.0);
+        by[i] = STEP;
+        n[i] = crest_gaps(p + by)[part] - crest_gaps(p - by)[part];
+    }
+    return normalize(n);
+}
+
+// @part look
+// What shows of the crest at a place. Water moves through it along its travel: up the face, and level on top.
+struct CrestLook {
+    float way;        // along the water's way, from where it is level
+    float saturation;
+    float thickness;  // of water that light passes, m
+    float mirror;     // share of the sky that the place sees
+};
+
+CrestLook crest_look(vec3 p, int part) {
+    Crest c = crest_at(p.z);
+    float high = max(c.high, CREST_LEAST);
+    vec2 at = p.xy / high;
+    float behind = crest_behind(c);
+    float left = crest_left(c, at.x);
+    float up = clamp(at.y, 0.0, 1.0);
+    float back = PLUNGING_LENGTH * sqrt(1.0 - sqrt(up));
+    float joint = PLUNGING_LENGTH * sqrt(1.0 - sqrt(PLUNGING_VERTICAL)) - (1.0 - PLUNGING_VERTICAL);
+    float thick = crest_jet(c, left) + joint * left * left * left * left * left * left + max(behind - at.x, 0.0);
+    thick = part == CREST_FACE ? max(at.x + back, 0.0) : part == CREST_LUMPS ? 9.0 : thick;
+
+    float toe = behind + PLUNGING_HALF_WIDTH + PLUNGING_XZ / PLUNGING_XX * PLUNGING_HALF_HEIGHT + PLUNGING_LEAN * c.lean;
+    float risen = toe - 0.6 * (toe - at.x) - 0.9 * at.y;
+    float roof = toe - 0.6 * (toe - behind) - 0.9 * PLUNGING_VERTICAL + behind - at.x;
+    float way = part == CREST_FACE ? risen : part == CREST_UNDER ? roof : at.x;
+
+    float landed = smoothstep(0.9, 1.8, c.land);
+    float lip = smoothstep(0.45, 0.95, 1.0 - left) * smoothstep(0.0, 0.4, crest_phase(c));
+    float steep = 1.0 - c.lean;
+    float feather = smoothstep(-0.6, 0.0, at.x) * steep * steep * steep;
+    float streaks = 0.3 * smoothstep(0.1, 0.9, at.y) * steep * steep * (0.4 + 0.6 * crest_phase(c));
+    float clear = part == CREST_TOP ? max(0.3 * feather, lip) : part == CREST_FACE ? streaks : max(lip, 0.3 * crest_phase(c));
+    float white = part == CREST_TOP ? smoothstep(-3.5, -0.5, at.x) * landed : landed;
+    float shade = 1.0 - 0.6 * clamp(crest_tip(c) - at.x, 0.0, 1.0) * smoothstep(0.0, 0.3, at.y);
+    return CrestLook(
+        u_breaker_form.w * crest_front() + high * way,
+        part == CREST_LUMPS ? 1.0 : max(clear, white),
+        thick * high * u_breaker_form.x,
+        part == CREST_FACE ? shade : 1.0);
+}
+
+// @part light
+// Light through the crest, and what it mirrors.
+uniform float u_breaker_glow; // translucency
+
+vec3 crest_behind_light = vec3(0.0);
+float crest_thickness = 0.0;
+float crest_mirror = 1.0;
+
+void look_through_crest(vec3 d, vec3 n, CrestLook look) {
+    vec3 behind = refracted(d, n, max(-dot(d, n), 0.0), INDEX);
+    behind.y = abs(behind.y) + 0.15;
+    float ahead = max(dot(d, u_sun_direction), 0.0);
+    ahead *= ahead;
+    crest_behind_light = 0.9 * sky_light(normalize(behind)) + u_breaker_glow / PI * ahead * ahead * u_sun_irradiance;
+    crest_thickness = look.thickness;
+    crest_mirror = look.mirror;
+}
+
+vec3 water_body(vec3 below, vec3 deep, vec3 extinction, float cv, float height) {
+    return mix(deep, crest_behind_light, exp(-extinction * crest_thickness));
+}
+
+vec3 reflected_light(vec3 place, vec3 r, vec3 spread) {
+    return crest_mirror * mirrored_sky(r, spread);
+}
+
+vec3 crest_light(vec3 d, vec3 absorption, float height) {
+    return vec3(0.0);
+}
+
+// @part dark
+// No light: the crest is black.
+void look_through_crest(vec3 d, vec3 n, CrestLook look) {
+}
+
+// @part main
+// A sample of the crest where it stands before water and land. Linear light, premultiplied.
+out vec4 o_color;
+
+// A vector on the surface as that of level water, drawn along its way.
+vec2 crest_level(vec3 on, vec3 along, mat3 axes, float drawn) {
+    return drawn * dot(on, along) * axes[0].xz + dot(on, axes[2]) * axes[2].xz;
+}
+
+vec3 crest_moved(vec3 ray, float tau, vec3 n, vec3 by) {
+    float facing = min(dot(n, ray), -1e-3 * length(ray));
+    return tau * (by - ray * (dot(n, by) / facing));
+}
+
+void main() {
+    vec3 ray = camera_ray(sample_place());
+    vec3 d = normalize(ray);
+    mat3 axes = crest_axes();
+    vec3 eye = vec3(0.0, u_eye_height, 0.0);
+    float t;
+    int part;
+    vec3 o = crest_place(eye);
+    if (!meet_crest(o, d * axes, t, part)) {
+        discard;
+    }
+    vec3 p = o + t * (d * axes);
+    t *= u_breaker_form.x;
+    float tau = t / length(ray);
+    float water_tau;
+    vec3 wave;
+    if ((find_surface(ray, tau, water_tau, wave) && water_tau < tau) || crest_behind_land(ray, tau)) {
+        discard;
+    }
+    CrestLook look = crest_look(p, part);
+    vec3 local = crest_normal(p, part);
+    vec3 n = axes * local;
+    vec3 along = axes * normalize(vec3(local.y, -local.x, 0.0));
+    vec3 step_x = crest_moved(ray, tau, n, u_ray_x * (2.0 * FOOTPRINT_X / u_viewport.x));
+    vec3 step_y = crest_moved(ray, tau, n, u_ray_y * (2.0 / u_viewport.y));
+    Footprint fine = Footprint(crest_level(step_x, along, axes, 1.0), crest_level(step_y, along, axes, 1.0));
+    Footprint drawn = Footprint(crest_level(step_x, along, axes, CREST_STREAK), crest_level(step_y, along, axes, CREST_STREAK));
+    vec2 level = u_breaker_form.x * (look.way * axes[0].xz + p.z * axes[2].xz) - u_breaker_place.xy;
+    vec2 streak = u_breaker_form.x * (CREST_STREAK * look.way * axes[0].xz + p.z * axes[2].xz) - u_breaker_place.xy;
+    vec3 ripple = detail(level, fine);
+    vec3 tilt = dot(ripple.xy, axes[0].xz) * along + dot(ripple.xy, axes[2].xz) * axes[2];
+    vec3 normal = normalize(n - tilt);
+    vec3 foam_normal = normalize(n - 0.5 * tilt);
+    float f = look.saturation;
+    float amount = f > 0.0 ? foam_amount(f, streak, drawn) : 0.0;
+    vec3 place = eye + t * d;
+    shade_sun(place, fine);
+    look_through_crest(d, n, look);
+    vec3 water = exposure() * water_light(place, d, normal, vec2(0.0, ripple.z), place.y, f);
+    vec4 layer = foam_layer(foam_normal, d, f);
+    vec3 foam = exposure() * layer.rgb + (1.0 - layer.a) * water;
+    o_color = vec4(min(in_air(foam_over(water, foam, amount), d, t), BRIGHTEST), 1.0);
+}
+
+// @part none
+// An eye under the water sees nothing of the crest.
+out vec4 o_color;
+
+void main() {
+    discard;
+}
