@@ -35,8 +35,10 @@ Crest crest_at(float s) {
     return Crest(high, smoothstep(0.0, PLUNGING_LEANING, ahead), land, left * smoothstep(0.9, 2.2, land));
 }
 
+// It begins to overturn gently: after a tenth of the way it moves as evenly as the tip of a jet that falls freely.
 float crest_phase(Crest c) {
-    return min(c.land, 1.0);
+    float even = min(c.land, 1.0);
+    return (sqrt(even * even + CREST_GENTLE * CREST_GENTLE) - CREST_GENTLE) / (sqrt(1.0 + CREST_GENTLE * CREST_GENTLE) - CREST_GENTLE);
 }
 
 float crest_tip(Crest c) {
@@ -73,16 +75,25 @@ float crest_jet(Crest c, float left) {
     return (crest_top(c, crest_behind(c)) - PLUNGING_VERTICAL) * (1.0 - sqrt(1.0 - left * left));
 }
 
+// Share of foam on the water around it.
+float crest_apron(Crest c, float x) {
+    float wide = clamp(c.land - 0.9, 0.0, 4.0);
+    float v = (x - 1.1) / (0.5 + 0.75 * wide);
+    return c.lumps * max(1.0 - v * v, 0.0);
+}
+
 // What the jet throws up where it has landed, which grows wide and covers what is left of the crest.
 float crest_lumps(Crest c, float x, float y, float s) {
     float past = clamp(c.land - 1.0, 0.0, 3.0);
     float v = (x - 1.25 + 0.3 * past) / (0.6 + 0.5 * past);
     float most = 0.5 * c.lumps * max(1.0 - v * v, 0.0);
-    if (most <= 0.0 || y > 1.7 * most) {
-        return most;
+    float apron = CREST_APRON * smoothstep(0.0, 0.2, crest_apron(c, x));
+    if (most <= 0.0 || y > 2.0 * most + apron) {
+        return most + apron;
     }
-    float noise = fractal_2(vec2(s, x + 0.6 * crest_front()) / CREST_LUMP, 0.0, 3, uint(CREST_SEED));
-    return most * (1.0 + 0.45 * clamp(noise, -1.5, 1.5));
+    vec2 place = vec2(s, x + 0.6 * crest_front()) / CREST_LUMP;
+    float noise = abs(noise_2(place, uint(CREST_SEED))) + 0.45 * abs(noise_2(2.3 * place, uint(CREST_SEED + 1)));
+    return apron + most * min(0.7 + 1.4 * noise, 2.0);
 }
 
 // Ways out of what is under the top, behind the face, in the jet, and thrown up.
@@ -214,6 +225,18 @@ bool meet_crest(vec3 o, vec3 d, out float t, out int part) {
     return false;
 }
 
+// The gap of a part, or for the jet's underside, which is vertical where it leaves the face, what it is the zero of, without a root.
+float crest_form(vec3 p, int part) {
+    if (part != CREST_UNDER) {
+        return crest_gaps(p)[part];
+    }
+    Crest c = crest_at(p.z);
+    vec2 at = p.xy / max(c.high, CREST_LEAST);
+    float left = (crest_tip(c) - at.x) / max(crest_tip(c) - crest_behind(c), CREST_LEAST);
+    float down = 1.0 - (crest_top(c, at.x) - at.y) / (crest_top(c, crest_behind(c)) - PLUNGING_VERTICAL);
+    return 1.0 - left * left - down * down;
+}
+
 // Unit normal along the crest's axes.
 vec3 crest_normal(vec3 p, int part) {
     const float STEP = 2e-3;
@@ -221,7 +244,7 @@ vec3 crest_normal(vec3 p, int part) {
     for (int i = 0; i < 3; ++i) {
         vec3 by = vec3(0.0);
         by[i] = STEP;
-        n[i] = crest_gaps(p + by)[part] - crest_gaps(p - by)[part];
+        n[i] = crest_form(p + by, part) - crest_form(p - by, part);
     }
     return normalize(n);
 }
@@ -245,24 +268,26 @@ CrestLook crest_look(vec3 p, int part) {
     float back = PLUNGING_LENGTH * sqrt(1.0 - sqrt(up));
     float joint = PLUNGING_LENGTH * sqrt(1.0 - sqrt(PLUNGING_VERTICAL)) - (1.0 - PLUNGING_VERTICAL);
     float thick = crest_jet(c, left) + joint * left * left * left * left * left * left + max(behind - at.x, 0.0);
+    thick = part == CREST_UNDER ? mix(back, thick, smoothstep(0.0, 0.4, crest_phase(c))) : thick;
     thick = part == CREST_FACE ? max(at.x + back, 0.0) : part == CREST_LUMPS ? 9.0 : thick;
 
     float toe = behind + PLUNGING_HALF_WIDTH + PLUNGING_XZ / PLUNGING_XX * PLUNGING_HALF_HEIGHT + PLUNGING_LEAN * c.lean;
     float risen = toe - 0.6 * (toe - at.x) - 0.9 * at.y;
-    float roof = toe - 0.6 * (toe - behind) - 0.9 * PLUNGING_VERTICAL + behind - at.x;
+    float bent = (1.0 - PLUNGING_VERTICAL) * sqrt(1.0 - left * left);
+    float roof = toe - 0.6 * (toe - behind) - 0.9 * (PLUNGING_VERTICAL + bent) + behind - at.x;
     float way = part == CREST_FACE ? risen : part == CREST_UNDER ? roof : at.x;
 
-    float landed = smoothstep(0.9, 1.8, c.land);
+    float landed = smoothstep(0.7, 1.5, c.land);
     float lip = smoothstep(0.45, 0.95, 1.0 - left) * smoothstep(0.0, 0.4, crest_phase(c));
     float steep = 1.0 - c.lean;
     float feather = smoothstep(-0.6, 0.0, at.x) * steep * steep * steep;
     float streaks = 0.3 * smoothstep(0.1, 0.9, at.y) * steep * steep * (0.4 + 0.6 * crest_phase(c));
-    float clear = part == CREST_TOP ? max(0.3 * feather, lip) : part == CREST_FACE ? streaks : max(lip, 0.3 * crest_phase(c));
+    float clear = part == CREST_TOP ? max(0.3 * feather, lip) : part == CREST_FACE ? streaks : max(lip, streaks);
     float white = part == CREST_TOP ? smoothstep(-3.5, -0.5, at.x) * landed : landed;
     float shade = 1.0 - 0.6 * clamp(crest_tip(c) - at.x, 0.0, 1.0) * smoothstep(0.0, 0.3, at.y);
     return CrestLook(
         u_breaker_form.w * crest_front() + high * way,
-        part == CREST_LUMPS ? 1.0 : max(clear, white),
+        part == CREST_LUMPS ? max(smoothstep(0.0, 0.12, p.y - CREST_APRON), 0.9 * crest_apron(c, p.x)) : max(clear, white),
         thick * high * u_breaker_form.x,
         part == CREST_FACE ? shade : 1.0);
 }
@@ -285,8 +310,9 @@ void look_through_crest(vec3 d, vec3 n, CrestLook look) {
     crest_mirror = look.mirror;
 }
 
+// The crest's back holds much of the light by total reflection, as if the water were cloudy.
 vec3 water_body(vec3 below, vec3 deep, vec3 extinction, float cv, float height) {
-    return mix(deep, crest_behind_light, exp(-extinction * crest_thickness));
+    return mix(deep, crest_behind_light, exp(-(extinction + CREST_CLOUDED / u_breaker_form.x) * crest_thickness));
 }
 
 vec3 reflected_light(vec3 place, vec3 r, vec3 spread) {

@@ -16,7 +16,7 @@ STEPS = 64
 """Intervals of a ray's way through the crest's box in which its entry is looked for."""
 STREAK = 0.35
 """Scale of foam along the water's way, which draws it out."""
-LUMP, SEED = 0.45, 1983
+LUMP, SEED = 0.3, 1983
 """Size of the first lumps of what the jet throws up, and their seed."""
 _SHAPE = tuple(f"PLUNGING_{name}" for name in (
     "BORE LENGTH LEAN LONG XX XZ HALF_WIDTH HALF_HEIGHT VERTICAL FOREMOST THROW SHOULDER LEANING TAIL TAPER FRONT"
@@ -46,6 +46,9 @@ def _draw(scene: Scene, crest: Breaker, quality: Quality) -> Contribution:
             "CREST_STREAK": STREAK,
             "CREST_LUMP": LUMP,
             "CREST_SEED": SEED,
+            "CREST_GENTLE": 0.15,
+            "CREST_CLOUDED": 1.2,
+            "CREST_APRON": 0.004,
         },
         uniforms={
             "u_breaker_front": array("float", [front], 1),
