@@ -6,7 +6,6 @@ uniform float u_breaker_front; // from where the crest has not risen to where it
 uniform vec4 u_breaker_form;   // height (m), way along it until the jet lands, length, advance over the way along it
 uniform vec4 u_breaker_place;  // from where it begins to overturn to the eye x, z (m), direction of its travel
 
-const float CREST_LOWEST = 2e-4;
 const float CREST_LEAST = 1e-3; // of a height that divides
 const int CREST_TOP = 0;
 const int CREST_FACE = 1;
@@ -93,7 +92,7 @@ float crest_lumps(Crest c, float x, float y, float s) {
     }
     vec2 place = vec2(s, x + 0.6 * crest_front()) / CREST_LUMP;
     float noise = abs(noise_2(place, uint(CREST_SEED))) + 0.45 * abs(noise_2(2.3 * place, uint(CREST_SEED + 1)));
-    return apron + most * min(0.7 + 1.4 * noise, 2.0);
+    return apron + most * min(0.7 + 1.2 * noise, 2.0);
 }
 
 // Ways out of what is under the top, behind the face, in the jet, and thrown up.
@@ -253,6 +252,7 @@ vec3 crest_normal(vec3 p, int part) {
 // What shows of the crest at a place. Water moves through it along its travel: up the face, and level on top.
 struct CrestLook {
     float way;        // along the water's way, from where it is level
+    float drawn;      // scale of foam along it
     float saturation;
     float thickness;  // of water that light passes, m
     float mirror;     // share of the sky that the place sees
@@ -287,6 +287,7 @@ CrestLook crest_look(vec3 p, int part) {
     float shade = 1.0 - 0.6 * clamp(crest_tip(c) - at.x, 0.0, 1.0) * smoothstep(0.0, 0.3, at.y);
     return CrestLook(
         u_breaker_form.w * crest_front() + high * way,
+        part == CREST_LUMPS ? 1.0 : CREST_STREAK,
         part == CREST_LUMPS ? max(smoothstep(0.0, 0.12, p.y - CREST_APRON), 0.9 * crest_apron(c, p.x)) : max(clear, white),
         thick * high * u_breaker_form.x,
         part == CREST_FACE ? shade : 1.0);
@@ -302,7 +303,7 @@ float crest_mirror = 1.0;
 
 void look_through_crest(vec3 d, vec3 n, CrestLook look) {
     vec3 behind = refracted(d, n, max(-dot(d, n), 0.0), INDEX);
-    behind.y = abs(behind.y) + 0.15;
+    behind.y = abs(behind.y) + CREST_RAISED;
     float ahead = max(dot(d, u_sun_direction), 0.0);
     ahead *= ahead;
     crest_behind_light = 0.9 * sky_light(normalize(behind)) + u_breaker_glow / PI * ahead * ahead * u_sun_irradiance;
@@ -368,9 +369,9 @@ void main() {
     vec3 step_x = crest_moved(ray, tau, n, u_ray_x * (2.0 * FOOTPRINT_X / u_viewport.x));
     vec3 step_y = crest_moved(ray, tau, n, u_ray_y * (2.0 / u_viewport.y));
     Footprint fine = Footprint(crest_level(step_x, along, axes, 1.0), crest_level(step_y, along, axes, 1.0));
-    Footprint drawn = Footprint(crest_level(step_x, along, axes, CREST_STREAK), crest_level(step_y, along, axes, CREST_STREAK));
+    Footprint drawn = Footprint(crest_level(step_x, along, axes, look.drawn), crest_level(step_y, along, axes, look.drawn));
     vec2 level = u_breaker_form.x * (look.way * axes[0].xz + p.z * axes[2].xz) - u_breaker_place.xy;
-    vec2 streak = u_breaker_form.x * (CREST_STREAK * look.way * axes[0].xz + p.z * axes[2].xz) - u_breaker_place.xy;
+    vec2 streak = u_breaker_form.x * (look.drawn * look.way * axes[0].xz + p.z * axes[2].xz) - u_breaker_place.xy;
     vec3 ripple = detail(level, fine);
     vec3 tilt = dot(ripple.xy, axes[0].xz) * along + dot(ripple.xy, axes[2].xz) * axes[2];
     vec3 normal = normalize(n - tilt);

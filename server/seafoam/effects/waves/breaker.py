@@ -14,13 +14,8 @@ from seafoam.scene import Breaker, Scene
 
 STEPS = 64
 """Intervals of a ray's way through the crest's box in which its entry is looked for."""
-STREAK = 0.35
-"""Scale of foam along the water's way, which draws it out."""
-LUMP, SEED = 0.3, 1983
-"""Size of the first lumps of what the jet throws up, and their seed."""
-_SHAPE = tuple(f"PLUNGING_{name}" for name in (
-    "BORE LENGTH LEAN LONG XX XZ HALF_WIDTH HALF_HEIGHT VERTICAL FOREMOST THROW SHOULDER LEANING TAIL TAPER FRONT"
-).split())  # fmt: skip
+_SHAPE = "BORE LENGTH LEAN LONG XX XZ HALF_WIDTH HALF_HEIGHT VERTICAL FOREMOST THROW SHOULDER LEANING TAIL TAPER FRONT"
+_LOOK = "LOWEST GENTLE LUMP SEED APRON STREAK CLOUDED RAISED"
 _FILE = "waves/breaker.glsl@"
 _SECTION = (*PERLIN_2, f"{_FILE}section")
 _NO_CARRY = constant_function("vec2", "carry", "vec2 p")
@@ -33,22 +28,15 @@ def _draw(scene: Scene, crest: Breaker, quality: Quality) -> Contribution:
         return Contribution.invisible("the crest has no height")
     form = plunging.overturning(crest)
     # In steps of its own height: what is reduced is exact at any time.
-    front = Wrap(
-        k=(0.0, 0.0), offset=plunging.SHOULDER - form.rate * crest.start, period=form.period, rate=form.rate
-    )
+    front = Wrap(k=(0.0, 0.0), offset=plunging.SHOULDER - form.rate * crest.start, period=form.period, rate=form.rate)
     course = Constant(value=rounded((math.cos(crest.heading), math.sin(crest.heading))))
     return Contribution(
         why=f"a crest {crest.height:g} m high plunges",
         consts={
-            **{name: float(getattr(plunging, name.removeprefix("PLUNGING_"))) for name in _SHAPE},
+            **{f"PLUNGING_{name}": getattr(plunging, name) for name in _SHAPE.split()},
+            **{f"CREST_{name}": getattr(plunging, name) for name in _LOOK.split()},
             "CREST_SIDE": 1.0 if crest.peels == "right" else -1.0,
             "CREST_STEPS": STEPS,
-            "CREST_STREAK": STREAK,
-            "CREST_LUMP": LUMP,
-            "CREST_SEED": SEED,
-            "CREST_GENTLE": 0.15,
-            "CREST_CLOUDED": 1.2,
-            "CREST_APRON": 0.004,
         },
         uniforms={
             "u_breaker_front": array("float", [front], 1),
@@ -61,7 +49,9 @@ def _draw(scene: Scene, crest: Breaker, quality: Quality) -> Contribution:
 
 def _pass(scene: Scene, crest: Breaker, form: plunging.Overturning) -> PassSpec:
     foam = ("look", "over", "albedo", "sky", "mirrored", "open sun", "sunlight")
-    lit: tuple[Piece, ...] = (f"{_FILE}dark",) if scene.light is None else ("lib/refraction.glsl", *ILLUMINATION, f"{_FILE}light")
+    lit: tuple[Piece, ...] = (
+        (f"{_FILE}dark",) if scene.light is None else ("lib/refraction.glsl", *ILLUMINATION, f"{_FILE}light")
+    )
     light: tuple[Piece | SlotRef, ...] = (*lit, *map(SlotRef, ("plume", "glitter", "shade", "foam layer")))
     fragment: tuple[Piece | SlotRef, ...] = (
         *(*COMMON, PLACE, *_SECTION, SlotRef("waves"), SlotRef("detail"), SlotRef("find"), _NO_CARRY),
@@ -90,7 +80,10 @@ def _bounding_sphere(crest: Breaker, form: plunging.Overturning) -> BoundingSphe
     reach = form.advance * 0.5 * (form.length + plunging.TAIL * form.landing + plunging.SHOULDER)
     c, s = math.cos(crest.heading), math.sin(crest.heading)
     along = (0.5 if crest.peels == "right" else -0.5) * form.length
-    middle = crest.place[0] + crest.height * (ahead * c - along * s), crest.place[1] + crest.height * (ahead * s + along * c)
+    middle = (
+        crest.place[0] + crest.height * (ahead * c - along * s),
+        crest.place[1] + crest.height * (ahead * s + along * c),
+    )
     radius = crest.height * math.hypot(reach + plunging.LENGTH, 0.5 * form.length, 1.0)
     return BoundingSphere(centre=(middle[0], 0.0, middle[1]), radius=significant(1.001 * radius + 0.1))
 

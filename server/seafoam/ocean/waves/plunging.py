@@ -48,8 +48,16 @@ TAIL = 8.0
 """Where nothing of the broken crest is left, in ways along it until the jet lands."""
 TAPER = 0.3
 """Share of the crest's length over which it rises at either end."""
-FRONT = 3.8
-"""Farthest that anything of it reaches ahead."""
+FRONT, LOWEST = 3.8, 2e-4
+"""Farthest that anything of it reaches ahead, and height from which on it is drawn."""
+GENTLE = 0.15
+"""How gradually the jet begins."""
+LUMP, SEED, APRON = 0.3, 1983, 0.004
+"""Size of the first lumps of what the jet throws up, their seed, and height of the foam around."""
+STREAK = 0.35
+"""Scale of foam along the water's way, which draws it out."""
+CLOUDED, RAISED = 1.2, 0.15
+"""Extinction by what the back reflects totally, over the height; by how much more sky than horizon is seen through."""
 
 
 @dataclass(frozen=True)
@@ -67,11 +75,6 @@ class Overturning:
     length: float
     period: float
 
-    @property
-    def offset(self) -> float:
-        """Way from where a crest has not risen to where its face is vertical at its first end."""
-        return SHOULDER
-
 
 def overturning(crest: Breaker) -> Overturning:
     """Return how a crest breaks that travels as fast as a solitary wave of its height where it breaks.
@@ -79,10 +82,9 @@ def overturning(crest: Breaker) -> Overturning:
     The reef is oblique to the crest by the peel angle, so the place of the first vertical face moves along the crest
     with c/tan(angle) (Walker 1974).
     """
-    fall = math.sqrt(2.0 * crest.height / GRAVITY)
     speed = math.sqrt(GRAVITY * crest.height * (1.0 + 1.0 / BREAKING_INDEX))
     advance, length = math.tan(crest.peel_angle), crest.length / crest.height
     rate = speed / advance / crest.height
-    landing = rate * fall
+    landing = rate * math.sqrt(2.0 * crest.height / GRAVITY)
     life = SHOULDER + length + TAIL * landing
     return Overturning(landing, rate, advance, length, life + rate * crest.rest)

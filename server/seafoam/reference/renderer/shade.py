@@ -12,7 +12,7 @@ from seafoam.reference.renderer.state import Lighting
 from seafoam.reference.shore.shore import Coast
 from seafoam.reference.types import Bounds, Floats, Pair, WaterSamples, dot, unit
 from seafoam.reference.water.seafloor import FARTHEST, FOAM_THROUGH, Seabed
-from seafoam.reference.waves.breaker import STREAK, PlungingCrest
+from seafoam.reference.waves.breaker import PlungingCrest
 from seafoam.scene import SurfSaturation
 
 AROUND_HEIGHT = 1.0  # height from which the surroundings are seen, m
@@ -109,7 +109,7 @@ class SampleShader(FoamStage):
         hit, D, d, lighting = hit.subset(rows), D[rows], d[rows], self.lighting
         look, t = crest.look(hit), hit.t / np.sqrt(dot(D, D))
         sides = [intersect.moved(t, D, look.normal, step) for step in self.grid.steps]
-        fine, drawn_out = ((look.on(sides[0], by), look.on(sides[1], by)) for by in (1.0, STREAK))
+        fine, drawn_out = ((look.on(sides[0], by), look.on(sides[1], by)) for by in (1.0, look.drawn))
         a, none = np.zeros(rows.size), np.zeros(rows.size)
         if self.scene.foam is not None:
             a = self._mask_amount(look.saturation, *look.streaks, drawn_out, to_rest=(none, none))

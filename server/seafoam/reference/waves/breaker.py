@@ -8,67 +8,22 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 import numpy as np
+from numpy.typing import NDArray
 
 from seafoam.ocean.constants import WATER_INDEX
-from seafoam.ocean.waves.plunging import (
-    ASPECT,
-    BORE,
-    FOREMOST,
-    FRONT,
-    HALF_HEIGHT,
-    HALF_WIDTH,
-    LEAN,
-    LEANING,
-    LENGTH,
-    LONG,
-    SHOULDER,
-    TAIL,
-    TAPER,
-    THROW,
-    VERTICAL,
-    XX,
-    XZ,
-    overturning,
-)
+from seafoam.ocean.waves import plunging as of
 from seafoam.reference.light.light import Air, Floor
-from seafoam.reference.noise import fractal
+from seafoam.reference.noise import perlin
 from seafoam.reference.types import Floats, Pair, Rows, Vec2, dot, smoothstep, unit
 from seafoam.scene import Breaker, Water
 
-STEPS, HALVINGS = 256, 30
+STEPS, HALVINGS = 128, 24
 """Intervals of a ray's way through the crest's box, and of the bisection in one of them."""
-LOWEST = 2e-4
-LEAST = 1e-3  # of a height that divides
-STEP = 2e-3  # of differences for normals
-LUMPS_SEED = 1983
-LUMP = 0.45  # size of the first lumps of what is thrown up
-RAISED = 0.15
-STREAK = 0.35  # along the water's way, foam is drawn out by the inverse
-JOINT = LENGTH * math.sqrt(1.0 - math.sqrt(VERTICAL)) - (1.0 - VERTICAL)
-"""What makes the jet as thick where it leaves the crest as the crest is there."""
-TOP, FACE, UNDER, LUMPS = range(4)
-
-
-@dataclass(frozen=True)
-class Stage:
-    """How far the crest has broken at places along it; (n,) each."""
-
-    high: Floats  # height
-    lean: Floats  # share of the unbroken face's lean
-    land: Floats  # way behind the first vertical face, in ways until the jet lands; at least 0
-    lumps: Floats  # height of what is thrown up
-
-    @property
-    def behind(self) -> Floats:
-        return -BORE * self.phase
-
-    @property
-    def phase(self) -> Floats:
-        return np.minimum(self.land, 1.0)
-
-    @property
-    def tip(self) -> Floats:
-        return THROW * self.phase
+LEAST, STEP = 1e-3, 2e-3  # least divisor, and step of the differences for normals
+TOP, FACE, UNDER, LUMPS, WHOLE = range(5)
+JET = 1.0 - of.VERTICAL  # thickness where it leaves the crest
+JOINT = of.LENGTH * math.sqrt(1.0 - math.sqrt(of.VERTICAL)) - JET
+"""By how much the crest is thicker there."""
 
 
 @dataclass
@@ -81,23 +36,88 @@ class CrestHit(Rows):
     part: Floats
 
 
+class Section:
+    """The crest's sections at places (n, 3); all numbers are (n,), in the crest's heights, x and y in the section's."""
+
+    def __init__(self, front: float, form: of.Overturning, place: Floats) -> None:
+        x, y, s = place.T
+        ahead, self.land = s - front, np.maximum(front - s, 0.0) / form.landing
+        taper = of.TAPER * form.length
+        left = smoothstep(0.0, taper, s) * smoothstep(0.0, taper, form.length - s)
+        left *= 1.0 - smoothstep(4.0, of.TAIL, self.land)
+        shoulder, fallen = smoothstep(0.5, of.SHOULDER, ahead), smoothstep(1.6, 4.0, self.land)
+        self.high = np.maximum(left * (1.0 - shoulder) * (1.0 - 0.55 * fallen), LEAST)
+        self.lean, self.thrown = smoothstep(0.0, of.LEANING, ahead), left * smoothstep(0.9, 2.2, self.land)
+        even, g = np.minimum(self.land, 1.0), of.GENTLE
+        self.phase = (np.sqrt(even * even + g * g) - g) / (math.sqrt(1.0 + g * g) - g)
+        self.tip, self.behind = of.THROW * self.phase, -of.BORE * self.phase
+        self.x, self.y = x / self.high, y / self.high
+        self.left = (self.tip - self.x) / np.maximum(self.tip - self.behind, LEAST)
+        """Way to the jet's tip in shares of its width."""
+        self.jet = self.top(self.behind) - of.VERTICAL
+        # What the jet throws up where it has landed grows wide and covers what is left of the crest.
+        past, wide = np.clip(self.land - 1.0, 0.0, 3.0), np.clip(self.land - 0.9, 0.0, 4.0)
+        v, w = (x - 1.25 + 0.3 * past) / (0.6 + 0.5 * past), (x - 1.1) / (0.5 + 0.75 * wide)
+        self.apron = self.thrown * np.maximum(1.0 - w * w, 0.0)
+        self.lumps = of.APRON * smoothstep(0.0, 0.2, self.apron)
+        most = 0.5 * self.thrown * np.maximum(1.0 - v * v, 0.0)
+        rows = np.flatnonzero((most > 0.0) & (y <= 2.0 * most + self.lumps))
+        at = np.stack((s, x + 0.6 * front), axis=-1)[rows] / of.LUMP
+        noise = np.abs(perlin(at, of.SEED)[0]) + 0.45 * np.abs(perlin(2.3 * at, of.SEED + 1)[0])
+        most[rows] *= np.minimum(0.7 + 1.2 * noise, 2.0)
+        self.lumps += most
+
+    def top(self, x: Floats) -> Floats:
+        """Height of the back, and before a crest that has begun to overturn of the jet's top."""
+        back = np.maximum(1.0 - (np.minimum(x, 0.0) / of.LENGTH) ** 2, 0.0) ** 2
+        return np.asarray(back - (1.0 - of.FOREMOST) * np.where(self.land > 0.0, np.maximum(x, 0.0), 0.0) ** 2)
+
+    @property
+    def face(self) -> Floats:
+        """x of the face: of the ellipse, straight up over its vertical place, and ahead where it leans."""
+        z = np.clip(self.y, 0.0, of.VERTICAL) - of.HALF_HEIGHT
+        root = np.sqrt(np.maximum(of.XX * of.LONG**2 - (of.ASPECT * z) ** 2, 0.0))
+        lean = of.LEAN * np.sqrt(1.0 - np.sqrt(np.clip(self.y, 0.0, 1.0)))
+        return self.behind + of.HALF_WIDTH - (of.XZ * z + root) / of.XX + self.lean * lean
+
+    @property
+    def gaps(self) -> Floats:
+        """Ways out of what is under the top, behind the face, in the jet, thrown up, and of the whole; (5, n)."""
+        top, face = self.high * (self.y - self.top(self.x)), self.high * (self.x - self.face)
+        under = self.top(self.x) - self.jet * (1.0 - np.sqrt(1.0 - np.clip(self.left, 0.0, 1.0) ** 2)) - self.y
+        jet, thrown = self.high * np.maximum(under, self.x - self.tip), self.high * self.y - self.lumps
+        return np.stack((top, face, jet, thrown, np.minimum(np.maximum(top, np.minimum(face, jet)), thrown)))
+
+    @property
+    def forms(self) -> Floats:
+        """What is 0 on each part, (4, n): gaps, but for the jet's underside a form that is nowhere steep."""
+        gaps, down = self.gaps, 1.0 - (self.top(self.x) - self.y) / self.jet
+        return np.stack((gaps[TOP], gaps[FACE], 1.0 - self.left**2 - down**2, gaps[LUMPS]))
+
+    def chosen(self, part: Floats, *of_each: Floats | float) -> Floats:
+        """What is of each place's part: top, face, underside, or thrown up; (n,)."""
+        return np.choose(part.astype(np.intp), [np.broadcast_to(each, part.shape) for each in of_each])
+
+
 @dataclass(frozen=True, eq=False)
 class CrestLook:
     """What shows of the crest at r places. Water moves through it along its travel: up the face, and level on top."""
 
     axes: Floats
+    height: float
     normal: Floats  # (r, 3) unit vectors
     along: Floats  # (r, 3) unit vectors, along the surface and against the water's way
     level: Pair  # (x, z), m from the origin, on level water from where the water has come
     streaks: Pair  # the same, drawn out for foam
+    drawn: Floats  # their scale
     saturation: Floats
     thickness: Floats  # of water that light passes, m
     mirror: Floats  # share of the sky that the place sees
 
-    def on(self, moved: Floats, drawn: float) -> Floats:
+    def on(self, moved: Floats, drawn: Floats | float) -> Floats:
         """Vectors (r, 3) on the surface as those of ``level``, ``drawn`` along the water's way; (r, 2)."""
-        level = drawn * dot(moved, self.along)[:, None] * self.axes[0] + (moved @ self.axes[2])[:, None] * self.axes[2]
-        return level[:, [0, 2]]
+        along, aside = drawn * dot(moved, self.along), moved @ self.axes[2]
+        return (along[:, None] * self.axes[0] + aside[:, None] * self.axes[2])[:, [0, 2]]
 
     def off(self, slope: Floats) -> Floats:
         """Slopes (2, r) of level water as vectors on the surface; (r, 3)."""
@@ -106,213 +126,129 @@ class CrestLook:
 
     def through(self, air: Air, body: Water, d: Floats) -> Floor:
         """What is seen through the crest along rays d (r, 3): sky, and the sun's light that it scatters ahead."""
-        behind = refracted(d, self.normal)
-        behind[:, 1] = np.abs(behind[:, 1]) + RAISED
+        c = np.maximum(-dot(d, self.normal), 0.0)
+        inner = np.sqrt(1.0 - (1.0 - c * c) / WATER_INDEX**2)
+        behind = d / WATER_INDEX + (c / WATER_INDEX - inner)[:, None] * self.normal
+        behind[:, 1] = np.abs(behind[:, 1]) + of.RAISED
         ahead = np.maximum(d @ air.sun, 0.0) ** 4 * body.translucency / math.pi
         seen = 0.9 * air.sky(unit(behind)) + ahead[:, None] * air.sun_irradiance
-
-        def light(extinction: Floats, deep: Floats, down: Floats) -> Floats:
-            return deep + (seen - deep) * np.exp(-extinction * self.thickness[:, None])
-
-        return light
+        clouded = of.CLOUDED / self.height
+        return lambda extinction, deep, _: (
+            deep + (seen - deep) * np.exp(-(extinction + clouded) * self.thickness[:, None])
+        )
 
 
 class PlungingCrest:
     """The crest of a scene at a time (s) around an origin (x, z), m."""
 
     def __init__(self, crest: Breaker, time: float, origin: Vec2) -> None:
-        self.height, self.form = crest.height, overturning(crest)
-        moved = Fraction(self.form.rate) * (Fraction(time) - Fraction(crest.start)) + Fraction(SHOULDER)
-        self.front = float(moved % Fraction(self.form.period)) - SHOULDER
-        c, s = math.cos(crest.heading), math.sin(crest.heading)
-        side = 1.0 if crest.peels == "right" else -1.0
+        self.height, self.form = crest.height, of.overturning(crest)
+        moved = Fraction(self.form.rate) * (Fraction(time) - Fraction(crest.start)) + Fraction(of.SHOULDER)
+        self.front = float(moved % Fraction(self.form.period)) - of.SHOULDER
+        c, s, side = math.cos(crest.heading), math.sin(crest.heading), 1.0 if crest.peels == "right" else -1.0
         self.axes = np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-side * s, 0.0, side * c]])
         self.origin = np.array([origin[0] - crest.place[0], 0.0, origin[1] - crest.place[1]])
         self.advanced = np.array([self.form.advance * self.front, 0.0, 0.0])
 
-    def local(self, place: Floats) -> Floats:
-        """Places (r, 3), m from the origin, along the crest's axes; (r, 3)."""
-        return (place + self.origin) @ self.axes.T / self.height - self.advanced
-
-    def stage(self, s: Floats) -> Stage:
-        ahead, land = s - self.front, np.maximum(self.front - s, 0.0) / self.form.landing
-        taper = TAPER * self.form.length
-        ends = smoothstep(0.0, taper, s) * smoothstep(0.0, taper, self.form.length - s)
-        left = ends * (1.0 - smoothstep(4.0, TAIL, land))
-        high = left * (1.0 - smoothstep(0.5, SHOULDER, ahead)) * (1.0 - 0.55 * smoothstep(1.6, 4.0, land))
-        return Stage(high, smoothstep(0.0, LEANING, ahead), land, left * smoothstep(0.9, 2.2, land))
-
-    def gaps(self, place: Floats) -> Floats:
-        """Ways out of what is under the top, behind the face, in the jet, and thrown up, at places (n, 3); (n, 4)."""
-        x, y, s = place.T
-        stage = self.stage(s)
-        high = np.maximum(stage.high, LEAST)
-        at, up = x / high, y / high
-        top = up - _top(stage, at)
-        jet = np.maximum(_top(stage, at) - _thick(stage, at)[0] - up, at - stage.tip)
-        return np.stack((high * top, high * (at - _face(stage, up)), high * jet, y - self._lumps(stage, x, s)), axis=-1)
+    def section(self, place: Floats) -> Section:
+        return Section(self.front, self.form, place)
 
     def trace(self, o: Floats, d: Floats) -> CrestHit:
-        """First hits of rays (r, 3) from o along unit vectors d; t is infinite where there is none."""
-        start, way = self.local(np.broadcast_to(o, d.shape)), d @ self.axes.T
-        near, far = self._span(start, way)
+        """First hits of rays (r, 3) from o (3,) along unit vectors d; t is infinite where there is none."""
+        o, way = (o + self.origin) @ self.axes.T / self.height - self.advanced, d @ self.axes.T
+        low = np.array([-of.LENGTH, of.LOWEST, max(0.0, self.front - of.TAIL * self.form.landing)])
+        high = np.array([of.FRONT, 1.0, min(self.form.length, self.front + of.SHOULDER)])
+        slant = np.where(np.abs(way) < 1e-9, 1e-9, way)
+        ends = np.sort(np.stack(((low - o) / slant, (high - o) / slant)), axis=0)
+        near, far = np.maximum(ends[0].max(axis=1), 0.0), ends[1].min(axis=1)
         t, part = np.full(d.shape[0], np.inf), np.zeros(d.shape[0])
-        rows = np.flatnonzero(near < far)
-        before, gaps = near[rows], self.gaps(start[rows] + near[rows, None] * way[rows])
+        rows = np.flatnonzero((near < far) & (low[2] < high[2]))
+        before, gaps = near[rows], self.section(o + near[rows, None] * way[rows]).gaps
         for i in range(1, STEPS + 1):
             after = near[rows] + (far - near)[rows] * (i / STEPS)
-            there = self.gaps(start[rows] + after[:, None] * way[rows])
-            found, which = self._crossing(start[rows], way[rows], (before, after), (gaps, there))
-            met = np.isfinite(found)
-            t[rows[met]], part[rows[met]] = found[met], which[met]
-            rows, before, gaps = rows[~met], after[~met], there[~met]
+            there = self.section(o + after[:, None] * way[rows]).gaps
+            for kind in (TOP, UNDER, WHOLE):
+                own = np.flatnonzero((gaps[kind] > 0.0) & (there[kind] < 0.0))
+                self._enter(o, way, rows[own], kind, (before[own], after[own]), t, part)
+            on = np.isinf(t[rows])
+            rows, before, gaps = rows[on], after[on], there[:, on]
         hit = np.isfinite(t)
         place, normal = np.zeros_like(d), np.zeros_like(d)
-        place[hit] = start[hit] + t[hit, None] * way[hit]
+        place[hit] = o + t[hit, None] * way[hit]
         normal[hit] = self._normal(place[hit], part[hit])
         return CrestHit(t * self.height, place, normal, part)
 
-    def look(self, hit: CrestHit) -> CrestLook:
-        """What shows at hits."""
-        x, y, s = hit.place.T
-        stage, part = self.stage(s), hit.part
-        high = np.maximum(stage.high, LEAST)
-        at, up = x / high, y / high
-        jet, left = _thick(stage, at)
-        back = LENGTH * np.sqrt(1.0 - np.sqrt(np.clip(up, 0.0, 1.0)))
-        thick = jet + JOINT * left**6 + np.maximum(stage.behind - at, 0.0)
-        thick = np.where(part == FACE, np.maximum(at + back, 0.0), np.where(part == LUMPS, 9.0, thick))
-        # The way of the water: level before the face, then up the face and along the roof; level on top.
-        toe = stage.behind + HALF_WIDTH + XZ / XX * HALF_HEIGHT + LEAN * stage.lean
-        risen = toe - 0.6 * (toe - at) - 0.9 * up
-        roof = toe - 0.6 * (toe - stage.behind) - 0.9 * VERTICAL + stage.behind - at
-        m = self.advanced[0] + high * np.where(part == FACE, risen, np.where(part == UNDER, roof, at))
-        lines = self._saturation(stage, part, at, up, left)
-        shade = np.where(part == FACE, 1.0 - 0.6 * np.clip(stage.tip - at, 0.0, 1.0) * smoothstep(0.0, 0.3, up), 1.0)
-        n = hit.normal
-        across = unit(np.stack((n[:, 1], -n[:, 0], 0.0 * s), axis=-1))
-        level, streaks = (
-            (np.stack((by * m, 0.0 * s, s), axis=-1) @ self.axes * self.height - self.origin).T[[0, 2]]
-            for by in (1.0, STREAK)
-        )
-        return CrestLook(
-            self.axes,
-            n @ self.axes,
-            across @ self.axes,
-            (level[0], level[1]),
-            (streaks[0], streaks[1]),
-            lines,
-            thick * high * self.height,
-            shade,
-        )
-
-    def _span(self, o: Floats, d: Floats) -> tuple[Floats, Floats]:
-        """Where rays are in the box of all that there is."""
-        behind = max(0.0, self.front - TAIL * self.form.landing)
-        low = np.array([-LENGTH, LOWEST, behind])
-        high = np.array([FRONT, 1.0, min(self.form.length, self.front + SHOULDER)])
-        way = np.where(np.abs(d) < 1e-9, 1e-9, d)
-        ends = np.sort(np.stack(((low - o) / way, (high - o) / way)), axis=0)
-        far = ends[1].min(axis=1) if low[2] < high[2] else np.full(d.shape[0], -np.inf)
-        return np.maximum(ends[0].max(axis=1), 0.0), far
-
-    def _crossing(
-        self, o: Floats, d: Floats, span: tuple[Floats, Floats], gaps: tuple[Floats, Floats]
-    ) -> tuple[Floats, Floats]:
-        """Where rays enter the water in intervals at whose ends they have these gaps, infinite if nowhere, and which part.
+    def _enter(
+        self, o: Floats, way: Floats, rows: NDArray[np.intp], kind: int, span: Pair, t: Floats, part: Floats
+    ) -> None:
+        """Write where rays enter the crest in intervals at whose ends it is out and in, if before t, and which part.
 
         Entered is the whole, or between two places in the air the jet alone, by its top or from under it.
         """
-        best, part = np.full(o.shape[0], np.inf), np.zeros(o.shape[0])
-        for kind in (TOP, UNDER, None):
-            out = [_of(side, kind) for side in gaps]
-            rows = np.flatnonzero((out[0] > 0.0) & (out[1] < 0.0))
-            low, high = span[0][rows], span[1][rows]
-            for _ in range(HALVINGS):
-                middle = 0.5 * (low + high)
-                outside = _of(self.gaps(o[rows] + middle[:, None] * d[rows]), kind) > 0.0
-                low, high = np.where(outside, middle, low), np.where(outside, high, middle)
-            at = o[rows] + high[:, None] * d[rows]
-            there, stage = self.gaps(at), self.stage(at[:, 2])
-            if kind == TOP:
-                valid = at[:, 0] <= stage.tip * np.maximum(stage.high, LEAST)
-            else:
-                valid = np.full(rows.size, True) if kind is None else (there[:, TOP] < 0.0) & (there[:, FACE] > 0.0)
-            nearer = valid & (high < best[rows])
-            best[rows[nearer]] = high[nearer]
-            part[rows[nearer]] = (_part(there) if kind is None else np.full(rows.size, float(kind)))[nearer]
-        return best, part
+        low, high = span
+        for _ in range(HALVINGS if rows.size else 0):
+            middle = 0.5 * (low + high)
+            out = self.section(o + middle[:, None] * way[rows]).gaps[kind] > 0.0
+            low, high = np.where(out, middle, low), np.where(out, high, middle)
+        at = self.section(o + high[:, None] * way[rows])
+        gaps = at.gaps
+        beside = np.minimum(gaps[FACE], gaps[UNDER])
+        crest = np.where(gaps[TOP] >= beside, TOP, np.where(gaps[FACE] <= gaps[UNDER], FACE, UNDER))
+        whole = np.where(gaps[LUMPS] <= np.maximum(gaps[TOP], beside), LUMPS, crest)
+        valid = {TOP: at.x <= at.tip, UNDER: (gaps[TOP] < 0.0) & (gaps[FACE] > 0.0)}.get(kind, high > 0.0)
+        nearer = valid & (high < t[rows])
+        t[rows[nearer]], part[rows[nearer]] = (
+            high[nearer],
+            (whole if kind == WHOLE else np.full_like(high, kind))[nearer],
+        )
 
     def _normal(self, place: Floats, part: Floats) -> Floats:
         """Unit normals (r, 3) along the crest's axes, by central differences."""
-        rows = np.arange(place.shape[0]), part.astype(np.intp)
-        return unit(
-            np.stack([self.gaps(place + by)[rows] - self.gaps(place - by)[rows] for by in STEP * np.eye(3)], axis=-1)
+        own = part.astype(np.intp), np.arange(part.size)
+        sides = [[self.section(place + by).forms[own] for by in (step, -step)] for step in STEP * np.eye(3)]
+        return unit(np.stack([plus - minus for plus, minus in sides], axis=-1))
+
+    def look(self, hit: CrestHit) -> CrestLook:
+        """What shows at hits."""
+        at, part, n = self.section(hit.place), hit.part, hit.normal
+        left, up = np.clip(at.left, 0.0, 1.0), np.clip(at.y, 0.0, 1.0)
+        back, round_ = of.LENGTH * np.sqrt(1.0 - np.sqrt(up)), np.sqrt(1.0 - left * left)
+        thick = at.jet * (1.0 - round_) + JOINT * left**6 + np.maximum(at.behind - at.x, 0.0)
+        under = back + (thick - back) * smoothstep(0.0, 0.4, at.phase)
+        # The way of the water: level before the face, then up the face and along the roof; level on top.
+        toe = at.behind + of.HALF_WIDTH + of.XZ / of.XX * of.HALF_HEIGHT + of.LEAN * at.lean
+        risen = toe - 0.6 * (toe - at.x) - 0.9 * at.y
+        roof = toe - 0.6 * (toe - at.behind) - 0.9 * (of.VERTICAL + JET * round_) + at.behind - at.x
+        m = self.advanced[0] + at.high * at.chosen(part, at.x, risen, roof, at.x)
+        drawn = at.chosen(part, of.STREAK, of.STREAK, of.STREAK, 1.0)
+        level, streaks = (
+            (np.stack((by * m, 0.0 * m, hit.place[:, 2]), axis=-1) @ self.axes * self.height - self.origin).T
+            for by in (1.0, drawn)
+        )
+        shade = 1.0 - 0.6 * np.clip(at.tip - at.x, 0.0, 1.0) * smoothstep(0.0, 0.3, at.y)
+        return CrestLook(
+            self.axes,
+            self.height,
+            n @ self.axes,
+            unit(np.stack((n[:, 1], -n[:, 0], 0.0 * m), axis=-1)) @ self.axes,
+            (level[0], level[2]),
+            (streaks[0], streaks[2]),
+            drawn,
+            self._saturation(at, part, left, hit.place[:, 1]),
+            at.chosen(part, thick, np.maximum(at.x + back, 0.0), under, 9.0) * at.high * self.height,
+            at.chosen(part, 1.0, shade, 1.0, 1.0),
         )
 
-    def _lumps(self, stage: Stage, x: Floats, s: Floats) -> Floats:
-        """Height of what the jet throws up where it has landed, which grows wide and covers what is left of the crest."""
-        past = np.clip(stage.land - 1.0, 0.0, 3.0)
-        v = (x - 1.25 + 0.3 * past) / (0.6 + 0.5 * past)
-        noise = np.zeros_like(x)
-        rows = np.flatnonzero((np.abs(v) < 1.0) & (stage.lumps > 0.0))
-        place = np.stack((s[rows], x[rows] + 0.6 * self.front), axis=-1) / LUMP
-        noise[rows] = fractal(place, np.zeros(rows.size), 3, LUMPS_SEED)
-        bump = np.maximum(1.0 - v * v, 0.0)
-        result: Floats = 0.5 * stage.lumps * bump * (1.0 + 0.45 * np.clip(noise, -1.5, 1.5))
-        return result
-
-    def _saturation(self, stage: Stage, part: Floats, at: Floats, up: Floats, left: Floats) -> Floats:
+    def _saturation(self, at: Section, part: Floats, left: Floats, y: Floats) -> Floats:
         """Foam: feathers at the crest, white at the lip, streaks up the face, all white where the jet has landed."""
-        landed = smoothstep(0.9, 1.8, stage.land)
-        lip = smoothstep(0.45, 0.95, 1.0 - left) * smoothstep(0.0, 0.4, stage.phase)
-        feather = smoothstep(-0.6, 0.0, at) * (1.0 - stage.lean) ** 3
-        streaks = 0.3 * smoothstep(0.1, 0.9, up) * (1.0 - stage.lean) ** 2 * (0.4 + 0.6 * stage.phase)
-        top = np.maximum(0.3 * feather, lip)
-        clear = np.where(part == TOP, top, np.where(part == FACE, streaks, np.maximum(lip, 0.3 * stage.phase)))
-        white = smoothstep(-3.5, -0.5, at) * landed
-        return np.where(part == LUMPS, 1.0, np.maximum(clear, np.where(part == TOP, white, landed)))
-
-
-def refracted(d: Floats, n: Floats) -> Floats:
-    """Directions (r, 3) in the water of rays d that meet a surface of normals n; unit vectors."""
-    c = np.maximum(-dot(d, n), 0.0)
-    inner = np.sqrt(1.0 - (1.0 - c * c) / WATER_INDEX**2)
-    return d / WATER_INDEX + (c / WATER_INDEX - inner)[:, None] * n
-
-
-def _of(gaps: Floats, kind: int | None) -> Floats:
-    """Gaps (n, 4) of a part, or of the whole; (n,)."""
-    if kind is not None:
-        return gaps[:, kind]
-    return np.minimum(np.maximum(gaps[:, TOP], np.minimum(gaps[:, FACE], gaps[:, UNDER])), gaps[:, LUMPS])
-
-
-def _part(gaps: Floats) -> Floats:
-    """Which part gives the whole its gap; (n,)."""
-    side = np.where(gaps[:, FACE] <= gaps[:, UNDER], FACE, UNDER)
-    beside = np.minimum(gaps[:, FACE], gaps[:, UNDER])
-    crest = np.where(gaps[:, TOP] >= beside, TOP, side)
-    whole = np.maximum(gaps[:, TOP], beside)
-    return np.where(gaps[:, LUMPS] <= whole, LUMPS, crest).astype(np.float64)
-
-
-def _top(stage: Stage, at: Floats) -> Floats:
-    """Height of the back, and before a crest that has begun to overturn of the jet's top."""
-    back = np.maximum(1.0 - (np.minimum(at, 0.0) / LENGTH) ** 2, 0.0) ** 2
-    return np.asarray(back - (1.0 - FOREMOST) * np.where(stage.land > 0.0, np.maximum(at, 0.0), 0.0) ** 2, np.float64)
-
-
-def _face(stage: Stage, up: Floats) -> Floats:
-    """x of the face: of the ellipse, straight up over its vertical place, and ahead where it leans."""
-    z = np.clip(up, 0.0, VERTICAL) - HALF_HEIGHT
-    root = np.sqrt(np.maximum(XX * LONG**2 - (ASPECT * z) ** 2, 0.0))
-    lean = LEAN * np.sqrt(1.0 - np.sqrt(np.clip(up, 0.0, 1.0)))
-    return stage.behind + HALF_WIDTH - (XZ * z + root) / XX + stage.lean * lean
-
-
-def _thick(stage: Stage, at: Floats) -> tuple[Floats, Floats]:
-    """Thickness of the jet, and the way left to its tip in shares of its width; (n,) each."""
-    width = np.maximum(stage.tip - stage.behind, LEAST)
-    left = np.clip((stage.tip - at) / width, 0.0, 1.0)
-    return (_top(stage, stage.behind) - VERTICAL) * (1.0 - np.sqrt(1.0 - left * left)), left
+        landed = smoothstep(0.7, 1.5, at.land)
+        lip = smoothstep(0.45, 0.95, 1.0 - left) * smoothstep(0.0, 0.4, at.phase)
+        feather = smoothstep(-0.6, 0.0, at.x) * (1.0 - at.lean) ** 3
+        streaks = 0.3 * smoothstep(0.1, 0.9, at.y) * (1.0 - at.lean) ** 2 * (0.4 + 0.6 * at.phase)
+        return at.chosen(
+            part,
+            np.maximum(np.maximum(0.3 * feather, lip), smoothstep(-3.5, -0.5, at.x) * landed),
+            np.maximum(streaks, landed),
+            np.maximum(np.maximum(lip, streaks), landed),
+            np.maximum(smoothstep(0.0, 0.12, y - of.APRON), 0.9 * at.apron),
+        )
