@@ -8,13 +8,12 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 import numpy as np
-from numpy.typing import NDArray
 
 from seafoam.ocean.constants import WATER_INDEX
 from seafoam.ocean.waves import plunging as of
 from seafoam.reference.light.light import Air, Floor
 from seafoam.reference.noise import perlin
-from seafoam.reference.types import Floats, Pair, Rows, Vec2, dot, smoothstep, unit
+from seafoam.reference.types import Floats, Indices, Pair, Rows, Vec2, dot, smoothstep, unit
 from seafoam.scene import Breaker, Water
 
 STEPS, HALVINGS = 128, 24
@@ -163,44 +162,43 @@ class PlungingCrest:
         near, far = np.maximum(ends[0].max(axis=1), 0.0), ends[1].min(axis=1)
         t, part = np.full(d.shape[0], np.inf), np.zeros(d.shape[0])
         rows = np.flatnonzero((near < far) & (low[2] < high[2]))
-        before, gaps = near[rows], self.section(o + near[rows, None] * way[rows]).gaps
-        for i in range(1, STEPS + 1):
-            after = near[rows] + (far - near)[rows] * (i / STEPS)
-            there = self.section(o + after[:, None] * way[rows]).gaps
-            for kind in (TOP, UNDER, WHOLE):
-                own = np.flatnonzero((gaps[kind] > 0.0) & (there[kind] < 0.0))
-                self._enter(o, way, rows[own], kind, (before[own], after[own]), t, part)
-            on = np.isinf(t[rows])
-            rows, before, gaps = rows[on], after[on], there[:, on]
+        places = (o + (near + (far - near) * (i / STEPS))[rows, None] * way[rows] for i in range(STEPS + 1))
+        before, entered = np.zeros((5, rows.size)), []
+        for i, gaps in enumerate(self.section(place).gaps for place in places):
+            kind, own = np.nonzero((before > 0.0) & (gaps < 0.0))
+            entered.append(np.stack((kind, rows[own], np.full_like(own, i))))
+            before = gaps
+        kind, rows, i = np.concatenate(entered, axis=1)
+        step = (far - near)[rows] / STEPS
+        self._enter(o, way, (kind, rows), (near[rows] + (i - 1) * step, near[rows] + i * step), (t, part))
         hit = np.isfinite(t)
         place, normal = np.zeros_like(d), np.zeros_like(d)
         place[hit] = o + t[hit, None] * way[hit]
         normal[hit] = self._normal(place[hit], part[hit])
         return CrestHit(t * self.height, place, normal, part)
 
-    def _enter(
-        self, o: Floats, way: Floats, rows: NDArray[np.intp], kind: int, span: Pair, t: Floats, part: Floats
-    ) -> None:
-        """Write where rays enter the crest in intervals at whose ends it is out and in, if before t, and which part.
+    def _enter(self, o: Floats, way: Floats, of_rays: tuple[Indices, Indices], span: Pair, found: Pair) -> None:
+        """Write where rays first enter the crest in one of the intervals at whose ends they are out and in, and which part.
 
-        Entered is the whole, or between two places in the air the jet alone, by its top or from under it.
+        ``of_rays``: what is entered, and by which rays: the whole, or between two places in the air the jet alone, by
+        its top or from under it.
         """
-        low, high = span
-        for _ in range(HALVINGS if rows.size else 0):
+        (kind, rows), (low, high), every = of_rays, span, np.arange(span[0].size)
+        for _ in range(HALVINGS):
             middle = 0.5 * (low + high)
-            out = self.section(o + middle[:, None] * way[rows]).gaps[kind] > 0.0
+            out = self.section(o + middle[:, None] * way[rows]).gaps[kind, every] > 0.0
             low, high = np.where(out, middle, low), np.where(out, high, middle)
         at = self.section(o + high[:, None] * way[rows])
         gaps = at.gaps
         beside = np.minimum(gaps[FACE], gaps[UNDER])
         crest = np.where(gaps[TOP] >= beside, TOP, np.where(gaps[FACE] <= gaps[UNDER], FACE, UNDER))
         whole = np.where(gaps[LUMPS] <= np.maximum(gaps[TOP], beside), LUMPS, crest)
-        valid = {TOP: at.x <= at.tip, UNDER: (gaps[TOP] < 0.0) & (gaps[FACE] > 0.0)}.get(kind, high > 0.0)
-        nearer = valid & (high < t[rows])
-        t[rows[nearer]], part[rows[nearer]] = (
-            high[nearer],
-            (whole if kind == WHOLE else np.full_like(high, kind))[nearer],
-        )
+        jet = ((kind == TOP) & (at.x <= at.tip)) | ((kind == UNDER) & (gaps[TOP] < 0.0) & (gaps[FACE] > 0.0))
+        # The nearest of a ray is written last.
+        order = np.argsort(-high)
+        order = order[(jet | (kind == WHOLE))[order]]
+        for values, own in zip(found, (high, np.where(kind == WHOLE, whole, kind)), strict=True):
+            values[rows[order]] = own[order]
 
     def _normal(self, place: Floats, part: Floats) -> Floats:
         """Unit normals (r, 3) along the crest's axes, by central differences."""
