@@ -85,7 +85,7 @@ float crest_apron(Crest c, float x) {
 float crest_lumps(Crest c, float x, float y, float s) {
     float past = clamp(c.land - 1.0, 0.0, 3.0);
     float v = (x - 1.25 + 0.3 * past) / (0.6 + 0.5 * past);
-    float most = 0.5 * c.lumps * max(1.0 - v * v, 0.0);
+    float most = 0.4 * c.lumps * max(1.0 - v * v, 0.0);
     float apron = CREST_APRON * smoothstep(0.0, 0.2, crest_apron(c, x));
     if (most <= 0.0 || y > 2.0 * most + apron) {
         return most + apron;
@@ -255,6 +255,7 @@ struct CrestLook {
     float drawn;      // scale of foam along it
     float saturation;
     float thickness;  // of water that light passes, m
+    float sheet;      // 1 in the jet, through which light passes whichever way it goes
     float mirror;     // share of the sky that the place sees
 };
 
@@ -290,7 +291,8 @@ CrestLook crest_look(vec3 p, int part) {
         part == CREST_LUMPS ? 1.0 : CREST_STREAK,
         part == CREST_LUMPS ? max(smoothstep(0.0, 0.12, p.y - CREST_APRON), 0.9 * crest_apron(c, p.x)) : max(clear, white),
         thick * high * u_breaker_form.x,
-        part == CREST_FACE ? shade : 1.0);
+        part == CREST_UNDER ? 1.0 : part == CREST_TOP ? smoothstep(0.0, 0.3, at.x) : 0.0,
+        part == CREST_FACE || part == CREST_UNDER ? shade : 1.0);
 }
 
 // @part light
@@ -299,10 +301,13 @@ uniform float u_breaker_glow; // translucency
 
 vec3 crest_behind_light = vec3(0.0);
 float crest_thickness = 0.0;
+float crest_passes = 1.0;
 float crest_mirror = 1.0;
 
 void look_through_crest(vec3 d, vec3 n, CrestLook look) {
     vec3 behind = refracted(d, n, max(-dot(d, n), 0.0), INDEX);
+    // What goes down meets deep water, not the crest's back.
+    crest_passes = mix(smoothstep(-0.45, -0.05, behind.y), 1.0, look.sheet);
     behind.y = abs(behind.y) + CREST_RAISED;
     float ahead = max(dot(d, u_sun_direction), 0.0);
     ahead *= ahead;
@@ -313,7 +318,7 @@ void look_through_crest(vec3 d, vec3 n, CrestLook look) {
 
 // The crest's back holds much of the light by total reflection, as if the water were cloudy.
 vec3 water_body(vec3 below, vec3 deep, vec3 extinction, float cv, float height) {
-    return mix(deep, crest_behind_light, exp(-(extinction + CREST_CLOUDED / u_breaker_form.x) * crest_thickness));
+    return mix(deep, crest_behind_light, crest_passes * exp(-(extinction + CREST_CLOUDED / u_breaker_form.x) * crest_thickness));
 }
 
 vec3 reflected_light(vec3 place, vec3 r, vec3 spread) {

@@ -42,11 +42,11 @@ SLOPE = 8.0 / (3.0 * math.sqrt(3.0) * LENGTH)
 
 BREAKING_INDEX = 0.78
 """Height of a solitary wave over the depth in which it breaks (McCowan 1894)."""
-LEANING, SHOULDER = 5.0, 9.0
+LEANING, SHOULDER = 6.0, 14.0
 """From the first vertical face along what has not broken: where the face has not steepened at all, and the foot."""
 TAIL = 8.0
 """Where nothing of the broken crest is left, in ways along it until the jet lands."""
-TAPER = 0.3
+TAPER = 0.25
 """Share of the crest's length over which it rises at either end."""
 FRONT, LOWEST = 3.8, 2e-4
 """Farthest that anything of it reaches ahead, and height from which on it is drawn."""

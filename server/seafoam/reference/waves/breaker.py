@@ -59,7 +59,7 @@ class Section:
         v, w = (x - 1.25 + 0.3 * past) / (0.6 + 0.5 * past), (x - 1.1) / (0.5 + 0.75 * wide)
         self.apron = self.thrown * np.maximum(1.0 - w * w, 0.0)
         self.lumps = of.APRON * smoothstep(0.0, 0.2, self.apron)
-        most = 0.5 * self.thrown * np.maximum(1.0 - v * v, 0.0)
+        most = 0.4 * self.thrown * np.maximum(1.0 - v * v, 0.0)
         rows = np.flatnonzero((most > 0.0) & (y <= 2.0 * most + self.lumps))
         at = np.stack((s, x + 0.6 * front), axis=-1)[rows] / of.LUMP
         noise = np.abs(perlin(at, of.SEED)[0]) + 0.45 * np.abs(perlin(2.3 * at, of.SEED + 1)[0])
@@ -111,6 +111,7 @@ class CrestLook:
     drawn: Floats  # their scale
     saturation: Floats
     thickness: Floats  # of water that light passes, m
+    sheet: Floats  # 1 in the jet, through which light passes whichever way it goes
     mirror: Floats  # share of the sky that the place sees
 
     def on(self, moved: Floats, drawn: Floats | float) -> Floats:
@@ -128,12 +129,14 @@ class CrestLook:
         c = np.maximum(-dot(d, self.normal), 0.0)
         inner = np.sqrt(1.0 - (1.0 - c * c) / WATER_INDEX**2)
         behind = d / WATER_INDEX + (c / WATER_INDEX - inner)[:, None] * self.normal
+        # What goes down meets deep water, not the crest's back.
+        passes = self.sheet + (1.0 - self.sheet) * smoothstep(-0.45, -0.05, behind[:, 1])
         behind[:, 1] = np.abs(behind[:, 1]) + of.RAISED
         ahead = np.maximum(d @ air.sun, 0.0) ** 4 * body.translucency / math.pi
         seen = 0.9 * air.sky(unit(behind)) + ahead[:, None] * air.sun_irradiance
         clouded = of.CLOUDED / self.height
         return lambda extinction, deep, _: (
-            deep + (seen - deep) * np.exp(-(extinction + clouded) * self.thickness[:, None])
+            deep + (seen - deep) * passes[:, None] * np.exp(-(extinction + clouded) * self.thickness[:, None])
         )
 
 
@@ -234,7 +237,8 @@ class PlungingCrest:
             drawn,
             self._saturation(at, part, left, hit.place[:, 1]),
             at.chosen(part, thick, np.maximum(at.x + back, 0.0), under, 9.0) * at.high * self.height,
-            at.chosen(part, 1.0, shade, 1.0, 1.0),
+            at.chosen(part, smoothstep(0.0, 0.3, at.x), 0.0, 1.0, 0.0),
+            at.chosen(part, 1.0, shade, shade, 1.0),
         )
 
     def _saturation(self, at: Section, part: Floats, left: Floats, y: Floats) -> Floats:
