@@ -16,8 +16,6 @@ class Breaker(Part):
     length: float = Field(default=50.0, ge=10.0, le=500.0, description="Length of the crest, m")
     peel_angle: Radians = Field(default=0.8, ge=0.2, le=1.3)
     """Angle between crest and reef (Walker 1974), rad: the smaller, the faster it breaks along its length"""
-    peels: Literal["left", "right"] = Field(
-        default="right", description="Side toward which it breaks, facing its travel"
-    )
+    peels: Literal["left", "right"] = Field(default="right", description="Side to which it breaks, as it travels")
     start: float = Field(default=0.0, ge=-1e6, le=1e6, description="Time at which it begins to overturn, s")
     rest: float = Field(default=4.0, ge=0.0, le=600.0, description="Time without a crest before the next, s")

@@ -6,8 +6,8 @@ from seafoam.effects.effect import ABOVE, Contribution, PassSpec, Resources, par
 from seafoam.effects.light.light import ILLUMINATION
 from seafoam.effects.shader import COMMON, PERLIN_2, PLACE, Piece, SlotRef, Source, constant_function
 from seafoam.effects.shore.maps import FIND_LAND
-from seafoam.framegraph.plan import BoundingSphere, Quads
-from seafoam.framegraph.rules import Constant, Wrap, array, number, rounded, significant, to_camera, vector
+from seafoam.framegraph.plan import Quads
+from seafoam.framegraph.rules import Constant, Wrap, array, number, rounded, to_camera, vector
 from seafoam.ocean.waves import plunging
 from seafoam.quality import Quality
 from seafoam.scene import Breaker, Scene
@@ -44,10 +44,10 @@ def _draw(scene: Scene, crest: Breaker, quality: Quality) -> Contribution:
             "u_breaker_place": array("vec4", [*to_camera(*crest.place), course], 1),
             "u_breaker_glow": number(scene.water.translucency, "/water/translucency"),
         },
-    ).joined(Resources(passes=(_pass(scene, crest, form),)))
+    ).joined(Resources(passes=(_pass(scene),)))
 
 
-def _pass(scene: Scene, crest: Breaker, form: plunging.Overturning) -> PassSpec:
+def _pass(scene: Scene) -> PassSpec:
     foam = ("look", "over", "albedo", "sky", "mirrored", "open sun", "sunlight")
     lit: tuple[Piece, ...] = (
         (f"{_FILE}dark",) if scene.light is None else ("lib/refraction.glsl", *ILLUMINATION, f"{_FILE}light")
@@ -70,22 +70,7 @@ def _pass(scene: Scene, crest: Breaker, form: plunging.Overturning) -> PassSpec:
         target=ABOVE,
         stage="after",
         blend="over",
-        view=(_bounding_sphere(crest, form),),
     )
-
-
-def _bounding_sphere(crest: Breaker, form: plunging.Overturning) -> BoundingSphere:
-    """Sphere around the crest wherever it is on its way: it begins with the front before its first end."""
-    ahead = form.advance * 0.5 * (form.length + plunging.TAIL * form.landing - plunging.SHOULDER)
-    reach = form.advance * 0.5 * (form.length + plunging.TAIL * form.landing + plunging.SHOULDER)
-    c, s = math.cos(crest.heading), math.sin(crest.heading)
-    along = (0.5 if crest.peels == "right" else -0.5) * form.length
-    middle = (
-        crest.place[0] + crest.height * (ahead * c - along * s),
-        crest.place[1] + crest.height * (ahead * s + along * c),
-    )
-    radius = crest.height * math.hypot(reach + plunging.LENGTH, 0.5 * form.length, 1.0)
-    return BoundingSphere(centre=(middle[0], 0.0, middle[1]), radius=significant(1.001 * radius + 0.1))
 
 
 EFFECT = part_effect("plunging crest", _draw, "/breaker")

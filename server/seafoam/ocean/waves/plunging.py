@@ -1,8 +1,8 @@
 """A plunging crest: proportions of its section, and how it breaks along a reef. docs/formulae.md, section 17.
 
-Lengths in units of the crest's greatest height, x along its travel and z up, from still water under the first vertical
-face. The face is an arc of New's ellipse, of axes in the ratio √3 (New 1983, J. Fluid Mech. 130), which fits a part of
-the loop alone (Greenhow 1983, J. Fluid Mech. 134). The jet falls freely (Longuet-Higgins 1982, J. Fluid Mech. 121).
+Lengths are in the crest's greatest height, x along its travel and z up, from still water under the first vertical face,
+which is an arc of New's ellipse (1983, J. Fluid Mech. 130). That fits a part of the loop alone (Greenhow 1983, ibid.
+134); the jet falls freely (Longuet-Higgins 1982, ibid. 121).
 """
 
 import math
@@ -11,63 +11,37 @@ from dataclasses import dataclass
 from seafoam.ocean.constants import GRAVITY
 from seafoam.scene import Breaker
 
-ASPECT = math.sqrt(3.0)
-"""Long over short axis of the ellipse (New 1983)."""
-LONG = 0.6
-"""Its long semi-axis: the barrel is 0.85 high, and lower than the crest."""
-TILT = math.radians(30.0)
-"""Angle by which the long axis falls toward the front."""
-BORE = 0.1
-"""Way of the face back under the crest until the jet lands."""
-LENGTH = 4.0
-"""Of the back."""
-LEAN = 3.0
-"""How far the face reaches ahead where it has not steepened."""
+ASPECT, LONG, TILT = math.sqrt(3.0), 0.6, math.radians(30.0)
+"""Of the ellipse: long over short axis, the long semi-axis, and the angle by which that falls toward the front."""
+BORE, LENGTH, LEAN = 0.1, 4.0, 3.0
+"""Way of the face back until the jet lands, length of the back, and how far a face reaches ahead that has not steepened."""
 _COS, _SIN = math.cos(TILT), math.sin(TILT)
-XX, XZ, ZZ = (
-    _COS**2 + ASPECT**2 * _SIN**2,
-    (ASPECT**2 - 1.0) * _COS * _SIN,
-    _SIN**2 + ASPECT**2 * _COS**2,
-)
-"""Of the ellipse: XX x² + 2 XZ x z + ZZ z² is the square of the long semi-axis, x and z from the centre."""
-HALF_WIDTH, HALF_HEIGHT = (LONG * math.sqrt(axis) / ASPECT for axis in (ZZ, XX))
-VERTICAL = HALF_HEIGHT + XZ / ZZ * HALF_WIDTH
-"""Height at which the face is vertical."""
-FOREMOST = HALF_HEIGHT - XZ / ZZ * HALF_WIDTH
-"""Height of the ellipse's foremost point, which the jet's top passes 1 ahead of the crest."""
+XX, ZZ = _COS**2 + ASPECT**2 * _SIN**2, _SIN**2 + ASPECT**2 * _COS**2
+XZ = (ASPECT**2 - 1.0) * _COS * _SIN
+"""XX x² + 2 XZ x z + ZZ z² is the square of the ellipse's long semi-axis, x and z from its centre."""
+HALF_WIDTH, HALF_HEIGHT = LONG * math.sqrt(ZZ) / ASPECT, LONG * math.sqrt(XX) / ASPECT
+VERTICAL, FOREMOST = HALF_HEIGHT + XZ / ZZ * HALF_WIDTH, HALF_HEIGHT - XZ / ZZ * HALF_WIDTH
+"""Heights at which the face is vertical, and of the ellipse's foremost point, which the jet's top passes at x = 1."""
 THROW = 1.0 / math.sqrt(1.0 - FOREMOST)
 """Way of the jet's tip ahead until it lands on still water."""
-SLOPE = 8.0 / (3.0 * math.sqrt(3.0) * LENGTH)
-"""Greatest slope of the back."""
-
 BREAKING_INDEX = 0.78
 """Height of a solitary wave over the depth in which it breaks (McCowan 1894)."""
-LEANING, SHOULDER = 6.0, 14.0
-"""From the first vertical face along what has not broken: where the face has not steepened at all, and the foot."""
-TAIL = 8.0
-"""Where nothing of the broken crest is left, in ways along it until the jet lands."""
-TAPER = 0.25
-"""Share of the crest's length over which it rises at either end."""
+LEANING, SHOULDER, TAIL, TAPER = 6.0, 14.0, 8.0, 0.25
+"""From the first vertical face along what has not broken: where the face has not steepened at all, and the foot; where
+nothing is left of what has, in ways until the jet lands; share of the crest's length over which it rises at an end."""
 FRONT, LOWEST = 3.8, 2e-4
 """Farthest that anything of it reaches ahead, and height from which on it is drawn."""
-GENTLE = 0.15
-"""How gradually the jet begins."""
-LUMP, SEED, APRON = 0.3, 1983, 0.004
-"""Size of the first lumps of what the jet throws up, their seed, and height of the foam around."""
-STREAK = 0.35
-"""Scale of foam along the water's way, which draws it out."""
-CLOUDED, RAISED = 1.2, 0.15
-"""Extinction by what the back reflects totally, over the height; by how much more sky than horizon is seen through."""
+GENTLE, LUMP, SEED, APRON = 0.15, 0.3, 1983, 0.004
+"""How gradually the jet begins; size of the first lumps of what it throws up, their seed, and height of foam around."""
+STREAK, CLOUDED, RAISED = 0.35, 1.2, 0.15
+"""Scale of foam along the water's way; extinction by what the back reflects totally; how much higher than where the ray
+goes the sky is seen through the crest."""
 
 
 @dataclass(frozen=True)
 class Overturning:
-    """How a crest breaks: numbers in units of its height.
-
-    ``landing``: way along the crest from the first vertical face to where the jet lands; ``rate``: speed of the face
-    along it, 1/s; ``advance``: way of the crest ahead for each unit that the face moves along it; ``period``: way
-    of the face from one crest to the next.
-    """
+    """How a crest breaks: way along it from the first vertical face to where the jet lands, speed of that face along it
+    (1/s), way of the crest ahead for each that the face moves, its length, and way of the face from crest to crest."""
 
     landing: float
     rate: float
@@ -79,12 +53,13 @@ class Overturning:
 def overturning(crest: Breaker) -> Overturning:
     """Return how a crest breaks that travels as fast as a solitary wave of its height where it breaks.
 
-    The reef is oblique to the crest by the peel angle, so the place of the first vertical face moves along the crest
-    with c/tan(angle) (Walker 1974).
+    The reef is oblique to the crest by the peel angle, so the first vertical face moves along the crest with c/tan of it
+    (Walker 1974).
     """
     speed = math.sqrt(GRAVITY * crest.height * (1.0 + 1.0 / BREAKING_INDEX))
     advance, length = math.tan(crest.peel_angle), crest.length / crest.height
     rate = speed / advance / crest.height
     landing = rate * math.sqrt(2.0 * crest.height / GRAVITY)
-    life = SHOULDER + length + TAIL * landing
-    return Overturning(landing, rate, advance, length, life + rate * crest.rest)
+    period = SHOULDER + length + TAIL * landing + rate * crest.rest
+    # The digits that all processors agree on.
+    return Overturning(*(float(f"{value:.8g}") for value in (landing, rate, advance, length, period)))

@@ -104,23 +104,23 @@ class SampleShader(FoamStage):
 
     def _crest(self, crest: PlungingCrest, D: Floats, d: Floats, nearest: Floats, colour: Floats) -> None:
         """Write the colour (r, 3) of a plunging crest where rays meet it before what is ``nearest`` (r,) m away."""
-        hit = crest.trace(np.array([0.0, self.eye_y, 0.0]), d)
-        rows = np.flatnonzero(hit.t < nearest)
-        hit, D, d, lighting = hit.subset(rows), D[rows], d[rows], self.lighting
-        look, t = crest.look(hit), hit.t / np.sqrt(dot(D, D))
+        distance, part = crest.trace(np.array([0.0, self.eye_y, 0.0]), d)
+        rows, lighting = np.flatnonzero(distance < nearest), self.lighting
+        D, d, distance = D[rows], d[rows], distance[rows]
+        place = distance[:, None] * d + np.array([0.0, self.eye_y, 0.0])
+        look, t = crest.look(place, part[rows]), distance / np.sqrt(dot(D, D))
         sides = [intersect.moved(t, D, look.normal, step) for step in self.grid.steps]
         fine, drawn_out = ((look.on(sides[0], by), look.on(sides[1], by)) for by in (1.0, look.drawn))
         a, none = np.zeros(rows.size), np.zeros(rows.size)
         if self.scene.foam is not None:
-            a = self._mask_amount(look.saturation, *look.streaks, drawn_out, to_rest=(none, none))
+            a = self._mask_amount(look.saturation, look.streaks[0], look.streaks[2], drawn_out, to_rest=(none, none))
         if lighting is None:
             colour[rows] = np.minimum(a, 1.0)[:, None]
             return
-        place = hit.t[:, None] * d + np.array([0.0, self.eye_y, 0.0])
-        tilt, sun = look.off(self.surface.slopes(*look.level)[2]), lighting.sunlight(place, fine)
+        tilt, sun = look.off(self.surface.slopes(look.level[0], look.level[2])[2]), lighting.sunlight(place, fine)
         normals = unit(look.normal - tilt), unit(look.normal - 0.5 * tilt)
         seen = light.WaterHit(
-            WaterSamples(d, hit.t, place[:, 0], place[:, 2], place[:, 1], fine, *normals),
+            WaterSamples(d, distance, place[:, 0], place[:, 2], place[:, 1], fine, *normals),
             Bounds(),
             floor=look.through(lighting.air, self.scene.water, d),
             saturation=None if self.scene.foam is None else look.saturation,
