@@ -77,43 +77,44 @@ float crest_jet(Crest c, float left) {
 // Share of foam on the water around it.
 float crest_apron(Crest c, float x) {
     float wide = clamp(c.land - 0.9, 0.0, 4.0);
-    float v = (x - 1.1) / (0.5 + 0.75 * wide);
+    float v = (x - 0.9) / (0.5 + 0.65 * wide);
     return c.lumps * max(1.0 - v * v, 0.0);
 }
 
 // What the jet throws up where it has landed, which grows wide and covers what is left of the crest.
-float crest_lumps(Crest c, float x, float y, float s) {
+float crest_lumps(Crest c, float x, float s) {
     float past = clamp(c.land - 1.0, 0.0, 3.0);
     float v = (x - 1.25 + 0.3 * past) / (0.6 + 0.5 * past);
-    float most = 0.4 * c.lumps * max(1.0 - v * v, 0.0);
+    // It splashes up before it runs on.
+    float up = 0.35 + 0.35 * (1.0 - smoothstep(1.5, 2.8, c.land));
+    float most = up * c.lumps * max(1.0 - v * v, 0.0);
     float apron = CREST_APRON * smoothstep(0.0, 0.2, crest_apron(c, x));
-    if (most <= 0.0 || y > 2.0 * most + apron) {
-        return most + apron;
-    }
     vec2 place = vec2(s, x + 0.6 * crest_front()) / CREST_LUMP;
     float noise = abs(noise_2(place, uint(CREST_SEED))) + 0.45 * abs(noise_2(2.3 * place, uint(CREST_SEED + 1)));
-    return apron + most * min(0.7 + 1.2 * noise, 2.0);
+    return apron + most * (1.3 - 0.8 * exp(-4.0 * noise));
 }
 
-// Ways out of what is under the top, behind the face, in the jet, and thrown up.
-vec4 crest_gaps(vec3 p) {
+// Ways out of what is under the top, behind the face, and in the jet.
+vec3 crest_gaps(vec3 p) {
     Crest c = crest_at(p.z);
     float high = max(c.high, CREST_LEAST);
     vec2 at = p.xy / high;
     float top = crest_top(c, at.x);
     float jet = max(top - crest_jet(c, crest_left(c, at.x)) - at.y, at.x - crest_tip(c));
-    return vec4(high * vec3(at.y - top, at.x - crest_face(c, at.y), jet), p.y - crest_lumps(c, p.x, p.y, p.z));
+    return high * vec3(at.y - top, at.x - crest_face(c, at.y), jet);
 }
 
-float crest_gap(vec4 gaps, int part) {
-    return part == CREST_WHOLE ? min(max(gaps.x, min(gaps.y, gaps.z)), gaps.w) : gaps[part];
+float crest_gap(vec3 gaps, int part) {
+    return part == CREST_WHOLE ? max(gaps.x, min(gaps.y, gaps.z)) : gaps[part];
 }
 
 // Which part gives the whole its gap.
-int crest_part(vec4 gaps) {
-    float beside = min(gaps.y, gaps.z);
-    int crest = gaps.x >= beside ? CREST_TOP : gaps.y <= gaps.z ? CREST_FACE : CREST_UNDER;
-    return gaps.w <= max(gaps.x, beside) ? CREST_LUMPS : crest;
+int crest_part(vec3 gaps) {
+    return gaps.x >= min(gaps.y, gaps.z) ? CREST_TOP : gaps.y <= gaps.z ? CREST_FACE : CREST_UNDER;
+}
+
+float crest_lump_gap(vec3 p) {
+    return p.y - crest_lumps(crest_at(p.z), p.x, p.z);
 }
 
 // The crest's axes: along its travel, up, and along it.
@@ -172,60 +173,117 @@ void main() {
 // Where a ray enters the crest from the air, in its heights along d, and which part of it; false where it does not.
 const int CREST_HALVINGS = 12;
 
-// In an interval at whose ends the gaps are these. Entered is the whole, or between two places in the air the jet alone, by its top or from
-// under it: it is thinner than the steps.
-bool enter_crest(vec3 o, vec3 d, vec2 span, vec4 before, vec4 after, out float t, out int part) {
+// Where a ray is in a box; from after to before: nowhere.
+vec2 crest_span(vec3 o, vec3 d, vec3 low, vec3 high) {
+    vec3 way = mix(d, vec3(1e-9), lessThan(abs(d), vec3(1e-9)));
+    vec3 enters = min((low - o) / way, (high - o) / way);
+    vec3 leaves = max((low - o) / way, (high - o) / way);
+    return vec2(max(max(max(enters.x, enters.y), enters.z), 0.0), min(min(leaves.x, leaves.y), leaves.z));
+}
+
+// What is entered between two places: the whole, or where both are in the air the jet alone, by its top or from under it, which may be
+// thinner than a step. -1: nothing.
+int crest_entered(vec3 before, vec3 after, int from) {
+    int kind = -1;
+    for (int i = 2; i >= 0; --i) {
+        int one = i == 0 ? CREST_TOP : i == 1 ? CREST_UNDER : CREST_WHOLE;
+        kind = i >= from && crest_gap(before, one) > 0.0 && crest_gap(after, one) < 0.0 ? i : kind;
+    }
+    return kind;
+}
+
+// Steps, and where something is entered halvings, in one loop: drivers without branches would run a loop in it for every step.
+bool meet_body(vec3 o, vec3 d, out float t, out int part) {
+    vec2 span = crest_span(o, d, crest_low(), crest_high());
+    float least = (span.y - span.x) / float(CREST_STEPS);
+    int halvings = 0;
+    int entered = -1;
+    float before = span.x;
+    vec2 held = vec2(0.0);
+    vec3 gaps = crest_gaps(o + before * d);
+    vec3 ahead = gaps;
     t = 1e9;
-    for (int i = 0; i < 3; ++i) {
-        int kind = i == 0 ? CREST_TOP : i == 1 ? CREST_UNDER : CREST_WHOLE;
-        if (crest_gap(before, kind) <= 0.0 || crest_gap(after, kind) >= 0.0) {
-            continue;
-        }
-        vec2 held = span;
-        for (int j = 0; j < CREST_HALVINGS; ++j) {
-            float middle = 0.5 * (held.x + held.y);
-            held = crest_gap(crest_gaps(o + middle * d), kind) > 0.0 ? vec2(middle, held.y) : vec2(held.x, middle);
-        }
-        vec3 at = o + held.y * d;
-        vec4 there = crest_gaps(at);
-        Crest c = crest_at(at.z);
-        bool top = at.x <= crest_tip(c) * max(c.high, CREST_LEAST);
-        bool under = there.x < 0.0 && there.y > 0.0;
-        if (held.y < t && (kind == CREST_WHOLE || (kind == CREST_TOP ? top : under))) {
-            t = held.y;
-            part = kind == CREST_WHOLE ? crest_part(there) : kind;
+    part = CREST_TOP;
+    bool on = span.x < span.y;
+    while (on) {
+        bool marches = halvings == 0;
+        float whole = crest_gap(gaps, CREST_WHOLE);
+        // The gap is no more than twice as wide as the way out, but for the foot, where what comes next is deep water.
+        float after = min(before + max(0.5 * whole, least), span.y);
+        float look = marches ? after : 0.5 * (held.x + held.y);
+        vec3 there = crest_gaps(o + look * d);
+        int kind = entered == 0 ? CREST_TOP : entered == 1 ? CREST_UNDER : CREST_WHOLE;
+        if (marches) {
+            entered = crest_entered(gaps, there, 0);
+            held = vec2(before, after);
+            ahead = there;
+            halvings = entered < 0 ? 0 : CREST_HALVINGS;
+            before = entered < 0 ? after : before;
+            gaps = entered < 0 ? there : gaps;
+            on = entered >= 0 || after < span.y;
+        } else {
+            bool out_there = crest_gap(there, kind) > 0.0;
+            held = out_there ? vec2(look, held.y) : vec2(held.x, look);
+            halvings -= 1;
+            vec3 at = o + held.y * d;
+            Crest c = crest_at(at.z);
+            bool top = at.x <= crest_tip(c) * max(c.high, CREST_LEAST);
+            bool under = there.x < 0.0 && there.y > 0.0;
+            bool ends = halvings == 0;
+            bool valid = ends && (kind == CREST_WHOLE || (kind == CREST_TOP ? top : under)) && held.y < t;
+            t = valid ? held.y : t;
+            part = valid ? (kind == CREST_WHOLE ? crest_part(there) : kind) : part;
+            // The next of what is entered in the same interval, or on.
+            int other = crest_entered(gaps, ahead, entered + 1);
+            float far = before + max(0.5 * whole, least);
+            entered = ends ? other : entered;
+            held = ends ? vec2(before, min(far, span.y)) : held;
+            halvings = ends && other >= 0 ? CREST_HALVINGS : halvings;
+            bool leaves = ends && other < 0;
+            on = !leaves || (t == 1e9 && far < span.y);
+            before = leaves ? min(far, span.y) : before;
+            gaps = leaves ? ahead : gaps;
         }
     }
     return t < 1e9;
 }
 
+// The same of what is thrown up: steps, then halvings.
+bool meet_lumps(vec3 o, vec3 d, float farthest, out float t) {
+    float landed = crest_front() - 0.9 * u_breaker_form.y;
+    vec2 span = crest_span(o, d, crest_low() + vec3(1.5, 0.0, 0.0), vec3(PLUNGING_FRONT, 0.95, min(crest_high().z, landed)));
+    float least = (min(span.y, farthest) - span.x) / float(CREST_LUMP_STEPS);
+    vec2 held = vec2(span.x);
+    int step = 0;
+    bool met = false;
+    bool on = least > 0.0;
+    while (on) {
+        float look = met ? 0.5 * (held.x + held.y) : held.x + least;
+        bool inside = crest_lump_gap(o + look * d) < 0.0;
+        held = inside ? vec2(held.x, look) : met ? vec2(look, held.y) : vec2(look);
+        // From the first place inside on, as many halvings.
+        step = inside && !met ? CREST_LUMP_STEPS - CREST_HALVINGS : step + 1;
+        met = met || inside;
+        on = step < CREST_LUMP_STEPS;
+    }
+    t = held.y;
+    return met;
+}
+
 bool meet_crest(vec3 o, vec3 d, out float t, out int part) {
-    vec3 way = mix(d, vec3(1e-9), lessThan(abs(d), vec3(1e-9)));
-    vec3 low = (crest_low() - o) / way;
-    vec3 high = (crest_high() - o) / way;
-    vec3 enters = min(low, high);
-    vec3 leaves = max(low, high);
-    float near = max(max(max(enters.x, enters.y), enters.z), 0.0);
-    float far = min(min(leaves.x, leaves.y), leaves.z);
-    if (near >= far) {
-        return false;
-    }
-    float before = near;
-    vec4 gaps = crest_gaps(o + near * d);
-    for (int i = 1; i <= CREST_STEPS; ++i) {
-        float after = mix(near, far, float(i) / float(CREST_STEPS));
-        vec4 there = crest_gaps(o + after * d);
-        if (enter_crest(o, d, vec2(before, after), gaps, there, t, part)) {
-            return true;
-        }
-        before = after;
-        gaps = there;
-    }
-    return false;
+    float lumps;
+    bool body = meet_body(o, d, t, part);
+    bool thrown = meet_lumps(o, d, body ? t : 1e9, lumps);
+    part = thrown ? CREST_LUMPS : part;
+    t = thrown ? lumps : t;
+    return body || thrown;
 }
 
 // The gap of a part, or for the jet's underside, which is vertical where it leaves the face, what it is the zero of, without a root.
 float crest_form(vec3 p, int part) {
+    if (part == CREST_LUMPS) {
+        return crest_lump_gap(p);
+    }
     if (part != CREST_UNDER) {
         return crest_gaps(p)[part];
     }
@@ -278,7 +336,7 @@ CrestLook crest_look(vec3 p, int part) {
     float roof = toe - 0.6 * (toe - behind) - 0.9 * (PLUNGING_VERTICAL + bent) + behind - at.x;
     float way = part == CREST_FACE ? risen : part == CREST_UNDER ? roof : at.x;
 
-    float landed = smoothstep(0.7, 1.5, c.land);
+    float landed = 0.9 * smoothstep(0.7, 1.5, c.land);
     float lip = smoothstep(0.45, 0.95, 1.0 - left) * smoothstep(0.0, 0.4, crest_phase(c));
     float steep = 1.0 - c.lean;
     float feather = smoothstep(-0.6, 0.0, at.x) * steep * steep * steep;
@@ -289,7 +347,7 @@ CrestLook crest_look(vec3 p, int part) {
     return CrestLook(
         u_breaker_form.w * crest_front() + high * way,
         part == CREST_LUMPS ? 1.0 : CREST_STREAK,
-        part == CREST_LUMPS ? max(smoothstep(0.0, 0.12, p.y - CREST_APRON), 0.9 * crest_apron(c, p.x)) : max(clear, white),
+        part == CREST_LUMPS ? 0.93 * max(smoothstep(0.0, 0.03, p.y - CREST_APRON), crest_apron(c, p.x)) : max(clear, white),
         thick * high * u_breaker_form.x,
         part == CREST_UNDER ? 1.0 : part == CREST_TOP ? smoothstep(0.0, 0.3, at.x) : 0.0,
         part == CREST_FACE || part == CREST_UNDER ? shade : 1.0);
@@ -308,12 +366,13 @@ void look_through_crest(vec3 d, vec3 n, CrestLook look) {
     vec3 behind = refracted(d, n, max(-dot(d, n), 0.0), INDEX);
     // What goes down meets deep water, not the crest's back.
     crest_passes = mix(smoothstep(-0.45, -0.05, behind.y), 1.0, look.sheet);
-    behind.y = abs(behind.y) + CREST_RAISED;
+    behind.y = length(vec2(behind.y, CREST_RAISED));
     float ahead = max(dot(d, u_sun_direction), 0.0);
     ahead *= ahead;
     crest_behind_light = 0.9 * sky_light(normalize(behind)) + u_breaker_glow / PI * ahead * ahead * u_sun_irradiance;
     crest_thickness = look.thickness;
-    crest_mirror = look.mirror;
+    // What is mirrored under the horizon is water.
+    crest_mirror = look.mirror * mix(0.3, 1.0, smoothstep(-0.4, 0.0, reflect(d, n).y));
 }
 
 // The crest's back holds much of the light by total reflection, as if the water were cloudy.

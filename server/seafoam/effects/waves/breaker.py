@@ -12,8 +12,8 @@ from seafoam.ocean.waves import plunging
 from seafoam.quality import Quality
 from seafoam.scene import Breaker, Scene
 
-STEPS = 64
-"""Intervals of a ray's way through the crest's box in which its entry is looked for."""
+STEPS, LUMP_STEPS = 64, 32
+"""Most steps along a ray's way through the crest's box, and through that of what it throws up."""
 _SHAPE = "BORE LENGTH LEAN LONG XX XZ HALF_WIDTH HALF_HEIGHT VERTICAL FOREMOST THROW SHOULDER LEANING TAIL TAPER FRONT"
 _LOOK = "LOWEST GENTLE LUMP SEED APRON STREAK CLOUDED RAISED"
 _FILE = "waves/breaker.glsl@"
@@ -37,6 +37,7 @@ def _draw(scene: Scene, crest: Breaker, quality: Quality) -> Contribution:
             **{f"CREST_{name}": getattr(plunging, name) for name in _LOOK.split()},
             "CREST_SIDE": 1.0 if crest.peels == "right" else -1.0,
             "CREST_STEPS": STEPS,
+            "CREST_LUMP_STEPS": LUMP_STEPS,
         },
         uniforms={
             "u_breaker_front": array("float", [front], 1),

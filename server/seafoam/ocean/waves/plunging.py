@@ -14,7 +14,7 @@ from seafoam.scene import Breaker
 ASPECT, LONG, TILT = math.sqrt(3.0), 0.6, math.radians(30.0)
 """Of the ellipse: long over short axis, the long semi-axis, and the angle by which that falls toward the front."""
 BORE, LENGTH, LEAN = 0.1, 4.0, 3.0
-"""Way of the face back until the jet lands, length of the back, and how far a face reaches ahead that has not steepened."""
+"""Way of the face back until the jet lands, length of the back, and how far ahead a face begins that is not steep."""
 _COS, _SIN = math.cos(TILT), math.sin(TILT)
 XX, ZZ = _COS**2 + ASPECT**2 * _SIN**2, _SIN**2 + ASPECT**2 * _COS**2
 XZ = (ASPECT**2 - 1.0) * _COS * _SIN
@@ -29,13 +29,13 @@ BREAKING_INDEX = 0.78
 LEANING, SHOULDER, TAIL, TAPER = 6.0, 14.0, 8.0, 0.25
 """From the first vertical face along what has not broken: where the face has not steepened at all, and the foot; where
 nothing is left of what has, in ways until the jet lands; share of the crest's length over which it rises at an end."""
-FRONT, LOWEST = 3.8, 2e-4
+FRONT, LOWEST = 4.0, 2e-4
 """Farthest that anything of it reaches ahead, and height from which on it is drawn."""
-GENTLE, LUMP, SEED, APRON = 0.15, 0.3, 1983, 0.004
+GENTLE, LUMP, SEED, APRON = 0.15, 0.36, 1983, 0.004
 """How gradually the jet begins; size of the first lumps of what it throws up, their seed, and height of foam around."""
 STREAK, CLOUDED, RAISED = 0.35, 1.2, 0.15
-"""Scale of foam along the water's way; extinction by what the back reflects totally; how much higher than where the ray
-goes the sky is seen through the crest."""
+"""Scale of foam along the water's way; extinction by what the back reflects totally; least rise of the rays
+by which the sky is seen through the crest."""
 
 
 @dataclass(frozen=True)
@@ -53,8 +53,8 @@ class Overturning:
 def overturning(crest: Breaker) -> Overturning:
     """Return how a crest breaks that travels as fast as a solitary wave of its height where it breaks.
 
-    The reef is oblique to the crest by the peel angle, so the first vertical face moves along the crest with c/tan of it
-    (Walker 1974).
+    The reef is oblique to the crest by the peel angle, so the first vertical face moves along the crest with c over its
+    tangent (Walker 1974).
     """
     speed = math.sqrt(GRAVITY * crest.height * (1.0 + 1.0 / BREAKING_INDEX))
     advance, length = math.tan(crest.peel_angle), crest.length / crest.height

@@ -126,7 +126,7 @@ class SampleShader(FoamStage):
             saturation=None if self.scene.foam is None else look.saturation,
             sun=sun,
             sun_past_foam=sun,
-            mirrored=lambda r, spread: look.mirror[:, None] * lighting.air.mirrored(r, spread),
+            mirrored=lambda r, spread: look.mirrored(d) * lighting.air.mirrored(r, spread),
             glint=lighting.glint,
         )
         colour[rows] = self._shown(lighting, seen, a, sun)

@@ -45,13 +45,14 @@ class Section:
         self.jet = self.top(self.behind) - of.VERTICAL
         # What the jet throws up where it has landed grows wide and covers what is left of the crest.
         past, wide = np.clip(self.land - 1.0, 0.0, 3.0), np.clip(self.land - 0.9, 0.0, 4.0)
-        v, w = (x - 1.25 + 0.3 * past) / (0.6 + 0.5 * past), (x - 1.1) / (0.5 + 0.75 * wide)
+        v, w = (x - 1.25 + 0.3 * past) / (0.6 + 0.5 * past), (x - 0.9) / (0.5 + 0.65 * wide)
         self.apron = thrown * np.maximum(1.0 - w * w, 0.0)
-        lumps, self.lumps = 0.4 * thrown * np.maximum(1.0 - v * v, 0.0), of.APRON * smoothstep(0.0, 0.2, self.apron)
-        rows = np.flatnonzero((lumps > 0.0) & (y <= 2.0 * lumps + self.lumps))
+        up, self.lumps = 0.7 - 0.35 * smoothstep(1.5, 2.8, self.land), of.APRON * smoothstep(0.0, 0.2, self.apron)
+        lumps = up * thrown * np.maximum(1.0 - v * v, 0.0)
+        rows = np.flatnonzero((lumps > 0.0) & (y <= 1.3 * lumps + self.lumps))
         at = np.stack((s, x + 0.6 * front), axis=-1)[rows] / of.LUMP
         noise = np.abs(perlin(at, of.SEED)[0]) + 0.45 * np.abs(perlin(2.3 * at, of.SEED + 1)[0])
-        lumps[rows] *= np.minimum(0.7 + 1.2 * noise, 2.0)
+        lumps[rows] *= 1.3 - 0.8 * np.exp(-4.0 * noise)
         self.lumps += lumps
 
     def top(self, x: Floats) -> Floats:
@@ -76,11 +77,11 @@ class Section:
 
     def saturation(self, part: Indices, left: Floats) -> Floats:
         """Foam: feathers at the crest, white at the lip, streaks up the face, all white where the jet has landed."""
-        landed, steep = smoothstep(0.7, 1.5, self.land), 1.0 - self.lean
+        landed, steep = 0.9 * smoothstep(0.7, 1.5, self.land), 1.0 - self.lean
         lip = smoothstep(0.45, 0.95, 1.0 - left) * smoothstep(0.0, 0.4, self.phase)
         streaks = np.maximum(0.3 * smoothstep(0.1, 0.9, self.y) * steep**2 * (0.4 + 0.6 * self.phase), landed)
         top = np.maximum(0.3 * smoothstep(-0.6, 0.0, self.x) * steep**3, smoothstep(-3.5, -0.5, self.x) * landed)
-        thrown = np.maximum(smoothstep(0.0, 0.12, self.high * self.y - of.APRON), 0.9 * self.apron)
+        thrown = 0.93 * np.maximum(smoothstep(0.0, 0.03, self.high * self.y - of.APRON), self.apron)
         return np.choose(part, (np.maximum(top, lip), streaks, np.maximum(streaks, lip), thrown))
 
 
@@ -111,6 +112,11 @@ class CrestLook:
         along, aside = self.axes[[0, 2]][:, [0, 2]] @ slope
         return np.asarray(along[:, None] * self.along + aside[:, None] * self.axes[2])
 
+    def mirrored(self, d: Floats) -> Floats:
+        """Share (r, 1) of the sky that is mirrored along rays d (r, 3): under the horizon it is water."""
+        up = d[:, 1] - 2.0 * dot(d, self.normal) * self.normal[:, 1]
+        return np.asarray(self.mirror * (0.3 + 0.7 * smoothstep(-0.4, 0.0, up)))[:, None]
+
     def through(self, air: Air, body: Water, d: Floats) -> Floor:
         """What is seen through the crest along rays d (r, 3): sky, and the sun's light that it scatters ahead."""
         c = np.maximum(-dot(d, self.normal), 0.0)
@@ -118,7 +124,7 @@ class CrestLook:
         behind = d / WATER_INDEX + (c / WATER_INDEX - inner)[:, None] * self.normal
         # What goes down meets deep water, not the crest's back.
         passes = self.passes + (1.0 - self.passes) * smoothstep(-0.45, -0.05, behind[:, 1])
-        behind[:, 1] = np.abs(behind[:, 1]) + of.RAISED
+        behind[:, 1] = np.hypot(behind[:, 1], of.RAISED)
         ahead = np.maximum(d @ air.sun, 0.0) ** 4 * body.translucency / math.pi
         seen, thick = 0.9 * air.sky(unit(behind)) + ahead[:, None] * air.sun_irradiance, self.thickness[:, None]
         return lambda taken, deep, _: deep + (seen - deep) * passes[:, None] * np.exp(-(taken + self.clouded) * thick)
