@@ -204,7 +204,8 @@ bool meet_body(vec3 o, vec3 d, out float t, out int part) {
     vec3 ahead = gaps;
     t = 1e9;
     part = CREST_TOP;
-    bool on = span.x < span.y;
+    // From in the crest nothing of it is seen.
+    bool on = span.x < span.y && crest_gap(crest_gaps(o), CREST_WHOLE) >= 0.0;
     while (on) {
         bool marches = halvings == 0;
         float whole = crest_gap(gaps, CREST_WHOLE);
@@ -279,16 +280,24 @@ bool meet_crest(vec3 o, vec3 d, out float t, out int part) {
     return body || thrown;
 }
 
-// The gap of a part, or for the jet's underside, which is vertical where it leaves the face, what it is the zero of, without a root.
-float crest_form(vec3 p, int part) {
-    if (part == CREST_LUMPS) {
+// The gap of a part, or where that is steep what it is the zero of, without a root: the jet's underside is vertical where it leaves the face,
+// and a face that leans is level at the crest.
+const int CREST_CAP = 5;
+
+float crest_form(vec3 p, int form) {
+    if (form == CREST_LUMPS) {
         return crest_lump_gap(p);
     }
-    if (part != CREST_UNDER) {
-        return crest_gaps(p)[part];
+    if (form < CREST_UNDER) {
+        return crest_gaps(p)[form];
     }
     Crest c = crest_at(p.z);
     vec2 at = p.xy / max(c.high, CREST_LEAST);
+    if (form == CREST_CAP) {
+        float ahead = at.x / max(PLUNGING_LEAN * c.lean, CREST_LEAST);
+        float fall = max(1.0 - ahead * ahead, 0.0);
+        return at.y - fall * fall;
+    }
     float left = (crest_tip(c) - at.x) / max(crest_tip(c) - crest_behind(c), CREST_LEAST);
     float down = 1.0 - (crest_top(c, at.x) - at.y) / (crest_top(c, crest_behind(c)) - PLUNGING_VERTICAL);
     return 1.0 - left * left - down * down;
@@ -297,11 +306,14 @@ float crest_form(vec3 p, int part) {
 // Unit normal along the crest's axes.
 vec3 crest_normal(vec3 p, int part) {
     const float STEP = 2e-3;
+    Crest c = crest_at(p.z);
+    bool cap = part == CREST_FACE && p.y > 0.9 * max(c.high, CREST_LEAST) && c.lean > 0.02;
+    int form = cap ? CREST_CAP : part;
     vec3 n;
     for (int i = 0; i < 3; ++i) {
         vec3 by = vec3(0.0);
         by[i] = STEP;
-        n[i] = crest_form(p + by, part) - crest_form(p - by, part);
+        n[i] = crest_form(p + by, form) - crest_form(p - by, form);
     }
     return normalize(n);
 }

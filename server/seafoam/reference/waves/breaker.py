@@ -19,7 +19,7 @@ from seafoam.scene import Breaker, Water
 
 STEPS, HALVINGS = 128, 24  # of a ray's way through the crest's box, and of one of these
 LEAST, STEP = 1e-3, 2e-3  # least divisor, and step of the differences for normals
-TOP, FACE, UNDER, LUMPS, WHOLE, ROUND = range(6)
+TOP, FACE, UNDER, LUMPS, WHOLE, ROUND, CAP = range(7)
 JET = 1.0 - of.VERTICAL  # thickness where it leaves the crest, which is thicker there by the next
 JOINT = of.LENGTH * math.sqrt(1.0 - math.sqrt(of.VERTICAL)) - JET
 
@@ -62,7 +62,7 @@ class Section:
 
     def gaps(self) -> Floats:
         """Ways out of what is under the top, behind the face, in the jet, thrown up, and of the whole; and what is 0 on
-        the jet's underside and nowhere steep; (6, n)."""
+        the jet's underside, and on a leaning face near the crest, and nowhere steep; (7, n)."""
         # The face is an ellipse's, goes straight up over its vertical place, and ahead where it leans.
         z = np.clip(self.y, 0.0, of.VERTICAL) - of.HALF_HEIGHT
         root = np.sqrt(np.maximum(of.XX * of.LONG**2 - (of.ASPECT * z) ** 2, 0.0))
@@ -72,8 +72,9 @@ class Section:
         top, front = self.high * (self.y - self.top(self.x)), self.high * (self.x - face)
         jet, lumps = self.high * np.maximum(under, self.x - self.tip), self.high * self.y - self.lumps
         down = 1.0 - (self.top(self.x) - self.y) / self.jet
+        fall = np.maximum(1.0 - (self.x / np.maximum(of.LEAN * self.lean, LEAST)) ** 2, 0.0)
         whole = np.minimum(np.maximum(top, np.minimum(front, jet)), lumps)
-        return np.stack((top, front, jet, lumps, whole, 1.0 - self.left**2 - down**2))
+        return np.stack((top, front, jet, lumps, whole, 1.0 - self.left**2 - down**2, self.y - fall**2))
 
     def saturation(self, part: Indices, left: Floats) -> Floats:
         """Foam: feathers at the crest, white at the lip, streaks up the face, all white where the jet has landed."""
@@ -152,7 +153,9 @@ class PlungingCrest:
         slant = np.where(np.abs(d) < 1e-9, 1e-9, d)
         ends = np.sort(np.stack(((low - o) / slant, (high - o) / slant)), axis=0)
         near, far = np.maximum(ends[0].max(axis=1), 0.0), ends[1].min(axis=1)
-        rows = np.flatnonzero((near < far) & (low[2] < high[2]))
+        # From in the crest nothing of it is seen.
+        clear = low[2] < high[2] and self.section(o[None]).gaps()[WHOLE, 0] >= 0.0
+        rows = np.flatnonzero((near < far) & clear)
         step, before, entered = (far - near) / STEPS, np.zeros((WHOLE + 1, rows.size)), []
         for i in range(STEPS + 1):
             gaps = self.section(o + (near + i * step)[rows, None] * d[rows]).gaps()[: WHOLE + 1]
@@ -187,10 +190,11 @@ class PlungingCrest:
     def look(self, place: Floats, part: Indices) -> CrestLook:
         """What shows at places (r, 3) of the crest, m from the origin, of these parts."""
         place = self._local(place)
-        own = np.where(part == UNDER, ROUND, part), np.arange(part.size)
+        at, s = self.section(place), place[:, 2]
+        cap = (part == FACE) & (at.y > 0.9) & (at.lean > 0.02)
+        own = np.where(cap, CAP, np.where(part == UNDER, ROUND, part)), np.arange(part.size)
         ends = [[self.section(place + by).gaps()[own] for by in (step, -step)] for step in STEP * np.eye(3)]
         n = unit(np.stack([plus - minus for plus, minus in ends], axis=-1))
-        at, s = self.section(place), place[:, 2]
         left, up = np.clip(at.left, 0.0, 1.0), np.clip(at.y, 0.0, 1.0)
         back, bent = of.LENGTH * np.sqrt(1.0 - np.sqrt(up)), np.sqrt(1.0 - left * left)
         thick = at.jet * (1.0 - bent) + JOINT * left**6 + np.maximum(at.behind - at.x, 0.0)
