@@ -204,8 +204,7 @@ bool meet_body(vec3 o, vec3 d, out float t, out int part) {
     vec3 ahead = gaps;
     t = 1e9;
     part = CREST_TOP;
-    // From in the crest nothing of it is seen.
-    bool on = span.x < span.y && crest_gap(crest_gaps(o), CREST_WHOLE) >= 0.0;
+    bool on = span.x < span.y;
     while (on) {
         bool marches = halvings == 0;
         float whole = crest_gap(gaps, CREST_WHOLE);
@@ -277,7 +276,8 @@ bool meet_crest(vec3 o, vec3 d, out float t, out int part) {
     bool thrown = meet_lumps(o, d, body ? t : 1e9, lumps);
     part = thrown ? CREST_LUMPS : part;
     t = thrown ? lumps : t;
-    return body || thrown;
+    // From in the crest nothing of it is seen.
+    return (body || thrown) && min(crest_gap(crest_gaps(o), CREST_WHOLE), crest_lump_gap(o)) >= 0.0;
 }
 
 // The gap of a part, or where that is steep what it is the zero of, without a root: the jet's underside is vertical where it leaves the face,

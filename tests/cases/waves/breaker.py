@@ -14,12 +14,12 @@ _EVERY = _FORM.period / _FORM.rate
 
 _HARD = (
     HardCase(
-        "a crest where it has no height",
+        "an eye in the crest",
         PLUNGING,
-        guard="the height that divides is at least a thousandth (waves/breaker.glsl@section)",
-        times=(1.0,),
-        camera=Camera(position=(-12.0, 1.0, -30.0), yaw=2.6, pitch=-0.1, fov=0.9),
-        without={"waves/breaker.glsl": {"max(c.high, CREST_LEAST)": "c.high"}},
+        guard="from in the crest nothing of it is seen (waves/breaker.glsl@trace)",
+        times=(2.0,),
+        camera=Camera(position=(-3.2, 0.8, -8.0), yaw=-0.5),
+        without={"waves/breaker.glsl": {"crest_lump_gap(o)) >= 0.0": "crest_lump_gap(o)) >= -1e9"}},
     ),
     HardCase(
         "a lip that is thinner than a step",
