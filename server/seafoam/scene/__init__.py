@@ -2,7 +2,6 @@
 
 from seafoam.scene.base import *
 from seafoam.scene.boats import *
-from seafoam.scene.breaker import *
 from seafoam.scene.camera import *
 from seafoam.scene.foam import *
 from seafoam.scene.light import *

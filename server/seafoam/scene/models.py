@@ -11,14 +11,13 @@ from pydantic import Field
 from seafoam.extensions import Extensible, Extensions
 from seafoam.scene.base import Part, settled
 from seafoam.scene.boats import BOATS_MOST, Boat
-from seafoam.scene.breaker import Breaker
 from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Drift, Foam
 from seafoam.scene.light import Light, Wind
 from seafoam.scene.shore import Shore
 from seafoam.scene.spray import Spray
 from seafoam.scene.water import Current, Water
-from seafoam.scene.waves import RINGS_MOST, TOUCHES_MOST, ParametricWave, Ring, Sea, Touch, WaveGroups
+from seafoam.scene.waves import RINGS_MOST, TOUCHES_MOST, Breaker, ParametricWave, Ring, Sea, Touch, WaveGroups
 
 
 class SceneExtensions(Extensions):

@@ -12,7 +12,7 @@ from seafoam.reference.renderer.state import Lighting
 from seafoam.reference.shore.shore import Coast
 from seafoam.reference.types import Bounds, Floats, Pair, WaterSamples, dot, unit
 from seafoam.reference.water.seafloor import FARTHEST, FOAM_THROUGH, Seabed
-from seafoam.reference.waves.breaker import PlungingCrest
+from seafoam.reference.waves.breaker import CrestLook, PlungingCrest
 from seafoam.scene import SurfSaturation
 
 AROUND_HEIGHT = 1.0  # height from which the surroundings are seen, m
@@ -108,7 +108,7 @@ class SampleShader(FoamStage):
         rows, lighting = np.flatnonzero(distance < nearest), self.lighting
         D, d, distance = D[rows], d[rows], distance[rows]
         place = distance[:, None] * d + np.array([0.0, self.eye_y, 0.0])
-        look, t = crest.look(place, part[rows]), distance / np.sqrt(dot(D, D))
+        look, t = CrestLook(crest, place, part[rows]), distance / np.sqrt(dot(D, D))
         sides = [intersect.moved(t, D, look.normal, step) for step in self.grid.steps]
         fine, drawn_out = ((look.on(sides[0], by), look.on(sides[1], by)) for by in (1.0, look.drawn))
         a, none = np.zeros(rows.size), np.zeros(rows.size)

@@ -4,7 +4,6 @@ Places are (x, y, s): along the crest's travel from its first vertical face, up,
 """
 
 import math
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
 
@@ -86,51 +85,6 @@ class Section:
         return np.choose(part, (np.maximum(top, lip), streaks, np.maximum(streaks, lip), thrown))
 
 
-@dataclass(frozen=True, eq=False)
-class CrestLook:
-    """What shows of the crest at r places. Water moves through it along its travel: up the face, and level on top."""
-
-    axes: Floats
-    normal: Floats  # (r, 3) unit vectors
-    along: Floats  # (r, 3) unit vectors, along the surface and against the water's way
-    level: Floats  # (3, r), m from the origin, on level water from where the water has come
-    streaks: Floats  # the same, drawn out for foam
-    drawn: Floats  # their scale
-    saturation: Floats
-    passes: Floats  # share that light has of all that comes from behind, whichever way it goes
-    thickness: Floats  # of water that it passes, and of what holds it back, m
-    clouded: float  # 1/m
-    mirror: Floats  # share of the sky that the place sees
-
-    def on(self, moved: Floats, drawn: Floats | float) -> Floats:
-        """Vectors (r, 3) on the surface as those of ``level``, ``drawn`` along the water's way; (r, 2)."""
-        along, aside = drawn * dot(moved, self.along), moved @ self.axes[2]
-        level: Floats = along[:, None] * self.axes[0] + aside[:, None] * self.axes[2]
-        return level[:, [0, 2]]
-
-    def off(self, slope: Floats) -> Floats:
-        """Slopes (2, r) of level water as vectors on the surface; (r, 3)."""
-        along, aside = self.axes[[0, 2]][:, [0, 2]] @ slope
-        return np.asarray(along[:, None] * self.along + aside[:, None] * self.axes[2])
-
-    def mirrored(self, d: Floats) -> Floats:
-        """Share (r, 1) of the sky that is mirrored along rays d (r, 3): under the horizon it is water."""
-        up = d[:, 1] - 2.0 * dot(d, self.normal) * self.normal[:, 1]
-        return np.asarray(self.mirror * (0.3 + 0.7 * smoothstep(-0.4, 0.0, up)))[:, None]
-
-    def through(self, air: Air, body: Water, d: Floats) -> Floor:
-        """What is seen through the crest along rays d (r, 3): sky, and the sun's light that it scatters ahead."""
-        c = np.maximum(-dot(d, self.normal), 0.0)
-        inner = np.sqrt(1.0 - (1.0 - c * c) / WATER_INDEX**2)
-        behind = d / WATER_INDEX + (c / WATER_INDEX - inner)[:, None] * self.normal
-        # What goes down meets deep water, not the crest's back.
-        passes = self.passes + (1.0 - self.passes) * smoothstep(-0.45, -0.05, behind[:, 1])
-        behind[:, 1] = np.hypot(behind[:, 1], of.RAISED)
-        ahead = np.maximum(d @ air.sun, 0.0) ** 4 * body.translucency / math.pi
-        seen, thick = 0.9 * air.sky(unit(behind)) + ahead[:, None] * air.sun_irradiance, self.thickness[:, None]
-        return lambda taken, deep, _: deep + (seen - deep) * passes[:, None] * np.exp(-(taken + self.clouded) * thick)
-
-
 class PlungingCrest:
     """The crest of a scene at a time (s) around an origin (x, z), m."""
 
@@ -147,7 +101,7 @@ class PlungingCrest:
     def trace(self, o: Floats, d: Floats) -> tuple[Floats, Indices]:
         """Distances (r,), m, at which rays from o (3,) along unit vectors d (r, 3) enter the crest from the air,
         infinite where they do not, and which part of it they meet."""
-        o, d = self._local(o), d @ self.axes.T
+        o, d = self.local(o), d @ self.axes.T
         low = np.array([-of.LENGTH, of.LOWEST, max(0.0, self.front - of.TAIL * self.form.landing)])
         high = np.array([of.FRONT, 1.0, min(self.form.length, self.front + of.SHOULDER)])
         slant = np.where(np.abs(d) < 1e-9, 1e-9, d)
@@ -187,41 +141,76 @@ class PlungingCrest:
         jet = ((kind == TOP) & (at.x <= at.tip)) | ((kind == UNDER) & (top < 0.0) & (face > 0.0))
         return high, jet | (kind == WHOLE), np.where(kind == WHOLE, whole, kind)
 
-    def look(self, place: Floats, part: Indices) -> CrestLook:
-        """What shows at places (r, 3) of the crest, m from the origin, of these parts."""
-        place = self._local(place)
-        at, s = self.section(place), place[:, 2]
+    def local(self, place: Floats) -> Floats:
+        """Places (r, 3), m from the origin, along the crest's axes."""
+        return np.asarray((place + self.origin) @ self.axes.T / self.height - self.advanced, np.float64)
+
+
+class CrestLook:
+    """What shows of a crest at places (r, 3), m from the origin, of these parts (r,).
+
+    Water moves through it along its travel: up the face, and level on top. ``normal`` and ``along``, which lies on the
+    surface against the water's way, are unit vectors (r, 3); ``level`` (3, r), m from the origin, is on level water
+    from where the water has come, and ``streaks`` the same, ``drawn`` (r,) out for foam.
+    """
+
+    def __init__(self, crest: "PlungingCrest", place: Floats, part: Indices) -> None:
+        self.axes, height, place = crest.axes, crest.height, crest.local(place)
+        at, s = crest.section(place), place[:, 2]
         cap = (part == FACE) & (at.y > 0.9) & (at.lean > 0.02)
         own = np.where(cap, CAP, np.where(part == UNDER, ROUND, part)), np.arange(part.size)
-        ends = [[self.section(place + by).gaps()[own] for by in (step, -step)] for step in STEP * np.eye(3)]
+        ends = [[crest.section(place + by).gaps()[own] for by in (step, -step)] for step in STEP * np.eye(3)]
         n = unit(np.stack([plus - minus for plus, minus in ends], axis=-1))
-        left, up = np.clip(at.left, 0.0, 1.0), np.clip(at.y, 0.0, 1.0)
-        back, bent = of.LENGTH * np.sqrt(1.0 - np.sqrt(up)), np.sqrt(1.0 - left * left)
-        thick = at.jet * (1.0 - bent) + JOINT * left**6 + np.maximum(at.behind - at.x, 0.0)
-        under = back + (thick - back) * smoothstep(0.0, 0.4, at.phase)
+        left, up, none = np.clip(at.left, 0.0, 1.0), np.clip(at.y, 0.0, 1.0), 0.0 * s
+        self.normal = n @ self.axes
+        self.along = unit(np.stack((n[:, 1], -n[:, 0], none), axis=-1)) @ self.axes
         # The way of the water: level before the face, then up the face and along the roof; level on top.
-        toe = at.behind + of.HALF_WIDTH + of.XZ / of.XX * of.HALF_HEIGHT + of.LEAN * at.lean
+        bent, toe = np.sqrt(1.0 - left * left), at.behind + of.HALF_WIDTH + of.XZ / of.XX * of.HALF_HEIGHT
+        toe += of.LEAN * at.lean
         risen = toe - 0.6 * (toe - at.x) - 0.9 * at.y
         roof = toe - 0.6 * (toe - at.behind) - 0.9 * (of.VERTICAL + JET * bent) + at.behind - at.x
-        m = self.advanced[0] + at.high * np.choose(part, (at.x, risen, roof, at.x))
-        drawn, none = np.where(part == LUMPS, 1.0, of.STREAK), 0.0 * m
+        m = crest.advanced[0] + at.high * np.choose(part, (at.x, risen, roof, at.x))
+        self.drawn = np.where(part == LUMPS, 1.0, of.STREAK)
+        self.level, self.streaks = (
+            (np.stack((by * m, none, s), axis=-1) @ self.axes * height - crest.origin).T for by in (1.0, self.drawn)
+        )
+        self.saturation = at.saturation(part, left)
+        # Of water that light passes, m, and of what holds it back; and the share that has of all that comes from
+        # behind whichever way it goes.
+        back = of.LENGTH * np.sqrt(1.0 - np.sqrt(up))
+        thick = at.jet * (1.0 - bent) + JOINT * left**6 + np.maximum(at.behind - at.x, 0.0)
+        under = back + (thick - back) * smoothstep(0.0, 0.4, at.phase)
+        every = np.choose(part, (thick, np.maximum(at.x + back, 0.0), under, 9.0))
+        self.thickness, self.clouded = every * at.high * height, of.CLOUDED / height
+        self.passes = np.choose(part, (smoothstep(0.0, 0.3, at.x), none, 1.0 + none, none))
+        # Share of the sky that the place sees.
         shade = 1.0 - 0.6 * np.clip(at.tip - at.x, 0.0, 1.0) * smoothstep(0.0, 0.3, at.y)
-        level, streaks = (
-            (np.stack((by * m, none, s), axis=-1) @ self.axes * self.height - self.origin).T for by in (1.0, drawn)
-        )
-        return CrestLook(
-            self.axes,
-            n @ self.axes,
-            unit(np.stack((n[:, 1], -n[:, 0], none), axis=-1)) @ self.axes,
-            level,
-            streaks,
-            drawn,
-            at.saturation(part, left),
-            np.choose(part, (smoothstep(0.0, 0.3, at.x), none, 1.0 + none, none)),
-            np.choose(part, (thick, np.maximum(at.x + back, 0.0), under, 9.0)) * at.high * self.height,
-            of.CLOUDED / self.height,
-            np.choose(part, (1.0, shade, shade, 1.0)),
-        )
+        self.mirror = np.choose(part, (1.0, shade, shade, 1.0))
 
-    def _local(self, place: Floats) -> Floats:
-        return np.asarray((place + self.origin) @ self.axes.T / self.height - self.advanced, np.float64)
+    def on(self, moved: Floats, drawn: Floats | float) -> Floats:
+        """Vectors (r, 3) on the surface as those of ``level``, ``drawn`` along the water's way; (r, 2)."""
+        along, aside = drawn * dot(moved, self.along), moved @ self.axes[2]
+        level: Floats = along[:, None] * self.axes[0] + aside[:, None] * self.axes[2]
+        return level[:, [0, 2]]
+
+    def off(self, slope: Floats) -> Floats:
+        """Slopes (2, r) of level water as vectors on the surface; (r, 3)."""
+        along, aside = self.axes[[0, 2]][:, [0, 2]] @ slope
+        return np.asarray(along[:, None] * self.along + aside[:, None] * self.axes[2])
+
+    def mirrored(self, d: Floats) -> Floats:
+        """Share (r, 1) of the sky that is mirrored along rays d (r, 3): under the horizon it is water."""
+        up = d[:, 1] - 2.0 * dot(d, self.normal) * self.normal[:, 1]
+        return np.asarray(self.mirror * (0.3 + 0.7 * smoothstep(-0.4, 0.0, up)))[:, None]
+
+    def through(self, air: Air, body: Water, d: Floats) -> Floor:
+        """What is seen through the crest along rays d (r, 3): sky, and the sun's light that it scatters ahead."""
+        c = np.maximum(-dot(d, self.normal), 0.0)
+        inner = np.sqrt(1.0 - (1.0 - c * c) / WATER_INDEX**2)
+        behind = d / WATER_INDEX + (c / WATER_INDEX - inner)[:, None] * self.normal
+        # What goes down meets deep water, not the crest's back.
+        passes = self.passes + (1.0 - self.passes) * smoothstep(-0.45, -0.05, behind[:, 1])
+        behind[:, 1] = np.hypot(behind[:, 1], of.RAISED)
+        ahead = np.maximum(d @ air.sun, 0.0) ** 4 * body.translucency / math.pi
+        seen, thick = 0.9 * air.sky(unit(behind)) + ahead[:, None] * air.sun_irradiance, self.thickness[:, None]
+        return lambda taken, deep, _: deep + (seen - deep) * passes[:, None] * np.exp(-(taken + self.clouded) * thick)
