@@ -51,7 +51,8 @@ float crest_behind(Crest c) {
 // Height of the back, and before a crest that has begun to overturn of the jet's top.
 float crest_top(Crest c, float x) {
     float behind = min(x, 0.0) / PLUNGING_LENGTH;
-    float ahead = c.land > 0.0 ? max(x, 0.0) : 0.0;
+    // No farther than it lands, or the gap would grow faster than what is left of the way.
+    float ahead = c.land > 0.0 ? clamp(x, 0.0, 1.2) : 0.0;
     float back = max(1.0 - behind * behind, 0.0);
     return back * back - (1.0 - PLUNGING_FOREMOST) * ahead * ahead;
 }

@@ -57,7 +57,7 @@ class Section:
     def top(self, x: Floats) -> Floats:
         """Height of the back, and before a crest that has begun to overturn of the jet's top."""
         back = np.maximum(1.0 - (np.minimum(x, 0.0) / of.LENGTH) ** 2, 0.0) ** 2
-        return np.asarray(back - (1.0 - of.FOREMOST) * np.where(self.land > 0.0, np.maximum(x, 0.0), 0.0) ** 2)
+        return np.asarray(back - (1.0 - of.FOREMOST) * np.where(self.land > 0.0, np.clip(x, 0.0, 1.2), 0.0) ** 2)
 
     def gaps(self) -> Floats:
         """Ways out of what is under the top, behind the face, in the jet, thrown up, and of the whole; and what is 0 on

@@ -23,6 +23,7 @@ VIEWS: dict[str, tuple[Scene, Camera, float]] = {
         Camera(position=(7.0, 1.4, -2.0), yaw=-2.6, fov=0.8),
         2.3,
     ),
+    "the front": (PLUNGING, Camera(position=(16.0, 0.5, -14.0), yaw=-1.5), 2.3),
     "the bore": (PLUNGING, EYE, 4.5),
     "the preset": (load_preset("breaker").scene, load_preset("breaker").scene.camera, 5.0),
 }
