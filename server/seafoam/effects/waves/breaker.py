@@ -45,10 +45,10 @@ def _draw(scene: Scene, crest: Breaker, quality: Quality) -> Contribution:
             "u_breaker_place": array("vec4", [*to_camera(*crest.place), course], 1),
             "u_breaker_glow": number(scene.water.translucency, "/water/translucency"),
         },
-    ).joined(Resources(passes=(_pass(scene),)))
+    ).joined(Resources(passes=(_pass(scene, quality),)))
 
 
-def _pass(scene: Scene) -> PassSpec:
+def _pass(scene: Scene, quality: Quality) -> PassSpec:
     foam = ("look", "over", "albedo", "sky", "mirrored", "open sun", "sunlight")
     lit: tuple[Piece, ...] = (
         (f"{_FILE}dark",) if scene.light is None else ("lib/refraction.glsl", *ILLUMINATION, f"{_FILE}light")
@@ -71,6 +71,8 @@ def _pass(scene: Scene) -> PassSpec:
         target=ABOVE,
         stage="after",
         blend="over",
+        # Where pixels are wide a quarter of the rays takes a quarter of the time.
+        part=2 if quality.pixel_width > 2 else 1,
     )
 
 
