@@ -12,12 +12,13 @@ from seafoam.ocean.waves import plunging
 from seafoam.quality import Quality
 from seafoam.scene import Breaker, Scene
 
-STEPS, LUMP_STEPS = 64, 32
+STEPS, LUMP_STEPS = 64, 64
 """Most steps along a ray's way through the crest's box, and through that of what it throws up."""
 _SHAPE = "BORE LENGTH LEAN LONG XX XZ HALF_WIDTH HALF_HEIGHT VERTICAL FOREMOST THROW SHOULDER LEANING TAIL TAPER FRONT"
 _LOOK = "LOWEST GENTLE LUMP SEED APRON STREAK CLOUDED RAISED"
 _FILE = "waves/breaker.glsl@"
 _SECTION = (*PERLIN_2, f"{_FILE}section")
+_LIT = ("lib/refraction.glsl", *ILLUMINATION, f"{_FILE}light")
 _NO_CARRY = constant_function("vec2", "carry", "vec2 p")
 _NO_LAND = constant_function("bool", "crest_behind_land", "vec3 ray, float farthest", "false")
 _LAND = (*FIND_LAND, Source("boats/drawn.glsl@land", (("boat_behind_land", "crest_behind_land"),)))
@@ -49,17 +50,14 @@ def _draw(scene: Scene, crest: Breaker, quality: Quality) -> Contribution:
 
 
 def _pass(scene: Scene, quality: Quality) -> PassSpec:
-    foam = ("look", "over", "albedo", "sky", "mirrored", "open sun", "sunlight")
-    lit: tuple[Piece, ...] = (
-        (f"{_FILE}dark",) if scene.light is None else ("lib/refraction.glsl", *ILLUMINATION, f"{_FILE}light")
-    )
-    light: tuple[Piece | SlotRef, ...] = (*lit, *map(SlotRef, ("plume", "glitter", "shade", "foam layer")))
+    lit: tuple[Piece, ...] = (f"{_FILE}dark",) if scene.light is None else _LIT
+    land: tuple[Piece, ...] = (_NO_LAND,) if scene.shore is None else _LAND
     fragment: tuple[Piece | SlotRef, ...] = (
-        *(*COMMON, PLACE, *_SECTION, SlotRef("waves"), SlotRef("detail"), SlotRef("find"), _NO_CARRY),
-        *map(SlotRef, foam),
-        *(f"{_FILE}trace", f"{_FILE}look", *light),
-        *((_NO_LAND,) if scene.shore is None else _LAND),
-        f"{_FILE}main",
+        *(*COMMON, PLACE, *_SECTION, _NO_CARRY),
+        *map(SlotRef, ("waves", "detail", "find", "look", "over", "albedo", "sky", "mirrored", "open sun", "sunlight")),
+        *(f"{_FILE}trace", f"{_FILE}look", *lit),
+        *map(SlotRef, ("plume", "glitter", "shade", "foam layer")),
+        *(*land, f"{_FILE}main"),
     )
     return PassSpec(
         "plunging crest",

@@ -6,7 +6,7 @@ which is an arc of New's ellipse (1983, J. Fluid Mech. 130). That fits a part of
 """
 
 import math
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from seafoam.ocean.constants import GRAVITY
 from seafoam.scene import Breaker
@@ -38,8 +38,7 @@ STREAK, CLOUDED, RAISED = 0.35, 1.2, 0.15
 by which the sky is seen through the crest."""
 
 
-@dataclass(frozen=True)
-class Overturning:
+class Overturning(NamedTuple):
     """How a crest breaks: way along it from the first vertical face to where the jet lands, speed of that face along it
     (1/s), way of the crest ahead for each that the face moves, its length, and way of the face from crest to crest."""
 
@@ -53,12 +52,10 @@ class Overturning:
 def overturning(crest: Breaker) -> Overturning:
     """Return how a crest breaks that travels as fast as a solitary wave of its height where it breaks.
 
-    The reef is oblique to the crest by the peel angle, so the first vertical face moves along the crest with c over its
-    tangent (Walker 1974).
+    The reef is oblique to it by the peel angle, so its vertical face moves along it with c/tan of that (Walker 1974).
     """
-    speed = math.sqrt(GRAVITY * crest.height * (1.0 + 1.0 / BREAKING_INDEX))
-    advance, length = math.tan(crest.peel_angle), crest.length / crest.height
-    rate = speed / advance / crest.height
+    speed, advance = math.sqrt(GRAVITY * crest.height * (1.0 + 1.0 / BREAKING_INDEX)), math.tan(crest.peel_angle)
+    rate, length = speed / advance / crest.height, crest.length / crest.height
     landing = rate * math.sqrt(2.0 * crest.height / GRAVITY)
     period = SHOULDER + length + TAIL * landing + rate * crest.rest
     # The digits that all processors agree on.

@@ -99,8 +99,7 @@ class PlungingCrest:
         self.section = partial(Section, self.front, self.form)
 
     def trace(self, o: Floats, d: Floats) -> tuple[Floats, Indices]:
-        """Distances (r,), m, at which rays from o (3,) along unit vectors d (r, 3) enter the crest from the air,
-        infinite where they do not, and which part of it they meet."""
+        """How far, m, rays (r, 3) from o (3,) enter the crest, infinite: nowhere, and which part of it they meet."""
         o, d = self.local(o), d @ self.axes.T
         low = np.array([-of.LENGTH, of.LOWEST, max(0.0, self.front - of.TAIL * self.form.landing)])
         high = np.array([of.FRONT, 1.0, min(self.form.length, self.front + of.SHOULDER)])
@@ -119,15 +118,13 @@ class PlungingCrest:
         kind, rows, last = np.concatenate(entered, axis=1)
         at, met, part = self._entry(o, d[rows], kind, (near[rows] + (last - 1) * step[rows], step[rows]))
         t, which = np.full(d.shape[0], np.inf), np.zeros(d.shape[0], np.intp)
-        order = np.argsort(-at)
-        order = order[met[order]]  # the nearest of a ray is written last
+        order = np.flatnonzero(met)[np.argsort(-at[met])]  # the nearest of a ray is written last
         t[rows[order]], which[rows[order]] = at[order] * self.height, part[order]
         return t, which
 
     def _entry(self, o: Floats, d: Floats, kind: Indices, span: Pair) -> tuple[Floats, Floats, Indices]:
-        """Where rays enter in intervals, from and by ``span``, at whose ends they are out and in; whether that counts;
-        and which part they meet. Entered is the whole, or between two places in the air the jet alone, by its top or
-        from under it."""
+        """Where rays enter the whole, or the jet alone by its top or from under it, in intervals from and by ``span``
+        at whose ends they are out and in; whether that counts; and which part they meet."""
         low, high, every = span[0], span[0] + span[1], np.arange(kind.size)
         for _ in range(HALVINGS):
             middle = 0.5 * (low + high)
@@ -147,12 +144,9 @@ class PlungingCrest:
 
 
 class CrestLook:
-    """What shows of a crest at places (r, 3), m from the origin, of these parts (r,).
-
-    Water moves through it along its travel: up the face, and level on top. ``normal`` and ``along``, which lies on the
-    surface against the water's way, are unit vectors (r, 3); ``level`` (3, r), m from the origin, is on level water
-    from where the water has come, and ``streaks`` the same, ``drawn`` (r,) out for foam.
-    """
+    """What shows of a crest at places (r, 3), m from the origin, of these parts (r,). Water moves through it along its
+    travel, up the face and level on top: ``along`` (r, 3) lies on the surface against its way, ``level`` (3, r), m from
+    the origin, is on level water from where it has come, ``streaks`` the same, ``drawn`` (r,) out for foam."""
 
     def __init__(self, crest: "PlungingCrest", place: Floats, part: Indices) -> None:
         self.axes, height, place = crest.axes, crest.height, crest.local(place)
@@ -165,8 +159,8 @@ class CrestLook:
         self.normal = n @ self.axes
         self.along = unit(np.stack((n[:, 1], -n[:, 0], none), axis=-1)) @ self.axes
         # The way of the water: level before the face, then up the face and along the roof; level on top.
-        bent, toe = np.sqrt(1.0 - left * left), at.behind + of.HALF_WIDTH + of.XZ / of.XX * of.HALF_HEIGHT
-        toe += of.LEAN * at.lean
+        bent, foot = np.sqrt(1.0 - left * left), of.HALF_WIDTH + of.XZ / of.XX * of.HALF_HEIGHT
+        toe = at.behind + foot + of.LEAN * at.lean
         risen = toe - 0.6 * (toe - at.x) - 0.9 * at.y
         roof = toe - 0.6 * (toe - at.behind) - 0.9 * (of.VERTICAL + JET * bent) + at.behind - at.x
         m = crest.advanced[0] + at.high * np.choose(part, (at.x, risen, roof, at.x))
@@ -175,8 +169,7 @@ class CrestLook:
             (np.stack((by * m, none, s), axis=-1) @ self.axes * height - crest.origin).T for by in (1.0, self.drawn)
         )
         self.saturation = at.saturation(part, left)
-        # Of water that light passes, m, and of what holds it back; and the share that has of all that comes from
-        # behind whichever way it goes.
+        # Of water that light passes, and of what holds it back; and its share whichever way it goes.
         back = of.LENGTH * np.sqrt(1.0 - np.sqrt(up))
         thick = at.jet * (1.0 - bent) + JOINT * left**6 + np.maximum(at.behind - at.x, 0.0)
         under = back + (thick - back) * smoothstep(0.0, 0.4, at.phase)
