@@ -61,7 +61,7 @@ GROUPS = (
     _group("mirrors", (6.0, 4.0), (4.0, 2.0), "lake-sunset", "cubemap-lake"),
     _group(
         "shores, spray, blast", (9.0, 5.0), (5.0, 2.5), "island-surf", "coastline", "beach", "lagoon",
-        "murky-estuary", "spray-on-rocks", "explosion",
+        "murky-estuary", "spray-on-rocks", "explosion", "breaker",
     ),
     _group("boats in waves", (14.0, 8.0), (8.0, 4.0), "boat-in-storm", "boat-race"),
 )  # fmt: skip

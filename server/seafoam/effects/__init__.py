@@ -11,7 +11,7 @@ from seafoam.effects.registry import declare, load, outside, register, unregiste
 from seafoam.effects.shore import shore
 from seafoam.effects.spray import spray
 from seafoam.effects.water import caustics, water
-from seafoam.effects.waves import boulders, current, parametric, rings, ripples, sea
+from seafoam.effects.waves import boulders, breaker, current, parametric, rings, ripples, sea
 
 EFFECTS: tuple[Effect, ...] = (
     parametric.EFFECT,
@@ -49,6 +49,7 @@ EFFECTS: tuple[Effect, ...] = (
     material.SCATTERING,
     sources.WAKE,
     boat.EFFECT,
+    breaker.EFFECT,
     spray.EFFECT,
     boat.SHADOWS,
     reflection.PLANAR,

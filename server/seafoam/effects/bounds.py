@@ -72,7 +72,8 @@ def unlit(scene: Scene) -> Bound | None:
 def no_foam(foam: Foam, scene: Scene) -> Bound | None:
     """Bound of foam, and of what is seen by it, where there is none."""
     most = greatest_saturation(foam, scene)
-    return Bound.zero_if(most == 0.0, "the saturation is 0 everywhere", saturation_fields(scene))
+    plunges = scene.breaker is not None and scene.breaker.height > 0.0
+    return Bound.zero_if(most == 0.0 and not plunges, "the saturation is 0 everywhere", saturation_fields(scene))
 
 
 def floor_limit(scene: Scene, light: Light, depth: float, *, sky: bool = True) -> float:

@@ -17,7 +17,7 @@ from seafoam.scene.light import Light, Wind
 from seafoam.scene.shore import Shore
 from seafoam.scene.spray import Spray
 from seafoam.scene.water import Current, Water
-from seafoam.scene.waves import RINGS_MOST, TOUCHES_MOST, ParametricWave, Ring, Sea, Touch, WaveGroups
+from seafoam.scene.waves import RINGS_MOST, TOUCHES_MOST, Breaker, ParametricWave, Ring, Sea, Touch, WaveGroups
 
 
 class SceneExtensions(Extensions):
@@ -46,6 +46,7 @@ class Scene(Extensible, Part):
     """Flow that carries the foam of a drift saturation; absent: no flow"""
     spray: Spray | None = Field(default=None, description="Drops thrown up by waves and surf; absent: none")
     boats: tuple[Boat, ...] = Field(default=(), max_length=BOATS_MOST, description="Boats on the water")
+    breaker: Breaker | None = Field(default=None, description="A plunging crest; absent: none")
     light: Light | None = Field(default_factory=Light)
     """Sun, sky and haze; null: unlit, white foam on black"""
     camera: Camera = Field(default_factory=Camera)

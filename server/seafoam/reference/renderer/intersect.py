@@ -65,10 +65,15 @@ def normal(h_x: Floats, h_z: Floats) -> Floats:
 
 
 def footprint(t: Floats, D: Floats, N: Floats, delta: Floats) -> Floats:
-    """∂P/∂X = t(δ − D (N·δ)/(N·D)) for a step δ (3,) of D, N·D at most −10⁻³ |N||D|; its (x, z) part, (r, 2) m."""
+    """The (x, z) part of :func:`moved`, (r, 2) m."""
+    return moved(t, D, N, delta)[:, [0, 2]]
+
+
+def moved(t: Floats, D: Floats, N: Floats, delta: Floats) -> Floats:
+    """∂P/∂X = t(δ − D (N·δ)/(N·D)) for a step δ (3,) of D, N·D at most −10⁻³ |N||D|; (r, 3) m."""
     facing = np.minimum(dot(N, D), -1e-3 * np.sqrt(dot(N, N) * dot(D, D)))
-    moved = t[:, None] * (delta - D * (dot(N, delta) / facing)[:, None])
-    return moved[:, [0, 2]]
+    result: Floats = t[:, None] * (delta - D * (dot(N, delta) / facing)[:, None])
+    return result
 
 
 def _slab(eye_y: float, bottom: float, top: float, rise: Floats) -> tuple[Floats, Floats, Bools]:

@@ -10,8 +10,9 @@ from seafoam.reference.renderer import intersect
 from seafoam.reference.renderer.foam import FoamStage
 from seafoam.reference.renderer.state import Lighting
 from seafoam.reference.shore.shore import Coast
-from seafoam.reference.types import Floats, Pair, WaterSamples, dot, unit
+from seafoam.reference.types import Bounds, Floats, Pair, WaterSamples, dot, unit
 from seafoam.reference.water.seafloor import FARTHEST, FOAM_THROUGH, Seabed
+from seafoam.reference.waves.breaker import CrestLook, PlungingCrest
 from seafoam.scene import SurfSaturation
 
 AROUND_HEIGHT = 1.0  # height from which the surroundings are seen, m
@@ -47,6 +48,10 @@ class SampleShader(FoamStage):
         if self.lighting is not None:
             radiance = self.lighting.haze(radiance, d[seen], far) * self.exposure
         colour[seen] = radiance
+        if self.crest is not None:
+            nearest = np.minimum(distance, to_land)
+            nearest[seen] = far
+            self._crest(self.crest, D, d, nearest, colour)
         return np.minimum(colour, BRIGHTEST), amount
 
     def _sky(self, air: light.Air, D: Floats, d: Floats) -> Floats:
@@ -82,15 +87,49 @@ class SampleShader(FoamStage):
             mirrored=lambda r, spread: self._mirror(lighting, place, r, spread),
             glint=lighting.glint,
         )
-        colour = light.water(lighting.air, self.scene.water, hit)
-        if foam is not None and f is not None:
-            air, normal = lighting.air, samples.foam_normal
-            white = light.foam(air, foam.albedo, normal, on_foam)
+        return self._shown(lighting, hit, a, on_foam), amount
+
+    def _shown(self, lighting: Lighting, hit: light.WaterHit, a: Floats, sun: Floats) -> Floats:
+        """Colour (r, 3) of water and of an amount a (r,) of foam on it, ``sun`` (r,) of its sunlight left."""
+        foam, at, air = self.scene.foam, hit.at, lighting.air
+        colour = light.water(air, self.scene.water, hit)
+        if foam is not None and hit.saturation is not None:
+            white = light.foam(air, foam.albedo, at.foam_normal, sun)
             if foam.scattering is not None:
-                glow, opaque = light.foam_layer(air, foam.scattering, foam.albedo, normal, samples.d, f, on_foam)
+                layer = air, foam.scattering, foam.albedo, at.foam_normal, at.d, hit.saturation, sun
+                glow, opaque = light.foam_layer(*layer)
                 white = glow + (1.0 - opaque)[:, None] * colour
             colour = self._blend(colour, white, a)
-        return lighting.haze(colour, samples.d, samples.distance) * self.exposure, amount
+        return lighting.haze(colour, at.d, at.distance) * self.exposure
+
+    def _crest(self, crest: PlungingCrest, D: Floats, d: Floats, nearest: Floats, colour: Floats) -> None:
+        """Write the colour (r, 3) of a plunging crest where rays meet it before what is ``nearest`` (r,) m away."""
+        distance, part = crest.trace(np.array([0.0, self.eye_y, 0.0]), d)
+        rows, lighting = np.flatnonzero(distance < nearest), self.lighting
+        D, d, distance = D[rows], d[rows], distance[rows]
+        place = distance[:, None] * d + np.array([0.0, self.eye_y, 0.0])
+        look, t = CrestLook(crest, place, part[rows]), distance / np.sqrt(dot(D, D))
+        sides = [intersect.moved(t, D, look.normal, step) for step in self.grid.steps]
+        fine, drawn_out = ((look.on(sides[0], by), look.on(sides[1], by)) for by in (1.0, look.drawn))
+        a, none = np.zeros(rows.size), np.zeros(rows.size)
+        if self.scene.foam is not None:
+            a = self._mask_amount(look.saturation, look.streaks[0], look.streaks[2], drawn_out, to_rest=(none, none))
+        if lighting is None:
+            colour[rows] = np.minimum(a, 1.0)[:, None]
+            return
+        tilt, sun = look.off(self.surface.slopes(look.level[0], look.level[2])[2]), lighting.sunlight(place, fine)
+        normals = unit(look.normal - tilt), unit(look.normal - 0.5 * tilt)
+        seen = light.WaterHit(
+            WaterSamples(d, distance, place[:, 0], place[:, 2], place[:, 1], fine, *normals),
+            Bounds(),
+            floor=look.through(lighting.air, self.scene.water, d),
+            saturation=None if self.scene.foam is None else look.saturation,
+            sun=sun,
+            sun_past_foam=sun,
+            mirrored=lambda r, spread: look.mirrored(d) * lighting.air.mirrored(r, spread),
+            glint=lighting.glint,
+        )
+        colour[rows] = self._shown(lighting, seen, a, sun)
 
     def _land(self, coast: Coast, D: Floats, d: Floats, distance: Floats) -> Pair:
         """Colour (r, 3) and foam amount (r,) where rays D meet land, ``distance`` metres away."""

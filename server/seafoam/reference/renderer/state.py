@@ -19,6 +19,7 @@ from seafoam.reference.shore.shore import Coast, land_shadow
 from seafoam.reference.types import Floats, Footprints, Relief, ReliefPart, Sunlight, Vec2, WaterSamples, dot, unit
 from seafoam.reference.water.seafloor import Seabed
 from seafoam.reference.waves.boulders import Boulders
+from seafoam.reference.waves.breaker import PlungingCrest
 from seafoam.reference.waves.parametric import afloat, gust_field, ripple_set, wave_set
 from seafoam.reference.waves.rings import ring_set, touch_set
 from seafoam.reference.waves.sea import sea_surface
@@ -127,6 +128,8 @@ class ReferenceState:
             ground = None if coast is None else lambda x, z: coast.ground(*coast.place(x, z))[0]
             self.fleet = Fleet(scene, time, self.origin, relief.height, ground)
         self.boulders = Boulders(scene, grid) if boulders(scene.current) else None
+        crest = scene.breaker
+        self.crest = PlungingCrest(crest, time, self.origin) if crest is not None and crest.height > 0.0 else None
         self.lighting = None
         if scene.light is not None:
             solid = self.fleet, self.boulders

@@ -1,0 +1,77 @@
+"""A plunging crest: a solid on the still water, which rays meet in one pass. docs/formulae.md, section 17."""
+
+import math
+
+from seafoam.effects.effect import ABOVE, Contribution, PassSpec, Resources, part_effect
+from seafoam.effects.light.light import ILLUMINATION
+from seafoam.effects.shader import COMMON, PERLIN_2, PLACE, Piece, SlotRef, Source, constant_function
+from seafoam.effects.shore.maps import FIND_LAND
+from seafoam.framegraph.plan import Quads
+from seafoam.framegraph.rules import Constant, Wrap, array, number, rounded, to_camera, vector
+from seafoam.ocean.waves import plunging
+from seafoam.quality import Quality
+from seafoam.scene import Breaker, Scene
+
+STEPS, LUMP_STEPS = 64, 64
+"""Most steps along a ray's way through the crest's box, and through that of what it throws up."""
+_SHAPE = "BORE LENGTH LEAN LONG XX XZ HALF_WIDTH HALF_HEIGHT VERTICAL FOREMOST THROW SHOULDER LEANING TAIL TAPER FRONT"
+_LOOK = "LOWEST GENTLE LUMP SEED APRON STREAK CLOUDED RAISED"
+_FILE = "waves/breaker.glsl@"
+_SECTION = (*PERLIN_2, f"{_FILE}section")
+_LIT = ("lib/refraction.glsl", *ILLUMINATION, f"{_FILE}light")
+_NO_CARRY = constant_function("vec2", "carry", "vec2 p")
+_NO_LAND = constant_function("bool", "crest_behind_land", "vec3 ray, float farthest", "false")
+_LAND = (*FIND_LAND, Source("boats/drawn.glsl@land", (("boat_behind_land", "crest_behind_land"),)))
+
+
+def _draw(scene: Scene, crest: Breaker, quality: Quality) -> Contribution:
+    if crest.height == 0.0:
+        return Contribution.invisible("the crest has no height")
+    form = plunging.overturning(crest)
+    # In steps of its own height: what is reduced is exact at any time.
+    front = Wrap(k=(0.0, 0.0), offset=plunging.SHOULDER - form.rate * crest.start, period=form.period, rate=form.rate)
+    course = Constant(value=rounded((math.cos(crest.heading), math.sin(crest.heading))))
+    return Contribution(
+        why=f"a crest {crest.height:g} m high plunges",
+        consts={
+            **{f"PLUNGING_{name}": getattr(plunging, name) for name in _SHAPE.split()},
+            **{f"CREST_{name}": getattr(plunging, name) for name in _LOOK.split()},
+            "CREST_SIDE": 1.0 if crest.peels == "right" else -1.0,
+            "CREST_STEPS": STEPS,
+            "CREST_LUMP_STEPS": LUMP_STEPS,
+        },
+        uniforms={
+            "u_breaker_front": array("float", [front], 1),
+            "u_breaker_form": vector(rounded((crest.height, form.landing, form.length, form.advance))),
+            "u_breaker_place": array("vec4", [*to_camera(*crest.place), course], 1),
+            "u_breaker_glow": number(scene.water.translucency, "/water/translucency"),
+        },
+    ).joined(Resources(passes=(_pass(scene, quality),)))
+
+
+def _pass(scene: Scene, quality: Quality) -> PassSpec:
+    lit: tuple[Piece, ...] = (f"{_FILE}dark",) if scene.light is None else _LIT
+    land: tuple[Piece, ...] = (_NO_LAND,) if scene.shore is None else _LAND
+    fragment: tuple[Piece | SlotRef, ...] = (
+        *(*COMMON, PLACE, *_SECTION, _NO_CARRY),
+        *map(SlotRef, ("waves", "detail", "find", "look", "over", "albedo", "sky", "mirrored", "open sun", "sunlight")),
+        *(f"{_FILE}trace", f"{_FILE}look", *lit),
+        *map(SlotRef, ("plume", "glitter", "shade", "foam layer")),
+        *(*land, f"{_FILE}main"),
+    )
+    return PassSpec(
+        "plunging crest",
+        "breaker",
+        fragment,
+        under=(*COMMON, f"{_FILE}none"),
+        vertex=(*COMMON, *_SECTION, "vertex/vertex.glsl@quad", f"{_FILE}vertex"),
+        mesh=Quads(count=1),
+        target=ABOVE,
+        stage="after",
+        blend="over",
+        # Where pixels are wide a quarter of the rays takes a quarter of the time.
+        part=2 if quality.pixel_width > 2 else 1,
+    )
+
+
+EFFECT = part_effect("plunging crest", _draw, "/breaker")
