@@ -4,7 +4,7 @@
 // A stone: a dome on an upright drum, cut by planes. All together are a norm of the order 8, so the stone is convex and its edges are round,
 // and Newton's method from outside comes to a ray's first place on it without passing it. Metres from under the eye.
 uniform vec4 u_boulder_place[BOULDER_COUNT];               // from the stone to the eye x, z; radius; height of the dome
-uniform vec3 u_boulder_cuts[BOULDER_COUNT * BOULDER_ROWS]; // planes m.x = 1, x in radii; and last its place in the noise, cells
+uniform vec3 u_boulder_cuts[BOULDER_COUNT * 8]; // planes m.x = 1, x in radii; and last its place in the noise, cells
 uniform vec3 u_boulder_foot;                               // lowest water, highest water, lowest ground
 
 // Of a place x radii from a stone's middle: the norm to the eighth, w, and its gradient.
@@ -13,8 +13,8 @@ vec4 boulder_norm(int i, vec3 x) {
     vec3 s = dome * x;
     float square = dot(s, s);
     vec4 sum = square * square * square * vec4(8.0 * dome * s, square);
-    for (int k = 0; k < BOULDER_ROWS - 1; ++k) {
-        vec3 cut = u_boulder_cuts[BOULDER_ROWS * i + k];
+    for (int k = 0; k < 7; ++k) {
+        vec3 cut = u_boulder_cuts[8 * i + k];
         float e = max(dot(cut, x), 0.0);
         sum += e * e * e * e * e * e * e * vec4(8.0 * cut, e);
     }
@@ -39,6 +39,10 @@ vec2 boulder_span(int i, vec3 from, vec3 d, float spread) {
     vec3 leave = max(one, two);
     return vec2(max(max(enter.x, enter.y), max(enter.z, 0.0)), min(min(leave.x, leave.y), leave.z));
 }
+
+const float BOULDER_WET = 0.3;   // reflectance of wet rock in that of the land's
+const float BOULDER_LIKE = 0.9;  // size of the ellipsoid that throws a stone's shadow, in that of its dome
+const int BOULDER_STEPS = 8;
 
 vec3 boulder_at(int i, vec3 place) {
     return (place + vec3(u_boulder_place[i].x, 0.0, u_boulder_place[i].y)) / u_boulder_place[i].z;
@@ -143,7 +147,7 @@ void main() {
 const int NO_BOULDER = -1;
 
 // Whether a ray from the eye, or one up to `aside` of it a unit, can meet a stone; ray: not normalised.
-bool near_boulders(vec3 ray, float aside) {
+bool near_boulder(vec3 ray, float aside) {
     float size = length(ray);
     bool found = false;
     for (int i = 0; i < BOULDER_COUNT; ++i) {
@@ -220,7 +224,7 @@ vec3 boulder_light(int met, vec4 paint, vec3 place, vec3 d) {
     float cell = BOULDER_CELL;
     for (int k = 0; k < 4; ++k) {
         float kept = 1.0 - smoothstep(0.15, 0.6, width / cell);
-        vec4 m = noise_slopes_3(x * u_boulder_place[i].z / cell + u_boulder_cuts[BOULDER_ROWS * (i + 1) - 1], BOULDER_KEY + uint(k));
+        vec4 m = noise_slopes_3(x * u_boulder_place[i].z / cell + u_boulder_cuts[8 * i + 7], BOULDER_KEY + uint(k));
         pattern += BOULDER_OCTAVES[k].x * kept * m.w;
         broad += k < 2 ? kept * m.w : 0.0;
         ragged += k > 0 ? kept * m.w : 0.0;

@@ -64,6 +64,11 @@ class Stone(Part):
     height: float = Field(default=0.5, ge=0.0, le=1.5)
     """Height over still water, about, as a fraction of the radius; 0: just under the surface, not drawn"""
 
+    @property
+    def dome(self) -> float:
+        """Height of the dome that planes cut to about the stone's height, m."""
+        return round(1.12 * self.height * self.radius, 6)
+
 
 class Current(Part):
     """A uniform current: it carries waves, ripples and foam past banks, floor and anything at anchor."""
@@ -71,6 +76,16 @@ class Current(Part):
     speed: float = Field(default=1.5, ge=0.0, le=10.0, description="Speed over the ground, m/s; 0: no current")
     direction: Angle = Field(default=0.0, description="Direction toward which the water flows, rad from +x toward +z")
     stones: tuple[Stone, ...] = Field(default=(), max_length=STONES_MOST, description="Stones in the river")
+
+    @property
+    def standing(self) -> tuple[Stone, ...]:
+        """The stones that stand over the water."""
+        return tuple(stone for stone in self.stones if stone.height > 0.0)
+
+    @property
+    def wetted(self) -> float:
+        """Height over still water up to which water runs over stones, m: a share of the velocity head, and a film."""
+        return round(0.04 + 0.0178 * self.speed**2, 4)
 
     @property
     def velocity(self) -> tuple[float, float]:

@@ -5,7 +5,6 @@ from typing import Literal
 
 import numpy as np
 
-from seafoam.ocean.coast.boulders import boulders
 from seafoam.ocean.coast.rocks import splash_height
 from seafoam.ocean.waves.stokes import follows_orbits
 from seafoam.ocean.waves.wakes import stone_wakes
@@ -127,7 +126,7 @@ class ReferenceState:
         if scene.boats:
             ground = None if coast is None else lambda x, z: coast.ground(*coast.place(x, z))[0]
             self.fleet = Fleet(scene, time, self.origin, relief.height, ground)
-        self.boulders = Boulders(scene, grid) if boulders(scene.current) else None
+        self.boulders = None if scene.current is None else Boulders(scene.current, scene.shore, grid)
         crest = scene.breaker
         self.crest = PlungingCrest(crest, time, self.origin) if crest is not None and crest.height > 0.0 else None
         self.lighting = None

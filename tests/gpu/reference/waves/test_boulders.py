@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from seafoam.ocean.coast.boulders import BOULDER_REACH, cuts, dome_height
+from seafoam.ocean.coast.boulders import BOULDER_REACH, cuts
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference import render
@@ -89,7 +89,7 @@ def test_a_stone_is_convex_within_its_reach_and_as_high_as_asked() -> None:
         inside = a[norm_of(stone, a)[0] < 1.0]
         assert np.hypot(inside[:, 0], inside[:, 2]).max() <= BOULDER_REACH
         top = stone.radius * inside[:, 1].max()
-        assert 0.45 * stone.height * stone.radius < top <= dome_height(stone)
+        assert 0.45 * stone.height * stone.radius < top <= stone.dome
     assert not np.allclose(cuts(STONES.stones[0]), cuts(STONES.stones[1]))
 
 
