@@ -253,7 +253,7 @@ bool meet_body(vec3 o, vec3 d, out float t, out int part) {
 bool meet_lumps(vec3 o, vec3 d, float farthest, out float t) {
     float landed = crest_front() - 0.9 * u_breaker_form.y;
     vec2 span = crest_span(o, d, crest_low() + vec3(1.5, 0.0, 0.0), vec3(PLUNGING_FRONT, 0.95, min(crest_high().z, landed)));
-    float least = (min(span.y, farthest) - span.x) / float(CREST_LUMP_STEPS);
+    float least = (min(span.y, farthest) - span.x) / float(CREST_STEPS);
     vec2 held = vec2(span.x);
     int step = 0;
     bool met = false;
@@ -263,9 +263,9 @@ bool meet_lumps(vec3 o, vec3 d, float farthest, out float t) {
         bool inside = crest_lump_gap(o + look * d) < 0.0;
         held = inside ? vec2(held.x, look) : met ? vec2(look, held.y) : vec2(look);
         // From the first place inside on, as many halvings.
-        step = inside && !met ? CREST_LUMP_STEPS - CREST_HALVINGS : step + 1;
+        step = inside && !met ? CREST_STEPS - CREST_HALVINGS : step + 1;
         met = met || inside;
-        on = step < CREST_LUMP_STEPS;
+        on = step < CREST_STEPS;
     }
     t = held.y;
     return met;

@@ -1,5 +1,4 @@
-"""Waves of a scene: parametric ones, the sea that a wind raises, rings from stones, blasts and touches, and a plunging
-crest."""
+"""Waves of a scene: parametric ones, a wind's sea, rings from stones, blasts and touches, and a plunging crest."""
 
 import math
 from typing import Annotated, ClassVar, Literal

@@ -12,14 +12,13 @@ from seafoam.ocean.waves import plunging
 from seafoam.quality import Quality
 from seafoam.scene import Breaker, Scene
 
-STEPS, LUMP_STEPS = 64, 64
-"""Most steps along a ray's way through the crest's box, and through that of what it throws up."""
+STEPS = 64
+"""Most steps along a ray's way through the crest's box, and steps through that of what it throws up."""
 _SHAPE = "BORE LENGTH LEAN LONG XX XZ HALF_WIDTH HALF_HEIGHT VERTICAL FOREMOST THROW SHOULDER LEANING TAIL TAPER FRONT"
 _LOOK = "LOWEST GENTLE LUMP SEED APRON STREAK CLOUDED RAISED"
 _FILE = "waves/breaker.glsl@"
 _SECTION = (*PERLIN_2, f"{_FILE}section")
 _LIT = ("lib/refraction.glsl", *ILLUMINATION, f"{_FILE}light")
-_NO_CARRY = constant_function("vec2", "carry", "vec2 p")
 _NO_LAND = constant_function("bool", "crest_behind_land", "vec3 ray, float farthest", "false")
 _LAND = (*FIND_LAND, Source("boats/drawn.glsl@land", (("boat_behind_land", "crest_behind_land"),)))
 
@@ -28,7 +27,6 @@ def _draw(scene: Scene, crest: Breaker, quality: Quality) -> Contribution:
     if crest.height == 0.0:
         return Contribution.invisible("the crest has no height")
     form = plunging.overturning(crest)
-    # In steps of its own height: what is reduced is exact at any time.
     front = Wrap(k=(0.0, 0.0), offset=plunging.SHOULDER - form.rate * crest.start, period=form.period, rate=form.rate)
     course = Constant(value=rounded((math.cos(crest.heading), math.sin(crest.heading))))
     return Contribution(
@@ -38,7 +36,6 @@ def _draw(scene: Scene, crest: Breaker, quality: Quality) -> Contribution:
             **{f"CREST_{name}": getattr(plunging, name) for name in _LOOK.split()},
             "CREST_SIDE": 1.0 if crest.peels == "right" else -1.0,
             "CREST_STEPS": STEPS,
-            "CREST_LUMP_STEPS": LUMP_STEPS,
         },
         uniforms={
             "u_breaker_front": array("float", [front], 1),
@@ -50,14 +47,14 @@ def _draw(scene: Scene, crest: Breaker, quality: Quality) -> Contribution:
 
 
 def _pass(scene: Scene, quality: Quality) -> PassSpec:
-    lit: tuple[Piece, ...] = (f"{_FILE}dark",) if scene.light is None else _LIT
-    land: tuple[Piece, ...] = (_NO_LAND,) if scene.shore is None else _LAND
+    own: tuple[Piece, ...] = (_NO_LAND,) if scene.shore is None else _LAND
+    own = (*own, *((f"{_FILE}dark",) if scene.light is None else _LIT))
     fragment: tuple[Piece | SlotRef, ...] = (
-        *(*COMMON, PLACE, *_SECTION, _NO_CARRY),
+        *(*COMMON, PLACE, *_SECTION, constant_function("vec2", "carry", "vec2 p")),
         *map(SlotRef, ("waves", "detail", "find", "look", "over", "albedo", "sky", "mirrored", "open sun", "sunlight")),
-        *(f"{_FILE}trace", f"{_FILE}look", *lit),
+        *(f"{_FILE}trace", f"{_FILE}look", *own),
         *map(SlotRef, ("plume", "glitter", "shade", "foam layer")),
-        *(*land, f"{_FILE}main"),
+        f"{_FILE}main",
     )
     return PassSpec(
         "plunging crest",

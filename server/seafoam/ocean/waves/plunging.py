@@ -22,10 +22,8 @@ XZ = (ASPECT**2 - 1.0) * _COS * _SIN
 HALF_WIDTH, HALF_HEIGHT = LONG * math.sqrt(ZZ) / ASPECT, LONG * math.sqrt(XX) / ASPECT
 VERTICAL, FOREMOST = HALF_HEIGHT + XZ / ZZ * HALF_WIDTH, HALF_HEIGHT - XZ / ZZ * HALF_WIDTH
 """Heights at which the face is vertical, and of the ellipse's foremost point, which the jet's top passes at x = 1."""
-THROW = 1.0 / math.sqrt(1.0 - FOREMOST)
-"""Way of the jet's tip ahead until it lands on still water."""
-BREAKING_INDEX = 0.78
-"""Height of a solitary wave over the depth in which it breaks (McCowan 1894)."""
+THROW, BREAKING_INDEX = 1.0 / math.sqrt(1.0 - FOREMOST), 0.78
+"""Way of the jet's tip until it lands; height of a solitary wave over the depth where it breaks (McCowan 1894)."""
 LEANING, SHOULDER, TAIL, TAPER = 6.0, 14.0, 8.0, 0.25
 """From the first vertical face along what has not broken: where the face has not steepened at all, and the foot; where
 nothing is left of what has, in ways until the jet lands; share of the crest's length over which it rises at an end."""
@@ -34,8 +32,7 @@ FRONT, LOWEST = 4.0, 2e-4
 GENTLE, LUMP, SEED, APRON = 0.15, 0.36, 1983, 0.004
 """How gradually the jet begins; size of the first lumps of what it throws up, their seed, and height of foam around."""
 STREAK, CLOUDED, RAISED = 0.35, 1.2, 0.15
-"""Scale of foam along the water's way; extinction by what the back reflects totally; least rise of the rays
-by which the sky is seen through the crest."""
+"""Scale of foam along the water's way; extinction by what the back reflects totally; least rise of rays through it."""
 
 
 class Overturning(NamedTuple):
@@ -54,9 +51,9 @@ def overturning(crest: Breaker) -> Overturning:
 
     The reef is oblique to it by the peel angle, so its vertical face moves along it with c/tan of that (Walker 1974).
     """
-    speed, advance = math.sqrt(GRAVITY * crest.height * (1.0 + 1.0 / BREAKING_INDEX)), math.tan(crest.peel_angle)
-    rate, length = speed / advance / crest.height, crest.length / crest.height
-    landing = rate * math.sqrt(2.0 * crest.height / GRAVITY)
+    height, advance, length = crest.height, math.tan(crest.peel_angle), crest.length / crest.height
+    rate = math.sqrt(GRAVITY * height * (1.0 + 1.0 / BREAKING_INDEX)) / advance / height
+    landing = rate * math.sqrt(2.0 * height / GRAVITY)
     period = SHOULDER + length + TAIL * landing + rate * crest.rest
     # The digits that all processors agree on.
     return Overturning(*(float(f"{value:.8g}") for value in (landing, rate, advance, length, period)))

@@ -64,16 +64,11 @@ def normal(h_x: Floats, h_z: Floats) -> Floats:
     return np.stack((-h_x, np.ones_like(h_x), -h_z), axis=-1)
 
 
-def footprint(t: Floats, D: Floats, N: Floats, delta: Floats) -> Floats:
-    """The (x, z) part of :func:`moved`, (r, 2) m."""
-    return moved(t, D, N, delta)[:, [0, 2]]
-
-
-def moved(t: Floats, D: Floats, N: Floats, delta: Floats) -> Floats:
-    """∂P/∂X = t(δ − D (N·δ)/(N·D)) for a step δ (3,) of D, N·D at most −10⁻³ |N||D|; (r, 3) m."""
+def footprint(t: Floats, D: Floats, N: Floats, delta: Floats, axes: tuple[int, ...] = (0, 2)) -> Floats:
+    """∂P/∂X = t(δ − D (N·δ)/(N·D)) for a step δ (3,) of D, N·D at most −10⁻³ |N||D|; along n axes, (r, n) m."""
     facing = np.minimum(dot(N, D), -1e-3 * np.sqrt(dot(N, N) * dot(D, D)))
-    result: Floats = t[:, None] * (delta - D * (dot(N, delta) / facing)[:, None])
-    return result
+    moved = t[:, None] * (delta - D * (dot(N, delta) / facing)[:, None])
+    return moved[:, axes]
 
 
 def _slab(eye_y: float, bottom: float, top: float, rise: Floats) -> tuple[Floats, Floats, Bools]:

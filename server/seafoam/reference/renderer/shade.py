@@ -96,7 +96,7 @@ class SampleShader(FoamStage):
         if foam is not None and hit.saturation is not None:
             white = light.foam(air, foam.albedo, at.foam_normal, sun)
             if foam.scattering is not None:
-                layer = air, foam.scattering, foam.albedo, at.foam_normal, at.d, hit.saturation, sun
+                layer = (air, foam.scattering, foam.albedo, at.foam_normal, at.d, hit.saturation, sun)
                 glow, opaque = light.foam_layer(*layer)
                 white = glow + (1.0 - opaque)[:, None] * colour
             colour = self._blend(colour, white, a)
@@ -109,9 +109,9 @@ class SampleShader(FoamStage):
         D, d, distance = D[rows], d[rows], distance[rows]
         place = distance[:, None] * d + np.array([0.0, self.eye_y, 0.0])
         look, t = CrestLook(crest, place, part[rows]), distance / np.sqrt(dot(D, D))
-        sides = [intersect.moved(t, D, look.normal, step) for step in self.grid.steps]
+        sides = [intersect.footprint(t, D, look.normal, step, (0, 1, 2)) for step in self.grid.steps]
         fine, drawn_out = ((look.on(sides[0], by), look.on(sides[1], by)) for by in (1.0, look.drawn))
-        a, none = np.zeros(rows.size), np.zeros(rows.size)
+        a = none = np.zeros(rows.size)
         if self.scene.foam is not None:
             a = self._mask_amount(look.saturation, look.streaks[0], look.streaks[2], drawn_out, to_rest=(none, none))
         if lighting is None:

@@ -127,8 +127,7 @@ class ReferenceState:
             ground = None if coast is None else lambda x, z: coast.ground(*coast.place(x, z))[0]
             self.fleet = Fleet(scene, time, self.origin, relief.height, ground)
         self.boulders = None if scene.current is None else Boulders(scene.current, scene.shore, grid)
-        crest = scene.breaker
-        self.crest = PlungingCrest(crest, time, self.origin) if crest is not None and crest.height > 0.0 else None
+        self.crest = PlungingCrest(scene.breaker, time, self.origin) if scene.breaker and scene.breaker.height else None
         self.lighting = None
         if scene.light is not None:
             solid = self.fleet, self.boulders

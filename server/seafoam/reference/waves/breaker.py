@@ -29,9 +29,8 @@ class Section:
     def __init__(self, front: float, form: of.Overturning, place: Floats) -> None:
         x, y, s = place.T
         ahead, self.land = s - front, np.maximum(front - s, 0.0) / form.landing
-        taper = of.TAPER * form.length
-        left = smoothstep(0.0, taper, s) * smoothstep(0.0, taper, form.length - s)
-        left *= 1.0 - smoothstep(4.0, of.TAIL, self.land)
+        taper, left = of.TAPER * form.length, 1.0 - smoothstep(4.0, of.TAIL, self.land)
+        left *= smoothstep(0.0, taper, s) * smoothstep(0.0, taper, form.length - s)
         shoulder, fallen = smoothstep(0.5, of.SHOULDER, ahead), smoothstep(1.6, 4.0, self.land)
         self.high = np.maximum(left * (1.0 - shoulder) * (1.0 - 0.55 * fallen), LEAST)
         self.lean, thrown = smoothstep(0.0, of.LEANING, ahead), left * smoothstep(0.9, 2.2, self.land)
@@ -39,8 +38,7 @@ class Section:
         self.phase = (np.sqrt(even * even + g * g) - g) / (math.sqrt(1.0 + g * g) - g)
         self.tip, self.behind = of.THROW * self.phase, -of.BORE * self.phase
         self.x, self.y = x / self.high, y / self.high
-        # Way to the jet's tip in shares of its width.
-        self.left = (self.tip - self.x) / np.maximum(self.tip - self.behind, LEAST)
+        self.left = (self.tip - self.x) / np.maximum(self.tip - self.behind, LEAST)  # way to the tip in jet's widths
         self.jet = self.top(self.behind) - of.VERTICAL
         # What the jet throws up where it has landed grows wide and covers what is left of the crest.
         past, wide = np.clip(self.land - 1.0, 0.0, 3.0), np.clip(self.land - 0.9, 0.0, 4.0)
@@ -109,9 +107,9 @@ class PlungingCrest:
         # From in the crest nothing of it is seen.
         clear = low[2] < high[2] and self.section(o[None]).gaps()[WHOLE, 0] >= 0.0
         rows = np.flatnonzero((near < far) & clear)
-        step, before, entered = (far - near) / STEPS, np.zeros((WHOLE + 1, rows.size)), []
+        step, before, entered = (far - near) / STEPS, np.zeros((ROUND, rows.size)), []
         for i in range(STEPS + 1):
-            gaps = self.section(o + (near + i * step)[rows, None] * d[rows]).gaps()[: WHOLE + 1]
+            gaps = self.section(o + (near + i * step)[rows, None] * d[rows]).gaps()[:ROUND]
             kind, own = np.nonzero((before > 0.0) & (gaps < 0.0))
             entered.append(np.stack((kind, rows[own], np.full_like(own, i))))
             before = gaps
@@ -132,9 +130,8 @@ class PlungingCrest:
             low, high = np.where(out, middle, low), np.where(out, high, middle)
         at = self.section(o + high[:, None] * d)
         top, face, under, lumps = at.gaps()[:WHOLE]
-        beside = np.minimum(face, under)
-        crest = np.where(top >= beside, TOP, np.where(face <= under, FACE, UNDER))
-        whole = np.where(lumps <= np.maximum(top, beside), LUMPS, crest)
+        crest = np.where(top >= np.minimum(face, under), TOP, np.where(face <= under, FACE, UNDER))
+        whole = np.where(lumps <= np.maximum(top, np.minimum(face, under)), LUMPS, crest)
         jet = ((kind == TOP) & (at.x <= at.tip)) | ((kind == UNDER) & (top < 0.0) & (face > 0.0))
         return high, jet | (kind == WHOLE), np.where(kind == WHOLE, whole, kind)
 
@@ -151,10 +148,9 @@ class CrestLook:
     def __init__(self, crest: "PlungingCrest", place: Floats, part: Indices) -> None:
         self.axes, height, place = crest.axes, crest.height, crest.local(place)
         at, s = crest.section(place), place[:, 2]
-        cap = (part == FACE) & (at.y > 0.9) & (at.lean > 0.02)
-        own = np.where(cap, CAP, np.where(part == UNDER, ROUND, part)), np.arange(part.size)
-        ends = [[crest.section(place + by).gaps()[own] for by in (step, -step)] for step in STEP * np.eye(3)]
-        n = unit(np.stack([plus - minus for plus, minus in ends], axis=-1))
+        own = np.where((part == FACE) & (at.y > 0.9) & (at.lean > 0.02), CAP, np.where(part == UNDER, ROUND, part))
+        ends = [[crest.section(place + by).gaps() for by in (step, -step)] for step in STEP * np.eye(3)]
+        n = unit(np.stack([(out - into)[own, np.arange(part.size)] for out, into in ends], axis=-1))
         left, up, none = np.clip(at.left, 0.0, 1.0), np.clip(at.y, 0.0, 1.0), 0.0 * s
         self.normal = n @ self.axes
         self.along = unit(np.stack((n[:, 1], -n[:, 0], none), axis=-1)) @ self.axes
@@ -176,7 +172,6 @@ class CrestLook:
         every = np.choose(part, (thick, np.maximum(at.x + back, 0.0), under, 9.0))
         self.thickness, self.clouded = every * at.high * height, of.CLOUDED / height
         self.passes = np.choose(part, (smoothstep(0.0, 0.3, at.x), none, 1.0 + none, none))
-        # Share of the sky that the place sees.
         shade = 1.0 - 0.6 * np.clip(at.tip - at.x, 0.0, 1.0) * smoothstep(0.0, 0.3, at.y)
         self.mirror = np.choose(part, (1.0, shade, shade, 1.0))
 
