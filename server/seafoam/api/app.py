@@ -23,8 +23,7 @@ from seafoam.api.http.middleware import AnswerWhenStopped, HeadAsGet, LimitBody,
 from seafoam.api.http.problems import BusyError
 from seafoam.api.routers import accuracy, export, frames, health, masks, presets, sequences, streams, textures
 from seafoam.api.settings import Settings
-from seafoam.api.watch.metrics import NO_TELEMETRY, Metrics, WatchRequests
-from seafoam.api.watch.metrics import traces as configured_traces
+from seafoam.api.watch.metrics import Metrics, WatchRequests, telemetry
 from seafoam.render.ahead import compile_ahead
 from seafoam.render.gl.executor import Executor
 from seafoam.render.service.frame_cache import DiskCache, FrameCache
@@ -73,11 +72,10 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
     disk = DiskCache((settings.cache or cache_dir()) / "frames", settings.cache_size) if settings.cache_size else None
     frame_cache = FrameCache(pool, disk, settings.cache_memory)
     metrics = Metrics(pool, frame_cache)
-    traces = configured_traces()
 
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
-        context = app.state.context = Context(settings, frame_cache, metrics, traces)
+        context = app.state.context = Context(settings, frame_cache, metrics)
         await pool.start()
         warming = [asyncio.create_task(presets.warm(context.plans))]
         if settings.compile_ahead:
@@ -92,8 +90,6 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
         await asyncio.to_thread(context.sequences.stop)
         await pool.stop()
         await frame_cache.close()
-        if traces is not None:
-            await asyncio.to_thread(traces.close)
 
     app = FastAPI(
         title="Seafoam",
@@ -107,7 +103,7 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
         separate_input_output_schemas=False,
         lifespan=lifespan,
         middleware=_middleware(settings, metrics),
-        telemetry=NO_TELEMETRY if traces is None else traces.requests,
+        telemetry=telemetry(),
     )
     own = (each.router for each in (frames, streams, sequences, accuracy, masks, textures, export))
     for router in (presets.router, presets.plans, *own):
