@@ -19,7 +19,7 @@ from seafoam.api.frames.respond import AnswerFromMemory
 from seafoam.api.guard.access_control import AccessControl, OtherOrigins, TokenBuckets
 from seafoam.api.guard.proxy_headers import Proxied
 from seafoam.api.http import answers, errors
-from seafoam.api.http.middleware import AnswerWhenStopped, HeadAsGet, LimitBody, SecurityHeaders, TagsAndRanges
+from seafoam.api.http.middleware import AnswerWhenStopped, HeadAsGet, LimitBody, SecurityHeaders
 from seafoam.api.http.problems import BusyError
 from seafoam.api.routers import accuracy, export, frames, health, masks, presets, sequences, streams, textures
 from seafoam.api.settings import Settings
@@ -131,7 +131,6 @@ def _middleware(settings: Settings, metrics: Metrics) -> list[Middleware]:
         Middleware(AnswerWhenStopped),
         # Starlette's own lies outside of all these, and its answer lacks their headers.
         Middleware(ServerErrorMiddleware, handler=errors.unexpected),
-        Middleware(TagsAndRanges),
         Middleware(AnswerFromMemory),
         Middleware(GZipMiddleware, compresslevel=GZIP_LEVEL, exclude_content_types=NOT_WORTH_GZIP),
         Middleware(LimitBody, limit=settings.max_body),

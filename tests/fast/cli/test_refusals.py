@@ -61,7 +61,7 @@ def test_bad_input_is_named_with_what_is_allowed(seafoam, monkeypatch, tmp_path,
 
 @pytest.mark.parametrize(
     ("name", "value", "allowed"),
-    [("WORKERS", "0", "1 to 64"), ("STREAMS", "-1", "0 to 1000"), ("DEADLINE", "soon", "at most 3600")],
+    [("WORKERS", "0", "1 to 64"), ("STREAMS", "-1", "0 to 1000"), ("DEADLINE", "soon", "maximum 3600")],
 )
 def test_a_bad_setting_is_named_by_its_variable(seafoam, monkeypatch, name, value, allowed):
     monkeypatch.setenv(f"SEAFOAM_{name}", value)

@@ -76,7 +76,8 @@ _EVENTS = answers.content(
     schema=answers.TEXT,
 )
 _FILE = answers.content("The file", *MEDIA_TYPES.values()) | {
-    304: {"description": "Not modified: the copy named by If-None-Match or If-Modified-Since is current"}
+    304: {"description": "Not modified: the copy named by If-None-Match or If-Modified-Since is current"},
+    416: {"description": "The range is outside of the file, whose size Content-Range says"},
 }
 
 
@@ -117,7 +118,7 @@ async def get_events(sequence: SequenceName, _: NoParameters, context: InContext
 
 @router.get(
     "/sequences/{sequence}/file",
-    responses=_FILE | answers.problems(404, 409, 416, 422, 503),
+    responses=_FILE | answers.problems(404, 409, 422, 503),
     response_class=FileResponse,
 )
 async def get_file(sequence: SequenceName, _: NoParameters, request: Request, context: InContext) -> Response:

@@ -5,7 +5,7 @@ import html
 import json
 import re
 from itertools import pairwise
-from typing import get_args
+from typing import Any, get_args
 
 from prometheus_client.parser import text_string_to_metric_families
 from starlette.testclient import TestClient
@@ -219,6 +219,13 @@ def test_an_unknown_water_is_told_by_a_page(client: TestClient) -> None:
     assert client.get("/message.css").status_code == 200
 
 
+def without_none(value: Any) -> Any:
+    """FastAPI leaves out members that are null, which stand in defaults."""
+    if isinstance(value, dict):
+        return {name: without_none(inner) for name, inner in value.items() if inner is not None}
+    return [without_none(inner) for inner in value] if isinstance(value, list) else value
+
+
 def test_the_schema_is_the_documents_and_complete(client: TestClient) -> None:
     schema = client.get("/api/schema").json()
     whole = client.get("/openapi.json").json()["components"]["schemas"]
@@ -226,7 +233,7 @@ def test_the_schema_is_the_documents_and_complete(client: TestClient) -> None:
     assert schema["tiers"] == list(TIERS)
     assert {"Scene", "Quality", "Light", "Foam"} <= set(own) < set(whole)
     assert "FramePlan" not in own
-    assert all(whole[name] == described for name, described in own.items())
+    assert all(whole[name] == without_none(described) for name, described in own.items())
     assert set(re.findall(r'"#/components/schemas/(\w+)"', json.dumps(own))) <= set(own)
 
 
