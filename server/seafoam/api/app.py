@@ -79,8 +79,7 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
         await pool.start()
         warming = [asyncio.create_task(presets.warm(context.plans))]
         if settings.compile_ahead:
-            context.ahead = asyncio.create_task(compile_ahead(pool, factory))
-            warming.append(context.ahead)
+            warming.append(asyncio.create_task(compile_ahead(pool, factory)))
         yield
         for task in warming:
             task.cancel()

@@ -142,8 +142,6 @@ class Context:
         bounds = {"waiting": settings.sequences_waiting, "kept": settings.sequences_kept}
         self.sequences = SequenceService(directory, lambda: workers, **bounds)
         self.streams = Streams(settings.streams)
-        self.ahead: asyncio.Task[None] | None = None
-        """Compiles the presets' programs ahead, if the settings say so."""
 
     async def compiled(self, scene: Scene, quality: Quality) -> CompiledPlan:
         return await self.plans.run(compile_scene, scene, quality)

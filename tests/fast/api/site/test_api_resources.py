@@ -141,8 +141,6 @@ def test_health_and_readiness_which_ends_where_nothing_was_drawn_lately(client, 
     body = ready.json()
     assert body["renderer"] == {"vendor": "Nobody", "renderer": "gradient", "version": "0"}
     assert 0 <= body["last_drawn"] < 60
-    assert body["ready_age"] == 180.0
-    assert (body["workers"], body["waiting"], body["queue"], body["compiling_ahead"]) == (1, 0, 2, False)
     pool = client.app.state.context.pool
     monkeypatch.setattr(pool, "succeeded_at", pool.succeeded_at - 1000.0)
     response = client.get("/readyz")
