@@ -19,12 +19,11 @@ from seafoam.api.frames.respond import AnswerFromMemory
 from seafoam.api.guard.access_control import AccessControl, OtherOrigins, TokenBuckets
 from seafoam.api.guard.proxy_headers import Proxied
 from seafoam.api.http import answers, errors
-from seafoam.api.http.middleware import AnswerWhenStopped, HeadAsGet, LimitBody, SecurityHeaders, TagsAndRanges
+from seafoam.api.http.middleware import AnswerWhenStopped, HeadAsGet, LimitBody, SecurityHeaders
 from seafoam.api.http.problems import BusyError
 from seafoam.api.routers import accuracy, export, frames, health, masks, presets, sequences, streams, textures
 from seafoam.api.settings import Settings
-from seafoam.api.watch.metrics import NO_TELEMETRY, Metrics, WatchRequests
-from seafoam.api.watch.metrics import traces as configured_traces
+from seafoam.api.watch.metrics import Metrics, WatchRequests, telemetry
 from seafoam.render.ahead import compile_ahead
 from seafoam.render.gl.executor import Executor
 from seafoam.render.service.frame_cache import DiskCache, FrameCache
@@ -73,16 +72,14 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
     disk = DiskCache((settings.cache or cache_dir()) / "frames", settings.cache_size) if settings.cache_size else None
     frame_cache = FrameCache(pool, disk, settings.cache_memory)
     metrics = Metrics(pool, frame_cache)
-    traces = configured_traces()
 
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
-        context = app.state.context = Context(settings, frame_cache, metrics, traces)
+        context = app.state.context = Context(settings, frame_cache, metrics)
         await pool.start()
         warming = [asyncio.create_task(presets.warm(context.plans))]
         if settings.compile_ahead:
-            context.ahead = asyncio.create_task(compile_ahead(pool, factory))
-            warming.append(context.ahead)
+            warming.append(asyncio.create_task(compile_ahead(pool, factory)))
         yield
         for task in warming:
             task.cancel()
@@ -92,8 +89,6 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
         await asyncio.to_thread(context.sequences.stop)
         await pool.stop()
         await frame_cache.close()
-        if traces is not None:
-            await asyncio.to_thread(traces.close)
 
     app = FastAPI(
         title="Seafoam",
@@ -107,7 +102,7 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
         separate_input_output_schemas=False,
         lifespan=lifespan,
         middleware=_middleware(settings, metrics),
-        telemetry=NO_TELEMETRY if traces is None else traces.requests,
+        telemetry=telemetry(),
     )
     own = (each.router for each in (frames, streams, sequences, accuracy, masks, textures, export))
     for router in (presets.router, presets.plans, *own):
@@ -135,7 +130,6 @@ def _middleware(settings: Settings, metrics: Metrics) -> list[Middleware]:
         Middleware(AnswerWhenStopped),
         # Starlette's own lies outside of all these, and its answer lacks their headers.
         Middleware(ServerErrorMiddleware, handler=errors.unexpected),
-        Middleware(TagsAndRanges),
         Middleware(AnswerFromMemory),
         Middleware(GZipMiddleware, compresslevel=GZIP_LEVEL, exclude_content_types=NOT_WORTH_GZIP),
         Middleware(LimitBody, limit=settings.max_body),

@@ -23,7 +23,7 @@ from seafoam.api.frames.plans import REQUESTS_KEPT, CompiledPlan, PlanIndex, Req
 from seafoam.api.frames.streams import Streams
 from seafoam.api.http.problems import BusyError
 from seafoam.api.settings import Settings
-from seafoam.api.watch.metrics import Metrics, Traces
+from seafoam.api.watch.metrics import Metrics
 from seafoam.extras import require
 from seafoam.quality import Quality
 from seafoam.render.service.errors import DeadlineError, RenderError, RendererUnavailableError, RenderQueueFullError
@@ -116,10 +116,10 @@ class ThreadPool:
 class Context:
     """What handlers share, for the running event loop, on which sweeps and sequences are drawn.
 
-    frames: gives the pool's frames, and those that it has drawn before. traces: where spans go, if anywhere.
+    frames: gives the pool's frames, and those that it has drawn before.
     """
 
-    def __init__(self, settings: Settings, frames: FrameCache, metrics: Metrics, traces: Traces | None) -> None:
+    def __init__(self, settings: Settings, frames: FrameCache, metrics: Metrics) -> None:
         loop = asyncio.get_running_loop()
         self.settings = settings
         self.pool = frames.pool
@@ -128,7 +128,6 @@ class Context:
         """The plans that have addresses."""
         self.request_cache = RequestCache(REQUESTS_KEPT)
         self.metrics = metrics
-        self.traces = traces
         # Apart, so that a mask, which takes seconds, delays no plan, and one that takes minutes no other mask.
         self.plans, self.masks, self.slow_masks = ThreadPool(2, 64), ThreadPool(1, 8), ThreadPool(1, 2)
 
@@ -143,8 +142,6 @@ class Context:
         bounds = {"waiting": settings.sequences_waiting, "kept": settings.sequences_kept}
         self.sequences = SequenceService(directory, lambda: workers, **bounds)
         self.streams = Streams(settings.streams)
-        self.ahead: asyncio.Task[None] | None = None
-        """Compiles the presets' programs ahead, if the settings say so."""
 
     async def compiled(self, scene: Scene, quality: Quality) -> CompiledPlan:
         return await self.plans.run(compile_scene, scene, quality)

@@ -21,10 +21,6 @@ def default_workers() -> int:
     return max(1, min(4, (os.cpu_count() or 1) // 2))
 
 
-SERVED = {"cache_size": 1 << 30, "cache_memory": 64 << 20, "compile_ahead": True}
-"""What ``seafoam serve`` sets where the environment does not; an application made by a program keeps nothing."""
-
-
 class Settings(Described, BaseSettings):
     """Settings of the server."""
 
@@ -60,13 +56,11 @@ class Settings(Described, BaseSettings):
     sequence_frames: int = Field(default=3600, ge=1, le=1_000_000, description="Maximum number of frames of a sequence")
     cache: Path | None = None
     """Directory for measurements, frames and sequences; absent: the system's cache directory"""
-    cache_size: int = Field(default=0, ge=0)
-    """Maximum size of the frames on disk, bytes; 0: none. `seafoam serve` sets 1 GiB if absent"""
-    cache_memory: int = Field(default=0, ge=0)
-    """Maximum size of the frames in memory, bytes; 0: none. `seafoam serve` sets 64 MiB if absent"""
-    compile_ahead: bool = False
-    """Whether a process of the least priority compiles the programs of all presets for the driver's cache on disk.
-    `seafoam serve` sets true if absent"""
+    cache_size: int = Field(default=1 << 30, ge=0, description="Maximum size of the frames on disk, bytes; 0: none")
+    cache_memory: int = Field(default=64 << 20, ge=0)
+    """Maximum size of the frames in memory, bytes; 0: none"""
+    compile_ahead: bool = True
+    """Whether a process of the least priority compiles the programs of all presets for the driver's cache on disk"""
 
     canary: float = Field(default=60.0, gt=0.0, le=3600.0)
     """Interval at which an idle renderer draws its test picture, s"""
@@ -133,12 +127,6 @@ class Settings(Described, BaseSettings):
     def access(self) -> Access:
         signing = Signing.of(self.signing_key.get_secret_value(), self.signing_salt.get_secret_value())
         return Access(api_keys_of(self.api_keys.get_secret_value()), signing)
-
-    @property
-    def served(self) -> "Settings":
-        """Return these settings with :data:`SERVED` for those that were not given."""
-        absent = {name: value for name, value in SERVED.items() if name not in self.model_fields_set}
-        return self.model_copy(update=absent)
 
     @property
     def frame_limits(self) -> FrameLimits:

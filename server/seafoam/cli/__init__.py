@@ -114,7 +114,7 @@ def serve(
     from seafoam.cli.listening import keep_programs, listen, share_one_arena
 
     share_one_arena()
-    settings = _settings({name: value for name, value in (("host", host), ("port", port)) if value is not None}).served
+    settings = _settings({name: value for name, value in (("host", host), ("port", port)) if value is not None})
     keep_programs((settings.cache or cache_dir()) / "mesa")
     application = create_app(settings)
     listening, address = listen(settings.host, settings.port)

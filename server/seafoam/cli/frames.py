@@ -142,7 +142,7 @@ def draw_again(source: Path, output: Path | None) -> tuple[bool, list[str]]:
     if again == content:
         return True, [f"{source}: drawn again, the same {len(content):,} bytes"]
     renderer = jobs.renderer_of(picture.info)
-    lines = [*_circumstances(recipe, jobs.plan_hash(job.scene, job.quality), renderer), *_pixels(content, again)]
+    lines = [*_circumstances(recipe, jobs.plan_hash(job.scene, job.quality), renderer), _pixels(content, again)]
     return False, [f"{source}: drawn again, with a difference", *(f"  {line}" for line in lines)]
 
 
@@ -175,23 +175,20 @@ def _circumstances(recipe: _Recipe, plan: str, renderer: str) -> Iterator[str]:
         yield f"plan: {recipe.plan} then, {plan} now: shaders, numbers or textures have changed"
 
 
-def _pixels(then: bytes, now: bytes) -> Iterator[str]:
+def _pixels(then: bytes, now: bytes) -> str:
     try:
         old, new = _decoded(then), _decoded(now)
     except (OSError, RuntimeError, ValueError) as error:
-        yield f"pixels: cannot be compared: {error}"
-        return
-    if old.shape != new.shape or old.dtype != new.dtype:
-        yield f"pixels: {_shape(old)} then, {_shape(new)} now"
-        return
+        return f"pixels: cannot be compared: {error}"
+    if old.shape != new.shape:
+        return f"pixels: {old.shape[1]} × {old.shape[0]} then, {new.shape[1]} × {new.shape[0]} now"
     differs = old != new
     if not differs.any():
-        yield "pixels: the same; the rest of the file differs: recipe, compression or other chunks"
-        return
+        return "pixels: the same; the rest of the file differs: recipe, compression or other chunks"
     count = int(differs.any(axis=-1).sum())
     unit = "levels of 255" if old.dtype == np.uint8 else "in linear light"
     greatest = np.abs(old[differs].astype(np.float64) - new[differs].astype(np.float64)).max()
-    yield f"pixels: {count:,} of {old.shape[0] * old.shape[1]:,} differ, by at most {greatest:g} {unit}"
+    return f"pixels: {count:,} of {old.shape[0] * old.shape[1]:,} differ, by at most {greatest:g} {unit}"
 
 
 def _decoded(content: bytes) -> NDArray[Any]:
@@ -205,7 +202,3 @@ def _decoded(content: bytes) -> NDArray[Any]:
 
     channels = OpenEXR.File(io.BytesIO(content), separate_channels=True, num_threads=0).channels()
     return np.stack([channels[name].pixels for name in sorted(channels)], axis=-1)
-
-
-def _shape(pixels: NDArray[Any]) -> str:
-    return f"{pixels.shape[1]} × {pixels.shape[0]} of {pixels.dtype}"

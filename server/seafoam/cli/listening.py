@@ -40,25 +40,17 @@ BACKLOG = 2048
 def listen(host: str, port: int) -> tuple[socket.socket, str]:
     """Return a socket that listens, and the URL under which this machine reaches it.
 
-    host: a name, an IPv4 or IPv6 address, with brackets or without; empty, ``0.0.0.0`` and ``::`` stand for every
-    address. port: 0 selects a free one. Raises :class:`CommandError`.
+    host: a name with an IPv4 address, or an address; empty, ``0.0.0.0`` and ``::`` stand for every address. port: 0
+    selects a free one. Raises :class:`CommandError`.
     """
-    bare = host.removeprefix("[").removesuffix("]")
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    every = host == "::" and socket.has_dualstack_ipv6()
     try:
-        found = socket.getaddrinfo(bare or "0.0.0.0", port, type=socket.SOCK_STREAM)
-        # `localhost` is both: who types 127.0.0.1 for it must find the server.
-        family, *_, address = min(found, key=lambda each: each[0] != socket.AF_INET)
-        every = bare == "::" and socket.has_dualstack_ipv6()
-        listening = socket.create_server(address, family=family, backlog=BACKLOG, dualstack_ipv6=every)
+        listening = socket.create_server((host, port), family=family, backlog=BACKLOG, dualstack_ipv6=every)
     except (OSError, UnicodeError) as error:
         advice = "choose another address with --host or port with --port"
-        raise CommandError(f"cannot listen on {_authority(bare, port)}: {error}; {advice}", UNABLE) from error
+        raise CommandError(f"cannot listen on {host}:{port}: {error}; {advice}", UNABLE) from error
     # asyncio sets this only on sockets that name their protocol; without it every answer waits 40 ms for an ACK.
     listening.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-    shown = {"": "127.0.0.1", "0.0.0.0": "127.0.0.1", "::": "127.0.0.1" if every else "::1"}.get(bare, bare)
-    return listening, f"http://{_authority(shown, listening.getsockname()[1])}"
-
-
-def _authority(host: str, port: int) -> str:
-    """Host and port as a URL has them: IPv6 addresses in brackets, the zone's sign encoded (RFC 6874)."""
-    return f"[{host.replace('%', '%25')}]:{port}" if ":" in host else f"{host}:{port}"
+    shown = "127.0.0.1" if host in ("", "0.0.0.0", "::") else f"[{host}]" if ":" in host else host
+    return listening, f"http://{shown}:{listening.getsockname()[1]}"

@@ -45,12 +45,12 @@ class Serve(TyperCommand):
     def format_help(self, ctx: Any, formatter: Any) -> None:
         """Write the usual help, then the settings."""
         super().format_help(ctx, formatter)
-        from seafoam.api.settings import SERVED, Settings
+        from seafoam.api.settings import Settings
 
         rows = []
         for name, field in Settings.model_fields.items():
-            value = SERVED.get(name, field.get_default(call_default_factory=True))
-            rows.append((f"SEAFOAM_{name.upper()}", _shown(value), field.description or ""))
+            value = _shown(field.get_default(call_default_factory=True))
+            rows.append((f"SEAFOAM_{name.upper()}", value, field.description or ""))
         columns = ("variable", "default", "setting")
         print_table(rows, *columns, unwrapped="variable", markup=False, emoji=False, highlight=False)
 

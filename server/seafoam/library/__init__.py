@@ -18,15 +18,7 @@ encoded_async = HERE.encoded_async
 mask = HERE.mask
 mask_async = HERE.mask_async
 close = HERE.close
-
-
-def connect(url: str, *, key: str | None = None, timeout: float = 60.0) -> Connection:
-    """Return a source that draws on a Seafoam server, at ``http://`` or ``https://``.
-
-    Nothing is sent before the first picture is asked for. key: of the server's API, where it asks for one. timeout:
-    s, of each request. Raises :class:`seafoam.InvalidRequestError` for another kind of address.
-    """
-    return Connection(url, key=key, timeout=timeout)
+connect = Connection
 
 
 def presets() -> tuple[str, ...]:

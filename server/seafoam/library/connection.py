@@ -24,10 +24,13 @@ _REFUSED = (HTTPStatus.NOT_FOUND, HTTPStatus.REQUEST_ENTITY_TOO_LARGE, HTTPStatu
 
 
 class Connection(PictureSource):
-    """Draws on a server; scenes are sent whole, so the server needs no preset of the name.
+    """Draws on a Seafoam server, at ``http://`` or ``https://``; scenes are sent whole.
 
-    A busy server (503), or one that is asked too often (429), is asked again after the time that it names. The server's
-    limits of size hold.
+    Nothing is sent before the first picture is asked for. A busy server (503), or one that is asked too often (429), is
+    asked again after the time that it names. The server's limits of size hold.
+
+    key: of the server's API, where it asks for one. timeout: s, of each request. Raises
+    :class:`seafoam.InvalidRequestError` for another kind of address.
     """
 
     def __init__(self, url: str, *, key: str | None = None, timeout: float = 60.0) -> None:
@@ -83,8 +86,5 @@ def _problem(error: HTTPError) -> str:
 
 
 def _wait(error: HTTPError, attempt: int) -> float:
-    try:
-        asked = float(error.headers.get("Retry-After", ""))
-    except ValueError:
-        asked = float(attempt)
-    return max(0.0, min(LONGEST_WAIT, asked))
+    asked = error.headers.get("Retry-After", "")
+    return min(LONGEST_WAIT, float(asked) if asked.isdecimal() else float(attempt))

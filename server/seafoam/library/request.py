@@ -4,11 +4,13 @@ import inspect
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import KW_ONLY, dataclass
-from functools import wraps
-from typing import Any, Concatenate, ParamSpec, TypeVar, cast, get_args
+from functools import cache, wraps
+from typing import Any, Concatenate, Literal, ParamSpec, TypeVar, cast, get_args
 
 from pydantic import BaseModel, ValidationError
+from pydantic.json_schema import models_json_schema
 
+from seafoam.effects.registry import CHANGED
 from seafoam.quality import TIERS, Quality, Tier
 from seafoam.render.encode import FRAME_FORMATS, FrameFormat
 from seafoam.render.service.errors import IN_PROCESS, FrameTooLargeError
@@ -36,7 +38,7 @@ class ServerError(RuntimeError):
 def asking(request: Callable[P, Q]) -> Callable[[Callable[[S, Q], R]], Callable[Concatenate[S, P], R]]:
     """Make of a method that takes a request one with the parameters of the function that makes it.
 
-    Editors and ``help()`` show these parameters, which are written once; so does the ``TypeError`` for others.
+    Editors and ``help()`` show these parameters, which are written once.
     """
 
     def decorate(method: Callable[[S, Q], R]) -> Callable[Concatenate[S, P], R]:
@@ -45,10 +47,6 @@ def asking(request: Callable[P, Q]) -> Callable[[Callable[[S, Q], R]], Callable[
 
         @wraps(method)
         def asked(self: S, /, *args: P.args, **options: P.kwargs) -> R:
-            try:
-                shown.bind(self, *args, **options)
-            except TypeError as error:
-                raise TypeError(f"{method.__name__}(): {error}; it has {', '.join(known)}") from None
             return method(self, request(*args, **options))
 
         cast(Any, asked).__signature__ = shown
@@ -147,6 +145,17 @@ def camera_of(camera: CameraLike | None, own: Camera) -> Camera:
     if camera is None or isinstance(camera, Camera):
         return camera or own
     return _read(Camera, "camera", {**own.model_dump(), **camera})
+
+
+@cache
+def schemas() -> dict[str, Any]:
+    """Return the names of the tiers, and the JSON schemas of scene and quality: what an editor of them needs."""
+    models: list[tuple[type[BaseModel], Literal["validation"]]] = [(Scene, "validation"), (Quality, "validation")]
+    _, document = models_json_schema(models, ref_template="#/components/schemas/{model}")
+    return {"tiers": list(TIERS), "components": {"schemas": document["$defs"]}}
+
+
+CHANGED.append(schemas.cache_clear)
 
 
 def _read(model: type[M], where: str, fields: Mapping[str, Any]) -> M:

@@ -10,16 +10,13 @@ from typing import Any
 import anywidget
 import traitlets
 from PIL.Image import Image
-from pydantic.json_schema import models_json_schema
 
 from seafoam.library import frame, request
-from seafoam.library.request import InvalidRequestError, quality_of, scene_of
+from seafoam.library.request import InvalidRequestError, quality_of, scene_of, schemas
 from seafoam.masks.catalogue import load_catalogue
 from seafoam.planner import PlanError, make_plan
-from seafoam.quality import TIERS, Quality
 from seafoam.render.service.jobs import described
 from seafoam.resources import data_dir
-from seafoam.scene import Scene
 from seafoam.textures.store import spec_of, texture
 
 CLIENT = "notebook/seafoam-widget.js"
@@ -139,14 +136,6 @@ def answer(asked: Mapping[str, Any]) -> Answer:
     return _ANSWERS[asked["kind"]](asked)
 
 
-def schema() -> dict[str, Any]:
-    """Return the JSON schemas of scene and quality as ``GET /api/schema`` does."""
-    _, document = models_json_schema(
-        [(Scene, "validation"), (Quality, "validation")], ref_template="#/components/schemas/{model}"
-    )
-    return {"tiers": list(TIERS), "components": {"schemas": document["$defs"]}}
-
-
 def _plan(asked: Mapping[str, Any]) -> Answer:
     try:
         plan = make_plan(scene_of(asked["scene"]), quality_of(asked["quality"]))
@@ -166,6 +155,6 @@ def _choices(_: Mapping[str, Any]) -> Answer:
 _ANSWERS: dict[str, Callable[[Mapping[str, Any]], Answer]] = {
     "plan": _plan,
     "texture": _texture,
-    "schema": lambda _: (schema(), []),
+    "schema": lambda _: (schemas(), []),
     "choices": _choices,
 }

@@ -73,7 +73,7 @@ def test_what_was_otherwise_is_named_pixels_of_another_size_too(seafoam, tmp_pat
     told = ("version: 0.0.1 then", "renderer: a GPU, 9 then, B, C now", f"plan: {'0' * 64} then", "pixels: the same")
     assert [part for part in told if part not in out] == []
     code, out, _ = seafoam("render", "--again", altered(drawn(seafoam, tmp_path / "a.png"), width=20))
-    assert (code, "48 × 27 of uint8 then, 20 × 27 of uint8 now" in out) == (1, True)
+    assert (code, "48 × 27 then, 20 × 27 now" in out) == (1, True)
     # What the page and earlier versions do not write.
     path = drawn(seafoam, tmp_path / "a.png", "--no-dither")
     code, out, _ = seafoam("render", "--again", altered(path, plan=None, format=None, dither=None, preset=None))

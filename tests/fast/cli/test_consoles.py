@@ -30,7 +30,7 @@ WITH_IPV6 = pytest.mark.skipif(not os.path.exists("/proc/net/if_inet6"), reason=
     ("host", "url", "reached"),
     [
         ("localhost", "http://localhost:", ["127.0.0.1"]), ("", "http://127.0.0.1:", ["127.0.0.1"]),
-        pytest.param("[::1]", "http://[::1]:", ["::1"], marks=WITH_IPV6),
+        pytest.param("::1", "http://[::1]:", ["::1"], marks=WITH_IPV6),
         pytest.param("::", "http://127.0.0.1:", ["127.0.0.1", "::1"], marks=WITH_IPV6),
     ],
 )  # fmt: skip

@@ -61,7 +61,7 @@ def test_bad_input_is_named_with_what_is_allowed(seafoam, monkeypatch, tmp_path,
 
 @pytest.mark.parametrize(
     ("name", "value", "allowed"),
-    [("WORKERS", "0", "1 to 64"), ("STREAMS", "-1", "0 to 1000"), ("DEADLINE", "soon", "at most 3600")],
+    [("WORKERS", "0", "1 to 64"), ("STREAMS", "-1", "0 to 1000"), ("DEADLINE", "soon", "maximum 3600")],
 )
 def test_a_bad_setting_is_named_by_its_variable(seafoam, monkeypatch, name, value, allowed):
     monkeypatch.setenv(f"SEAFOAM_{name}", value)
@@ -88,7 +88,7 @@ def test_what_the_machine_lacks_ends_in_one_line_too(seafoam, monkeypatch, tmp_p
     with monkeypatch.context() as patched:
         patched.setattr("seafoam.extras.find_spec", lambda name: None)
         told = said(f"{SEQUENCE} -o", tmp_path / "a.mp4")
-        assert told == "seafoam: MP4 files need av; pip install 'seafoam[video]'\n"
+        assert told == "seafoam: MP4 and animated WebP files need av; pip install 'seafoam[video]'\n"
         assert list(tmp_path.glob("a.mp4*")) == []
         told = said(f"{SEQUENCE} --workers 2 -o", tmp_path / "run")
         assert told.endswith("several processes or machines needs distributed; pip install 'seafoam[cluster]'\n")

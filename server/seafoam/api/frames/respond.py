@@ -19,6 +19,7 @@ from seafoam.api.http.answers import content, not_modified
 from seafoam.api.http.middleware import HttpMiddleware
 from seafoam.api.http.parameters import FrameParameters, FrameRequest
 from seafoam.api.http.problems import BadRequestError, FieldProblem, NotMeasuredError
+from seafoam.api.watch.metrics import trace_stages
 from seafoam.render.encode import MEDIA_TYPES
 from seafoam.render.service.jobs import EncodedFrame, FrameJob
 
@@ -101,8 +102,7 @@ async def answer(resolved: ResolvedFrame, request: Request, context: Context, *,
         return Response(status_code=CLIENT_CLOSED_REQUEST)
     if frame.origin == "drawn":
         context.metrics.count_frame(frame, resolved.job.format)
-        if context.traces is not None:
-            context.traces.stages({stage: frame.timings[stage] for stage in STAGES})
+        trace_stages({stage: frame.timings[stage] for stage in STAGES})
     return _response(resolved, frame)
 
 

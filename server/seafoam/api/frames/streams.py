@@ -1,7 +1,6 @@
 """Streams: frames in motion for pages that do not draw themselves, a bounded number of them."""
 
 import asyncio
-import math
 import re
 import secrets
 import time
@@ -15,9 +14,8 @@ from seafoam.scene import Scene
 
 LEASE_SECONDS = 3.0
 """Time without a request after which a stream ends, s: pages that are closed by force do not say so."""
-IDLE_SECONDS = 1.0
-RETRY_SECONDS = 10.0
-"""Retry-After where all streams were asked for a frame within the last ``IDLE_SECONDS``, s."""
+RETRY_SECONDS = 5
+"""Retry-After where all streams are taken, s."""
 FRAMES_AT_ONCE = 2
 """Frames of one stream that may be drawn or wait for a worker: one is drawn while the one before it travels."""
 _FRAME = re.compile(r"/api/streams/([^/]+)/frame\.")
@@ -86,12 +84,6 @@ class Streams:
     def __len__(self) -> int:
         self._expire()
         return len(self._open)
-
-    @property
-    def retry_after(self) -> int:
-        """Seconds until a place may be free: when the stream that was asked least lately ends, if it is idle."""
-        left = min((one.expires for one in self._open.values() if not one.frames), default=math.inf) - self._clock()
-        return math.ceil(max(1.0, left if left <= LEASE_SECONDS - IDLE_SECONDS else RETRY_SECONDS))
 
     def open(self, scene: Scene, quality: Quality) -> Stream | None:
         """Open a stream, or return None where all are taken."""

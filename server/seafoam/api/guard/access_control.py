@@ -27,16 +27,6 @@ CLIENTS_KEPT = 65_536
 """Clients whose buckets are remembered, 16 MB; one that is forgotten has a full bucket again."""
 IPV6_PREFIX = 64
 """Leading bits of an IPv6 address that count: what one subscriber has at least."""
-POLICY = "api"
-
-
-@dataclass(frozen=True, slots=True)
-class Standing:
-    """A client's bucket after a request: whether it is allowed, requests left, and seconds until the next or all."""
-
-    allowed: bool
-    left: int
-    seconds: int
 
 
 class TokenBuckets:
@@ -51,20 +41,16 @@ class TokenBuckets:
         self._clock = clock
         self._full_at: LruCache[str, float] = LruCache(CLIENTS_KEPT)
 
-    @property
-    def policy(self) -> str:
-        """Value of ``RateLimit-Policy``: the tokens of a bucket, and the seconds in which it refills."""
-        return f'"{POLICY}";q={self.burst};w={math.ceil(self.burst / self.rate)}'
-
-    def take(self, client: str) -> Standing:
+    def take(self, client: str) -> int:
+        """Take a token, and return 0; or, if there is none, the seconds until there is one."""
         now = self._clock()
         full_at = max(self._full_at.get(client) or now, now)
         tokens = self.burst - (full_at - now) * self.rate
         # The sums of many requests round.
         if tokens < 1.0 - 1e-6:
-            return Standing(False, 0, math.ceil((1.0 - tokens) / self.rate))
+            return math.ceil((1.0 - tokens) / self.rate)
         self._full_at.put(client, full_at + 1.0 / self.rate)
-        return Standing(True, int(tokens - 1.0 + 1e-6), math.ceil(full_at + 1.0 / self.rate - now))
+        return 0
 
 
 def bucket_of(address: str) -> str:
@@ -76,8 +62,7 @@ def bucket_of(address: str) -> str:
 
 
 READABLE_ELSEWHERE = (
-    "ETag", "Link", "Server-Timing", "Seafoam-Plan", "Seafoam-Renderer", "Retry-After", "RateLimit", "RateLimit-Policy",
-    REQUEST_ID,
+    "ETag", "Link", "Server-Timing", "Seafoam-Plan", "Seafoam-Renderer", "Retry-After", REQUEST_ID,
 )  # fmt: skip
 """Headers that a page of another origin may read, besides those that every page may."""
 _SENT = ("Authorization", "Content-Type", "If-None-Match", REQUEST_ID)
@@ -127,12 +112,15 @@ class AccessControl(HttpMiddleware):
             return
         name = self.access.name_of(Headers(scope=scope)) if self.access.keys else None
         scope.setdefault("state", {})["client"] = name
-        standing = None
+        refusal: Response | None = None
         # Frames of an open stream are bounded by the stream, which counts when it is opened.
         if self.rates is not None and not scope["app"].state.context.streams.has_frame(path):
             address = (scope.get("client") or ("",))[0]
-            standing = self.rates.take(f"key {name}" if name else bucket_of(address))
-        refusal = self._beyond(scope, standing) or self._refusal(scope, signed, name)
+            if wait := self.rates.take(f"key {name}" if name else bucket_of(address)):
+                most = f"{self.rates.burst} requests at once and {self.rates.rate:g} a second"
+                detail = f"more than {most}; the next is allowed in {wait} s"
+                refusal = problem(path, _RATE_EXCEEDED, detail, headers={"Retry-After": str(wait)})
+        refusal = refusal or self._refusal(scope, signed, name)
 
         def mark(headers: MutableHeaders) -> None:
             if name and "public" in headers.get("cache-control", ""):
@@ -140,19 +128,8 @@ class AccessControl(HttpMiddleware):
             if signed and "link" in headers:
                 # Relative to the address without signature, and not signed itself.
                 del headers["link"]
-            if self.rates is not None and standing is not None:
-                headers["RateLimit-Policy"] = self.rates.policy
-                # draft-ietf-httpapi-ratelimit-headers-10
-                headers["RateLimit"] = f'"{POLICY}";r={standing.left};t={standing.seconds}'
 
         await (refusal or self.app)(scope, receive, altering(send, mark))
-
-    def _beyond(self, scope: Scope, standing: Standing | None) -> Response | None:
-        if standing is None or standing.allowed or self.rates is None:
-            return None
-        most = f"{self.rates.burst} requests at once and {self.rates.rate:g} a second"
-        detail = f"more than {most}; the next is allowed in {standing.seconds} s"
-        return problem(scope["path"], _RATE_EXCEEDED, detail, headers={"Retry-After": str(standing.seconds)})
 
     def _refusal(self, scope: Scope, signed: bool, name: str | None) -> Response | None:
         """Return why a request is not let in, or None. A signed one goes on as the request that was signed."""

@@ -1,12 +1,12 @@
 """What answers have in common: cache headers and entity tags, and their description in the OpenAPI document."""
 
-from collections.abc import AsyncIterator, Awaitable, Callable, Mapping, Sequence
+from collections.abc import Awaitable, Callable, Mapping, Sequence
 from http import HTTPStatus
 from importlib.metadata import version
 from typing import Any
 
 from fastapi import FastAPI, Request
-from starlette.responses import Response, StreamingResponse
+from starlette.responses import Response
 
 from seafoam.accuracy.cache import key_of
 from seafoam.api.http.errors import MEDIA_TYPE, PROBLEM_TYPES, Problem
@@ -41,12 +41,6 @@ async def kept(
     if current := not_modified(request, tag, headers):
         return current
     return Response(await make(), headers={"ETag": tag, **headers}, media_type=media_type)
-
-
-def events_of(events: AsyncIterator[bytes]) -> Response:
-    """Return an answer of server-sent events, each sent at once."""
-    headers = {"Cache-Control": NO_STORE, "X-Accel-Buffering": "no"}
-    return StreamingResponse(events, headers=headers, media_type="text/event-stream")
 
 
 Responses = dict[int | str, dict[str, Any]]

@@ -1,16 +1,14 @@
-"""ASGI middleware for every request: entity tags, ranges, limits, security headers; what all of it has in common."""
+"""ASGI middleware for every request: limits, security headers, stops; what all of it has in common."""
 
 import asyncio
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from starlette.datastructures import Headers, MutableHeaders
+from starlette.datastructures import MutableHeaders
 from starlette.exceptions import HTTPException
-from starlette.responses import JSONResponse
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from seafoam.api.http.errors import ProblemType, problem
-from seafoam.api.http.problems import FieldProblem
 
 CONTENT_SECURITY_POLICY = (
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; connect-src 'self'; "
@@ -70,7 +68,6 @@ class CountingSend:
 RESTART_SECONDS = 5
 """Retry-After of a server that stops, s: time in which another takes its place."""
 _STOPPING = ProblemType(503, "stopping", "The server stops")
-_NO_RANGE = ProblemType(416, "range-not-satisfiable", "The range is outside of the file")
 
 
 class HeadAsGet(HttpMiddleware):
@@ -151,40 +148,3 @@ class AnswerWhenStopped(HttpMiddleware):
                 return
             detail, headers = "the server stopped before the answer was made", {"Retry-After": str(RESTART_SECONDS)}
             await problem(scope["path"], _STOPPING, detail, headers=headers)(scope, receive, send)
-
-
-class TagsAndRanges(HttpMiddleware):
-    """Makes the tag of what was compressed weak, since the same bytes without a coding have it too.
-
-    304 varies as its 200. A range that a file does not hold, or that is none, is a problem (416), for which Starlette
-    has no words.
-    """
-
-    async def _handle(self, scope: Scope, receive: Receive, send: Send) -> None:
-        refused = False
-
-        async def mark(message: Message) -> None:
-            nonlocal refused
-            if message["type"] == "http.response.start":
-                status, headers = message["status"], MutableHeaders(scope=message)
-                refused = status == 416 or (status == 400 and headers["content-type"].startswith("text/plain"))
-                if refused:
-                    await _no_range(scope["path"], headers)(scope, receive, send)
-                if status == 304:
-                    headers.setdefault("Vary", "Accept-Encoding")
-                if "content-encoding" in headers and headers.get("etag", "").startswith('"'):
-                    headers["ETag"] = f"W/{headers['etag']}"
-            if not refused:
-                await send(message)
-
-        await self.app(scope, receive, mark)
-
-
-def _no_range(path: str, headers: Headers) -> JSONResponse:
-    detail, allowed, sent = "Range: must be bytes=FIRST-LAST", None, {}
-    if total := headers.get("content-range"):
-        last = int(total.removeprefix("bytes */")) - 1
-        detail, allowed = f"Range: the file has bytes 0 to {last}", {"minimum": 0, "maximum": last}
-        sent = {"Content-Range": total}
-    errors = [FieldProblem(parameter="Range", detail=detail, allowed=allowed)]
-    return problem(path, _NO_RANGE, detail, errors=errors, headers=sent)

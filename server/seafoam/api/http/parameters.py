@@ -222,21 +222,26 @@ class PlanRequest(Described):
     """A tier, or the settings that differ from tier standard"""
 
 
-class FrameRequest(PlanRequest):
+class ViewRequest(PlanRequest):
+    """A scene as it is seen at a time from a camera, in a picture of a size."""
+
+    time: Time = 0.0
+    width: int = Field(default=DEFAULT_WIDTH, ge=1, le=MAX_SIDE, description="Width, pixels", examples=[640])
+    height: int = Field(default=DEFAULT_HEIGHT, ge=1, le=MAX_SIDE, description="Height, pixels", examples=[360])
+    camera: OwnCamera = None
+    preset: OriginalPreset = None
+
+
+class FrameRequest(ViewRequest):
     """A frame to render: scene, quality, time, size and camera."""
 
     quality: TierAutoOrQuality = "standard"  # type: ignore[assignment]
     """A tier, the settings that differ from tier standard, or auto: the most exact quality predicted to render within
     budget_ms"""
     budget_ms: Budget = None
-    time: Time = 0.0
-    width: int = Field(default=DEFAULT_WIDTH, ge=1, le=MAX_SIDE, description="Width, pixels", examples=[640])
-    height: int = Field(default=DEFAULT_HEIGHT, ge=1, le=MAX_SIDE, description="Height, pixels", examples=[360])
     format: FrameFormat = Field(default="png", description=FORMATS)
     dither: Dither = True
     precision: ExrPrecision = "half"
-    camera: OwnCamera = None
-    preset: OriginalPreset = None
 
     @property
     def job(self) -> FrameJob:
@@ -244,15 +249,3 @@ class FrameRequest(PlanRequest):
         quality = quality_of("standard" if self.quality == "auto" else self.quality)
         view = self.camera or self.scene.camera, self.width, self.height
         return FrameJob(self.scene, quality, self.time, *view, self.format, self.preset, self.dither, self.precision)
-
-
-class ExportRequest(PlanRequest):
-    """A scene to take home: what is drawn, how exactly, and the frame that it opens with."""
-
-    time: Time = 0.0
-    width: int = Field(default=DEFAULT_WIDTH, ge=1, le=4096)
-    """Width of the frame that the uniforms are listed for, pixels"""
-    height: int = Field(default=DEFAULT_HEIGHT, ge=1, le=4096)
-    """Height of the frame that the uniforms are listed for, pixels"""
-    camera: OwnCamera = None
-    preset: OriginalPreset = None

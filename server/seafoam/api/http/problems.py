@@ -89,20 +89,10 @@ def allowed_at(schema: Schema, root: Schema, path: Sequence[str | int], value: A
 
 def describe_allowed(allowed: Mapping[str, Any]) -> str:
     """Describe the result of :func:`allowed_at` in words."""
-    if "enum" in allowed:
-        return "one of " + ", ".join(map(str, allowed["enum"]))
-    if "members" in allowed:
-        return "members: " + ", ".join(allowed["members"])
-    words = []
     if "minimum" in allowed and "maximum" in allowed:
-        words.append(f"{allowed['minimum']:g} to {allowed['maximum']:g}")
-    else:
-        words += [f"at least {allowed['minimum']:g}"] if "minimum" in allowed else []
-        words += [f"at most {allowed['maximum']:g}"] if "maximum" in allowed else []
-    words += [f"above {allowed['exclusiveMinimum']:g}"] if "exclusiveMinimum" in allowed else []
-    words += [f"below {allowed['exclusiveMaximum']:g}"] if "exclusiveMaximum" in allowed else []
-    words += [f"{key} {allowed[key]}" for key in _LENGTHS if key in allowed]
-    return ", ".join(words) or str(allowed.get("type", ""))
+        return f"{allowed['minimum']:g} to {allowed['maximum']:g}"
+    said = {key: ", ".join(map(str, value)) if isinstance(value, list) else value for key, value in allowed.items()}
+    return "; ".join(f"{key} {value}" for key, value in said.items())
 
 
 def _alternatives(schema: Schema, root: Schema) -> list[Schema]:

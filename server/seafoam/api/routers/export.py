@@ -20,7 +20,7 @@ from starlette.responses import Response
 from seafoam.api.context import InContext
 from seafoam.api.frames.plans import CompiledPlan
 from seafoam.api.http import answers
-from seafoam.api.http.parameters import ExportRequest, quality_of
+from seafoam.api.http.parameters import ViewRequest, quality_of
 from seafoam.api.http.problems import NotBuiltError
 from seafoam.api.http.validation import Strict, known_preset
 from seafoam.framegraph.evaluation import FrameState, evaluate
@@ -130,7 +130,7 @@ def zipped(job: FrameJob, compiled: CompiledPlan, player: dict[str, bytes]) -> b
 
 
 @router.post("/export", responses=_RESPONSES | answers.problems(413, 415, 422, 501, 503), response_class=Response)
-async def export_scene(body: Strict[ExportRequest], context: InContext) -> Response:
+async def export_scene(body: Strict[ViewRequest], context: InContext) -> Response:
     """Pack a scene sent as JSON with its programs, textures, uniforms and a player."""
     known_preset(body.preset)
     quality = quality_of(body.quality)

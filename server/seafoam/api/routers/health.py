@@ -38,14 +38,6 @@ class Ready(BaseModel):
     status: Literal["ready"] = "ready"
     renderer: RendererInfo
     last_drawn: float = Field(description="Time since the last rendered frame or test frame, s")
-    ready_age: float = Field(description="Value of `last_drawn` from which the renderer does not count as ready, s")
-    workers: int = Field(description="Number of render workers")
-    active: int = Field(description="Number of busy render workers")
-    waiting: int = Field(description="Number of frames in the queue")
-    queue: int = Field(description="Capacity of the queue, frames")
-    compiling_ahead: bool = Field(
-        description="Whether the programs of the presets are being compiled ahead of their first frames"
-    )
 
 
 @router.get("/healthz", responses=problems(422))
@@ -73,16 +65,7 @@ async def get_readiness(_: NoParameters, context: InContext, response: Response)
             retry_after=math.ceil(context.settings.canary),
         )
     response.headers["Cache-Control"] = NO_STORE
-    return Ready(
-        renderer=RendererInfo.model_validate({key: pool.info[key] for key in RendererInfo.model_fields}),
-        last_drawn=round(age, 3),
-        ready_age=context.settings.ready_age,
-        workers=pool.workers,
-        active=pool.active,
-        waiting=pool.waiting,
-        queue=pool.queue,
-        compiling_ahead=context.ahead is not None and not context.ahead.done(),
-    )
+    return Ready(renderer=RendererInfo.model_validate(pool.info), last_drawn=round(age, 3))
 
 
 @router.get(

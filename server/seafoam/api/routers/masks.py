@@ -267,7 +267,8 @@ async def get_custom_events(query: Annotated[CustomMask, Query()], context: InCo
     await asyncio.sleep(0)
     if task.done():
         task.result()
-    return answers.events_of(making.events(task))
+    headers = {"Cache-Control": answers.NO_STORE, "X-Accel-Buffering": "no"}
+    return StreamingResponse(making.events(task), headers=headers, media_type="text/event-stream")
 
 
 _serve_parts("/masks/custom", "custom", _custom_mask)

@@ -4,8 +4,6 @@
 ``/api/scenes``: scenes checked and completed. ``/api/plans``: scenes compiled for an executor to run.
 """
 
-import json
-import re
 from threading import Lock
 from typing import Annotated, Any
 
@@ -23,6 +21,7 @@ from seafoam.api.http.parameters import PlanParameters, PlanRequest, quality_of
 from seafoam.api.http.validation import NoParameters, PresetName, Strict, find_preset
 from seafoam.described import Described
 from seafoam.framegraph.plan import FramePlan
+from seafoam.library.request import schemas
 from seafoam.quality import TIERS, Quality, Tier
 from seafoam.scene import Group, Scene, load_preset, preset_names
 
@@ -99,9 +98,6 @@ async def get_quality(_: NoParameters) -> QualityTiers:
     return QualityTiers(tiers=TIERS, parameters=Quality.model_json_schema(), measured=measured)
 
 
-_REFERENCE = re.compile(r'"#/components/schemas/(\w+)"')
-
-
 class Schemas(Described):
     """Schemas of what a client edits."""
 
@@ -110,26 +106,10 @@ class Schemas(Described):
     """`schemas`: the JSON schemas of Scene, Quality and their parts, as in the OpenAPI document"""
 
 
-def reduced(document: dict[str, Any]) -> dict[str, Any]:
-    """Return the schemas of scene and quality, and of all that they refer to, by name.
-
-    document: OpenAPI document of the application.
-    """
-    schemas = document["components"]["schemas"]
-    found: dict[str, Any] = {}
-    names = ["Scene", "Quality"]
-    while names:
-        name = names.pop()
-        if name not in found:
-            found[name] = schemas[name]
-            names += _REFERENCE.findall(json.dumps(schemas[name]))
-    return dict(sorted(found.items()))
-
-
 @router.get("/schema", responses=problems(422))
-async def get_schema(_: NoParameters, request: Request) -> Schemas:
+def get_schema(_: NoParameters) -> Schemas:
     """Get the JSON schemas of scene and quality alone, a third of the OpenAPI document."""
-    return Schemas(tiers=list(TIERS), components={"schemas": reduced(request.app.openapi())})
+    return Schemas(**schemas())
 
 
 @router.post("/scenes", responses=problems(413, 415, 422, 501, 503))
@@ -140,7 +120,7 @@ async def complete_scene(scene: Strict[Scene], context: InContext) -> Scene:
 
 
 _PLAN_HEADERS = {
-    "ETag": "Quoted SHA-256 of the plan, weak where the answer is compressed",
+    "ETag": "Quoted SHA-256 of the plan",
     "Seafoam-Plan": "SHA-256 of the plan",
 }
 _PLAN: answers.Responses = {

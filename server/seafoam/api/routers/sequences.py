@@ -4,10 +4,10 @@ import asyncio
 from collections.abc import AsyncIterator
 from typing import Annotated, Literal
 
-from fastapi import APIRouter, Path, Request
-from fastapi.sse import format_sse_event
-from pydantic import Discriminator, Field, Tag
-from starlette.responses import FileResponse, JSONResponse, Response, StreamingResponse
+from fastapi import APIRouter, Depends, Path, Request
+from fastapi.sse import EventSourceResponse, ServerSentEvent
+from pydantic import Field
+from starlette.responses import FileResponse, JSONResponse, Response
 from starlette.staticfiles import NotModifiedResponse, StaticFiles
 
 from seafoam.api.context import Context, InContext
@@ -26,24 +26,16 @@ from seafoam.api.http.validation import NoParameters, Strict, known_preset
 from seafoam.render.service.jobs import FrameJob
 from seafoam.sequences.formats import Codec
 from seafoam.sequences.service import FINISHED, SequenceStatus, UnknownSequenceError
-from seafoam.sequences.spec import GREATEST_FPS, LEAST_FPS, SequenceSpec, sequence_of
+from seafoam.sequences.spec import SequenceSpec, sequence_of
 
 router = APIRouter(prefix="/api", tags=["sequences"])
 
 MEDIA_TYPES = {"zip": "application/zip", "webp": "image/webp", "mp4": "video/mp4"}
 _EVENT_SECONDS = 0.25
 """Between looks whether a sequence has moved on."""
-_QUIET_LOOKS = 60
-"""Looks without change after which a comment is sent, so that proxies keep the connection."""
 
 SequenceName = Annotated[
     str, Path(description="Name of a sequence, from the response that started it", pattern="^[0-9a-f]{32}$")
-]
-
-Rate = Annotated[
-    Annotated[float, Field(ge=LEAST_FPS, le=GREATEST_FPS), Tag("number")]
-    | Annotated[str, Field(pattern="^[0-9]{1,12}/[0-9]{1,12}$"), Tag("fraction")],
-    Discriminator(lambda value: "fraction" if isinstance(value, str) else "number"),
 ]
 
 
@@ -53,8 +45,8 @@ class SequenceRequest(PlanRequest):
     start: float = Field(default=0.0, ge=-TIME_LIMIT, le=TIME_LIMIT, description="Time of the first frame, s")
     stop: float = Field(ge=-TIME_LIMIT, le=TIME_LIMIT, examples=[2.0])
     """Time before which the last frame is, s; above start. The server limits the number of frames"""
-    fps: Rate = Field(default=24.0, examples=[24, "30000/1001"])
-    """Frames per second: a number, or a fraction as text; 29.97 is taken as 30000/1001"""
+    fps: float | str = Field(default=24.0, examples=[24, "30000/1001"])
+    """Frames per second, 0.001 to 1000: a number, or a fraction as text; 29.97 is taken as 30000/1001"""
     width: int = Field(default=DEFAULT_WIDTH, ge=1, description="Width, pixels; even in a video", examples=[640])
     height: int = Field(default=DEFAULT_HEIGHT, ge=1, description="Height, pixels; even in a video", examples=[360])
     format: Literal["zip", "webp", "mp4"] = "mp4"
@@ -76,7 +68,8 @@ _EVENTS = answers.content(
     schema=answers.TEXT,
 )
 _FILE = answers.content("The file", *MEDIA_TYPES.values()) | {
-    304: {"description": "Not modified: the copy named by If-None-Match or If-Modified-Since is current"}
+    304: {"description": "Not modified: the copy named by If-None-Match or If-Modified-Since is current"},
+    416: {"description": "The range is outside of the file, whose size Content-Range says"},
 }
 
 
@@ -95,29 +88,42 @@ async def start_sequence(body: Strict[SequenceRequest], context: InContext) -> S
     return JSONResponse(status.model_dump(mode="json"), 202, headers)  # type: ignore[return-value]
 
 
+async def _status(sequence: SequenceName, context: InContext) -> SequenceStatus:
+    return await context.plans.run(context.sequences.status, sequence)
+
+
+Status = Annotated[SequenceStatus, Depends(_status)]
+
+
 @router.get("/sequences/{sequence}", responses=answers.problems(404, 422, 503))
-async def get_sequence(
-    sequence: SequenceName, _: NoParameters, context: InContext, response: Response
-) -> SequenceStatus:
+async def get_sequence(status: Status, _: NoParameters, response: Response) -> SequenceStatus:
     """Get how far a sequence is, with the estimated time left."""
     response.headers["Cache-Control"] = answers.NO_STORE
-    return await context.plans.run(context.sequences.status, sequence)
+    return status
 
 
 @router.get(
     "/sequences/{sequence}/events",
     responses=_EVENTS | answers.problems(404, 422, 503),
-    response_class=StreamingResponse,
+    response_class=EventSourceResponse,
 )
-async def get_events(sequence: SequenceName, _: NoParameters, context: InContext) -> Response:
+async def get_events(status: Status, _: NoParameters, context: InContext) -> AsyncIterator[ServerSentEvent]:
     """Follow a sequence: an event whenever it has moved on, until it ends."""
-    first = await context.plans.run(context.sequences.status, sequence)
-    return answers.events_of(_events(first, context))
+    yield ServerSentEvent(event="status", data=status)
+    while status.status not in FINISHED:
+        await asyncio.sleep(_EVENT_SECONDS)
+        try:
+            now = await asyncio.to_thread(context.sequences.status, status.id)
+        except UnknownSequenceError:  # cancelled, and its files removed
+            now = status.model_copy(update={"status": "cancelled", "eta_s": None})
+        if now != status:
+            status = now
+            yield ServerSentEvent(event="status", data=status)
 
 
 @router.get(
     "/sequences/{sequence}/file",
-    responses=_FILE | answers.problems(404, 409, 416, 422, 503),
+    responses=_FILE | answers.problems(404, 409, 422, 503),
     response_class=FileResponse,
 )
 async def get_file(sequence: SequenceName, _: NoParameters, request: Request, context: InContext) -> Response:
@@ -149,20 +155,3 @@ def _spec(body: SequenceRequest, context: Context) -> SequenceSpec:
         detail = f"stop must be at most {greatest:.12g} s: {limit}"
         raise BadRequestError(FieldProblem(pointer="/stop", detail=detail, allowed={"maximum": greatest}))
     return spec
-
-
-async def _events(first: SequenceStatus, context: Context) -> AsyncIterator[bytes]:
-    told, quiet = first, 0
-    yield format_sse_event(event="status", data_str=first.model_dump_json())
-    while told.status not in FINISHED:
-        await asyncio.sleep(_EVENT_SECONDS)
-        try:
-            now = await asyncio.to_thread(context.sequences.status, first.id)
-        except UnknownSequenceError:  # cancelled, and its files removed
-            now = told.model_copy(update={"status": "cancelled", "eta_s": None})
-        quiet = quiet + 1 if now == told else 0
-        if now != told:
-            told = now
-            yield format_sse_event(event="status", data_str=now.model_dump_json())
-        elif quiet % _QUIET_LOOKS == 0:
-            yield format_sse_event(comment="still there")

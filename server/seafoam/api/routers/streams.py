@@ -8,7 +8,7 @@ from pydantic import Field
 
 from seafoam.api.context import Context, InContext
 from seafoam.api.frames.respond import CLIENT_CLOSED_REQUEST, server_timing, unless_gone
-from seafoam.api.frames.streams import LEASE_SECONDS, Stream
+from seafoam.api.frames.streams import LEASE_SECONDS, RETRY_SECONDS, Stream
 from seafoam.api.http.answers import NO_STORE, content, problems
 from seafoam.api.http.parameters import PlanRequest, StreamFrameParameters, quality_of
 from seafoam.api.http.problems import NotFoundError, StreamsFullError
@@ -59,7 +59,7 @@ async def open_stream(body: Strict[PlanRequest], response: Response, context: In
     # Before the scene is planned, too: a crowd that is refused costs little.
     stream = streams.open(body.scene, await _planned(body, context)) if len(streams) < streams.limit else None
     if stream is None:
-        raise StreamsFullError(f"all {streams.limit} streams are taken", streams.retry_after)
+        raise StreamsFullError(f"all {streams.limit} streams are taken", RETRY_SECONDS)
     response.headers["Location"] = f"streams/{stream.id}"
     return OpenStream(id=stream.id, lease=LEASE_SECONDS, limit=streams.limit, open=len(streams))
 

@@ -32,7 +32,7 @@ class TextureParameters(Parameters):
 _RESPONSES = content(
     "All mip levels, largest first; rows from v = 0, tightly packed, little-endian",
     "application/octet-stream",
-    headers={"ETag": "Quoted SHA-256 of the bytes, weak where the answer is compressed"},
+    headers={"ETag": "Quoted SHA-256 of the bytes"},
 )
 
 

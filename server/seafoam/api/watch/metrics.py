@@ -7,9 +7,10 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
 from importlib.metadata import version
-from typing import TYPE_CHECKING, get_args
+from typing import get_args
 
 from fastapi.telemetry import TelemetryConfig
+from opentelemetry import trace
 from prometheus_client import CollectorRegistry, Counter, Gauge, Histogram
 from prometheus_client.core import CounterMetricFamily
 from prometheus_client.registry import Collector
@@ -23,9 +24,6 @@ from seafoam.extras import require
 from seafoam.render.service.frame_cache import FrameCache
 from seafoam.render.service.jobs import EncodedFrame, Origin
 from seafoam.render.service.pool import RenderPool, State
-
-if TYPE_CHECKING:
-    from opentelemetry.sdk.trace.export import SpanExporter
 
 _SECONDS = (0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0)
 
@@ -118,64 +116,34 @@ class WatchRequests(HttpMiddleware):
                 log.info("%(method)s %(route)s %(status)d", fields, extra={"fields": fields})
 
 
-NO_TELEMETRY: TelemetryConfig = {"tracing": False, "metrics": False, "logs": False, "auto_configure": False}
 _ENDPOINTS = ("OTEL_EXPORTER_OTLP_TRACES_ENDPOINT", "OTEL_EXPORTER_OTLP_ENDPOINT")
+_TRACER = trace.get_tracer("seafoam", version("seafoam"))
 
 
-class Traces:
-    """Spans of a frame's stages within those that FastAPI itself makes of requests, and where all of them go.
-
-    A tracer of its own, sampled and exported as the variables ``OTEL_*`` say; closed with the application.
-
-    exporter: absent: OTLP over HTTP.
-    """
-
-    def __init__(self, exporter: "SpanExporter | None" = None) -> None:
-        from opentelemetry.exporter.otlp.proto.http.trace_exporter import OTLPSpanExporter
-        from opentelemetry.sdk.resources import SERVICE_NAME, SERVICE_VERSION, OTELResourceDetector, Resource
-        from opentelemetry.sdk.trace import TracerProvider
-        from opentelemetry.sdk.trace.export import BatchSpanProcessor
-
-        own = Resource.create({SERVICE_NAME: "seafoam", SERVICE_VERSION: version("seafoam")})
-        resource = own.merge(OTELResourceDetector().detect())  # the environment's precede
-        # Provider and exporter are closed with the application, not at the end of the process.
-        self._provider = TracerProvider(resource=resource, shutdown_on_exit=False)
-        self._provider.add_span_processor(BatchSpanProcessor(exporter or OTLPSpanExporter()))
-        self._tracer = self._provider.get_tracer("seafoam", version("seafoam"))
-
-    @property
-    def requests(self) -> TelemetryConfig:
-        """Return how FastAPI traces requests: a span for each but probes and frames of streams."""
-        return {
-            "tracer_provider": self._provider,
-            "metrics": False,
-            "logs": False,
-            "operation_spans": False,
-            "exclude": lambda scope: scope["type"] != "http" or scope["path"] in PROBES or is_frame(scope["path"]),
-        }
-
-    def stages(self, timings: Mapping[str, float]) -> None:
-        """Add a span for each stage of a frame that has just been finished, one after the other until now.
-
-        timings: duration by stage, s, in the order in which they were passed.
-        """
-        began = time.time_ns() - round(1e9 * sum(timings.values()))
-        for stage, seconds in timings.items():
-            span = self._tracer.start_span(stage, start_time=began)
-            began += round(1e9 * seconds)
-            span.end(began)
-
-    def close(self) -> None:
-        self._provider.shutdown()
-
-
-def traces() -> Traces | None:
-    """Return where spans go; None where no OTLP endpoint is named, or SDK or exporter is switched off.
+def telemetry() -> TelemetryConfig:
+    """Return how FastAPI traces requests where an OTLP endpoint is named: a span for each but probes and stream frames.
 
     Raises :class:`~seafoam.extras.MissingExtraError` without the extra ``telemetry``.
     """
-    off = os.environ.get("OTEL_SDK_DISABLED", "").lower() == "true" or os.environ.get("OTEL_TRACES_EXPORTER") == "none"
-    if off or not any(map(os.environ.get, _ENDPOINTS)):
-        return None
-    require("telemetry")
-    return Traces()
+    if any(map(os.environ.get, _ENDPOINTS)):
+        require("telemetry")
+        os.environ.setdefault("OTEL_SERVICE_NAME", "seafoam")
+    return {
+        "auto_configure": True,
+        "metrics": False,
+        "logs": False,
+        "operation_spans": False,
+        "exclude": lambda scope: scope["type"] != "http" or scope["path"] in PROBES or is_frame(scope["path"]),
+    }
+
+
+def trace_stages(timings: Mapping[str, float]) -> None:
+    """Add a span for each stage of a frame that has just been finished, one after the other until now.
+
+    timings: duration by stage, s, in the order in which they were passed.
+    """
+    began = time.time_ns() - round(1e9 * sum(timings.values()))
+    for stage, seconds in timings.items():
+        span = _TRACER.start_span(stage, start_time=began)
+        began += round(1e9 * seconds)
+        span.end(began)

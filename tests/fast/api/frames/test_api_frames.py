@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 
 from seafoam.api.frames.plans import PlanIndex
-from seafoam.api.settings import SERVED, Settings
 from seafoam.render.encode import read_recipe
 from seafoam.render.service.pool import BACKGROUND_QUEUE
 from seafoam.scene import load_preset, preset_names
@@ -95,13 +94,9 @@ def cached(tmp_path_factory):
         yield client
 
 
-def test_nothing_is_kept_unless_it_is_set_and_serve_sets_it(client, monkeypatch):
+def test_nothing_is_kept_where_the_caches_are_off(client):
     assert origin(frame(client, time=70.0)) == origin(frame(client, time=70.0)) == "queue"
     assert client.app.state.context.frames.disk is None
-    monkeypatch.delenv("SEAFOAM_CACHE_SIZE", raising=False)
-    monkeypatch.setenv("SEAFOAM_CACHE_MEMORY", "5")
-    assert (Settings().cache_size, Settings().served.cache_size) == (0, SERVED["cache_size"])
-    assert Settings().served.cache_memory == 5
 
 
 def test_a_repeat_is_answered_from_memory_without_planning(cached, monkeypatch):

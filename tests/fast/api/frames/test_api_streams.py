@@ -10,7 +10,7 @@ import pytest
 from httpx2 import Response
 from starlette.testclient import TestClient
 
-from seafoam.api.frames.streams import FRAMES_AT_ONCE, IDLE_SECONDS, LEASE_SECONDS, RETRY_SECONDS, Stream, Streams
+from seafoam.api.frames.streams import FRAMES_AT_ONCE, LEASE_SECONDS, RETRY_SECONDS, Stream, Streams
 from seafoam.api.routers.streams import LATE_FRAMES
 from seafoam.quality import TIERS
 from seafoam.render.service.errors import DeadlineError
@@ -104,7 +104,7 @@ def test_where_all_are_taken_the_answer_says_when_to_ask_again_and_nothing_is_pl
     first, _ = opened(streaming), opened(streaming)
     refused = streaming.post("/api/streams", json=FAST)
     assert problem(refused, 503)["type"] == "urn:seafoam:problem:streams-full"
-    assert 1 <= int(refused.headers["Retry-After"]) <= RETRY_SECONDS
+    assert refused.headers["Retry-After"] == str(RETRY_SECONDS)
     streaming.delete(f"/api/streams/{first}")
     first = opened(streaming)
     monkeypatch.setattr("seafoam.api.context.compile_scene", None)
@@ -125,14 +125,9 @@ def test_a_stream_that_is_not_asked_ends_and_its_place_is_free() -> None:
     streams = Streams(1, clock)
     stream = stream_of(streams)
     assert streams.open(Scene(), TIERS["fast"]) is None
-    clock.now += 0.9 * IDLE_SECONDS
-    assert streams.retry_after == RETRY_SECONDS  # it is in use
-    clock.now += LEASE_SECONDS - 1.0 - 0.9 * IDLE_SECONDS
-    assert streams.retry_after == 1
-    assert streams.find(stream.id) is stream  # the lease begins anew
-    assert streams.retry_after == RETRY_SECONDS
-    clock.now += LEASE_SECONDS - 1.0
-    assert streams.find(stream.id) is stream
+    for _ in range(2):
+        clock.now += LEASE_SECONDS - 1.0
+        assert streams.find(stream.id) is stream  # the lease begins anew
     clock.now += LEASE_SECONDS + 1.0
     assert (len(streams), streams.find(stream.id)) == (0, None)
     # An id says nothing of the one before.
@@ -320,8 +315,7 @@ def test_a_frame_of_a_stream_has_no_rate_while_all_else_of_streams_has() -> None
     streams._clock = Clock()  # on a busy machine too no lease ends
     stream = stream_of(streams)
     for _ in range(5):  # refused for what they lack, not for their number
-        response = client.get(f"/api/streams/{stream.id}/frame.jpg")
-        assert (response.status_code, "RateLimit" in response.headers) == (422, False)
+        assert client.get(f"/api/streams/{stream.id}/frame.jpg").status_code == 422
     # What opens, changes and ends them counts.
     assert client.delete(f"/api/streams/{stream.id}").status_code == 204
     assert client.post("/api/streams", json={}).status_code == 429

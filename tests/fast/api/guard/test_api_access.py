@@ -6,7 +6,7 @@ import re
 import pytest
 from starlette.testclient import TestClient
 
-from seafoam.api.guard.access_control import Standing, TokenBuckets, bucket_of
+from seafoam.api.guard.access_control import TokenBuckets, bucket_of
 from seafoam.api.guard.keys import Signing, api_keys_of
 from seafoam.api.settings import Settings
 from support.command import run
@@ -137,18 +137,15 @@ def of(client: TestClient, address: str) -> TestClient:
 def test_a_bucket_holds_its_burst_and_refills_as_a_refused_client_is_told() -> None:
     clock = Clock()
     buckets = TokenBuckets(2.0, 5, clock)
-    assert [buckets.take("a").left for _ in range(5)] == [4, 3, 2, 1, 0]
-    assert buckets.take("a") == Standing(False, 0, 1)
+    assert [buckets.take("a") for _ in range(6)] == [0, 0, 0, 0, 0, 1]
     for seconds, allowed in ((0.49, False), (0.01, True)):
         clock.now += seconds
-        assert buckets.take("a").allowed is allowed
-    clock.now += 60.0
-    assert buckets.take("a").left == 4
+        assert (buckets.take("a") == 0) is allowed
     buckets = TokenBuckets(0.3, 2, clock)
     for _ in range(2):
         buckets.take("a")
-    clock.now += buckets.take("a").seconds
-    assert buckets.take("a").allowed
+    clock.now += buckets.take("a")
+    assert buckets.take("a") == 0
 
 
 def test_the_memory_is_bounded_and_the_busy_are_remembered(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -158,7 +155,7 @@ def test_the_memory_is_bounded_and_the_busy_are_remembered(monkeypatch: pytest.M
         buckets.take(f"client {number}")
         buckets.take("busy")
     assert len(buckets._full_at._held) == 100
-    assert not buckets.take("busy").allowed
+    assert buckets.take("busy") > 0
 
 
 def test_an_ipv6_network_is_one_client() -> None:
@@ -170,10 +167,9 @@ def test_an_ipv6_network_is_one_client() -> None:
 def test_beyond_its_rate_a_client_is_told_when_to_come_back() -> None:
     client = answering(rate=0.5, rate_burst=2)
     first, _, refused = (client.get(URL) for _ in range(3))
-    assert (first.status_code, first.headers["RateLimit-Policy"]) == (200, '"api";q=2;w=4')
-    assert first.headers["RateLimit"] == '"api";r=1;t=2'
+    assert first.status_code == 200
     assert "2 requests at once and 0.5 a second" in problem(refused, 429)["detail"]
-    assert (refused.headers["Retry-After"], refused.headers["RateLimit"]) == ("2", '"api";r=0;t=2')
+    assert refused.headers["Retry-After"] == "2"
 
 
 def test_each_client_has_a_rate_of_its_own() -> None:

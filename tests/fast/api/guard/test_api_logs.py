@@ -11,6 +11,8 @@ from types import SimpleNamespace
 from typing import get_args
 
 import pytest
+from opentelemetry.sdk.trace import TracerProvider
+from opentelemetry.sdk.trace.export import SimpleSpanProcessor
 from opentelemetry.sdk.trace.export.in_memory_span_exporter import InMemorySpanExporter
 from starlette.responses import Response
 from starlette.testclient import TestClient
@@ -18,7 +20,6 @@ from starlette.testclient import TestClient
 from seafoam.api.frames.plans import ResolvedFrame
 from seafoam.api.frames.respond import answer
 from seafoam.api.watch import logs, metrics
-from seafoam.api.watch.metrics import Traces
 from seafoam.extras import MissingExtraError
 from seafoam.render.service.jobs import EncodedFrame, Origin
 from support.command import imported
@@ -103,37 +104,20 @@ PARENT = "00-0af7651916cd43dd8448eb211c80319c-b7ad6b7169203331-01"
 
 
 @pytest.fixture
-def exporter() -> InMemorySpanExporter:
-    return InMemorySpanExporter()
-
-
-@pytest.fixture
-def traces(monkeypatch: pytest.MonkeyPatch, exporter: InMemorySpanExporter) -> Iterator[Traces]:
-    """Whose spans stay here."""
-    made = Traces(exporter)
-    monkeypatch.setattr("seafoam.api.app.configured_traces", lambda: made)
-    yield made
-    made.close()
-
-
-def test_the_standard_variables_switch_it_on(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(metrics, "Traces", lambda: "on")
-    none = {"OTEL_TRACES_EXPORTER": "none"}
-    for variables, on in (
-        (ENDPOINT, True), ({"OTEL_EXPORTER_OTLP_TRACES_ENDPOINT": "http://a/v1/traces"}, True),
-        ({}, False), (ENDPOINT | {"OTEL_SDK_DISABLED": "true"}, False), (ENDPOINT | none, False),
-    ):  # fmt: skip
-        with monkeypatch.context() as patched:
-            for name, value in variables.items():
-                patched.setenv(name, value)
-            assert (metrics.traces() == "on") is on, variables
+def exporter(monkeypatch: pytest.MonkeyPatch) -> InMemorySpanExporter:
+    """Has the spans of applications that are made from now on."""
+    kept, provider, configured = InMemorySpanExporter(), TracerProvider(), metrics.telemetry
+    provider.add_span_processor(SimpleSpanProcessor(kept))
+    monkeypatch.setattr(metrics, "_TRACER", provider.get_tracer("seafoam"))
+    monkeypatch.setattr("seafoam.api.app.telemetry", lambda: {**configured(), "tracer_provider": provider})
+    return kept
 
 
 def test_without_the_packages_the_error_names_them(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv(*next(iter(ENDPOINT.items())))
     monkeypatch.setattr("seafoam.extras._installed", lambda module: False)
     with pytest.raises(MissingExtraError, match=r"seafoam\[telemetry\]"):
-        metrics.traces()
+        metrics.telemetry()
 
 
 def test_nothing_is_imported_where_nothing_asks_for_it() -> None:
@@ -143,7 +127,7 @@ def test_nothing_is_imported_where_nothing_asks_for_it() -> None:
 
 
 def test_a_span_for_each_request_of_which_an_unexpected_error_is_one(
-    traces: Traces, exporter: InMemorySpanExporter, monkeypatch: pytest.MonkeyPatch
+    exporter: InMemorySpanExporter, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     client = answering()
     client.get("/api/presets/none", headers={"traceparent": PARENT})
@@ -152,7 +136,6 @@ def test_a_span_for_each_request_of_which_an_unexpected_error_is_one(
         client.get(untraced)
     monkeypatch.setattr("seafoam.api.routers.presets.every_parameter", lambda: 1 / 0)
     client.get("/api/quality")
-    traces._provider.force_flush()
     first, second, failed = exporter.get_finished_spans()
     assert first.name == "GET /api/presets/{preset}"
     assert first.attributes.items() >= {"http.response.status_code": 404, "url.path": "/api/presets/none"}.items()
@@ -161,7 +144,7 @@ def test_a_span_for_each_request_of_which_an_unexpected_error_is_one(
     assert (failed.status.is_ok, failed.status.is_unset) == (False, False)
 
 
-def test_a_drawn_frames_stages_are_spans_within_its_request(traces: Traces, exporter: InMemorySpanExporter) -> None:
+def test_a_drawn_frames_stages_are_spans_within_its_request(exporter: InMemorySpanExporter) -> None:
     timings = {"queue": 0.5, "plan": 0.001, "render": 0.02, "read": 0.001, "encode": 0.004}
 
     async def draw(*_: object, **__: object) -> EncodedFrame:
@@ -171,12 +154,11 @@ def test_a_drawn_frames_stages_are_spans_within_its_request(traces: Traces, expo
         await asyncio.Event().wait()
 
     for origin in get_args(Origin):
-        metrics = SimpleNamespace(count_frame=lambda *_: None)
-        context = SimpleNamespace(frames=SimpleNamespace(frame=draw), traces=traces, metrics=metrics)
+        counting = SimpleNamespace(count_frame=lambda *_: None)
+        context = SimpleNamespace(frames=SimpleNamespace(frame=draw), metrics=counting)
         request = SimpleNamespace(method="POST", receive=leave)
-        with traces._tracer.start_as_current_span(origin):
+        with metrics._TRACER.start_as_current_span(origin):
             asyncio.run(answer(ResolvedFrame(SimpleNamespace(format="png"), "", {}, None), request, context))
-    traces._provider.force_flush()
     spans = exporter.get_finished_spans()
     parent = next(each for each in spans if each.name == "drawn")
     stages = [each for each in spans if each.name not in get_args(Origin)]
@@ -186,14 +168,3 @@ def test_a_drawn_frames_stages_are_spans_within_its_request(traces: Traces, expo
     for each in stages:
         assert each.parent.span_id == parent.context.span_id
         assert each.end_time - each.start_time == pytest.approx(1e9 * timings[each.name], abs=1)
-
-
-def test_spans_go_where_the_variables_say_and_name_the_service(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv(*next(iter(ENDPOINT.items())))
-    for own, name in (("", "seafoam"), ("sea", "sea")):
-        monkeypatch.setenv("OTEL_SERVICE_NAME", own)
-        made = metrics.traces()
-        assert made._provider.resource.attributes["service.name"] == name
-        (processor,) = made._provider._active_span_processor._span_processors
-        assert processor.span_exporter._endpoint == f"{ENDPOINT['OTEL_EXPORTER_OTLP_ENDPOINT']}/v1/traces"
-        made.close()

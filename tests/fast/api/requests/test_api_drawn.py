@@ -111,8 +111,11 @@ def body(draw: Draw, schema: dict[str, Any]) -> bytes:
 def check_problem(response: Any, asked: str) -> None:
     """Errors are problems, and a page of a listed origin can read them."""
     assert response.status_code not in (500, 502), asked
-    if response.status_code >= 400 and "text/html" not in response.headers.get("content-type", "") and response.content:
-        assert response.headers["content-type"] == "application/problem+json", asked
+    media = response.headers.get("content-type", "")
+    # Starlette's own words to a Range.
+    told = "text/html" in media or ("text/plain" in media and "range" in response.request.headers)
+    if response.status_code >= 400 and response.content and not told:
+        assert media == "application/problem+json", asked
         assert response.json()["status"] == response.status_code
     for name, value in response.headers.items():
         assert not re.search(r"[\x00-\x1f\x7f]", name + value), asked
@@ -155,10 +158,8 @@ def check_copy(client: TestClient, address: str, headers: list[tuple[str, str]],
     kept = [pair for pair in headers if pair[0] in ("Accept-Encoding", "Origin")]
     again = client.get(address, headers=[*kept, ("If-None-Match", f'"x", {tag}')])
     assert (again.status_code, again.content) == (304, b""), address
-    assert again.headers["etag"].removeprefix("W/") == tag.removeprefix("W/"), address
+    assert again.headers["etag"] == tag, address
     assert again.headers.get("cache-control") == response.headers.get("cache-control"), address
-    varying = [set(each.headers.get("vary", "").lower().split(", ")) - {""} for each in (response, again)]
-    assert varying[0] <= varying[1], address
 
 
 @pytest.mark.parametrize("least", [200, pytest.param(10_000, marks=REST)])

@@ -81,7 +81,7 @@ MEMBERS = [
     ("/api/plans", {"scene": {"extensions": {"windrows": {}}}}, "/scene/extensions/windrows", None),
     (SEQUENCES, {"stop": 0.0}, "/stop", "above the start"),
     (SEQUENCES, {"stop": 1000.0}, "/stop", "24,000 frames exceed the limit of 3,600"),
-    (SEQUENCES, {"fps": 0.0}, "/fps", "0.001"), (SEQUENCES, {"fps": "30000 / 1001"}, "/fps", "[0-9]"),
+    (SEQUENCES, {"fps": 0.0}, "/fps", "0.001"), (SEQUENCES, {"fps": "30000 / 1001"}, "/fps", "0.001"),
     (SEQUENCES, {"fps": "1/0"}, "/fps", "30000/1001"),
     (SEQUENCES, {"width": 25, "format": "mp4"}, "/width", "even"),
     (SEQUENCES, {"height": 62, "width": 64, "format": "mp4", "codec": "av1"}, "/height", "at least 64"),
