@@ -111,7 +111,7 @@ class Probe:
     ) -> NDArray[np.float64]:
         """Evaluate ``body`` as above with an effect's constants and uniforms; eye over ``origin`` (x, z, m)."""
         assert made is not None, "the effect takes no part in the scene"
-        state = FrameState(time, Camera(position=(origin[0], 5.0, origin[1])), 1, 1, 1, 1, 0)
+        state = FrameState(time, Camera(position=(origin[0], 5.0, origin[1])), 1, 1, 1, 1)
         uniforms = {name: evaluate(uniform, state) for name, uniform in made.uniforms.items()}
         consts = {**made.consts, "SURFACE_FILTER": filtered}
         return self(files, body, places, consts=consts, uniforms=uniforms).astype(np.float64)

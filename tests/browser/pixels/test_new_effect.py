@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from playwright.sync_api import Page
 
-from seafoam.effects import register, unregister
+from seafoam.effects import register
 from seafoam.effects.effect import Effect
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
@@ -19,6 +19,7 @@ from seafoam.render.gl.executor import Executor
 from support.browser.lanes import rendered
 from support.cases import cases_of
 from support.pictures import draw
+from support.registered import unregister
 from support.scenes import Camera, Foam, HeightSaturation, Scene, load_preset
 
 ROOT = Path(__file__).parents[3]
