@@ -13,7 +13,6 @@ from seafoam.effects.effect import Contribution
 from seafoam.effects.shader import Inline, Piece
 from seafoam.framegraph.evaluation import FrameState, evaluate
 from seafoam.framegraph.plan import Program, Shader, State
-from seafoam.framegraph.visibility import everywhere
 from seafoam.planner import FramePlan, make_plan
 from seafoam.planner.glsl import assemble
 from seafoam.quality import Quality
@@ -23,6 +22,7 @@ from seafoam.textures.store import spec_at, texture
 from support.exact import EXACT
 from support.pictures import draw
 from support.scenes import Camera, Scene
+from support.whole import everywhere
 
 WHOLE = assemble(["vertex/vertex.glsl@fullscreen"], {"FULLSCREEN_DEPTH": 0.0})
 """The vertex shader over the whole target."""
