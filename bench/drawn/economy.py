@@ -23,6 +23,7 @@ from seafoam.render.gl.executor import Executor
 from seafoam.scene import Camera, Scene, load_preset, preset_names
 from support.cases import cases_of
 from support.exact import SQUARE
+from support.whole import whole_plan
 
 QUALITY = SQUARE
 """The program with every effect draws each pixel."""
@@ -181,7 +182,7 @@ def _bounds(executor: Executor, watch: Watch) -> Table:
     rows = []
     for effect in EFFECTS:
         for scene in cases_of(effect).invisible[:1]:
-            plans = {"plan": make_plan(scene, QUALITY), "full": make_plan(scene, QUALITY, economy=False)}
+            plans = {"plan": make_plan(scene, QUALITY), "full": whole_plan(scene, QUALITY)}
             notes = plans["plan"].skipped
             rounds = watch.rounds(f"without {effect.name}", 40, 4.0)
             costs = side_by_side(executor, plans, scene.camera, SIZE, rounds)

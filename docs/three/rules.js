@@ -49,7 +49,7 @@ function ofCamera({ what, top }, { camera, width, height }) {
   return [0, 1, 2, 3].flatMap((column) => rows.map((row) => row[column]));
 }
 
-/** Numbers of one rule. `frame`: time, camera, width, height, target (its width and height), index of the pass. */
+/** Numbers of one rule. `frame`: time, camera, width, height, target (its width and height). */
 export function evaluate(rule, frame) {
   const [x, , z] = frame.camera.position;
   const sum = () => rule.offset + (rule.rate ?? 0) * frame.time + (rule.k[0] * x + rule.k[1] * z);
@@ -70,8 +70,6 @@ export function evaluate(rule, frame) {
       const { width, height } = rule.of === "picture" ? frame : frame.target;
       return [rule.times * width, rule.times * height];
     }
-    case "pass_index":
-      return [frame.index];
     default:
       throw new Error(`Unknown rule ${rule.rule}.`);
   }

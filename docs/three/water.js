@@ -99,7 +99,7 @@ export class Water {
     this.renderer = renderer;
     this.plan = plan;
     renderer.autoClear = false;
-    plan.passes.forEach((pass, index) => {
+    plan.passes.forEach((pass) => {
       if (pass.eye !== "any" && !pass.eye.includes("over")) return;
       if (pass.mesh.rule !== "fullscreen") throw new Error(`${pass.name}: this example draws no meshes.`);
       const uniforms = {};
@@ -116,7 +116,7 @@ export class Water {
       triangle.setDrawRange(0, 3);
       const mesh = new THREE.Mesh(triangle, material);
       mesh.frustumCulled = false;
-      this.#passes.push({ pass, index, material, mesh });
+      this.#passes.push({ pass, material, mesh });
     });
     this.textures = textures;
   }
@@ -127,7 +127,7 @@ export class Water {
     this.#resize(width, height);
     for (const entry of this.#passes) {
       if (entry.pass.when === "setup" && this.#started) continue;
-      this.#draw(entry, { time, camera, width, height, index: entry.index });
+      this.#draw(entry, { time, camera, width, height });
     }
     this.#started = true;
   }

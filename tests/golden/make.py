@@ -18,7 +18,7 @@ from seafoam.accuracy import metrics
 from seafoam.framegraph.evaluation import FrameState, evaluate_rule
 from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.resources import TargetInput
-from seafoam.framegraph.rules import CameraRule, Clamp, Constant, Loop, PassIndex, Phase, Rule, Viewport, Wrap
+from seafoam.framegraph.rules import CameraRule, Clamp, Constant, Loop, Phase, Rule, Viewport, Wrap
 from seafoam.framegraph.visibility import drawn_passes
 from seafoam.masks.catalogue import mask_by_name
 from seafoam.masks.formats import quantised
@@ -55,24 +55,23 @@ RULES: list[Rule] = [
     Viewport(),
     Viewport(times=2),
     Viewport(of="picture", times=4),
-    PassIndex(),
 ]
 
 STATES = [
-    (0.0, Camera(), 320, 180, 320, 180, 0),
-    (12.5, Camera(position=(3.0, 1.7, -8.0), yaw=0.9, pitch=-0.4, roll=0.1, fov=1.1), 1280, 720, 256, 256, 3),
-    (1e9, Camera(position=(1e7, 30.0, -1e7), yaw=-3.0, pitch=1.5708, fov=0.3), 1, 4096, 4, 16384, 1),
-    (-1e9, Camera(position=(-1e7, -2.0, 123.456), yaw=6.0, pitch=-1.5708, roll=-3.0, fov=2.5), 390, 844, 780, 1688, 2),
-    (1e9 + 1e-6, Camera(position=(-1e-12, 6.0, 1e-12)), 333, 77, 333, 77, 5),
+    (0.0, Camera(), 320, 180, 320, 180),
+    (12.5, Camera(position=(3.0, 1.7, -8.0), yaw=0.9, pitch=-0.4, roll=0.1, fov=1.1), 1280, 720, 256, 256),
+    (1e9, Camera(position=(1e7, 30.0, -1e7), yaw=-3.0, pitch=1.5708, fov=0.3), 1, 4096, 4, 16384),
+    (-1e9, Camera(position=(-1e7, -2.0, 123.456), yaw=6.0, pitch=-1.5708, roll=-3.0, fov=2.5), 390, 844, 780, 1688),
+    (1e9 + 1e-6, Camera(position=(-1e-12, 6.0, 1e-12)), 333, 77, 333, 77),
 ]
 
 
 def uniform_rules() -> Vectors:
     """One entry a rule and state."""
     entries: Vectors = []
-    for rule, (time, camera, width, height, target_width, target_height, index) in product(RULES, STATES):
+    for rule, (time, camera, width, height, target_width, target_height) in product(RULES, STATES):
         sizes = {"width": width, "height": height, "target_width": target_width, "target_height": target_height}
-        given = {"time": time, "camera": camera, **sizes, "pass_index": index}
+        given = {"time": time, "camera": camera, **sizes}
         state = FrameState(**given)
         told = given | {"camera": camera.model_dump(mode="json")}
         entries.append({"rule": rule.model_dump(mode="json"), "state": told, "value": list(evaluate_rule(rule, state))})

@@ -13,7 +13,6 @@ from seafoam.effects.effect import Contribution
 from seafoam.effects.shader import Inline, Piece
 from seafoam.framegraph.evaluation import FrameState, evaluate
 from seafoam.framegraph.plan import Program, Shader, State
-from seafoam.framegraph.visibility import everywhere
 from seafoam.planner import FramePlan, make_plan
 from seafoam.planner.glsl import assemble
 from seafoam.quality import Quality
@@ -23,6 +22,7 @@ from seafoam.textures.store import spec_at, texture
 from support.exact import EXACT
 from support.pictures import draw
 from support.scenes import Camera, Scene
+from support.whole import everywhere
 
 WHOLE = assemble(["vertex/vertex.glsl@fullscreen"], {"FULLSCREEN_DEPTH": 0.0})
 """The vertex shader over the whole target."""
@@ -111,7 +111,7 @@ class Probe:
     ) -> NDArray[np.float64]:
         """Evaluate ``body`` as above with an effect's constants and uniforms; eye over ``origin`` (x, z, m)."""
         assert made is not None, "the effect takes no part in the scene"
-        state = FrameState(time, Camera(position=(origin[0], 5.0, origin[1])), 1, 1, 1, 1, 0)
+        state = FrameState(time, Camera(position=(origin[0], 5.0, origin[1])), 1, 1, 1, 1)
         uniforms = {name: evaluate(uniform, state) for name, uniform in made.uniforms.items()}
         consts = {**made.consts, "SURFACE_FILTER": filtered}
         return self(files, body, places, consts=consts, uniforms=uniforms).astype(np.float64)

@@ -7,7 +7,7 @@ from seafoam.effects.boats import boat, wake
 from seafoam.effects.effect import Effect
 from seafoam.effects.foam import drift, front, look, material, sources, whitecaps
 from seafoam.effects.light import clouds, glitter, light, reflection
-from seafoam.effects.registry import declare, load, outside, register, unregister
+from seafoam.effects.registry import declare, load, outside, register
 from seafoam.effects.shore import shore
 from seafoam.effects.spray import spray
 from seafoam.effects.water import caustics, water
@@ -64,4 +64,4 @@ for _effect in EFFECTS:
     declare(_effect)
 load()
 
-__all__ = ["EFFECTS", "outside", "register", "unregister"]
+__all__ = ["EFFECTS", "outside", "register"]

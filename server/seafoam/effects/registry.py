@@ -48,19 +48,8 @@ def register(effect: Effect) -> None:
             QualityExtensions.known[extension.name] = extension.quality
         if extension.truth is not None:
             TRUTHS[extension.scene] = extension.truth
-    _changed()
-
-
-def unregister(effect: Effect) -> None:
-    """Remove an effect that :func:`register` added. Raises ``KeyError`` for any other."""
-    del _outside[effect.name]
-    if effect.saturation is not None:
-        del _saturations[effect.saturation.model]
-    if effect.extension is not None:
-        SceneExtensions.known.pop(effect.extension.name)
-        QualityExtensions.known.pop(effect.extension.name, None)
-        TRUTHS.pop(effect.extension.scene, None)
-    _changed()
+    for clear in CHANGED:
+        clear()
 
 
 def load() -> None:
@@ -84,8 +73,3 @@ def _sources(scene: Scene) -> dict[str, BaseModel]:
     given = () if scene.foam is None else scene.foam.saturation
     outside = {f"/extensions/{name}": part for name, part in scene.extensions if type(part) in _saturations}
     return {**{f"/foam/saturation/{i}": source for i, source in enumerate(given)}, **outside}
-
-
-def _changed() -> None:
-    for clear in CHANGED:
-        clear()

@@ -21,7 +21,6 @@ class FrameState:
     height: int
     target_width: int
     target_height: int
-    pass_index: int
 
 
 def evaluate(uniform: Uniform, state: FrameState) -> NDArray[np.float32]:
@@ -51,8 +50,6 @@ def evaluate_rule(rule: Rule, state: FrameState) -> tuple[float, ...]:
             target, picture = (state.target_width, state.target_height), (state.width, state.height)
             width, height = picture if rule.of == "picture" else target
             return float(rule.times * width), float(rule.times * height)
-        case _:
-            return (float(state.pass_index),)
 
 
 def _sum(rule: Phase | Wrap | Clamp, state: FrameState) -> float:

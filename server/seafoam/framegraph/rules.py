@@ -102,15 +102,7 @@ class Viewport(PlanPart):
     times: int = Field(default=1, ge=1)
 
 
-class PassIndex(PlanPart):
-    """Index of the pass in the plan, from 0."""
-
-    rule: Literal["pass_index"] = "pass_index"
-
-
-Rule = Annotated[
-    Constant | Phase | Wrap | Loop | Clamp | CameraRule | Viewport | PassIndex, Field(discriminator="rule")
-]
+Rule = Annotated[Constant | Phase | Wrap | Loop | Clamp | CameraRule | Viewport, Field(discriminator="rule")]
 UniformType = Literal["float", "vec2", "vec3", "vec4", "mat4"]
 COMPONENTS: dict[UniformType, int] = {"float": 1, "vec2": 2, "vec3": 3, "vec4": 4, "mat4": 16}
 

@@ -61,11 +61,6 @@ def reads(drawn: Pass) -> set[str]:
     return {source.target for source in drawn.inputs.values() if isinstance(source, TargetInput)}
 
 
-def everywhere(plan: FramePlan) -> FramePlan:
-    """Return the plan without culling: every pass is drawn for its camera height, visible or not."""
-    return plan.model_copy(update={"passes": tuple(drawn.model_copy(update={"view": "any"}) for drawn in plan.passes)})
-
-
 def in_view(view: View, top: float, camera: Camera, width: int, height: int) -> bool:
     """Whether a pass of this view can be visible. ``top``: upper bound of the crests' height, m."""
     if view == "any":

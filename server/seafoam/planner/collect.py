@@ -7,7 +7,6 @@ from typing import Any
 from seafoam.effects.effect import Contribution, Effect, Resources
 from seafoam.effects.shader import SlotFile, path_of
 from seafoam.framegraph.plan import EffectNote
-from seafoam.framegraph.resources import sampler_of
 from seafoam.framegraph.rules import afloat
 from seafoam.quality import Quality
 from seafoam.scene import Scene
@@ -32,8 +31,6 @@ class Collection(Contribution):
     skipped: tuple[EffectNote, ...]
     bound_fields: frozenset[str]
     """Live fields that the bounds of effects left out depend on."""
-    readers: dict[str, str]
-    """Sampler -> name of the effect that adds it."""
     bounds: tuple[float, float, float]
     """Upper bounds of height, slope and curvature of the effects that do not measure their own."""
     min_ground: float
@@ -43,19 +40,18 @@ class Collection(Contribution):
         return any(file.slot == slot for file in self.slots)
 
 
-def collect(effects: Sequence[Effect], scene: Scene, quality: Quality, *, economy: bool) -> Collection:
-    """Return what a scene's effects contribute. ``economy``: without those whose bound is below :data:`NEGLIGIBLE`."""
+def collect(effects: Sequence[Effect], scene: Scene, quality: Quality) -> Collection:
+    """Return what a scene's effects contribute, without those whose bound is below :data:`NEGLIGIBLE`."""
     whole, left_out = scene, _LeftOut()
-    if economy:
-        for effect in effects:
-            if effect.without is not None and left_out.takes(effect, effect.contribute(scene, quality)):
-                scene = effect.without(scene)
+    for effect in effects:
+        if effect.without is not None and left_out.takes(effect, effect.contribute(scene, quality)):
+            scene = effect.without(scene)
     given: list[tuple[str, Contribution]] = []
     for effect in effects:
         contribution = effect.contribute(scene, quality)
         if contribution is None and scene is not whole:
             left_out.takes_with_others(effect, effect.contribute(whole, quality))
-        elif contribution is not None and not (economy and left_out.takes(effect, contribution)):
+        elif contribution is not None and not left_out.takes(effect, contribution):
             given.append((effect.name, _afloat(contribution, effect, whole)))
     return _joined(given, scene, left_out)
 
@@ -93,7 +89,6 @@ def _joined(given: Sequence[tuple[str, Contribution]], scene: Scene, left_out: _
     grounds = [one.min_ground for one in every if one.min_ground is not None]
     numbers: dict[str, Any] = {name: summed(getattr(one, name) for one in every) for name in _SUMMED}
     numbers |= {name: max(getattr(one, name) for one in (Contribution(why=""), *every)) for name in _GREATEST}
-    own = {name: (*map(sampler_of, (*one.targets, *one.textures)), *one.inputs) for name, one in given}
     return Collection(
         **numbers,
         **vars(replace(Resources().joined(*every), slots=tuple(slots))),
@@ -101,7 +96,6 @@ def _joined(given: Sequence[tuple[str, Contribution]], scene: Scene, left_out: _
         effects=tuple(EffectNote(name=name, why=one.why, files=_files(one)) for name, one in given),
         skipped=tuple(left_out.notes.values()),
         bound_fields=frozenset(left_out.fields).union(*(one.depends for one in every)),
-        readers={sampler: name for name, samplers in own.items() for sampler in samplers},
         bounds=(
             summed(one.max_height for one in bounded),
             summed(one.max_slope for one in bounded),

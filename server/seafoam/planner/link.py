@@ -1,6 +1,5 @@
 """Linking: assigns to each pass the inputs that its program reads, and to each declared uniform its rule."""
 
-from collections import Counter
 from collections.abc import Mapping
 
 from seafoam.effects.effect import AssemblyError, PlanError, TextureUse
@@ -87,17 +86,9 @@ def _list_of(pointer: str) -> str:
     return "/".join(steps[: next(i for i, step in enumerate(steps) if step.isdecimal())])
 
 
-def refuse_too_many_samplers(program: Program, readers: Mapping[str, str]) -> None:
-    """Raise :class:`PlanError` if a shader reads more than :data:`MAX_SAMPLERS` textures.
-
-    ``readers``: sampler -> name of the effect that adds it.
-    """
-    samplers = [name for name, sampler in declared_uniforms(program.fragment).items() if sampler]
-    if len(samplers) > MAX_SAMPLERS:
-        shares = Counter(readers.get(name, "other") for name in samplers)
-        counts = ", ".join(f"{name} {count}" for name, count in shares.most_common())
-        raise PlanError(
-            "",
-            f"too many effects together: one shader would read {len(samplers)} textures, and WebGL2 guarantees "
-            f"{MAX_SAMPLERS} ({counts}); leave out one of these",
-        )
+def refuse_too_many_samplers(program: Program) -> None:
+    """Raise :class:`PlanError` if a shader reads more than :data:`MAX_SAMPLERS` textures."""
+    read = [name for name, sampler in declared_uniforms(program.fragment).items() if sampler]
+    if len(read) > MAX_SAMPLERS:
+        what = f"one shader would read {len(read)} textures, and WebGL2 guarantees {MAX_SAMPLERS}"
+        raise PlanError("", f"too many effects together: {what}; leave out an effect")

@@ -9,7 +9,6 @@ from seafoam.effects.light.atmosphere import direct
 from seafoam.effects.registry import CHANGED
 from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.resources import sampler_of, source_of
-from seafoam.framegraph.visibility import everywhere
 from seafoam.planner import link
 from seafoam.planner.collect import collect
 from seafoam.planner.frame import Frame, Stage, is_calm
@@ -25,16 +24,14 @@ MIRRORED = 0.1
 
 
 @lru_cache(maxsize=128)
-def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FramePlan:
+def make_plan(scene: Scene, quality: Quality) -> FramePlan:
     """Return the frame plan of a scene at a quality.
 
-    ``economy``: leave out effects that change no pixel by more than :data:`seafoam.planner.collect.NEGLIGIBLE`, and
-    declare where passes can be visible; otherwise everything that the scene names is drawn from everywhere, so that
-    tests can compare both. Pure: the same arguments give the same bytes. Raises
-    :class:`seafoam.effects.effect.PlanError` if the scene names something that does not exist, such as an unknown mask,
-    or more effects together than one shader can read the textures of.
+    Effects that change no pixel by more than :data:`seafoam.planner.collect.NEGLIGIBLE` are left out. Pure: the same
+    arguments give the same bytes. Raises :class:`seafoam.effects.effect.PlanError` if the scene names something that
+    does not exist, such as an unknown mask, or more effects together than one shader can read the textures of.
     """
-    return linked_plan(scene, quality, picture, economy=economy)
+    return linked_plan(scene, quality, picture)
 
 
 @lru_cache(maxsize=32)
@@ -46,30 +43,28 @@ def make_geometry_plan(scene: Scene, quality: Quality) -> FramePlan:
     :func:`make_plan` does.
     """
     once = quality.model_copy(update={"samples": 1, "samples_max": 1, "pixel_width": 1})
-    return linked_plan(scene, once, geometry, economy=True)
+    return linked_plan(scene, once, geometry)
 
 
 CHANGED += (make_plan.cache_clear, make_geometry_plan.cache_clear)
 
 
-def linked_plan(
-    scene: Scene, quality: Quality, passes_of: Callable[[Frame], tuple[Stage, str]], *, economy: bool
-) -> FramePlan:
+def linked_plan(scene: Scene, quality: Quality, passes_of: Callable[[Frame], tuple[Stage, str]]) -> FramePlan:
     """Return the plan of a scene's contributions. ``passes_of``: its passes, and the target of its linear frame."""
     asked = quality
     scene = _steepest_waves(scene.settled, quality.waves)
     quality = _suited(scene, quality)
-    given = collect((*EFFECTS, *outside()), scene, quality, economy=economy)
+    given = collect((*EFFECTS, *outside()), scene, quality)
     stage, linear = passes_of(Frame(given, quality))
     try:
         for program in stage.programs.values():
-            link.refuse_too_many_samplers(program, given.readers)
+            link.refuse_too_many_samplers(program)
     except PlanError:
         if asked.clouds_mirrored == "exact":
             raise
         # Of what is kept in textures this alone is as good without.
         exact = asked.model_copy(update={"clouds_mirrored": "exact"})
-        return linked_plan(scene, exact, passes_of, economy=economy)
+        return linked_plan(scene, exact, passes_of)
     uniforms = {**given.uniforms, **link.camera_uniforms(given), **stage.uniforms}
     textures = {name: link.texture_entry(use) for name, use in given.textures.items()}
     read = {sampler_of(name): name for name in (*textures, *stage.targets)} | given.inputs
@@ -78,7 +73,7 @@ def linked_plan(
     linked = [link.with_inputs(drawn, stage.programs, uniforms, known) for drawn in stage.passes]
     timed, kept = with_setup(linked, stage.programs, uniforms, stage.targets, textures)
     used = link.declared_in(uniforms, stage.programs)
-    plan = FramePlan(
+    return FramePlan(
         effects=given.effects,
         skipped=given.skipped,
         programs=dict(stage.programs),
@@ -94,7 +89,6 @@ def linked_plan(
         bottom=given.min_ground,
         live=tuple(sorted(link.live_fields(used) - given.bound_fields)),
     )
-    return plan if economy else everywhere(plan)
 
 
 def _steepest_waves(scene: Scene, count: int) -> Scene:

@@ -51,7 +51,7 @@ def with_setup(
                     "mesh": drawn.mesh.model_dump(mode="json"),
                     "state": drawn.state.model_dump(mode="json"),
                     "inputs": inputs,
-                    "uniforms": {name: _numbers(uniform, index) for name, uniform in used[index].items()},
+                    "uniforms": {name: _numbers(uniform) for name, uniform in used[index].items()},
                 }
             )
     return timed, {name: digest for name, digest in digests.items() if name in read}
@@ -94,11 +94,10 @@ def _steady(rule: Rule) -> bool:
             return True
 
 
-def _numbers(uniform: Uniform, index: int) -> list[Any]:
-    """Return what determines a uniform's values: its rules without scene fields, and the pass index if used."""
-    rules = [rule.model_dump(mode="json", exclude={"field"}) for rule in uniform.rules]
-    indexed = [{**rule, "at": index} if rule["rule"] == "pass_index" else rule for rule in rules]
-    return [uniform.type, uniform.count, *indexed]
+def _numbers(uniform: Uniform) -> list[Any]:
+    """Return what determines a uniform's values: its rules without scene fields."""
+    rules = (rule.model_dump(mode="json", exclude={"field"}) for rule in uniform.rules)
+    return [uniform.type, uniform.count, *rules]
 
 
 def _digest(document: dict[str, Any]) -> str:

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from playwright.sync_api import Page
 
-from seafoam.effects import register, unregister
+from seafoam.effects import register
 from seafoam.effects.effect import Effect
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
@@ -19,7 +19,9 @@ from seafoam.render.gl.executor import Executor
 from support.browser.lanes import rendered
 from support.cases import cases_of
 from support.pictures import draw
+from support.registered import unregister
 from support.scenes import Camera, Foam, HeightSaturation, Scene, load_preset
+from support.whole import whole_plan
 
 ROOT = Path(__file__).parents[3]
 EXAMPLE = ROOT / "docs" / "example" / "windrows.py"
@@ -75,7 +77,7 @@ def test_the_example_holds_where_it_is_hard(executor: Executor, example: Effect)
 
 def test_the_example_is_left_out_where_it_cannot_show(executor: Executor, example: Effect) -> None:
     (scene,) = cases_of(example).invisible
-    lean, full = (make_plan(scene, TIERS["standard"], economy=economy) for economy in (True, False))
+    lean, full = (make(scene, TIERS["standard"]) for make in (make_plan, whole_plan))
     assert example.name in {note.name for note in lean.skipped}
     assert example.name in {note.name for note in full.effects}
     pictures = [draw(executor, plan, scene.camera, time=0.0, size=(48, 27), output="linear") for plan in (lean, full)]

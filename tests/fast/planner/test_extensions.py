@@ -13,7 +13,7 @@ from pydantic import BaseModel, Field, ValidationError
 
 from seafoam.accuracy.points import every_parameter, value_at, with_value
 from seafoam.api.frames.plans import compile_scene
-from seafoam.effects import EFFECTS, outside, register, registry, unregister
+from seafoam.effects import EFFECTS, outside, register, registry
 from seafoam.effects.effect import Contribution, Effect, Extension, QualityParameter, SaturationSource
 from seafoam.planner import make_plan, planner
 from seafoam.quality import TIERS, Quality, QualityParameters
@@ -21,6 +21,7 @@ from seafoam.reference import scene_sha256
 from seafoam.render.service.jobs import plan_hash
 from seafoam.scene import Camera, Part, Saturation, Scene, SceneExtensions, Wind, load_preset
 from support.cases import cases_of
+from support.registered import unregister
 
 STANDARD, DEFAULT = TIERS["standard"], load_preset("default").scene
 

@@ -80,7 +80,7 @@ def test_more_textures_than_a_shader_may_read_are_refused() -> None:
     foam = Foam(saturation=(WhitecapSaturation(), SurfSaturation(), DriftSaturation()), texture=0.5, texture_second=3.1)
     water = Water(ripples=Ripples())
     scene = Scene(sea=Sea(), rings=(Ring(),), shore=Shore(), drift=Drift(), foam=foam, water=water, light=Light())
-    with pytest.raises(PlanError, match=r"would read \d+ textures, and WebGL2 guarantees 16 .*sea \d"):
+    with pytest.raises(PlanError, match=r"would read \d+ textures, and WebGL2 guarantees 16; leave out"):
         make_plan(scene, STANDARD)
 
 

@@ -18,7 +18,7 @@ GOLDEN = Path(__file__).parents[2] / "golden" / "uniform_rules.json"
 
 
 def state(time: float = 0.0, camera: Camera | None = None) -> FrameState:
-    return FrameState(time, camera or Camera(), 320, 180, 640, 360, 2)
+    return FrameState(time, camera or Camera(), 320, 180, 640, 360)
 
 
 def test_golden_vectors_are_what_the_rules_give() -> None:

@@ -43,6 +43,7 @@ from support.scenes import (
     load_preset,
     preset_names,
 )
+from support.whole import whole_plan
 
 SATURATIONS: tuple[tuple[Saturation, ...], ...] = (
     (FrontSaturation(),),
@@ -210,10 +211,10 @@ def every_plan(one_in: int = 1) -> Iterator[FramePlan]:
         for ways, window in (("forward", 120.0), ("backward", 7.0), ("exact", 7.0)):
             yield make_plan(scene, TIERS["standard"].model_copy(update={"drift": ways, "drift_window": window}))
     # What a bound leaves out is drawn where that bound is tested.
-    yield make_plan(Scene(foam=Foam(saturation=(SurfSaturation(),))), TIERS["standard"], economy=False)
-    yield make_plan(Scene(spray=Spray()), TIERS["standard"], economy=False)
+    yield whole_plan(Scene(foam=Foam(saturation=(SurfSaturation(),))), TIERS["standard"])
+    yield whole_plan(Scene(spray=Spray()), TIERS["standard"])
     for source in (SurfSaturation(), DriftSaturation(), WakeSaturation()):
-        yield make_plan(Scene(foam=Foam(saturation=(source,))), TIERS["standard"], economy=False)
+        yield whole_plan(Scene(foam=Foam(saturation=(source,))), TIERS["standard"])
 
 
 def _files(program: Program) -> set[str]:

@@ -102,8 +102,6 @@ export interface Pass {
     uniforms?: { [key: string]: Uniform };
     state: State;
 }
-/** Index of the pass in the plan, from 0. */
-export interface PassIndex { rule: "pass_index"; }
 /** offset + rate·t + k·origin, reduced to [−π, π] in float64; rad. origin: the camera's (x, z), m. */
 export interface Phase { rule: "phase"; offset: number; rate: number; k: [number, number]; }
 /** ``count`` points without attributes; gl_VertexID is the index, gl_PointSize the side in pixels. */
@@ -164,7 +162,7 @@ export interface TextureInput { texture: string; }
 export interface Uniform {
     type: "float" | "vec2" | "vec3" | "vec4" | "mat4";
     count: number;
-    rules: (Constant | Phase | Wrap | Loop | Clamp | CameraRule | Viewport | PassIndex)[];
+    rules: (Constant | Phase | Wrap | Loop | Clamp | CameraRule | Viewport)[];
 }
 /** Width and height of the pass's target or of the picture, pixels, multiplied by ``times``. */
 export interface Viewport { rule: "viewport"; of: "target" | "picture"; times: number; }

@@ -36,7 +36,7 @@ export interface Frame {
   scene: Json | null; // Scene whose live fields replace the plan's constants
 }
 
-interface BoundPass { pass: Pass; index: number; program: Program; mesh: Mesh; bindings: Bindings; }
+interface BoundPass { pass: Pass; program: Program; mesh: Mesh; bindings: Bindings; }
 
 export class Executor {
   /** Settles when the programs that the first camera did not need are compiled. */
@@ -134,7 +134,7 @@ export class Executor {
       if (program === undefined) return;
       const mesh = gpu.meshes.acquire(meshKey(pass.mesh), () => makeMesh(gpu.gl, pass.mesh));
       this.leases.push(mesh);
-      this.passes.set(index, { pass, index, program, mesh: mesh.value, bindings: bindInputs(gpu.gl, plan, pass, program, textures) });
+      this.passes.set(index, { pass, program, mesh: mesh.value, bindings: bindInputs(gpu.gl, plan, pass, program, textures) });
     });
   }
 
@@ -237,7 +237,7 @@ export class Executor {
     const rules = passesInto(this.plan, this.setupPasses, [name])
       .flatMap((index) => this.passes.get(index)?.bindings.uniforms ?? [])
       .flatMap(({ uniform }) => (uniform.rules.some((rule) => isLive(rule) || isStepped(rule)) ? uniform.rules : []));
-    const state = { ...frame, targetWidth: 0, targetHeight: 0, passIndex: 0 };
+    const state = { ...frame, targetWidth: 0, targetHeight: 0 };
     return rules.length === 0 ? contents : `${contents} ${JSON.stringify(rules.map((rule) => evaluate(liveRule(rule, frame.scene), state)))}`;
   }
 
@@ -263,7 +263,7 @@ export class Executor {
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
   }
 
-  private drawPass({ pass, index, program, mesh, bindings }: BoundPass, frame: Frame, find: (name: string) => Target | undefined): void {
+  private drawPass({ pass, program, mesh, bindings }: BoundPass, frame: Frame, find: (name: string) => Target | undefined): void {
     const { gl } = this.gpu;
     const { time, camera, width, height } = frame;
     const target =
@@ -275,7 +275,7 @@ export class Executor {
     this.setState(pass, frame.scissor);
     gl.useProgram(program.handle);
     const size = { width, height, targetWidth: target.width, targetHeight: target.height };
-    uploadUniforms(gl, bindings, { time, camera, ...size, passIndex: index }, frame.scene);
+    uploadUniforms(gl, bindings, { time, camera, ...size }, frame.scene);
     bindSamplers(gl, bindings, find);
     mesh.draw();
     unbindSamplers(gl, bindings);

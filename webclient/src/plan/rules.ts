@@ -17,7 +17,6 @@ export interface FrameState {
   /** Size of the target that the pass draws into, pixels. */
   targetWidth: number;
   targetHeight: number;
-  passIndex: number;
 }
 
 const TWO_PI = 2 * Math.PI;
@@ -80,7 +79,6 @@ export function evaluate(rule: Rule, state: FrameState): readonly number[] {
       const [width, height] = rule.of === "picture" ? [state.width, state.height] : [state.targetWidth, state.targetHeight];
       return [rule.times * width, rule.times * height];
     }
-    case "pass_index": return [state.passIndex];
   }
 }
 

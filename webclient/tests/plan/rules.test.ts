@@ -4,23 +4,22 @@ import { golden as read } from "../golden";
 
 interface Golden {
   rule: Rule;
-  state: Pick<FrameState, "time" | "camera" | "width" | "height"> & Record<"target_width" | "target_height" | "pass_index", number>;
+  state: Pick<FrameState, "time" | "camera" | "width" | "height"> & Record<"target_width" | "target_height", number>;
   value: number[];
 }
 
 const golden = read("uniform_rules") as Golden[];
 
-const frame = ({ target_width, target_height, pass_index, ...state }: Golden["state"]): FrameState => ({
+const frame = ({ target_width, target_height, ...state }: Golden["state"]): FrameState => ({
   ...state,
   targetWidth: target_width,
   targetHeight: target_height,
-  passIndex: pass_index,
 });
 
 describe("uniform rules agree with the server's", () => {
   it("has vectors of every rule", () => {
     const kinds = new Set(golden.map(({ rule }) => rule.rule));
-    expect(kinds).toEqual(new Set(["constant", "phase", "wrap", "loop", "clamp", "camera", "viewport", "pass_index"]));
+    expect(kinds).toEqual(new Set(["constant", "phase", "wrap", "loop", "clamp", "camera", "viewport"]));
   });
 
   it.each(golden.map((vector, i) => [`${i} ${vector.rule.rule}`, vector] as const))("%s", (_, { rule, state, value }) => {
@@ -37,7 +36,7 @@ describe("uniform rules agree with the server's", () => {
 
 describe("edges of the reductions", () => {
   const camera = { position: [0, 1, 0], yaw: 0, pitch: 0, roll: 0, fov: 1 } as const;
-  const still: FrameState = { time: 0, camera, width: 2, height: 1, targetWidth: 2, targetHeight: 1, passIndex: 0 };
+  const still: FrameState = { time: 0, camera, width: 2, height: 1, targetWidth: 2, targetHeight: 1 };
 
   it("never gives the period itself", () => {
     const tiny = { ...still, time: -1e-300 };

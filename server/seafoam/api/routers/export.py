@@ -97,16 +97,16 @@ def slug(name: str) -> str:
 def uniforms(job: FrameJob, plan: FramePlan) -> list[dict[str, Any]]:
     """Return each pass with the uniforms that its program declares: type, count, and float32 values in this frame."""
     return [
-        {"pass": one.name, "program": one.program, "target": one.target, "uniforms": _values(job, plan, one, index)}
-        for index, one in enumerate(plan.passes)
+        {"pass": one.name, "program": one.program, "target": one.target, "uniforms": _values(job, plan, one)}
+        for one in plan.passes
     ]
 
 
-def _values(job: FrameJob, plan: FramePlan, one: Pass, index: int) -> dict[str, Any]:
+def _values(job: FrameJob, plan: FramePlan, one: Pass) -> dict[str, Any]:
     width, height = job.width, job.height
     if one.target != "screen":
         width, height = plan.targets[one.target].size.of_picture(width, height)
-    state = FrameState(job.time, job.camera, job.width, job.height, width, height, index)
+    state = FrameState(job.time, job.camera, job.width, job.height, width, height)
     used = sorted(uniforms_of(one, plan.programs[one.program], plan.uniforms).items())
     return {
         name: {"type": uniform.type, "count": uniform.count, "values": evaluate(uniform, state).tolist()}

@@ -170,8 +170,8 @@ class Executor:
             if name not in setup
         }
         framebuffers["screen"] = self._screen(width, height, output)
-        framebuffers |= self._set_up(plan, drawn, FrameState(time, camera, 1, 1, 1, 1, 0))
-        frame = FrameState(time, camera, width, height, width, height, 0)
+        framebuffers |= self._set_up(plan, drawn, FrameState(time, camera, 1, 1, 1, 1))
+        frame = FrameState(time, camera, width, height, width, height)
         # All frame passes are drawn, since plans share their targets and may have overwritten those of earlier frames.
         for index, visible in drawn.items():
             step = plan.passes[index]
@@ -210,7 +210,7 @@ class Executor:
             if target.filter == MIPMAPPED:
                 # Drivers compile another program for a texture without levels.
                 into[name][1].build_mipmaps()
-        frame = FrameState(0.0, request.camera, *size, *size, 0)
+        frame = FrameState(0.0, request.camera, *size, *size)
         for index in passes:
             framebuffer = into[plan.passes[index].target][0]
             # A driver compiles also for what draws no pixel.
@@ -316,7 +316,7 @@ class Executor:
         self._context.blend_func = _BLENDS[step.state.blend]
         if step.state.clear:
             self._clear(framebuffer)
-        state = replace(frame, target_width=framebuffer.width, target_height=framebuffer.height, pass_index=index)
+        state = replace(frame, target_width=framebuffer.width, target_height=framebuffer.height)
         for unit, (name, source) in enumerate(sorted(step.inputs.items())):
             if name not in program:
                 continue

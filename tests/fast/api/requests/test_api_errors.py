@@ -9,9 +9,10 @@ from starlette.testclient import TestClient
 
 from seafoam.api.app import create_app
 from seafoam.api.settings import Settings
-from seafoam.effects import register, unregister
+from seafoam.effects import register
 from seafoam.scene import load_preset
 from support.api_fakes import RAISE, FakeRenderer
+from support.registered import unregister
 from support.serving import SMALL, problem
 
 FRAME, CUSTOM = "/api/frames/default.png", "/api/masks/custom"

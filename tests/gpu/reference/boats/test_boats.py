@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 
 from seafoam.effects.boats.wake import ASIDE
 from seafoam.effects.shader import Inline
-from seafoam.framegraph.visibility import everywhere
 from seafoam.ocean.waves.wakes import Wake
 from seafoam.planner import FramePlan, make_plan
 from seafoam.quality import TIERS
@@ -24,6 +23,7 @@ from support.probe import Probe, patched
 from support.report import Report
 from support.scenes import Boat, Camera, Foam, HeightSaturation, Light, ParametricWave, Ring, Scene, Sea, Shore, Water
 from support.scenes.fleet import BOATS, WAKES
+from support.whole import everywhere
 
 SKYWARD = Camera(position=(3.0, 8.0, -4.0), pitch=1.57, fov=0.01)
 WATER_LINE = 5e-3

@@ -33,7 +33,7 @@ def test_slope_saturation_equals_its_float64_form(probe: Probe, cap: float, blur
     scene = Scene(waves=waves)
     given = parametric.EFFECT.contribute(scene, UNFILTERED)
     time, origin = 12.5, (1234.5, -77.0)
-    state = FrameState(time, Camera(position=(origin[0], 5.0, origin[1])), 1, 1, 1, 1, 0)
+    state = FrameState(time, Camera(position=(origin[0], 5.0, origin[1])), 1, 1, 1, 1)
     at = np.random.default_rng(4).uniform(-30.0, 30.0, (10000, 2)).astype(np.float32)
     slope = "foam/saturation/slope.glsl@blurred" if blur > 0.0 else "foam/saturation/slope.glsl@plain"
     got = probe(

@@ -8,7 +8,7 @@ import pytest
 
 from seafoam.effects import EFFECTS
 from seafoam.effects.effect import Effect
-from seafoam.framegraph.visibility import drawn_passes, everywhere
+from seafoam.framegraph.visibility import drawn_passes
 from seafoam.planner import make_plan
 from seafoam.planner.collect import NEGLIGIBLE
 from seafoam.quality import TIERS
@@ -19,6 +19,7 @@ from support.pictures import draw, levels
 from support.report import Report
 from support.scenes import Camera, Scene, load_preset, preset_names
 from support.sweep import rested, spread
+from support.whole import everywhere, whole_plan
 
 VIEWS = (
     Camera(position=(3.0, 6.0, -2.0), pitch=-0.15),
@@ -40,7 +41,7 @@ CASES = [
 def test_what_cannot_be_seen_is_left_out_and_would_change_nothing(
     executor: Executor, report: Report, effect: Effect, scene: Scene
 ) -> None:
-    lean, full = make_plan(scene, EXACT), make_plan(scene, EXACT, economy=False)
+    lean, full = make_plan(scene, EXACT), whole_plan(scene, EXACT)
     (note,) = [note for note in lean.skipped if note.name == effect.name]
     assert note.bound is not None
     assert note.bound < NEGLIGIBLE

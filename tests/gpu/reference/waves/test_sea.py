@@ -62,7 +62,7 @@ def test_drawn_tiles_are_the_references(executor: Executor, report: Report, name
     _check_texels(executor, report, plan, origin_surface, name, time)
     for origin in ORIGINS:
         surface = truth.sea_surface(scene, time, origin)
-        state = FrameState(time, Camera(position=(origin[0], 6.0, origin[1])), 16, 16, 16, 16, 0)
+        state = FrameState(time, Camera(position=(origin[0], 6.0, origin[1])), 16, 16, 16, 16)
         sums = np.zeros((POINTS, 4))
         for i, one in enumerate(tiles):
             offset, side = (evaluate(plan.uniforms[f"u_sea_{what}_{i}"], state) for what in ("offset", "size"))

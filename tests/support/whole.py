@@ -1,0 +1,19 @@
+"""Plans that leave nothing out, to compare with those that do."""
+
+from unittest.mock import patch
+
+from seafoam.framegraph.plan import FramePlan
+from seafoam.planner import collect, make_plan
+from seafoam.quality import Quality
+from seafoam.scene import Scene
+
+
+def whole_plan(scene: Scene, quality: Quality) -> FramePlan:
+    """Return the plan of everything that a scene names, drawn from everywhere, even if it cannot be seen."""
+    with patch.object(collect, "NEGLIGIBLE", -1.0):
+        return everywhere(make_plan.__wrapped__(scene, quality))
+
+
+def everywhere(plan: FramePlan) -> FramePlan:
+    """Return the plan without culling: every pass is drawn for its camera height, visible or not."""
+    return plan.model_copy(update={"passes": tuple(drawn.model_copy(update={"view": "any"}) for drawn in plan.passes)})
