@@ -107,7 +107,6 @@ class Splats:
         chosen, over, clear = chosen[clear > 0.0], over[clear > 0.0], clear[clear > 0.0]
         drops, of = drops.subset(chosen), of[chosen]
         away, moving, depth, vary = (part[chosen] for part in (away, moving, depth, vary))
-
         radius, thick, self.cover = form(drops.kind, drops.age - wait[chosen], drops.life, vary, number(drops.seed, 9))
         # Clip positions of the centres, and directions of flight on the picture (n, 2), y up.
         self.X, self.Y, self.along, size = _ellipses(grid, away, moving, drops.radius * radius, of, over)
