@@ -32,7 +32,8 @@ void main() {
     vec4 born = spray_entry(u_spray_births, i, 0);
     vec4 thrown = spray_entry(u_spray_births, i, 1);
     vec2 fall = spray_fall(traits.y, spray_part(uint(traits.z), 6u));
-    vec3 drop = spray_flight(born.xyz, thrown.xyz, born.w, fall.x, fall.y);
+    float rides = spray_rides(traits.y, uint(traits.z), born.w);
+    vec3 drop = spray_flight(born.xyz + rides * vec3(thrown.x, 0.0, thrown.z), thrown.xyz, born.w - rides, fall.x, fall.y);
     drop.y -= u_eye_height;
     float depth = dot(drop, u_ray_z);
     float away = length(drop);

@@ -97,6 +97,11 @@ float spray_delay(float kind, float share) {
     return SPRAY_BEAT * share * (kind == SPRAY_SHEET ? 0.35 : kind == SPRAY_COLUMN ? 0.0 : 0.9);
 }
 
+// How long of its age spindrift has gone on with the crest that tears it off later, s.
+float spray_rides(float kind, uint word, float age) {
+    return kind == SPRAY_DRIFT ? min(spray_delay(kind, spray_part(word, 8u)), age) : 0.0;
+}
+
 // @part thrown
 // What all births of drops depend on.
 uniform float u_spray_speed;

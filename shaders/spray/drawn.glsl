@@ -147,7 +147,7 @@ void main() {
     float vary = spray_part(word, 6u);
     float age = spray_entry(u_spray_births, i, 0).w;
     vec2 fall = spray_fall(traits.y, vary);
-    vec3 velocity = spray_speed(thrown.xyz, age, fall.x, fall.y);
+    vec3 velocity = spray_speed(thrown.xyz, age - spray_rides(traits.y, word, age), fall.x, fall.y);
     SprayForm form = spray_form(traits.y, age - spray_delay(traits.y, spray_part(word, 8u)), traits.w, vary, spray_part(word, 9u));
     float depth = dot(air.xyz, u_ray_z);
     vec2 squares = vec2(dot(u_ray_x, u_ray_x), dot(u_ray_y, u_ray_y));

@@ -88,14 +88,17 @@ class Splats:
     def __init__(self, state: ReferenceState, drops: Drops) -> None:
         spray, shore, grid = state.scene.spray, state.scene.shore, state.grid
         assert spray is not None
-        # Drops of waves come in batches, each of which begins at a time of its own; those at rocks do not.
+        # Drops of waves come in batches, each begins at its own time, spindrift on its crest; those at rocks do not.
         on_rocks = shore is not None and shore.surf.height > 0.0 and len(rocks(shore, spray.steep)) > 0
         every = 0.0 if on_rocks else spray.life / BATCHES
         vary = number(drops.seed, 6)
         wind = (spray.wind_speed * math.cos(spray.downwind), spray.wind_speed * math.sin(spray.downwind))
         of = KINDS[drops.kind.astype(np.intp)]
         tau = of["drag"] * (spray.drag * (0.6 + 0.8 * vary))
-        place, moving = flight(drops.birth, drops.velocity, drops.age, tau, of["weight"], wind)
+        wait = every * number(drops.seed, 8) * of["wait"]
+        rides = np.where(drops.kind == DRIFT, np.minimum(wait, drops.age), 0.0)
+        torn = drops.birth + rides[:, None] * drops.velocity * np.array([1.0, 0.0, 1.0])
+        place, moving = flight(torn, drops.velocity, drops.age - rides, tau, of["weight"], wind)
         away = place - np.array([0.0, grid.eye_y, 0.0])
         depth = away @ grid.ray_z
         chosen = np.flatnonzero(depth >= NEAREST)
@@ -104,9 +107,7 @@ class Splats:
         chosen, over, clear = chosen[clear > 0.0], over[clear > 0.0], clear[clear > 0.0]
         drops, of = drops.subset(chosen), of[chosen]
         away, moving, depth, vary = (part[chosen] for part in (away, moving, depth, vary))
-
-        waited = drops.age - every * number(drops.seed, 8) * of["wait"]
-        radius, thick, self.cover = form(drops.kind, waited, drops.life, vary, number(drops.seed, 9))
+        radius, thick, self.cover = form(drops.kind, drops.age - wait[chosen], drops.life, vary, number(drops.seed, 9))
         # Clip positions of the centres, and directions of flight on the picture (n, 2), y up.
         self.X, self.Y, self.along, size = _ellipses(grid, away, moving, drops.radius * radius, of, over)
         self.half = np.maximum(size, NARROWEST)  # (n, 2) half the length and the width, samples
@@ -207,7 +208,6 @@ def _light(state: ReferenceState, away: Floats, thrown: Floats, along: Floats) -
     faces = np.insert(0.8 * level, 1, 0.6, axis=1)
     sun = air.sun_irradiance * (reached * (0.5 + 0.4 * dot(faces, air.sun)))[:, None]
     scattered = lighting.haze((sun + 0.9 * air.sky_irradiance) / math.pi, unit(away), distance) * lighting.exposure
-
     g = ONWARD
     phase = (1.0 - g * g) / (1.0 + g * g - 2.0 * g * dot(unit(away), air.sun)) ** 1.5 / (2.0 * math.pi)
     through = np.exp(-CONTRAST / lighting.settings.visibility * distance)
