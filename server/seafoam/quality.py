@@ -130,7 +130,7 @@ class Quality(Extensible, QualityParameters):
     boat_readings: Annotated[Literal[1, 7], BeforeValidator(_no_truth_value)] = 7
     """Wave heights read around each hull point of a boat"""
     boat_samples: Annotated[Literal[1, 4, 9], BeforeValidator(_no_truth_value)] = 4
-    """Rays per sample where boats are, to antialias their edges against water and sky"""
+    """Rays per sample where boats and stones are, to antialias their edges against water and sky"""
     boat_shadows: bool = Field(default=True, description="Shadows of boats on water, foam and a floor")
     samples: Literal[1, 4, 9, 16, 25, 36, 49, 64] = 1
     """Samples per pixel, on a square grid; without light, where they cost little, 49 instead of 25"""
