@@ -194,7 +194,7 @@ int crest_entered(vec3 before, vec3 after, int from) {
 }
 
 // Steps, and where something is entered halvings, in one loop: drivers without branches would run a loop in it for every step.
-bool meet_body(vec3 o, vec3 d, out float t, out int part) {
+bool meet_body(vec3 o, vec3 d, out float t, out int part, out bool clear) {
     vec2 span = crest_span(o, d, crest_low(), crest_high());
     float least = (span.y - span.x) / float(CREST_STEPS);
     int halvings = 0;
@@ -205,7 +205,9 @@ bool meet_body(vec3 o, vec3 d, out float t, out int part) {
     vec3 ahead = gaps;
     t = 1e9;
     part = CREST_TOP;
-    bool on = span.x < span.y;
+    // From in the crest nothing of it is seen.
+    clear = span.x > 0.0 || crest_gap(gaps, CREST_WHOLE) >= 0.0;
+    bool on = span.x < span.y && clear;
     while (on) {
         bool marches = halvings == 0;
         float whole = crest_gap(gaps, CREST_WHOLE);
@@ -257,10 +259,13 @@ bool meet_lumps(vec3 o, vec3 d, float farthest, out float t) {
     vec2 held = vec2(span.x);
     int step = 0;
     bool met = false;
+    bool dry = span.x > 0.0;
     bool on = least > 0.0;
     while (on) {
         float look = met ? 0.5 * (held.x + held.y) : held.x + least;
-        bool inside = crest_lump_gap(o + look * d) < 0.0;
+        bool wet = crest_lump_gap(o + look * d) < 0.0;
+        bool inside = wet && dry;
+        dry = dry || !wet;
         held = inside ? vec2(held.x, look) : met ? vec2(look, held.y) : vec2(look);
         // From the first place inside on, as many halvings.
         step = inside && !met ? CREST_STEPS - CREST_HALVINGS : step + 1;
@@ -273,12 +278,12 @@ bool meet_lumps(vec3 o, vec3 d, float farthest, out float t) {
 
 bool meet_crest(vec3 o, vec3 d, out float t, out int part) {
     float lumps;
-    bool body = meet_body(o, d, t, part);
-    bool thrown = meet_lumps(o, d, body ? t : 1e9, lumps);
+    bool clear;
+    bool body = meet_body(o, d, t, part, clear);
+    bool thrown = meet_lumps(o, d, body ? t : clear ? 1e9 : -1.0, lumps);
     part = thrown ? CREST_LUMPS : part;
     t = thrown ? lumps : t;
-    // From in the crest nothing of it is seen.
-    return (body || thrown) && min(crest_gap(crest_gaps(o), CREST_WHOLE), crest_lump_gap(o)) >= 0.0;
+    return body || thrown;
 }
 
 // The gap of a part, or where that is steep what it is the zero of, without a root: the jet's underside is vertical where it leaves the face,
@@ -310,11 +315,12 @@ vec3 crest_normal(vec3 p, int part) {
     Crest c = crest_at(p.z);
     bool cap = part == CREST_FACE && p.y > 0.9 * max(c.high, CREST_LEAST) && c.lean > 0.02;
     int form = cap ? CREST_CAP : part;
-    vec3 n;
-    for (int i = 0; i < 3; ++i) {
-        vec3 by = vec3(0.0);
-        by[i] = STEP;
-        n[i] = crest_form(p + by, form) - crest_form(p - by, form);
+    vec3 n = vec3(0.0);
+    // As many turns, but no compiler can tell: six copies of the form would be the larger part of the program.
+    int turns = u_breaker_form.x > 0.0 ? 6 : 0;
+    for (int i = 0; i < turns; ++i) {
+        vec3 by = STEP * vec3(equal(ivec3(i >> 1), ivec3(0, 1, 2))) * ((i & 1) == 0 ? 1.0 : -1.0);
+        n += by * crest_form(p + by, form);
     }
     return normalize(n);
 }
