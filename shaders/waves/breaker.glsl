@@ -82,6 +82,11 @@ float crest_apron(Crest c, float x) {
     return c.lumps * max(1.0 - v * v, 0.0);
 }
 
+// As many turns of a loop, which compilers cannot tell: each would be a copy of it in the program.
+int crest_turns(int turns) {
+    return u_breaker_form.x > 0.0 ? turns : 0;
+}
+
 // What the jet throws up where it has landed, which grows wide and covers what is left of the crest.
 float crest_lumps(Crest c, float x, float s) {
     float past = clamp(c.land - 1.0, 0.0, 3.0);
@@ -91,7 +96,13 @@ float crest_lumps(Crest c, float x, float s) {
     float most = up * c.lumps * max(1.0 - v * v, 0.0);
     float apron = CREST_APRON * smoothstep(0.0, 0.2, crest_apron(c, x));
     vec2 place = vec2(s, x + 0.6 * crest_front()) / CREST_LUMP;
-    float noise = abs(noise_2(place, uint(CREST_SEED))) + 0.45 * abs(noise_2(2.3 * place, uint(CREST_SEED + 1)));
+    float noise = 0.0;
+    float share = 1.0;
+    for (int i = 0; i < crest_turns(2); ++i) {
+        noise += share * abs(noise_2(place, uint(CREST_SEED + i)));
+        share *= 0.45;
+        place *= 2.3;
+    }
     return apron + most * (1.3 - 0.8 * exp(-4.0 * noise));
 }
 
@@ -194,17 +205,19 @@ int crest_entered(vec3 before, vec3 after, int from) {
 }
 
 // Steps, and where something is entered halvings, in one loop: drivers without branches would run a loop in it for every step.
-bool meet_body(vec3 o, vec3 d, out float t, out int part) {
+bool meet_body(vec3 o, vec3 d, out float t, out int part, out bool clear) {
     vec2 span = crest_span(o, d, crest_low(), crest_high());
     float least = (span.y - span.x) / float(CREST_STEPS);
     int halvings = 0;
     int entered = -1;
-    float before = span.x;
+    // The first step ends where the ray enters the box.
+    float before = span.x - least;
     vec2 held = vec2(0.0);
-    vec3 gaps = crest_gaps(o + before * d);
+    vec3 gaps = vec3(0.0);
     vec3 ahead = gaps;
     t = 1e9;
     part = CREST_TOP;
+    clear = true;
     bool on = span.x < span.y;
     while (on) {
         bool marches = halvings == 0;
@@ -214,19 +227,24 @@ bool meet_body(vec3 o, vec3 d, out float t, out int part) {
         float look = marches ? after : 0.5 * (held.x + held.y);
         vec3 there = crest_gaps(o + look * d);
         int kind = entered == 0 ? CREST_TOP : entered == 1 ? CREST_UNDER : CREST_WHOLE;
+        // From in the crest nothing of it is seen.
+        bool dry = span.x > 0.0 || crest_gap(there, CREST_WHOLE) >= 0.0;
+        clear = before < span.x ? dry : clear;
+        // What is entered in this interval, or what else in the last.
+        int next = crest_entered(gaps, marches ? there : ahead, marches ? 0 : entered + 1);
         if (marches) {
-            entered = crest_entered(gaps, there, 0);
+            entered = next;
             held = vec2(before, after);
             ahead = there;
             halvings = entered < 0 ? 0 : CREST_HALVINGS;
             before = entered < 0 ? after : before;
             gaps = entered < 0 ? there : gaps;
-            on = entered >= 0 || after < span.y;
+            on = clear && (entered >= 0 || after < span.y);
         } else {
             bool out_there = crest_gap(there, kind) > 0.0;
             held = out_there ? vec2(look, held.y) : vec2(held.x, look);
             halvings -= 1;
-            vec3 at = o + held.y * d;
+            vec3 at = o + look * d;
             Crest c = crest_at(at.z);
             bool top = at.x <= crest_tip(c) * max(c.high, CREST_LEAST);
             bool under = there.x < 0.0 && there.y > 0.0;
@@ -234,13 +252,11 @@ bool meet_body(vec3 o, vec3 d, out float t, out int part) {
             bool valid = ends && (kind == CREST_WHOLE || (kind == CREST_TOP ? top : under)) && held.y < t;
             t = valid ? held.y : t;
             part = valid ? (kind == CREST_WHOLE ? crest_part(there) : kind) : part;
-            // The next of what is entered in the same interval, or on.
-            int other = crest_entered(gaps, ahead, entered + 1);
             float far = before + max(0.5 * whole, least);
-            entered = ends ? other : entered;
+            entered = ends ? next : entered;
             held = ends ? vec2(before, min(far, span.y)) : held;
-            halvings = ends && other >= 0 ? CREST_HALVINGS : halvings;
-            bool leaves = ends && other < 0;
+            halvings = ends && next >= 0 ? CREST_HALVINGS : halvings;
+            bool leaves = ends && next < 0;
             on = !leaves || (t == 1e9 && far < span.y);
             before = leaves ? min(far, span.y) : before;
             gaps = leaves ? ahead : gaps;
@@ -257,10 +273,13 @@ bool meet_lumps(vec3 o, vec3 d, float farthest, out float t) {
     vec2 held = vec2(span.x);
     int step = 0;
     bool met = false;
+    bool dry = span.x > 0.0;
     bool on = least > 0.0;
     while (on) {
         float look = met ? 0.5 * (held.x + held.y) : held.x + least;
-        bool inside = crest_lump_gap(o + look * d) < 0.0;
+        bool wet = crest_lump_gap(o + look * d) < 0.0;
+        bool inside = wet && dry;
+        dry = dry || !wet;
         held = inside ? vec2(held.x, look) : met ? vec2(look, held.y) : vec2(look);
         // From the first place inside on, as many halvings.
         step = inside && !met ? CREST_STEPS - CREST_HALVINGS : step + 1;
@@ -273,12 +292,12 @@ bool meet_lumps(vec3 o, vec3 d, float farthest, out float t) {
 
 bool meet_crest(vec3 o, vec3 d, out float t, out int part) {
     float lumps;
-    bool body = meet_body(o, d, t, part);
-    bool thrown = meet_lumps(o, d, body ? t : 1e9, lumps);
+    bool clear;
+    bool body = meet_body(o, d, t, part, clear);
+    bool thrown = meet_lumps(o, d, body ? t : clear ? 1e9 : -1.0, lumps);
     part = thrown ? CREST_LUMPS : part;
     t = thrown ? lumps : t;
-    // From in the crest nothing of it is seen.
-    return (body || thrown) && min(crest_gap(crest_gaps(o), CREST_WHOLE), crest_lump_gap(o)) >= 0.0;
+    return body || thrown;
 }
 
 // The gap of a part, or where that is steep what it is the zero of, without a root: the jet's underside is vertical where it leaves the face,
@@ -310,11 +329,10 @@ vec3 crest_normal(vec3 p, int part) {
     Crest c = crest_at(p.z);
     bool cap = part == CREST_FACE && p.y > 0.9 * max(c.high, CREST_LEAST) && c.lean > 0.02;
     int form = cap ? CREST_CAP : part;
-    vec3 n;
-    for (int i = 0; i < 3; ++i) {
-        vec3 by = vec3(0.0);
-        by[i] = STEP;
-        n[i] = crest_form(p + by, form) - crest_form(p - by, form);
+    vec3 n = vec3(0.0);
+    for (int i = 0; i < crest_turns(6); ++i) {
+        vec3 by = STEP * vec3(equal(ivec3(i >> 1), ivec3(0, 1, 2))) * ((i & 1) == 0 ? 1.0 : -1.0);
+        n += by * crest_form(p + by, form);
     }
     return normalize(n);
 }
@@ -410,11 +428,6 @@ void look_through_crest(vec3 d, vec3 n, CrestLook look) {
 // A sample of the crest where it stands before water and land. Linear light, premultiplied.
 out vec4 o_color;
 
-// A vector on the surface as that of level water, drawn along its way.
-vec2 crest_level(vec3 on, vec3 along, mat3 axes, float drawn) {
-    return drawn * dot(on, along) * axes[0].xz + dot(on, axes[2]) * axes[2].xz;
-}
-
 vec3 crest_moved(vec3 ray, float tau, vec3 n, vec3 by) {
     float facing = min(dot(n, ray), -1e-3 * length(ray));
     return tau * (by - ray * (dot(n, by) / facing));
@@ -445,16 +458,21 @@ void main() {
     vec3 along = axes * normalize(vec3(local.y, -local.x, 0.0));
     vec3 step_x = crest_moved(ray, tau, n, u_ray_x * (2.0 * FOOTPRINT_X / u_viewport.x));
     vec3 step_y = crest_moved(ray, tau, n, u_ray_y * (2.0 / u_viewport.y));
-    Footprint fine = Footprint(crest_level(step_x, along, axes, 1.0), crest_level(step_y, along, axes, 1.0));
-    Footprint drawn = Footprint(crest_level(step_x, along, axes, look.drawn), crest_level(step_y, along, axes, look.drawn));
-    vec2 level = u_breaker_form.x * (look.way * axes[0].xz + p.z * axes[2].xz) - u_breaker_place.xy;
-    vec2 streak = u_breaker_form.x * (look.drawn * look.way * axes[0].xz + p.z * axes[2].xz) - u_breaker_place.xy;
-    vec3 ripple = detail(level, fine);
-    vec3 tilt = dot(ripple.xy, axes[0].xz) * along + dot(ripple.xy, axes[2].xz) * axes[2];
+    // Level water's, and drawn out along its way.
+    mat2 level = mat2(axes[0].xz, axes[2].xz);
+    mat2 out_of = mat2(look.drawn * level[0], level[1]);
+    vec2 on_x = vec2(dot(step_x, along), dot(step_x, axes[2]));
+    vec2 on_y = vec2(dot(step_y, along), dot(step_y, axes[2]));
+    Footprint fine = Footprint(level * on_x, level * on_y);
+    Footprint drawn = Footprint(out_of * on_x, out_of * on_y);
+    vec2 way = u_breaker_form.x * vec2(look.way, p.z);
+    vec3 ripple = detail(level * way - u_breaker_place.xy, fine);
+    vec2 slopes = ripple.xy * level;
+    vec3 tilt = slopes.x * along + slopes.y * axes[2];
     vec3 normal = normalize(n - tilt);
     vec3 foam_normal = normalize(n - 0.5 * tilt);
     float f = look.saturation;
-    float amount = f > 0.0 ? foam_amount(f, streak, drawn) : 0.0;
+    float amount = f > 0.0 ? foam_amount(f, out_of * way - u_breaker_place.xy, drawn) : 0.0;
     vec3 place = eye + t * d;
     shade_sun(place, fine);
     look_through_crest(d, n, look);

@@ -105,8 +105,8 @@ class PlungingCrest:
         ends = np.sort(np.stack(((low - o) / slant, (high - o) / slant)), axis=0)
         near, far = np.maximum(ends[0].max(axis=1), 0.0), ends[1].min(axis=1)
         # From in the crest nothing of it is seen.
-        clear = low[2] < high[2] and self.section(o[None]).gaps()[WHOLE, 0] >= 0.0
-        rows = np.flatnonzero((near < far) & clear)
+        top, front, jet = self.section(o[None]).gaps()[:LUMPS, 0]
+        rows = np.flatnonzero((near < far) & (low[2] < high[2]) & (max(top, min(front, jet)) >= 0.0))
         step, before, entered = (far - near) / STEPS, np.zeros((ROUND, rows.size)), []
         for i in range(STEPS + 1):
             gaps = self.section(o + (near + i * step)[rows, None] * d[rows]).gaps()[:ROUND]
