@@ -304,17 +304,13 @@ class _Sweeping:
         steps = []
         for before, after, first, second in chains(self.subject.scene, self.points):
             compared = compare(rounds[first], rounds[second], error[first], error[second])
-            worth = compared.time_measurable and compared.added_ms > 0.0
+            removed, worth = error[first] - error[second], compared.measurable and compared.added_ms > 0.0
             steps.append(
                 model.Step(
                     **after.model_dump(exclude={"value"}),
                     value_from=before.value,
                     value_to=after.value,
-                    point_from=first,
-                    point_to=second,
-                    **{name: figure for name, figure in vars(compared).items() if name != "words"},
-                    error_removed=error[first] - error[second],
-                    error_per_ms=(error[first] - error[second]) / compared.added_ms if worth else None,
+                    error_per_ms=removed / compared.added_ms if worth else None,
                     sentence=f"{after.title} {shown(before.value)} → {shown(after.value)}: {compared.words}",
                 )
             )
