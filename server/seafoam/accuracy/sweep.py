@@ -16,7 +16,7 @@ from typing import get_args
 import numpy as np
 
 from seafoam.accuracy import metrics, model
-from seafoam.accuracy.cache import Store, key_of
+from seafoam.accuracy.cache import key_of
 from seafoam.accuracy.metrics import Picture
 from seafoam.accuracy.points import chains, idealised, points_of, shown
 from seafoam.accuracy.timing import beating, compare, front, median_model, sentences, spread_of, time_model
@@ -24,6 +24,7 @@ from seafoam.accuracy.truth import Measure, SweepStoppedError, TruthSpec, Watche
 from seafoam.effects.effect import Cause
 from seafoam.quality import Quality
 from seafoam.reference import scene_sha256
+from seafoam.render.service.frame_cache import DiskCache
 from seafoam.render.service.jobs import Draw, Drawn, MeasureJob, Timer, plan_hash
 from seafoam.scene import Scene, load_preset, preset_names
 
@@ -111,9 +112,11 @@ def truth_info(subject: Subject, settings: SweepSettings) -> model.TruthInfo:
     )
 
 
-def find_sweep(store: Store, subject: Subject, settings: SweepSettings, machine: model.Machine) -> model.Sweep | None:
+def find_sweep(
+    store: DiskCache, subject: Subject, settings: SweepSettings, machine: model.Machine
+) -> model.Sweep | None:
     """Return a stored sweep with the same plans, time, size, machine and versions, if there is one."""
-    content = store.get("sweeps", _name(subject, settings, machine))
+    content = store.get(_name(subject, settings, machine))
     try:
         sweep = model.Sweep.model_validate_json(content or b"")
     except ValueError:
@@ -123,7 +126,7 @@ def find_sweep(store: Store, subject: Subject, settings: SweepSettings, machine:
 
 
 def make_sweep(
-    store: Store,
+    store: DiskCache,
     subject: Subject,
     settings: SweepSettings,
     rig: Rig,
@@ -143,7 +146,7 @@ def make_sweep(
     first = Watcher(lambda stage, share, _: watcher.progress(stage, 0.3 * share, None), watcher.stopped)
     truth = make_truth(store, subject.truth(settings), rig.measure, first)
     sweep = _Sweeping(subject, settings, rig, watcher).run(truth.astype(np.float64))
-    store.put("sweeps", _name(subject, settings, machine), sweep.model_dump_json().encode())
+    store.put(_name(subject, settings, machine), sweep.model_dump_json().encode())
     return sweep
 
 
