@@ -40,8 +40,6 @@ SLOW_MS = 100.0
 """If the pixels of the compared picture take longer, that picture is timed instead of one of the timing size."""
 SMALL = 10
 """Ratio of the two sizes of the time model along each side."""
-COMPILE_WEIGHT = 6.0
-"""Time to compile a plan, in frames of one sample per pixel; used only for the progress."""
 
 Size = tuple[int, int]
 """Width and height, pixels."""
@@ -160,12 +158,11 @@ class _Sweeping:
         self.drawn: dict[str, Picture] = {}
         """Pictures at the subject's own time, by plan."""
         self.ideals = {point.id: _ideals(point.quality) for point in self.points if point.tier is not None}
-        everyone = [point.quality for point in self.points]
-        drawn = [*everyone, *(quality for ideals in self.ideals.values() for quality in ideals.values())]
-        compiled = {plan_hash(subject.scene, quality): quality for quality in drawn}
-        self.work = sum(COMPILE_WEIGHT + quality.samples for quality in compiled.values())
-        self.work += 2.0 * settings.rounds * sum(1.0 + quality.samples for quality in everyone)
-        self.done = 0.0
+        drawn = [quality for ideals in self.ideals.values() for quality in ideals.values()]
+        plans = {plan_hash(subject.scene, quality) for quality in drawn} | {point.plan for point in self.points}
+        self.work = len(plans) + (1 + settings.rounds) * len(self.points)
+        """Measurements, for the progress: without those that find the size."""
+        self.done = 0
         self.began = clock.perf_counter()
 
     def run(self, truth: Picture) -> model.Sweep:
@@ -224,7 +221,7 @@ class _Sweeping:
         timed, small = self._sizes()
         # Display-referred frames have a pass that linear ones lack.
         for point in self.points:
-            self._draw(point.quality, 0, (Draw(*small, "rgba8"),), "compiling", 0.0)
+            self._draw(point.quality, 0, (Draw(*small, "rgba8"),), "compiling")
         return timed, small
 
     def _rounds(self, timed: Size, small: Size) -> tuple[dict[str, list[Picture]], dict[str, list[model.TimeModel]]]:
@@ -254,7 +251,7 @@ class _Sweeping:
         larger = () if slow else (*warm, Draw(*timed, "rgba8"))
         # The first compiles, and draws what is kept, where other points have taken the place of it.
         draws = (Draw(*small, "rgba8"), Draw(*compared, "linear", keep=True), *larger, Draw(*small, "rgba8"))
-        drawn = self._draw(quality, frame, draws, stage, 2.0 * (1.0 + quality.samples))
+        drawn = self._draw(quality, frame, draws, stage)
         pixels = drawn[1].pixels
         assert pixels is not None
         large = compared if slow else timed
@@ -271,20 +268,18 @@ class _Sweeping:
         plan = plan_hash(self.subject.scene, quality)
         if plan not in self.drawn:
             draw = Draw(self.settings.width, self.settings.height, "linear", keep=True)
-            (drawn,) = self._draw(quality, 0, (draw,), stage, COMPILE_WEIGHT + quality.samples)
+            (drawn,) = self._draw(quality, 0, (draw,), stage)
             assert drawn.pixels is not None
             self.drawn[plan] = drawn.pixels
         return self.drawn[plan]
 
-    def _draw(
-        self, quality: Quality, frame: int, draws: tuple[Draw, ...], stage: str, weight: float
-    ) -> tuple[Drawn, ...]:
+    def _draw(self, quality: Quality, frame: int, draws: tuple[Draw, ...], stage: str) -> tuple[Drawn, ...]:
         if self.watcher.stopped():
             raise SweepStoppedError
         scene = self.subject.scene
         at = self.subject.time + frame * FRAME_SECONDS
         drawn = self.rig.measure(MeasureJob(scene, quality, at, scene.camera, draws, self.settings.timer))
-        self.done += weight
+        self.done += 1
         share = min(self.done / self.work, 1.0)
         remaining = (clock.perf_counter() - self.began) * (1.0 / share - 1.0) if share > 0.02 else None
         self.watcher.progress(stage, 0.3 + 0.7 * share, remaining)
@@ -297,7 +292,7 @@ class _Sweeping:
         standard = next(point for point in self.points if point.id == "standard")
         while 2 * width <= whole[0] and 2 * height <= whole[1]:
             if LEAST_SHARE * width >= whole[0] and LEAST_SHARE * height >= whole[1]:
-                drawn = self._draw(standard.quality, 0, 3 * (Draw(width, height, "rgba8"),), "timing size", 0.0)
+                drawn = self._draw(standard.quality, 0, 3 * (Draw(width, height, "rgba8"),), "timing size")
                 if min(frame.seconds for frame in drawn[1:]) >= ENOUGH_SECONDS:
                     break
             width, height = 2 * width, 2 * height

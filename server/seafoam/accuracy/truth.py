@@ -106,7 +106,9 @@ def make_truth(store: DiskCache, spec: TruthSpec, measure: Measure, watcher: Wat
 
 
 def _converged_elsewhere(spec: TruthSpec, scene: Scene | Sprayed, watcher: Watcher) -> Truth:
-    pool = ProcessPool(max_workers=1, initializer=_politely, context=multiprocessing.get_context("spawn"))
+    pool = ProcessPool(
+        max_workers=1, initializer=os.nice, initargs=(POLITE,), context=multiprocessing.get_context("spawn")
+    )
     try:
         coarse = replace(spec, samples_along=max(1, spec.samples_along // 4))
         _, seconds = finished(pool.schedule(_converged, (coarse, scene)), watcher.stopped)
@@ -139,12 +141,6 @@ def finished(future: Future[T], stopped: Callable[[], bool], tell: Callable[[flo
                 future.cancel()
                 raise SweepStoppedError from None
             tell(time.perf_counter() - began)
-
-
-def _politely() -> None:
-    """In the separate process: let frames and the web server go first."""
-    if hasattr(os, "nice"):
-        os.nice(POLITE)
 
 
 def _converged(spec: TruthSpec, scene: Scene | Sprayed) -> tuple[Truth, float]:
