@@ -91,7 +91,6 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
         await asyncio.to_thread(context.sweeps.stop)
         await asyncio.to_thread(context.sequences.stop)
         await pool.stop()
-        await frame_cache.close()
         if traces is not None:
             await asyncio.to_thread(traces.close)
 

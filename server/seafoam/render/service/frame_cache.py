@@ -215,7 +215,6 @@ class FrameCache:
         self.origins: Counter[Origin] = Counter()
         """Frames by where they came from."""
         self._in_flight: InFlight[EncodedFrame] = InFlight()
-        self._writing: set[asyncio.Task[Any]] = set()
 
     def key(self, job: FrameJob, plan: str) -> str:
         """Return the key of a frame: a hash of everything that its bytes depend on, 40 hexadecimal digits.
@@ -250,10 +249,6 @@ class FrameCache:
         self.origins[frame.origin] += 1
         return frame
 
-    async def close(self) -> None:
-        """Wait until what was drawn is written."""
-        await asyncio.gather(*self._writing, return_exceptions=True)
-
     async def _make(self, job: FrameJob, key: str, ticket: Ticket) -> EncodedFrame:
         if self.disk is not None and (content := await asyncio.to_thread(self.disk.get, key)) is not None:
             self.memory.put(key, content)
@@ -261,8 +256,6 @@ class FrameCache:
         frame = await self.pool.render(job, ticket)
         self.memory.put(key, frame.content)
         if self.disk is not None:
-            # Nobody waits for the disk.
-            writing = asyncio.ensure_future(asyncio.to_thread(self.disk.put, key, frame.content))
-            self._writing.add(writing)
-            writing.add_done_callback(self._writing.discard)
+            # Nobody waits for the disk, but asyncio for its threads before a loop ends.
+            asyncio.get_running_loop().run_in_executor(None, self.disk.put, key, frame.content)
         return frame
