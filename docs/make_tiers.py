@@ -24,7 +24,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from PIL import Image
 
-from seafoam.accuracy.cache import Store
+from seafoam.accuracy.cache import stored
 from seafoam.accuracy.metrics import Picture, rmse
 from seafoam.accuracy.model import TimeModel
 from seafoam.accuracy.timing import compare, time_model
@@ -66,7 +66,7 @@ def measure(name: str) -> list[str]:
     width, height = SIZE
     executor = Executor()
     spec = TruthSpec(preset.scene, preset.time, width, height, SAMPLES_ALONG)
-    truth = make_truth(Store(), spec, partial(jobs.measure, executor)).astype(np.float64)
+    truth = make_truth(stored(), spec, partial(jobs.measure, executor)).astype(np.float64)
     models: dict[str, list[TimeModel]] = {tier: [] for tier in TIERS}
     errors: dict[str, float] = {}
 

@@ -6,7 +6,7 @@ from functools import partial
 from bench.drawn.frames import cost
 from bench.report import Column, Spread, Table, ms, times
 from bench.watch import Watch
-from seafoam.accuracy.cache import Store
+from seafoam.accuracy.cache import stored
 from seafoam.accuracy.sweep import Rig, Subject, SweepSettings, make_sweep
 from seafoam.accuracy.timing import choose
 from seafoam.planner import make_plan
@@ -25,7 +25,7 @@ def measure(executor: Executor, watch: Watch) -> list[Table]:
     subject = Subject.of_preset(PRESET)
     threads = int(os.environ.get("LP_NUM_THREADS") or os.cpu_count() or 1)
     with watch.step("cost of accuracy"):
-        sweep = make_sweep(Store(), subject, SweepSettings(), Rig(partial(draw, executor), executor.info, threads))
+        sweep = make_sweep(stored(), subject, SweepSettings(), Rig(partial(draw, executor), executor.info, threads))
     budgets = [(size, share * sweep.point("standard").model.at(*size)) for size in SIZES for share in SHARES]
     choices = [choose(sweep, *size, budget) for size, budget in budgets]
     taken: list[list[float]] = [[] for _ in budgets]

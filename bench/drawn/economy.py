@@ -22,8 +22,7 @@ from seafoam.planner import make_plan
 from seafoam.render.gl.executor import Executor
 from seafoam.scene import Camera, Scene, load_preset, preset_names
 from support.cases import cases_of
-from support.exact import SQUARE
-from support.whole import whole_plan
+from support.exact import SQUARE, whole_plan
 
 QUALITY = SQUARE
 """The program with every effect draws each pixel."""

@@ -210,7 +210,7 @@ def _draw(task: Draw) -> Drawn:
 def _prepare(plan: FramePlan) -> None:
     """Make what the first frame would wait for, with no need to draw."""
     for program in plan.programs.values():
-        _executor().compile(program)
+        _executor()._program(program)
     for model in plan.textures.values():
         texture(spec_of(model.url))
 

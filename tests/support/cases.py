@@ -5,7 +5,11 @@ from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 
+from seafoam.effects import registry
 from seafoam.effects.effect import Effect
+from seafoam.extensions import TRUTHS
+from seafoam.quality import QualityExtensions
+from seafoam.scene import SceneExtensions
 from support.hard.mutations import IN_FLOAT32, Replaced
 from support.scenes import Camera, Scene
 
@@ -84,3 +88,16 @@ def cases_of(effect: Effect) -> Cases:
     if module.startswith("seafoam."):
         return _of_the_package()[effect.name]
     return importlib.import_module(f"{module}_cases").CASES[effect.name]
+
+
+def unregister(effect: Effect) -> None:
+    """Remove an effect that was registered."""
+    del registry._outside[effect.name]
+    if effect.saturation is not None:
+        del registry._saturations[effect.saturation.model]
+    if effect.extension is not None:
+        SceneExtensions.known.pop(effect.extension.name)
+        QualityExtensions.known.pop(effect.extension.name, None)
+        TRUTHS.pop(effect.extension.scene, None)
+    for clear in registry.CHANGED:
+        clear()

@@ -19,10 +19,9 @@ from seafoam.quality import Quality
 from seafoam.render.gl.executor import TEXTURE_FORMATS, Executor
 from seafoam.textures.spec import TextureSpec
 from seafoam.textures.store import spec_at, texture
-from support.exact import EXACT
+from support.exact import EXACT, everywhere
 from support.pictures import draw
 from support.scenes import Camera, Scene
-from support.whole import everywhere
 
 WHOLE = assemble(["vertex/vertex.glsl@fullscreen"], {"FULLSCREEN_DEPTH": 0.0})
 """The vertex shader over the whole target."""

@@ -2,14 +2,14 @@
 
 import hashlib
 import json
-import logging
 import os
 from pathlib import Path
 from typing import Any
 
-from seafoam.files import write_whole
+from seafoam.render.service.frame_cache import DiskCache
 
-log = logging.getLogger(__name__)
+LIMIT = 1 << 30
+"""Bytes on disk, the oldest of which go first."""
 
 
 def cache_dir() -> Path:
@@ -26,29 +26,6 @@ def key_of(*parts: Any) -> str:
     return hashlib.sha256(text.encode()).hexdigest()[:40]
 
 
-class Store:
-    """A directory of files by key. If it cannot be written to, content is kept in memory."""
-
-    def __init__(self, directory: Path | None = None) -> None:
-        self.directory = cache_dir() if directory is None else directory
-        self._memory: dict[str, bytes] = {}
-
-    def get(self, kind: str, name: str) -> bytes | None:
-        if (held := self._memory.get(f"{kind}/{name}")) is not None:
-            return held
-        try:
-            return (self.directory / kind / name).read_bytes()
-        except OSError:
-            return None
-
-    def put(self, kind: str, name: str, content: bytes) -> None:
-        """Store content under a name. Files appear complete or not at all."""
-        try:
-            folder = self.directory / kind
-            folder.mkdir(parents=True, exist_ok=True)
-            write_whole(folder / name, content)
-        except OSError as error:
-            log.warning(
-                "Cannot store measurements in %s (%s): they are kept for the life of this process", folder, error
-            )
-            self._memory[f"{kind}/{name}"] = content
+def stored(directory: Path | None = None) -> DiskCache:
+    """Return the measurements and pictures of a cache directory, by default of :func:`cache_dir`."""
+    return DiskCache((directory or cache_dir()) / "accuracy", LIMIT)

@@ -10,7 +10,7 @@ from seafoam.described import Described
 from seafoam.effects.effect import Cause
 from seafoam.quality import Quality, Tier
 
-FORMAT = 4
+FORMAT = 5
 """Version of the JSON format; part of the cache keys."""
 
 ParameterValue = bool | int | float | str
@@ -139,14 +139,8 @@ class Step(SettingPart):
 
     value_from: ParameterValue
     value_to: ParameterValue
-    point_from: str
-    point_to: str
-    added_ms: float = Field(description="Median of the differences per round")
-    time_factor: float = Field(description="Median of the ratios per round")
-    time_measurable: bool = Field(description="True if both quartiles of the ratios lie on the same side of 1")
-    error_removed: float = Field(description="Reduction of the RMSE, levels; negative: the error grows")
-    error_factor: float = Field(description="RMSE before over RMSE after")
-    error_per_ms: float | None = Field(description="error_removed / added_ms; null where it is undefined")
+    error_per_ms: float | None
+    """Reduction of the RMSE, levels, over the median of the added times; null where that is not measurable"""
     sentence: str
 
 

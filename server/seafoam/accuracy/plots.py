@@ -28,28 +28,22 @@ def plot_sweep(sweep: Sweep) -> bytes:
         lw=1.2,
         drawstyle="steps-post",
         label="front: no point is faster and more exact",
-        zorder=1,
     )
     for kind in _COLOURS:
         own = [point for point in sweep.points if _kind(point) == kind]
         if not own:
             continue
-        times = [point.time.median_ms for point in own]
-        spread = [
-            [max(0.0, point.time.median_ms - point.time.low_ms) for point in own],
-            [max(0.0, point.time.high_ms - point.time.median_ms) for point in own],
-        ]
+        times = [point.time for point in own]
+        quartiles = [time.low_ms for time in times], [time.high_ms for time in times]
         axes.errorbar(
-            times,
+            [time.median_ms for time in times],
             [_shown(point) for point in own],
-            xerr=spread,
+            # Of equal times the quartiles may be apart from the median by their rounding, either way.
+            xerr=[[abs(time.median_ms - end) for time, end in zip(times, ends, strict=True)] for ends in quartiles],
             fmt=_MARKERS[kind],
-            ms=6.5 if kind == "tier" else 5.0,
             color=_COLOURS[kind],
             elinewidth=0.8,
-            alpha=0.9,
             label=kind if kind == "tier" else f"{kind} setting",
-            zorder=3 if kind == "tier" else 2,
         )
     timing = sweep.timing
     axes.set_xlabel(
@@ -64,15 +58,12 @@ def plot_sweep(sweep: Sweep) -> bytes:
         axis.set_major_formatter(_plain)
         axis.set_minor_formatter(_plain)
     axes.tick_params(which="minor", labelsize=6.5)
-    for point in (point for point in told(best) if point.tier is None):
-        axes.annotate(
-            point.id, _place(point), (6, 4), fontsize=7.0, color=_COLOURS[_kind(point)], textcoords="offset points"
-        )
-    # Nothing is faster and more exact than a point of the front: below it to the left is room.
-    for point in (point for point in sweep.points if point.tier is not None):
-        axes.annotate(
-            point.id, _place(point), (-5, -5), ha="right", va="top", color=_COLOURS["tier"], textcoords="offset points"
-        )
+    worth = [point.id for point in told(best)]
+    for point in (point for point in sweep.points if point.tier or point.id in worth):
+        # Nothing is faster and more exact than a point of the front: below it to the left is room.
+        place, side = ((-5, -5), "right") if point.tier else ((6, 4), "left")
+        at, colour = (point.time.median_ms, _shown(point)), _COLOURS[_kind(point)]
+        axes.annotate(point.id, at, place, ha=side, va="center", color=colour, textcoords="offset points")
     return png(figure)
 
 
@@ -82,10 +73,6 @@ def _plain(value: float, _: object) -> str:
 
 def _kind(point: MeasuredPoint) -> str:
     return point.parameter.cause if point.parameter else "tier"
-
-
-def _place(point: MeasuredPoint) -> tuple[float, float]:
-    return point.time.median_ms, _shown(point)
 
 
 def _shown(point: MeasuredPoint) -> float:

@@ -16,7 +16,7 @@ from typing import get_args
 import numpy as np
 
 from seafoam.accuracy import metrics, model
-from seafoam.accuracy.cache import Store, key_of
+from seafoam.accuracy.cache import key_of
 from seafoam.accuracy.metrics import Picture
 from seafoam.accuracy.points import chains, idealised, points_of, shown
 from seafoam.accuracy.timing import beating, compare, front, median_model, sentences, spread_of, time_model
@@ -24,6 +24,7 @@ from seafoam.accuracy.truth import Measure, SweepStoppedError, TruthSpec, Watche
 from seafoam.effects.effect import Cause
 from seafoam.quality import Quality
 from seafoam.reference import scene_sha256
+from seafoam.render.service.frame_cache import DiskCache
 from seafoam.render.service.jobs import Draw, Drawn, MeasureJob, Timer, plan_hash
 from seafoam.scene import Scene, load_preset, preset_names
 
@@ -39,8 +40,6 @@ SLOW_MS = 100.0
 """If the pixels of the compared picture take longer, that picture is timed instead of one of the timing size."""
 SMALL = 10
 """Ratio of the two sizes of the time model along each side."""
-COMPILE_WEIGHT = 6.0
-"""Time to compile a plan, in frames of one sample per pixel; used only for the progress."""
 
 Size = tuple[int, int]
 """Width and height, pixels."""
@@ -111,9 +110,11 @@ def truth_info(subject: Subject, settings: SweepSettings) -> model.TruthInfo:
     )
 
 
-def find_sweep(store: Store, subject: Subject, settings: SweepSettings, machine: model.Machine) -> model.Sweep | None:
+def find_sweep(
+    store: DiskCache, subject: Subject, settings: SweepSettings, machine: model.Machine
+) -> model.Sweep | None:
     """Return a stored sweep with the same plans, time, size, machine and versions, if there is one."""
-    content = store.get("sweeps", _name(subject, settings, machine))
+    content = store.get(_name(subject, settings, machine))
     try:
         sweep = model.Sweep.model_validate_json(content or b"")
     except ValueError:
@@ -123,7 +124,7 @@ def find_sweep(store: Store, subject: Subject, settings: SweepSettings, machine:
 
 
 def make_sweep(
-    store: Store,
+    store: DiskCache,
     subject: Subject,
     settings: SweepSettings,
     rig: Rig,
@@ -143,7 +144,7 @@ def make_sweep(
     first = Watcher(lambda stage, share, _: watcher.progress(stage, 0.3 * share, None), watcher.stopped)
     truth = make_truth(store, subject.truth(settings), rig.measure, first)
     sweep = _Sweeping(subject, settings, rig, watcher).run(truth.astype(np.float64))
-    store.put("sweeps", _name(subject, settings, machine), sweep.model_dump_json().encode())
+    store.put(_name(subject, settings, machine), sweep.model_dump_json().encode())
     return sweep
 
 
@@ -157,12 +158,11 @@ class _Sweeping:
         self.drawn: dict[str, Picture] = {}
         """Pictures at the subject's own time, by plan."""
         self.ideals = {point.id: _ideals(point.quality) for point in self.points if point.tier is not None}
-        everyone = [point.quality for point in self.points]
-        drawn = [*everyone, *(quality for ideals in self.ideals.values() for quality in ideals.values())]
-        compiled = {plan_hash(subject.scene, quality): quality for quality in drawn}
-        self.work = sum(COMPILE_WEIGHT + quality.samples for quality in compiled.values())
-        self.work += 2.0 * settings.rounds * sum(1.0 + quality.samples for quality in everyone)
-        self.done = 0.0
+        drawn = [quality for ideals in self.ideals.values() for quality in ideals.values()]
+        plans = {plan_hash(subject.scene, quality) for quality in drawn} | {point.plan for point in self.points}
+        self.work = len(plans) + (1 + settings.rounds) * len(self.points)
+        """Measurements, for the progress: without those that find the size."""
+        self.done = 0
         self.began = clock.perf_counter()
 
     def run(self, truth: Picture) -> model.Sweep:
@@ -221,7 +221,7 @@ class _Sweeping:
         timed, small = self._sizes()
         # Display-referred frames have a pass that linear ones lack.
         for point in self.points:
-            self._draw(point.quality, 0, (Draw(*small, "rgba8"),), "compiling", 0.0)
+            self._draw(point.quality, 0, (Draw(*small, "rgba8"),), "compiling")
         return timed, small
 
     def _rounds(self, timed: Size, small: Size) -> tuple[dict[str, list[Picture]], dict[str, list[model.TimeModel]]]:
@@ -251,7 +251,7 @@ class _Sweeping:
         larger = () if slow else (*warm, Draw(*timed, "rgba8"))
         # The first compiles, and draws what is kept, where other points have taken the place of it.
         draws = (Draw(*small, "rgba8"), Draw(*compared, "linear", keep=True), *larger, Draw(*small, "rgba8"))
-        drawn = self._draw(quality, frame, draws, stage, 2.0 * (1.0 + quality.samples))
+        drawn = self._draw(quality, frame, draws, stage)
         pixels = drawn[1].pixels
         assert pixels is not None
         large = compared if slow else timed
@@ -268,20 +268,18 @@ class _Sweeping:
         plan = plan_hash(self.subject.scene, quality)
         if plan not in self.drawn:
             draw = Draw(self.settings.width, self.settings.height, "linear", keep=True)
-            (drawn,) = self._draw(quality, 0, (draw,), stage, COMPILE_WEIGHT + quality.samples)
+            (drawn,) = self._draw(quality, 0, (draw,), stage)
             assert drawn.pixels is not None
             self.drawn[plan] = drawn.pixels
         return self.drawn[plan]
 
-    def _draw(
-        self, quality: Quality, frame: int, draws: tuple[Draw, ...], stage: str, weight: float
-    ) -> tuple[Drawn, ...]:
+    def _draw(self, quality: Quality, frame: int, draws: tuple[Draw, ...], stage: str) -> tuple[Drawn, ...]:
         if self.watcher.stopped():
             raise SweepStoppedError
         scene = self.subject.scene
         at = self.subject.time + frame * FRAME_SECONDS
         drawn = self.rig.measure(MeasureJob(scene, quality, at, scene.camera, draws, self.settings.timer))
-        self.done += weight
+        self.done += 1
         share = min(self.done / self.work, 1.0)
         remaining = (clock.perf_counter() - self.began) * (1.0 / share - 1.0) if share > 0.02 else None
         self.watcher.progress(stage, 0.3 + 0.7 * share, remaining)
@@ -294,7 +292,7 @@ class _Sweeping:
         standard = next(point for point in self.points if point.id == "standard")
         while 2 * width <= whole[0] and 2 * height <= whole[1]:
             if LEAST_SHARE * width >= whole[0] and LEAST_SHARE * height >= whole[1]:
-                drawn = self._draw(standard.quality, 0, 3 * (Draw(width, height, "rgba8"),), "timing size", 0.0)
+                drawn = self._draw(standard.quality, 0, 3 * (Draw(width, height, "rgba8"),), "timing size")
                 if min(frame.seconds for frame in drawn[1:]) >= ENOUGH_SECONDS:
                     break
             width, height = 2 * width, 2 * height
@@ -304,17 +302,13 @@ class _Sweeping:
         steps = []
         for before, after, first, second in chains(self.subject.scene, self.points):
             compared = compare(rounds[first], rounds[second], error[first], error[second])
-            worth = compared.time_measurable and compared.added_ms > 0.0
+            removed, worth = error[first] - error[second], compared.measurable and compared.added_ms > 0.0
             steps.append(
                 model.Step(
                     **after.model_dump(exclude={"value"}),
                     value_from=before.value,
                     value_to=after.value,
-                    point_from=first,
-                    point_to=second,
-                    **{name: figure for name, figure in vars(compared).items() if name != "words"},
-                    error_removed=error[first] - error[second],
-                    error_per_ms=(error[first] - error[second]) / compared.added_ms if worth else None,
+                    error_per_ms=removed / compared.added_ms if worth else None,
                     sentence=f"{after.title} {shown(before.value)} → {shown(after.value)}: {compared.words}",
                 )
             )

@@ -4,12 +4,12 @@ import logging
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from seafoam.accuracy.cache import Store, key_of
+from seafoam.accuracy.cache import key_of
 from seafoam.accuracy.model import Running, Sweep
 from seafoam.accuracy.sweep import Rig, Subject, SweepSettings, find_sweep, make_sweep
 from seafoam.accuracy.truth import SweepStoppedError, Truth, Watcher, find_truth, make_truth
 from seafoam.reference import scene_sha256
-from seafoam.render.service.frame_cache import LruCache
+from seafoam.render.service.frame_cache import DiskCache, LruCache
 from seafoam.render.service.queues import BackgroundFullError, BackgroundQueue
 
 log = logging.getLogger(__name__)
@@ -46,7 +46,7 @@ class SweepService:
     so an event loop calls them in a thread.
     """
 
-    def __init__(self, store: Store, settings: SweepSettings, rig: Callable[[], Rig]) -> None:
+    def __init__(self, store: DiskCache, settings: SweepSettings, rig: Callable[[], Rig]) -> None:
         self.settings = settings
         self._store = store
         self._rig = rig
@@ -111,6 +111,8 @@ class SweepService:
             else:
                 truth = task.subject.truth(self.settings)
                 make_truth(self._store, truth, lambda job: self._rig().measure(job), watcher)
+            if self._store.failures:
+                raise OSError(f"{self._store.directory} cannot be written")
         except SweepStoppedError:
             pass
         except Exception as error:

@@ -68,12 +68,11 @@ def beating(found: Mapping[str, tuple[Sequence[float], float]]) -> dict[str, tup
 
 @dataclass(frozen=True)
 class Comparison:
-    """Compares two points of the same rounds."""
+    """Compares two points of the same rounds. ``measurable``: whether both quartiles of the ratios are on one side of
+    1."""
 
     added_ms: float
-    time_factor: float
-    time_measurable: bool
-    error_factor: float
+    measurable: bool
     words: str
 
 
@@ -93,7 +92,7 @@ def compare(before: list[float], after: list[float], error_before: float, error_
     else:
         words = f"{time_words} {'buys nothing' if slower else 'and the same error'}"
     added = median(b - a for a, b in zip(before, after, strict=True))
-    return Comparison(added, factor, measurable, error_factor, words)
+    return Comparison(added, measurable, words)
 
 
 def _times(factor: float) -> str:

@@ -16,9 +16,10 @@ import numpy as np
 from numpy.typing import NDArray
 from pebble import ProcessPool
 
-from seafoam.accuracy.cache import Store, key_of
+from seafoam.accuracy.cache import key_of
 from seafoam.quality import EXACT
 from seafoam.reference import Sprayed, render, scene_sha256
+from seafoam.render.service.frame_cache import DiskCache
 from seafoam.render.service.jobs import Draw, Drawn, MeasureJob
 from seafoam.scene import Camera, Scene
 
@@ -64,8 +65,8 @@ class Watcher:
     stopped: Callable[[], bool] = lambda: False
 
 
-def find_truth(store: Store, spec: TruthSpec) -> Truth | None:
-    content = store.get("truth", spec.file)
+def find_truth(store: DiskCache, spec: TruthSpec) -> Truth | None:
+    content = store.get(spec.file)
     try:
         picture: Truth = np.load(io.BytesIO(content or b""), allow_pickle=False)
     except (ValueError, EOFError):
@@ -84,7 +85,7 @@ def sprayed(measure: Measure, scene: Scene, time: float, camera: Camera | None =
     return Sprayed(scene, drawn.pixels[::-1].reshape(3, -1, 4))
 
 
-def make_truth(store: Store, spec: TruthSpec, measure: Measure, watcher: Watcher | None = None) -> Truth:
+def make_truth(store: DiskCache, spec: TruthSpec, measure: Measure, watcher: Watcher | None = None) -> Truth:
     """Return the picture, from the store or computed in a spawned process; on a worker of Dask in this one.
 
     ``measure`` draws what spray throws. The remaining seconds are estimated from a coarser picture. Raises
@@ -100,12 +101,14 @@ def make_truth(store: Store, spec: TruthSpec, measure: Measure, watcher: Watcher
         truth = _converged_elsewhere(spec, scene, watcher or Watcher())
     buffer = io.BytesIO()
     np.save(buffer, truth, allow_pickle=False)
-    store.put("truth", spec.file, buffer.getvalue())
+    store.put(spec.file, buffer.getvalue())
     return truth
 
 
 def _converged_elsewhere(spec: TruthSpec, scene: Scene | Sprayed, watcher: Watcher) -> Truth:
-    pool = ProcessPool(max_workers=1, initializer=_politely, context=multiprocessing.get_context("spawn"))
+    pool = ProcessPool(
+        max_workers=1, initializer=os.nice, initargs=(POLITE,), context=multiprocessing.get_context("spawn")
+    )
     try:
         coarse = replace(spec, samples_along=max(1, spec.samples_along // 4))
         _, seconds = finished(pool.schedule(_converged, (coarse, scene)), watcher.stopped)
@@ -138,12 +141,6 @@ def finished(future: Future[T], stopped: Callable[[], bool], tell: Callable[[flo
                 future.cancel()
                 raise SweepStoppedError from None
             tell(time.perf_counter() - began)
-
-
-def _politely() -> None:
-    """In the separate process: let frames and the web server go first."""
-    if hasattr(os, "nice"):
-        os.nice(POLITE)
 
 
 def _converged(spec: TruthSpec, scene: Scene | Sprayed) -> tuple[Truth, float]:

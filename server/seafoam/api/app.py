@@ -88,7 +88,6 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
         await asyncio.to_thread(context.sweeps.stop)
         await asyncio.to_thread(context.sequences.stop)
         await pool.stop()
-        await frame_cache.close()
 
     app = FastAPI(
         title="Seafoam",

@@ -14,7 +14,7 @@ import anyio
 import anyio.to_thread
 from fastapi import Depends, Request
 
-from seafoam.accuracy.cache import Store, cache_dir
+from seafoam.accuracy.cache import cache_dir, stored
 from seafoam.accuracy.model import Running, Sweep
 from seafoam.accuracy.sweep import Rig, Subject, SweepSettings
 from seafoam.accuracy.sweep_service import SweepService
@@ -136,7 +136,7 @@ class Context:
 
         sizes = (settings.accuracy_width, settings.accuracy_height, settings.accuracy_samples, settings.accuracy_rounds)
         self.sweeps = SweepService(
-            Store(settings.cache), SweepSettings(*sizes), lambda: Rig(measure, _ready(self.pool), self.pool.threads)
+            stored(settings.cache), SweepSettings(*sizes), lambda: Rig(measure, _ready(self.pool), self.pool.threads)
         )
         workers, directory = PoolWorkers(self.pool, loop), (settings.cache or cache_dir()) / "sequences"
         bounds = {"waiting": settings.sequences_waiting, "kept": settings.sequences_kept}

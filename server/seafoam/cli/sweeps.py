@@ -12,7 +12,7 @@ from rich.table import Column, Table
 
 from seafoam import processes
 from seafoam.accuracy import plots, report
-from seafoam.accuracy.cache import Store
+from seafoam.accuracy.cache import stored
 from seafoam.accuracy.model import Sweep
 from seafoam.accuracy.sweep import Rig, Subject, SweepSettings, make_sweep
 from seafoam.accuracy.truth import Watcher
@@ -94,7 +94,7 @@ def measured(executor: gl.Executor, subject: Subject, settings: SweepSettings, *
         def tell(stage: str, share: float, remaining: float | None) -> None:
             bar.update(task, completed=share, description=f"{subject.preset or 'scene'}: {stage}")
 
-        return make_sweep(Store(), subject, settings, rig, Watcher(tell), again=again)
+        return make_sweep(stored(), subject, settings, rig, Watcher(tell), again=again)
 
 
 def _print(console: Console, name: str, sweep: Sweep) -> None:

@@ -17,7 +17,7 @@ from seafoam.masks.families import Family, MaskSpec, Method, parse_parameters
 from seafoam.masks.formats import decode_ranks
 from seafoam.masks.judge.morphology import MaskMorphology, measure_morphology
 from seafoam.masks.judge.spectrum import MaskSpectrum, measure_spectrum
-from seafoam.masks.torus import Progress, Ranks, no_progress
+from seafoam.masks.torus import Progress, Ranks
 from seafoam.ocean.arrays import read_only
 from seafoam.resources import data_dir
 
@@ -224,7 +224,7 @@ def drawn_mask(name: str) -> Mask:
     return mask_by_name(name)
 
 
-def made_on_request(parameters: MaskSpec, limit: float | None = None, progress: Progress = no_progress) -> Mask:
+def made_on_request(parameters: MaskSpec, limit: float | None = None, progress: Progress = lambda _: None) -> Mask:
     """The mask of checked parameters; ``vac`` is ordered in batches.
 
     The latest :data:`CUSTOM_MASKS_KEPT` are kept. Raises :class:`MaskTooSlowError` for one that is not kept and would

@@ -15,10 +15,6 @@ WRAPPED_SIGMAS = 9.0
 """Reach of a Gaussian beyond which its images on the torus are below rounding."""
 
 
-def no_progress(_fraction: float) -> None:
-    """Take a fraction and do nothing: the default progress callback."""
-
-
 def wrapped_gaussian(shape: Shape, sigma: float) -> Field:
     """Gaussian of peak ~1 about texel (0, 0), summed over the images of the torus; float64 of ``shape``.
 

@@ -42,18 +42,18 @@ def with_setup(
                 name: digests[source.target] if isinstance(source, TargetInput) else sampled[source.texture]
                 for name, source in drawn.inputs.items()
             }
-            digests[drawn.target] = _digest(
-                {
-                    "target": targets[drawn.target].model_dump(mode="json"),
-                    "before": "" if _covers(drawn) else digests[drawn.target],
-                    "vertex": programs[drawn.program].vertex.sha256,
-                    "fragment": programs[drawn.program].fragment.sha256,
-                    "mesh": drawn.mesh.model_dump(mode="json"),
-                    "state": drawn.state.model_dump(mode="json"),
-                    "inputs": inputs,
-                    "uniforms": {name: _numbers(uniform) for name, uniform in used[index].items()},
-                }
-            )
+            document = {
+                "target": targets[drawn.target].model_dump(mode="json"),
+                "before": "" if _covers(drawn) else digests[drawn.target],
+                "vertex": programs[drawn.program].vertex.sha256,
+                "fragment": programs[drawn.program].fragment.sha256,
+                "mesh": drawn.mesh.model_dump(mode="json"),
+                "state": drawn.state.model_dump(mode="json"),
+                "inputs": inputs,
+                "uniforms": {name: _numbers(uniform) for name, uniform in used[index].items()},
+            }
+            text = json.dumps(document, sort_keys=True, separators=(",", ":"))
+            digests[drawn.target] = hashlib.sha256(text.encode()).hexdigest()
     return timed, {name: digest for name, digest in digests.items() if name in read}
 
 
@@ -98,7 +98,3 @@ def _numbers(uniform: Uniform) -> list[Any]:
     """Return what determines a uniform's values: its rules without scene fields."""
     rules = (rule.model_dump(mode="json", exclude={"field"}) for rule in uniform.rules)
     return [uniform.type, uniform.count, *rules]
-
-
-def _digest(document: dict[str, Any]) -> str:
-    return hashlib.sha256(json.dumps(document, sort_keys=True, separators=(",", ":")).encode()).hexdigest()

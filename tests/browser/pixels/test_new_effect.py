@@ -17,11 +17,10 @@ from seafoam.quality import TIERS
 from seafoam.reference import render
 from seafoam.render.gl.executor import Executor
 from support.browser.lanes import rendered
-from support.cases import cases_of
+from support.cases import cases_of, unregister
+from support.exact import whole_plan
 from support.pictures import draw
-from support.registered import unregister
 from support.scenes import Camera, Foam, HeightSaturation, Scene, load_preset
-from support.whole import whole_plan
 
 ROOT = Path(__file__).parents[3]
 EXAMPLE = ROOT / "docs" / "example" / "windrows.py"

@@ -20,8 +20,7 @@ from seafoam.quality import TIERS, Quality, QualityParameters
 from seafoam.reference import scene_sha256
 from seafoam.render.service.jobs import plan_hash
 from seafoam.scene import Camera, Part, Saturation, Scene, SceneExtensions, Wind, load_preset
-from support.cases import cases_of
-from support.registered import unregister
+from support.cases import cases_of, unregister
 
 STANDARD, DEFAULT = TIERS["standard"], load_preset("default").scene
 

@@ -8,7 +8,7 @@ from bench.drawn.motion import MOST, excess, moved, shown
 from numpy.typing import NDArray
 
 from seafoam.accuracy import metrics, sweep
-from seafoam.accuracy.cache import Store
+from seafoam.accuracy.cache import stored
 from seafoam.accuracy.metrics import tone_curve
 from seafoam.accuracy.sweep import Rig, Subject, SweepSettings, make_sweep
 from seafoam.planner import make_plan
@@ -29,14 +29,14 @@ def test_a_real_sweep_end_to_end(executor, monkeypatch, tmp_path):
     subject = Subject(subject.preset, subject.scene, subject.time, (32, 18))
     rig = Rig(partial(measure, executor), executor.info, 1)
     settings = SweepSettings(32, 18, 8, 2)
-    found = make_sweep(Store(tmp_path), subject, settings, rig)
+    found = make_sweep(stored(tmp_path), subject, settings, rig)
     assert {point.id for point in found.points} == wanted
     errors = {point.id: point.error.rmse for point in found.points}
     assert errors["reference"] < errors["samples=4"] < errors["standard"]
     assert found.point("standard").causes.filtering > 0.0
     assert all(point.time.median_ms > 0.0 for point in found.points)
     assert "reference" in found.front
-    assert make_sweep(Store(tmp_path), subject, settings, rig) == found
+    assert make_sweep(stored(tmp_path), subject, settings, rig) == found
 
 
 @pytest.mark.parametrize("curve", ["filmic", "photographic"])

@@ -67,7 +67,7 @@ def test_a_shader_that_does_not_compile_names_its_files(executor: Executor) -> N
     broken = program.fragment.text.replace("vec3 tone(vec3 x) {", "vec3 tone(vec3 x) { nonsense;")
     fragment = Shader(text=broken, sha256="0" * 64, files=program.fragment.files)
     with pytest.raises(ShaderError, match=r"output/tone\.glsl@photographic from line"):
-        executor.compile(program.model_copy(update={"fragment": fragment}))
+        executor._program(program.model_copy(update={"fragment": fragment}))
 
 
 def test_another_thread_is_refused(executor: Executor) -> None:

@@ -10,7 +10,7 @@ from seafoam.framegraph.plan import Program
 from seafoam.planner import FramePlan, make_geometry_plan, make_plan
 from seafoam.quality import TIERS, Quality
 from support.cases import cases_of
-from support.exact import UNFILTERED
+from support.exact import UNFILTERED, whole_plan
 from support.scenes import (
     Boat,
     Burst,
@@ -43,7 +43,6 @@ from support.scenes import (
     load_preset,
     preset_names,
 )
-from support.whole import whole_plan
 
 SATURATIONS: tuple[tuple[Saturation, ...], ...] = (
     (FrontSaturation(),),

@@ -143,7 +143,6 @@ export interface MaskInfo {
 }
 
 export interface Spectrum {
-  isotropic_reference_db: number;
   frequency: number[]; // Cycles per texel
   bins: number[];
   greys: { grey: number; principal_frequency: number; raps: (number | null)[]; anisotropy_db: (number | null)[] }[];

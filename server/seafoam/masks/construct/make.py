@@ -6,7 +6,7 @@ import numpy as np
 
 from seafoam.masks.construct import bubble, lace, void_cluster
 from seafoam.masks.families import METHODS, MaskSpec, check_parameters
-from seafoam.masks.torus import Progress, Ranks, band_passed, filter_noise, gaussian_response, no_progress, rank
+from seafoam.masks.torus import Progress, Ranks, band_passed, filter_noise, gaussian_response, rank
 
 
 def make_mask(
@@ -18,7 +18,7 @@ def make_mask(
     aspect: float = 1.0,
     age: float = 0.0,
     method: str = "batched",
-    progress: Progress = no_progress,
+    progress: Progress = lambda _: None,
 ) -> Ranks:
     """Construct a mask.
 
@@ -38,7 +38,7 @@ def make_mask(
     return build(check_parameters(family, sigma, size, seed, aspect, age), exact=method == "exact", progress=progress)
 
 
-def build(parameters: MaskSpec, *, exact: bool = False, progress: Progress = no_progress) -> Ranks:
+def build(parameters: MaskSpec, *, exact: bool = False, progress: Progress = lambda _: None) -> Ranks:
     """Construct the mask of checked parameters; otherwise as :func:`make_mask`."""
     rng, shape = np.random.Generator(np.random.PCG64(parameters.seed)), parameters.shape
     match parameters.family:

@@ -33,22 +33,13 @@ def plot_spectrum(spectrum: MaskSpectrum, title: str = "") -> bytes:
     upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=(3, 2))
     draw_raps(upper, spectrum, width=1.1)
     upper.set_ylabel("RAPS (white noise = 1)")
-    upper.legend(
-        title="grey level (triangle: its principal frequency)",
-        frameon=False,
-        ncols=len(spectrum.greys),
-        fontsize="small",
-        title_fontsize="small",
-        loc="lower right",
-        bbox_to_anchor=(1.0, 1.0),
-    )
+    upper.legend(title="grey level (triangle: its principal frequency)", frameon=False, ncols=2, fontsize="small")
     upper.set_title(title or "Mask spectrum", loc="left", color=INK)
-    reference = spectrum.isotropic_reference_db
     for grey, colour in zip(spectrum.greys, cycle(_COLOURS), strict=False):
         lower.plot(spectrum.frequency, grey.anisotropy_db, color=colour, lw=0.7, alpha=0.85)
-    lower.axhline(reference, color=INK, lw=0.9, ls="--", label=f"isotropic: {reference:.4g} dB")
+    lower.axhline(0.0, color=INK, lw=0.9, ls="--", label="isotropic: 0 dB")
     lower.legend(frameon=False, fontsize="small", loc="upper center")
-    lower.set_ylim(reference - 10.0, reference + 14.0)
+    lower.set_ylim(-10.0, 14.0)
     lower.set_ylabel("anisotropy (dB)")
     lower.set_xlabel("radial frequency (cycles per texel); K = 1, the whole periodic tile")
     tidy(upper)

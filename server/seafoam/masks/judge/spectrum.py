@@ -60,10 +60,6 @@ class GreySpectrum(BaseModel, frozen=True, arbitrary_types_allowed=True):
 class MaskSpectrum(BaseModel, frozen=True, arbitrary_types_allowed=True):
     """Spectra of a mask's patterns at several grey levels."""
 
-    segments: Literal[1] = 1
-    """K."""
-    isotropic_reference_db: float = 0.0
-    """Anisotropy (dB) of a perfectly isotropic random pattern: -10 log10 K."""
     frequency_unit: Literal["cycles per texel"] = "cycles per texel"
     frequency: _Numbers
     """Ring centres; (rings,)."""

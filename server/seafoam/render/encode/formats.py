@@ -6,7 +6,7 @@ OpenEXR is linear light, by the project's own library. WebP is lossless, with th
 
 import io
 from html import escape
-from typing import Literal
+from typing import Any, Literal
 from xml.etree import ElementTree
 
 import numpy as np
@@ -77,13 +77,8 @@ _PACKET = (
 
 def encode_webp(pixels: NDArray[np.uint8], recipe: str | None) -> bytes:
     """Encode RGB of (height, width, 3 or 4), and the recipe, if any."""
-    from PIL import Image
-
-    buffer = io.BytesIO()
-    picture = Image.fromarray(np.ascontiguousarray(pixels[..., :3]))
     packet = b"" if recipe is None else _PACKET.format(escape(recipe, quote=False)).encode()
-    picture.save(buffer, "WEBP", lossless=True, quality=EFFORT, method=0, xmp=packet)
-    return buffer.getvalue()
+    return _saved(pixels, "WEBP", lossless=True, quality=EFFORT, method=0, xmp=packet)
 
 
 def recipe_of(content: bytes) -> str | None:
@@ -116,9 +111,12 @@ to decode it; WebP of the same bytes 8.6 and 5.4 ms, a tenth of what the frame t
 
 def encode_jpeg(pixels: NDArray[np.uint8]) -> bytes:
     """Encode RGB of (height, width, 3 or 4), colours at half the size (4:2:0), without recipe."""
+    return _saved(pixels, "JPEG", quality=QUALITY, subsampling="4:2:0")
+
+
+def _saved(pixels: NDArray[np.uint8], format: str, **options: Any) -> bytes:
     from PIL import Image
 
     buffer = io.BytesIO()
-    picture = Image.fromarray(np.ascontiguousarray(pixels[..., :3]))
-    picture.save(buffer, "JPEG", quality=QUALITY, subsampling="4:2:0")
+    Image.fromarray(np.ascontiguousarray(pixels[..., :3])).save(buffer, format, **options)
     return buffer.getvalue()

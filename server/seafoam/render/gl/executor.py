@@ -239,12 +239,6 @@ class Executor:
         if second:
             second.close()
 
-    def compile(self, program: Program) -> None:
-        """Compile a program, or raise :class:`ShaderError`."""
-        self._own_thread()
-        self._program(program)
-        self._programs.trim()
-
     def forget(self) -> None:
         """Release everything cached for later frames: programs, textures and targets."""
         self._own_thread()

@@ -49,9 +49,9 @@ class Cache:
     def __contains__(self, key: Any) -> bool:
         return key in self._items
 
-    def get(self, key: Any, make: Callable[[], Any] | None = None) -> Any:
-        """Return the object of a key, created if missing; raises ``KeyError`` if it cannot be created."""
-        if make is not None and key not in self._items:
+    def get(self, key: Any, make: Callable[[], Any]) -> Any:
+        """Return the object of a key, created if missing."""
+        if key not in self._items:
             self._items[key] = make()
         self._items.move_to_end(key)
         return self._items[key]

@@ -21,9 +21,7 @@ class FrameTooLargeError(RenderError):
 class RenderQueueFullError(RenderError):
     """The render queue is full; retry after ``retry_after`` seconds."""
 
-    def __init__(self, waiting: int, retry_after: int) -> None:
-        super().__init__(f"the render queue is full: {waiting} frames are waiting")
-        self.retry_after = retry_after
+    retry_after = 2
 
 
 class DeadlineError(RenderError):

@@ -10,11 +10,9 @@ import json
 import logging
 import os
 import threading
-import time
 from collections import Counter, OrderedDict
 from collections.abc import Callable, Coroutine
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any, Generic, TypeVar
@@ -32,8 +30,6 @@ _DIGEST = 32
 _HEADER = len(_MAGIC) + _DIGEST
 _KEPT_SHARE = 0.9
 """Share of the limit that eviction leaves, so that it does not run at every write."""
-PAUSE_SECONDS = 60.0
-"""Time without writes after one failed, s: a full disk does not empty sooner, and is not made worse."""
 
 
 class DiskCache:
@@ -54,7 +50,6 @@ class DiskCache:
         self._lock = threading.Lock()
         self._total: int | None = None
         """Bytes on disk as far as known; None: not counted yet."""
-        self._paused_until = 0.0
 
     def get(self, key: str) -> bytes | None:
         """Return the content stored under a key (letters, digits, ``-``), or None."""
@@ -76,7 +71,7 @@ class DiskCache:
     def put(self, key: str, content: bytes) -> None:
         """Store content under a key, and evict what no longer fits."""
         path, size = self._path(key), _HEADER + len(content)
-        if size > self.limit or time.monotonic() < self._paused_until:
+        if size > self.limit:
             return
         try:
             path.parent.mkdir(parents=True, exist_ok=True)
@@ -84,8 +79,7 @@ class DiskCache:
             files.write_whole(path, _MAGIC + hashlib.sha256(content).digest() + content)
         except OSError as error:
             self.failures += 1
-            self._paused_until = time.monotonic() + PAUSE_SECONDS
-            log.warning("The cache in %s cannot be written, and rests for a minute: %s", self.directory, error)
+            log.warning("The cache in %s cannot be written: %s", self.directory, error)
             return
         with self._lock:
             self._total = None if self._total is None else self._total + size
@@ -123,9 +117,8 @@ K = TypeVar("K")
 V = TypeVar("V")
 T = TypeVar("T")
 
-_PACKAGE = Path(__file__).resolve().parent.parent.parent
-_DRAWING = ("framegraph", "render", "scene/camera.py", "textures")
-"""Sources that frames depend on beside their plans: a changed checkout must not be answered by what it drew before."""
+DRAWING = 1
+"""Goes up where the same plan gives other bytes than in the version before: rules, executor, textures, encoders."""
 
 
 class LruCache(Generic[K, V]):
@@ -222,7 +215,6 @@ class FrameCache:
         self.origins: Counter[Origin] = Counter()
         """Frames by where they came from."""
         self._in_flight: InFlight[EncodedFrame] = InFlight()
-        self._writing: set[asyncio.Task[Any]] = set()
 
     def key(self, job: FrameJob, plan: str) -> str:
         """Return the key of a frame: a hash of everything that its bytes depend on, 40 hexadecimal digits.
@@ -231,7 +223,7 @@ class FrameCache:
         renderer must be known (:meth:`RenderPool.wait_until_settled`).
         """
         info = self.pool.info
-        parts = (version("seafoam"), _drawing(), ENCODERS, plan, job.recipe(info, plan), info, job.format)
+        parts = (version("seafoam"), DRAWING, ENCODERS, plan, job.recipe(info, plan), info, job.format)
         text = json.dumps(parts, sort_keys=True, separators=(",", ":"))
         return hashlib.sha256(text.encode()).hexdigest()[:40]
 
@@ -257,10 +249,6 @@ class FrameCache:
         self.origins[frame.origin] += 1
         return frame
 
-    async def close(self) -> None:
-        """Wait until what was drawn is written."""
-        await asyncio.gather(*self._writing, return_exceptions=True)
-
     async def _make(self, job: FrameJob, key: str, ticket: Ticket) -> EncodedFrame:
         if self.disk is not None and (content := await asyncio.to_thread(self.disk.get, key)) is not None:
             self.memory.put(key, content)
@@ -268,18 +256,6 @@ class FrameCache:
         frame = await self.pool.render(job, ticket)
         self.memory.put(key, frame.content)
         if self.disk is not None:
-            # Nobody waits for the disk.
-            writing = asyncio.ensure_future(asyncio.to_thread(self.disk.put, key, frame.content))
-            self._writing.add(writing)
-            writing.add_done_callback(self._writing.discard)
+            # Nobody waits for the disk, but asyncio for its threads before a loop ends.
+            asyncio.get_running_loop().run_in_executor(None, self.disk.put, key, frame.content)
         return frame
-
-
-@lru_cache(maxsize=1)
-def _drawing() -> str:
-    digest = hashlib.sha256()
-    for part in _DRAWING:
-        path = _PACKAGE / part
-        for file in sorted(path.rglob("*.py")) if path.is_dir() else [path]:
-            digest.update(file.relative_to(_PACKAGE).as_posix().encode() + b"\0" + file.read_bytes())
-    return digest.hexdigest()

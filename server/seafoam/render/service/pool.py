@@ -38,16 +38,12 @@ START_SECONDS = 180.0
 """Timeout of the default picture, s, by which the server is ready; then the renderer is unavailable."""
 COMPILE_SECONDS = 120.0
 """Time after its frame's deadline for which a worker may compile, s: the next request finds it done."""
-STUCK_SECONDS = 10.0
-"""Grace period after its deadline, s; if Pebble has not killed a worker by then, the whole pool is replaced."""
 MEASURE_SECONDS = 120.0
 """Timeout of a measurement, waiting included, s: one draws a point of a sweep once or twice."""
 BACKGROUND_SECONDS = 60.0
 """Time for which a frame in the background may wait, s: for every visitor's."""
 BACKGROUND_QUEUE = 64
 """Capacity of the background's own queue, frames: the thumbnails of a gallery."""
-EARLIEST_RETRY = 1
-"""Minimum delay before a retry when the queue is full, s."""
 
 State = Literal["starting", "ready", "unavailable", "stopped"]
 Work = Callable[..., T | errors.RenderError]
@@ -96,7 +92,6 @@ class RenderPool:
         self.threads = max(1, (os.cpu_count() or 1) // workers)
         """Number of threads that a software renderer can use in each worker."""
         self._initargs = (factory, self.threads)
-        self._recent_seconds = 1.0
         self._processes: ProcessPool | None = None
         self._settled = asyncio.Event()
         self._free_workers = PrioritySemaphore(workers)
@@ -184,7 +179,6 @@ class RenderPool:
             raise
         frame = await self._encode(picture, job, buffer, expires)
         worked = sum(frame.timings.values())
-        self._recent_seconds += 0.2 * (worked - self._recent_seconds)
         return replace(frame, timings={"queue": max(0.0, time.time() - began - worked), **frame.timings})
 
     async def _encode(self, picture: Picture, job: FrameJob, buffer: SharedBuffer, expires: float) -> EncodedFrame:
@@ -230,8 +224,7 @@ class RenderPool:
             (self.waiting_background, BACKGROUND_QUEUE) if ticket.background else (self.waiting, self.queue)
         )
         if waiting >= capacity and (self.state == "starting" or self._free_workers.locked()):
-            ahead = math.ceil(self._recent_seconds * (waiting + 1) / self.workers)
-            raise errors.RenderQueueFullError(waiting, max(EARLIEST_RETRY, ahead))
+            raise errors.RenderQueueFullError(f"the render queue is full: {waiting} frames are waiting")
 
     async def _take(self, places: PrioritySemaphore, expires: float, ticket: Ticket | None = None) -> None:
         try:
@@ -275,7 +268,6 @@ class RenderPool:
             return self._accepted(wrapped.result())
         except TimeoutError:
             # Pebble's timeout starts with the worker's start on the job, so this deadline is reached first.
-            self._keep(self._replace_if_stuck(future, grace))
             raise self._past_deadline() from None
         except DIED:
             if _was_late(future):
@@ -326,12 +318,6 @@ class RenderPool:
         self.active -= 1
         self.restarts["deadline"] += late
         self._free_workers.release()
-
-    async def _replace_if_stuck(self, future: Future[Any], grace: float) -> None:
-        await asyncio.sleep(grace + STUCK_SECONDS)
-        if not future.done():
-            log.error("A render worker could not be stopped; all of them are replaced")
-            self._drop_processes()
 
     async def _watch(self) -> None:
         """Draw a test picture at the start, and again whenever nothing was drawn for a while."""

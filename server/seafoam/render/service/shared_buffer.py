@@ -8,8 +8,8 @@ the size of ``/dev/shm``, which containers keep small.
 import itertools
 import mmap
 import os
-from collections import OrderedDict
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -92,24 +92,20 @@ class BufferPool:
             self._free.pop().close()
 
 
-_mapped: OrderedDict[int, mmap.mmap] = OrderedDict()
-"""A worker's mappings, by serial."""
+@lru_cache(maxsize=KEPT_MAPPINGS)
+def _mapped(address: BufferAddress) -> mmap.mmap:
+    file = os.open(address.path, os.O_RDWR)
+    try:
+        return mmap.mmap(file, address.size)
+    finally:
+        os.close(file)
 
 
 def send(pixels: NDArray[Any], address: BufferAddress) -> Any:
     """Write pixels to the parent's memory, in a worker, and return :class:`SharedPixels`, or else the pixels."""
-    if address.serial not in _mapped:
-        try:
-            file = os.open(address.path, os.O_RDWR)
-            try:
-                _mapped[address.serial] = mmap.mmap(file, address.size)
-            finally:
-                os.close(file)
-        except OSError:  # the parent no longer waits and has closed it
-            return pixels
-        if len(_mapped) > KEPT_MAPPINGS:
-            _mapped.popitem(last=False)
-    _mapped.move_to_end(address.serial)
-    memory = _mapped[address.serial]
+    try:
+        memory = _mapped(address)
+    except OSError:  # the parent no longer waits and has closed it
+        return pixels
     np.copyto(np.frombuffer(memory, pixels.dtype, pixels.size).reshape(pixels.shape), pixels)
     return SharedPixels(pixels.shape, pixels.dtype.str)

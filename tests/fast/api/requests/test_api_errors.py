@@ -12,7 +12,7 @@ from seafoam.api.settings import Settings
 from seafoam.effects import register
 from seafoam.scene import load_preset
 from support.api_fakes import RAISE, FakeRenderer
-from support.registered import unregister
+from support.cases import unregister
 from support.serving import SMALL, problem
 
 FRAME, CUSTOM = "/api/frames/default.png", "/api/masks/custom"

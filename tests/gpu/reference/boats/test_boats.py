@@ -17,13 +17,12 @@ from seafoam.reference.boats import wake as wakes_of
 from seafoam.reference.renderer import camera as cameras
 from seafoam.reference.renderer.shade import SampleShader
 from seafoam.render.gl.executor import Executor
-from support.exact import EXACT
+from support.exact import EXACT, everywhere
 from support.pictures import draw, levels, samples
 from support.probe import Probe, patched
 from support.report import Report
 from support.scenes import Boat, Camera, Foam, HeightSaturation, Light, ParametricWave, Ring, Scene, Sea, Shore, Water
 from support.scenes.fleet import BOATS, WAKES
-from support.whole import everywhere
 
 SKYWARD = Camera(position=(3.0, 8.0, -4.0), pitch=1.57, fov=0.01)
 WATER_LINE = 5e-3

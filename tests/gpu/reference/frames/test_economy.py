@@ -14,12 +14,11 @@ from seafoam.planner.collect import NEGLIGIBLE
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
 from support.cases import cases_of
-from support.exact import EXACT
+from support.exact import EXACT, everywhere, whole_plan
 from support.pictures import draw, levels
 from support.report import Report
 from support.scenes import Camera, Scene, load_preset, preset_names
 from support.sweep import rested, spread
-from support.whole import everywhere, whole_plan
 
 VIEWS = (
     Camera(position=(3.0, 6.0, -2.0), pitch=-0.15),
