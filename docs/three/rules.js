@@ -61,7 +61,7 @@ export function evaluate(rule, frame) {
     case "wrap":
       return [modulo(sum(), rule.period)];
     case "loop":
-      return [modulo(frame.time + rule.offset, rule.period)];
+      return [modulo(frame.time - (rule.step ? modulo(frame.time, rule.step) : 0) + rule.offset, rule.period)];
     case "clamp":
       return [Math.min(Math.max(sum(), rule.low), rule.high)];
     case "camera":

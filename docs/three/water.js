@@ -81,6 +81,7 @@ export class Water {
   #passes = [];
   #targets = new Map();
   #started = false;
+  #stepped = false; // whether setup passes hang on steps of time: then this example draws all of them in every frame
   #size = [0, 0];
   #scene = new THREE.Scene();
   #camera = new THREE.Camera();
@@ -110,6 +111,7 @@ export class Water {
         uniforms[name] = { value: null, uniform, single: declared.test(program.vertex.text + program.fragment.text) };
       }
       for (const name of Object.keys(pass.inputs)) uniforms[name] = { value: null };
+      if (pass.when === "setup") this.#stepped ||= Object.values(pass.uniforms).some(({ rules }) => rules.some(({ step }) => step));
       const material = makeMaterial(program, pass.state, uniforms);
       const triangle = new THREE.BufferGeometry();
       // The vertex shader makes the three corners from gl_VertexID.
@@ -126,7 +128,7 @@ export class Water {
     const { width, height } = this.renderer.domElement;
     this.#resize(width, height);
     for (const entry of this.#passes) {
-      if (entry.pass.when === "setup" && this.#started) continue;
+      if (entry.pass.when === "setup" && this.#started && !this.#stepped) continue;
       this.#draw(entry, { time, camera, width, height });
     }
     this.#started = true;

@@ -374,9 +374,7 @@ vec2 resting(vec2 p) {
 uniform sampler2D u_sea_orbits; // x, z: to the resting place, m
 
 vec2 resting(vec2 p) {
-    if (sea_block.x > 1.5) {
-        return rested(p, p, SEA_NEWTON);
-    }
-    vec2 way = sea_fetch_four(u_sea_orbits, p / float(SEA_DISPLACED), int(sea_block.x)).xy;
-    return rested(p, p + way / sea_block.y, SEA_NEWTON_FOUND);
+    bool found = sea_block.x < 1.5;
+    vec2 way = sea_fetch_four(u_sea_orbits, p / float(SEA_DISPLACED), int(sea_block.x)).xy / sea_block.y;
+    return rested(p, found ? p + way : p, found ? SEA_NEWTON_FOUND : SEA_NEWTON);
 }

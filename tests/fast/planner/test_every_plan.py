@@ -22,7 +22,8 @@ from support.hard.pictures import HARD
 from support.sweep import REST
 
 ONCE = ("shore: ", "mask: ", "wakes, ", "standing waves, ", "flow of drift", "drift, parts of", "drift, two ")
-"""How the names of passes begin that may be drawn for the first frame alone."""
+STEPS = ("spectrum at the births of drops", "sea at the births of drops: ")
+"""How the names of passes begin that may be drawn for the first frame alone, and of those when a step of time begins."""
 RULE_SIZES = {"constant": 0, "view_projection": 16, "eye_height": 1, "camera": 3, "viewport": 2}
 
 
@@ -67,7 +68,7 @@ def test_what_is_drawn_once_is_a_shores_map_but_for_its_last_pass_and_what_is_na
 ) -> None:
     """By name: a pass that became still by mistake would freeze what it draws."""
     scene, plan = drawn
-    assert all(one.name.startswith(ONCE) for one in plan.passes if one.when == "setup")
+    assert all(one.name.startswith(ONCE + STEPS) for one in plan.passes if one.when == "setup")
     passes = [one for one in plan.passes if one.name.startswith("shore: ")]
     if scene.shore is None:
         assert "shore" not in plan.canonical_json().decode().lower()

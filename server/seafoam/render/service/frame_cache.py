@@ -13,6 +13,7 @@ import threading
 from collections import Counter, OrderedDict
 from collections.abc import Callable, Coroutine
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any, Generic, TypeVar
@@ -117,8 +118,9 @@ K = TypeVar("K")
 V = TypeVar("V")
 T = TypeVar("T")
 
-DRAWING = 1
-"""Goes up where the same plan gives other bytes than in the version before: rules, executor, textures, encoders."""
+_PACKAGE = Path(__file__).resolve().parent.parent.parent
+_DRAWING = ("framegraph", "render", "scene/camera.py", "textures")
+"""Sources that frames depend on beside their plans: a changed checkout must not be answered by what it drew before."""
 
 
 class LruCache(Generic[K, V]):
@@ -223,7 +225,7 @@ class FrameCache:
         renderer must be known (:meth:`RenderPool.wait_until_settled`).
         """
         info = self.pool.info
-        parts = (version("seafoam"), DRAWING, ENCODERS, plan, job.recipe(info, plan), info, job.format)
+        parts = (version("seafoam"), _drawing(), ENCODERS, plan, job.recipe(info, plan), info, job.format)
         text = json.dumps(parts, sort_keys=True, separators=(",", ":"))
         return hashlib.sha256(text.encode()).hexdigest()[:40]
 
@@ -259,3 +261,13 @@ class FrameCache:
             # Nobody waits for the disk, but asyncio for its threads before a loop ends.
             asyncio.get_running_loop().run_in_executor(None, self.disk.put, key, frame.content)
         return frame
+
+
+@lru_cache(maxsize=1)
+def _drawing() -> str:
+    digest = hashlib.sha256()
+    for part in _DRAWING:
+        path = _PACKAGE / part
+        for file in sorted(path.rglob("*.py")) if path.is_dir() else [path]:
+            digest.update(file.relative_to(_PACKAGE).as_posix().encode() + b"\0" + file.read_bytes())
+    return digest.hexdigest()
