@@ -175,13 +175,6 @@ _HARD_STONES = (
         Camera(position=(1e7 - 8.0, 2.0, -1e7 + 8.0), pitch=-0.25),
         times=(0.0,),
     ),
-    HardCase(
-        "eye in a stone, and one behind it",
-        Scene(current=Current(stones=(Stone(place=(0.0, 0.3), radius=0.8, height=0.3), Stone(place=(0.0, 6.0))))),
-        guard="a ray meets no stone behind the eye (waves/boulder.glsl@shape)",
-        camera=Camera(position=(0.0, 1.2, 0.0), pitch=-0.6),
-        without={"waves/boulder.glsl": {"max(enter.z, 0.0)": "enter.z", "way >= 0.0 &&": ""}},
-    ),
 )
 _STONE_VARIANTS = (
     Scene(current=_OVER, foam=Foam(saturation=(WakeSaturation(),)), light=None),

@@ -122,9 +122,10 @@ def _way(stone: Stone, o: Floats, d: Floats) -> Floats:
     safe, box = np.where(np.abs(d) < 1e-12, 1e-12, d), np.full(3, BOULDER_REACH)
     box[1] = stone.dome / stone.radius
     ends = np.sort(np.stack(((box * [-1.0, 0.0, -1.0] - [0.0, 1e5, 0.0] - o) / safe, (box - o) / safe)), axis=0)
-    t, leave = np.maximum(ends[0].max(axis=1), 0.0), ends[1].min(axis=1)
+    t, leave, norm = np.maximum(ends[0].max(axis=1), 0.0), ends[1].min(axis=1), np.full(len(d), np.inf)
     for _ in range(40):
-        norm, gradient = norm_of(stone, o + np.where(t <= leave, t, 0.0)[:, None] * d)
-        rate = np.minimum(dot(gradient, d), 0.0)
-        t = np.where(norm > 1.0, t + (norm - 1.0) / np.maximum(-rate, 1e-9), t)
+        near = np.flatnonzero((t <= leave) & (norm > 1.0))
+        norm[near], gradient = norm_of(stone, o[near] + t[near, None] * d[near])
+        rate = np.minimum(dot(gradient, d[near]), 0.0)
+        t[near] += np.maximum(norm[near] - 1.0, 0.0) / np.maximum(-rate, 1e-9)
     return np.where((t <= leave) & (norm <= 1.001), t, np.inf)
