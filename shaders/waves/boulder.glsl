@@ -247,6 +247,12 @@ vec3 boulder_light(int met, vec4 paint, vec3 place, vec3 d) {
     return land_light(d, level, Soil(rough, min(rock, 0.95), film), sun);
 }
 
+// @part drowned
+// Rock that is seen from under water: its film mirrors nothing.
+vec3 land_light(vec3 d, vec3 level, Soil soil, float sun) {
+    return soil.albedo / PI * irradiance_past(soil.normal, sun);
+}
+
 // @part over_met
 // What stands before a stone where a pass has found what the samples of the picture meet, water or land: nothing is looked for again. Between
 // four of these samples the inverse of the way to a plane is linear in the picture.

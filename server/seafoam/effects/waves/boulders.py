@@ -63,25 +63,27 @@ def _draw(scene: Scene, current: Current, stones: tuple[Stone, ...], quality: Qu
     )
 
 
+def _look(film: Piece) -> tuple[Piece | SlotRef, ...]:
+    rock = ("shore/soil.glsl@soil_struct", film, HASH, "lib/noise.glsl@slopes_3", "waves/boulder.glsl@light")
+    return SlotRef("open sun"), "lib/refraction.glsl", *ILLUMINATION, *rock
+
+
 def _pass(scene: Scene, count: int) -> PassSpec:
-    look: tuple[Piece | SlotRef, ...] = (_as_boats("dark"),)
-    if scene.light is not None:
-        film = Source("shore/land.glsl@land_film", (("FILM_ROUGHNESS", "0.02"),))
-        rock = ("shore/soil.glsl@soil_struct", film, HASH, "lib/noise.glsl@slopes_3", "waves/boulder.glsl@light")
-        look = (SlotRef("open sun"), "lib/refraction.glsl", *ILLUMINATION, *rock)
+    film = Source("shore/land.glsl@land_film", (("FILM_ROUGHNESS", "0.02"),))
+    look = (_as_boats("dark"),) if scene.light is None else _look(film)
     over: tuple[Piece | SlotRef, ...] = ("waves/boulder.glsl@over_met",)
     if scene.shore is None:
         no_land = constant_function("bool", "boulder_behind_land", "vec3 ray, float farthest", "false")
         over = (SlotRef("find"), no_land, _as_boats("over"))
     first = (*COMMON, PLACE, SlotRef("waves"), SHAPE, "waves/boulder.glsl@meet")
-    seen: tuple[Piece | SlotRef, ...] = (*first, SlotRef("sky"), *look)
+    drowned = (*first, SlotRef("sky"), *_look("waves/boulder.glsl@drowned"))
     slots = SlotRef("find"), SlotRef("underside"), WATER, SlotRef("reach")
     below = ("light/shade.glsl@optics", *slots, _as_boats("under"), _as_boats("main"))
     return PassSpec(
         "stones",
         "boulders",
-        (*seen, *over, _as_boats("main")),
-        under=() if scene.light is None else (*seen, *below),
+        (*first, SlotRef("sky"), *look, *over, _as_boats("main")),
+        under=() if scene.light is None else (*drowned, *below),
         vertex=(*COMMON, SlotRef("waves"), SHAPE, "vertex/vertex.glsl@quad", "waves/boulder.glsl@vertex"),
         mesh=Quads(count=count),
         target=ABOVE,

@@ -126,15 +126,15 @@ class ReferenceState:
         if scene.boats:
             ground = None if coast is None else lambda x, z: coast.ground(*coast.place(x, z))[0]
             self.fleet = Fleet(scene, time, self.origin, relief.height, ground)
-        self.boulders = None if scene.current is None else Boulders(scene.current, scene.shore, grid)
+        self.covered = self.eye_y < float(relief.height(np.zeros(1), np.zeros(1))[0])
+        self.under = scene.water.view_below and self.covered
+        self.boulders = None if scene.current is None else Boulders(scene.current, scene.shore, grid, self.under)
         self.crest = PlungingCrest(scene.breaker, time, self.origin) if scene.breaker and scene.breaker.height else None
         self.lighting = None
         if scene.light is not None:
             solid = self.fleet, self.boulders
             self.lighting = Lighting(scene.light, time, grid, self.filtering, coast, solid)
         self.exposure = 1.0 if self.lighting is None else self.lighting.exposure
-        self.covered = self.eye_y < float(relief.height(np.zeros(1), np.zeros(1))[0])
-        self.under = scene.water.view_below and self.covered
         self.seabed = None if self.lighting is None else self._seabed(self.lighting)
 
     def _seabed(self, lighting: Lighting) -> Seabed | None:

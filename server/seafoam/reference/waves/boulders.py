@@ -24,7 +24,8 @@ OCTAVES = (0.62, 0.05), (0.52, 0.07), (0.44, 0.07), (0.38, 0.06)  # shares of th
 class Boulders:
     """The stones of a current that stand over the water, seen by a camera whose origin is that of places."""
 
-    def __init__(self, current: Current, shore: Shore | None, grid: SampleGrid) -> None:
+    def __init__(self, current: Current, shore: Shore | None, grid: SampleGrid, under: bool) -> None:
+        self.mirrors = 0.0 if under else 1.0  # under water no film does
         self.stones, self.wetted, self.grid = current.standing, current.wetted, grid
         self.rock = np.array((shore or Shore()).rock)
 
@@ -102,7 +103,9 @@ class Boulders:
         warm = np.clip(0.5 * (bands[0] + bands[1]), -1.0, 1.0)[:, None] * np.array([0.12, 0.0, -0.14])
         wet = 1.0 - smoothstep(1.0, 2.0, y / self.wetted - 0.3 * bands[1:].sum(axis=0))
         rock = self.rock * (tone * (DRY + (WET - DRY) * wet))[:, None] * (1.0 + warm)
-        film = smoothstep(-self.wetted, 0.0, y) * wet * (0.1 + 0.7 * smoothstep(0.8, 1.0, dot(normal, n)))
+        film = (
+            self.mirrors * smoothstep(-self.wetted, 0.0, y) * wet * (0.1 + 0.7 * smoothstep(0.8, 1.0, dot(normal, n)))
+        )
         film = film * (0.25 + 0.75 * smoothstep(-0.1, 0.1, d[:, 1] - 2.0 * dot(d, level) * level[:, 1]))
         return Soil(normal, np.minimum(rock, 0.95), film, 0.02, glints=True), level
 
