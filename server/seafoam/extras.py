@@ -11,7 +11,7 @@ REPORTS = ("matplotlib", "flip_evaluator")
 _NEEDS: dict[Extra, tuple[str, tuple[str, ...]]] = {
     "reports": ("plots and measurements of accuracy need", REPORTS),
     "notebook": ("the widget for notebooks needs", ("anywidget",)),
-    "video": ("MP4 and animated WebP files need", ("av",)),
+    "video": ("MP4 files need", ("av",)),
     "telemetry": ("traces need", ("opentelemetry.sdk", "opentelemetry.exporter.otlp.proto.http")),
     "cluster": ("work on several processes or machines needs", ("distributed",)),
 }

@@ -8,15 +8,19 @@ import json
 import re
 import time
 import zipfile
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
 
+import numpy as np
+from PIL import Image
+
 from seafoam import files
 from seafoam.files import PART, write_whole
-from seafoam.sequences.formats import Codec, Encoding, check_encoding, write_moving
+from seafoam.render.encode import encode
+from seafoam.sequences.formats import Codec, check_video, durations_of, write_animation, write_video
 from seafoam.sequences.spec import OtherSequenceError, SequenceError, SequenceSpec, SequenceStoppedError, Workers
 
 MANIFEST = "sequence.json"
@@ -124,11 +128,6 @@ class Output:
         """Directory of the frames; that of a file stands beside it until the file is complete."""
         return self.path if self.kind == "frames" else self.path.with_name(f"{self.path.name}.frames")
 
-    @property
-    def encoding(self) -> Encoding | None:
-        """How frames are encoded, in a file that moves."""
-        return self.codec if self.kind == "mp4" else "webp" if self.kind == "webp" else None
-
 
 Tell = Callable[[Stage, int, int, float | None], None]
 """Takes how far a sequence is: frames are drawn, or the file is written; how many, of how many, and the remaining time
@@ -169,8 +168,8 @@ def make_sequence(
     were there.
 
     tell: called after every frame. stopped: asked after every frame. again: draw every frame again. Raises
-    :class:`seafoam.sequences.spec.SequenceError`, MissingExtraError without PyAV for ``mp4`` and ``webp``, what the
-    workers raise, and ``OSError``; finished frames then stay for the next call.
+    :class:`seafoam.sequences.spec.SequenceError`, MissingExtraError without PyAV for ``mp4``, what the workers raise,
+    and ``OSError``; finished frames then stay for the next call.
     """
     check_output(spec, output)
     identity = spec.identity(workers.info)
@@ -196,17 +195,30 @@ def make_sequence(
 
 def check_output(spec: SequenceSpec, output: Output) -> None:
     """Raise :class:`seafoam.sequences.spec.OutputError` if the output cannot hold the sequence, before any work."""
-    if (encoding := output.encoding) is not None:
-        check_encoding(spec.job.width, spec.job.height, encoding)
+    job = spec.job
+    if output.kind == "mp4":
+        check_video(job.width, job.height, output.codec)
 
 
 def _write_file(spec: SequenceSpec, output: Output, folder: SequenceFolder, meter: _Meter) -> None:
     frames = [folder.frame(index) for index in range(spec.count)]
+    size = spec.job.width, spec.job.height
     with files.whole(output.path, alone=True) as part:
-        if (encoding := output.encoding) is not None:
-            write_moving(part, frames, (spec.job.width, spec.job.height), spec.fps, encoding, meter.step)
+        if output.kind == "mp4":
+            write_video(part, frames, *size, spec.fps, output.codec, meter.step)
+        elif output.kind == "webp":
+            with part.open("w+b") as file:
+                write_animation(file, _stills(frames, meter), *size, durations_of(spec.count, spec.fps))
         else:  # the same frames give the same bytes
             with zipfile.ZipFile(part, "w", zipfile.ZIP_STORED) as archive:
                 for path in frames:
                     archive.writestr(zipfile.ZipInfo(path.name), path.read_bytes())
                     meter.step()
+
+
+def _stills(frames: list[Path], meter: _Meter) -> Iterator[bytes]:
+    for path in frames:
+        with Image.open(path) as image:
+            pixels = np.asarray(image.convert("RGBA"))
+        yield encode(pixels, "webp")
+        meter.step()

@@ -88,7 +88,7 @@ def test_what_the_machine_lacks_ends_in_one_line_too(seafoam, monkeypatch, tmp_p
     with monkeypatch.context() as patched:
         patched.setattr("seafoam.extras.find_spec", lambda name: None)
         told = said(f"{SEQUENCE} -o", tmp_path / "a.mp4")
-        assert told == "seafoam: MP4 and animated WebP files need av; pip install 'seafoam[video]'\n"
+        assert told == "seafoam: MP4 files need av; pip install 'seafoam[video]'\n"
         assert list(tmp_path.glob("a.mp4*")) == []
         told = said(f"{SEQUENCE} --workers 2 -o", tmp_path / "run")
         assert told.endswith("several processes or machines needs distributed; pip install 'seafoam[cluster]'\n")
