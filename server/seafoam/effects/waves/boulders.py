@@ -22,14 +22,14 @@ _SHADOW = SlotFile("open sun", "waves/boulder.glsl@sunlit", prefix="boulder", ne
 _MIRROR = SlotFile("reflection", "waves/boulder.glsl@mirrored", needs=(*ILLUMINATION, *_VEIL))
 
 
-def _as_boats(part: str) -> Source:
+def _as_boats(path: str) -> Source:
     """A file of boats, which are drawn alike."""
     names = (
         (r"boat_(\w+)", r"boulder_\1"),
         (r"(near|meet)_boats?", r"\1_boulder"),
         (r"(NO_)?BOAT(_RAYS)?", r"\1BOULDER\2"),
     )
-    return Source(f"boats/drawn.glsl@{part}", names)
+    return Source(path, names)
 
 
 def _draw(scene: Scene, current: Current, stones: tuple[Stone, ...], quality: Quality) -> Contribution:
@@ -70,19 +70,19 @@ def _look(film: Piece) -> tuple[Piece | SlotRef, ...]:
 
 def _pass(scene: Scene, count: int) -> PassSpec:
     film = Source("shore/land.glsl@land_film", (("FILM_ROUGHNESS", "0.02"),))
-    look = (_as_boats("dark"),) if scene.light is None else _look(film)
+    look = (_as_boats("boats/drawn.glsl@dark"),) if scene.light is None else _look(film)
     over: tuple[Piece | SlotRef, ...] = ("waves/boulder.glsl@over_met",)
     if scene.shore is None:
         no_land = constant_function("bool", "boulder_behind_land", "vec3 ray, float farthest", "false")
-        over = (SlotRef("find"), no_land, _as_boats("over"))
+        over = (SlotRef("find"), no_land, _as_boats("boats/drawn.glsl@over"))
     first = (*COMMON, PLACE, SlotRef("waves"), SHAPE, "waves/boulder.glsl@meet")
     drowned = (*first, SlotRef("sky"), *_look("waves/boulder.glsl@drowned"))
     slots = SlotRef("find"), SlotRef("underside"), WATER, SlotRef("reach")
-    below = ("light/shade.glsl@optics", *slots, _as_boats("under"), _as_boats("main"))
+    below = ("light/shade.glsl@optics", *slots, _as_boats("boats/drawn.glsl@under"), _as_boats("boats/drawn.glsl@main"))
     return PassSpec(
         "stones",
         "boulders",
-        (*first, SlotRef("sky"), *look, *over, _as_boats("main")),
+        (*first, SlotRef("sky"), *look, *over, _as_boats("boats/drawn.glsl@main")),
         under=() if scene.light is None else (*drowned, *below),
         vertex=(*COMMON, SlotRef("waves"), SHAPE, "vertex/vertex.glsl@quad", "waves/boulder.glsl@vertex"),
         mesh=Quads(count=count),
