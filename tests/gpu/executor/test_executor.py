@@ -282,10 +282,15 @@ def test_spray_beside_wide_pixels_is_half_as_fine_and_hides_as_much(
     scene = load_preset(preset).scene
     plans = [make_plan(scene, narrow(wide)).model_copy(update={"linear": ABOVE}) for wide in (1, width)]
     assert [plan.targets["spray_thick"].size for plan in plans] == [ViewportSize(), ViewportSize(part=2)]
-    fine, coarse = (draw(executor, plan, scene.camera, time=10.0, size=(192, 108), output="linear") for plan in plans)
-    assert coarse.shape[0] == 54
-    halved = fine.reshape(54, 2, 96, 2, 4).mean((1, 3))
-    assert np.abs(coarse - halved).mean() < 0.02
+    # A storm's drops hide two pixels in 1000: one instant is off by up to a fifth, the mean of eight by two in 100.
+    times = (3.0, 5.0, 9.0, 10.0, 11.0, 17.0, 20.0, 31.0)
+    fine, coarse = (
+        np.stack([draw(executor, plan, scene.camera, time=t, size=(192, 108), output="linear") for t in times])
+        for plan in plans
+    )
+    assert coarse.shape[1] == 54
+    halved = fine.reshape(len(times), 54, 2, 96, 2, 4).mean((2, 4))
+    assert np.abs(coarse - halved).mean((1, 2, 3)).max() < 0.02
     assert abs(coarse[..., 3].mean() / halved[..., 3].mean() - 1.0) < 0.05
 
 
