@@ -100,11 +100,7 @@ _HARD_SEA = (
         "(waves/sea_passes.glsl@spectrum)",
         times=(-1e9, 1e9),
         camera=_NEAR,
-        without={
-            "framegraph/evaluation.py": {
-                "(_modulo(state.time + rule.offset, rule.period),)": "(state.time + rule.offset,)"
-            }
-        },
+        without={"framegraph/evaluation.py": {"(_modulo(time + rule.offset, rule.period),)": "(time + rule.offset,)"}},
     ),
     HardCase(
         "a hurricane that has blown over a hundred metres",

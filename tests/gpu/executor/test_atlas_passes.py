@@ -24,7 +24,7 @@ def scene(mask: str) -> Scene:
 def test_the_drawn_atlas_is_the_made_one(mask: str, executor: Executor) -> None:
     plan = make_plan(scene(mask), TIERS["standard"])
     draw(executor, plan, Camera(pitch=-1.0), time=0.0, size=(16, 9))
-    framebuffer, *_ = executor._static.get(plan.kept["mask_atlas"]).target
+    framebuffer, *_ = executor._static.get(plan.kept["mask_atlas"], lambda: pytest.fail("not kept")).target
     made = texture(MaskTexture(masks=(mask,), table="atlas"))
     drawn = np.frombuffer(framebuffer.read(components=2, dtype="u4", alignment=1), np.uint32)
     assert (framebuffer.width, framebuffer.height) == (made.width, made.height)

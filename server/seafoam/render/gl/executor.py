@@ -271,10 +271,9 @@ class Executor:
         setup = {index: plan.passes[index] for index in drawn if plan.passes[index].when == "setup"}
         wanted = {name for index in drawn if index not in setup for name in reads(plan.passes[index])}
         needed = {name: digest for name, digest in plan.kept.items() if name in wanted}
-        kept: dict[str, _Kept] = {}
-        for name, digest in needed.items():
-            make = partial(self._keep, plan, name, passes_into(setup, [name]))
-            kept[name] = self._static.get(digest, make)
+        kept: dict[str, _Kept] = {
+            name: self._static.get(digest, partial(self._keep, plan, name, setup)) for name, digest in needed.items()
+        }
         missing = {name: numbers for name, one in kept.items() if (numbers := one.numbers(frame)) != one.drawn}
         if missing:
             steps = passes_into(setup, missing)
@@ -288,9 +287,10 @@ class Executor:
                 kept[name].drawn = numbers
         return {name: one.target for name, one in kept.items()}
 
-    def _keep(self, plan: FramePlan, name: str, steps: Mapping[int, Pass]) -> "_Kept":
-        """Return the kept target ``name``, which ``steps`` are to draw."""
-        used = [uniforms_of(step, plan.programs[step.program], plan.uniforms).values() for step in steps.values()]
+    def _keep(self, plan: FramePlan, name: str, setup: Mapping[int, Pass]) -> _Kept:
+        """Return the kept target ``name``, which passes of ``setup`` are to draw."""
+        steps = passes_into(setup, [name]).values()
+        used = [uniforms_of(step, plan.programs[step.program], plan.uniforms).values() for step in steps]
         stepped = tuple(uniform for own in used for uniform in own if _stepped(uniform))
         return _Kept(self._create(plan.targets[name]), stepped)
 
