@@ -103,9 +103,9 @@ def test_auto_and_its_budget_come_together_with_what_can_be_drawn(fresh):
 def test_a_server_keeps_what_is_finished_and_stops_in_the_middle_of_a_measurement(fresh, tmp_path):
     eventually(lambda: fresh.get(URL))
     kept = fresh.app.state.context.settings.cache
-    assert [len(list((kept / kind).iterdir())) for kind in ("sweeps", "truth")] == [1, 1]
+    assert len(list((kept / "accuracy").glob("*/*"))) == 2, "a sweep and its truth"
     with serving(cache=tmp_path, **SMALL | {"accuracy_width": 640, "accuracy_samples": 32}) as client:
         assert client.get(f"{URL}/truth.npy").status_code == 202
         assert client.get(URL).status_code == 202
         time.sleep(0.5)
-    assert not (tmp_path / "truth").exists(), "it waited for the measurement"
+    assert not (tmp_path / "accuracy").exists(), "it waited for the measurement"
