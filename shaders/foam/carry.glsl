@@ -54,6 +54,12 @@ vec2 carry(vec2 p) {
     return f.here.a * open + shore_carried(f, shore_turn(f.here.r));
 }
 
+// @part shared
+// Where the water at p rests off a coast without surf.
+vec2 carry(vec2 p) {
+    return shore_share(shore_place(p)).x * open_carry(p);
+}
+
 // @part surf
 // Where the water at p rests off a coast: the open sea's share of its orbits, and to and fro with the surf, as its foam was asked for.
 vec2 carry(vec2 p) {

@@ -199,3 +199,31 @@ void main() {
         1.0 - smooth_between(breaks, 2.5 * breaks, depth),
         smooth_between(0.0, 0.6 * u_shore_deep, depth) * mix(0.1, 1.0, open));
 }
+
+// @part share
+// What is left of the open sea's waves in a texel of the map: the polynomial that its quadratic B-spline is there.
+uniform sampler2D u_shore_map;
+out vec4 o_share;
+
+float share_at(ivec2 texel) {
+    return texel_at(u_shore_map, clamp(texel, ivec2(0), textureSize(u_shore_map, 0) - 1)).a;
+}
+
+vec3 share_powers(vec3 taps) {
+    return vec3(0.5 * (taps.x + taps.y), taps.y - taps.x, 0.5 * (taps.x - 2.0 * taps.y + taps.z));
+}
+
+void main() {
+    ivec2 here = ivec2(gl_FragCoord.xy);
+    ivec2 texel = ivec2(here.x / 3, here.y);
+    int power = here.x - 3 * texel.x;
+    vec3 rows[3];
+    for (int i = 0; i < 3; ++i) {
+        vec3 taps;
+        for (int j = 0; j < 3; ++j) {
+            taps[j] = share_at(texel + ivec2(i - 1, j - 1));
+        }
+        rows[i] = share_powers(taps);
+    }
+    o_share = vec4(share_powers(vec3(rows[0][power], rows[1][power], rows[2][power])), 1.0);
+}

@@ -126,3 +126,45 @@ vec4 waves_shading(vec2 p, Footprint fp) {
     shore_tilt = sum.yz;
     return sum;
 }
+
+// @part still
+// Without surf: what the floor leaves of the open sea's waves. In a texel the map's spline is a polynomial, of 3 reads in place of 9.
+uniform sampler2D u_shore_share; // three texels side by side: what stands by 1, z and z^2; by 1, x and x^2
+
+// Share, and its change a metre. q: metres from the middle of the square, in it.
+vec3 shore_share(vec2 q) {
+    vec2 place = (q / u_shore_size + 0.5) * float(MAP_TEXELS);
+    vec2 base = min(floor(place), float(MAP_TEXELS - 1));
+    vec2 t = place - base;
+    ivec2 at = ivec2(3 * int(base.x), int(base.y));
+    vec3 even = texel_at(u_shore_share, at).xyz;
+    vec3 rising = texel_at(u_shore_share, at + ivec2(1, 0)).xyz;
+    vec3 bent = texel_at(u_shore_share, at + ivec2(2, 0)).xyz;
+    vec3 here = even + t.y * (rising + t.y * bent);
+    vec3 change = rising + 2.0 * t.y * bent;
+    vec2 slopes = vec2(here.y + 2.0 * t.x * here.z, change.x + t.x * (change.y + t.x * change.z));
+    return vec3(here.x + t.x * (here.y + t.x * here.z), float(MAP_TEXELS) / u_shore_size * slopes);
+}
+
+// Height and its gradient.
+vec3 waves(vec2 p) {
+    vec3 sea = open_waves(p);
+    vec2 q = shore_place(p);
+    // Beyond the square the sea is open.
+    if (any(greaterThan(abs(q), vec2(0.5 * u_shore_size)))) {
+        return sea;
+    }
+    vec3 share = shore_share(q);
+    return vec3(sea.x * share.x, sea.yz * share.x + sea.x * share.yz);
+}
+
+// The same without what is smaller than the footprint, and the unresolved mean square slope.
+vec4 waves_shading(vec2 p, Footprint fp) {
+    vec4 sea = open_shading(p, fp);
+    vec2 q = shore_place(p);
+    if (any(greaterThan(abs(q), vec2(0.5 * u_shore_size)))) {
+        return sea;
+    }
+    vec3 share = shore_share(q);
+    return vec4(sea.x * share.x, sea.yz * share.x + sea.x * share.yz, sea.w * share.x * share.x);
+}

@@ -58,7 +58,8 @@ def _living(scene: Scene, foam: Foam, life: FoamLife, quality: Quality) -> Contr
     if scene.shore is not None:
         surf = foam.source(SurfSaturation)
         breaks = surf is not None and surf_limit(surf, scene) > 0.0
-        carry = "foam/carry.glsl@surf" if breaks else "foam/carry.glsl@shore"
+        unbroken = "foam/carry.glsl@shore" if scene.shore.surf.height > 0.0 else "foam/carry.glsl@shared"
+        carry = "foam/carry.glsl@surf" if breaks else unbroken
         slots.append(SlotFile("shore carry", carry if life.carried else _AT_REST))
     drift = foam_drift(scene)
     c, s = math.cos(life.downwind), math.sin(life.downwind)

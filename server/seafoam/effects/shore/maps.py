@@ -35,14 +35,16 @@ def blur_deviation(shore: Shore, texels: int) -> float:
     return min(shore.smoothing * texels / shore.size, texels / 12.0)
 
 
-def map_targets(quality: Quality, land_cells: int) -> dict[str, Target]:
+def map_targets(shore: Shore, quality: Quality, land_cells: int) -> dict[str, Target]:
     """Targets of :func:`map_passes`; ``land_cells``: cells along a side of the finest level of the land's maxima."""
     texels = FixedSize.square(quality.shore_map)
+    share = Target(size=FixedSize(width=3 * quality.shore_map, height=quality.shore_map), format="RGBA32F")
     land = Target(size=FixedSize(width=2 * land_cells, height=land_cells), format="RGBA16F")
     return {
         **dict.fromkeys(("land_cells", "land_maxima"), land),
         **{f"shore_near_{i}": Target(size=texels, format="RGBA16F") for i in range(2)},
         **{f"shore_{name}": Target(size=texels, format="RGBA32F") for name in ("rough", "half", "smooth", "map")},
+        **({} if shore.surf.height > 0.0 else {"shore_share": share}),
     }
 
 
@@ -56,7 +58,9 @@ def map_passes(shore: Shore, quality: Quality, sunlit_from: tuple[str, ...]) -> 
         _pass("highest land", ("shore/land.glsl@tree", "shore/march.glsl@maxima_pass"), "land_cells"),
         _pass("highest land around", around, "land_maxima"),
     )
-    return (*land, *flood, distance, *_blur_passes(shore, quality.shore_map), _wave_pass(shore))
+    share = _pass("share", ("lib/texels.glsl@texel", "shore/maps.glsl@share"), "shore_share")
+    waves = (_wave_pass(shore), *(() if shore.surf.height > 0.0 else (share,)))
+    return (*land, *flood, distance, *_blur_passes(shore, quality.shore_map), *waves)
 
 
 def _pass(
@@ -113,17 +117,17 @@ def _wave_pass(shore: Shore) -> PassSpec:
             "u_surf_variation": number(surf.variation),
             "u_surf_heading": vector((significant(math.cos(surf.heading)), significant(math.sin(surf.heading)))),
             "u_surf_exposure": number(surf.exposure),
-            **mask_uniforms(),
+            **mask_uniforms(moves=surf.height > 0.0),
         },
     )
 
 
-def mask_uniforms() -> dict[str, Uniform]:
+def mask_uniforms(*, moves: bool = True) -> dict[str, Uniform]:
     vectors: list[Rule] = []
     phases: list[Rule] = []
     for i, (length, heading, period) in enumerate(MASK_WAVES):
         k = 2.0 * math.pi / length
         vectors += vector((significant(k * math.cos(heading)), significant(k * math.sin(heading)))).rules
-        phases.append(Phase(offset=1.7 * i, rate=2.0 * math.pi / period, k=(0.0, 0.0)))
+        phases.append(Phase(offset=1.7 * i, rate=2.0 * math.pi / period if moves else 0.0, k=(0.0, 0.0)))
     count = len(MASK_WAVES)
     return {"u_surf_mask": array("vec2", vectors, count), "u_surf_mask_phase": array("float", phases, count)}

@@ -30,6 +30,7 @@ LAND_CELLS, LAND_COARSEST, LAND_ROUNDS = 128, 4, 64
 """Cells along a side of the finest (texels, if fewer) and coarsest level of the land's maxima; cells read per ray."""
 LAND_LIGHT = {False: "shore/land.glsl@land_lit", True: "shore/land.glsl@land_film"}
 """The file that lights land, by whether it has detail."""
+_WAVES = {False: "shore/waves.glsl@still", True: "shore/waves.glsl@waves"}
 FILM_DRIES, SAND_DRIES = 4.0, 40.0
 """Times in which the film of water on sand and the sand dry to 1/e, s."""
 SUN_RADIUS = 0.00465
@@ -110,7 +111,7 @@ def _draw(scene: Scene, shore: Shore, quality: Quality) -> Contribution:
             **(travel if surf.refraction else {}),
             "shore_profiles": TextureUse(profiles),
         },
-        targets=map_targets(quality, cells),
+        targets=map_targets(shore, quality, cells),
         passes=map_passes(shore, quality, SUNLIT_FROM if thrown else NO_SHADOWS),
         min_ground=-shore.deep,
         bound=_bound(scene, shore, bounds.land_top),
@@ -153,7 +154,7 @@ def _slots(scene: Scene, shore: Shore) -> tuple[SlotFile, ...]:
         SlotFile("under bed", "water/seafloor.glsl@floor", needs=floor),
     )
     return (
-        SlotFile("shore", "shore/waves.glsl@waves", needs=waves),
+        SlotFile("shore", _WAVES[shore.surf.height > 0.0], needs=waves),
         *((SlotFile("body", "shore/floor.glsl@body"),) if lit else ()),
         SlotFile("through", "shore/floor.glsl@through", needs=through),
         SlotFile("land", "shore/waves.glsl@ahead", needs=FIND_LAND),

@@ -114,6 +114,27 @@ def test_the_map_is_the_references(
     )
 
 
+def test_without_surf_texels_hold_the_spline_of_the_share(executor: Executor) -> None:
+    shore = _formed("island", False)
+    shore = shore.model_copy(update={"surf": shore.surf.model_copy(update={"height": 0.0})})
+    plan = make_plan(Scene(shore=shore), EXACT)
+    spline = maps.QuadraticSpline(map_of(executor, plan, "shore_map", 3.0)[..., 3:], shore.size)
+    powers, count = map_of(executor, plan, "shore_share", 3.0), EXACT.shore_map
+    assert powers.shape[:2] == (count, 3 * count)
+    q = np.random.default_rng(4).uniform(-0.5, 0.5, (2, 4000)) * shore.size
+    base = np.floor((q / shore.size + 0.5) * count).astype(int)
+    x, z = (q / shore.size + 0.5) * count - base
+    c = np.stack([powers[base[1], 3 * base[0] + k, :3] for k in range(3)])
+    c = np.moveaxis(c, -1, 0)  # by the power of x, of z
+    by_x, by_z = np.stack((x**0, x, x * x)), np.stack((z**0, z, z * z))
+    value = np.einsum("ijr,ir,jr->r", c, by_x, by_z)
+    along = np.einsum("ijr,ir,jr->r", c, np.stack((0 * x, x**0, 2 * x)), by_z) * count / shore.size
+    expected, slopes = spline.all(*q)
+    assert np.ptp(expected) > 0.9
+    np.testing.assert_allclose(value, expected[:, 0], atol=1e-6)
+    np.testing.assert_allclose(along, slopes[0, :, 0], atol=1e-6)
+
+
 @pytest.mark.parametrize("place", [0.0, 1e7])
 @pytest.mark.parametrize("time", [0.0, 12.5, 3600.0, 1e9])
 def test_heights_and_slopes_at_ten_thousand_points(
