@@ -28,6 +28,10 @@ from seafoam.scene import Scene
 
 START_SHARE = 0.25
 """Step length below which the search for a start distance ends, in heights of a tile at that distance."""
+STEP_WIDEST, HIT_WIDEST = 1.6, 0.2
+"""Tolerances of steps and of hits that a march reaches with its steps, where it begins from 0.1 or more: rays that
+brush crests take as many steps as all others. Against ``reference``, ``standard`` takes 0.84 to 0.97 of the time for
+1.006 (river) to 1.026 (boat-race) of the error, ``fast`` 0.94 to 0.97 for 0.97 to 1."""
 ROW_SHIFT = 0.25
 """Shift of the rows of wide pixels, to the left and to the right in turn, in their width: two rows together have a
 sample for every half of it."""
@@ -63,6 +67,11 @@ def is_calm(scene: Scene) -> bool:
 def is_dotted(scene: Scene) -> bool:
     """Whether each sample of foam is black or white: of looks that compare the mask sample by sample."""
     return scene.foam is not None and scene.foam.look in ("halftone", "halftone_textured", "fading", "listing")
+
+
+def _widened(tolerance: float, widest: float) -> float:
+    """By how much a march's tolerance grows, over the first."""
+    return max(widest / tolerance - 1.0, 0.0) if tolerance >= 0.1 else 0.0
 
 
 def _rows_share(collection: Collection, width: int) -> float:
@@ -117,6 +126,8 @@ class Frame:
             "REFINE": max(quality.surface.refine, collection.refine),
             "MARCH_STEPS": quality.surface.steps * collection.march_factor,
             "MARCH_TOLERANCE": quality.surface.tolerance * collection.coarser,
+            "MARCH_STEP_WIDEST": _widened(quality.surface.tolerance, STEP_WIDEST),
+            "MARCH_HIT_WIDEST": _widened(quality.surface.tolerance, HIT_WIDEST),
             "START_SHARE": START_SHARE,
             "SAMPLE_SIDE": self.side,
             "PIXEL_WIDTH": float(quality.pixel_width),

@@ -73,7 +73,15 @@ FUNCTIONS = (
         (stand_in("still_water"), "surface/march.glsl@march"),
         "vec3 wave;\nbool found = find_surface(x.xyz, 1e5, y.x, wave);",
         ((0.0, -0.5, -1.0), (0.0, 0.0)),
-        {"MARCH_STEPS": 8, "REFINE": 0, "u_eye_height": -1000.0, "u_surface_top": 1.0, "u_surface_trough": -1.0},
+        {
+            "MARCH_STEPS": 8,
+            "MARCH_STEP_WIDEST": 0.0,
+            "MARCH_HIT_WIDEST": 0.0,
+            "REFINE": 0,
+            "u_eye_height": -1000.0,
+            "u_surface_top": 1.0,
+            "u_surface_trough": -1.0,
+        },
     ),
     # From 5 lengths away, over the sheer and under it; -0 over 0 is what a plane along the ray must not divide.
     Guarded(
