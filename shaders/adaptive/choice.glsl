@@ -34,7 +34,7 @@ uniform sampler2D u_chosen_pixels;
 uniform vec2 u_target; // pixels
 
 vec2 sample_place() {
-    ivec2 at = ivec2(gl_FragCoord.xy);
+    ivec2 at = as_int(floor(gl_FragCoord.xy));
     at.y = u_chosen.z > 0.0 ? at.y : int(u_target.y) - 1 - at.y;
     int shift = u_chosen.x < 3.0 ? 1 : 2;
     ivec2 block = at >> shift;

@@ -12,7 +12,7 @@ float roll(vec4 light) {
 }
 
 void main() {
-    ivec2 at = ivec2(gl_FragCoord.xy);
+    ivec2 at = as_int(floor(gl_FragCoord.xy));
     ivec2 last = textureSize(u_frame, 0) - 1;
     float here = roll(texelFetch(u_frame, at, 0));
     float cross = here;
@@ -42,7 +42,7 @@ out vec4 o_count;
 void main() {
     ivec2 picture = textureSize(u_contrast, 0);
     ivec2 size = (picture + ivec2(u_target) - 1) / ivec2(u_target);
-    ivec2 first = ivec2(gl_FragCoord.xy) * size;
+    ivec2 first = as_int(floor(gl_FragCoord.xy)) * size;
     ivec2 end = min(first + size, picture);
     vec2 tried = limits();
     vec4 limit = tried.x * vec4(1.0, tried.y, tried.y * tried.y, tried.y * tried.y * tried.y);

@@ -6,7 +6,7 @@ uniform sampler2D u_choice;
 out vec4 o_cell;
 
 void main() {
-    ivec2 at = ivec2(gl_FragCoord.xy);
+    ivec2 at = as_int(floor(gl_FragCoord.xy));
     vec2 before = vec2(0.0);
     for (int x = at.x & ~15; x < at.x; ++x) {
         before += bits(texelFetch(u_choice, ivec2(x, at.y), 0).xy);
@@ -25,7 +25,7 @@ vec2 group_total(int group, int y) {
 }
 
 void main() {
-    ivec2 at = ivec2(gl_FragCoord.xy);
+    ivec2 at = as_int(floor(gl_FragCoord.xy));
     vec2 before = vec2(0.0);
     for (int x = 0; x < at.x; ++x) {
         before += group_total(x, at.y);
@@ -41,7 +41,7 @@ out vec4 o_cell;
 
 void main() {
     ivec2 picture = textureSize(u_contrast, 0);
-    ivec2 first = 4 * ivec2(gl_FragCoord.xy);
+    ivec2 first = 4 * as_int(floor(gl_FragCoord.xy));
     float limit = texelFetch(u_limit, ivec2(0), 0).z;
     int few = 0;
     int many = 0;
@@ -62,7 +62,7 @@ uniform sampler2D u_chosen_groups;
 out vec4 o_row;
 
 void main() {
-    int row = int(gl_FragCoord.y);
+    int row = as_int(floor(gl_FragCoord.y));
     int last = textureSize(u_chosen_groups, 0).x - 1;
     vec2 before = vec2(0.0);
     for (int y = 0; y < row; ++y) {
@@ -166,7 +166,7 @@ vec4 block_mean(int n, int side, int columns, int height) {
 }
 
 void main() {
-    ivec2 at = ivec2(gl_FragCoord.xy);
+    ivec2 at = as_int(floor(gl_FragCoord.xy));
     ivec2 size = textureSize(u_samples, 0);
     ivec2 cell = at >> 2;
     vec4 found = texelFetch(u_chosen_cells, cell, 0);

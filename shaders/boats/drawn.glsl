@@ -47,7 +47,7 @@ const int NO_BOAT = -1;
 int met_code(int boat, int part, vec3 normal) {
     vec3 n = normal / (abs(normal.x) + abs(normal.y) + abs(normal.z));
     vec2 side = n.y < 0.0 ? (1.0 - abs(n.zx)) * mix(vec2(-1.0), vec2(1.0), greaterThanEqual(n.xz, vec2(0.0))) : n.xz;
-    ivec2 q = ivec2(floor(2047.0 * side + 2047.5));
+    ivec2 q = as_int(floor(2047.0 * side + 2047.5));
     return (boat << 3 | part) << 26 | q.y << 12 | q.x;
 }
 

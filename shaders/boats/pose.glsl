@@ -50,7 +50,7 @@ float boat_reading(vec2 p, float reach, float draught) {
 }
 
 void main() {
-    int i = int(gl_FragCoord.x);
+    int i = as_int(floor(gl_FragCoord.x));
     float size = u_boat_form[i].x;
     float reach = u_boat_form[i].y;
     float draught = BOAT_DRAUGHT * size;

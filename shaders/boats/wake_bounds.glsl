@@ -44,7 +44,7 @@ out vec4 o_bounds;
 
 void main() {
     int rows = WAKE_SIZE / 2;
-    ivec2 corner = ivec2(gl_FragCoord.xy) * BOUNDS_BLOCK;
+    ivec2 corner = as_int(floor(gl_FragCoord.xy)) * BOUNDS_BLOCK;
     int i = corner.y / rows;
     vec2 texel = u_wake[i].z * vec2(1.0 / float(WAKE_SIZE), WAKE_ASIDE / float(rows));
     float radius = u_wake_boat[i].y;
@@ -83,11 +83,11 @@ out vec4 o_bounds;
 
 void main() {
     ivec2 size = textureSize(u_wake_blocks, 0);
-    int i = int(gl_FragCoord.y);
+    int i = as_int(floor(gl_FragCoord.y));
     int rows = size.y / BOAT_COUNT;
     // On a wedge no wider than its way behind the bow a place is that way from it at least; the bow is within a length of the middle.
-    float least = (float(WAKE_AWAY[int(gl_FragCoord.x)]) - 1.0) * u_wake_boat[i].x / (1.0 + WAKE_ASIDE);
-    int first = clamp(int(floor(least / u_wake[i].z * float(size.x))) - 1, 0, size.x);
+    float least = (float(WAKE_AWAY[as_int(floor(gl_FragCoord.x))]) - 1.0) * u_wake_boat[i].x / (1.0 + WAKE_ASIDE);
+    int first = clamp(as_int(floor(least / u_wake[i].z * float(size.x))) - 1, 0, size.x);
     vec3 bounds = vec3(0.0);
     for (int y = i * rows; y < (i + 1) * rows; ++y) {
         for (int x = first; x < size.x; ++x) {

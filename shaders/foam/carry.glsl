@@ -39,7 +39,7 @@ uniform vec3 u_sea_other; // the second tile, as the first
 
 void main() {
     int side = SEA_SIZE / 2;
-    ivec2 at = ivec2(gl_FragCoord.xy);
+    ivec2 at = as_int(floor(gl_FragCoord.xy));
     int row = at.y / (side + 1);
     sea_block = row == 0 ? u_sea_block : u_sea_other;
     vec2 corner = float(SEA_DISPLACED) / float(side) * vec2(at.x, (at.y - row * (side + 1)) & (side - 1));

@@ -35,12 +35,12 @@ void cell_corners(vec2 p, out ivec2 corner[3], out vec2 way[3], out vec3 share) 
     vec2 steps = vec2(dot(u_cell_matrix.xy, p), dot(u_cell_matrix.zw, p)) + u_cell_offset;
     vec2 base = floor(steps);
     vec2 t = steps - base;
-    ivec2 eye = ivec2(floor(u_cell_index - u_cell_offset + 0.5));
+    ivec2 eye = as_int(floor(u_cell_index - u_cell_offset + 0.5));
     bool upper = t.x + t.y > 1.0;
     ivec2 offset[3] = ivec2[3](upper ? ivec2(1, 1) : ivec2(0, 0), ivec2(1, 0), ivec2(0, 1));
     share = upper ? vec3(t.x + t.y - 1.0, 1.0 - t.y, 1.0 - t.x) : vec3(1.0 - t.x - t.y, t.x, t.y);
     for (int i = 0; i < 3; ++i) {
-        corner[i] = ivec2(base) + eye + offset[i];
+        corner[i] = as_int(base) + eye + offset[i];
         way[i] = t - vec2(offset[i]);
     }
 }

@@ -10,7 +10,7 @@ float drift_age(int j) {
 
 // The generation's number modulo 1024: the difference is a whole number of generations.
 uint drift_generation(int j) {
-    return uint(int(floor((u_drift_clock.x - u_drift_clock.y) / DRIFT_GENERATION + 0.5)) - j + 1024) & 1023u;
+    return uint(as_int(floor((u_drift_clock.x - u_drift_clock.y) / DRIFT_GENERATION + 0.5)) - j + 1024) & 1023u;
 }
 
 // How much of each generation there is: sin^2 over its life, 2 together at any time; what is older than the window is gone.
@@ -61,11 +61,11 @@ uniform float u_drift_half; // half its side, m
 // generation came up: Hermite's cubic in time, by the velocities at both, where nothing turns by much between them. docs/formulae.md,
 // section 14.
 int drift_part() {
-    return clamp(int(u_drift_clock.y * (float(DRIFT_PARTS) / DRIFT_GENERATION)), 0, DRIFT_PARTS - 1);
+    return clamp(as_int(floor(u_drift_clock.y * (float(DRIFT_PARTS) / DRIFT_GENERATION))), 0, DRIFT_PARTS - 1);
 }
 
 vec4 drift_still_at(sampler2D still, int further) {
-    return texel_at(still, ivec2(gl_FragCoord.xy) + ivec2(0, (drift_part() + further) * DRIFT_SIZE));
+    return texel_at(still, as_int(floor(gl_FragCoord.xy)) + ivec2(0, (drift_part() + further) * DRIFT_SIZE));
 }
 
 vec2 drift_between(vec2 before, vec2 after) {
@@ -105,7 +105,7 @@ vec2 drift_back(vec2 q, float h) {
 
 // Where the water that is at q now was that many seconds ago, in steps as long as those of a generation or shorter.
 vec2 drift_ago(vec2 q, float seconds) {
-    int steps = max(int(ceil(seconds * (float(DRIFT_STEPS) / DRIFT_GENERATION) - 1e-3)), 1);
+    int steps = max(as_int(ceil(seconds * (float(DRIFT_STEPS) / DRIFT_GENERATION) - 1e-3)), 1);
     float h = seconds / float(steps);
     for (int i = 0; i < steps; ++i) {
         q = drift_back(q, h);
@@ -173,7 +173,7 @@ uniform sampler2D u_drift_way;
 void drift_ways(vec2 q, out vec4 way, out vec4 along_x, out vec4 along_z) {
     float texels = float(DRIFT_SIZE) / (2.0 * u_drift_half);
     vec2 at = clamp((q + u_drift_half) * texels - 0.5, 0.0, float(DRIFT_SIZE - 1));
-    ivec2 low = min(ivec2(at), DRIFT_SIZE - 2);
+    ivec2 low = min(as_int(floor(at)), DRIFT_SIZE - 2);
     vec2 t = at - vec2(low);
     vec4 a = texel_at(u_drift_way, low);
     vec4 b = texel_at(u_drift_way, low + ivec2(1, 0));

@@ -29,7 +29,7 @@ uniform sampler2D u_drift_map;
 out vec4 o_drift;
 
 void main() {
-    ivec2 base = 4 * ivec2(gl_FragCoord.xy);
+    ivec2 base = 4 * as_int(floor(gl_FragCoord.xy));
     vec4 sum = vec4(0.0);
     for (int i = 0; i < 16; ++i) {
         sum += texelFetch(u_drift_map, base + ivec2(i & 3, i >> 2), 0);
@@ -76,7 +76,7 @@ out vec4 o_drift;
 
 void main() {
     vec2 here = gl_FragCoord.xy * u_drift_texel - u_drift_half;
-    vec4 way = texel_at(u_drift_way, ivec2(gl_FragCoord.xy));
+    vec4 way = texel_at(u_drift_way, as_int(floor(gl_FragCoord.xy)));
     vec4 older = vec4(0.0);
     if (DRIFT_GENERATIONS > 2) {
         vec4 before = drift_still_at(u_drift_older, 0);
@@ -110,7 +110,7 @@ uniform float u_drift_texel; // m
 out vec4 o_still;
 
 void main() {
-    int part = int(gl_FragCoord.y) / DRIFT_SIZE;
+    int part = as_int(floor(gl_FragCoord.y)) / DRIFT_SIZE;
     vec2 q = vec2(gl_FragCoord.x, gl_FragCoord.y - float(part * DRIFT_SIZE)) * u_drift_texel - u_drift_half;
     vec2 first = drift_ago(q, float(part) * (DRIFT_GENERATION / float(DRIFT_PARTS)));
     o_still = vec4(first, drift_ago(first, DRIFT_GENERATION));
@@ -122,7 +122,7 @@ uniform sampler2D u_drift_still;
 out vec4 o_still;
 
 void main() {
-    vec2 third = drift_ago(texel_at(u_drift_still, ivec2(gl_FragCoord.xy)).zw, DRIFT_GENERATION);
+    vec2 third = drift_ago(texel_at(u_drift_still, as_int(floor(gl_FragCoord.xy))).zw, DRIFT_GENERATION);
     o_still = vec4(third, drift_ago(third, DRIFT_GENERATION));
 }
 

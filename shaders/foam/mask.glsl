@@ -29,7 +29,7 @@ vec2 mask_uv(vec2 p) {
 // @part exact
 // The mask as the paper reads it: one texel, no filter.
 float mask_threshold(vec2 p) {
-    return mask_texel(ivec2(floor(fract(mask_uv(p)) * float(MASK_SIZE))));
+    return mask_texel(as_int(floor(fract(mask_uv(p)) * float(MASK_SIZE))));
 }
 
 // @part texel_half
@@ -61,7 +61,7 @@ float mask_texel(ivec2 texel) {
 vec4 bilinear(sampler2D from, vec2 uv, int level) {
     ivec2 size = textureSize(from, level);
     vec2 at = fract(uv) * vec2(size) - 0.5;
-    ivec2 low = ivec2(floor(at));
+    ivec2 low = as_int(floor(at));
     vec2 part = at - vec2(low);
     // Before the wrap from -1 to the size itself.
     ivec2 high = (low + 1) % size;

@@ -41,7 +41,7 @@ uint word(ivec2 at, int x) {
 }
 
 void main() {
-    ivec2 at = ivec2(gl_FragCoord.xy);
+    ivec2 at = as_int(floor(gl_FragCoord.xy));
     int x = at.x % MASK_SIZE;
     o_atlas = uvec2(word(at, x - 1) | word(at, x) << 16u, word(at, x + 1) | word(at, x + 2) << 16u);
 }
@@ -116,7 +116,7 @@ int sum_of(ivec4 x) {
 }
 
 void main() {
-    ivec2 texel = ivec2(gl_FragCoord.xy);
+    ivec2 texel = as_int(floor(gl_FragCoord.xy));
     uvec4 rows[5];
     for (int j = 0; j < 5; ++j) {
         ivec2 at = texel + ivec2(-2, j - 2);
@@ -178,7 +178,7 @@ uvec2 finer(ivec2 texel) {
 }
 
 void main() {
-    ivec2 at = ivec2(gl_FragCoord.xy);
+    ivec2 at = as_int(floor(gl_FragCoord.xy));
     int side = int(u_mask_side);
     ivec2 texel = at - ivec2(0, MASK_SIZE - 2 * side);
     if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, ivec2(side)))) {
@@ -203,7 +203,7 @@ uniform usampler2D u_mask_atlas_2; // where there are two masks, the second once
 out uvec2 o_atlas;
 
 void main() {
-    ivec2 at = ivec2(gl_FragCoord.xy);
+    ivec2 at = as_int(floor(gl_FragCoord.xy));
     int which = at.y / MASK_SIZE;
     at.y -= which * MASK_SIZE;
     o_atlas = which == 0 ? texelFetch(u_mask_atlas_0, at, 0).rg

@@ -40,14 +40,14 @@ float sparkle_light(vec3 d, float w, float radius, float side) {
     vec2 at = q.xz / ((abs(q.x) + q.y + abs(q.z)) * side);
     float disc = PI / 3.0 * radius * radius;
     float turn = u_sparkle_time[0] / u_sparkle_life;
-    int epoch = int(floor((u_sparkle_time[1] - u_sparkle_time[0]) / u_sparkle_life + 0.5));
+    int epoch = as_int(floor((u_sparkle_time[1] - u_sparkle_time[0]) / u_sparkle_life + 0.5));
     float sum = 0.0;
     for (int i = 0; i < SPARKLE_CELLS; ++i) {
         // A sparkle is at most half a cell wide, so four cells may reach here; one alone keeps its sparkle in its middle.
         vec2 cell = SPARKLE_CELLS == 1 ? floor(at) : floor(at - 0.5) + vec2(i & 1, i >> 1);
-        uint word = noise_hash(noise_hash(uint(int(cell.x))) ^ uint(int(cell.y)));
+        uint word = noise_hash(noise_hash(uint(as_int(cell.x))) ^ uint(as_int(cell.y)));
         float age = turn + noise_share(noise_hash(word));
-        word = noise_hash(word ^ uint((epoch + int(age)) & 65535));
+        word = noise_hash(word ^ uint((epoch + as_int(floor(age))) & 65535));
         age -= floor(age);
         vec2 inside = vec2(noise_share(noise_hash(word + 1u)), noise_share(noise_hash(word + 2u)));
         vec2 centre = (cell + (SPARKLE_CELLS == 1 ? 0.5 + 0.19 * (inside - 0.5) : inside)) * side;

@@ -23,7 +23,7 @@ vec3 star_light(vec3 d, float pixel) {
     int face;
     vec3 turned = cube_face(d, face);
     vec2 at = (turned.xy / turned.z * 0.5 + 0.5) * STAR_CELLS;
-    ivec2 cell = ivec2(clamp(floor(at), 0.0, STAR_CELLS - 1.0));
+    ivec2 cell = as_int(clamp(floor(at), 0.0, STAR_CELLS - 1.0));
     uint word = noise_hash(noise_hash(noise_hash(uint(face) ^ 0x5EA57A25u) ^ uint(cell.x)) ^ uint(cell.y));
     // Corners of the cube have smaller cells: fewer of them hold a star.
     vec2 middle = (vec2(cell) + 0.5) / STAR_CELLS * 2.0 - 1.0;

@@ -14,7 +14,7 @@ vec4 seen(int column, int row) {
 }
 
 vec4 between(float x, int row) {
-    int column = int(floor(x));
+    int column = as_int(floor(x));
     float f = x - floor(x);
     vec4 left = seen(column, row);
     vec4 right = seen(column + 1, row);
@@ -28,7 +28,7 @@ vec4 between(float x, int row) {
 
 vec4 enlarged() {
     ivec2 size = textureSize(u_samples, 0);
-    int row = int(gl_FragCoord.y);
+    int row = as_int(floor(gl_FragCoord.y));
     float middle = gl_FragCoord.x / u_viewport.x * float(size.x) - 0.5;
     float shift = (row & 1) == 0 ? -ROW_SHIFT : ROW_SHIFT;
     vec4 found = between(middle - shift, row);
@@ -36,7 +36,7 @@ vec4 enlarged() {
         // The first row has none below, the last none above: that on the other side.
         int above = row + 1 < size.y ? row + 1 : max(row - 1, 0);
         int below = row > 0 ? row - 1 : above;
-        int beside = int(floor(middle + shift + 0.5));
+        int beside = as_int(floor(middle + shift + 0.5));
         float f = fract(middle - shift);
         // Of dots as much where the two beside differ; where they are alike, a crest may run between the rows.
         float alike = PIXEL_WIDTH > 3.0 ? 0.3 : 0.1;

@@ -5,7 +5,7 @@
 uniform sampler2D u_linear;
 
 vec4 finished() {
-    return texel_at(u_linear, ivec2(gl_FragCoord.xy));
+    return texel_at(u_linear, as_int(floor(gl_FragCoord.xy)));
 }
 
 // @part beneath
@@ -13,7 +13,7 @@ vec4 finished() {
 uniform sampler2D u_beneath;
 
 vec4 beneath() {
-    return texel_at(u_beneath, ivec2(gl_FragCoord.xy));
+    return texel_at(u_beneath, as_int(floor(gl_FragCoord.xy)));
 }
 
 // @part above
@@ -21,7 +21,7 @@ vec4 beneath() {
 uniform sampler2D u_above;
 
 vec4 above(vec2 pixel) {
-    return texel_at(u_above, ivec2(pixel));
+    return texel_at(u_above, as_int(floor(pixel)));
 }
 
 // @part viewport
@@ -62,7 +62,7 @@ uniform sampler2D u_samples;
 out vec4 o_color;
 
 void main() {
-    ivec2 corner = ivec2(gl_FragCoord.xy) * SAMPLE_SIDE;
+    ivec2 corner = as_int(floor(gl_FragCoord.xy)) * SAMPLE_SIDE;
     vec4 sum = vec4(0.0);
     for (int j = 0; j < SAMPLE_SIDE; ++j) {
         for (int i = 0; i < SAMPLE_SIDE; ++i) {

@@ -39,7 +39,7 @@ vec3 block_mean(ivec2 block, float most) {
     for (int j = 0; j < 4; ++j) {
         for (int i = 0; i < BLOCK_COLUMNS; ++i) {
             vec2 pixel = vec2(4 * block + ivec2(0, j)) + vec2((float(i) + 0.5) * (4.0 / float(BLOCK_COLUMNS)), 0.5);
-            ivec2 drawn = min(ivec2(pixel * vec2(1.0 / PIXEL_WIDTH, 1.0)), last);
+            ivec2 drawn = min(as_int(floor(pixel * vec2(1.0 / PIXEL_WIDTH, 1.0))), last);
             sum += min(over_narrow(texel_at(u_samples, drawn), pixel).rgb, most);
         }
     }
@@ -54,7 +54,7 @@ out vec4 o_color;
 const float GLARE_MOST = 4096.0;
 
 void main() {
-    o_color = vec4(block_mean(ivec2(gl_FragCoord.xy), GLARE_MOST), 1.0);
+    o_color = vec4(block_mean(as_int(floor(gl_FragCoord.xy)), GLARE_MOST), 1.0);
 }
 
 // @part half

@@ -45,7 +45,7 @@ uniform float u_roughness; // root mean square slope
 out vec4 o_light;
 
 void main() {
-    ivec2 texel = ivec2(gl_FragCoord.xy);
+    ivec2 texel = as_int(floor(gl_FragCoord.xy));
     ivec2 cell = texel / CUBE_SIZE;
     vec2 at = 2.0 * vec2(texel - cell * CUBE_SIZE) / float(CUBE_SIZE - 1) - 1.0;
     vec3 d = normalize(cube_direction(cell.x + 3 * cell.y, at));

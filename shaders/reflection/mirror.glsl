@@ -173,8 +173,8 @@ vec4 mirror_read(vec2 clip, inout float way) {
     vec4 sum = vec4(0.0);
     float near = 0.0;
     for (int i = 0; i < 4; ++i) {
-        ivec2 corner = ivec2(base) + ivec2(i & 1, i >> 1);
-        vec2 w = mix(1.0 - t, t, vec2(corner - ivec2(base)));
+        ivec2 corner = as_int(base) + ivec2(i & 1, i >> 1);
+        vec2 w = mix(1.0 - t, t, vec2(corner - as_int(base)));
         bool inside = all(greaterThanEqual(corner, ivec2(0))) && all(lessThan(corner, ivec2(MIRROR_SIZE)));
         vec4 texel = inside ? texel_at(u_mirror, corner) : vec4(0.0);
         float share = w.x * w.y * (texel.a > 0.0 ? 1.0 : 0.0);

@@ -88,7 +88,7 @@ Soil land_sample(vec2 p, vec4 ground, Footprint fp, out float amount) {
 uniform sampler2DArray u_surface_samples;
 
 Soil land_sample(vec2 p, vec4 ground, Footprint fp, out float amount) {
-    ivec2 at = ivec2(gl_FragCoord.xy);
+    ivec2 at = as_int(floor(gl_FragCoord.xy));
     vec4 color = texel_at(u_surface_samples, ivec3(at, 0));
     vec4 relief = texel_at(u_surface_samples, ivec3(at, 1));
     amount = relief.w;

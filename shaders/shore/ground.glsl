@@ -116,7 +116,7 @@ SplineTaps spline_taps(vec2 q, int size) {
     vec2 base = floor(at);
     vec2 t = at - base;
     return SplineTaps(
-        ivec2(base), bspline_weights(t.x), bspline_weights(t.y), bspline_slopes(t.x), bspline_slopes(t.y),
+        as_int(base), bspline_weights(t.x), bspline_weights(t.y), bspline_slopes(t.x), bspline_slopes(t.y),
         float(size) / u_shore_size * shore_inside(q));
 }
 

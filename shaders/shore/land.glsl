@@ -105,7 +105,7 @@ uniform sampler2D u_met; // tau, and what is there: 2 is land
 out vec4 o_color;
 
 void main() {
-    vec2 met = texel_at(u_met, ivec2(sample_place())).rg;
+    vec2 met = texel_at(u_met, as_int(floor(sample_place()))).rg;
     if (met.g != 2.0) {
         discard;
     }
@@ -121,7 +121,7 @@ layout(location = 1) out vec4 o_normal; // and amount of foam
 layout(location = 2) out vec4 o_nothing; // WebGL wants as many as there are layers
 
 void main() {
-    vec2 met = texel_at(u_met, ivec2(sample_place())).rg;
+    vec2 met = texel_at(u_met, as_int(floor(sample_place()))).rg;
     if (met.g != 2.0) {
         discard;
     }
@@ -144,7 +144,7 @@ layout(location = 1) out vec4 o_second;
 layout(location = 2) out vec4 o_third;
 
 void main() {
-    if (texel_at(u_met, ivec2(sample_place())).g != 2.0) {
+    if (texel_at(u_met, as_int(floor(sample_place()))).g != 2.0) {
         discard;
     }
     o_color = o_second = o_third = vec4(0.0);

@@ -7,7 +7,7 @@ uniform sampler2D u_land_cells;
 out vec4 o_highest;
 
 void main() {
-    ivec2 cell = ivec2(gl_FragCoord.xy);
+    ivec2 cell = as_int(floor(gl_FragCoord.xy));
     ivec2 level = land_level(cell.x);
     ivec2 low = ivec2(level.y, 0);
     ivec2 high = low + level.x - 1;
@@ -31,7 +31,7 @@ uniform float u_shore_spread; // standard deviation, texels, at most SPREAD_REAC
 out vec4 o_smooth;
 
 void main() {
-    ivec2 here = ivec2(gl_FragCoord.xy);
+    ivec2 here = as_int(floor(gl_FragCoord.xy));
     ivec2 last = textureSize(u_rough, 0) - 1;
     vec4 sum = vec4(0.0);
     float weights = 0.0;
@@ -69,7 +69,7 @@ float away(vec2 found, vec2 at) {
 }
 
 void main() {
-    ivec2 here = ivec2(gl_FragCoord.xy);
+    ivec2 here = as_int(floor(gl_FragCoord.xy));
     ivec2 last = textureSize(u_nearest, 0) - 1;
     vec2 at = vec2(here);
     vec4 best = vec4(-1.0);
@@ -166,7 +166,7 @@ vec3 shore_arrival(ivec2 here, float d, vec2 g) {
 out vec4 o_map;
 
 void main() {
-    ivec2 here = ivec2(gl_FragCoord.xy);
+    ivec2 here = as_int(floor(gl_FragCoord.xy));
     vec2 q = (gl_FragCoord.xy / u_viewport - 0.5) * u_shore_size;
     vec2 at = smoothed(here);
     float d = at.x;
@@ -214,7 +214,7 @@ vec3 share_powers(vec3 taps) {
 }
 
 void main() {
-    ivec2 here = ivec2(gl_FragCoord.xy);
+    ivec2 here = as_int(floor(gl_FragCoord.xy));
     ivec2 texel = ivec2(here.x / 3, here.y);
     int power = here.x - 3 * texel.x;
     vec3 rows[3];

@@ -135,7 +135,7 @@ float land_free(vec2 q, float y, vec3 r, float aside, float raised, float from, 
         float side = u_shore_size / float(cells);
         vec2 at = q + tau * r.xz;
         vec2 cell = clamp(floor(at / side + 0.5 * float(cells)), vec2(0.0), vec2(float(cells - 1)));
-        vec2 maxima = texel_at(u_land_maxima, ivec2(cell) + ivec2(left, 0)).rg;
+        vec2 maxima = texel_at(u_land_maxima, as_int(cell) + ivec2(left, 0)).rg;
         float highest = aside > 0.0 ? maxima.g : maxima.r;
         // To the cell's far walls, a little over, as long as the beam is no wider than a cell on either side; from outside the square
         // no further than to the walls of the cell that is next to it.
@@ -172,7 +172,7 @@ uniform sampler2D u_shore_floor; // height (m), tint
 out vec4 o_highest;
 
 void main() {
-    ivec2 cell = ivec2(gl_FragCoord.xy);
+    ivec2 cell = as_int(floor(gl_FragCoord.xy));
     ivec2 level = land_level(cell.x);
     cell.x -= level.y;
     o_highest = vec4(0.0);

@@ -101,7 +101,7 @@ vec2 soil_layer(uint key, float x, float width) {
     float kept = 1.0 - smoothstep(0.15, 0.6, width);
     float base = floor(x);
     float t = x - base;
-    int cell = int(base);
+    int cell = as_int(base);
     float a = noise_share(noise_hash(noise_hash(key) ^ uint(cell)));
     float b = noise_share(noise_hash(noise_hash(key) ^ uint(cell + 1)));
     return kept * vec2(a + (b - a) * t * t * (3.0 - 2.0 * t) - 0.5, (b - a) * 6.0 * t * (1.0 - t));

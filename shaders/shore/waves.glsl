@@ -61,11 +61,11 @@ vec3 shore_profile(float turn, float skew) {
     vec3 w = bspline_weights(at + 0.5 - base);
     vec3 s = bspline_slopes(at + 0.5 - base);
     float y = clamp(skew, 0.0, 1.0) * float(PROFILE_ROWS - 1);
-    int row = min(int(y), PROFILE_ROWS - 2);
+    int row = min(as_int(floor(y)), PROFILE_ROWS - 2);
     vec2 value = vec2(0.0);
     vec2 slope = vec2(0.0);
     for (int i = 0; i < 3; ++i) {
-        vec2 pair = texel_at(u_shore_profiles, ivec2((int(base) + i - 1) & (PROFILE_NODES - 1), row)).rg;
+        vec2 pair = texel_at(u_shore_profiles, ivec2((as_int(base) + i - 1) & (PROFILE_NODES - 1), row)).rg;
         value += w[i] * pair;
         slope += s[i] * pair;
     }
@@ -136,7 +136,7 @@ vec3 shore_share(vec2 q) {
     vec2 place = (q / u_shore_size + 0.5) * float(MAP_TEXELS);
     vec2 base = min(floor(place), float(MAP_TEXELS - 1));
     vec2 t = place - base;
-    ivec2 at = ivec2(3 * int(base.x), int(base.y));
+    ivec2 at = ivec2(3 * as_int(base.x), as_int(base.y));
     vec3 even = texel_at(u_shore_share, at).xyz;
     vec3 rising = texel_at(u_shore_share, at + ivec2(1, 0)).xyz;
     vec3 bent = texel_at(u_shore_share, at + ivec2(2, 0)).xyz;

@@ -22,7 +22,7 @@ layout(location = 1) out vec4 o_scattered;
 layout(location = 2) out vec4 o_onward;
 
 void main() {
-    ivec2 at = ivec2(gl_FragCoord.xy);
+    ivec2 at = as_int(floor(gl_FragCoord.xy));
     int i = at.y * SPRAY_COLUMNS + at.x;
     vec4 traits = spray_entry(u_spray_births, i, 2);
     o_place = o_scattered = o_onward = vec4(0.0);

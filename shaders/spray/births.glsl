@@ -25,9 +25,9 @@ bool open_born(int i, out Drop drop) {
     ivec2 cell = ivec2(rest % SPRAY_CELLS, rest / SPRAY_CELLS % SPRAY_CELLS);
     float side = u_spray_cell[level];
     vec2 eye = u_spray_eye[level];
-    cell += ivec2(floor(eye + 0.35 * float(SPRAY_CELLS) * u_ray_z.xz - 0.5 * float(SPRAY_CELLS) + 0.5));
+    cell += as_int(floor(eye + 0.35 * float(SPRAY_CELLS) * u_ray_z.xz - 0.5 * float(SPRAY_CELLS) + 0.5));
     drop.age = u_spray_time[0] + float(batch) * u_spray_step;
-    int epoch = int(floor((u_spray_time[1] - u_spray_time[0]) / u_spray_step + 0.5)) - batch;
+    int epoch = as_int(floor((u_spray_time[1] - u_spray_time[0]) / u_spray_step + 0.5)) - batch;
     int member = rest / (SPRAY_CELLS * SPRAY_CELLS);
     uint own = noise_hash(uint(member / SPRAY_CLUSTER * SPRAY_LEVELS + level));
     uint cluster = noise_hash(noise_hash(noise_hash(own ^ uint(cell.x & 255)) ^ uint(cell.y & 255)) ^ uint(epoch & 65535));
@@ -239,10 +239,10 @@ bool rock_born(int i, out Drop drop) {
     ShoreField f = shore_field(q);
     // Crests are where the turn is a whole number; it falls as time goes on.
     float turn = -u_spray_surf_time[0] / u_spray_period - f.here.r;
-    int wave = int(floor(turn)) - int(floor((u_spray_surf_time[1] - u_spray_surf_time[0]) / u_spray_period + 0.5));
+    int wave = as_int(floor(turn)) - as_int(floor((u_spray_surf_time[1] - u_spray_surf_time[0]) / u_spray_period + 0.5));
     drop.word = noise_hash(own ^ uint(wave & 65535));
     // Waves do not break alike along a coast: patches of six metres, each wave anew, each burst a little after the crest.
-    ivec2 spot = ivec2(floor(q / 6.0));
+    ivec2 spot = as_int(floor(q / 6.0));
     uint burst = noise_hash(noise_hash(noise_hash(uint(spot.x)) ^ uint(spot.y)) ^ uint(wave & 65535));
     drop.age = (1.0 - (turn - floor(turn))) * u_spray_period - SPRAY_DELAY * (0.7 * spray_part(burst, 0u) + 0.3 * spray_part(drop.word, 1u));
     float strong = 0.3 + 0.7 * spray_part(burst, 1u);
@@ -251,7 +251,7 @@ bool rock_born(int i, out Drop drop) {
     float height = shore_then(f, q, drop.age) + f.here.a * (fronts_then(p, drop.age).x + rings_then(p, drop.age));
     drop.birth = vec3(p.x, height, p.y);
     // Jets, a metre and a half of rock each, lean out to sea and aside; their drops fan out about them.
-    ivec2 jet = ivec2(floor(q / 1.5));
+    ivec2 jet = as_int(floor(q / 1.5));
     uint way = noise_hash(noise_hash(noise_hash(uint(jet.x)) ^ uint(jet.y)) ^ uint(wave & 65535));
     float fast = start * (0.4 + 0.6 * spray_part(way, 0u)) * (0.25 + 0.75 * spray_part(drop.word, 2u));
     float lean = 0.3 * spray_part(way, 1u) + 0.2 * spray_part(drop.word, 4u) - 0.05;
@@ -337,7 +337,7 @@ layout(location = 1) out vec4 o_velocity;
 layout(location = 2) out vec4 o_traits;
 
 void main() {
-    ivec2 at = ivec2(gl_FragCoord.xy);
+    ivec2 at = as_int(floor(gl_FragCoord.xy));
     Drop drop;
     o_birth = o_velocity = o_traits = vec4(0.0);
     if (spray_born(at.y * SPRAY_COLUMNS + at.x, drop)) {

@@ -39,7 +39,7 @@ float spray_corner(int tile, int batch, vec2 p) {
         vec2 by_z = vec2(0.0);
         for (int j = 0; j < 4; ++j) {
             for (int i = 0; i < 4; ++i) {
-                vec3 c = spray_texel(tile, batch, ivec2(base) + ivec2(i - 1, j - 1)).xyz;
+                vec3 c = spray_texel(tile, batch, as_int(base) + ivec2(i - 1, j - 1)).xyz;
                 value += wx[i] * wz[j] * c;
                 by_x += sx[i] * wz[j] * c.yz;
                 by_z += wx[i] * sz[j] * c.yz;
@@ -75,7 +75,7 @@ vec2 spray_place(int tile, vec2 p) {
 
 // The nearest texel of a tile: the water that rests at p.
 vec4 spray_near(int tile, int batch, vec2 p) {
-    return spray_texel(tile, batch, ivec2(floor(spray_place(tile, p) * float(SPRAY_TEXELS) + 0.5)));
+    return spray_texel(tile, batch, as_int(floor(spray_place(tile, p) * float(SPRAY_TEXELS) + 0.5)));
 }
 
 // How hard the sea breaks where the water rests at p, by the nearest texels. p: returns where that water is.
@@ -128,7 +128,7 @@ vec4 water(ivec2 at, int tile, int time) {
 // F = l div D = -l |k| h. Divided by the cubic B-spline's response.
 vec4 spectra(vec2 k, int tile, int time) {
     vec2 spline = (2.0 + cos(k * (TAU / float(BLOCK_SIZE)))) / 3.0;
-    vec2 h = amplitude(ivec2(k), tile, spray_before(time)) / (spline.x * spline.y);
+    vec2 h = amplitude(as_int(k), tile, spray_before(time)) / (spline.x * spline.y);
     float number = length(k);
     vec2 way = k / number;
     float second = way.y - number * (tile == 0 ? u_spray_scale.x : u_spray_scale.y);

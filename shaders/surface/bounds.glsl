@@ -17,7 +17,7 @@ out vec4 o_bounds;
 
 void main() {
     ivec2 size = textureSize(u_bounded, 0);
-    ivec2 corner = ivec2(gl_FragCoord.xy) * BOUNDS_BLOCK;
+    ivec2 corner = as_int(floor(gl_FragCoord.xy)) * BOUNDS_BLOCK;
     vec3 bounds = vec3(-65000.0, 0.0, 0.0);
     for (int j = 0; j < BOUNDS_BLOCK.y; j += BOUNDS_STRIDE) {
         for (int i = 0; i < BOUNDS_BLOCK.x; i += BOUNDS_STRIDE) {

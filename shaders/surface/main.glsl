@@ -72,7 +72,7 @@ const int LAND = 2;
 uniform sampler2DArray u_surface_samples;
 
 int first_sample(vec3 ray, out float tau, out vec4 ground, out Sample s) {
-    ivec2 at = ivec2(gl_FragCoord.xy);
+    ivec2 at = as_int(floor(gl_FragCoord.xy));
     vec4 place = texel_at(u_surface_samples, ivec3(at, 1));
     vec4 foam = texel_at(u_surface_samples, ivec3(at, 2));
     tau = place.x;

@@ -20,7 +20,7 @@ int first_met(vec3 ray, out float tau, out vec3 wave, out vec4 ground) {
 uniform sampler2D u_met; // tau, and which of them
 
 bool find_surface(vec3 ray, float farthest, out float tau, out vec3 wave) {
-    vec2 met = texel_at(u_met, ivec2(sample_place())).rg;
+    vec2 met = texel_at(u_met, as_int(floor(sample_place()))).rg;
     tau = met.r;
     wave = waves(tau * ray.xz);
     return met.g == 1.0;

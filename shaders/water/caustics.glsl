@@ -46,7 +46,7 @@ uniform sampler2D u_caustic_blue;
 out vec4 o_light;
 
 void main() {
-    ivec2 at = ivec2(gl_FragCoord.xy);
+    ivec2 at = as_int(floor(gl_FragCoord.xy));
     vec3 sum = vec3(0.0);
     for (int j = -1; j <= 1; ++j) {
         for (int i = -1; i <= 1; ++i) {
@@ -82,7 +82,7 @@ float spread(vec2 a, vec2 b) {
 }
 
 void main() {
-    ivec2 corner = ivec2(floor(a_grid * float(CAUSTIC_CELLS + 2 * CAUSTIC_MARGIN) + 0.5)) - CAUSTIC_MARGIN;
+    ivec2 corner = as_int(floor(a_grid * float(CAUSTIC_CELLS + 2 * CAUSTIC_MARGIN) + 0.5)) - CAUSTIC_MARGIN;
     vec3 here = landing_of(corner);
     vec2 before = landing_of(corner - ivec2(0, 1)).xy;
     vec2 after = landing_of(corner + ivec2(1, -1)).xy;
@@ -149,7 +149,7 @@ uniform vec3 u_caustic_across[CAUSTIC_TAPS]; // weights of red, green and blue, 
 out vec4 o_light;
 
 void main() {
-    ivec2 first = ivec2(2 * int(gl_FragCoord.x) + CAUSTIC_RIM - CAUSTIC_BEFORE, int(gl_FragCoord.y));
+    ivec2 first = ivec2(2 * as_int(floor(gl_FragCoord.x)) + CAUSTIC_RIM - CAUSTIC_BEFORE, as_int(floor(gl_FragCoord.y)));
     vec3 sum = vec3(0.0);
     for (int i = 0; i < CAUSTIC_TAPS; ++i) {
         sum += texel_at(u_caustic_light, first + ivec2(i, 0)).rgb * u_caustic_across[i];
@@ -164,7 +164,7 @@ uniform vec3 u_caustic_along[CAUSTIC_TAPS];
 out vec4 o_light;
 
 void main() {
-    ivec2 first = ivec2(int(gl_FragCoord.x), 2 * int(gl_FragCoord.y) + CAUSTIC_RIM - CAUSTIC_BEFORE);
+    ivec2 first = ivec2(as_int(floor(gl_FragCoord.x)), 2 * as_int(floor(gl_FragCoord.y)) + CAUSTIC_RIM - CAUSTIC_BEFORE);
     vec3 sum = vec3(0.0);
     for (int j = 0; j < CAUSTIC_TAPS; ++j) {
         sum += texel_at(u_caustic_rows, first + ivec2(0, j)).rgb * u_caustic_along[j];

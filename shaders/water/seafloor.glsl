@@ -53,7 +53,7 @@ vec3 bed_albedo(vec2 at, Footprint fp) {
     // Narrower than a thousandth of a tile the difference below would be rounding.
     vec2 width = max((abs(fp.x) + abs(fp.y)) / u_floor_tile, 1e-3);
     vec2 open = 1.0 - (joints_before(x + 0.5 * width) - joints_before(x - 0.5 * width)) / width;
-    float shade = noise_corner(TILE_KEY, ivec2(floor(x)) & 255) - 0.5;
+    float shade = noise_corner(TILE_KEY, as_int(floor(x)) & 255) - 0.5;
     shade *= 1.0 - smoothstep(0.5, 1.5, max(width.x, width.y));
     return mix(vec3(JOINT_ALBEDO), u_floor_albedo * (1.0 + 0.24 * shade), clamp(open.x * open.y, 0.0, 1.0));
 }

@@ -38,7 +38,7 @@ vec4 water(ivec2 at, int tile, int time) {
 
 // Of the water that has drifted here since.
 vec2 divergence_then(vec2 k, int tile, float before) {
-    vec2 then = amplitude(ivec2(k), tile, before);
+    vec2 then = amplitude(as_int(k), tile, before);
     if (!AGE_DRIFTS) {
         return then;
     }
@@ -65,7 +65,7 @@ uniform vec3 u_sea_other; // the second tile, as the first
 
 void main() {
     float finer = float(SEA_DISPLACED) / float(AGE_SIZE);
-    ivec2 at = ivec2(gl_FragCoord.xy);
+    ivec2 at = as_int(floor(gl_FragCoord.xy));
     int row = at.y / (AGE_SIZE + 1);
     sea_block = row < AGE_ROWS ? u_sea_block : u_sea_other;
     at.y = (at.y - row * (AGE_SIZE + 1)) & (AGE_SIZE - 1);

@@ -273,14 +273,14 @@ float boulder_met(int column, int row) {
 
 void boulder_water(vec3 ray, float farthest) {
     boulder_middle = boulder_texel(ray);
-    int low = int(floor(boulder_middle.y));
+    int low = as_int(floor(boulder_middle.y));
     float up = boulder_middle.y - float(low);
     vec4 near;
     vec2 across;
     for (int j = 0; j < 2; ++j) {
         int row = low + j;
         float column = boulder_middle.x - (BOULDER_SHIFTED ? (row & 1) == 0 ? -ROW_SHIFT : ROW_SHIFT : 0.0);
-        int left = int(floor(column));
+        int left = as_int(floor(column));
         vec2 pair = vec2(boulder_met(left, row), boulder_met(left + 1, row));
         across[j] = column - float(left);
         near = j == 0 ? vec4(pair, 0.0, 0.0) : vec4(near.xy, pair);

@@ -43,7 +43,7 @@ vec3 ripples_detail(vec2 p, Footprint fp) {
     vec2 slope = vec2(0.0);
     for (int i = 0; i < 2 * RIPPLE_COPIES * RIPPLE_WAVES; ++i) {
         vec4 wave = u_ripples_wave[i];
-        float amount = -kept[int(wave.w)] * wave.z * whole_sine_cosine(wrap_phase(u_ripples_phase[i] - dot(wave.xy, p))).y;
+        float amount = -kept[as_int(wave.w)] * wave.z * whole_sine_cosine(wrap_phase(u_ripples_phase[i] - dot(wave.xy, p))).y;
         slope += amount * normalize(wave.xy);
     }
     return vec3(slope, ripples_lost(kept));

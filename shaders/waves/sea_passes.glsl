@@ -40,7 +40,7 @@ ivec2 gerstner_waves(int tile) {
 
 // Phase at a texel's corner: k.x is a whole number of parts of a turn.
 float gerstner_theta(int wave, ivec2 texel, int size) {
-    ivec2 k = ivec2(u_gerstner[wave].xy);
+    ivec2 k = as_int(u_gerstner[wave].xy);
     int part = (k.x * texel.x + k.y * texel.y) & (size - 1);
     return wrap_phase(u_gerstner_phase[wave] + TAU / float(size) * float(part));
 }
@@ -62,7 +62,7 @@ vec4 water(ivec2 at, int tile, int time) {
 // response, so that what the transform gives are the coefficients of a spline through the sea.
 vec4 spectra(vec2 k, int tile, int time) {
     vec2 spline = (2.0 + cos(k * (TAU / float(BLOCK_SIZE)))) / 3.0;
-    vec2 h = amplitude(ivec2(k), tile, 0.0) / (spline.x * spline.y);
+    vec2 h = amplitude(as_int(k), tile, 0.0) / (spline.x * spline.y);
     vec2 way = normalize(k);
     return vec4((1.0 - way.x) * h, way.y * vec2(-h.y, h.x));
 }
@@ -77,7 +77,7 @@ layout(location = 3) out vec4 o_fourth;
 // @part water_pass
 // Sums of waves at the rows of a block.
 vec4 water_in(int layer) {
-    ivec2 at = ivec2(gl_FragCoord.xy);
+    ivec2 at = as_int(floor(gl_FragCoord.xy));
     int block = at.y / (BLOCK_SIZE / 4);
     return water(ivec2(at.x, at.y + (layer - block) * (BLOCK_SIZE / 4)), block / BLOCK_TIMES, block % BLOCK_TIMES);
 }
@@ -92,7 +92,7 @@ void main() {
 // @part spectra_pass
 // Spectra of blocks. Beyond the band, and at Nyquist, whose wave has no partner: 0.
 vec4 spectra_in(int layer) {
-    ivec2 at = ivec2(gl_FragCoord.xy);
+    ivec2 at = as_int(floor(gl_FragCoord.xy));
     int block = at.y / SPECTRUM_SIDE;
     ivec2 k = at + ivec2(layer * (SPECTRUM_SIDE / 4), -block * SPECTRUM_SIDE);
     k -= SPECTRUM_SIDE * ivec2(greaterThanEqual(k, ivec2(SPECTRUM_SIDE / 2)));
@@ -144,15 +144,15 @@ void sums_of_four(vec4 a, vec4 b, vec4 c, vec4 d) {
 // @part fft_first_pass
 // The first pass along an axis: from SPECTRUM_SIDE wavenumbers, the others are 0.
 vec4 wave_at(int quarter) {
-    ivec2 at = ivec2(gl_FragCoord.xy);
-    int size = 1 << int(u_fft.x);
+    ivec2 at = as_int(floor(gl_FragCoord.xy));
+    int size = 1 << as_int(u_fft.x);
     int side = min(2 * SEA_BAND, size);
     bool down = u_fft.z > 0.5;
     int place = (down ? at.y : at.x) & (size / 4 - 1);
     int k = quarter * (size / 4) + place - (quarter < 2 ? 0 : size);
     int held = k & (side - 1);
     ivec3 from = down
-        ? ivec3(at.x & (size / 4 - 1), ((at.y - place) >> (int(u_fft.x) - 2)) * side + held, at.x >> (int(u_fft.x) - 2))
+        ? ivec3(at.x & (size / 4 - 1), ((at.y - place) >> (as_int(u_fft.x) - 2)) * side + held, at.x >> (as_int(u_fft.x) - 2))
         : ivec3(held & (side / 4 - 1), at.y, 4 * held >= 3 * side ? 3 : 2 * held >= side ? 2 : 4 * held >= side ? 1 : 0);
     return -side / 2 <= k && k < side / 2 ? texel_at(u_fft_from, from) : vec4(0.0);
 }
@@ -164,12 +164,12 @@ void main() {
 // @part fft_pass
 // A further pass.
 void main() {
-    int done = int(u_fft.y);
-    int left = int(u_fft.x) - done;
+    int done = as_int(u_fft.y);
+    int left = as_int(u_fft.x) - done;
     bool down = u_fft.z > 0.5;
-    ivec2 at = ivec2(gl_FragCoord.xy);
+    ivec2 at = as_int(floor(gl_FragCoord.xy));
     // All are powers of 2: shifts and masks stand for divisions, which drivers on processors make lane by lane.
-    int place = (down ? at.y : at.x) & ((1 << (int(u_fft.x) - 2)) - 1);
+    int place = (down ? at.y : at.x) & ((1 << (as_int(u_fft.x) - 2)) - 1);
     int found = place >> (left - 2);
     int first = ((found & ((1 << (done - 2)) - 1)) << left) + (place & ((1 << (left - 2)) - 1)) - place;
     ivec3 from = ivec3(at, found >> (done - 2)) + (down ? ivec3(0, first, 0) : ivec3(first, 0, 0));
@@ -186,9 +186,9 @@ void main() {
 // @part fft_last_pass
 // The last pass of an odd number of bits: over one. Each texel sums for both values of the place's highest bit so far.
 void main() {
-    int done = int(u_fft.y);
+    int done = as_int(u_fft.y);
     bool down = u_fft.z > 0.5;
-    ivec2 at = ivec2(gl_FragCoord.xy);
+    ivec2 at = as_int(floor(gl_FragCoord.xy));
     int place = (down ? at.y : at.x) & ((1 << (done - 1)) - 1);
     int first = 2 * (place & ((1 << (done - 2)) - 1)) - place;
     ivec3 from = ivec3(at, place >> (done - 2)) + (down ? ivec3(0, first, 0) : ivec3(first, 0, 0));
@@ -217,7 +217,7 @@ vec4 block_texel(sampler2DArray blocks, int size, int block, ivec2 at) {
 vec4 block_between(sampler2DArray blocks, int size, int block, vec2 at) {
     vec2 base = floor(at);
     vec2 t = at - base;
-    ivec2 first = ivec2(base);
+    ivec2 first = as_int(base);
     vec4 row = mix(block_texel(blocks, size, block, first), block_texel(blocks, size, block, first + ivec2(1, 0)), t.x);
     vec4 next = mix(block_texel(blocks, size, block, first + ivec2(0, 1)), block_texel(blocks, size, block, first + 1), t.x);
     return mix(row, next, t.y);
@@ -250,7 +250,7 @@ vec4 sea_fetch_four(sampler2D tiles, vec2 at, int which) {
     int size = textureSize(tiles, 0).x;
     vec2 place = fract(at) * float(size);
     vec2 base = floor(place);
-    ivec2 first = ivec2(base) & (size - 1);
+    ivec2 first = as_int(base) & (size - 1);
     int row = which * (size + 1) + first.y;
     return bilinear_between(tiles, ivec2(first.x, row), ivec2((first.x + 1) & (size - 1), row + 1), place - base);
 }
@@ -266,7 +266,7 @@ vec4 sea_smooth(sampler2D tile, vec2 at) {
     vec4 sum = vec4(0.0);
     for (int j = 0; j < 4; ++j) {
         for (int i = 0; i < 4; ++i) {
-            ivec2 texel = (ivec2(base) + ivec2(i - 1, j - 1)) & (size - 1);
+            ivec2 texel = (as_int(base) + ivec2(i - 1, j - 1)) & (size - 1);
             sum += across[i] * down[j] * texel_at(tile, texel);
         }
     }
@@ -332,7 +332,7 @@ Displaced displaced(vec2 at) {
         vec3 along = vec3(0.0);
         vec3 rise = vec3(0.0);
         for (int i = 0; i < 4; ++i) {
-            vec3 c = block_texel(u_sea_displaced, SEA_DISPLACED, int(sea_block.x), ivec2(base) + ivec2(i - 1, j - 1)).xyz;
+            vec3 c = block_texel(u_sea_displaced, SEA_DISPLACED, as_int(sea_block.x), as_int(base) + ivec2(i - 1, j - 1)).xyz;
             along += wx[i] * c;
             rise += sx[i] * c;
         }
@@ -375,6 +375,6 @@ uniform sampler2D u_sea_orbits; // x, z: to the resting place, m
 
 vec2 resting(vec2 p) {
     bool found = sea_block.x < 1.5;
-    vec2 way = sea_fetch_four(u_sea_orbits, p / float(SEA_DISPLACED), int(sea_block.x)).xy / sea_block.y;
+    vec2 way = sea_fetch_four(u_sea_orbits, p / float(SEA_DISPLACED), as_int(sea_block.x)).xy / sea_block.y;
     return rested(p, found ? p + way : p, found ? SEA_NEWTON_FOUND : SEA_NEWTON);
 }

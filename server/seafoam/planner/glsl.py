@@ -21,7 +21,11 @@ PLACE_SHIFTED = "lib/rays.glsl@place_shifted"
 """The same where rows of pixels are shifted against one another."""
 FULLSCREEN = ("vertex/vertex.glsl@fullscreen",)
 """The vertex shader of a triangle that covers its target."""
-READS = {"texel_at(": "lib/texels.glsl@texel", "sampler2DArray": "lib/texels.glsl@layer_texel"}
+READS = {
+    "as_int(": "lib/texels.glsl@as_int",
+    "texel_at(": "lib/texels.glsl@texel",
+    "sampler2DArray": "lib/texels.glsl@layer_texel",
+}
 """Files that are included first where a shader's source contains such a word."""
 PART = re.compile(r"^// @part (\w+)\n", re.MULTILINE)
 """Begins a part of a file, which goes on to the next or to the end."""

@@ -140,8 +140,8 @@ float front_integral(float low, float high) {
     to = max(to, FRONT_FULL);
     float x = (from - FRONT_FULL) / cell;
     float y = (to - FRONT_FULL) / cell;
-    int i = min(int(x), FRONT_NODES - 2);
-    int j = min(int(y), FRONT_NODES - 2);
+    int i = min(as_int(floor(x)), FRONT_NODES - 2);
+    int j = min(as_int(floor(y)), FRONT_NODES - 2);
     vec4 first = texel_at(u_front_integral, ivec2(i, 0));
     vec4 last = texel_at(u_front_integral, ivec2(j, 0));
     float t = min(x - float(i), 1.0);

@@ -32,7 +32,7 @@ float height_saturation(vec2 p, float height, Footprint fp) {
     float over = u_eye_height - height;
     float falls = over > 0.0 ? min(over / (way * along) * u_height_wave.w, 1.0) : 1.0;
     float x = sqrt(falls) * float(HEIGHT_NODES - 1);
-    int i = min(int(x), HEIGHT_NODES - 2);
+    int i = min(as_int(floor(x)), HEIGHT_NODES - 2);
     vec2 seen = mix(u_height_seen[i], u_height_seen[i + 1], x - float(i));
     float kept = 1.0;
     float raised = height + u_height_level;
