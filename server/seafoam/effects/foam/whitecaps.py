@@ -81,6 +81,7 @@ def _recent(scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Qualit
         by_spectrum=("spectrum of earlier folds", "age_spectrum", (_TIMES_BEFORE, "waves/age.glsl@spectrum_pass")),
         transforms="earlier times of folds",
         uniforms=_time_uniforms(scene, sea, raised, 0.0, quality.age_step),
+        format=waves.tile_target(quality, size).format,
     )
     over = FixedSize(width=size, height=(size + 1) * rows * RAISED)
     carried = PassSpec(
@@ -108,6 +109,7 @@ def _old(scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Quality, 
         by_spectrum=("spectrum of folds of long ago", "old_spectrum", (_TIMES_BEFORE, "waves/age.glsl@spectrum_pass")),
         transforms="folds of long ago",
         uniforms=_time_uniforms(scene, sea, (largest,), quality.age_steps * quality.age_step, OLD_STEP),
+        format=waves.tile_target(quality, OLD_TEXELS).format,
     )
     shares = rounded(model.old_shares)
     foam = PassSpec(

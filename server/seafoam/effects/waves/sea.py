@@ -11,7 +11,7 @@ from seafoam.effects import effect
 from seafoam.effects.bounds import measured_bounds, unlit
 from seafoam.effects.effect import Contribution, PassSpec, QualityParameter, Resources, TextureUse, drawn_map
 from seafoam.effects.shader import Const, Inline, Piece, SlotFile
-from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target
+from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, TargetFormat
 from seafoam.framegraph.rules import Loop, Phase, Uniform, array, constants, in_tile, number, significant, vector
 from seafoam.ocean.waves.cascades import BAND, LEAST_JACOBIAN, LOOP, RAISED, Cascade, cascades
 from seafoam.ocean.waves.stokes import follows_orbits
@@ -54,7 +54,7 @@ class WaterDrawing:
     each of ``tiles`` tiles, one after the other. ``size``: side of a block, texels. ``by_wave``, ``by_spectrum``:
     name, program and files of the first pass, for a sea whose waves are summed and for one by FFT. ``transforms``: in
     the names of these passes. ``uniforms``: of the first pass. ``read``: texels along a tile of what is then read by
-    B-spline, or 0.
+    B-spline, or 0. ``format``: of all targets; half floats suffice for thresholds.
     """
 
     target: str
@@ -67,6 +67,7 @@ class WaterDrawing:
     transforms: str
     uniforms: dict[str, Uniform] = field(default_factory=dict)
     read: int = 0
+    format: TargetFormat = "RGBA32F"
     stage: Literal["before", "after"] = "before"
 
     def resources(self, sea: Sea, tiles: Sequence[Cascade]) -> Resources:
@@ -93,7 +94,8 @@ class WaterDrawing:
 
     def _layers(self, width: int, rows: int) -> Target:
         """``rows``: of each block in a layer."""
-        return Target(size=FixedSize(width=width, height=self.tiles * self.times * rows), format="RGBA32F", layers=4)
+        size = FixedSize(width=width, height=self.tiles * self.times * rows)
+        return Target(size=size, format=self.format, layers=4)
 
     def _first(
         self,
