@@ -138,7 +138,8 @@ def _splash(scene: Scene, shore: Shore) -> dict[str, Uniform]:
 
 def _slots(scene: Scene, shore: Shore) -> tuple[SlotFile, ...]:
     lit = scene.light is not None
-    waves = ("shore/ground.glsl@place", *GROUND, *VALUE_NOISE, "shore/waves.glsl@field")
+    field = ("shore/waves.glsl@field",) if shore.surf.height > 0.0 else ()
+    waves = ("shore/ground.glsl@place", *GROUND, *VALUE_NOISE, *field)
     # Water without light takes its colour by the same file, but does not fill the slot of the water's body.
     body = () if lit else ("shore/floor.glsl@body",)
     plain, detailed = ("shore/floor.glsl@shallow_plain",), (*soil_files(scene), "shore/floor.glsl@shallow")
