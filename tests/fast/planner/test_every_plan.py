@@ -80,6 +80,14 @@ def test_what_is_drawn_once_is_a_shores_map_but_for_its_last_pass_and_what_is_na
         assert not plan.kept.keys() & {"shore_near_0", "shore_near_1", "shore_rough", "shore_half", "shore_map"}
 
 
+def test_whole_numbers_become_int_without_a_conversion(plan: FramePlan) -> None:
+    """One takes llvmpipe sixty instructions: ``as_int`` (lib/texels.glsl)."""
+    converted = re.compile(r"\b(int|ivec[23])\((floor|ceil|base|sample_place|gl_FragCoord)\b")
+    for name, program in plan.programs.items():
+        found = converted.search(program.fragment.text)
+        assert found is None, (name, found)
+
+
 def test_samples_and_steps_read_texels_by_a_nearest_read(plan: FramePlan) -> None:
     """``texelFetch`` is slow on processors; what stands in for it must not filter."""
     filters = {"texture": plan.textures, "target": plan.targets}

@@ -217,7 +217,8 @@ WIDE, FINE = ("finish",), ("surface samples", "surface")
 
 
 def test_constants_follow_what_a_sample_can_be_and_how_the_water_is_found() -> None:
-    """Shares of the rows beside; seas that break are refined after fewer steps, mirrored land is found more exactly."""
+    """Shares of the rows beside; seas that break are refined after fewer steps, mirrored land is found more exactly;
+    tolerances that are coarse grow with the steps of a march."""
     for preset, quality, programs, lines in (
         ("default", STANDARD, WIDE, ("float ROWS_SHARE = 0.1",)),
         ("default", chosen(pixel_width=4), WIDE, ("float ROWS_SHARE = 0.0",)),
@@ -230,6 +231,10 @@ def test_constants_follow_what_a_sample_can_be_and_how_the_water_is_found() -> N
         ("swell", STANDARD, FINE, ("int REFINE = 0", "float MARCH_TOLERANCE = 0.1")),
         ("cubemap-lake", TIERS["fast"], ("met",), ("float MARCH_TOLERANCE = 0.1",)),
         ("default", TIERS["fast"], FINE, ("float MARCH_TOLERANCE = 0.2",)),
+        ("swell", STANDARD, FINE, ("float MARCH_STEP_WIDEST = 15.0", "float MARCH_HIT_WIDEST = 1.0")),
+        ("swell", TIERS["fast"], FINE, ("float MARCH_STEP_WIDEST = 7.0", "float MARCH_HIT_WIDEST = 0.0")),
+        ("swell", TIERS["high"], FINE, ("float MARCH_STEP_WIDEST = 0.0", "float MARCH_HIT_WIDEST = 0.0")),
+        ("swell", TIERS["reference"], FINE, ("float MARCH_STEP_WIDEST = 0.0", "float MARCH_HIT_WIDEST = 0.0")),
     ):
         plan = made(preset, quality)
         text = next(plan.programs[name].fragment.text for name in programs if name in plan.programs)
