@@ -56,15 +56,15 @@ SCENES = {
 @pytest.mark.parametrize("name", SCENES)
 @pytest.mark.whole
 def test_stones_against_float64(executor: Executor, report: Report, name: str) -> None:
-    scene, size = SCENES[name], (96, 54)
-    truth = render(scene, time=3.0, width=96, height=54).rgb
+    scene, size = SCENES[name], (64, 36)
+    truth = render(scene, time=3.0, width=64, height=36).rgb
     seen = samples(executor, scene, EXACT, scene.camera, time=3.0, size=size)
     low = tuple(stone.model_copy(update={"height": 0.0}) for stone in STONES.stones)
     bare = scene.model_copy(update={"current": STONES.model_copy(update={"stones": low})})
     without = levels(samples(executor, bare, EXACT, scene.camera, time=3.0, size=size), truth)
     away = levels(seen, truth)
     share = float((away > 2.0).mean())
-    report.within("Stones against float64, 96 × 54, levels", scene=name, mean=(away.mean(), 0.1), over_2=(share, 0.004))
+    report.within("Stones against float64, 64 × 36, levels", scene=name, mean=(away.mean(), 0.1), over_2=(share, 0.004))
     assert without.mean() > 10.0 * away.mean()
 
 
