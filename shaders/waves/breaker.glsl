@@ -1,10 +1,49 @@
 // A plunging crest: its section, where rays meet it, and how it looks. docs/formulae.md, section 17.
 
+// @part course
+// Where crests break.
+uniform vec3 u_breaker_front; // way along the last crest from where none has risen to where its face is vertical, way from crest to crest, way in 1 s
+uniform vec4 u_breaker_form;  // height (m), way along it until the jet lands, length, advance over the way along it
+uniform vec4 u_breaker_place; // from where it begins to overturn to the eye x, z (m), direction of its travel
+
+// @part left
+// Foam that crests leave on the water over which what they throw up has run, to where nothing is left of them. f in [0, BREAKER_CAP].
+uniform vec2 u_breaker_foam; // saturation, time to 1/e (s)
+
+float breaker_saturation(vec2 p, float height, Footprint fp) {
+    float size = u_breaker_form.x;
+    vec2 ahead = u_breaker_place.zw;
+    vec2 from = (p + u_breaker_place.xy) / size;
+    vec2 on = vec2(dot(from, ahead), CREST_SIDE * dot(from, vec2(-ahead.y, ahead.x)));
+    // Where along the crest its face was vertical when the bore came here; ways of the jet until it lands that it had run.
+    float front = (on.x - CREST_FOOT) / u_breaker_form.w;
+    float land = (front - on.y) / u_breaker_form.y;
+    if (min(on.y, u_breaker_form.z - on.y) < 0.0 || land < 0.6 || land > PLUNGING_TAIL) {
+        return 0.0;
+    }
+    float taper = PLUNGING_TAPER * u_breaker_form.z;
+    float ran = smoothstep(0.0, taper, on.y) * smoothstep(0.0, taper, u_breaker_form.z - on.y);
+    // Since the last crest passed here.
+    float age = mod(u_breaker_front.x - PLUNGING_SHOULDER - front, u_breaker_front.y) / u_breaker_front.z;
+    vec2 turned = vec2(0.8 * on.x - 0.6 * on.y, 0.6 * on.x + 0.8 * on.y);
+    vec2 torn = torn_noise(TORN_NONE, 0.4, CREST_CELL * size, noise_value(NOISE_KEY, turned / CREST_CELL), fp);
+    torn = torn_noise(torn, 0.35, 0.36 * CREST_CELL * size, noise_value(NOISE_KEY, on / (0.36 * CREST_CELL)), fp);
+    torn = torn_noise(torn, 0.25, 0.12 * CREST_CELL * size, noise_value(NOISE_KEY, turned / (0.12 * CREST_CELL)), fp);
+    float patches = torn_step(0.25, 0.72, torn.x, torn.y);
+    ran *= smoothstep(0.9, 1.6, land + 0.5 * patches - 0.25) * (1.0 - smoothstep(4.0, PLUNGING_TAIL, land));
+    return min(u_breaker_foam.x * ran * exp(-min(age / u_breaker_foam.y, 80.0)) * (0.3 + 0.9 * patches), BREAKER_CAP);
+}
+
+// @part drawn
+// The crest of a sample.
+flat in float v_crest_front;
+
+// @part placed
+// The crest of a vertex.
+flat out float v_crest_front;
+
 // @part section
 // The crest as a solid. Places are (x, y, s): along its travel from its first vertical face, up, and along it, in its heights.
-uniform float u_breaker_front; // from where the crest has not risen to where its face is vertical, along it
-uniform vec4 u_breaker_form;   // height (m), way along it until the jet lands, length, advance over the way along it
-uniform vec4 u_breaker_place;  // from where it begins to overturn to the eye x, z (m), direction of its travel
 
 const float CREST_LEAST = 1e-3; // of a height that divides
 const int CREST_TOP = 0;
@@ -21,7 +60,7 @@ struct Crest {
 };
 
 float crest_front() {
-    return u_breaker_front - PLUNGING_SHOULDER;
+    return v_crest_front - PLUNGING_SHOULDER;
 }
 
 Crest crest_at(float s) {
@@ -154,7 +193,16 @@ vec3 crest_high() {
 // The rectangle of the picture that holds the crest's box, and three samples more.
 const float CREST_NEAREST = 1e-2; // of a corner before the eye, m
 
+// Front of the crest that is drawn as this one: those behind the eye's nearest and those before it, each the farther the earlier.
+float crest_drawn(int i) {
+    float eye = dot(u_breaker_place.xy, u_breaker_place.zw) / (u_breaker_form.x * u_breaker_form.w) + PLUNGING_SHOULDER;
+    int nearest = int(clamp(round((eye - u_breaker_front.x) / u_breaker_front.y), 0.0, float(CREST_COUNT - 1)));
+    int crest = i < nearest ? i : CREST_COUNT - 1 - (i - nearest);
+    return u_breaker_front.x + float(crest) * u_breaker_front.y;
+}
+
 void main() {
+    v_crest_front = crest_drawn(gl_VertexID / 6);
     vec2 squares = vec2(dot(u_ray_x, u_ray_x), dot(u_ray_y, u_ray_y));
     vec2 least = vec2(1e30);
     vec2 most = vec2(-1e30);
@@ -466,12 +514,13 @@ void main() {
     Footprint fine = Footprint(level * on_x, level * on_y);
     Footprint drawn = Footprint(out_of * on_x, out_of * on_y);
     vec2 way = u_breaker_form.x * vec2(look.way, p.z);
-    vec3 ripple = detail(level * way - u_breaker_place.xy, fine);
+    vec2 on = level * way - u_breaker_place.xy;
+    vec3 ripple = detail(on, fine);
     vec2 slopes = ripple.xy * level;
     vec3 tilt = slopes.x * along + slopes.y * axes[2];
     vec3 normal = normalize(n - tilt);
     vec3 foam_normal = normalize(n - 0.5 * tilt);
-    float f = look.saturation;
+    float f = max(look.saturation, breaker_saturation(on, 0.0, fine));
     float amount = f > 0.0 ? foam_amount(f, out_of * way - u_breaker_place.xy, drawn) : 0.0;
     vec3 place = eye + t * d;
     shade_sun(place, fine);

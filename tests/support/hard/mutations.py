@@ -23,7 +23,7 @@ IN_FLOAT32 = {
     "framegraph/evaluation.py": {
         f"rule.offset + (rule.rate or 0.0) * state.time + {_WAY}": "float(np.float32(rule.offset)"
         f" + np.float32((rule.rate or 0.0) * state.time) + np.float32({_WAY}))",
-        "_modulo(state.time + rule.offset, rule.period)": "_modulo(float(np.float32(state.time)"
+        "_modulo(time + rule.offset, rule.period)": "_modulo(float(np.float32(time)"
         " + np.float32(rule.offset)), rule.period)",
     }
 }

@@ -12,13 +12,14 @@ import numpy as np
 from seafoam.ocean.constants import WATER_INDEX
 from seafoam.ocean.waves import plunging as of
 from seafoam.reference.light.light import Air, Floor
-from seafoam.reference.noise import perlin
-from seafoam.reference.types import Floats, Indices, Pair, Vec2, dot, smoothstep, unit
-from seafoam.scene import Breaker, Water
+from seafoam.reference.noise import patches, perlin
+from seafoam.reference.types import Floats, Footprints, Indices, Pair, Vec2, dot, smoothstep, unit
+from seafoam.scene import Breaker, BreakerSaturation, Water
 
 STEPS, HALVINGS = 128, 24  # of a ray's way through the crest's box, and of one of these
 LEAST, STEP = 1e-3, 2e-3  # least divisor, and step of the differences for normals
 TOP, FACE, UNDER, LUMPS, WHOLE, ROUND, CAP = range(7)
+PATCHES = (of.CELL, True), (0.36 * of.CELL, False), (0.12 * of.CELL, True)
 JET = 1.0 - of.VERTICAL  # thickness where it leaves the crest, which is thicker there by the next
 JOINT = of.LENGTH * math.sqrt(1.0 - math.sqrt(of.VERTICAL)) - JET
 
@@ -84,12 +85,12 @@ class Section:
 
 
 class PlungingCrest:
-    """The crest of a scene at a time (s) around an origin (x, z), m."""
+    """A crest at a time (s) around an origin (x, z), m: the last that began, or an ``earlier`` one."""
 
-    def __init__(self, crest: Breaker, time: float, origin: Vec2) -> None:
+    def __init__(self, crest: Breaker, time: float, origin: Vec2, earlier: int = 0) -> None:
         self.height, self.form = crest.height, of.overturning(crest)
         moved = Fraction(self.form.rate) * (Fraction(time) - Fraction(crest.start)) + Fraction(of.SHOULDER)
-        self.front = float(moved % Fraction(self.form.period)) - of.SHOULDER
+        self.front = float(moved % Fraction(self.form.period)) + earlier * self.form.period - of.SHOULDER
         c, s, side = math.cos(crest.heading), math.sin(crest.heading), 1.0 if crest.peels == "right" else -1.0
         self.axes = np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-side * s, 0.0, side * c]])
         self.origin = np.array([origin[0] - crest.place[0], 0.0, origin[1] - crest.place[1]])
@@ -134,6 +135,17 @@ class PlungingCrest:
         whole = np.where(lumps <= np.maximum(top, np.minimum(face, under)), LUMPS, crest)
         jet = ((kind == TOP) & (at.x <= at.tip)) | ((kind == UNDER) & (top < 0.0) & (face > 0.0))
         return high, jet | (kind == WHOLE), np.where(kind == WHOLE, whole, kind)
+
+    def left(self, source: BreakerSaturation, x: Floats, z: Floats, footprints: Footprints | None) -> Floats:
+        """f of the foam that crests leave at (x, z), m from the origin, averaged over footprints; (r,)."""
+        form, (m, _, s) = self.form, (self.local(np.stack((x, 0.0 * x, z), axis=-1)) + self.advanced).T
+        front = (m - of.FOOT) / form.advance
+        land, taper = (front - s) / form.landing, of.TAPER * form.length
+        ran = smoothstep(0.0, taper, s) * smoothstep(0.0, taper, form.length - s)
+        torn = patches(m, s, PATCHES, footprints, self.height)
+        ran *= smoothstep(0.9, 1.6, land + 0.5 * torn - 0.25) * (1.0 - smoothstep(4.0, of.TAIL, land))
+        age = np.mod(self.front - front, form.period) / form.rate  # since a crest passed here, s
+        return np.asarray(source.amount * ran * np.exp(-np.minimum(age / source.life, 80.0)) * (0.3 + 0.9 * torn))
 
     def local(self, place: Floats) -> Floats:
         """Places (r, 3), m from the origin, along the crest's axes."""
