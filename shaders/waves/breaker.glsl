@@ -2,36 +2,50 @@
 
 // @part course
 // Where crests break.
-uniform vec3 u_breaker_front; // way along the last crest from where none has risen to where its face is vertical, way from crest to crest, way in 1 s
+uniform vec2 u_breaker_front; // way along the last crest from where none has risen to where its face is vertical, way of that from crest to crest
 uniform vec4 u_breaker_form;  // height (m), way along it until the jet lands, length, advance over the way along it
 uniform vec4 u_breaker_place; // from where it begins to overturn to the eye x, z (m), direction of its travel
 
+// As many turns of a loop, which compilers cannot tell: each would be a copy of it in the program.
+int crest_turns(int turns) {
+    return u_breaker_form.x > 0.0 ? turns : 0;
+}
+
 // @part left
 // Foam that crests leave on the water over which what they throw up has run, to where nothing is left of them. f in [0, BREAKER_CAP].
-uniform vec2 u_breaker_foam; // saturation, time to 1/e (s)
+uniform vec2 u_breaker_foam; // saturation, way of the faces until it is 1/e
 
-float breaker_saturation(vec2 p, float height, Footprint fp) {
-    float size = u_breaker_form.x;
-    vec2 ahead = u_breaker_place.zw;
-    vec2 from = (p + u_breaker_place.xy) / size;
-    vec2 on = vec2(dot(from, ahead), CREST_SIDE * dot(from, vec2(-ahead.y, ahead.x)));
+// on: along the travel from where crests begin to overturn, and along them, in their heights. patches: that it is torn into, [0, 1].
+float breaker_left(vec2 on, float patches) {
     // Where along the crest its face was vertical when the bore came here; ways of the jet until it lands that it had run.
     float front = (on.x - CREST_FOOT) / u_breaker_form.w;
     float land = (front - on.y) / u_breaker_form.y;
-    if (min(on.y, u_breaker_form.z - on.y) < 0.0 || land < 0.6 || land > PLUNGING_TAIL) {
+    float ran = smoothstep(0.0, PLUNGING_TAPER * u_breaker_form.z, min(on.y, u_breaker_form.z - on.y));
+    ran *= smoothstep(0.9, 1.6, land + 0.5 * patches - 0.25) * (1.0 - smoothstep(4.0, PLUNGING_TAIL, land));
+    // Way of the faces since the last crest passed here.
+    float since = mod(u_breaker_front.x - PLUNGING_SHOULDER - front, u_breaker_front.y);
+    return min(u_breaker_foam.x * ran * exp(-since / u_breaker_foam.y) * (0.3 + 0.9 * patches), BREAKER_CAP);
+}
+
+// @part saturation
+// The same torn into patches.
+float breaker_saturation(vec2 p, float height, Footprint fp) {
+    vec2 ahead = u_breaker_place.zw;
+    vec2 from = (p + u_breaker_place.xy) / u_breaker_form.x;
+    vec2 on = vec2(dot(from, ahead), CREST_SIDE * dot(from, vec2(-ahead.y, ahead.x)));
+    // Most water has none.
+    if (breaker_left(on, 1.0) == 0.0) {
         return 0.0;
     }
-    float taper = PLUNGING_TAPER * u_breaker_form.z;
-    float ran = smoothstep(0.0, taper, on.y) * smoothstep(0.0, taper, u_breaker_form.z - on.y);
-    // Since the last crest passed here.
-    float age = mod(u_breaker_front.x - PLUNGING_SHOULDER - front, u_breaker_front.y) / u_breaker_front.z;
     vec2 turned = vec2(0.8 * on.x - 0.6 * on.y, 0.6 * on.x + 0.8 * on.y);
-    vec2 torn = torn_noise(TORN_NONE, 0.4, CREST_CELL * size, noise_value(NOISE_KEY, turned / CREST_CELL), fp);
-    torn = torn_noise(torn, 0.35, 0.36 * CREST_CELL * size, noise_value(NOISE_KEY, on / (0.36 * CREST_CELL)), fp);
-    torn = torn_noise(torn, 0.25, 0.12 * CREST_CELL * size, noise_value(NOISE_KEY, turned / (0.12 * CREST_CELL)), fp);
-    float patches = torn_step(0.25, 0.72, torn.x, torn.y);
-    ran *= smoothstep(0.9, 1.6, land + 0.5 * patches - 0.25) * (1.0 - smoothstep(4.0, PLUNGING_TAIL, land));
-    return min(u_breaker_foam.x * ran * exp(-min(age / u_breaker_foam.y, 80.0)) * (0.3 + 0.9 * patches), BREAKER_CAP);
+    vec2 torn = TORN_NONE;
+    float cell = CREST_CELL;
+    for (int i = 0; i < crest_turns(3); ++i) {
+        float share = i == 0 ? 0.4 : i == 1 ? 0.35 : 0.25;
+        torn = torn_noise(torn, share, cell * u_breaker_form.x, noise_value(NOISE_KEY, turned / cell), fp);
+        cell *= 0.35;
+    }
+    return breaker_left(on, torn_step(0.25, 0.72, torn.x, torn.y));
 }
 
 // @part drawn
@@ -67,7 +81,7 @@ Crest crest_at(float s) {
     float ahead = s - crest_front();
     float land = max(-ahead, 0.0) / u_breaker_form.y;
     float taper = PLUNGING_TAPER * u_breaker_form.z;
-    float ends = smoothstep(0.0, taper, s) * smoothstep(0.0, taper, u_breaker_form.z - s);
+    float ends = smoothstep(0.0, taper, min(s, u_breaker_form.z - s));
     float left = ends * (1.0 - smoothstep(4.0, PLUNGING_TAIL, land));
     float high = left * (1.0 - smoothstep(0.5, PLUNGING_SHOULDER, ahead)) * (1.0 - 0.55 * smoothstep(1.6, 4.0, land));
     return Crest(high, smoothstep(0.0, PLUNGING_LEANING, ahead), land, left * smoothstep(0.9, 2.2, land));
@@ -121,23 +135,19 @@ float crest_apron(Crest c, float x) {
     return c.lumps * max(1.0 - v * v, 0.0);
 }
 
-// As many turns of a loop, which compilers cannot tell: each would be a copy of it in the program.
-int crest_turns(int turns) {
-    return u_breaker_form.x > 0.0 ? turns : 0;
-}
-
 // What the jet throws up where it has landed, which grows wide and covers what is left of the crest.
-float crest_lumps(Crest c, float x, float s) {
+float crest_lumps(Crest c, vec3 p) {
     float past = clamp(c.land - 1.0, 0.0, 3.0);
-    float v = (x - 1.25 + 0.3 * past) / (0.6 + 0.5 * past);
+    float v = (p.x - 1.25 + 0.3 * past) / (0.6 + 0.5 * past);
     // It splashes up before it runs on.
     float up = 0.35 + 0.35 * (1.0 - smoothstep(1.5, 2.8, c.land));
     float most = up * c.lumps * max(1.0 - v * v, 0.0);
-    float apron = CREST_APRON * smoothstep(0.0, 0.2, crest_apron(c, x));
-    vec2 place = vec2(s, x + 0.6 * crest_front()) / CREST_LUMP;
+    float apron = CREST_APRON * smoothstep(0.0, 0.2, crest_apron(c, p.x));
+    vec2 place = vec2(p.z, p.x + 0.6 * crest_front()) / CREST_LUMP;
     float noise = 0.0;
     float share = 1.0;
-    for (int i = 0; i < crest_turns(2); ++i) {
+    // Over all that it may reach there is no need to know how high it is.
+    for (int i = 0; i < crest_turns(p.y < apron + 1.3 * most ? 3 : 0); ++i) {
         noise += share * abs(noise_2(place, uint(CREST_SEED + i)));
         share *= 0.45;
         place *= 2.3;
@@ -165,7 +175,7 @@ int crest_part(vec3 gaps) {
 }
 
 float crest_lump_gap(vec3 p) {
-    return p.y - crest_lumps(crest_at(p.z), p.x, p.z);
+    return p.y - crest_lumps(crest_at(p.z), p);
 }
 
 // The crest's axes: along its travel, up, and along it.
@@ -394,6 +404,7 @@ struct CrestLook {
     float thickness;  // of water that light passes, m
     float sheet;      // 1 in the jet, through which light passes whichever way it goes
     float mirror;     // share of the sky that the place sees
+    float soft;       // how much of its normal foam has from above: light goes through lumps from all sides
 };
 
 CrestLook crest_look(vec3 p, int part) {
@@ -426,10 +437,11 @@ CrestLook crest_look(vec3 p, int part) {
     return CrestLook(
         u_breaker_form.w * crest_front() + high * way,
         part == CREST_LUMPS ? 1.0 : CREST_STREAK,
-        part == CREST_LUMPS ? 0.93 * max(smoothstep(0.0, 0.03, p.y - CREST_APRON), crest_apron(c, p.x)) : max(clear, white),
+        part == CREST_LUMPS ? max(smoothstep(0.0, 0.04, p.y - CREST_APRON), 0.93 * crest_apron(c, p.x)) : max(clear, white),
         thick * high * u_breaker_form.x,
         part == CREST_UNDER ? 1.0 : part == CREST_TOP ? smoothstep(0.0, 0.3, at.x) : 0.0,
-        part == CREST_FACE || part == CREST_UNDER ? shade : 1.0);
+        part == CREST_FACE || part == CREST_UNDER ? shade : 1.0,
+        part == CREST_LUMPS ? CREST_SOFT : 0.0);
 }
 
 // @part light
@@ -514,13 +526,12 @@ void main() {
     Footprint fine = Footprint(level * on_x, level * on_y);
     Footprint drawn = Footprint(out_of * on_x, out_of * on_y);
     vec2 way = u_breaker_form.x * vec2(look.way, p.z);
-    vec2 on = level * way - u_breaker_place.xy;
-    vec3 ripple = detail(on, fine);
+    vec3 ripple = detail(level * way - u_breaker_place.xy, fine);
     vec2 slopes = ripple.xy * level;
     vec3 tilt = slopes.x * along + slopes.y * axes[2];
     vec3 normal = normalize(n - tilt);
-    vec3 foam_normal = normalize(n - 0.5 * tilt);
-    float f = max(look.saturation, breaker_saturation(on, 0.0, fine));
+    vec3 foam_normal = normalize(n - 0.5 * tilt + look.soft * vec3(0.0, 1.0, 0.0));
+    float f = max(look.saturation, breaker_left(vec2(look.way, p.z), 0.5));
     float amount = f > 0.0 ? foam_amount(f, out_of * way - u_breaker_place.xy, drawn) : 0.0;
     vec3 place = eye + t * d;
     shade_sun(place, fine);

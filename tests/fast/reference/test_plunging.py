@@ -157,7 +157,9 @@ def test_water_keeps_foam_from_where_the_bore_ran_over_it_and_for_as_long() -> N
     passed = (s + 3.0 * form.landing) / form.rate
     x, z = np.array([x, x, x, x - 3.0 * form.advance * form.landing]), np.array([s, -0.1, form.length + 0.1, s])
     left = [
-        PlungingCrest(crest, passed + age, (0.0, 0.0)).left(source, crest.height * x, crest.height * z, None)
+        PlungingCrest(crest, passed + age, (0.0, 0.0)).left(
+            source, crest.height * x, crest.height * z, None, even=False
+        )
         for age in (1e-6, 2.0, 7.9)
     ]
     # Neither beyond its ends, nor before it has overturned.

@@ -8,7 +8,7 @@ from seafoam.effects.light.light import ILLUMINATION
 from seafoam.effects.shader import COMMON, PERLIN_2, PLACE, Piece, SlotFile, SlotRef, Source, constant_function
 from seafoam.effects.shore.maps import FIND_LAND
 from seafoam.framegraph.plan import Quads
-from seafoam.framegraph.rules import Constant, Wrap, array, number, rounded, to_camera, vector
+from seafoam.framegraph.rules import Constant, Wrap, array, number, rounded, significant, to_camera, vector
 from seafoam.ocean.waves import plunging
 from seafoam.quality import Quality
 from seafoam.scene import Breaker, BreakerSaturation, Foam, Scene
@@ -16,11 +16,11 @@ from seafoam.scene import Breaker, BreakerSaturation, Foam, Scene
 STEPS = 64
 """Most steps along a ray's way through the crest's box, and steps through that of what it throws up."""
 _SHAPE = "BORE LENGTH LEAN LONG XX XZ HALF_WIDTH HALF_HEIGHT VERTICAL FOREMOST THROW SHOULDER LEANING TAIL TAPER FRONT"
-_LOOK = "LOWEST GENTLE LUMP SEED APRON STREAK CLOUDED RAISED FOOT CELL"
+_LOOK = "LOWEST GENTLE LUMP SEED APRON STREAK CLOUDED RAISED FOOT CELL SOFT"
 _FILE = "waves/breaker.glsl@"
 _SECTION = (f"{_FILE}course", *PERLIN_2, f"{_FILE}section")
 _LIT = ("lib/refraction.glsl", *ILLUMINATION, f"{_FILE}light")
-_NO_FOAM = constant_function("float", "breaker_saturation", "vec2 p, float height, Footprint fp")
+_NO_FOAM = constant_function("float", "breaker_left", "vec2 on, float patches")
 _NO_LAND = constant_function("bool", "crest_behind_land", "vec3 ray, float farthest", "false")
 _LAND = (*FIND_LAND, Source("boats/drawn.glsl@land", (("boat_behind_land", "crest_behind_land"),)))
 
@@ -44,23 +44,25 @@ def _draw(scene: Scene, crest: Breaker, quality: Quality) -> Contribution:
             "CREST_COUNT": form.crests,
         },
         uniforms={
-            "u_breaker_front": array("vec3", [front, Constant(value=(form.period, form.rate))], 1),
+            "u_breaker_front": array("vec2", [front, Constant(value=(form.period,))], 1),
             "u_breaker_form": vector(rounded((crest.height, form.landing, form.length, form.advance))),
             "u_breaker_place": array("vec4", [*to_camera(*crest.place), course], 1),
             "u_breaker_glow": number(scene.water.translucency, "/water/translucency"),
         },
-    ).joined(left := _left(scene.foam), Resources(passes=(_pass(scene, left.slots, form.crests, quality),)))
+    ).joined(
+        left := _left(scene.foam, form.rate), Resources(passes=(_pass(scene, bool(left.slots), form.crests, quality),))
+    )
 
 
-def _left(foam: Foam | None) -> Resources:
+def _left(foam: Foam | None, rate: float) -> Resources:
     if foam is None or (source := foam.source(BreakerSaturation)) is None:
         return Resources()
     torn = "foam/saturation/wake.glsl@torn" if foam.look == "filtered" else "foam/saturation/wake.glsl@torn_exact"
-    needs = (f"{_FILE}course", PERLIN_2[0], "lib/noise.glsl@value", torn)
+    needs = (f"{_FILE}course", f"{_FILE}left", PERLIN_2[0], "lib/noise.glsl@value", torn)
     return Resources(
-        slots=(SlotFile("saturation", f"{_FILE}left", prefix="breaker", needs=needs),),
+        slots=(SlotFile("saturation", f"{_FILE}saturation", prefix="breaker", needs=needs),),
         consts={"BREAKER_CAP": 1.0 if foam.look == "filtered" else SATURATION_CAP},
-        uniforms={"u_breaker_foam": vector((source.amount, source.life))},
+        uniforms={"u_breaker_foam": vector((source.amount, significant(rate * source.life)))},
     )
 
 
@@ -69,10 +71,9 @@ def left_limit(source: BreakerSaturation, scene: Scene) -> float:
     return min(1.2 * source.amount, SATURATION_CAP) if scene.breaker and scene.breaker.height > 0.0 else 0.0
 
 
-def _pass(scene: Scene, left: tuple[SlotFile, ...], count: int, quality: Quality) -> PassSpec:
+def _pass(scene: Scene, left: bool, count: int, quality: Quality) -> PassSpec:
     own: tuple[Piece, ...] = (_NO_LAND,) if scene.shore is None else _LAND
-    own = (*own, *(piece for file in left for piece in (*file.needs, file.path)), *(() if left else (_NO_FOAM,)))
-    own = (*own, *((f"{_FILE}dark",) if scene.light is None else _LIT))
+    own = (*own, f"{_FILE}left" if left else _NO_FOAM, *((f"{_FILE}dark",) if scene.light is None else _LIT))
     fragment: tuple[Piece | SlotRef, ...] = (
         *(*COMMON, PLACE, f"{_FILE}drawn", *_SECTION, constant_function("vec2", "carry", "vec2 p")),
         *map(SlotRef, ("waves", "detail", "find", "look", "over", "albedo", "sky", "mirrored", "open sun", "sunlight")),

@@ -31,9 +31,9 @@ FRONT, LOWEST = 4.0, 2e-4
 """Farthest that anything of it reaches ahead, and height from which on it is drawn."""
 GENTLE, LUMP, SEED, APRON = 0.15, 0.36, 1983, 0.004
 """How gradually the jet begins; size of the first lumps of what it throws up, their seed, and height of foam around."""
-STREAK, CLOUDED, RAISED, FOOT, CELL, CRESTS = 0.35, 1.2, 0.15, 1.2, 1.2, 64
+STREAK, CLOUDED, RAISED, FOOT, CELL, SOFT, CRESTS = 0.35, 1.2, 0.15, 1.2, 1.2, 0.65, 64
 """Scale of foam along the water's way; extinction by what the back reflects totally; least rise of rays through it;
-foot of the bore, which leaves foam behind, and size of the largest patches of that; most crests under way at once."""
+foot of the bore, size of the patches of foam it leaves, how far its own foam faces up; most crests at one time."""
 
 
 class Overturning(NamedTuple):

@@ -115,15 +115,14 @@ class SampleShader(FoamStage):
         a = none = np.zeros(rows.size)
         if (foam := self.scene.foam) is not None:
             if left := foam.source(BreakerSaturation):
-                at, cap = (fine if self.filtering else None, 1.0) if foam.look == "filtered" else (None, CAP)
-                f = np.minimum(crest.left(left, look.level[0], look.level[2], at), cap)
-                look.saturation = np.maximum(look.saturation, f)
+                f = crest.left(left, look.level[0], look.level[2], None, even=True)
+                look.saturation = np.maximum(look.saturation, np.minimum(f, 1.0 if foam.look == "filtered" else CAP))
             a = self._mask_amount(look.saturation, look.streaks[0], look.streaks[2], drawn_out, to_rest=(none, none))
         if lighting is None:
             colour[rows] = np.minimum(a, 1.0)[:, None]
             return
         tilt, sun = look.off(self.surface.slopes(look.level[0], look.level[2])[2]), lighting.sunlight(place, fine)
-        normals = unit(look.normal - tilt), unit(look.normal - 0.5 * tilt)
+        normals = unit(look.normal - tilt), unit(look.normal - 0.5 * tilt + look.soft)
         seen = light.WaterHit(
             WaterSamples(d, distance, place[:, 0], place[:, 2], place[:, 1], fine, *normals),
             Bounds(),

@@ -19,7 +19,7 @@ from seafoam.scene import Breaker, BreakerSaturation, Water
 STEPS, HALVINGS = 128, 24  # of a ray's way through the crest's box, and of one of these
 LEAST, STEP = 1e-3, 2e-3  # least divisor, and step of the differences for normals
 TOP, FACE, UNDER, LUMPS, WHOLE, ROUND, CAP = range(7)
-PATCHES = (of.CELL, True), (0.36 * of.CELL, False), (0.12 * of.CELL, True)
+PATCHES = tuple((0.35**i * of.CELL, True) for i in range(3))
 JET = 1.0 - of.VERTICAL  # thickness where it leaves the crest, which is thicker there by the next
 JOINT = of.LENGTH * math.sqrt(1.0 - math.sqrt(of.VERTICAL)) - JET
 
@@ -49,7 +49,7 @@ class Section:
         lumps = up * thrown * np.maximum(1.0 - v * v, 0.0)
         rows = np.flatnonzero((lumps > 0.0) & (y <= 1.3 * lumps + self.lumps))
         at = np.stack((s, x + 0.6 * front), axis=-1)[rows] / of.LUMP
-        noise = np.abs(perlin(at, of.SEED)[0]) + 0.45 * np.abs(perlin(2.3 * at, of.SEED + 1)[0])
+        noise = np.sum([0.45**i * np.abs(perlin(2.3**i * at, of.SEED + i)[0]) for i in range(3)], axis=0)
         lumps[rows] *= 1.3 - 0.8 * np.exp(-4.0 * noise)
         self.lumps += lumps
 
@@ -80,7 +80,7 @@ class Section:
         lip = smoothstep(0.45, 0.95, 1.0 - left) * smoothstep(0.0, 0.4, self.phase)
         streaks = np.maximum(0.3 * smoothstep(0.1, 0.9, self.y) * steep**2 * (0.4 + 0.6 * self.phase), landed)
         top = np.maximum(0.3 * smoothstep(-0.6, 0.0, self.x) * steep**3, smoothstep(-3.5, -0.5, self.x) * landed)
-        thrown = 0.93 * np.maximum(smoothstep(0.0, 0.03, self.high * self.y - of.APRON), self.apron)
+        thrown = np.maximum(smoothstep(0.0, 0.04, self.high * self.y - of.APRON), 0.93 * self.apron)
         return np.choose(part, (np.maximum(top, lip), streaks, np.maximum(streaks, lip), thrown))
 
 
@@ -136,13 +136,13 @@ class PlungingCrest:
         jet = ((kind == TOP) & (at.x <= at.tip)) | ((kind == UNDER) & (top < 0.0) & (face > 0.0))
         return high, jet | (kind == WHOLE), np.where(kind == WHOLE, whole, kind)
 
-    def left(self, source: BreakerSaturation, x: Floats, z: Floats, footprints: Footprints | None) -> Floats:
-        """f of the foam that crests leave at (x, z), m from the origin, averaged over footprints; (r,)."""
+    def left(self, source: BreakerSaturation, x: Floats, z: Floats, at: Footprints | None, *, even: bool) -> Floats:
+        """f of the foam that crests leave at (x, z), m from the origin, in patches over footprints, or even; (r,)."""
         form, (m, _, s) = self.form, (self.local(np.stack((x, 0.0 * x, z), axis=-1)) + self.advanced).T
         front = (m - of.FOOT) / form.advance
         land, taper = (front - s) / form.landing, of.TAPER * form.length
         ran = smoothstep(0.0, taper, s) * smoothstep(0.0, taper, form.length - s)
-        torn = patches(m, s, PATCHES, footprints, self.height)
+        torn = 0.5 if even else patches(m, s, PATCHES, at, self.height)
         ran *= smoothstep(0.9, 1.6, land + 0.5 * torn - 0.25) * (1.0 - smoothstep(4.0, of.TAIL, land))
         age = np.mod(self.front - front, form.period) / form.rate  # since a crest passed here, s
         return np.asarray(source.amount * ran * np.exp(-np.minimum(age / source.life, 80.0)) * (0.3 + 0.9 * torn))
@@ -172,7 +172,7 @@ class CrestLook:
         risen = toe - 0.6 * (toe - at.x) - 0.9 * at.y
         roof = toe - 0.6 * (toe - at.behind) - 0.9 * (of.VERTICAL + JET * bent) + at.behind - at.x
         m = crest.advanced[0] + at.high * np.choose(part, (at.x, risen, roof, at.x))
-        self.drawn = np.where(part == LUMPS, 1.0, of.STREAK)
+        self.drawn, self.soft = np.where(part == LUMPS, 1.0, of.STREAK), np.outer(part == LUMPS, (0.0, of.SOFT, 0.0))
         self.level, self.streaks = (
             (np.stack((by * m, none, s), axis=-1) @ self.axes * height - crest.origin).T for by in (1.0, self.drawn)
         )

@@ -28,7 +28,7 @@ VIEWS: dict[str, tuple[Scene, Camera, float]] = {
     "the front": (PLUNGING, Camera(position=(16.0, 0.5, -14.0), yaw=-1.5), 2.3),
     "the bore": (PLUNGING, EYE, 4.5),
     "crests from behind": (SERIES, Camera(position=(-40.0, 4.0, -12.0), yaw=1.4, pitch=-0.1), 6.0),
-    "crests from before": (SERIES, Camera(position=(36.0, 1.7, -4.0), yaw=-1.4, fov=0.7), 5.8),
+    "crests from before": (SERIES, Camera(position=(40.0, 2.2, 0.0), yaw=-1.3, fov=0.6), 5.6),
     "crests from between": (SERIES, Camera(position=(7.0, 1.6, 2.0), yaw=-0.3, fov=1.6), 6.6),
     "foam left behind": (SERIES, Camera(position=(-10.0, 6.0, 4.0), yaw=0.5, pitch=-0.2, fov=0.8), 7.0),
     "foam left behind, unfiltered": (HALFTONE, Camera(position=(-2.0, 20.0, -8.0), pitch=-1.5, fov=0.9), 7.0),
