@@ -1,10 +1,63 @@
 // A plunging crest: its section, where rays meet it, and how it looks. docs/formulae.md, section 17.
 
+// @part course
+// Where crests break.
+uniform vec2 u_breaker_front; // way along the last crest from where none has risen to where its face is vertical, way of that from crest to crest
+uniform vec4 u_breaker_form;  // height (m), way along it until the jet lands, length, advance over the way along it
+uniform vec4 u_breaker_place; // from where it begins to overturn to the eye x, z (m), direction of its travel
+
+// As many turns of a loop, which compilers cannot tell: each would be a copy of it in the program.
+int crest_turns(int turns) {
+    return u_breaker_form.x > 0.0 ? turns : 0;
+}
+
+// @part left
+// Foam that crests leave on the water over which what they throw up has run, to where nothing is left of them. f in [0, BREAKER_CAP].
+uniform vec2 u_breaker_foam; // saturation, way of the faces until it is 1/e
+
+// on: along the travel from where crests begin to overturn, and along them, in their heights. patches: that it is torn into, [0, 1].
+float breaker_left(vec2 on, float patches) {
+    // Where along the crest its face was vertical when the bore came here; ways of the jet until it lands that it had run.
+    float front = (on.x - CREST_FOOT) / u_breaker_form.w;
+    float land = (front - on.y) / u_breaker_form.y;
+    float ran = smoothstep(0.0, PLUNGING_TAPER * u_breaker_form.z, min(on.y, u_breaker_form.z - on.y));
+    ran *= smoothstep(0.9, 1.6, land + 0.5 * patches - 0.25) * (1.0 - smoothstep(4.0, PLUNGING_TAIL, land));
+    // Way of the faces since the last crest passed here.
+    float since = mod(u_breaker_front.x - PLUNGING_SHOULDER - front, u_breaker_front.y);
+    return min(u_breaker_foam.x * ran * exp(-since / u_breaker_foam.y) * (0.3 + 0.9 * patches), BREAKER_CAP);
+}
+
+// @part saturation
+// The same torn into patches.
+float breaker_saturation(vec2 p, float height, Footprint fp) {
+    vec2 ahead = u_breaker_place.zw;
+    vec2 from = (p + u_breaker_place.xy) / u_breaker_form.x;
+    vec2 on = vec2(dot(from, ahead), CREST_SIDE * dot(from, vec2(-ahead.y, ahead.x)));
+    // Most water has none.
+    if (breaker_left(on, 1.0) == 0.0) {
+        return 0.0;
+    }
+    vec2 turned = vec2(0.8 * on.x - 0.6 * on.y, 0.6 * on.x + 0.8 * on.y);
+    vec2 torn = TORN_NONE;
+    float cell = CREST_CELL;
+    for (int i = 0; i < crest_turns(3); ++i) {
+        float share = i == 0 ? 0.4 : i == 1 ? 0.35 : 0.25;
+        torn = torn_noise(torn, share, cell * u_breaker_form.x, noise_value(NOISE_KEY, turned / cell), fp);
+        cell *= 0.35;
+    }
+    return breaker_left(on, torn_step(0.25, 0.72, torn.x, torn.y));
+}
+
+// @part drawn
+// The crest of a sample.
+flat in float v_crest_front;
+
+// @part placed
+// The crest of a vertex.
+flat out float v_crest_front;
+
 // @part section
 // The crest as a solid. Places are (x, y, s): along its travel from its first vertical face, up, and along it, in its heights.
-uniform float u_breaker_front; // from where the crest has not risen to where its face is vertical, along it
-uniform vec4 u_breaker_form;   // height (m), way along it until the jet lands, length, advance over the way along it
-uniform vec4 u_breaker_place;  // from where it begins to overturn to the eye x, z (m), direction of its travel
 
 const float CREST_LEAST = 1e-3; // of a height that divides
 const int CREST_TOP = 0;
@@ -21,14 +74,14 @@ struct Crest {
 };
 
 float crest_front() {
-    return u_breaker_front - PLUNGING_SHOULDER;
+    return v_crest_front - PLUNGING_SHOULDER;
 }
 
 Crest crest_at(float s) {
     float ahead = s - crest_front();
     float land = max(-ahead, 0.0) / u_breaker_form.y;
     float taper = PLUNGING_TAPER * u_breaker_form.z;
-    float ends = smoothstep(0.0, taper, s) * smoothstep(0.0, taper, u_breaker_form.z - s);
+    float ends = smoothstep(0.0, taper, min(s, u_breaker_form.z - s));
     float left = ends * (1.0 - smoothstep(4.0, PLUNGING_TAIL, land));
     float high = left * (1.0 - smoothstep(0.5, PLUNGING_SHOULDER, ahead)) * (1.0 - 0.55 * smoothstep(1.6, 4.0, land));
     return Crest(high, smoothstep(0.0, PLUNGING_LEANING, ahead), land, left * smoothstep(0.9, 2.2, land));
@@ -82,23 +135,19 @@ float crest_apron(Crest c, float x) {
     return c.lumps * max(1.0 - v * v, 0.0);
 }
 
-// As many turns of a loop, which compilers cannot tell: each would be a copy of it in the program.
-int crest_turns(int turns) {
-    return u_breaker_form.x > 0.0 ? turns : 0;
-}
-
 // What the jet throws up where it has landed, which grows wide and covers what is left of the crest.
-float crest_lumps(Crest c, float x, float s) {
+float crest_lumps(Crest c, vec3 p) {
     float past = clamp(c.land - 1.0, 0.0, 3.0);
-    float v = (x - 1.25 + 0.3 * past) / (0.6 + 0.5 * past);
+    float v = (p.x - 1.25 + 0.3 * past) / (0.6 + 0.5 * past);
     // It splashes up before it runs on.
     float up = 0.35 + 0.35 * (1.0 - smoothstep(1.5, 2.8, c.land));
     float most = up * c.lumps * max(1.0 - v * v, 0.0);
-    float apron = CREST_APRON * smoothstep(0.0, 0.2, crest_apron(c, x));
-    vec2 place = vec2(s, x + 0.6 * crest_front()) / CREST_LUMP;
+    float apron = CREST_APRON * smoothstep(0.0, 0.2, crest_apron(c, p.x));
+    vec2 place = vec2(p.z, p.x + 0.6 * crest_front()) / CREST_LUMP;
     float noise = 0.0;
     float share = 1.0;
-    for (int i = 0; i < crest_turns(2); ++i) {
+    // Over all that it may reach there is no need to know how high it is.
+    for (int i = 0; i < crest_turns(p.y < apron + 1.3 * most ? 3 : 0); ++i) {
         noise += share * abs(noise_2(place, uint(CREST_SEED + i)));
         share *= 0.45;
         place *= 2.3;
@@ -126,7 +175,7 @@ int crest_part(vec3 gaps) {
 }
 
 float crest_lump_gap(vec3 p) {
-    return p.y - crest_lumps(crest_at(p.z), p.x, p.z);
+    return p.y - crest_lumps(crest_at(p.z), p);
 }
 
 // The crest's axes: along its travel, up, and along it.
@@ -154,7 +203,16 @@ vec3 crest_high() {
 // The rectangle of the picture that holds the crest's box, and three samples more.
 const float CREST_NEAREST = 1e-2; // of a corner before the eye, m
 
+// Front of the crest that is drawn as this one: those behind the eye's nearest and those before it, each the farther the earlier.
+float crest_drawn(int i) {
+    float eye = dot(u_breaker_place.xy, u_breaker_place.zw) / (u_breaker_form.x * u_breaker_form.w) + PLUNGING_SHOULDER;
+    int nearest = int(clamp(round((eye - u_breaker_front.x) / u_breaker_front.y), 0.0, float(CREST_COUNT - 1)));
+    int crest = i < nearest ? i : CREST_COUNT - 1 - (i - nearest);
+    return u_breaker_front.x + float(crest) * u_breaker_front.y;
+}
+
 void main() {
+    v_crest_front = crest_drawn(gl_VertexID / 6);
     vec2 squares = vec2(dot(u_ray_x, u_ray_x), dot(u_ray_y, u_ray_y));
     vec2 least = vec2(1e30);
     vec2 most = vec2(-1e30);
@@ -346,6 +404,7 @@ struct CrestLook {
     float thickness;  // of water that light passes, m
     float sheet;      // 1 in the jet, through which light passes whichever way it goes
     float mirror;     // share of the sky that the place sees
+    float soft;       // how much of its normal foam has from above: light goes through lumps from all sides
 };
 
 CrestLook crest_look(vec3 p, int part) {
@@ -378,10 +437,11 @@ CrestLook crest_look(vec3 p, int part) {
     return CrestLook(
         u_breaker_form.w * crest_front() + high * way,
         part == CREST_LUMPS ? 1.0 : CREST_STREAK,
-        part == CREST_LUMPS ? 0.93 * max(smoothstep(0.0, 0.03, p.y - CREST_APRON), crest_apron(c, p.x)) : max(clear, white),
+        part == CREST_LUMPS ? max(smoothstep(0.0, 0.04, p.y - CREST_APRON), 0.93 * crest_apron(c, p.x)) : max(clear, white),
         thick * high * u_breaker_form.x,
         part == CREST_UNDER ? 1.0 : part == CREST_TOP ? smoothstep(0.0, 0.3, at.x) : 0.0,
-        part == CREST_FACE || part == CREST_UNDER ? shade : 1.0);
+        part == CREST_FACE || part == CREST_UNDER ? shade : 1.0,
+        part == CREST_LUMPS ? CREST_SOFT : 0.0);
 }
 
 // @part light
@@ -470,8 +530,8 @@ void main() {
     vec2 slopes = ripple.xy * level;
     vec3 tilt = slopes.x * along + slopes.y * axes[2];
     vec3 normal = normalize(n - tilt);
-    vec3 foam_normal = normalize(n - 0.5 * tilt);
-    float f = look.saturation;
+    vec3 foam_normal = normalize(n - 0.5 * tilt + look.soft * vec3(0.0, 1.0, 0.0));
+    float f = max(look.saturation, breaker_left(vec2(look.way, p.z), 0.5));
     float amount = f > 0.0 ? foam_amount(f, out_of * way - u_breaker_place.xy, drawn) : 0.0;
     vec3 place = eye + t * d;
     shade_sun(place, fine);

@@ -66,7 +66,7 @@ class Truth:
 def same_size(scene: Scene) -> tuple[int, int]:
     """Width and height of a scene's same-samples frames, pixels."""
     caustics = None if scene.light is None else scene.light.caustics
-    costly = (scene.shore, scene.sea, scene.drift, caustics)
+    costly = (scene.shore, scene.sea, scene.drift, scene.breaker, caustics)
     return COSTLY_SIZE if scene.boats or any(part is not None for part in costly) else SAME_SIZE
 
 

@@ -150,6 +150,14 @@ class WakeSaturation(FoamSource):
     """Saturation of the white water along the waterline of a moving hull, at the bow at hull speed; 0: none"""
 
 
+class BreakerSaturation(FoamSource):
+    """Foam that plunging crests leave on the water over which they have run."""
+
+    source: Literal["breaker"] = "breaker"
+    amount: float = Field(default=0.8, ge=0.0, le=4.0, description="Saturation directly behind what the jet throws up")
+    life: float = Field(default=8.0, ge=0.1, le=60.0, description="Decay time behind it, to 1/e, s")
+
+
 Saturation = Annotated[
     FrontSaturation
     | HeightSaturation
@@ -157,7 +165,8 @@ Saturation = Annotated[
     | WhitecapSaturation
     | SurfSaturation
     | DriftSaturation
-    | WakeSaturation,
+    | WakeSaturation
+    | BreakerSaturation,
     Field(discriminator="source"),
 ]
 S = TypeVar("S", bound=FoamSource)

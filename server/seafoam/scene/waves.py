@@ -135,4 +135,4 @@ class Breaker(Part):
     """Angle between crest and reef (Walker 1974), rad: the smaller, the faster it breaks along its length"""
     peels: Literal["left", "right"] = Field(default="right", description="Side to which it breaks, as it travels")
     start: float = Field(default=0.0, ge=-1e6, le=1e6, description="Time at which it begins to overturn, s")
-    rest: float = Field(default=4.0, ge=0.0, le=600.0, description="Time without a crest before the next, s")
+    every: float = Field(default=8.0, ge=0.5, le=600.0, description="Time from crest to crest, s")

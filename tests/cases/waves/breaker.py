@@ -2,10 +2,11 @@
 
 from seafoam.ocean.waves.plunging import overturning
 from support.cases import Cases, HardCase, reduced
-from support.scenes import Breaker, Camera, Foam, HeightSaturation, Light, Ripples, Scene, Sky, Water
+from support.scenes import Breaker, BreakerSaturation, Camera, Foam, HeightSaturation, Light, Ripples, Scene, Sky, Water
 
 CREST = Breaker(place=(-16.0, -24.0), heading=0.0, height=2.0, length=40.0, peel_angle=0.8)
 """Seen from :data:`EYE` it overturns after 2 s."""
+LEFT = Foam(saturation=(BreakerSaturation(),), mask="clump")
 FOAM = Foam(saturation=(HeightSaturation(base=20.0, full=21.0),), octaves=1)
 PLUNGING = Scene(breaker=CREST, foam=FOAM, light=Light(sun_azimuth=3.8, sun_elevation=0.3, exposure=-1.3))
 EYE = Camera(position=(7.0, 1.4, 2.0), yaw=-0.5, fov=0.8)
@@ -30,6 +31,14 @@ _HARD = (
         camera=EYE,
         without={"waves/breaker.glsl": {"for (int i = 2; i >= 0; --i)": "for (int i = 2; i >= 2; --i)"}},
     ),
+    HardCase(
+        "crests that hide one another",
+        PLUNGING.model_copy(update={"breaker": CREST.model_copy(update={"every": 3.0})}),
+        guard="crests are drawn from the farthest to the nearest (waves/breaker.glsl@vertex)",
+        times=(6.0,),
+        camera=Camera(position=(-40.0, 4.0, -12.0), yaw=1.4, pitch=-0.1),
+        without={"waves/breaker.glsl": {"i < nearest ? i : CREST_COUNT - 1 - (i - nearest)": "i"}},
+    ),
     reduced(
         "a crest ten thousand kilometres away, after thirty years",
         PLUNGING.model_copy(update={"breaker": CREST.model_copy(update={"place": (9999973.0, -9999976.0)})}),
@@ -41,6 +50,8 @@ _HARD = (
 
 _VARIANTS = (
     PLUNGING.model_copy(update={"light": None}),
+    PLUNGING.model_copy(update={"foam": LEFT, "light": None}),
+    PLUNGING.model_copy(update={"foam": LEFT.model_copy(update={"look": "halftone"})}),
     PLUNGING.model_copy(
         update={
             "breaker": CREST.model_copy(update={"peels": "left"}),
@@ -53,7 +64,10 @@ _VARIANTS = (
 CASES = {
     "plunging crest": Cases(
         hard=_HARD,
-        invisible=(Scene(breaker=CREST.model_copy(update={"height": 0.0})),),
+        invisible=(
+            Scene(foam=LEFT),
+            Scene(breaker=CREST.model_copy(update={"height": 0.0}), foam=LEFT),
+        ),
         variants=_VARIANTS,
     )
 }

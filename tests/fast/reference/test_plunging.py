@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.waves.plunging import (
     ASPECT,
+    FOOT,
     FOREMOST,
     GENTLE,
     HALF_WIDTH,
@@ -19,8 +20,10 @@ from seafoam.ocean.waves.plunging import (
     Overturning,
     overturning,
 )
+from seafoam.planner import PlanError, make_plan
+from seafoam.quality import TIERS
 from seafoam.reference.waves.breaker import FACE, LUMPS, TOP, UNDER, PlungingCrest, Section
-from seafoam.scene import Breaker
+from seafoam.scene import Breaker, BreakerSaturation, Scene
 from support.scenes import plunging
 from support.scenes.plunging import PlungingSection
 
@@ -118,27 +121,59 @@ def test_the_float64_form_is_zero_on_the_curve(phase: float) -> None:
 
 
 def test_a_crest_peels_as_fast_as_the_reef_is_oblique() -> None:
-    crest = Breaker(height=3.0, length=60.0, peel_angle=0.7, rest=0.0)
+    crest = Breaker(height=3.0, length=60.0, peel_angle=0.7, every=9.0)
     form = overturning(crest)
     speed = form.rate * form.advance * crest.height
     # A solitary wave's, in 1/0.78 of its height (McCowan 1894).
     assert speed**2 == pytest.approx(GRAVITY * (3.0 + 3.0 / 0.78), rel=1e-6)
     assert form.advance == pytest.approx(math.tan(0.7), rel=1e-6)
     assert form.landing / form.rate == pytest.approx(math.sqrt(6.0 / GRAVITY), rel=1e-6)
-    assert form.period == pytest.approx(SHOULDER + 20.0 + TAIL * form.landing, rel=1e-6)
+    assert form.life == pytest.approx(SHOULDER + 20.0 + TAIL * form.landing, rel=1e-6)
+    assert form.period == pytest.approx(9.0 * form.rate, rel=1e-6)
+    assert (form.crests - 1) * form.period < form.life <= form.crests * form.period
 
 
 def test_a_crest_comes_again_at_any_time_and_ends_where_it_begins() -> None:
-    crest = Breaker(rest=2.0)
+    crest = Breaker(every=9.0)
     form = overturning(crest)
     first = PlungingCrest(crest, 3.0, (0.0, 0.0))
     again = PlungingCrest(crest, 3.0 + form.period / form.rate, (0.0, 0.0))
     assert again.front == pytest.approx(first.front, abs=1e-9)
+    # What was the last that began is then the one before.
+    before = PlungingCrest(crest, 3.0 + form.period / form.rate, (0.0, 0.0), 1)
+    assert before.front == pytest.approx(first.front + form.period, abs=1e-9)
     along = np.linspace(0.0, form.length, 500)
     for front in (-SHOULDER, form.length + TAIL * form.landing):
         at = Section(front, form, np.stack((0.0 * along, 0.0 * along, along), axis=-1))
         assert at.high.max() == pytest.approx(1e-3)
         assert at.lumps.max() == 0.0
+
+
+def test_water_keeps_foam_from_where_the_bore_ran_over_it_and_for_as_long() -> None:
+    crest, source = Breaker(place=(0.0, 0.0), heading=0.0), BreakerSaturation(amount=1.0, life=5.0)
+    form = overturning(crest)
+    # In the middle of the crest, two jets' ways behind where one landed.
+    s, x = 0.5 * form.length, form.advance * (0.5 * form.length + 3.0 * form.landing) + FOOT
+    passed = (s + 3.0 * form.landing) / form.rate
+    x, z = np.array([x, x, x, x - 3.0 * form.advance * form.landing]), np.array([s, -0.1, form.length + 0.1, s])
+    left = [
+        PlungingCrest(crest, passed + age, (0.0, 0.0)).left(
+            source, crest.height * x, crest.height * z, None, even=False
+        )
+        for age in (1e-6, 2.0, 7.9)
+    ]
+    # Neither beyond its ends, nor before it has overturned.
+    assert np.abs(np.array(left)[:, 1:]).max() == 0.0
+    assert 0.3 <= left[0][0] <= 1.2
+    assert left[1][0] == pytest.approx(math.exp(-2.0 / 5.0) * left[0][0], rel=1e-5)
+    # The next comes after 8 s.
+    assert left[2][0] == pytest.approx(math.exp(-7.9 / 5.0) * left[0][0], rel=1e-5)
+
+
+@pytest.mark.parametrize("every", [2.0, 2.6])
+def test_crests_that_would_meet_are_refused_with_the_range(every: float) -> None:
+    with pytest.raises(PlanError, match=r"^/breaker/every: between 2\.67 and 600 s"):
+        make_plan(Scene(breaker=Breaker(every=every)), TIERS["fast"])
 
 
 @pytest.mark.parametrize("phase", [-1e-9, 1.1, math.nan])
@@ -150,7 +185,7 @@ def test_no_other_phase_is_a_section(phase: float) -> None:
 def section_at(phase: float, points: NDArray[np.float64]) -> Section:
     """Points (n, 2) of the section at a phase of overturning, in the middle of a long crest."""
     even = math.sqrt((phase * (math.sqrt(1.0 + GENTLE**2) - GENTLE) + GENTLE) ** 2 - GENTLE**2)
-    form = Overturning(2.0, 1.0, 1.0, 1000.0, 1e4)
+    form = Overturning(1, 2.0, 1.0, 1.0, 1000.0, 1e4, 1e4)
     along = np.full(len(points), 500.0 - even * form.landing)
     return Section(500.0, form, np.column_stack((points, along)))
 

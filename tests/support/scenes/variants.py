@@ -13,6 +13,7 @@ from support.cases import cases_of
 from support.exact import UNFILTERED, whole_plan
 from support.scenes import (
     Boat,
+    BreakerSaturation,
     Burst,
     Clouds,
     Drift,
@@ -212,7 +213,7 @@ def every_plan(one_in: int = 1) -> Iterator[FramePlan]:
     # What a bound leaves out is drawn where that bound is tested.
     yield whole_plan(Scene(foam=Foam(saturation=(SurfSaturation(),))), TIERS["standard"])
     yield whole_plan(Scene(spray=Spray()), TIERS["standard"])
-    for source in (SurfSaturation(), DriftSaturation(), WakeSaturation()):
+    for source in (SurfSaturation(), DriftSaturation(), WakeSaturation(), BreakerSaturation()):
         yield whole_plan(Scene(foam=Foam(saturation=(source,))), TIERS["standard"])
 
 

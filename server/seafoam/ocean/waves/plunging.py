@@ -31,19 +31,23 @@ FRONT, LOWEST = 4.0, 2e-4
 """Farthest that anything of it reaches ahead, and height from which on it is drawn."""
 GENTLE, LUMP, SEED, APRON = 0.15, 0.36, 1983, 0.004
 """How gradually the jet begins; size of the first lumps of what it throws up, their seed, and height of foam around."""
-STREAK, CLOUDED, RAISED = 0.35, 1.2, 0.15
-"""Scale of foam along the water's way; extinction by what the back reflects totally; least rise of rays through it."""
+STREAK, CLOUDED, RAISED, FOOT, CELL, SOFT, CRESTS = 0.35, 1.2, 0.15, 1.2, 1.2, 0.65, 64
+"""Scale of foam along the water's way; extinction by what the back reflects totally; least rise of rays through it;
+foot of the bore, size of the patches of foam it leaves, how far its own foam faces up; most crests at one time."""
 
 
 class Overturning(NamedTuple):
-    """How a crest breaks: way along it from the first vertical face to where the jet lands, speed of that face along it
-    (1/s), way of the crest ahead for each that the face moves, its length, and way of the face from crest to crest."""
+    """How crests break: number under way at once; way along one from the first vertical face to where the jet lands,
+    speed of that face along it (1/s), way of the crest ahead for each that the face moves, its length, and way of the
+    face from crest to crest and from where one rises to where nothing is left of it."""
 
+    crests: int
     landing: float
     rate: float
     advance: float
     length: float
     period: float
+    life: float
 
 
 def overturning(crest: Breaker) -> Overturning:
@@ -54,6 +58,7 @@ def overturning(crest: Breaker) -> Overturning:
     height, advance, length = crest.height, math.tan(crest.peel_angle), crest.length / crest.height
     rate = math.sqrt(GRAVITY * height * (1.0 + 1.0 / BREAKING_INDEX)) / advance / height
     landing = rate * math.sqrt(2.0 * height / GRAVITY)
-    period = SHOULDER + length + TAIL * landing + rate * crest.rest
+    period, life = rate * crest.every, SHOULDER + length + TAIL * landing
     # The digits that all processors agree on.
-    return Overturning(*(float(f"{value:.8g}") for value in (landing, rate, advance, length, period)))
+    form = (float(f"{value:.8g}") for value in (landing, rate, advance, length, period, life))
+    return Overturning(math.ceil(round(life / period, 6)), *form)

@@ -13,7 +13,7 @@ from seafoam.reference.shore.shore import Coast
 from seafoam.reference.types import Bounds, Floats, Pair, WaterSamples, dot, unit
 from seafoam.reference.water.seafloor import FARTHEST, FOAM_THROUGH, Seabed
 from seafoam.reference.waves.breaker import CrestLook, PlungingCrest
-from seafoam.scene import SurfSaturation
+from seafoam.scene import BreakerSaturation, SurfSaturation
 
 AROUND_HEIGHT = 1.0  # height from which the surroundings are seen, m
 AROUND_BLUR = 0.012  # their blur by ripples, rad
@@ -48,10 +48,10 @@ class SampleShader(FoamStage):
         if self.lighting is not None:
             radiance = self.lighting.haze(radiance, d[seen], far) * self.exposure
         colour[seen] = radiance
-        if self.crest is not None:
-            nearest = np.minimum(distance, to_land)
-            nearest[seen] = far
-            self._crest(self.crest, D, d, nearest, colour)
+        nearest = np.minimum(distance, to_land)
+        nearest[seen] = far
+        for crest in self.crests:
+            self._crest(crest, D, d, nearest, colour)
         return np.minimum(colour, BRIGHTEST), amount
 
     def _sky(self, air: light.Air, D: Floats, d: Floats) -> Floats:
@@ -103,22 +103,26 @@ class SampleShader(FoamStage):
         return lighting.haze(colour, at.d, at.distance) * self.exposure
 
     def _crest(self, crest: PlungingCrest, D: Floats, d: Floats, nearest: Floats, colour: Floats) -> None:
-        """Write the colour (r, 3) of a plunging crest where rays meet it before what is ``nearest`` (r,) m away."""
+        """Write the colour (r, 3) of a crest, and how far it is, where rays meet it before ``nearest`` (r,), m."""
         distance, part = crest.trace(np.array([0.0, self.eye_y, 0.0]), d)
         rows, lighting = np.flatnonzero(distance < nearest), self.lighting
         D, d, distance = D[rows], d[rows], distance[rows]
+        nearest[rows] = distance
         place = distance[:, None] * d + np.array([0.0, self.eye_y, 0.0])
         look, t = CrestLook(crest, place, part[rows]), distance / np.sqrt(dot(D, D))
         sides = [intersect.footprint(t, D, look.normal, step, (0, 1, 2)) for step in self.grid.steps]
         fine, drawn_out = ((look.on(sides[0], by), look.on(sides[1], by)) for by in (1.0, look.drawn))
         a = none = np.zeros(rows.size)
-        if self.scene.foam is not None:
+        if (foam := self.scene.foam) is not None:
+            if left := foam.source(BreakerSaturation):
+                f = crest.left(left, look.level[0], look.level[2], None, even=True)
+                look.saturation = np.maximum(look.saturation, np.minimum(f, 1.0 if foam.look == "filtered" else CAP))
             a = self._mask_amount(look.saturation, look.streaks[0], look.streaks[2], drawn_out, to_rest=(none, none))
         if lighting is None:
             colour[rows] = np.minimum(a, 1.0)[:, None]
             return
         tilt, sun = look.off(self.surface.slopes(look.level[0], look.level[2])[2]), lighting.sunlight(place, fine)
-        normals = unit(look.normal - tilt), unit(look.normal - 0.5 * tilt)
+        normals = unit(look.normal - tilt), unit(look.normal - 0.5 * tilt + look.soft)
         seen = light.WaterHit(
             WaterSamples(d, distance, place[:, 0], place[:, 2], place[:, 1], fine, *normals),
             Bounds(),

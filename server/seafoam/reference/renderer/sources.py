@@ -76,6 +76,8 @@ def _of(state: ReferenceState, source: scenes.FoamSource, at: SurfacePoints) -> 
         case scenes.SurfSaturation():
             coast = surface.coast
             return none if coast is None else coast.foam(source, at.x, at.z, at.height, at.footprints)
+        case scenes.BreakerSaturation():
+            return state.crests[0].left(source, at.x, at.z, at.footprints, even=False) if state.crests else none
     assert isinstance(source, scenes.WakeSaturation)
     wakes = surface.wakes
     return none if wakes is None else wakes.foam(source, at.x, at.z, at.cap, at.footprints)

@@ -6,6 +6,7 @@ from typing import Literal
 import numpy as np
 
 from seafoam.ocean.coast.rocks import splash_height
+from seafoam.ocean.waves.plunging import overturning
 from seafoam.ocean.waves.stokes import follows_orbits
 from seafoam.ocean.waves.wakes import stone_wakes
 from seafoam.reference.boats.boat import Fleet
@@ -129,7 +130,9 @@ class ReferenceState:
         self.covered = self.eye_y < float(relief.height(np.zeros(1), np.zeros(1))[0])
         self.under = scene.water.view_below and self.covered
         self.boulders = None if scene.current is None else Boulders(scene.current, scene.shore, grid, self.under)
-        self.crest = PlungingCrest(scene.breaker, time, self.origin) if scene.breaker and scene.breaker.height else None
+        crest, self.crests = scene.breaker, list[PlungingCrest]()
+        if crest is not None and crest.height > 0.0:
+            self.crests = [PlungingCrest(crest, time, self.origin, i) for i in range(overturning(crest).crests)]
         self.lighting = None
         if scene.light is not None:
             solid = self.fleet, self.boulders

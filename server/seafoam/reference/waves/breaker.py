@@ -12,13 +12,14 @@ import numpy as np
 from seafoam.ocean.constants import WATER_INDEX
 from seafoam.ocean.waves import plunging as of
 from seafoam.reference.light.light import Air, Floor
-from seafoam.reference.noise import perlin
-from seafoam.reference.types import Floats, Indices, Pair, Vec2, dot, smoothstep, unit
-from seafoam.scene import Breaker, Water
+from seafoam.reference.noise import patches, perlin
+from seafoam.reference.types import Floats, Footprints, Indices, Pair, Vec2, dot, smoothstep, unit
+from seafoam.scene import Breaker, BreakerSaturation, Water
 
 STEPS, HALVINGS = 128, 24  # of a ray's way through the crest's box, and of one of these
 LEAST, STEP = 1e-3, 2e-3  # least divisor, and step of the differences for normals
 TOP, FACE, UNDER, LUMPS, WHOLE, ROUND, CAP = range(7)
+PATCHES = tuple((0.35**i * of.CELL, True) for i in range(3))
 JET = 1.0 - of.VERTICAL  # thickness where it leaves the crest, which is thicker there by the next
 JOINT = of.LENGTH * math.sqrt(1.0 - math.sqrt(of.VERTICAL)) - JET
 
@@ -48,7 +49,7 @@ class Section:
         lumps = up * thrown * np.maximum(1.0 - v * v, 0.0)
         rows = np.flatnonzero((lumps > 0.0) & (y <= 1.3 * lumps + self.lumps))
         at = np.stack((s, x + 0.6 * front), axis=-1)[rows] / of.LUMP
-        noise = np.abs(perlin(at, of.SEED)[0]) + 0.45 * np.abs(perlin(2.3 * at, of.SEED + 1)[0])
+        noise = np.sum([0.45**i * np.abs(perlin(2.3**i * at, of.SEED + i)[0]) for i in range(3)], axis=0)
         lumps[rows] *= 1.3 - 0.8 * np.exp(-4.0 * noise)
         self.lumps += lumps
 
@@ -79,17 +80,17 @@ class Section:
         lip = smoothstep(0.45, 0.95, 1.0 - left) * smoothstep(0.0, 0.4, self.phase)
         streaks = np.maximum(0.3 * smoothstep(0.1, 0.9, self.y) * steep**2 * (0.4 + 0.6 * self.phase), landed)
         top = np.maximum(0.3 * smoothstep(-0.6, 0.0, self.x) * steep**3, smoothstep(-3.5, -0.5, self.x) * landed)
-        thrown = 0.93 * np.maximum(smoothstep(0.0, 0.03, self.high * self.y - of.APRON), self.apron)
+        thrown = np.maximum(smoothstep(0.0, 0.04, self.high * self.y - of.APRON), 0.93 * self.apron)
         return np.choose(part, (np.maximum(top, lip), streaks, np.maximum(streaks, lip), thrown))
 
 
 class PlungingCrest:
-    """The crest of a scene at a time (s) around an origin (x, z), m."""
+    """A crest at a time (s) around an origin (x, z), m: the last that began, or an ``earlier`` one."""
 
-    def __init__(self, crest: Breaker, time: float, origin: Vec2) -> None:
+    def __init__(self, crest: Breaker, time: float, origin: Vec2, earlier: int = 0) -> None:
         self.height, self.form = crest.height, of.overturning(crest)
         moved = Fraction(self.form.rate) * (Fraction(time) - Fraction(crest.start)) + Fraction(of.SHOULDER)
-        self.front = float(moved % Fraction(self.form.period)) - of.SHOULDER
+        self.front = float(moved % Fraction(self.form.period)) + earlier * self.form.period - of.SHOULDER
         c, s, side = math.cos(crest.heading), math.sin(crest.heading), 1.0 if crest.peels == "right" else -1.0
         self.axes = np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-side * s, 0.0, side * c]])
         self.origin = np.array([origin[0] - crest.place[0], 0.0, origin[1] - crest.place[1]])
@@ -135,6 +136,17 @@ class PlungingCrest:
         jet = ((kind == TOP) & (at.x <= at.tip)) | ((kind == UNDER) & (top < 0.0) & (face > 0.0))
         return high, jet | (kind == WHOLE), np.where(kind == WHOLE, whole, kind)
 
+    def left(self, source: BreakerSaturation, x: Floats, z: Floats, at: Footprints | None, *, even: bool) -> Floats:
+        """f of the foam that crests leave at (x, z), m from the origin, in patches over footprints, or even; (r,)."""
+        form, (m, _, s) = self.form, (self.local(np.stack((x, 0.0 * x, z), axis=-1)) + self.advanced).T
+        front = (m - of.FOOT) / form.advance
+        land, taper = (front - s) / form.landing, of.TAPER * form.length
+        ran = smoothstep(0.0, taper, s) * smoothstep(0.0, taper, form.length - s)
+        torn = 0.5 if even else patches(m, s, PATCHES, at, self.height)
+        ran *= smoothstep(0.9, 1.6, land + 0.5 * torn - 0.25) * (1.0 - smoothstep(4.0, of.TAIL, land))
+        age = np.mod(self.front - front, form.period) / form.rate  # since a crest passed here, s
+        return np.asarray(source.amount * ran * np.exp(-np.minimum(age / source.life, 80.0)) * (0.3 + 0.9 * torn))
+
     def local(self, place: Floats) -> Floats:
         """Places (r, 3), m from the origin, along the crest's axes."""
         return np.asarray((place + self.origin) @ self.axes.T / self.height - self.advanced, np.float64)
@@ -160,7 +172,7 @@ class CrestLook:
         risen = toe - 0.6 * (toe - at.x) - 0.9 * at.y
         roof = toe - 0.6 * (toe - at.behind) - 0.9 * (of.VERTICAL + JET * bent) + at.behind - at.x
         m = crest.advanced[0] + at.high * np.choose(part, (at.x, risen, roof, at.x))
-        self.drawn = np.where(part == LUMPS, 1.0, of.STREAK)
+        self.drawn, self.soft = np.where(part == LUMPS, 1.0, of.STREAK), np.outer(part == LUMPS, (0.0, of.SOFT, 0.0))
         self.level, self.streaks = (
             (np.stack((by * m, none, s), axis=-1) @ self.axes * height - crest.origin).T for by in (1.0, self.drawn)
         )

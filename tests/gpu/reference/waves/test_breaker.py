@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cases.waves.breaker import CREST, EYE, PLUNGING
+from cases.waves.breaker import CREST, EYE, LEFT, PLUNGING
 from seafoam.reference import render
 from seafoam.render.gl.executor import Executor
 from support.exact import EXACT
@@ -12,19 +12,26 @@ from support.report import Report
 from support.scenes import Camera, Scene, load_preset
 
 SIZE = (96, 54)
-LEFT = PLUNGING.model_copy(update={"breaker": CREST.model_copy(update={"peels": "left", "place": (-16.0, 24.0)})})
+OTHER_WAY = PLUNGING.model_copy(update={"breaker": CREST.model_copy(update={"peels": "left", "place": (-16.0, 24.0)})})
+SERIES = PLUNGING.model_copy(update={"breaker": CREST.model_copy(update={"every": 3.0}), "foam": LEFT})
+HALFTONE = SERIES.model_copy(update={"foam": LEFT.model_copy(update={"look": "halftone"})})
 VIEWS: dict[str, tuple[Scene, Camera, float]] = {
     "the shoulder": (PLUNGING, EYE, 2.3),
     "the barrel": (PLUNGING, Camera(position=(1.5, 0.7, -7.0), yaw=-0.2, fov=1.2), 2.3),
     "the back": (PLUNGING, Camera(position=(-16.0, 3.0, -8.0), yaw=1.2, pitch=-0.1), 2.3),
     "from above": (PLUNGING, Camera(position=(-2.0, 20.0, -12.0), pitch=-1.5, fov=0.9), 2.3),
     "the shoulder, to the left": (
-        LEFT,
+        OTHER_WAY,
         Camera(position=(7.0, 1.4, -2.0), yaw=-2.6, fov=0.8),
         2.3,
     ),
     "the front": (PLUNGING, Camera(position=(16.0, 0.5, -14.0), yaw=-1.5), 2.3),
     "the bore": (PLUNGING, EYE, 4.5),
+    "crests from behind": (SERIES, Camera(position=(-40.0, 4.0, -12.0), yaw=1.4, pitch=-0.1), 6.0),
+    "crests from before": (SERIES, Camera(position=(40.0, 2.2, 0.0), yaw=-1.3, fov=0.6), 5.6),
+    "crests from between": (SERIES, Camera(position=(7.0, 1.6, 2.0), yaw=-0.3, fov=1.6), 6.6),
+    "foam left behind": (SERIES, Camera(position=(-10.0, 6.0, 4.0), yaw=0.5, pitch=-0.2, fov=0.8), 7.0),
+    "foam left behind, unfiltered": (HALFTONE, Camera(position=(-2.0, 20.0, -8.0), pitch=-1.5, fov=0.9), 7.0),
     "the preset": (load_preset("breaker").scene, load_preset("breaker").scene.camera, 5.0),
 }
 
