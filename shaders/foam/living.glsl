@@ -8,8 +8,9 @@ float lying_amount(float s, float f, vec2 lying, Footprint fp) {
     if (FOAM_MASKS > 1) {
         // What is whole when it is born decays as e^-age, so its age is -log f. Masks follow one another, and two share what is covered.
         float age = clamp(-log(max(f, 1e-6)) / FOAM_AGE, 0.0, float(FOAM_MASKS - 1));
-        foam_mask = min(as_int(floor(age)), FOAM_MASKS - 2);
-        float share = smoothstep(0.35, 0.65, age - float(foam_mask));
+        float first = min(floor(age), float(FOAM_MASKS - 2));
+        foam_mask = as_int(first);
+        float share = smoothstep(0.35, 0.65, age - first);
         vec2 left = cover_free(s);
         foam_older = share > 0.0 ? cover_part(left, share) : 0.0;
         s = cover_part(left, 1.0 - share);

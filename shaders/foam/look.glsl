@@ -53,9 +53,9 @@ float quantile(float s, int row) {
     float held = clamp(s, 0.0, 1.0);
     float root = sqrt(0.5 * min(held, 1.0 - held));
     float x = (held <= 0.5 ? root : 1.0 - root) * float(QUANTILES - 1);
-    int i = min(as_int(floor(x)), QUANTILES - 2);
-    vec2 entry = texel_at(u_mask_quantiles, ivec2(i, foam_mask * MASK_ROWS + row)).rg;
-    return mix(entry.x, entry.y, x - float(i));
+    float node = min(floor(x), float(QUANTILES - 2));
+    vec2 entry = texel_at(u_mask_quantiles, ivec2(as_int(node), foam_mask * MASK_ROWS + row)).rg;
+    return mix(entry.x, entry.y, x - node);
 }
 
 // Integral of the ramp clamp(x / fade, 0, 1).
@@ -133,8 +133,9 @@ float form_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y, vec2 size, int form)
     int level = max(form, 0);
     int texels = MASK_SIZE >> level;
     vec2 at = fract(uv) * float(texels) - 0.5;
-    ivec2 base = as_int(floor(at));
-    vec2 t = at - vec2(base);
+    vec2 low = floor(at);
+    ivec2 base = as_bits(low);
+    vec2 t = at - low;
     ivec2 corner = form < 0 ? ivec2(0) : level > 0 ? ivec2(2 * MASK_SIZE, MASK_SIZE - 2 * texels) : ivec2(MASK_SIZE, 0);
     corner.y += foam_mask * MASK_SIZE;
     int last = texels - 1;

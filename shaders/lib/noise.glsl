@@ -45,7 +45,7 @@ float noise_2(vec2 x, uint seed) {
     vec2 base = floor(x);
     vec2 t = x - base;
     vec2 w = t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
-    ivec2 cell = as_int(base);
+    ivec2 cell = as_bits(base);
     uint near = noise_hash(uint(cell.x & 255) ^ seed);
     uint far = noise_hash(uint((cell.x + 1) & 255) ^ seed);
     return mix(
@@ -90,7 +90,7 @@ float noise_3(vec3 x, uint seed) {
     vec3 base = floor(x);
     vec3 t = x - base;
     vec3 w = t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
-    ivec3 cell = as_int(base);
+    ivec3 cell = as_bits(base);
     uint near = noise_hash(uint(cell.x & 255) ^ seed);
     uint far = noise_hash(uint((cell.x + 1) & 255) ^ seed);
     return mix(
@@ -155,7 +155,7 @@ vec4 noise_slopes_3(vec3 x, uint key) {
     vec3 w = t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
     vec3 s = 30.0 * t * t * (1.0 - t) * (1.0 - t);
     vec4 sum = vec4(0.0);
-    ivec3 cell = as_int(base);
+    ivec3 cell = as_bits(base);
     for (int i = 0; i < 2; ++i) {
         uint row = noise_hash(key ^ uint(cell.x + i & 255));
         for (int j = 0; j < 2; ++j) {

@@ -32,7 +32,7 @@ vec2 sample_place() {
 // @part place_shifted
 // The same where the rows of drawn pixels are shifted against one another, by half of their width.
 vec2 sample_place() {
-    return gl_FragCoord.xy + vec2((as_int(floor(gl_FragCoord.y)) & 1) == 0 ? -ROW_SHIFT : ROW_SHIFT, 0.0);
+    return gl_FragCoord.xy + vec2(fract(0.5 * gl_FragCoord.y) < 0.5 ? -ROW_SHIFT : ROW_SHIFT, 0.0);
 }
 
 // @part newton

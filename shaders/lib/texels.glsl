@@ -15,6 +15,16 @@ ivec3 as_int(vec3 x) {
     return floatBitsToInt(x + 12582912.0) - 0x4B400000;
 }
 
+// @part as_bits
+// The same plus a multiple of 2^22, for whole numbers of which the last bits are taken: an instruction less.
+ivec2 as_bits(vec2 x) {
+    return floatBitsToInt(x + 12582912.0);
+}
+
+ivec3 as_bits(vec3 x) {
+    return floatBitsToInt(x + 12582912.0);
+}
+
 // @part texel
 // A texel of a texture that is read by its nearest, as by texelFetch: llvmpipe takes up to three times as long for that, GPUs some
 // twenty instructions more for this. So what is drawn for each sample and each step of a ray reads by this.

@@ -31,8 +31,9 @@ uniform float u_surface_grain;  // what maps may add to the surface between thei
 // ray: not normalised, 1 along the view.
 vec3 march_start(vec3 ray) {
     vec2 clip = vec2(dot(ray, u_ray_x) / dot(u_ray_x, u_ray_x), dot(ray, u_ray_y) / dot(u_ray_y, u_ray_y));
-    ivec2 size = textureSize(u_start, 0);
-    vec4 start = texel_at(u_start, clamp(as_int(floor((0.5 * clip + 0.5) * vec2(size))), ivec2(0), size - 1));
+    vec2 size = vec2(textureSize(u_start, 0));
+    vec2 texel = clamp(floor((0.5 * clip + 0.5) * size), vec2(0.0), size - 1.0);
+    vec4 start = textureLod(u_start, (texel + 0.5) / size, 0.0);
     float curvature = start.a < 60000.0 ? start.a : 1e9;
     return any(greaterThan(abs(clip), vec2(1.0))) ? vec3(0.0, 0.0, 1e9) : vec3(start.r + start.g, start.b, curvature);
 }

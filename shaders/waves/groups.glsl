@@ -16,8 +16,8 @@ vec3 wave_groups(vec2 p) {
     vec2 along = u_wave_groups.xy;
     vec2 place = vec2(dot(along, p), along.x * p.y - along.y * p.x) + u_wave_groups_place[0];
     vec2 base = floor(place);
-    uvec2 low = uvec2(as_int(base) & (GROUP_PERIOD - 1));
-    uvec2 high = uvec2((as_int(base) + 1) & (GROUP_PERIOD - 1));
+    uvec2 low = uvec2(as_bits(base) & (GROUP_PERIOD - 1));
+    uvec2 high = uvec2((as_bits(base) + 1) & (GROUP_PERIOD - 1));
     uint left = noise_hash(uint(GROUP_KEY) ^ low.x);
     uint right = noise_hash(uint(GROUP_KEY) ^ high.x);
     vec2 near = vec2(group_corner(left ^ low.y), group_corner(left ^ high.y));

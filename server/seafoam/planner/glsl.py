@@ -23,6 +23,7 @@ FULLSCREEN = ("vertex/vertex.glsl@fullscreen",)
 """The vertex shader of a triangle that covers its target."""
 READS = {
     "as_int(": "lib/texels.glsl@as_int",
+    "as_bits(": "lib/texels.glsl@as_bits",
     "texel_at(": "lib/texels.glsl@texel",
     "sampler2DArray": "lib/texels.glsl@layer_texel",
 }
