@@ -48,14 +48,6 @@ float breaker_saturation(vec2 p, float height, Footprint fp) {
     return breaker_left(on, torn_step(0.25, 0.72, torn.x, torn.y));
 }
 
-// @part drawn
-// The crest of a sample.
-flat in float v_crest_front;
-
-// @part placed
-// The crest of a vertex.
-flat out float v_crest_front;
-
 // @part section
 // The crest as a solid. Places are (x, y, s): along its travel from its first vertical face, up, and along it, in its heights.
 
@@ -73,8 +65,15 @@ struct Crest {
     float lumps; // height of what is thrown up
 };
 
+// Of those under way, which one is looked at: the way from where crests begin to overturn to where its face is vertical.
+float crest_from = 0.0;
+
+void look_at_crest(int i) {
+    crest_from = u_breaker_front.x + float(i) * u_breaker_front.y - PLUNGING_SHOULDER;
+}
+
 float crest_front() {
-    return v_crest_front - PLUNGING_SHOULDER;
+    return crest_from;
 }
 
 Crest crest_at(float s) {
@@ -200,39 +199,34 @@ vec3 crest_high() {
 }
 
 // @part vertex
-// The rectangle of the picture that holds the crest's box, and three samples more.
+// The rectangle of the picture that holds the boxes of all crests, and three samples more.
 const float CREST_NEAREST = 1e-2; // of a corner before the eye, m
 
-// Front of the crest that is drawn as this one: those behind the eye's nearest and those before it, each the farther the earlier.
-float crest_drawn(int i) {
-    float eye = dot(u_breaker_place.xy, u_breaker_place.zw) / (u_breaker_form.x * u_breaker_form.w) + PLUNGING_SHOULDER;
-    int nearest = int(clamp(round((eye - u_breaker_front.x) / u_breaker_front.y), 0.0, float(CREST_COUNT - 1)));
-    int crest = i < nearest ? i : CREST_COUNT - 1 - (i - nearest);
-    return u_breaker_front.x + float(crest) * u_breaker_front.y;
-}
-
 void main() {
-    v_crest_front = crest_drawn(gl_VertexID / 6);
     vec2 squares = vec2(dot(u_ray_x, u_ray_x), dot(u_ray_y, u_ray_y));
     vec2 least = vec2(1e30);
     vec2 most = vec2(-1e30);
     float nearest = 1e30;
     float farthest = -1e30;
-    vec3 low = crest_low();
-    vec3 high = crest_high();
-    for (int corner = 0; corner < 8; ++corner) {
-        vec3 local = mix(low, high, vec3(corner & 1, (corner >> 1) & 1, corner >> 2));
-        local.x += u_breaker_form.w * crest_front();
-        vec3 place = u_breaker_form.x * crest_axes() * local - vec3(u_breaker_place.x, u_eye_height, u_breaker_place.y);
-        float depth = dot(place, u_ray_z);
-        vec2 clip = vec2(dot(place, u_ray_x), dot(place, u_ray_y)) / (squares * max(depth, CREST_NEAREST));
-        least = min(least, clip);
-        most = max(most, clip);
-        nearest = min(nearest, depth);
-        farthest = max(farthest, depth);
+    for (int i = 0; i < CREST_COUNT; ++i) {
+        look_at_crest(i);
+        vec3 low = crest_low();
+        vec3 high = crest_high();
+        // One that is past, or has not begun, has no length.
+        for (int corner = 0; corner < (low.z < high.z ? 8 : 0); ++corner) {
+            vec3 local = mix(low, high, vec3(corner & 1, (corner >> 1) & 1, corner >> 2));
+            local.x += u_breaker_form.w * crest_front();
+            vec3 place = u_breaker_form.x * crest_axes() * local - vec3(u_breaker_place.x, u_eye_height, u_breaker_place.y);
+            float depth = dot(place, u_ray_z);
+            vec2 clip = vec2(dot(place, u_ray_x), dot(place, u_ray_y)) / (squares * max(depth, CREST_NEAREST));
+            least = min(least, clip);
+            most = max(most, clip);
+            nearest = min(nearest, depth);
+            farthest = max(farthest, depth);
+        }
     }
-    // A box that is partly behind the eye may show anywhere, one that is wholly behind it, or has no length, nowhere.
-    bool shows = farthest > 0.0 && low.z < high.z;
+    // Boxes that are partly behind the eye may show anywhere, those that are wholly behind it nowhere.
+    bool shows = farthest > 0.0;
     vec2 pad = 6.0 / u_viewport;
     vec2 from = nearest <= CREST_NEAREST ? vec2(-1.0) : clamp(least - pad, -1.0, 1.0);
     vec2 to = nearest <= CREST_NEAREST ? vec2(1.0) : clamp(most + pad, -1.0, 1.0);
@@ -248,7 +242,7 @@ vec2 crest_span(vec3 o, vec3 d, vec3 low, vec3 high) {
     vec3 way = mix(d, vec3(1e-9), lessThan(abs(d), vec3(1e-9)));
     vec3 enters = min((low - o) / way, (high - o) / way);
     vec3 leaves = max((low - o) / way, (high - o) / way);
-    return vec2(max(max(max(enters.x, enters.y), enters.z), 0.0), min(min(leaves.x, leaves.y), leaves.z));
+    return low.z < high.z ? vec2(max(max(max(enters.x, enters.y), enters.z), 0.0), min(min(leaves.x, leaves.y), leaves.z)) : vec2(1.0, 0.0);
 }
 
 // What is entered between two places: the whole, or where both are in the air the jet alone, by its top or from under it, which may be
@@ -498,13 +492,24 @@ void main() {
     vec3 d = normalize(ray);
     mat3 axes = crest_axes();
     vec3 eye = vec3(0.0, u_eye_height, 0.0);
-    float t;
-    int part;
-    vec3 o = crest_place(eye);
-    if (!meet_crest(o, d * axes, t, part)) {
+    float t = 1e9;
+    int part = CREST_TOP;
+    int met = -1;
+    for (int i = 0; i < crest_turns(CREST_COUNT); ++i) {
+        look_at_crest(i);
+        float way;
+        int entered;
+        if (meet_crest(crest_place(eye), d * axes, way, entered) && way < t) {
+            t = way;
+            part = entered;
+            met = i;
+        }
+    }
+    if (met < 0) {
         discard;
     }
-    vec3 p = o + t * (d * axes);
+    look_at_crest(met);
+    vec3 p = crest_place(eye) + t * (d * axes);
     t *= u_breaker_form.x;
     float tau = t / length(ray);
     float water_tau;

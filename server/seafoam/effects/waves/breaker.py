@@ -49,9 +49,7 @@ def _draw(scene: Scene, crest: Breaker, quality: Quality) -> Contribution:
             "u_breaker_place": array("vec4", [*to_camera(*crest.place), course], 1),
             "u_breaker_glow": number(scene.water.translucency, "/water/translucency"),
         },
-    ).joined(
-        left := _left(scene.foam, form.rate), Resources(passes=(_pass(scene, bool(left.slots), form.crests, quality),))
-    )
+    ).joined(left := _left(scene.foam, form.rate), Resources(passes=(_pass(scene, bool(left.slots), quality),)))
 
 
 def _left(foam: Foam | None, rate: float) -> Resources:
@@ -71,11 +69,11 @@ def left_limit(source: BreakerSaturation, scene: Scene) -> float:
     return min(1.2 * source.amount, SATURATION_CAP) if scene.breaker and scene.breaker.height > 0.0 else 0.0
 
 
-def _pass(scene: Scene, left: bool, count: int, quality: Quality) -> PassSpec:
+def _pass(scene: Scene, left: bool, quality: Quality) -> PassSpec:
     own: tuple[Piece, ...] = (_NO_LAND,) if scene.shore is None else _LAND
     own = (*own, f"{_FILE}left" if left else _NO_FOAM, *((f"{_FILE}dark",) if scene.light is None else _LIT))
     fragment: tuple[Piece | SlotRef, ...] = (
-        *(*COMMON, PLACE, f"{_FILE}drawn", *_SECTION, constant_function("vec2", "carry", "vec2 p")),
+        *(*COMMON, PLACE, *_SECTION, constant_function("vec2", "carry", "vec2 p")),
         *map(SlotRef, ("waves", "detail", "find", "look", "over", "albedo", "sky", "mirrored", "open sun", "sunlight")),
         *(f"{_FILE}trace", f"{_FILE}look", *own),
         *map(SlotRef, ("plume", "glitter", "shade", "foam layer")),
@@ -86,8 +84,8 @@ def _pass(scene: Scene, left: bool, count: int, quality: Quality) -> PassSpec:
         "breaker",
         fragment,
         under=(*COMMON, f"{_FILE}none"),
-        vertex=(*COMMON, f"{_FILE}placed", *_SECTION, "vertex/vertex.glsl@quad", f"{_FILE}vertex"),
-        mesh=Quads(count=count),
+        vertex=(*COMMON, *_SECTION, "vertex/vertex.glsl@quad", f"{_FILE}vertex"),
+        mesh=Quads(count=1),
         target=ABOVE,
         stage="after",
         blend="over",

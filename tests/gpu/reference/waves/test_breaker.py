@@ -4,14 +4,16 @@ import numpy as np
 import pytest
 
 from cases.waves.breaker import CREST, EYE, LEFT, PLUNGING
+from seafoam.planner import make_plan
+from seafoam.quality import TIERS
 from seafoam.reference import render
 from seafoam.render.gl.executor import Executor
 from support.exact import EXACT
-from support.pictures import colours, levels, samples
+from support.pictures import colours, draw, levels, samples
 from support.report import Report
 from support.scenes import Camera, Scene, load_preset
 
-SIZE = (96, 54)
+SIZE = (64, 36)
 OTHER_WAY = PLUNGING.model_copy(update={"breaker": CREST.model_copy(update={"peels": "left", "place": (-16.0, 24.0)})})
 SERIES = PLUNGING.model_copy(update={"breaker": CREST.model_copy(update={"every": 3.0}), "foam": LEFT})
 HALFTONE = SERIES.model_copy(update={"foam": LEFT.model_copy(update={"look": "halftone"})})
@@ -69,3 +71,13 @@ def test_without_light_foam_is_white_and_the_crest_black(executor: Executor) -> 
     dry = samples(executor, scene.model_copy(update={"foam": None}), EXACT, camera, size=SIZE, time=2.3)[..., 1]
     assert (white > 0.9).mean() > 0.005
     assert dry.max() == 0.0
+
+
+def test_samples_that_are_chosen_meet_the_same_crests(executor: Executor) -> None:
+    """They are drawn again by programs that cover the picture, not by the crests' rectangle."""
+    scene = load_preset("breaker").scene
+    few, many = (TIERS["high"].model_copy(update={"samples_max": most}) for most in (4, 16))
+    plans = [make_plan(scene, quality) for quality in (few, many)]
+    assert len(plans[1].passes) > len(plans[0].passes)
+    seen = [draw(executor, plan, scene.camera, time=6.8, size=(96, 54)).astype(int) for plan in plans]
+    assert 0.0 < np.abs(seen[1] - seen[0]).mean() < 1.0
