@@ -8,7 +8,7 @@ frames from slow ones. A frame depends on its job alone, so the bytes are the sa
 import os
 from collections.abc import Callable, Mapping
 from concurrent.futures import CancelledError
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 from functools import lru_cache, partial
 from itertools import islice
 from typing import TYPE_CHECKING, Any, cast
@@ -20,7 +20,7 @@ from seafoam.render.service.jobs import FrameJob, Renderer, render_frame
 from seafoam.sequences.spec import DrawnFrames, MixedFleetError, SequenceError, Units
 
 if TYPE_CHECKING:
-    from distributed import Client
+    from distributed import Client, LocalCluster
 
 AHEAD = 4
 """Frames for each worker that are asked for before they are needed: enough that none waits, few to lose by a stop."""
@@ -99,7 +99,7 @@ class DaskWorkers(ExitStack):
         threads = {"LP_NUM_THREADS": str(max(1, (os.cpu_count() or 1) // self._workers))}
         here = {"host": "127.0.0.1", "dashboard_address": "127.0.0.1:0"}
         cluster = LocalCluster(self._workers, threads_per_worker=1, processes=True, env=threads, **here)
-        self.callback(cluster.close)
+        self.callback(_end, cluster)
         return Client(cluster, set_as_default=False)
 
     def _addresses(self) -> dict[str, Any]:
@@ -133,6 +133,12 @@ class DaskWorkers(ExitStack):
 def _renderer(factory: Callable[[], Renderer]) -> Renderer:
     """Return the renderer of this worker, which belongs to its only thread."""
     return factory()
+
+
+def _end(cluster: "LocalCluster") -> None:
+    """A worker may outlast the five seconds that Dask waits for it; killed by then, it costs no frame."""
+    with suppress(TimeoutError):
+        cluster.close()
 
 
 def _report(factory: Callable[[], Renderer]) -> dict[str, str]:

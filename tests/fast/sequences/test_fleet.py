@@ -123,6 +123,25 @@ def test_a_mixed_fleet_is_refused_unless_it_is_allowed_and_so_is_a_worker_with_s
         DaskWorkers(cluster.scheduler_address, factory=FakeRenderer)
 
 
+def test_a_worker_that_outlasts_the_end_costs_no_frame(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As on a busy machine, where a killed process is not gone within Dask's five seconds."""
+
+    def late(*_: object, **__: object) -> LocalCluster:
+        cluster = LocalCluster(1, threads_per_worker=1, **HERE)
+        end = cluster.close
+
+        def close() -> None:
+            end()
+            raise TimeoutError
+
+        cluster.close = close
+        return cluster
+
+    monkeypatch.setattr("distributed.LocalCluster", late)
+    with DaskWorkers(workers=1, factory=FakeRenderer) as workers:
+        assert len(list(workers.draw([(0, spec(1).frame(0))]))) == 1
+
+
 def test_no_scheduler_and_no_dask(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(processes, "CONNECT_SECONDS", 0.3)
     address = f"tcp://127.0.0.1:{free_port()}"

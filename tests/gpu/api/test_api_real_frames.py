@@ -82,10 +82,10 @@ def test_serve_answers_by_ipv6_and_stops_when_told():
 
 
 def test_a_cluster_measures_accuracy(tmp_path, capsys):
-    """The sweep of a worker, in this process's files."""
+    """The sweep of a worker, in this process's files; a thread with sockets, as a process may outlast Dask's end."""
     asked = ["--size", "16x16", "--rounds", "2", "--samples", "2", "--again", "--json", str(tmp_path / "a.json")]
     with (
-        LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None, host="127.0.0.1") as cluster,
+        LocalCluster(1, threads_per_worker=1, processes=False, protocol="tcp://", dashboard_address=None) as cluster,
         pytest.raises(SystemExit) as left,
     ):
         main(["accuracy", "paper-threshold", *asked, "--scheduler", cluster.scheduler_address])
