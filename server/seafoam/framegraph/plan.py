@@ -7,7 +7,7 @@ import hashlib
 import json
 import re
 from collections.abc import Mapping
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Annotated, Literal
 
 from pydantic import Field
@@ -175,6 +175,15 @@ class FramePlan(PlanPart):
     trough: float = Field(description="Lower bound of the troughs' height, m: a camera below it is under the water")
     bottom: float = Field(description="Lowest camera height from which more than ground is visible, m")
     live: tuple[str, ...] = Field(description="JSON pointers of scene fields that can change without a new plan")
+
+    @cached_property
+    def numbers(self) -> tuple[tuple[dict[str, Uniform], dict[str, Uniform]], ...]:
+        """For each pass: its uniforms of constants alone, and the others."""
+        used = [uniforms_of(drawn, self.programs[drawn.program], self.uniforms).items() for drawn in self.passes]
+        return tuple(
+            ({name: of for name, of in own if of.constant}, {name: of for name, of in own if not of.constant})
+            for own in used
+        )
 
     def canonical_json(self) -> bytes:
         """The plan's bytes: JSON with sorted keys and no spaces."""

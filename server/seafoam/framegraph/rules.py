@@ -114,6 +114,10 @@ class Uniform(PlanPart):
     count: int = Field(default=1, ge=1)
     rules: tuple[Rule, ...]
 
+    @property
+    def constant(self) -> bool:
+        return all(isinstance(rule, Constant) for rule in self.rules)
+
 
 def number(value: float, field_pointer: str | None = None) -> Uniform:
     """Return a float uniform with one constant."""

@@ -148,13 +148,9 @@ def _texture(asked: Mapping[str, Any]) -> Answer:
     return None, [texture(spec_of(asked["url"])).data]
 
 
-def _choices(_: Mapping[str, Any]) -> Answer:
-    return [{"name": name, "title": entry.title} for name, entry in load_catalogue().items()], []
-
-
 _ANSWERS: dict[str, Callable[[Mapping[str, Any]], Answer]] = {
     "plan": _plan,
     "texture": _texture,
     "schema": lambda _: (schemas(), []),
-    "choices": _choices,
+    "choices": lambda _: ([{"name": name, "title": entry.title} for name, entry in load_catalogue().items()], []),
 }

@@ -119,10 +119,7 @@ async def complete_scene(scene: Strict[Scene], context: InContext) -> Scene:
     return scene
 
 
-_PLAN_HEADERS = {
-    "ETag": "Quoted SHA-256 of the plan",
-    "Seafoam-Plan": "SHA-256 of the plan",
-}
+_PLAN_HEADERS = {"ETag": "Quoted SHA-256 of the plan", "Seafoam-Plan": "SHA-256 of the plan"}
 _PLAN: answers.Responses = {
     200: {
         "model": FramePlan,

@@ -122,9 +122,7 @@ async def get_events(status: Status, _: NoParameters, context: InContext) -> Asy
 
 
 @router.get(
-    "/sequences/{sequence}/file",
-    responses=_FILE | answers.problems(404, 409, 422, 503),
-    response_class=FileResponse,
+    "/sequences/{sequence}/file", responses=_FILE | answers.problems(404, 409, 422, 503), response_class=FileResponse
 )
 async def get_file(sequence: SequenceName, _: NoParameters, request: Request, context: InContext) -> Response:
     """Download a finished sequence. Parts can be requested with the header Range."""

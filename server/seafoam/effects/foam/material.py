@@ -39,10 +39,7 @@ def _scattering(scene: Scene, foam: Foam, layer: FoamScattering, quality: Qualit
     return Contribution(
         why=f"foam of an optical depth of {layer.optical_depth:g}",
         slots=(SlotFile("foam layer", "foam/shading.glsl@scattering"),),
-        consts={
-            "FOAM_ASYMMETRY": ASYMMETRY,
-            "FOAM_PHASE": significant((1.0 - ASYMMETRY**2) / (4.0 * math.pi)),
-        },
+        consts={"FOAM_ASYMMETRY": ASYMMETRY, "FOAM_PHASE": significant((1.0 - ASYMMETRY**2) / (4.0 * math.pi))},
         uniforms={
             "u_foam_depth": number(layer.optical_depth, "/foam/scattering/optical_depth"),
             "u_foam_lumps": number(significant(2.0 / math.pi * layer.roughness**2)),

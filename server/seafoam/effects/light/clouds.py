@@ -21,9 +21,7 @@ _SKY = (*COMMON, SlotRef("sky"), "light/sky.glsl@mirrored_pass")
 _MIRRORED = drawn_map(
     PassSpec("clouds that the water mirrors", "clouds_mirrored", _SKY),
     Target(size=FixedSize.square(MAP_SIDE), format="RGBA16F", filter=MIPMAPPED),
-).joined(
-    Resources(slots=(SlotFile("mirrored", "light/sky.glsl@mirrored_map"),), consts={"CLOUDS_SIDE": MAP_SIDE}),
-)
+).joined(Resources(slots=(SlotFile("mirrored", "light/sky.glsl@mirrored_map"),), consts={"CLOUDS_SIDE": MAP_SIDE}))
 _STREAKS = ((True, 1.0 / 8.0), (False, 1.0), (True, 0.125), (False, 0.25))
 """Axes of the noise of streaks and of their patches: along the streaks or across, and cells per size."""
 EARTH = 6.371e6

@@ -92,7 +92,7 @@ def _unshadowed(scene: Scene) -> Scene:
 def _draw(scene: Scene, shore: Shore, quality: Quality) -> Contribution:
     surf, bounds = shore.surf, limits(shore, quality)
     steepest, curvature = _steepest(scene, bounds)
-    cells = min(LAND_CELLS, quality.shore_floor)
+    cells, splash = min(LAND_CELLS, quality.shore_floor), splash_height(shore, scene.spray)
     thrown = shore.shadows and scene.light is not None and _lit(scene.light)
     # The travel time of a swell that the depth refracts.
     travel = {"shore_travel": TextureUse(ShoreTravel(shore=shore, texels=quality.shore_map), wrap="clamp_to_edge")}
@@ -103,7 +103,7 @@ def _draw(scene: Scene, shore: Shore, quality: Quality) -> Contribution:
         consts={**_consts(shore, quality, cells), "FILM_ROUGHNESS": _roughness(scene, shore)},
         uniforms={
             **_uniforms(shore, bounds, steepest, curvature),
-            **_splash(scene, shore),
+            **({"u_land_splash": number(significant(splash))} if splash > 0.0 else {}),
             **({} if scene.light is None else bed_sun(scene.light)),
         },
         textures={
@@ -129,11 +129,6 @@ def _roughness(scene: Scene, shore: Shore) -> float:
     if shore.detail <= 0.0:
         return 0.02
     return 0.003 if splash_height(shore, scene.spray) == 0.0 else 0.04
-
-
-def _splash(scene: Scene, shore: Shore) -> dict[str, Uniform]:
-    height = splash_height(shore, scene.spray)
-    return {"u_land_splash": number(significant(height))} if height > 0.0 else {}
 
 
 def _slots(scene: Scene, shore: Shore) -> tuple[SlotFile, ...]:

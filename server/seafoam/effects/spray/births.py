@@ -21,7 +21,7 @@ from seafoam.ocean.foam import spray as model
 from seafoam.ocean.waves.cascades import RAISED, Cascade
 from seafoam.ocean.waves.groups import group_velocity
 from seafoam.quality import Quality
-from seafoam.scene import ParametricWave, Scene, Sea, Shore, Spray
+from seafoam.scene import Scene, Sea, Shore, Spray
 from seafoam.sums import summed
 from seafoam.textures.shore import SprayRocks
 
@@ -73,10 +73,6 @@ def fastest_rise(scene: Scene) -> float:
     rises = (angular_frequency(wave) * wave.amplitude * max_profile_slope(wave.exponent) for wave in scene.waves)
     travel = math.hypot(*group_velocity(scene)) * group_bounds(scene)[0]
     return summed(rises) + parametric_wave_height(scene) * travel
-
-
-def _raised(scene: Scene) -> list[ParametricWave]:
-    return [wave for wave in scene.waves if wave.amplitude > 0.0]
 
 
 def _ashore(scene: Scene, quality: Quality, spray: Spray, shore: Shore) -> Births | None:
@@ -187,7 +183,7 @@ def _earlier_water(
 
 
 def _earlier(scene: Scene) -> tuple[list[Piece | SlotRef], Resources]:
-    raised = _raised(scene)
+    raised = [wave for wave in scene.waves if wave.amplitude > 0.0]
     files: list[Piece | SlotRef] = [*(earlier_wave_files(scene) if raised else ("spray/births.glsl@fronts_none",))]
     files += ["waves/rings.glsl@ring", "spray/births.glsl@rings_then"] if scene.rings else [_NO_RINGS]
     uniforms = ring_uniforms(scene, "u_spray_ring") if scene.rings else {}

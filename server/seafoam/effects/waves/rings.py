@@ -110,10 +110,7 @@ def _map(shown: Sequence[Train], square: tuple[float, float, float], size: int) 
             SlotFile("waves", "waves/rings.glsl@map", prefix="rings"),
             SlotFile("bounds", "waves/rings.glsl@bounds", prefix="rings"),
         ),
-        uniforms={
-            "u_ring_corner": array("vec2", rules.to_camera(corner_x, corner_z), 1),
-            "u_ring_side": number(side),
-        },
+        uniforms={"u_ring_corner": array("vec2", rules.to_camera(corner_x, corner_z), 1), "u_ring_side": number(side)},
         inputs={"u_ring_bounds": "rings_bounds", "u_ring_map": "rings", "u_ring_grain": "rings_grain"},
     )
 

@@ -86,10 +86,7 @@ class WaterDrawing:
                 **dict.fromkeys(rows, self._layers(self.size // 4, side)),
                 **dict.fromkeys(columns, self._layers(self.size, self.size // 4)),
             },
-            passes=(
-                first,
-                *self._fft(spectra, rows, columns),
-            ),
+            passes=(first, *self._fft(spectra, rows, columns)),
         )
 
     def _layers(self, width: int, rows: int) -> Target:

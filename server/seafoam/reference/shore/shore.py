@@ -16,18 +16,7 @@ from seafoam.reference.light.light import Floor, plain_floor
 from seafoam.reference.noise import filtered_step, footprint_variance, grain, patches
 from seafoam.reference.shore import maps
 from seafoam.reference.shore.soil import Soil, detailed, splashed
-from seafoam.reference.types import (
-    Bounds,
-    Floats,
-    Footprints,
-    Pair,
-    ReliefPart,
-    Sunlight,
-    Vec2,
-    dot,
-    smoothstep,
-    unit,
-)
+from seafoam.reference.types import Bounds, Floats, Footprints, Pair, ReliefPart, Sunlight, Vec2, dot, smoothstep, unit
 from seafoam.reference.waves.parametric import reduced
 from seafoam.scene import Shore, SurfSaturation
 

@@ -8,7 +8,7 @@ import os
 import threading
 import time as clock
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from typing import Any, cast
 
@@ -44,6 +44,7 @@ _FILTERS = {
 _PROGRAMS_KEPT = 96
 _TEXTURES_KEPT = 48
 _TARGETS_KEPT = 48
+_STRIP = 32
 _STATIC_KEPT = 24
 """Targets that setup passes drew, for this plan and earlier ones: a plan has up to three, the largest 10 MB."""
 
@@ -71,7 +72,21 @@ class _Linked:
     def __init__(self, context: moderngl.Context, program: moderngl.Program) -> None:
         self._context = context
         self.program = program
+        self.members: dict[str, Any] = {name: program[name] for name in program}
+        self._units: dict[str, int] = {}
+        self.constants: Mapping[str, Uniform] = {}
         self._arrays: dict[Grid | None, tuple[Any, ...]] = {}
+
+    def read(self, name: str, unit: int) -> None:
+        """Let a sampler read a unit."""
+        if self._units.get(name) != unit:
+            self.members[name].value = self._units[name] = unit
+
+    def write(self, name: str, values: NDArray[np.float32]) -> None:
+        """Set a uniform; one that the compiler has removed is declared in the source but missing in the program."""
+        if member := self.members.get(name):
+            # Drivers shorten arrays whose last elements are never read.
+            member.write(values[: member.array_length * member.dimension].tobytes())
 
     def draw(self, mesh: Mesh) -> None:
         if isinstance(mesh, Grid):
@@ -106,11 +121,25 @@ class _Kept:
     stepped: tuple[Uniform, ...]
     drawn: bytes | None = None
 
-    def numbers(self, frame: FrameState) -> bytes:
-        return b"".join(evaluate(uniform, frame).tobytes() for uniform in self.stepped)
+    def numbers(self, frame: "_Frame") -> bytes:
+        return b"".join(frame.values(uniform, (1, 1)).tobytes() for uniform in self.stepped)
 
     def release(self) -> None:
         Cache.release(self.target)
+
+
+class _Frame:
+    """A frame's time, camera and size, and the values of its uniforms, each computed once for a size of targets."""
+
+    def __init__(self, time: float, camera: Camera, width: int, height: int) -> None:
+        self._state = partial(FrameState, time, camera, width, height)
+        self._values: dict[tuple[int, tuple[int, int]], NDArray[np.float32]] = {}
+
+    def values(self, uniform: Uniform, size: tuple[int, int]) -> NDArray[np.float32]:
+        key = id(uniform), size
+        if key not in self._values:
+            self._values[key] = evaluate(uniform, self._state(*size))
+        return self._values[key]
 
 
 class Executor:
@@ -170,8 +199,8 @@ class Executor:
             if name not in setup
         }
         framebuffers["screen"] = self._screen(width, height, output)
-        framebuffers |= self._set_up(plan, drawn, FrameState(time, camera, 1, 1, 1, 1))
-        frame = FrameState(time, camera, width, height, width, height)
+        framebuffers |= self._set_up(plan, drawn, _Frame(time, camera, 1, 1))
+        frame = _Frame(time, camera, width, height)
         # All frame passes are drawn, since plans share their targets and may have overwritten those of earlier frames.
         for index, visible in drawn.items():
             step = plan.passes[index]
@@ -210,7 +239,7 @@ class Executor:
             if target.filter == MIPMAPPED:
                 # Drivers compile another program for a texture without levels.
                 into[name][1].build_mipmaps()
-        frame = FrameState(0.0, request.camera, *size, *size)
+        frame = _Frame(0.0, request.camera, *size)
         for index in passes:
             framebuffer = into[plan.passes[index].target][0]
             # A driver compiles also for what draws no pixel.
@@ -262,7 +291,7 @@ class Executor:
                 "a GL context draws only in the thread that created it; in others it draws nothing, without an error"
             )
 
-    def _set_up(self, plan: FramePlan, drawn: Iterable[int], frame: FrameState) -> dict[str, tuple[Any, ...]]:
+    def _set_up(self, plan: FramePlan, drawn: Iterable[int], frame: _Frame) -> dict[str, tuple[Any, ...]]:
         """Return the kept targets that passes of ``drawn`` read, with the content that setup passes draw.
 
         Targets that no earlier frame has drawn, of this plan or of one with the same hash, or that it drew with other
@@ -291,16 +320,16 @@ class Executor:
         """Return the kept target ``name``, which passes of ``setup`` are to draw."""
         steps = passes_into(setup, [name]).values()
         used = [uniforms_of(step, plan.programs[step.program], plan.uniforms).values() for step in steps]
-        stepped = tuple(uniform for own in used for uniform in own if _stepped(uniform))
-        return _Kept(self._create(plan.targets[name]), stepped)
+        loops = ((uniform, rule) for own in used for uniform in own for rule in uniform.rules if isinstance(rule, Loop))
+        stepped = {id(uniform): uniform for uniform, rule in loops if rule.step is not None}
+        return _Kept(self._create(plan.targets[name]), tuple(stepped.values()))
 
-    def _draw(self, plan: FramePlan, index: int, framebuffers: dict[str, tuple[Any, ...]], frame: FrameState) -> None:
+    def _draw(self, plan: FramePlan, index: int, framebuffers: dict[str, tuple[Any, ...]], frame: _Frame) -> None:
         """Draw a pass of a frame, which is given but for the pass and the size of its target."""
         step = plan.passes[index]
         framebuffer = framebuffers[step.target][0]
         model = plan.programs[step.program]
         linked = self._program(model)
-        program = linked.program
         framebuffer.use()
         framebuffer.viewport = (0, 0, framebuffer.width, framebuffer.height)
         depth = moderngl.DEPTH_TEST if step.state.depth else 0
@@ -310,23 +339,20 @@ class Executor:
         self._context.blend_func = _BLENDS[step.state.blend]
         if step.state.clear:
             self._clear(framebuffer)
-        state = replace(frame, target_width=framebuffer.width, target_height=framebuffer.height)
-        for unit, (name, source) in enumerate(sorted(step.inputs.items())):
-            if name not in program:
+        for unit, (name, source) in enumerate(step.inputs.items()):
+            if name not in linked.members:
                 continue
             if isinstance(source, TextureInput):
                 image = self._texture(source.texture, plan.textures[source.texture])
             else:
                 image = framebuffers[source.target][1]
             image.use(unit)
-            program[name] = unit
-        # Uniforms that the compiler has removed are declared in the source but missing in the program.
-        for name, uniform in uniforms_of(step, model, plan.uniforms).items():
-            if name in program:
-                member = cast(moderngl.Uniform, program[name])
-                # Drivers shorten arrays whose last elements are never read.
-                values = evaluate(uniform, state)[: member.array_length * member.dimension]
-                member.write(values.tobytes())
+            linked.read(name, unit)
+        constants, others = plan.numbers[index]
+        # A program keeps its uniforms.
+        for name, uniform in (others if linked.constants is constants else {**constants, **others}).items():
+            linked.write(name, frame.values(uniform, framebuffer.size))
+        linked.constants = constants
         linked.draw(step.mesh)
         if step.target in plan.targets and plan.targets[step.target].filter == MIPMAPPED:
             # Means of 2 × 2 texels, level by level; moderngl also sets the filter to trilinear.
@@ -416,10 +442,6 @@ def longest_first(plan: FramePlan, drawn: Mapping[int, bool]) -> list[int]:
     return sorted(ways.values(), key=lambda index: -len(plan.programs[plan.passes[index].program].fragment.text))
 
 
-def _stepped(uniform: Uniform) -> bool:
-    return any(isinstance(rule, Loop) and rule.step is not None for rule in uniform.rules)
-
-
 def _key(program: Program) -> tuple[str, str]:
     return program.vertex.sha256, program.fragment.sha256
 
@@ -430,15 +452,18 @@ def _shown(plan: FramePlan, output: Output) -> str:
 
 
 def grid(rows: int, columns: int) -> tuple[NDArray[np.float32], NDArray[np.uint32]]:
-    """Vertices ((rows + 1)(columns + 1), 2) in [0, 1]², columns first, and the indices of two triangles per cell."""
+    """Vertices ((rows + 1)(columns + 1), 2) in [0, 1]², columns first, and the indices of two triangles per cell.
+
+    In strips of columns, for a driver still has a row's vertices where the next row has them too.
+    """
     u = np.arange(columns + 1, dtype=np.float64) / columns
     v = np.arange(rows + 1, dtype=np.float64) / rows
     vertices = np.stack(np.meshgrid(u, v, indexing="xy"), axis=-1).reshape(-1, 2).astype(np.float32)
     row, column = np.meshgrid(np.arange(rows), np.arange(columns), indexing="ij")
     first = row * (columns + 1) + column
     corners = np.stack([first, first + 1, first + columns + 1, first + columns + 2], axis=-1)
-    indices = corners[..., [0, 1, 2, 2, 1, 3]].reshape(-1).astype(np.uint32)
-    return vertices, indices
+    cells = corners[..., [0, 1, 2, 2, 1, 3]].astype(np.uint32)
+    return vertices, np.concatenate([cells[:, i : i + _STRIP].ravel() for i in range(0, columns, _STRIP)])
 
 
 def _listing(model: Program) -> str:
