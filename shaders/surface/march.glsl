@@ -66,7 +66,7 @@ const float FARTHEST = 1e5;
 // Tolerances at a step over those at the first: by how much steps may pass a crest, and of a hit. Rays that brush crests would else take as
 // many steps as all others.
 vec2 march_widened(int i) {
-    return 1.0 + min(vec2(0.25, 0.1) * float(i), vec2(MARCH_STEP_WIDEST, MARCH_HIT_WIDEST));
+    return 1.0 + min(vec2(MARCH_STEP_WIDENS, 0.1) * float(i), vec2(MARCH_STEP_WIDEST, MARCH_HIT_WIDEST));
 }
 
 bool find_surface(vec3 ray, float farthest, out float tau, out vec3 wave) {
