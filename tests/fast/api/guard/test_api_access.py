@@ -165,11 +165,12 @@ def test_an_ipv6_network_is_one_client() -> None:
 
 
 def test_beyond_its_rate_a_client_is_told_when_to_come_back() -> None:
-    client = answering(rate=0.5, rate_burst=2)
+    client = answering(rate=0.01, rate_burst=2)
     first, _, refused = (client.get(URL) for _ in range(3))
     assert first.status_code == 200
-    assert "2 requests at once and 0.5 a second" in problem(refused, 429)["detail"]
-    assert refused.headers["Retry-After"] == "2"
+    assert "2 requests at once and 0.01 a second" in problem(refused, 429)["detail"]
+    # A busy machine may take some seconds between the requests.
+    assert 80 <= int(refused.headers["Retry-After"]) <= 100
 
 
 def test_each_client_has_a_rate_of_its_own() -> None:
