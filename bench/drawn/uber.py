@@ -181,6 +181,7 @@ def _uber(quality: Quality, exact_ripples: bool) -> _Uber:
         "FOOTPRINT_X": 1.0,
         "MARCH_STEPS": quality.surface.steps,
         "MARCH_TOLERANCE": quality.surface.tolerance,
+        "MARCH_STEP_WIDENS": 0.25,
         "MARCH_STEP_WIDEST": 0.0,
         "MARCH_HIT_WIDEST": 0.0,
         "REFINE": quality.surface.refine,

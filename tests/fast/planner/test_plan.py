@@ -231,8 +231,18 @@ def test_constants_follow_what_a_sample_can_be_and_how_the_water_is_found() -> N
         ("swell", STANDARD, FINE, ("int REFINE = 0", "float MARCH_TOLERANCE = 0.1")),
         ("cubemap-lake", TIERS["fast"], ("met",), ("float MARCH_TOLERANCE = 0.1",)),
         ("default", TIERS["fast"], FINE, ("float MARCH_TOLERANCE = 0.2",)),
-        ("swell", STANDARD, FINE, ("float MARCH_STEP_WIDEST = 15.0", "float MARCH_HIT_WIDEST = 1.0")),
-        ("swell", TIERS["fast"], FINE, ("float MARCH_STEP_WIDEST = 7.0", "float MARCH_HIT_WIDEST = 0.0")),
+        (
+            "swell",
+            STANDARD,
+            FINE,
+            ("float MARCH_STEP_WIDENS = 0.25", "float MARCH_STEP_WIDEST = 15.0", "float MARCH_HIT_WIDEST = 1.0"),
+        ),
+        (
+            "swell",
+            TIERS["fast"],
+            FINE,
+            ("float MARCH_STEP_WIDENS = 0.1", "float MARCH_STEP_WIDEST = 7.0", "float MARCH_HIT_WIDEST = 0.0"),
+        ),
         ("swell", TIERS["high"], FINE, ("float MARCH_STEP_WIDEST = 0.0", "float MARCH_HIT_WIDEST = 0.0")),
         ("swell", TIERS["reference"], FINE, ("float MARCH_STEP_WIDEST = 0.0", "float MARCH_HIT_WIDEST = 0.0")),
     ):

@@ -75,6 +75,7 @@ FUNCTIONS = (
         ((0.0, -0.5, -1.0), (0.0, 0.0)),
         {
             "MARCH_STEPS": 8,
+            "MARCH_STEP_WIDENS": 0.25,
             "MARCH_STEP_WIDEST": 0.0,
             "MARCH_HIT_WIDEST": 0.0,
             "REFINE": 0,
