@@ -185,6 +185,9 @@ class FramePlan(PlanPart):
             for own in used
         )
 
+    def __copy__(self) -> "FramePlan":
+        return FramePlan.model_construct(self.model_fields_set, **dict(self))
+
     def canonical_json(self) -> bytes:
         """The plan's bytes: JSON with sorted keys and no spaces."""
         document = self.model_dump(mode="json")

@@ -53,6 +53,16 @@ def test_a_plan_survives_its_json_and_knows_nothing_of_time_camera_and_size() ->
     assert make_plan(moved, STANDARD).sha256 == make_plan(scene, STANDARD).sha256
 
 
+def test_a_changed_copy_of_a_plan_has_uniforms_of_its_own() -> None:
+    plan = make_plan(load_preset("default").scene, STANDARD)
+    constants, others = plan.numbers[0]
+    assert all(one.constant for one in constants.values())
+    assert not any(one.constant for one in others.values())
+    copied = plan.model_copy(update={"passes": plan.passes[1:]})
+    assert copied.numbers == plan.numbers[1:]
+    assert plan.model_copy() == plan
+
+
 def test_what_the_scene_does_not_call_for_is_not_there() -> None:
     bare = make_plan(Scene(light=None), STANDARD)
     text = "".join(program.fragment.text for program in bare.programs.values())

@@ -452,10 +452,7 @@ def _shown(plan: FramePlan, output: Output) -> str:
 
 
 def grid(rows: int, columns: int) -> tuple[NDArray[np.float32], NDArray[np.uint32]]:
-    """Vertices ((rows + 1)(columns + 1), 2) in [0, 1]², columns first, and the indices of two triangles per cell.
-
-    In strips of columns, for a driver still has a row's vertices where the next row has them too.
-    """
+    """Vertices ((rows + 1)(columns + 1), 2) in [0, 1]², columns first, and the indices of two triangles per cell."""
     u = np.arange(columns + 1, dtype=np.float64) / columns
     v = np.arange(rows + 1, dtype=np.float64) / rows
     vertices = np.stack(np.meshgrid(u, v, indexing="xy"), axis=-1).reshape(-1, 2).astype(np.float32)
@@ -463,6 +460,7 @@ def grid(rows: int, columns: int) -> tuple[NDArray[np.float32], NDArray[np.uint3
     first = row * (columns + 1) + column
     corners = np.stack([first, first + 1, first + columns + 1, first + columns + 2], axis=-1)
     cells = corners[..., [0, 1, 2, 2, 1, 3]].astype(np.uint32)
+    # In strips of columns: a driver still has a row's vertices where the next row has them too.
     return vertices, np.concatenate([cells[:, i : i + _STRIP].ravel() for i in range(0, columns, _STRIP)])
 
 
