@@ -175,21 +175,16 @@ export function meshKey(spec: MeshSpec): string {
   return spec.rule === "fullscreen" ? spec.rule : `${spec.rule} ${spec.count}`;
 }
 
-const STRIP = 32;
-
-/** Vertices (column/columns, row/rows), columns first, and two triangles a cell, in strips of columns: a driver still has a row's vertices where the next row has them too. */
+/** Vertices (column/columns, row/rows), columns first, and two triangles a cell. */
 export function gridData(rows: number, columns: number): { vertices: Float32Array; indices: Uint32Array } {
   const across = columns + 1;
   const vertices = new Float32Array((rows + 1) * across * 2);
   for (let i = 0; i < vertices.length / 2; i++) vertices.set([(i % across) / columns, Math.floor(i / across) / rows], 2 * i);
   const indices = new Uint32Array(rows * columns * 6);
-  for (let left = 0, at = 0; left < columns; left += STRIP) {
-    const width = Math.min(STRIP, columns - left);
-    for (let cell = 0; cell < rows * width; cell++, at += 6) {
-      const first = Math.floor(cell / width) * across + left + (cell % width);
-      const next = first + across;
-      indices.set([first, first + 1, next, next, first + 1, next + 1], at);
-    }
+  for (let cell = 0; cell < rows * columns; cell++) {
+    const first = Math.floor(cell / columns) * across + (cell % columns);
+    const next = first + across;
+    indices.set([first, first + 1, next, next, first + 1, next + 1], 6 * cell);
   }
   return { vertices, indices };
 }

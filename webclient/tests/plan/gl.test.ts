@@ -10,13 +10,6 @@ describe("a grid", () => {
     expect([...vertices]).toEqual([0, 0, 0.5, 0, 1, 0, 0, 1, 0.5, 1, 1, 1]);
     expect([...indices]).toEqual([0, 1, 3, 3, 1, 4, 1, 2, 4, 4, 2, 5]);
   });
-
-  it("goes down 32 columns before it takes the next ones", () => {
-    const { indices } = gridData(2, 33);
-    const firsts = Array.from({ length: 66 }, (_, cell) => indices[6 * cell]);
-    expect(firsts.slice(30, 34)).toEqual([30, 31, 34, 35]);
-    expect(firsts.slice(64)).toEqual([32, 66]);
-  });
 });
 
 describe("a target", () => {

@@ -67,7 +67,7 @@ def _suited(scene: Scene, quality: Quality) -> tuple[Quality, int]:
     Crests of an open sea alone throw up thin veils, where rocks and bursts tear the water into strings. Beside wide
     pixels veils have half of the drops (``storm`` errs 9.17 levels instead of 8.78 at 0.97 of the frame's time, where
     rocks would 7.8 instead of 3.0), and are four times as coarse (at most seven levels of any pixel away from twice as
-    coarse, in a third of the time); what rocks or bursts throw up is twice as coarse beside pixels at least three wide.
+    coarse, in half of the time); what rocks or bursts throw up is twice as coarse beside pixels at least three wide.
     """
     veil = scene.shore is None and scene.spray is not None and not scene.spray.bursts
     if veil and quality.pixel_width > 1:

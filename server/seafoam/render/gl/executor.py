@@ -44,7 +44,6 @@ _FILTERS = {
 _PROGRAMS_KEPT = 96
 _TEXTURES_KEPT = 48
 _TARGETS_KEPT = 48
-_STRIP = 32
 _STATIC_KEPT = 24
 """Targets that setup passes drew, for this plan and earlier ones: a plan has up to three, the largest 10 MB."""
 
@@ -459,9 +458,8 @@ def grid(rows: int, columns: int) -> tuple[NDArray[np.float32], NDArray[np.uint3
     row, column = np.meshgrid(np.arange(rows), np.arange(columns), indexing="ij")
     first = row * (columns + 1) + column
     corners = np.stack([first, first + 1, first + columns + 1, first + columns + 2], axis=-1)
-    cells = corners[..., [0, 1, 2, 2, 1, 3]].astype(np.uint32)
-    # In strips of columns: a driver still has a row's vertices where the next row has them too.
-    return vertices, np.concatenate([cells[:, i : i + _STRIP].ravel() for i in range(0, columns, _STRIP)])
+    indices = corners[..., [0, 1, 2, 2, 1, 3]].reshape(-1).astype(np.uint32)
+    return vertices, indices
 
 
 def _listing(model: Program) -> str:
