@@ -152,7 +152,8 @@ void main() {
     ivec2 first = ivec2(2 * as_int(floor(gl_FragCoord.x)) + CAUSTIC_RIM - CAUSTIC_BEFORE, as_int(floor(gl_FragCoord.y)));
     vec3 sum = vec3(0.0);
     for (int i = 0; i < CAUSTIC_TAPS; ++i) {
-        sum += texel_at(u_caustic_light, first + ivec2(i, 0)).rgb * u_caustic_across[i];
+        vec3 light = texel_at(u_caustic_light, first + ivec2(i, 0)).rgb;
+        sum += (CAUSTIC_WHITE ? light.rrr : light) * u_caustic_across[i];
     }
     o_light = vec4(sum, 0.0);
 }

@@ -115,17 +115,14 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
 
 def _middleware(settings: Settings, metrics: Metrics) -> list[Middleware]:
     """Return what a request passes, from the outside in."""
+    rates = TokenBuckets(settings.rate, settings.rate_burst) if settings.rate else None
     return [
         Middleware(Proxied, trusted=settings.trusted_proxies, root_path=settings.root_path.rstrip("/")),
         Middleware(WatchRequests, metrics=metrics, logged=settings.log_format == "json"),
         Middleware(OtherOrigins, public=not settings.access.restricted, origins=settings.cors_origins),
         Middleware(HeadAsGet),
         Middleware(SecurityHeaders),
-        Middleware(
-            AccessControl,
-            access=settings.access,
-            rates=TokenBuckets(settings.rate, settings.rate_burst) if settings.rate else None,
-        ),
+        Middleware(AccessControl, access=settings.access, rates=rates),
         Middleware(AnswerWhenStopped),
         # Starlette's own lies outside of all these, and its answer lacks their headers.
         Middleware(ServerErrorMiddleware, handler=errors.unexpected),

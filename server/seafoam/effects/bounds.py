@@ -110,6 +110,5 @@ def measured_bounds(source: str, size: int, texel: float, stride: int = 1) -> Re
     of_blocks = PassSpec(name, f"bounds_{size}_{stride}", files, {"u_bounded": source}, texels, target=blocks)
     join = ("surface/bounds.glsl@join",)
     of_all = PassSpec(f"{source}, greatest of all", "bounds_join", join, {"u_blocks": blocks}, target=bounds)
-    return drawn_map(of_blocks, Target(size=FixedSize(width=across, height=down), format="RGBA16F")).joined(
-        drawn_map(of_all, Target(size=FixedSize.square(1), format="RGBA16F"))
-    )
+    whole = drawn_map(of_all, Target(size=FixedSize.square(1), format="RGBA16F"))
+    return drawn_map(of_blocks, Target(size=FixedSize(width=across, height=down), format="RGBA16F")).joined(whole)

@@ -71,7 +71,7 @@ class FixedSize(PlanPart):
         return self.width, self.height
 
 
-TargetFormat = Literal["RGBA16F", "RGBA32F", "RGBA8", "RG32UI"]
+TargetFormat = Literal["R16F", "RGBA16F", "RGBA32F", "RGBA8", "RG32UI"]
 """RG32UI: integers, which no pass clears, blends or depth-tests; sampled texel by texel."""
 Filter = Literal["nearest", "linear", "linear_mipmap_linear"]
 MIPMAPPED: Final = "linear_mipmap_linear"

@@ -133,7 +133,7 @@ export interface State {
  */
 export interface Target {
     size: ViewportSize | FixedSize;
-    format: "RGBA16F" | "RGBA32F" | "RGBA8" | "RG32UI";
+    format: "R16F" | "RGBA16F" | "RGBA32F" | "RGBA8" | "RG32UI";
     depth: boolean;
     filter: "nearest" | "linear" | "linear_mipmap_linear";
     wrap: "repeat" | "clamp_to_edge";

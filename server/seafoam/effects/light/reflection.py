@@ -52,21 +52,16 @@ def _cubemap(scene: Scene, light: Light, reflection: str, quality: Quality) -> C
         scenery = (*SHORE, *lit_land(scene, shore), "reflection/mirror.glsl@land_around")
     if quality.cube == "exact":
         slot = SlotFile("reflection", "reflection/mirror.glsl@exact", needs=scenery)
-        why = "reflects sky and land, traced for each sample"
-        return Contribution(why=why, slots=(slot,))
+        return Contribution(why="reflects sky and land, traced for each sample", slots=(slot,))
     faces = ("lib/texels.glsl@cube_face", "reflection/cube.glsl@cube")
     needs = ("lib/texels.glsl@bilinear", *faces, "reflection/cube.glsl@texel")
+    files = (*SURROUNDINGS, *scenery, *faces, "reflection/cube.glsl@pass")
     size = FixedSize(width=3 * quality.cube_size, height=2 * quality.cube_size)
     return Contribution(
         why=f"reflects sky{' and land' if shore else ''} from a cube map of six faces of {quality.cube_size}²",
         slots=(SlotFile("reflection", "reflection/cube.glsl@cubemap", needs=needs),),
         consts={"CUBE_SIZE": quality.cube_size},
-    ).joined(
-        drawn_map(
-            PassSpec("cube map", "cube", (*SURROUNDINGS, *scenery, *faces, "reflection/cube.glsl@pass")),
-            Target(size=size, format="RGBA16F"),
-        )
-    )
+    ).joined(drawn_map(PassSpec("cube map", "cube", files), Target(size=size, format="RGBA16F")))
 
 
 def _planar(scene: Scene, light: Light, reflection: str, quality: Quality) -> Contribution | None:
@@ -85,6 +80,8 @@ def _planar(scene: Scene, light: Light, reflection: str, quality: Quality) -> Co
         return Contribution(why=f"reflected rays are traced to {objects}", slots=(slot,))
     blurred = scene.water.ripples is not None and not scene.boats
     size = min(quality.reflection_size, LAND_SIZE) if blurred else quality.reflection_size
+    files = (*SURROUNDINGS, *met, "reflection/mirror.glsl@map_pass")
+    mirror = PassSpec(f"planar mirror, {size} texels", "mirror", files)
     guess: tuple[Piece, ...] = (COURSE, "reflection/mirror.glsl@guess") if scene.boats else (_NO_GUESS,)
     return Contribution(
         why=f"a mirrored camera draws {objects}, {size} texels a side",
@@ -96,14 +93,7 @@ def _planar(scene: Scene, light: Light, reflection: str, quality: Quality) -> Co
             "MIRROR_LOOKS": 0 if scene.shore is None else LOOKS,
             "MIRROR_FAR": 0.0 if scene.shore is None else scene.shore.size,
         },
-    ).joined(
-        drawn_map(
-            PassSpec(
-                f"planar mirror, {size} texels", "mirror", (*SURROUNDINGS, *met, "reflection/mirror.glsl@map_pass")
-            ),
-            Target(size=FixedSize.square(size), format="RGBA16F"),
-        )
-    )
+    ).joined(drawn_map(mirror, Target(size=FixedSize.square(size), format="RGBA16F")))
 
 
 CUBEMAP = part_effect(

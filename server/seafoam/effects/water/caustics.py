@@ -1,7 +1,7 @@
 """Caustics: sunlight focused by ripples on a level floor, drawn into a map each frame. docs/formulae.md, section 11."""
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -21,8 +21,7 @@ from seafoam.quality import Quality
 from seafoam.scene import Caustics, Light, Ripples, Scene
 from seafoam.sums import summed
 
-COLOURS = ("red", "green", "blue")
-COLOUR_INDEX = (-0.0033, 0.0, 0.0042)
+COLOUR_INDEX = {"red": -0.0033, "green": 0.0, "blue": 0.0042}
 """Refractive index of water at 650, 550 and 450 nm less that at 550 nm (Daimon and Masumura 2007)."""
 RIM = 4
 """Border around the map, texels, that contains photons which land near the edge and the support of the smoothing."""
@@ -101,7 +100,7 @@ class _Tile:
         """Shift of each colour's light against green's, in half texels of ``half`` m; ``None`` if it varies."""
         slopes = np.concatenate((np.zeros((1, 2)), self.steep_slopes))
         green = landing(self.light, self.depth, slopes)
-        colours = [landing(self.light, self.depth, slopes, self.index(difference)) for difference in COLOUR_INDEX]
+        colours = [landing(self.light, self.depth, slopes, self.index(bent)) for bent in COLOUR_INDEX.values()]
         shifts = (np.array(colours) - green) / half
         # The first are those of level water.
         level = shifts[:, :1]
@@ -146,7 +145,7 @@ def _draw(scene: Scene, light: Light, caustics: Caustics, quality: Quality) -> C
     texels = quality.caustics_size
     shifts = None if photons else tile.shifts(0.5 * tile.side / texels)
     separate = tile.dispersion > 0.0 and shifts is None
-    colours = dict(zip(COLOURS, COLOUR_INDEX, strict=True)) if separate else {"white": 0.0}
+    colours = COLOUR_INDEX if separate else {"white": 0.0}
     least = max(tile.depth + min_surface_height(scene), 0.0)
     how = "3 colours" if separate else "3 colours from one grid" if tile.dispersion > 0.0 else "one colour"
     contribution = Contribution(
@@ -194,11 +193,12 @@ def _photons(tile: _Tile, colours: Mapping[str, float], side: int, texels: int) 
         )
         for name, difference in colours.items()
     ]
-    lights = {f"u_caustic_{name}": f"caustic_{name if name in colours else 'white'}" for name in COLOURS}
+    lights = {f"u_caustic_{name}": f"caustic_{name if name in colours else 'white'}" for name in COLOUR_INDEX}
+    light = Target(size=FixedSize.square(texels + 2 * RIM), format="RGBA16F")
     fold = PassSpec("caustics: map", "caustic_map", ("water/caustics.glsl@fold",), lights, target="caustics")
     return Resources(
         consts={"CAUSTIC_PHOTONS": side, "CAUSTIC_RIM": RIM},
-        targets=_targets((f"caustic_{name}" for name in colours), texels + 2 * RIM, texels),
+        targets={**{f"caustic_{name}": light for name in colours}, "caustics": _finished(texels)},
         passes=(*passes, fold),
     )
 
@@ -216,7 +216,7 @@ def _grid(
     passes: list[PassSpec] = []
     for name, difference in colours.items():
         light = _light_pass(tile, name, difference, "water/caustics.glsl@grid_vertex", "water/caustics.glsl@grid")
-        channels = vector(tuple(float(name in (own, "white")) for own in COLOURS))
+        channels = vector(tuple(float(name in (own, "white")) for own in COLOUR_INDEX))
         mesh = Grid(rows=cells + 2 * margin, columns=cells + 2 * margin)
         uniforms = {**light.uniforms, "u_caustic_channels": channels}
         passes.append(replace(light, mesh=mesh, clear=not passes, uniforms=uniforms))
@@ -228,11 +228,13 @@ def _grid(
             "CAUSTIC_BEFORE": before,
             "CAUSTIC_TAPS": taps,
             "CAUSTIC_RIM": rim,
+            "CAUSTIC_WHITE": "white" in colours,
         },
-        # Twice the resolution: a triangle brightens only texels whose centres it covers.
+        # Twice the resolution: a triangle brightens only texels whose centres it covers. One channel adds up faster.
         targets={
+            "caustic_light": Target(size=FixedSize.square(size), format="R16F" if "white" in colours else "RGBA16F"),
+            "caustics": _finished(texels),
             "caustic_rows": Target(size=FixedSize(width=texels, height=size), format="RGBA16F"),
-            **_targets(("caustic_light",), size, texels),
         },
         passes=(
             *passes,
@@ -242,10 +244,8 @@ def _grid(
     )
 
 
-def _targets(lights: Iterable[str], light_size: int, texels: int) -> dict[str, Target]:
-    light = Target(size=FixedSize.square(light_size), format="RGBA16F")
-    finished = Target(size=FixedSize.square(texels), format="RGBA16F", filter="linear_mipmap_linear", wrap="repeat")
-    return {**dict.fromkeys(lights, light), "caustics": finished}
+def _finished(texels: int) -> Target:
+    return Target(size=FixedSize.square(texels), format="RGBA16F", filter="linear_mipmap_linear", wrap="repeat")
 
 
 def _light_pass(tile: _Tile, colour: str, difference: float, vertex: str, fragment: str) -> PassSpec:

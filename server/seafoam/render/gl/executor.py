@@ -22,7 +22,7 @@ from seafoam.framegraph.resources import MIPMAPPED, Target, Texture, TextureInpu
 from seafoam.framegraph.rules import Loop, Uniform
 from seafoam.framegraph.visibility import drawn_passes, passes_into, reads
 from seafoam.render.gl.compilers import COLD_SECONDS, CompileRequest, SecondCompiler, may_assist
-from seafoam.render.gl.context import NoRendererError, attach_layers, create_context
+from seafoam.render.gl.context import NoRendererError, attach_layers, create_context, keep_freed_memory
 from seafoam.render.gl.formats import FORMAT_BYTES, READ, TARGET_FORMATS, TEXTURE_FORMATS, Cache, Output
 from seafoam.scene import Camera
 from seafoam.textures.store import spec_of, texture
@@ -168,7 +168,9 @@ class Executor:
         # llvmpipe compiles two variants of a program for an opaque state, and one for a blended state. So blending is
         # always enabled there; the factors (1, 0) make it opaque.
         self._always_blends = "llvmpipe" in self.info["renderer"]
-        if not self._always_blends:
+        if self._always_blends:
+            keep_freed_memory()
+        else:
             self._close_second()
         self._programs = Cache(_PROGRAMS_KEPT)
         self._textures = Cache(_TEXTURES_KEPT)

@@ -20,6 +20,7 @@ TEXTURE_FORMATS = {
 }
 """Components and moderngl dtype of each texture format."""
 TARGET_FORMATS = {
+    "R16F": (1, "f2"),
     "RGBA16": (4, "nu2"),
     "RGBA16F": (4, "f2"),
     "RGBA32F": (4, "f4"),

@@ -105,10 +105,11 @@ def test_colours_part_as_their_indices_do(executor: Executor) -> None:
 def test_colours_by_grid_part_as_the_trace_has_them(
     executor: Executor, report: Report, dispersion: float, grids: int, off: float
 ) -> None:
-    """One grid where colours land evenly beside one another, moved for each; else a grid a colour."""
+    """One grid where colours land evenly beside one another, added up in one channel and moved for each; else three."""
     scene = parted(dispersion)
     plan = make_plan(scene, TIERS["standard"].model_copy(update={"caustics_size": TEXELS, "caustics_cells": 512}))
     assert sum(one.name.endswith(" light") for one in plan.passes) == grids
+    assert plan.targets["caustic_light"].format == ("R16F" if grids == 1 else "RGBA16F")
     light, truth = light_of(executor, scene, caustics_cells=512), seafloor.photon_map(scene, TIME, TEXELS, 1024)
     apart, wide = (one[..., 0] - one[..., 2] for one in (light, truth))
     report.within(
