@@ -110,12 +110,15 @@ def _room() -> Iterator[None]:
     """After a test, have the executor forget what it keeps for later frames, once that is too much."""
     global least
     yield
-    if _executor.cache_info().currsize and resident() > max(LIMIT // 2, least + LIMIT // 10):
-        _executor().forget()
-        if resident() > 3 * LIMIT // 5:
-            _forget_results()
+    most = max(LIMIT // 2, least + LIMIT // 10)
+    if _executor.cache_info().currsize and resident() > most:
         give_back()
-        least = resident()
+        if resident() > most:
+            _executor().forget()
+            if resident() > 3 * LIMIT // 5:
+                _forget_results()
+            give_back()
+            least = resident()
 
 
 @pytest.fixture(scope="session")

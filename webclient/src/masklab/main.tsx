@@ -2,7 +2,7 @@
 import "../style.css";
 import { signal } from "@preact/signals";
 import { type ComponentChildren, render } from "preact";
-import { useEffect, useMemo } from "preact/hooks";
+import { useEffect, useLayoutEffect, useMemo } from "preact/hooks";
 import { Api, type Choice, messageOf } from "../api";
 import { Canvas, paintPixels } from "../charts/parts";
 import { Progress, RangeInput, Select } from "../ui/controls";
@@ -122,7 +122,8 @@ interface LabProps { api: Api; base: string; shipped: readonly Choice[]; }
 
 function Lab({ api, base, shipped }: LabProps) {
   const state = useMemo(() => signal(decodeState(location.hash)), []);
-  useEffect(() => {
+  // At once: what changes the address between the first reading and a later effect would be lost.
+  useLayoutEffect(() => {
     const follow = () => {
       if (location.hash.slice(1) !== encodeState(state.value)) state.value = decodeState(location.hash);
     };
