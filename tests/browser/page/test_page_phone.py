@@ -78,7 +78,7 @@ def test_targets_fit_a_finger_and_nothing_covers_them(phone: Visit) -> None:
     phone.settings()
     for folder in ("light", "waves (2)"):
         phone.settings().get_by_role("button", name=folder).click()
-    page.wait_for_function("() => document.querySelector('#settings').getAnimations({ subtree: true }).length === 0")
+    phone.still()
     targets += page.evaluate(TARGETS)
     assert page.evaluate(COVERED, "#settings .head, #transport") == []
     assert len(targets) > 40

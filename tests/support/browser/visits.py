@@ -163,10 +163,16 @@ class Visit:
         self.page.evaluate("() => document.activeElement?.blur()")
         if self.page.locator("#settings.open").count():
             self.press("Close settings")
+            self.still()
         self.follow(fragment)
         self.settle()
         self.complaints.clear()
         self.asked.clear()
+
+    def still(self) -> None:
+        """Wait until the panel neither opens nor closes any more."""
+        panel = "document.querySelector('#settings')"
+        self.page.wait_for_function(f"() => {panel}.getAnimations({{ subtree: true }}).length === 0")
 
     @contextmanager
     def awake(self) -> Iterator[None]:
