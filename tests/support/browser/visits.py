@@ -171,8 +171,9 @@ class Visit:
 
     def still(self) -> None:
         """Wait until the panel neither opens nor closes any more."""
+        running = "(one) => one.playState === 'running' && one.effect.getTiming().iterations !== Infinity"
         panel = "document.querySelector('#settings')"
-        self.page.wait_for_function(f"() => {panel}.getAnimations({{ subtree: true }}).length === 0")
+        self.page.wait_for_function(f"() => !{panel}.getAnimations({{ subtree: true }}).some({running})")
 
     @contextmanager
     def awake(self) -> Iterator[None]:
