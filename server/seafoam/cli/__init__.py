@@ -109,9 +109,10 @@ def serve(
     import uvicorn
 
     from seafoam.accuracy.cache import cache_dir
+    from seafoam.allocator import share_one_arena
     from seafoam.api.app import create_app
     from seafoam.api.watch import logs
-    from seafoam.cli.listening import keep_programs, listen, share_one_arena
+    from seafoam.cli.listening import keep_programs, listen
 
     share_one_arena()
     settings = _settings({name: value for name, value in (("host", host), ("port", port)) if value is not None})

@@ -1,28 +1,11 @@
-"""What ``seafoam serve`` sets up for its process: the allocator, where compiled programs are kept, where it listens."""
+"""What ``seafoam serve`` sets up for its process: where compiled programs are kept, where it listens."""
 
-import ctypes
 import os
 import socket
-import sys
 from contextlib import suppress
 from pathlib import Path
 
 from seafoam.cli.support import UNABLE, CommandError
-
-_M_ARENA_MAX = -8
-"""Option of ``mallopt`` (glibc, ``malloc.h``)."""
-
-
-def share_one_arena() -> None:
-    """Have glibc serve all threads from one arena; call it before any are started. Elsewhere it does nothing.
-
-    With an arena for each thread a long-lived server keeps what its threads free: 1 to 2 MB for every 1,000 requests
-    (docs/operations.md).
-    """
-    if sys.platform == "linux":
-        mallopt = getattr(ctypes.CDLL(None), "mallopt", None)
-        if mallopt is not None:
-            mallopt(_M_ARENA_MAX, 1)
 
 
 def keep_programs(folder: Path) -> None:

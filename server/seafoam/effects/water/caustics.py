@@ -213,6 +213,7 @@ def _grid(
     before, taps, across, along = _smoothing(shifts or 3 * [(0.0, 0.0)])
     rim = max(RIM, before, taps - before - 2)
     margin, size = tile.margin(cells), 2 * texels + 2 * rim
+    white = "white" in colours
     passes: list[PassSpec] = []
     for name, difference in colours.items():
         light = _light_pass(tile, name, difference, "water/caustics.glsl@grid_vertex", "water/caustics.glsl@grid")
@@ -228,11 +229,11 @@ def _grid(
             "CAUSTIC_BEFORE": before,
             "CAUSTIC_TAPS": taps,
             "CAUSTIC_RIM": rim,
-            "CAUSTIC_WHITE": "white" in colours,
+            "CAUSTIC_WHITE": white,
         },
         # Twice the resolution: a triangle brightens only texels whose centres it covers. One channel adds up faster.
         targets={
-            "caustic_light": Target(size=FixedSize.square(size), format="R16F" if "white" in colours else "RGBA16F"),
+            "caustic_light": Target(size=FixedSize.square(size), format="R16F" if white else "RGBA16F"),
             "caustics": _finished(texels),
             "caustic_rows": Target(size=FixedSize(width=texels, height=size), format="RGBA16F"),
         },

@@ -16,8 +16,6 @@ _REMEDY = (
 
 _FRAMEBUFFER, _COLOR_ATTACHMENT0 = 0x8D40, 0x8CE0
 """GL_FRAMEBUFFER and GL_COLOR_ATTACHMENT0."""
-_TRIM_THRESHOLD, _MMAP_THRESHOLD = -1, -3
-"""M_TRIM_THRESHOLD and M_MMAP_THRESHOLD of mallopt."""
 
 
 class NoRendererError(UnableError):
@@ -44,17 +42,6 @@ def create_context(device_index: int | None = None) -> moderngl.Context:
         raise NoRendererError(f"{name} has OpenGL {context.version_code / 100:.1f} without {_ES3}; {_REMEDY}")
     context.enable_only(moderngl.PROGRAM_POINT_SIZE)
     return context
-
-
-def keep_freed_memory() -> None:
-    """Have glibc keep up to 64 MB of freed memory: llvmpipe frees a frame's triangles, 28 MB for ``shallows``.
-
-    To map these pages anew took 7 % of its time. Has no effect on other C libraries.
-    """
-    if setting := getattr(ctypes.CDLL(None), "mallopt", None):
-        setting(_TRIM_THRESHOLD, 64 << 20)
-        # This ends its own choice of what is mapped by itself: all larger than a picture of 1280 × 720, 3.5 MB.
-        setting(_MMAP_THRESHOLD, 4 << 20)
 
 
 def attach_layers(context: moderngl.Context, framebuffer: moderngl.Framebuffer, array: moderngl.TextureArray) -> None:

@@ -16,13 +16,14 @@ import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
+from seafoam.allocator import keep_freed_memory
 from seafoam.framegraph.evaluation import FrameState, evaluate
 from seafoam.framegraph.plan import Blend, FramePlan, Grid, Mesh, Pass, Points, Program, Quads, uniforms_of
 from seafoam.framegraph.resources import MIPMAPPED, Target, Texture, TextureInput
 from seafoam.framegraph.rules import Loop, Uniform
 from seafoam.framegraph.visibility import drawn_passes, passes_into, reads
 from seafoam.render.gl.compilers import COLD_SECONDS, CompileRequest, SecondCompiler, may_assist
-from seafoam.render.gl.context import NoRendererError, attach_layers, create_context, keep_freed_memory
+from seafoam.render.gl.context import NoRendererError, attach_layers, create_context
 from seafoam.render.gl.formats import FORMAT_BYTES, READ, TARGET_FORMATS, TEXTURE_FORMATS, Cache, Output
 from seafoam.scene import Camera
 from seafoam.textures.store import spec_of, texture
