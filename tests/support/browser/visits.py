@@ -28,6 +28,8 @@ ERRORS_STAY = f"""(() => {{
   window.setTimeout = (run, delay, ...rest) => later(run, delay === {_GOES} ? 3600000 : delay, ...rest);
 }})()"""
 """Keeps messages of errors, which go by the clock: on a busy machine before a test has looked."""
+OVER = "({ effect, playState }) => playState !== 'running' || effect.getTiming().iterations === Infinity"
+"""Whether an animation is over, or goes on for ever, as that of the name on the hidden loading screen."""
 BLANK = "about:blank"
 """Where who has to do something with a page before it loads begins."""
 FINGER = 44
@@ -171,9 +173,8 @@ class Visit:
 
     def still(self) -> None:
         """Wait until the panel neither opens nor closes any more."""
-        running = "(one) => one.playState === 'running' && one.effect.getTiming().iterations !== Infinity"
         panel = "document.querySelector('#settings')"
-        self.page.wait_for_function(f"() => !{panel}.getAnimations({{ subtree: true }}).some({running})")
+        self.page.wait_for_function(f"() => {panel}.getAnimations({{ subtree: true }}).every({OVER})")
 
     @contextmanager
     def awake(self) -> Iterator[None]:
