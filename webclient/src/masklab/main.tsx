@@ -2,7 +2,7 @@
 import "../style.css";
 import { signal } from "@preact/signals";
 import { type ComponentChildren, render } from "preact";
-import { useEffect, useLayoutEffect, useMemo } from "preact/hooks";
+import { useLayoutEffect, useMemo } from "preact/hooks";
 import { Api, type Choice, messageOf } from "../api";
 import { Canvas, paintPixels } from "../charts/parts";
 import { Progress, RangeInput, Select } from "../ui/controls";
