@@ -183,7 +183,6 @@ def _uber(quality: Quality, exact_ripples: bool) -> _Uber:
         "MARCH_TOLERANCE": quality.surface.tolerance,
         "MARCH_STEP_WIDENS": 0.25,
         "MARCH_STEP_WIDEST": 0.0,
-        "MARCH_HIT_WIDEST": 0.0,
         "REFINE": quality.surface.refine,
     }
     texts, switches = _surface(parts)

@@ -63,10 +63,9 @@ uniform float u_surface_top;
 
 const float FARTHEST = 1e5;
 
-// Tolerances at a step over those at the first: by how much steps may pass a crest, and of a hit. Rays that brush crests would else take as
-// many steps as all others.
-vec2 march_widened(int i) {
-    return 1.0 + min(vec2(MARCH_STEP_WIDENS, 0.1) * float(i), vec2(MARCH_STEP_WIDEST, MARCH_HIT_WIDEST));
+// By how much a step may pass a crest, over the first step: rays that brush crests would else take as many steps as all others.
+float march_widened(int i) {
+    return 1.0 + min(MARCH_STEP_WIDENS * float(i), MARCH_STEP_WIDEST);
 }
 
 bool find_surface(vec3 ray, float farthest, out float tau, out vec3 wave) {
@@ -97,21 +96,18 @@ bool find_surface(vec3 ray, float farthest, out float tau, out vec3 wave) {
     tau = enter;
     march_open(ray, leave, fine, now, beyond.yz, start.b, tau);
     float gap = 0.0;
-    float hit = fine;
     // Looked at once before the loop: what the waves read from uniforms is then read there, not in every step.
     wave = waves(tau * ray.xz);
     for (int i = 0; i < MARCH_STEPS; ++i) {
         gap = u_eye_height + tau * ray.y - wave.x;
         float rate = ray.y - dot(wave.yz, ray.xz);
-        vec2 widened = fine * march_widened(i);
-        hit = widened.y;
-        if (tau >= leave || (gap < hit * tau && (gap < 0.0 || rate < 0.0))) {
+        if (tau >= leave || (gap < fine * tau && (gap < 0.0 || rate < 0.0))) {
             break;
         }
-        tau += march_ahead(ray, tau, gap, rate, widened.x, now, tau < beyond.x ? vec2(0.0) : beyond.yz, start.b);
+        tau += march_ahead(ray, tau, gap, rate, fine * march_widened(i), now, tau < beyond.x ? vec2(0.0) : beyond.yz, start.b);
         wave = waves(tau * ray.xz);
     }
-    if ((ray.y >= 0.0 || tau >= farthest) && gap >= hit * tau) {
+    if ((ray.y >= 0.0 || tau >= farthest) && gap >= fine * tau) {
         return false;
     }
     refine_water(vec2(0.0), u_eye_height, ray, 1.0, fine, enter, REFINE, true, tau, gap, wave);

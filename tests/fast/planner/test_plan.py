@@ -227,14 +227,14 @@ WIDE, FINE = ("finish",), ("surface samples", "surface")
 
 
 def test_constants_follow_what_a_sample_can_be_and_how_the_water_is_found() -> None:
-    """Shares of the rows beside; seas that break are refined after fewer steps, mirrored land is found more exactly;
+    """Shares and shifts of rows; seas that break are refined after fewer steps, mirrored land is found more exactly;
     tolerances that are coarse grow with the steps of a march."""
     for preset, quality, programs, lines in (
-        ("default", STANDARD, WIDE, ("float ROWS_SHARE = 0.1",)),
-        ("default", chosen(pixel_width=4), WIDE, ("float ROWS_SHARE = 0.0",)),
+        ("default", STANDARD, WIDE, ("float ROWS_SHARE = 0.15", "float ROW_SHIFT = 0.125")),
+        ("default", chosen(pixel_width=4), WIDE, ("float ROWS_SHARE = 0.0", "float ROW_SHIFT = 0.25")),
         ("lake-calm", chosen(pixel_width=4), WIDE, ("float ROWS_SHARE = 0.0",)),
         ("paper-wake", chosen(pixel_width=4), WIDE, ("float ROWS_SHARE = 0.5",)),
-        ("paper-textured", STANDARD, WIDE, ("float ROWS_SHARE = 0.1",)),
+        ("paper-textured", STANDARD, WIDE, ("float ROWS_SHARE = 0.15",)),
         ("shallows", STANDARD, WIDE, ("float ROWS_SHARE = 0.2",)),
         ("storm", STANDARD, FINE, ("int REFINE = 1", "float MARCH_TOLERANCE = 0.2")),
         ("storm", chosen(surface=SurfaceQuality(refine=2)), FINE, ("int REFINE = 2", "float MARCH_TOLERANCE = 0.1")),
@@ -245,16 +245,16 @@ def test_constants_follow_what_a_sample_can_be_and_how_the_water_is_found() -> N
             "swell",
             STANDARD,
             FINE,
-            ("float MARCH_STEP_WIDENS = 0.25", "float MARCH_STEP_WIDEST = 15.0", "float MARCH_HIT_WIDEST = 1.0"),
+            ("float MARCH_STEP_WIDENS = 0.25", "float MARCH_STEP_WIDEST = 15.0"),
         ),
         (
             "swell",
             TIERS["fast"],
             FINE,
-            ("float MARCH_STEP_WIDENS = 0.1", "float MARCH_STEP_WIDEST = 7.0", "float MARCH_HIT_WIDEST = 0.0"),
+            ("float MARCH_STEP_WIDENS = 0.1", "float MARCH_STEP_WIDEST = 7.0"),
         ),
-        ("swell", TIERS["high"], FINE, ("float MARCH_STEP_WIDEST = 0.0", "float MARCH_HIT_WIDEST = 0.0")),
-        ("swell", TIERS["reference"], FINE, ("float MARCH_STEP_WIDEST = 0.0", "float MARCH_HIT_WIDEST = 0.0")),
+        ("swell", TIERS["high"], FINE, ("float MARCH_STEP_WIDEST = 0.0",)),
+        ("swell", TIERS["reference"], FINE, ("float MARCH_STEP_WIDEST = 0.0",)),
     ):
         plan = made(preset, quality)
         text = next(plan.programs[name].fragment.text for name in programs if name in plan.programs)

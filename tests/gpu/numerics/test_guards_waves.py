@@ -77,7 +77,6 @@ FUNCTIONS = (
             "MARCH_STEPS": 8,
             "MARCH_STEP_WIDENS": 0.25,
             "MARCH_STEP_WIDEST": 0.0,
-            "MARCH_HIT_WIDEST": 0.0,
             "REFINE": 0,
             "u_eye_height": -1000.0,
             "u_surface_top": 1.0,
