@@ -230,14 +230,14 @@ def enlarged(picture: NDArray[np.float64], width: int, wide: int) -> NDArray[np.
     height, columns = seen.shape[:2]
     # Rows count from the bottom.
     rows = np.arange(height)[::-1]
-    shift = np.where(rows % 2 == 0, -0.25, 0.25)[:, None]
+    shift = (0.125 if wide < 4 else 0.25) * np.where(rows % 2 == 0, -1.0, 1.0)[:, None]
     middle = (np.arange(width) + 0.5) / width * columns - 0.5
     own = along_rows(seen, middle - shift, wide < 4)
     f = (middle - shift) % 1.0
     mirrored = np.pad(np.arange(height), 1, mode="reflect")
     beside = np.clip(np.floor(middle + shift + 0.5).astype(int), 0, columns - 1)[..., None]
     around = sum(np.take_along_axis(seen[side], beside, 1) for side in (mirrored[:-2], mirrored[2:])) / 2.0
-    share = ((0.1 if wide < 4 else 0.0) * 4.0 * f * (1.0 - f))[..., None]
+    share = ((0.15 if wide < 4 else 0.0) * 4.0 * f * (1.0 - f))[..., None]
     found = (1.0 - share) * own + share * around
     return np.concatenate([found[..., :3] / (1.0 - found[..., :3].max(-1, keepdims=True)), found[..., 3:]], -1)
 
