@@ -155,7 +155,9 @@ def apart(executor: Executor, scene: Scene, camera: Camera, time: float, size: i
     """RMSE in levels between frames with the map and with the sum."""
     frames = []
     for way in ("map", "exact"):
-        quality = TIERS["standard"].model_copy(update={"rings": way, "rings_size": size, "target": "RGBA32F", "pixel_width": 1})
+        quality = TIERS["standard"].model_copy(
+            update={"rings": way, "rings_size": size, "target": "RGBA32F", "pixel_width": 1}
+        )
         assert ("rings" in make_plan(scene, quality).targets) == (way == "map")
         frames.append(linear(executor, scene, quality, camera, time=time, size=(96, 54)))
     return rmse(*frames)
