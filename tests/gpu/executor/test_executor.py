@@ -1,5 +1,6 @@
 """The executor: what it draws, and keeps between frames."""
 
+import math
 import subprocess
 import sys
 from collections.abc import Callable
@@ -16,6 +17,7 @@ from seafoam.framegraph.resources import ViewportSize
 from seafoam.planner import FramePlan, make_plan, surface
 from seafoam.quality import TIERS, Quality, SurfaceQuality, Tier
 from seafoam.render.gl.executor import Executor, Output, ShaderError
+from seafoam.scene import Camera
 from support.pictures import ROUNDED, draw
 from support.scenes import load_preset
 
@@ -187,6 +189,8 @@ def test_a_frame_after_others_is_that_of_a_fresh_executor(preset: str, fresh: Ex
 
     alone = at(7.3)
     fresh._static.clear()
+    # The sky alone, in which the water's pass only clears its target.
+    draw(fresh, plan, Camera(position=(3.0, 30.0, -2.0), pitch=math.pi / 2), time=0.0, size=(48, 27))
     at(1.0, make_plan(load_preset("lagoon").scene, STANDARD))
     at(2.0)
     assert at(7.3) == alone

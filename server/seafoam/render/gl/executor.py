@@ -201,7 +201,7 @@ class Executor:
             if name not in setup
         }
         framebuffers["screen"] = self._screen(width, height, output)
-        framebuffers |= self._set_up(plan, drawn, _Frame(time, camera, 1, 1))
+        framebuffers |= self._set_up(plan, [i for i, visible in drawn.items() if visible], _Frame(time, camera, 1, 1))
         frame = _Frame(time, camera, width, height)
         # All frame passes are drawn, since plans share their targets and may have overwritten those of earlier frames.
         for index, visible in drawn.items():
@@ -293,14 +293,14 @@ class Executor:
                 "a GL context draws only in the thread that created it; in others it draws nothing, without an error"
             )
 
-    def _set_up(self, plan: FramePlan, drawn: Iterable[int], frame: _Frame) -> dict[str, tuple[Any, ...]]:
-        """Return the kept targets that passes of ``drawn`` read, with the content that setup passes draw.
+    def _set_up(self, plan: FramePlan, shown: Iterable[int], frame: _Frame) -> dict[str, tuple[Any, ...]]:
+        """Return the kept targets that passes of ``shown`` read, with the content that setup passes draw.
 
         Targets that no earlier frame has drawn, of this plan or of one with the same hash, or that it drew with other
         numbers of rules with a step, are drawn now; on nothing else of the frame they depend.
         """
-        setup = {index: plan.passes[index] for index in drawn if plan.passes[index].when == "setup"}
-        wanted = {name for index in drawn if index not in setup for name in reads(plan.passes[index])}
+        setup = {index: plan.passes[index] for index in shown if plan.passes[index].when == "setup"}
+        wanted = {name for index in shown if index not in setup for name in reads(plan.passes[index])}
         needed = {name: digest for name, digest in plan.kept.items() if name in wanted}
         kept: dict[str, _Kept] = {
             name: self._static.get(digest, partial(self._keep, plan, name, setup)) for name, digest in needed.items()
