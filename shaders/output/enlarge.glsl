@@ -39,7 +39,7 @@ vec4 enlarged() {
         int beside = as_int(floor(middle + shift + 0.5));
         float f = fract(middle - shift);
         // Of dots as much where the two beside differ; where they are alike, a crest may run between the rows.
-        float alike = PIXEL_WIDTH > 3.0 ? 0.3 : 0.1;
+        float alike = PIXEL_WIDTH > 3.0 ? 0.4 : 0.1;
         float share = DOTTED ? mix(alike, ROWS_SHARE, 4.0 * found.a * (1.0 - found.a)) : ROWS_SHARE;
         found = mix(found, 0.5 * (seen(beside, above) + seen(beside, below)), share * 4.0 * f * (1.0 - f));
     }

@@ -232,6 +232,7 @@ def test_constants_follow_what_a_sample_can_be_and_how_the_water_is_found() -> N
     for preset, quality, programs, lines in (
         ("default", STANDARD, WIDE, ("float ROWS_SHARE = 0.15", "float ROW_SHIFT = 0.125")),
         ("default", chosen(pixel_width=4), WIDE, ("float ROWS_SHARE = 0.0", "float ROW_SHIFT = 0.25")),
+        ("coastline", chosen(pixel_width=4), WIDE, ("float ROWS_SHARE = 0.15", "float ROW_SHIFT = 0.25")),
         ("lake-calm", chosen(pixel_width=4), WIDE, ("float ROWS_SHARE = 0.0",)),
         ("paper-wake", chosen(pixel_width=4), WIDE, ("float ROWS_SHARE = 0.5",)),
         ("paper-textured", STANDARD, WIDE, ("float ROWS_SHARE = 0.15",)),
