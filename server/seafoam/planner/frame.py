@@ -30,10 +30,9 @@ START_SHARE = 0.25
 """Step length below which the search for a start distance ends, in heights of a tile at that distance."""
 STEP_WIDEST = 1.6
 """Tolerance of steps that a march reaches, where it begins from 0.1 or more: rays that brush crests take as many steps
-as all others. ``standard`` takes 0.90 (boat-race) to 0.97 of the time, and errs as much; hits keep theirs, of which
-twice as much was 1 to 3 % of the error for 1 to 4 % of the time. A step widens it by a quarter of the first, of
-``fast`` by a tenth: by a quarter it takes 1 to 5 % less, but ``default`` flickers 2.1 times as much as the mean of 64
-samples."""
+as all others. ``standard`` takes 0.90 (boat-race) to 1 of the time, and errs as much; twice as much for hits was 1 to
+3 % of the error for 1 to 4 % of the time. A step widens it by a quarter of the first, of ``fast`` by a tenth: by a
+quarter it takes 1 to 5 % less, but ``default`` flickers 2.1 times as much as the mean of 64 samples."""
 ROW_SHIFT, ROW_SHIFT_OF_FAST = 0.125, 0.25
 """Shift of the rows of wide pixels, to the left and to the right in turn, in their width: as a rule, and of those of a
 quarter of the width. At a quarter two rows together have a sample for every half of a pixel; at an eighth a line that
