@@ -86,7 +86,10 @@ def test_touches_are_steps_of_undo_and_a_link_restores_them(small: Visit) -> Non
     drawn(small)
     whole, picture = touches(small), small.picture()
     assert len(whole) > 4
-    small.page.wait_for_function("() => location.hash.includes('touches=')")
+    # The address follows after a moment, and has those of the taps before.
+    small.page.wait_for_function(
+        "(all) => location.hash.match(/touches=([^&]*)/)?.[1].split(/~|%7E/).length === all", arg=len(whole)
+    )
     fragment = small.page.url.partition("#")[2]
     small.page.locator("#canvas").focus()
     counts = []
