@@ -62,7 +62,8 @@ def _drawn(*arguments: str) -> list[str]:
 def _request() -> CompileRequest:
     scene = load_preset(PRESET).scene
     plan = make_plan(scene, TIERS["fast"])
-    passes = longest_first(plan, drawn_passes(plan, scene.camera, 64, 36, "screen"))
+    drawn = drawn_passes(plan, scene.camera, 64, 36, "screen")
+    passes = longest_first(plan, [index for index, visible in drawn.items() if visible])
     return CompileRequest(plan, passes, scene.camera, 64, 36, "rgba8")
 
 

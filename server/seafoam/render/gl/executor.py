@@ -191,8 +191,9 @@ class Executor:
         _, dtype, kind = READ[output]
         target_name = _shown(plan, output)
         drawn = drawn_passes(plan, camera, width, height, target_name)
-        if self._second and (new := self._new(plan, drawn)):
-            passes = [i for i in longest_first(plan, drawn) if i in new]
+        shown = [index for index, visible in drawn.items() if visible]
+        if self._second and (new := self._new(plan, shown)):
+            passes = [i for i in longest_first(plan, shown) if i in new]
             self._compile_in_two(self._second, CompileRequest(plan, passes, camera, width, height, output))
         setup = {step.target for step in plan.passes if step.when == "setup"}
         framebuffers = {
@@ -201,7 +202,7 @@ class Executor:
             if name not in setup
         }
         framebuffers["screen"] = self._screen(width, height, output)
-        framebuffers |= self._set_up(plan, [i for i, visible in drawn.items() if visible], _Frame(time, camera, 1, 1))
+        framebuffers |= self._set_up(plan, shown, _Frame(time, camera, 1, 1))
         frame = _Frame(time, camera, width, height)
         # All frame passes are drawn, since plans share their targets and may have overwritten those of earlier frames.
         for index, visible in drawn.items():
@@ -249,10 +250,9 @@ class Executor:
             self._draw(plan, index, into, frame)
             framebuffer.scissor = None
 
-    def _new(self, plan: FramePlan, drawn: Mapping[int, bool]) -> set[int]:
-        """Return the visible passes whose programs have not been drawn."""
-        visible = (index for index, shown in drawn.items() if shown)
-        return {index for index in visible if _key(plan.programs[plan.passes[index].program]) not in self._programs}
+    def _new(self, plan: FramePlan, shown: Iterable[int]) -> set[int]:
+        """Return those of the passes whose programs have not been drawn."""
+        return {index for index in shown if _key(plan.programs[plan.passes[index].program]) not in self._programs}
 
     def _compile_in_two(self, second: SecondCompiler, request: CompileRequest) -> None:
         """Compile what a frame draws for the first time in two processes, unless the driver has kept it."""
@@ -432,15 +432,14 @@ class Executor:
         return framebuffer, array, *buffers
 
 
-def longest_first(plan: FramePlan, drawn: Mapping[int, bool]) -> list[int]:
-    """Return a visible pass for each program and way of drawing with it; those with the longest source first."""
+def longest_first(plan: FramePlan, shown: Iterable[int]) -> list[int]:
+    """Return one of the passes for each program and way of drawing with it; those with the longest source first."""
     ways: dict[tuple[Any, ...], int] = {}
-    for index, visible in drawn.items():
+    for index in shown:
         step = plan.passes[index]
         target = plan.targets.get(step.target)
         form = (target.format, target.layers, target.depth) if target else None
-        if visible:
-            ways.setdefault((step.program, step.state.model_copy(update={"clear": False}), form), index)
+        ways.setdefault((step.program, step.state.model_copy(update={"clear": False}), form), index)
     return sorted(ways.values(), key=lambda index: -len(plan.programs[plan.passes[index].program].fragment.text))
 
 
